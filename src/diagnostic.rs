@@ -212,23 +212,27 @@ pub(crate) fn summarised(findings: Vec<Diagnostic>) -> Vec<Diagnostic> {
             kept.push(finding);
         }
     }
-    for (severity, name) in [
-        (Severity::Note, phrase!("notes")),
-        (Severity::Warning, phrase!("warnings")),
-        (Severity::Error, phrase!("errors")),
-    ] {
+    for severity in [Severity::Note, Severity::Warning, Severity::Error] {
         let more = counts[severity as usize].saturating_sub(MOST_FINDINGS);
         if let (true, Some(last)) = (more > 0, kept.iter().rfind(|f| f.severity == severity)) {
             let place = Place {
                 file: last.place.file.clone(),
                 ..Place::default()
             };
+            let says = match severity {
+                Severity::Note => {
+                    text!(one "{count} more note like these", "{count} more notes like these", count = more)
+                }
+                Severity::Warning => {
+                    text!(one "{count} more warning like these", "{count} more warnings like these", count = more)
+                }
+                Severity::Error => {
+                    text!(one "{count} more error like these", "{count} more errors like these", count = more)
+                }
+            };
             kept.push(Diagnostic {
                 severity,
-                ..Diagnostic::note(
-                    place,
-                    text!("{more} more {name} like these", more = more, name = name),
-                )
+                ..Diagnostic::note(place, says)
             });
         }
     }

@@ -44,7 +44,9 @@ pub(crate) fn read_regular(path: &Path, most: u64) -> Result<Vec<u8>, Refusal> {
     let (file, length) = open_regular(path)?;
     let too_long = |found: Text| (found, text!("a file of at most {most} bytes", most = most));
     if length > most {
-        return Err(too_long(text!("{length} bytes", length = length)));
+        return Err(too_long(
+            text!(one "{count} byte", "{count} bytes", count = length),
+        ));
     }
     let mut bytes = Vec::with_capacity(usize::try_from(length).unwrap_or(0));
     let read = file.take(most + 1).read_to_end(&mut bytes);
@@ -58,7 +60,7 @@ pub(crate) fn read_regular(path: &Path, most: u64) -> Result<Vec<u8>, Refusal> {
 /// The path of what a document in `folder` calls `name`: there or below it, links resolved.
 /// `whose` is what the folder is called: "the session's folder".
 pub(crate) fn below(folder: &Path, name: &str, whose: Template) -> Result<PathBuf, Refusal> {
-    let expected = text!("a file in {whose} or below it", whose = whose);
+    let expected = text!("a file in {folder} or below it", folder = whose);
     let refused = |found: Text| {
         let found = text!("{found}: {name}", found = found, name = name);
         (found, expected.clone())
@@ -82,7 +84,10 @@ pub(crate) fn below(folder: &Path, name: &str, whose: Template) -> Result<PathBu
     let real = fs::canonicalize(&path).map_err(|error| failed(&error))?;
     let real_folder = fs::canonicalize(folder).map_err(|error| failed(&error))?;
     if !real.starts_with(&real_folder) {
-        return Err(refused(text!("a link that leaves {whose}", whose = whose)));
+        return Err(refused(text!(
+            "a link that leaves {folder}",
+            folder = whose
+        )));
     }
     Ok(path)
 }

@@ -50,6 +50,17 @@ pub struct NotRead {
     pub because: Text,
 }
 
+impl NotRead {
+    /// In a sentence.
+    pub fn describe(&self) -> Text {
+        text!(
+            "{file} is excluded: {because}",
+            file = &self.file,
+            because = &self.because
+        )
+    }
+}
+
 /// What became of one robot.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RobotHistory {

@@ -307,11 +307,7 @@ pub fn export_for(
     match gaps {
         Some([before, after]) if after.rms_mm > before.rms_mm => Err(ExportError::MakesWorse {
             session: session.name.clone(),
-            what: if export.reads_as.is_some() {
-                phrase!("table")
-            } else {
-                phrase!("description of the robot")
-            },
+            is_table: export.reads_as.is_some(),
             before_mm: before.rms_mm,
             after_mm: after.rms_mm,
         }),

@@ -58,9 +58,9 @@ impl RecordError {
                 cells,
                 headings,
             } => text!(
-                "line {line} of the stream: {cells} cells; expected {headings}, as many as --columns has",
+                one "line {line} of the stream: {count} cell; expected {headings}, as many as --columns has", "line {line} of the stream: {count} cells; expected {headings}, as many as --columns has",
                 line = line,
-                cells = cells,
+                count = cells,
                 headings = headings
             ),
             Self::LongLine { line } => text!(
@@ -252,9 +252,9 @@ impl<F: FnOnce() -> io::Result<W>, W: Write> Recorder<F, W> {
                     headings,
                 }) if self.tolerant => {
                     self.say(text!(
-                        "line {line} of the stream has {cells} cells, not {headings}: excluded",
+                        one "line {line} of the stream has {count} cell, not {headings}: excluded", "line {line} of the stream has {count} cells, not {headings}: excluded",
                         line = line,
-                        cells = cells,
+                        count = cells,
                         headings = headings
                     ));
                     Ok(())
@@ -383,9 +383,9 @@ impl<F: FnOnce() -> io::Result<W>, W: Write> Recorder<F, W> {
         if cells.len() != form.headings.len() {
             let (found, wanted) = (cells.len(), form.headings.len());
             self.say(text!(
-                "line {line} of the stream has {cells} cells, not {headings}: {content}: excluded",
+                one "line {line} of the stream has {count} cell, not {headings}: {content}: excluded", "line {line} of the stream has {count} cells, not {headings}: {content}: excluded",
                 line = number,
-                cells = found,
+                count = found,
                 headings = wanted,
                 content = quoted(line)
             ));

@@ -261,7 +261,11 @@ fn pose(option: &str, numbers: &[f64], turns: Orientation) -> Result<Pose, Failu
     let (at, turn) = match numbers {
         [x, y, z] => ([*x, *y, *z], &[0.0; 3][..]),
         [x, y, z, turn @ ..] if matches!(turn.len(), 3 | 4) => ([*x, *y, *z], turn),
-        _ => return Err(wrong(text!("{numbers} numbers", numbers = numbers.len()))),
+        _ => {
+            return Err(wrong(
+                text!(one "{count} number", "{count} numbers", count = numbers.len()),
+            ));
+        }
     };
     let turn = turns.read(turn);
     let turn = turn.ok_or_else(|| wrong(text!("a quaternion of no length")))?;
@@ -290,8 +294,8 @@ fn complain(answer: &Answer, file: &Path) -> Result<(), Failure> {
     match answer.left() {
         0 => Ok(()),
         left => Err(Failure::Failed(anyhow::Error::msg(text!(
-            "{left} of {all} targets were left as they are",
-            left = left,
+            one "{count} of {all} targets was left as it is", "{count} of {all} targets were left as they are",
+            count = left,
             all = answer.targets.len()
         )))),
     }

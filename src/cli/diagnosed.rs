@@ -34,9 +34,9 @@ pub(super) fn start_in_words(start: &RegionalStart) -> String {
 pub(super) fn in_words(d: &Diagnosis) -> String {
     let mut text = String::new();
     let samples = say!(
-        "{session}: {samples} samples",
+        one "{session}: {count} sample", "{session}: {count} samples",
         session = d.session,
-        samples = d.samples
+        count = d.samples
     );
     line(&mut text, samples);
     for section in explain::diagnosis(d, Detail::TERMINAL) {

@@ -77,7 +77,7 @@ fn left_of(session: &Session, error: Option<Spread>) -> Text {
             largest = format!("{:.6}", error.max_mm)
         ),
         None => text!(
-            "what it leaves of '{session}' cannot be said: another robot, no complete sample, or measured \
+            "the error that it leaves on '{session}' cannot be computed: another robot, no complete sample, or measured \
              with a table active",
             session = &session.name
         ),

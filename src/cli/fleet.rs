@@ -151,7 +151,7 @@ fn one(path: &Path, asked: &IdentificationTask, stopped: &AtomicBool) -> Answer 
 fn guarded<T>(path: &Path, work: impl FnOnce() -> Result<T, Failure>) -> Result<T, Failure> {
     let broke_down = |_| {
         let file = path.display();
-        let text = text!("{file}: the diagnosis broke down", file = file.to_string());
+        let text = text!("{file}: the diagnosis failed", file = file.to_string());
         Err(Error::msg(text).into())
     };
     catch_unwind(AssertUnwindSafe(work)).unwrap_or_else(broke_down)
@@ -272,6 +272,6 @@ mod tests {
         assert!(matches!(said(|| Ok(3)), Ok(3)));
         let broken = said(|| panic!("a fault of the program"));
         let broken = broken.map_err(|failure| failure.to_string());
-        assert_eq!(broken, Err("s.json: the diagnosis broke down".to_owned()));
+        assert_eq!(broken, Err("s.json: the diagnosis failed".to_owned()));
     }
 }

@@ -27,15 +27,7 @@ impl History {
     pub(crate) fn run(self) -> Result<(), Failure> {
         let found = history(&self.folder)?;
         let not_read = found.not_read.iter();
-        let lines: Vec<String> = not_read
-            .map(|file| {
-                say!(
-                    "{file} is excluded: {because}",
-                    file = file.file,
-                    because = spoken(&file.because)
-                )
-            })
-            .collect();
+        let lines: Vec<String> = not_read.map(|file| spoken(file.describe())).collect();
         output::messages(&lines);
         if self.json {
             output::json(&document(&found))

@@ -151,9 +151,9 @@ fn parse_regions(text: &str) -> Result<RegionChoice, Failure> {
 fn in_words(answer: &Identification, session: &Session, data_problems: &[DataProblem]) -> String {
     let mut text = String::new();
     let samples = say!(
-        "{session}: {samples} samples",
+        one "{session}: {count} sample", "{session}: {count} samples",
         session = answer.session,
-        samples = answer.samples
+        count = answer.samples
     );
     line(&mut text, samples);
     let sections = explain::identification(answer, session, data_problems, Detail::TERMINAL);

@@ -43,7 +43,7 @@ pub(crate) struct Import {
     #[arg(
         long,
         value_name = "FILE",
-        help = "Where the robot was sent: a table with q1_deg, … and perhaps name, time_s, dir1, load_kg, …"
+        help = "Commanded positions: a table with q1_deg, … and perhaps name, time_s, dir1, load_kg, …"
     )]
     commands: Option<PathBuf>,
     /// How commands find their measurements
@@ -149,7 +149,7 @@ impl Import {
         }
         if reading.kind.is_none() {
             return Err(Failure::WrongInput(text!(
-                "nothing says what wrote the file: --as, or a profile with \"as\""
+                "the format of the file is not stated: --as, or a profile with \"as\""
             )));
         }
         if let Some(profile) = &self.save_profile {

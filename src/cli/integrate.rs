@@ -193,8 +193,8 @@ impl Integrate {
                 }
             }
             say!(
-                "{files} files removed in {folder}",
-                files = files.len(),
+                one "{count} file removed in {folder}", "{count} files removed in {folder}",
+                count = files.len(),
                 folder = share.display()
             )
         } else {
@@ -208,8 +208,8 @@ impl Integrate {
                 output::document(path, bytes, self.force, &[])?;
             }
             say!(
-                "{files} files written in {folder}",
-                files = files.len(),
+                one "{count} file written in {folder}", "{count} files written in {folder}",
+                count = files.len(),
                 folder = share.display()
             )
         };
@@ -217,7 +217,7 @@ impl Integrate {
         if cfg!(feature = "gui") {
             let (mime, menus) = (share.join("mime"), share.join("applications"));
             lines.push(say!(
-                "menus that do not notice: update-mime-database {mime}; update-desktop-database {menus}",
+                "if the menus are not updated: update-mime-database {mime}; update-desktop-database {menus}",
                 mime = mime.display(),
                 menus = menus.display()
             ));

@@ -124,7 +124,7 @@ pub(crate) fn one_use_of_standard_output(
 ) -> Result<(), Failure> {
     if first && second {
         return Err(Failure::WrongInput(text!(
-            "{first} and {second} both want standard output; give one of them a file name",
+            "{first} and {second} both write to standard output; give one of them a file name",
             first = first_name,
             second = second_name
         )));

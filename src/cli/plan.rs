@@ -100,8 +100,8 @@ impl Plan {
             [a, b] => Some([a.clone(), b.clone()]),
             other => {
                 return Err(Failure::WrongInput(text!(
-                    "--separate names {effects} effects; expected two, such as backlash,tracking-lag",
-                    effects = other.len()
+                    one "--separate names {count} effect; expected two, such as backlash,tracking-lag", "--separate names {count} effects; expected two, such as backlash,tracking-lag",
+                    count = other.len()
                 )));
             }
         };
@@ -160,8 +160,8 @@ fn place(numbers: &[f64]) -> Result<Point3<f64>, Failure> {
     match *numbers {
         [x, y, z] if numbers.iter().all(|v| v.is_finite()) => Ok(Point3::new(x, y, z)),
         _ => Err(Failure::WrongInput(text!(
-            "--instrument has {numbers} numbers; expected X,Y,Z in mm, such as 2500,0,800",
-            numbers = numbers.len()
+            one "--instrument has {count} number; expected X,Y,Z in mm, such as 2500,0,800", "--instrument has {count} numbers; expected X,Y,Z in mm, such as 2500,0,800",
+            count = numbers.len()
         ))),
     }
 }

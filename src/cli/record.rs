@@ -145,7 +145,7 @@ impl Record {
             &mut hear,
         )? {
             End::Broken(error) => {
-                let error = anyhow::Error::new(error).context(text!("the stream broke off"));
+                let error = anyhow::Error::new(error).context(text!("the stream was interrupted"));
                 Err(Failure::Failed(error))
             }
             End::Unwanted | End::Closed => Ok(()),

@@ -113,7 +113,8 @@ fn described(robot: &LibraryRobot) -> String {
             range = range
         );
         if let Some(ratio) = robot.gear_ratios.get(k) {
-            said += &say!(", gear {ratio}", ratio = figure(Some(*ratio)));
+            let gear = say!("gear {ratio}", ratio = figure(Some(*ratio)));
+            said += &format!(", {gear}");
         }
         line(&mut text, said);
     }

@@ -45,9 +45,9 @@ impl Standards {
 fn in_words(s: &Figures) -> String {
     let mut text = String::new();
     let samples = say!(
-        "{session}: {samples} samples",
+        one "{session}: {count} sample", "{session}: {count} samples",
         session = s.session,
-        samples = s.samples
+        count = s.samples
     );
     line(&mut text, samples);
     text + &blocks::sections(&standards(s, SHOWN))

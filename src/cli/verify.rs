@@ -41,9 +41,9 @@ impl Verify {
 fn in_words(v: &Verification) -> String {
     let mut text = String::new();
     let samples = say!(
-        "{session}: {samples} samples",
+        one "{session}: {count} sample", "{session}: {count} samples",
         session = v.session,
-        samples = v.samples
+        count = v.samples
     );
     line(&mut text, samples);
     text + &blocks::sections(&verification(v, Detail::TERMINAL))

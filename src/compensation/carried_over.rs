@@ -72,16 +72,21 @@ pub(super) fn carried_over(
     let shift = shift.map_or([0.0; 3], |t| {
         [t.coefficients[0], t.coefficients[1], t.coefficients[2]]
     });
-    let what = match (same_tool, same_targets) {
-        (false, false) => phrase!("another tool and other targets"),
-        (false, true) => phrase!("another tool"),
-        (true, _) => phrase!("other targets"),
+    let shift = components(shift, 4);
+    let note = match (same_tool, same_targets) {
+        (false, false) => text!(
+            "the session has another tool and other targets than the model: its joints and links carry over, and the tool's position is fitted to these samples: {shift} in the tool frame",
+            shift = shift
+        ),
+        (false, true) => text!(
+            "the session has another tool than the model: its joints and links carry over, and the tool's position is fitted to these samples: {shift} in the tool frame",
+            shift = shift
+        ),
+        (true, _) => text!(
+            "the session has other targets than the model: its joints and links carry over, and the tool's position is fitted to these samples: {shift} in the tool frame",
+            shift = shift
+        ),
     };
-    let note = text!(
-        "the session has {what} than the model: its joints and links carry over, and the tool's position is fitted to these samples: {shift} in the tool frame",
-        what = what,
-        shift = components(shift, 4)
-    );
     Some((carried, note))
 }
 

@@ -53,9 +53,7 @@ pub(super) fn verified(
     let mut best = first;
     let mut others: Vec<(Cow<Session>, Template)> = Vec::new();
     if let Some(elsewhere) = with_a_new_frame(set_up, session) {
-        let says = phrase!(
-            "the instrument does not stand where it stood: its frame is fitted to these samples"
-        );
+        let says = phrase!("the instrument was moved: its frame is fitted to these samples");
         others.push((Cow::Owned(elsewhere), says));
     }
     let says = phrase!(

@@ -60,7 +60,7 @@ impl NotHandedOut {
     pub fn describe(&self) -> Text {
         match self {
             Self::OtherThanSaid { found_mm, said_mm } => text!(
-                "on the session that it came from the model leaves an RMS error of {found_mm}, and {said_mm} was said: it is not written",
+                "on the session that it came from the model leaves an RMS error of {found_mm}, and its file states {said_mm}: it is not written",
                 found_mm = length(found_mm, 6),
                 said_mm = length(said_mm, 6)
             ),

@@ -3,7 +3,7 @@
 
 use crate::answers::diagnosis::DataProblem;
 use crate::model::Calibration;
-use crate::sessions::Session;
+use crate::sessions::{Group, Session};
 use crate::text::Text;
 use crate::text::length;
 
@@ -66,7 +66,7 @@ pub(super) fn findings(
         if whole && inside.len() >= FEWEST_TOGETHER && share >= SHARE_OF_A_GROUP {
             told = true;
             problem(
-                text!("{name} is elsewhere than the model has it", name = name),
+                text!("{thing} is not where the model has it", thing = name),
                 text!(
                     "{inside} of its {all} samples are suspected, with an RMS error of {error}",
                     inside = inside.len(),
@@ -126,14 +126,12 @@ fn groups(session: &Session, all: &[usize]) -> Vec<(Text, Vec<usize>)> {
     };
     if let Some(index) = &samples.target {
         for (k, target) in session.targets.iter().enumerate() {
-            let group = text!("target {target}", target = &target.name);
-            add(group, index, k);
+            add(Group::Target.called(&*target.name), index, k);
         }
     }
     if let Some(setups) = &samples.setups {
         for (k, name) in setups.names.iter().enumerate() {
-            let group = text!("setup {setup}", setup = name);
-            add(group, &setups.index, k);
+            add(Group::Setup.called(&**name), &setups.index, k);
         }
     }
     groups

@@ -39,7 +39,7 @@ pub enum TableError {
         /// The joint, counted from 1.
         joint: usize,
         /// What was corrected.
-        why: String,
+        why: Text,
     },
     /// A joint that the robot does not have.
     NoSuchJoint {
@@ -72,7 +72,7 @@ impl TableError {
                 model = model
             ),
             Self::Conventions { joint, why } => text!(
-                "no table for joint {joint}: in the session {why}, and the model corrected that; correct it in the controller or in the session, identify again and make the table from that model",
+                "no table for joint {joint}: {why}, and the model corrected that; correct it in the controller or in the session, identify again and make the table from that model",
                 joint = joint,
                 why = why
             ),
@@ -253,21 +253,24 @@ impl JointTable {
         }
         let joints = calibration.model.robot.joints.len();
         if joints > 1 {
-            notes.push(text!(
-                "the table cancels what joint {joint} does to its own {value}; errors of the geometry depend on all joints and belong into the controller's kinematic data",
-                joint = self.joint + 1,
-                value = if self.kind == JointKind::Revolute {
-                    phrase!("angle")
-                } else {
-                    phrase!("travel")
-                }
-            ));
+            let joint = self.joint + 1;
+            notes.push(if self.kind == JointKind::Revolute {
+                text!(
+                    "the table cancels what joint {joint} does to its own angle; errors of the geometry depend on all joints and belong into the controller's kinematic data",
+                    joint = joint
+                )
+            } else {
+                text!(
+                    "the table cancels what joint {joint} does to its own travel; errors of the geometry depend on all joints and belong into the controller's kinematic data",
+                    joint = joint
+                )
+            });
             let terms = calibration.model.terms().iter();
             let own = terms.filter(|t| t.joint == self.joint);
             for about in own.map(|t| t.effect.about()) {
                 if about.of_other_joints {
                     notes.push(text!(
-                        "the {effect} of this joint depends on the other joints: they stand at home here",
+                        "the {effect} of this joint depends on the other joints: here they are at home",
                         effect = Text::named(about.title.english().to_lowercase(), about.title)
                     ));
                 }

@@ -30,7 +30,7 @@ use crate::lanes::{add_scaled, minus};
 use crate::model::rigid_motion::best_rigid_motion;
 use crate::model::{Calibration, Model, Positions};
 use crate::sessions::{Session, hash_of_samples};
-use crate::text::{Template, Text};
+use crate::text::Text;
 
 use crate::answers::diagnosis::DataProblem;
 
@@ -362,17 +362,15 @@ pub(super) fn same_robot(
     let same_axes = same.into_iter().all(|(a, b)| a.axis == b.axis);
     // The tool of an arm is fitted; a single axis has effects of its own for where its tool is.
     let same_tool = session.robot.base_from_tool == calibration.model.robot.base_from_tool;
-    let note = |what: Template| {
-        text!(
-            "the session's robot has {what} than the model's: the model's nominal robot is used",
-            what = what
-        )
-    };
     Ok(
         match (same_axes, same_tool || session.robot.joints.len() > 1) {
             (true, true) => Vec::new(),
-            (true, false) => vec![note(phrase!("another tool"))],
-            (false, _) => vec![note(phrase!("other axes"))],
+            (true, false) => vec![text!(
+                "the session's robot has another tool than the model's: the model's nominal robot is used"
+            )],
+            (false, _) => vec![text!(
+                "the session's robot has other axes than the model's: the model's nominal robot is used"
+            )],
         },
     )
 }
@@ -425,7 +423,7 @@ pub(super) fn model_for(
         .collect();
     if !dropped.is_empty() {
         notes.push(text!(
-            "{effects} belong to the session that the model came from and are left out",
+            "{effects} belong to the session that the model came from and are excluded",
             effects = Text::listed(dropped.into_iter().map(called), ", ")
         ));
     }

@@ -256,9 +256,9 @@ impl CandidatePoses {
         };
         let why = match self.ways.get(candidate.way) {
             Some(way) => text!(
-                "{why}; measure {how}",
+                "{why}; measure {kinds}",
                 why = why,
-                how = way.describe(session)
+                kinds = way.describe(session)
             ),
             None => why.clone(),
         };

@@ -13,6 +13,7 @@ use crate::model::Model;
 use crate::observations::constrained::bring;
 use crate::observations::{KINDS, Seen};
 use crate::sessions::Session;
+use crate::text::Text;
 
 /// Ways of measuring that are tried at most.
 const MOST_WAYS: usize = 24;
@@ -36,17 +37,19 @@ pub(crate) type MeasuredKinds = Vec<(usize, Option<Place>)>;
 
 impl MeasuringMethod {
     /// What is measured, in words.
-    pub(crate) fn describe(&self, session: &Session) -> String {
+    pub(crate) fn describe(&self, session: &Session) -> Text {
         let references = &session.instrument.references;
         let one = |(kind, place): &(usize, Option<Place>)| {
-            let kind = KINDS[*kind].about().name;
-            place.map_or_else(
-                || kind.to_owned(),
-                |place| format!("{kind} {}", name(references, place)),
-            )
+            let kind = KINDS[*kind].about().in_words();
+            match place {
+                Some(place) => {
+                    let name = Text::verbatim(name(references, *place));
+                    Text::listed([kind, name], " ")
+                }
+                None => kind,
+            }
         };
-        let all = self.places.iter().map(one);
-        all.collect::<Vec<String>>().join(" and ")
+        Text::listed(self.places.iter().map(one), ", ")
     }
 
     /// Joint values as a technician types them, or where the target is held where it has to be; none

@@ -225,17 +225,18 @@ pub(crate) fn separate_by(rival: &Rival, poses: &[NextPose]) -> Text {
     if poses.iter().any(|p| p.temperature_c.is_some()) {
         conditions.push(phrase!("another temperature"));
     }
-    let conditions = (!conditions.is_empty()).then(|| Text::listed(conditions, ", "));
-    match (poses.len(), conditions) {
-        (1, None) => text!("measure the proposed pose"),
-        (1, Some(conditions)) => text!(
-            "measure the proposed pose with {conditions}",
+    let none = conditions.is_empty();
+    let conditions = Text::listed(conditions, ", ");
+    match poses.len() {
+        1 if none => text!("measure the proposed pose"),
+        1 => text!(
+            "measure the proposed pose ({conditions})",
             conditions = conditions
         ),
-        (many, None) => text!("measure the {many} proposed poses", many = many),
-        (many, Some(conditions)) => text!(
-            "measure the {many} proposed poses with {conditions}",
-            many = many,
+        count if none => text!("measure the {count} proposed poses", count = count),
+        count => text!(
+            "measure the {count} proposed poses ({conditions})",
+            count = count,
             conditions = conditions
         ),
     }
@@ -249,7 +250,7 @@ fn why(rivals: &[&Rival]) -> Text {
     let mut pairs: Vec<Text> = Vec::new();
     for rival in rivals {
         let pair = text!(
-            "{one} from {other}",
+            "distinguishes {one} from {other}",
             one = names(&rival.removed),
             other = names(&rival.instead)
         );
@@ -257,7 +258,5 @@ fn why(rivals: &[&Rival]) -> Text {
             pairs.push(pair);
         }
     }
-    let pairs = pairs.into_iter();
-    let pairs = pairs.reduce(|all, next| text!("{first}, and {next}", first = all, next = next));
-    text!("tells {pairs}", pairs = pairs.unwrap_or_default())
+    Text::listed(pairs, "; ")
 }

@@ -76,7 +76,7 @@ pub(crate) fn separate_two(
         };
     }
     let why = text!(
-        "tells {one} from {other}",
+        "distinguishes {one} from {other}",
         one = called(between[0].id),
         other = called(between[1].id)
     );

@@ -192,8 +192,8 @@ impl<'a> Fields<'a> {
         if let Some(first) = more.next() {
             let place = self.place(first.key_at, path);
             let found = text!(
-                "{more} more keys are not known: ignored",
-                more = more.count() + 1
+                one "{count} more key is not known: ignored", "{count} more keys are not known: ignored",
+                count = more.count() + 1
             );
             notes.push(Diagnostic::note(place, found));
         }

@@ -58,9 +58,13 @@ impl Value {
             Self::Numbers(values) if values.iter().any(|value| value.is_nan()) => {
                 text!("an array with null in it")
             }
-            Self::Numbers(values) => text!("an array of {count} numbers", count = values.len()),
+            Self::Numbers(values) => {
+                text!(one "an array of {count} number", "an array of {count} numbers", count = values.len())
+            }
             Self::List(list) if list.is_empty() => text!("an empty array"),
-            Self::List(list) => text!("an array of {count} values", count = list.len()),
+            Self::List(list) => {
+                text!(one "an array of {count} value", "an array of {count} values", count = list.len())
+            }
             Self::Object(_) => text!("an object"),
         }
     }

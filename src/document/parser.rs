@@ -348,7 +348,7 @@ impl<'a> Parser<'a> {
                 .position(|&byte| byte == b'"' || byte == b'\\' || byte < 0x20)
                 .ok_or_else(|| Wrong {
                     at: start,
-                    found: text!("a text that never ends"),
+                    found: text!("a text that is not closed"),
                     expected: phrase!("a closing '\"'"),
                 })?;
             // The document is UTF-8, and both ends of the part are next to ASCII.

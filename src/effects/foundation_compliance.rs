@@ -74,7 +74,7 @@ const MOMENT: Need = Need {
     },
     idle: |offered| {
         (!offered.load && !offered.link_masses)
-            .then_some("the scenario has no load, and no link a mass")
+            .then_some(phrase!("the scenario has no load, and no link a mass"))
     },
 };
 

@@ -37,7 +37,9 @@ const ABOUT: About = About {
     ]),
     equation: "T_i = exp of a small screw across the axis, before joint i",
     source: "Okamura & Park, Kinematic calibration using the product of exponentials formula, 1996",
-    cause: phrase!("links are longer or shorter than drawn, axes are not square or not parallel"),
+    cause: phrase!(
+        "links are longer or shorter than in the nominal model, axes are not square or not parallel"
+    ),
     usual_size: phrase!("0.05 to 1 mm, 0.05 to 2 mrad"),
     confused_with: phrase!("the zero of the joint before, where the axes are square to each other"),
     check: phrase!("the kinematic data in the controller"),

@@ -18,7 +18,7 @@ pub struct Need {
     /// Why a session does not have it for a joint (counted from 0); `None` where it has.
     pub unmet: fn(&Survey, usize) -> Option<Text>,
     /// Why a scenario does not offer it; `None` where it does, or where only samples can tell.
-    pub idle: fn(&AvailableColumns) -> Option<&'static str>,
+    pub idle: fn(&AvailableColumns) -> Option<Template>,
 }
 
 /// What the conditions of a scenario offer.
@@ -105,8 +105,9 @@ impl Need {
             Some(_) => None,
         },
         idle: |offered| {
-            (!offered.sides)
-                .then_some("the list does not say from which side the poses are reached")
+            (!offered.sides).then_some(phrase!(
+                "the list does not say from which side the poses are reached"
+            ))
         },
     };
 
@@ -127,7 +128,7 @@ impl Need {
             };
             Some(reason)
         },
-        idle: |offered| (!offered.speed).then_some("every pose is measured at standstill"),
+        idle: |offered| (!offered.speed).then_some(phrase!("every pose is measured at standstill")),
     };
 
     /// A temperature that changes, of the joint or of the room.
@@ -138,7 +139,9 @@ impl Need {
             Some(range) if range <= 0.0 => Some(text!("the temperature never changed")),
             Some(_) => None,
         },
-        idle: |offered| (!offered.temperature).then_some("the scenario has no temperature"),
+        idle: |offered| {
+            (!offered.temperature).then_some(phrase!("the scenario has no temperature"))
+        },
     };
 
     /// Times that differ.
@@ -149,7 +152,7 @@ impl Need {
             Some(duration) if duration <= 0.0 => Some(text!("every sample has the same time")),
             Some(_) => None,
         },
-        idle: |offered| (!offered.time).then_some("the scenario has no seconds_per_pose"),
+        idle: |offered| (!offered.time).then_some(phrase!("the scenario has no seconds_per_pose")),
     };
 
     /// The direction of gravity.
@@ -159,7 +162,8 @@ impl Need {
             (!survey.gravity).then(|| text!("the direction of gravity is not given"))
         },
         idle: |offered| {
-            (!offered.gravity).then_some("the scenario has no load, or the robot no gravity")
+            (!offered.gravity)
+                .then_some(phrase!("the scenario has no load, or the robot no gravity"))
         },
     };
 
@@ -172,7 +176,7 @@ impl Need {
             _ => None,
         },
         idle: |offered| {
-            (!offered.load).then_some("the scenario has no load, or the robot no gravity")
+            (!offered.load).then_some(phrase!("the scenario has no load, or the robot no gravity"))
         },
     };
 

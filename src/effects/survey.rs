@@ -111,8 +111,8 @@ impl Survey {
         let values = own.values;
         (values < needed).then(|| {
             text!(
-                "the joint was measured at {values} different values, at least {needed} are needed",
-                values = values,
+                one "the joint was measured at {count} value, at least {needed} are needed", "the joint was measured at {count} different values, at least {needed} are needed",
+                count = values,
                 needed = needed
             )
         })

@@ -47,7 +47,7 @@ const ABOUT: About = About {
 /// It has no name by which it could be fitted.
 const NO_NAME: Need = Need::of_samples(phrase!("a smooth correction"), |_, _| {
     Some(text!(
-        "it is no effect that can be fitted by its name: `truepose diagnose \
+        "it is not an effect that can be fitted by its name: `truepose diagnose \
          --correct-unexplained` makes the correction"
     ))
 });

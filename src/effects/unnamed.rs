@@ -43,7 +43,7 @@ const ABOUT: About = About {
 /// It has no name by which it could be fitted.
 const NO_NAME: Need = Need::of_samples(phrase!("a diagnosis"), |_, _| {
     Some(text!(
-        "it is no effect that can be fitted by its name: `truepose diagnose` adds it where it \
+        "it is not an effect that can be fitted by its name: `truepose diagnose` adds it where it \
          predicts unseen poses"
     ))
 });

@@ -1,8 +1,9 @@
 //! What became of a machine: its sessions and models in their order, what changed, its parameters side by side.
 
 use super::{Block, Detail, Section};
+use crate::history::Order;
 use crate::history::RobotHistory;
-use crate::present::history::{CHANGED, chart, entries, ordered_by, parameters, rows};
+use crate::present::history::{CHANGED, chart, entries, parameters, rows};
 
 /// Sessions whose values stand side by side on a page.
 const MOST: usize = 4;
@@ -16,10 +17,17 @@ pub(crate) fn history(robot: &RobotHistory, detail: Detail) -> Section {
     let last = robot.entries.len();
     let shown: Vec<usize> = (last.saturating_sub(MOST)..last).collect();
     let mut blocks = vec![
-        Block::Text(say!(
-            "Every session is identified in the same way (full model with its usual effects), {order}",
-            order = ordered_by(robot.ordered_by)
-        )),
+        Block::Text(
+            match robot.ordered_by {
+                Order::Time => say!(
+                    "Every session is identified in the same way (full model with its usual effects), by the time of the first sample"
+                ),
+                Order::Name => say!(
+                    "Every session is identified in the same way (full model with its usual effects), by file name, numbers in it by their value"
+                ),
+            }
+            .to_owned(),
+        ),
         Block::Table(entries(robot)),
         Block::Text(say!(
             "Parameters of the last {shown} with half their 95 % intervals; {mark}: changed by more than the interval of the difference since the one before",

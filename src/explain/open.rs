@@ -35,8 +35,8 @@ pub(super) fn rivals(d: &Diagnosis, detail: Detail) -> Option<Section> {
     };
     let rivals = d.equivalent.iter().map(|rival| {
         say!(
-            "{instead} instead of {explanation} (odds {odds} : 1 against it): {separate_by}",
-            instead = says(&rival.instead),
+            "{other} instead of {explanation} (odds {odds} : 1 against it): {separate_by}",
+            other = says(&rival.instead),
             explanation = within(&says(&rival.explanation)),
             odds = format!("{:.1}", rival.odds),
             separate_by = cleaned(&rival.separate_by)
@@ -196,8 +196,8 @@ pub(super) fn not_identifiable(
     }
     let blocks = if detail.brief && open.len() > most {
         vec![Block::Text(say!(
-            "{combinations} combinations of parameters of which the samples show only the sum; one of each is held (– above), the others carry it: --json lists them",
-            combinations = open.len()
+            one "{count} combination of parameters of which the samples show only the sum; one of them is held (– above), the others carry it: --json lists them", "{count} combinations of parameters of which the samples show only the sum; one of each is held (– above), the others carry it: --json lists them",
+            count = open.len()
         ))]
     } else {
         let facts = open

@@ -88,7 +88,8 @@ fn named(estimate: &Estimate, robot: &Robot) -> (String, String, &'static str) {
     let effect = title_on(estimate.effect, estimate.joint, robot.joints.len());
     let (mut words, unit) = parameter(estimate.name);
     if let Some(setup) = &estimate.setup {
-        words += &say!(", setup {setup}", setup = clean(setup));
+        let setup = say!("setup {setup}", setup = clean(setup));
+        words += &format!(", {setup}");
     }
     (effect, words, unit)
 }

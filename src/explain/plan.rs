@@ -84,9 +84,9 @@ fn open(plan: &Plan) -> Vec<Fact> {
     };
     let one = |[explanation, instead]: &[Vec<String>; 2]| {
         let or = say!(
-            "{explanation} or {instead}",
+            "{explanation} or {other}",
             explanation = says(explanation),
-            instead = says(instead)
+            other = says(instead)
         );
         fact(say!("Not decided"), or)
     };
@@ -98,7 +98,7 @@ fn separated(separation: &Separation) -> Vec<String> {
     let [a, b] = separation.between.map(|named| title_of(named.id));
     if let Some(because) = &separation.impossible {
         return vec![say!(
-            "No pose tells {a} from {b}: {because}",
+            "No pose distinguishes {a} from {b}: {because}",
             a = a,
             b = b,
             because = spoken(because)
@@ -108,8 +108,7 @@ fn separated(separation: &Separation) -> Vec<String> {
     let [before, back_before] = separation.left_before.map(percent);
     let [after, back_after] = separation.left_after.map(percent);
     let mut says = vec![say!(
-        "What {b} cannot imitate of {a}: {before} % now, {after} % with these poses; the other way round \
-         {back_before} % and {back_after} %",
+        "Share of {a} that {b} cannot explain: {before} % now, {after} % with these poses; of {b} that {a} cannot explain: {back_before} % and {back_after} %",
         b = b,
         a = a,
         before = before,
@@ -217,15 +216,15 @@ fn geometry(geometry: &Geometry, plan: &Plan, detail: Detail) -> Section {
     }
     let each = geometry.curve.iter().map(|(poses, error)| {
         say!(
-            "{poses} poses {error}",
-            poses = poses,
+            "{count} poses {error}",
+            count = poses,
             error = detail.length(error.p95_mm)
         )
     });
     let each = each.collect::<Vec<_>>().join(", ");
     blocks.push(Block::Text(say!(
-        "95 % of the places with {poses}",
-        poses = each
+        "Expected error at 95 % of the places: {errors}",
+        errors = each
     )));
     let surroundings = say!(
         "Only the joint limits are known of the surroundings: check where the way between the poses leads"

@@ -71,7 +71,7 @@ impl Chain {
         }
         if !calibration.regions.is_empty() {
             return Err(ExportError::Refused(text!(
-                "a correction by regions is no geometry; identify the full model for a description of the robot"
+                "a correction by regions is not a geometry; identify the full model for a description of the robot"
             )));
         }
         let corrected = Corrected::new(job);

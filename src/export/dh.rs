@@ -75,7 +75,7 @@ impl Exporter for Dh {
                 )
             } else {
                 text!(
-                    "rows cannot say how parallel axes are turned against each other about y (joints {joints}): {far} remain at most over the measured range",
+                    "the rows cannot describe how parallel axes are turned against each other about y (joints {joints}): {far} remain at most over the measured range",
                     joints = Text::listed(parallels, ", "),
                     far = far
                 )
@@ -84,7 +84,7 @@ impl Exporter for Dh {
         let off_base = found.base.inverse() * nominal_rows(nominal, convention).0;
         if off_base.translation.vector.norm() > 1e-9 || off_base.rotation.angle() > 1e-12 {
             cannot_say.push(text!(
-                "rows cannot say where the first axis stands in the base: enter base as well"
+                "the rows cannot describe where the first axis is in the base: enter base as well"
             ));
         }
         let are = "base: the frame before the first row in the base frame; tool: the tool in the \

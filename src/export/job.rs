@@ -1,8 +1,8 @@
 //! What an exporter is given, and why it makes nothing.
 
 use crate::compensation::{Conditions, JointTable, TableError, VerifiedCalibration};
+use crate::text::Text;
 use crate::text::length;
-use crate::text::{Template, Text};
 
 use super::options::Options;
 
@@ -57,7 +57,7 @@ pub enum ExportError {
         /// Name of the session.
         session: String,
         /// Table, or description of the robot.
-        what: Template,
+        is_table: bool,
         /// As it stands, mm.
         before_mm: f64,
         /// With the export, mm.
@@ -75,12 +75,22 @@ impl ExportError {
             Self::Refused(says) => says.clone(),
             Self::MakesWorse {
                 session,
-                what,
+                is_table: true,
                 before_mm,
                 after_mm,
             } => text!(
-                "with this {what} the RMS error of '{session}' would rise from {before_mm} to {after_mm}: nothing is written",
-                what = what,
+                "with this table the RMS error of '{session}' would rise from {before_mm} to {after_mm}: nothing is written",
+                session = session,
+                before_mm = length(before_mm, 6),
+                after_mm = length(after_mm, 6)
+            ),
+            Self::MakesWorse {
+                session,
+                is_table: false,
+                before_mm,
+                after_mm,
+            } => text!(
+                "with this description of the robot the RMS error of '{session}' would rise from {before_mm} to {after_mm}: nothing is written",
                 session = session,
                 before_mm = length(before_mm, 6),
                 after_mm = length(after_mm, 6)

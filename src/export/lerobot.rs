@@ -57,7 +57,7 @@ impl Exporter for LeRobot {
         let slides = |joint: &&Joint| joint.kind == JointKind::Prismatic;
         if let Some(joint) = nominal.joints.iter().find(slides) {
             return Err(ExportError::Refused(text!(
-                "joint '{joint}' slides, and the servos of LeRobot turn; take urdf",
+                "joint '{joint}' slides, and the servos of LeRobot turn; use urdf",
                 joint = &joint.name
             )));
         }

@@ -30,11 +30,11 @@ const RULES: Rules = Rules {
     spacing: Spacing::Equal,
     widest_step: 10.0,
     most_entries: usize::MAX,
-    limit_because: phrase!("it has no limit but the memory"),
+    limit_because: phrase!("it is limited only by memory"),
     directions: Directions::One {
         instead: phrase!(
-            "let the axis' own backlash compensation take it and export a model without \
-                  backlash, or take a format with two columns (LinuxCNC, TwinCAT CNC, CSV)"
+            "use the axis' own backlash compensation and export a model without \
+                  backlash, or choose a format with two columns (LinuxCNC, TwinCAT CNC, CSV)"
         ),
     },
     repeats: true,

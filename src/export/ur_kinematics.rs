@@ -57,7 +57,7 @@ impl Exporter for UrKinematics {
         let nominal = &job.calibration.model.robot;
         if !six_that_turn(nominal) {
             return Err(ExportError::Refused(text!(
-                "the kinematics of ur_description has six turning joints, and this robot has {joints}; take urdf",
+                "the kinematics of ur_description has six turning joints, and this robot has {joints}; use urdf",
                 joints = nominal.joints.len()
             )));
         }

@@ -236,7 +236,7 @@ fn notes(session: &Session, regions: &[Region], sums: &[RegionSums], outside: us
     }
     if outside > 0 {
         notes.push(text!(
-            "{count} samples lie in no region and were not used",
+            one "{count} sample lies in no region and was not used", "{count} samples lie in no region and were not used",
             count = outside
         ));
     }

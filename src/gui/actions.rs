@@ -156,7 +156,7 @@ fn answered(now: WindowState<'_>) -> bool {
 fn with([alone, of]: [Template; 2], what: Option<&str>) -> String {
     what.map_or_else(
         || spoken(alone).to_owned(),
-        |what| filled(of, &[("what", &what)]),
+        |what| filled(of, &[("edit", &what)]),
     )
 }
 
@@ -172,9 +172,9 @@ macro_rules! actions {
 }
 
 actions! {
-    REDO: SHIFTED, Z, phrase!("redo"), |now| with([phrase!("Redo"), phrase!("Redo {what}"; what)], now.workbench.redoes()), |_| Command::Redo,
+    REDO: SHIFTED, Z, phrase!("redo"), |now| with([phrase!("Redo"), phrase!("Redo {edit}"; edit)], now.workbench.redoes()), |_| Command::Redo,
         [when(need(|now| now.workbench.redoes().is_some(), phrase!("Nothing was undone")))];
-    UNDO: COMMAND, Z, phrase!("undo"), |now| with([phrase!("Undo"), phrase!("Undo {what}"; what)], now.workbench.undoes()), |_| Command::Undo,
+    UNDO: COMMAND, Z, phrase!("undo"), |now| with([phrase!("Undo"), phrase!("Undo {edit}"; edit)], now.workbench.undoes()), |_| Command::Undo,
         [when(need(|now| now.workbench.undoes().is_some(), phrase!("Nothing was changed yet")))];
     OPEN_LATEST: SHIFTED, O, phrase!("open the last file again"), |_| String::new(), open_latest;
     OPEN: COMMAND, O, phrase!("open a file"), |_| say!("Open…").into(), |_| Command::Ask(Asked::File);
@@ -348,15 +348,12 @@ fn are_excluded(now: WindowState<'_>) -> bool {
 }
 
 fn exclude_says(now: WindowState<'_>) -> String {
-    let what = match chosen(now)[..] {
-        [] => say!("samples").to_owned(),
-        [one] => say!("sample {sample}", sample = one + 1),
-        ref all => say!(one "{count} sample", "{count} samples", count = all.len()),
-    };
-    if !chosen(now).is_empty() && are_excluded(now) {
-        say!("Include {what} again", what = what)
-    } else {
-        say!("Exclude {what}", what = what)
+    match chosen(now)[..] {
+        [] => say!("Exclude samples").to_owned(),
+        [one] if are_excluded(now) => say!("Include sample {sample} again", sample = one + 1),
+        [one] => say!("Exclude sample {sample}", sample = one + 1),
+        ref all if are_excluded(now) => say!("Include {count} samples again", count = all.len()),
+        ref all => say!("Exclude {count} samples", count = all.len()),
     }
 }
 

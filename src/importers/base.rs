@@ -1,6 +1,5 @@
 //! Brings measured points into the base frame, and says how well.
 
-use crate::text::Text;
 use crate::text::length;
 use std::collections::BTreeSet;
 
@@ -9,10 +8,9 @@ use nalgebra::{Point3, Quaternion, UnitQuaternion};
 use crate::diagnostic::{Diagnostic, Place, Rejected};
 use crate::document::number::quoted;
 use crate::importers::columns::{Column, Columns};
-use crate::importers::companion_file::{COMMANDS, points_of};
-use crate::importers::formats::csv;
+use crate::importers::companion_file::{CompanionKind, points_of};
 use crate::importers::job::Job;
-use crate::importers::matching::{self, Matching, listed};
+use crate::importers::matching::{self, Matching, listed_names};
 use crate::importers::reference::{Alignment, Landmark, align};
 use crate::sessions::columns::{Quantity, Unit};
 
@@ -61,7 +59,7 @@ impl Job<'_> {
             // Nothing to align: the points are places of anchors, sockets or stations.
             return Ok((columns, None));
         }
-        let known = self.named_points(companion, "reference points")?;
+        let known = self.named_points(companion, CompanionKind::ReferencePoints)?;
         let place = companion.place();
         let (Some(names), Some(points)) = (columns.points(), points_of(&columns)) else {
             return self.refuse(
@@ -97,12 +95,12 @@ impl Job<'_> {
             Ok(alignment) => alignment,
             Err(error) => {
                 let found = if missing.is_empty() {
-                    Text::verbatim(error.to_string())
+                    error.describe()
                 } else {
                     text!(
                         "{error}; not measured: {missing}",
-                        error = error.to_string(),
-                        missing = listed(&missing)
+                        error = error.describe(),
+                        missing = listed_names(&missing)
                     )
                 };
                 return self.refuse(
@@ -115,8 +113,8 @@ impl Job<'_> {
         self.say_alignment(&alignment, &place);
         if !missing.is_empty() {
             let found = text!(
-                "left out reference points that were not measured: {missing}",
-                missing = listed(&missing)
+                "excluded reference points that were not measured: {missing}",
+                missing = listed_names(&missing)
             );
             self.left_out(place, found);
         }
@@ -129,15 +127,15 @@ impl Job<'_> {
         if rows.is_empty() {
             return self.refuse(
                 self.place.clone(),
-                text!("nothing but reference points"),
+                text!("only reference points"),
                 text!("measured poses as well"),
             );
         }
         let dropped = names.len() - rows.len();
         if dropped > 0 {
             self.note(text!(
-                one "{count} measurement of a reference point is no sample",
-                "{count} measurements of reference points are no samples",
+                one "{count} measurement of a reference point is not a sample",
+                "{count} measurements of reference points are not samples",
                 count = dropped
             ));
         }
@@ -154,7 +152,7 @@ impl Job<'_> {
             return BTreeSet::new();
         };
         let (findings, said) = (self.findings.len(), self.said.len());
-        let columns = self.companion(companion, COMMANDS, "q1_deg", csv::read_any);
+        let columns = self.commands_in(companion, "q1_deg");
         self.findings.truncate(findings);
         self.said.truncate(said);
         let names = columns
@@ -167,18 +165,22 @@ impl Job<'_> {
 
     pub(crate) fn say_alignment(&mut self, alignment: &Alignment, place: &Place) {
         let kept = alignment.residuals.len() - alignment.outliers().count();
-        let mut said = text!(
-            "brought into the base frame by {kept} reference points, which fit with {rms_mm} (root mean square)",
-            kept = kept,
-            rms_mm = length(alignment.rms_mm, 4)
-        );
-        if self.settings.scale {
-            said += text!(
-                ", scaled by {scale} ({ppm} ppm)",
+        let rms = length(alignment.rms_mm, 4);
+        let said = if self.settings.scale {
+            text!(
+                "brought into the base frame by {kept} reference points, which fit with {rms_mm} (root mean square), scaled by {scale} ({ppm} ppm)",
+                kept = kept,
+                rms_mm = rms,
                 scale = format!("{:.6}", alignment.scale),
                 ppm = format!("{:+.1}", 1e6 * (alignment.scale - 1.0))
-            );
-        }
+            )
+        } else {
+            text!(
+                "brought into the base frame by {kept} reference points, which fit with {rms_mm} (root mean square)",
+                kept = kept,
+                rms_mm = rms
+            )
+        };
         let each: Vec<String> = alignment
             .residuals
             .iter()
@@ -194,13 +196,13 @@ impl Job<'_> {
         let found = text!(
             "{said}: {each}",
             said = &said,
-            each = matching::listed_up_to(&each, 40)
+            each = matching::listed_names_up_to(&each, 40)
         );
         self.findings.push(Diagnostic::note(place.clone(), found));
         self.said.push(said);
         for outlier in alignment.outliers() {
             let found = text!(
-                "reference point {outlier} is {norm} off: left out of the alignment",
+                "reference point {outlier} has a residual of {norm}: excluded from the alignment",
                 outlier = quoted(&outlier.name),
                 norm = length(outlier.vector_mm.norm(), 3)
             );

@@ -5,11 +5,9 @@ use nalgebra::Point3;
 use crate::diagnostic::{Diagnostic, Place, Rejected};
 use crate::importers::clock::ClockOffset;
 use crate::importers::columns::Columns;
-use crate::importers::companion_file::COMMANDS;
-use crate::importers::formats::csv;
 use crate::importers::job::{Job, Matched};
 use crate::importers::join::{self, Timing};
-use crate::importers::matching::{self, Matching, Pairs, counted, listed};
+use crate::importers::matching::{self, Matching, Pairs, listed};
 use crate::importers::role::Role;
 use crate::kinematics::JointKind;
 use crate::sessions::Target;
@@ -28,8 +26,9 @@ impl Job<'_> {
         match (&self.settings.commands, recorded) {
             (None, Some(recorded)) => return self.with_recorded(columns, *recorded, targets),
             (Some(_), Some(_)) => {
-                let found = "the joint values that the file has recorded are not used";
-                self.note(text!("commands are given: {found}", found = found));
+                self.note(text!(
+                    "commands are given: the joint values that the file has recorded are not used"
+                ));
             }
             _ => {}
         }
@@ -44,7 +43,7 @@ impl Job<'_> {
         let Some(companion) = &self.settings.commands else {
             if let Some(&joint) = leading.iter().find(|joint| !own.contains(joint)) {
                 let found = text!(
-                    "nothing says where joint {joint} was sent",
+                    "the commanded value of joint {joint} is not stated",
                     joint = joint + 1
                 );
                 let expected = text!(
@@ -63,7 +62,7 @@ impl Job<'_> {
             return self.refuse(self.place.clone(), found, text!("one of the two"));
         }
         let header: Vec<String> = (1..=joints).map(|joint| format!("q{joint}_deg")).collect();
-        let commands = self.companion(companion, COMMANDS, &header.join(","), csv::read_any)?;
+        let commands = self.commands_in(companion, &header.join(","))?;
         let place = companion.place();
         let lacking = |joint: &&usize| commands.find(Quantity::Commanded(**joint)).is_none();
         if let Some(joint) = leading.iter().find(lacking) {
@@ -91,8 +90,7 @@ impl Job<'_> {
             lonely_commands: Vec::new(),
             clock: None,
         };
-        self.said
-            .push(text!("commands matched by {how}", how = by.id()));
+        self.said.push(by.in_words());
         let (columns, left) = match by {
             Matching::Order => match matching::by_order(&columns, &commands) {
                 Ok(pairs) => matching::join(columns, commands, &pairs),
@@ -165,16 +163,18 @@ impl Job<'_> {
     pub(crate) fn say_lonely(&mut self, pairs: &Pairs, commands: &Place) {
         if !pairs.lonely_measured.is_empty() {
             let found = text!(
-                "left out {measurements} without a command: {which}",
-                measurements = counted(pairs.lonely_measured.len(), "measurement"),
+                one "excluded {count} measurement without a command: {which}",
+                "excluded {count} measurements without a command: {which}",
+                count = pairs.lonely_measured.len(),
                 which = listed(&pairs.lonely_measured)
             );
             self.left_out(self.place.clone(), found);
         }
         if !pairs.lonely_commands.is_empty() {
             let found = text!(
-                "left out {commands} without a measurement: {which}",
-                commands = counted(pairs.lonely_commands.len(), "command"),
+                one "excluded {count} command without a measurement: {which}",
+                "excluded {count} commands without a measurement: {which}",
+                count = pairs.lonely_commands.len(),
                 which = listed(&pairs.lonely_commands)
             );
             self.left_out(commands.clone(), found);
@@ -226,7 +226,7 @@ impl Job<'_> {
                 left = length(clock.rms_mm, 3)
             ),
             None => text!(
-                "the clocks are {offset} s apart, as was said",
+                "the clocks are {offset} s apart, as stated",
                 offset = format!("{:+.4}", clock.offset_s)
             ),
         };

@@ -10,26 +10,55 @@ use crate::diagnostic::{Diagnostic, Rejected};
 use crate::document::number::{hexadecimal, quoted};
 use crate::importers::by_heading::ByHeading;
 use crate::importers::columns::Columns;
-use crate::importers::formats::tracker;
+use crate::importers::formats::{csv, tracker};
 use crate::importers::job::{Companion, Job};
 use crate::importers::lists;
-use crate::importers::matching::listed;
+use crate::importers::matching::listed_names;
 use crate::importers::role::Role;
 use crate::importers::settings::{About, Inspection, ReadContext, Reading};
 use crate::sessions::Target;
 use crate::sessions::columns::{Quantity, Unit};
 use crate::sessions::default_targets;
 use crate::tables::encoding;
+use crate::text::Text;
 
-/// What the file of the commands is called in messages.
-pub(crate) const COMMANDS: &str = "commands";
+/// What a file beside the measured one holds.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum CompanionKind {
+    Commands,
+    ReferencePoints,
+    Targets,
+}
+
+impl CompanionKind {
+    /// What was read, from which file.
+    fn read_from(self, file: &Text, encoding: &Text) -> Text {
+        match self {
+            Self::Commands => text!(
+                "commands from {file}: {encoding}",
+                file = file,
+                encoding = encoding
+            ),
+            Self::ReferencePoints => text!(
+                "reference points from {file}: {encoding}",
+                file = file,
+                encoding = encoding
+            ),
+            Self::Targets => text!(
+                "targets from {file}: {encoding}",
+                file = file,
+                encoding = encoding
+            ),
+        }
+    }
+}
 
 impl Job<'_> {
     /// Reads a file beside the measured one.
     pub(crate) fn companion(
         &mut self,
         companion: &Companion<'_>,
-        what: &str,
+        kind: CompanionKind,
         header: &str,
         reader: fn(&mut ReadContext<'_>) -> Option<Columns>,
     ) -> Result<Columns, Rejected> {
@@ -42,7 +71,7 @@ impl Job<'_> {
         let mut says = None;
         let text = lists::as_rows(text, &mut says);
         findings.extend(says.map(|says| Diagnostic::note(companion.place(), says)));
-        let are_commands = what == COMMANDS;
+        let are_commands = kind == CompanionKind::Commands;
         let read_with = |asked: &[About]| {
             let given = self.reading;
             // What was said about the measured file holds here only where this file does not tell.
@@ -109,22 +138,27 @@ impl Job<'_> {
             return self.refused(findings);
         };
         self.findings.append(&mut findings);
-        self.said.push(text!(
-            "{what} from {file}: {encoding}",
-            what = what,
-            file = file_in_words(companion.file.as_ref(), companion.bytes),
-            encoding = encoding.to_string()
-        ));
+        let file = file_in_words(companion.file.as_ref(), companion.bytes);
+        self.said.push(kind.read_from(&file, &encoding.in_words()));
         Ok(columns)
+    }
+
+    /// The commands.
+    pub(crate) fn commands_in(
+        &mut self,
+        companion: &Companion<'_>,
+        header: &str,
+    ) -> Result<Columns, Rejected> {
+        self.companion(companion, CompanionKind::Commands, header, csv::read_any)
     }
 
     /// Points with their names, mm.
     pub(crate) fn named_points(
         &mut self,
         companion: &Companion<'_>,
-        what: &str,
+        kind: CompanionKind,
     ) -> Result<BTreeMap<String, Point3<f64>>, Rejected> {
-        let columns = self.companion(companion, what, "name,x_mm,y_mm,z_mm", tracker::read)?;
+        let columns = self.companion(companion, kind, "name,x_mm,y_mm,z_mm", tracker::read)?;
         let place = companion.place();
         let (Some(names), Some(points)) = (columns.points(), points_of(&columns)) else {
             return self.refuse(
@@ -160,7 +194,7 @@ impl Job<'_> {
     /// Reflectors: those of the file that was given, or one at the tool's origin.
     pub(crate) fn targets(&mut self, columns: &Columns) -> Result<Vec<Target>, Rejected> {
         if let Some(companion) = &self.settings.targets {
-            let named = self.named_points(companion, "targets")?;
+            let named = self.named_points(companion, CompanionKind::Targets)?;
             let targets = named
                 .into_iter()
                 .map(|(name, position_mm)| Target { name, position_mm });
@@ -185,8 +219,8 @@ impl Job<'_> {
             _ => {
                 let names: Vec<String> = used.iter().map(|name| quoted(name)).collect();
                 let found = text!(
-                    "several targets, and nothing says where they sit: {names}",
-                    names = listed(&names)
+                    "several targets whose positions are not stated: {names}",
+                    names = listed_names(&names)
                 );
                 self.refuse(
                     self.place.clone(),
@@ -206,11 +240,12 @@ fn at_origin(name: &str) -> Target {
 }
 
 /// A file by its name and what is in it.
-pub(crate) fn file_in_words(file: Option<&PathBuf>, bytes: &[u8]) -> String {
-    let name = file.and_then(|file| file.file_name());
-    let name = name.map_or("a file".into(), |name| name.to_string_lossy());
+pub(crate) fn file_in_words(file: Option<&PathBuf>, bytes: &[u8]) -> Text {
     let hash = hexadecimal(&Sha256::digest(bytes));
-    format!("{name} (sha256 {hash})")
+    match file.and_then(|file| file.file_name()) {
+        Some(name) => Text::verbatim(format!("{} (sha256 {hash})", name.to_string_lossy())),
+        None => text!("a file (sha256 {hash})", hash = hash),
+    }
 }
 
 /// Points in mm, if all three coordinates are there.

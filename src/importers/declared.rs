@@ -12,8 +12,9 @@ use super::options::{PLANE, SOCKET, SOCKET_DISTANCES};
 use crate::diagnostic::Rejected;
 use crate::document::number::quoted;
 use crate::importers::columns::{Column, Columns};
+use crate::importers::companion_file::CompanionKind;
+use crate::importers::distances::with_unknown;
 use crate::importers::job::Job;
-use crate::importers::matching::{counted, listed};
 use crate::importers::role::Role;
 use crate::sessions::columns::{Quantity, Unit};
 use crate::sessions::{Azimuth, Plane, Pointing, References, Socket, SocketDistance, Station};
@@ -36,13 +37,15 @@ impl Job<'_> {
             .into_iter()
             .any(|quantity| columns.find(quantity).is_some());
         let known = match &self.settings.reference {
-            Some(companion) if asks => self.named_points(companion, "reference points")?,
+            Some(companion) if asks => {
+                self.named_points(companion, CompanionKind::ReferencePoints)?
+            }
             _ => BTreeMap::new(),
         };
         let anchors = self.anchors(columns, &known)?;
         let position_mm = |name: &String| known.get(name).copied();
         let sockets: Vec<Socket> = self
-            .declared(columns, Quantity::Socket, "socket", &known)
+            .declared(columns, Quantity::Socket, &known)
             .into_iter()
             .map(|name| Socket {
                 position_mm: position_mm(&name),
@@ -50,7 +53,7 @@ impl Job<'_> {
             })
             .collect();
         let planes = self
-            .declared(columns, Quantity::Plane, "plane", &BTreeMap::new())
+            .declared(columns, Quantity::Plane, &BTreeMap::new())
             .into_iter()
             .map(|name| Plane { name, known: None })
             .collect();
@@ -81,7 +84,7 @@ impl Job<'_> {
         };
         if columns.find(quantity).is_some() {
             self.note(text!(
-                "--{option} is not used: a column says it",
+                "--{option} is not used: a column states it",
                 option = option
             ));
             return;
@@ -103,7 +106,6 @@ impl Job<'_> {
         &mut self,
         columns: &Columns,
         quantity: Quantity,
-        what: &str,
         known: &BTreeMap<String, Point3<f64>>,
     ) -> BTreeSet<String> {
         let names = names_in(columns, quantity);
@@ -112,21 +114,19 @@ impl Job<'_> {
         }
         let unknown = names.iter().filter(|name| !known.contains_key(*name));
         let unknown: Vec<String> = unknown.map(|name| quoted(name)).collect();
-        let named = counted(names.len(), what);
-        let said = match (names.len(), &unknown[..]) {
-            (1, []) => text!("{named} is named", named = named),
-            (_, []) => text!("{named} are named", named = named),
-            (1, _) => text!(
-                "{named} is named; not known where, and to be fitted: {unknown}",
-                named = named,
-                unknown = listed(&unknown)
-            ),
-            _ => text!(
-                "{named} are named; not known where, and to be fitted: {unknown}",
-                named = named,
-                unknown = listed(&unknown)
-            ),
+        let count = names.len();
+        let said = match quantity {
+            Quantity::Socket => {
+                text!(one "{count} socket is named", "{count} sockets are named", count = count)
+            }
+            Quantity::Plane => {
+                text!(one "{count} plane is named", "{count} planes are named", count = count)
+            }
+            _ => {
+                text!(one "{count} station is named", "{count} stations are named", count = count)
+            }
         };
+        let said = with_unknown(said, &unknown);
         self.note(said.clone());
         self.said.push(said);
         names
@@ -156,7 +156,7 @@ impl Job<'_> {
         let azimuth = columns
             .directions
             .map_or(Azimuth::Counterclockwise, |directions| directions.azimuth);
-        let names = self.declared(columns, Quantity::Station, "station", known);
+        let names = self.declared(columns, Quantity::Station, known);
         let stations = names.into_iter().map(|name| Station {
             position_mm: known.get(&name).copied(),
             name,

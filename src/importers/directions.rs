@@ -41,15 +41,17 @@ impl Job<'_> {
             .iter()
             .map(|joint| (joint + 1).to_string())
             .collect();
-        let of = format!(
-            "joint{} {}",
-            if lacking.len() == 1 { "" } else { "s" },
-            numbers.join(", ")
-        );
+        let joints = match &numbers[..] {
+            [joint] => text!("joint {joint}", joint = joint),
+            all => text!("joints {joints}", joints = all.join(", ")),
+        };
         if !self.settings.in_measuring_order {
             if matched.is_none_or(|matched| matched.by != Matching::Time) {
-                self.note(text!("nothing says from which side {of} came, so that backlash cannot be tested: where the rows are in \
-                     the order in which they were measured, --in-measuring-order derives it from the row before", of = of));
+                self.note(text!(
+                    "the side of approach is not stated ({joints}), so that backlash cannot be tested: where the rows are in \
+                     the order in which they were measured, --in-measuring-order derives it from the row before",
+                    joints = joints
+                ));
             }
             return;
         }
@@ -60,8 +62,8 @@ impl Job<'_> {
             }
         }
         let said = text!(
-            "the side from which {of} came is that of the motion since the row before: the rows are in measuring order, as was said",
-            of = of
+            "the side of approach ({joints}) is that of the motion since the row before: the rows are in measuring order, as stated",
+            joints = joints
         );
         self.note(said.clone());
         self.said.push(said);

@@ -12,11 +12,12 @@ use crate::diagnostic::Rejected;
 use crate::document::number::quoted;
 use crate::importers::columns::{Column, Columns};
 use crate::importers::job::Job;
-use crate::importers::matching::{counted, listed};
+use crate::importers::matching::listed_names;
 use crate::importers::role::Role;
 use crate::sessions::Anchor;
 use crate::sessions::columns::{Quantity, Unit};
 use crate::tables::{Cells, Names};
+use crate::text::Text;
 
 /// Option: the anchor of all distances.
 pub(crate) const ANCHOR: &str = "anchor";
@@ -24,6 +25,18 @@ pub(crate) const ANCHOR: &str = "anchor";
 pub(crate) const ANCHOR_OFFSET: &str = "anchor-offset";
 /// Default name of an anchor.
 const UNNAMED: &str = "A";
+
+/// What is named, and which of the places are not known.
+pub(super) fn with_unknown(said: Text, unknown: &[String]) -> Text {
+    if unknown.is_empty() {
+        return said;
+    }
+    text!(
+        "{said}; not known where, and to be fitted: {unknown}",
+        said = said,
+        unknown = listed_names(unknown)
+    )
+}
 
 impl Job<'_> {
     /// Declares the anchors of a session with distances, and completes the column that names them.
@@ -50,17 +63,12 @@ impl Job<'_> {
             .filter(|anchor| anchor.position_mm.is_none())
             .map(|anchor| quoted(&anchor.name))
             .collect();
-        let mut said = text!(
-            "distances from {anchors}",
-            anchors = counted(anchors.len(), "anchor")
+        let said = text!(
+            one "distances from {count} anchor",
+            "distances from {count} anchors",
+            count = anchors.len()
         );
-        if !unknown.is_empty() {
-            said = text!(
-                "{said}; not known where, and to be fitted: {unknown}",
-                said = said,
-                unknown = listed(&unknown)
-            );
-        }
+        let mut said = with_unknown(said, &unknown);
         if offset_mm.is_none() {
             said = text!(
                 "{said}; a constant offset of the distances is to be fitted",

@@ -199,7 +199,7 @@ impl ReadContext<'_> {
             return None;
         }
         if let Err(found) = found {
-            self.refuse(found, text!("rx, ry and rz, or euler1, euler2 and euler3; --columns with - for those that are to be left out"));
+            self.refuse(found, text!("rx, ry and rz, or euler1, euler2 and euler3; --columns with - for those that are to be ignored"));
             return None;
         }
         let quaternion = |role: &Role| matches!(role.quantity(), Some(Quantity::Orientation(_)));
@@ -217,7 +217,7 @@ impl ReadContext<'_> {
             Some(Answer::Axes(order)) => {
                 let [fixed, moving] = ["fixed", "moving"].map(|axes| format!("{order}-{axes}"));
                 let says = text!(
-                    "the angles turn in the order {order}, and whether about fixed axes (of the measuring frame) or about moving ones (carried along) is not said",
+                    "the angles turn in the order {order}, and whether about fixed axes (of the measuring frame) or about moving ones (carried along) is not stated",
                     order = order
                 );
                 self.ask(About::Own(EULER), says, &[&fixed, &moving]);

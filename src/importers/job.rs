@@ -90,9 +90,9 @@ pub struct Matched {
     /// Number of samples.
     pub samples: usize,
     /// Measurements without a command, in words.
-    pub lonely_measurements: Vec<String>,
+    pub lonely_measurements: Vec<Text>,
     /// Commands without a measurement, in words.
-    pub lonely_commands: Vec<String>,
+    pub lonely_commands: Vec<Text>,
     /// How far the clocks are apart, matched by time.
     pub clock: Option<ClockOffset>,
 }

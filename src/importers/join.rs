@@ -191,7 +191,7 @@ fn left_outside(measured: &Columns, usable: &[bool], place: &Place) -> Option<Di
         return None;
     }
     let found = text!(
-        "left out {outside} of {usable} measurements, taken before the first or after the last command: {which}",
+        "excluded {outside} of {usable} measurements, taken before the first or after the last command: {which}",
         outside = outside.len(),
         usable = usable.len(),
         which = listed_rows(measured, &outside)
@@ -317,7 +317,7 @@ impl Joining<'_> {
         let averaged: usize = groups.iter().map(|group| group.rows.len()).sum();
         let moving = in_stop.iter().filter(|stop| stop.is_none()).count();
         let found = text!(
-            "{groups} samples at the stops of the commands, each the mean of {max} measurements on average; {moving} measurements in motion or outside are left out",
+            "{groups} samples at the stops of the commands, each the mean of {max} measurements on average; {moving} measurements in motion or outside are excluded",
             groups = groups.len(),
             max = format!("{:.1}", averaged as f64 / groups.len().max(1) as f64),
             moving = moving

@@ -27,6 +27,17 @@ named! {
     pub fn id;
 }
 
+impl Matching {
+    /// What was done.
+    pub(crate) fn in_words(self) -> Text {
+        match self {
+            Self::Order => text!("commands matched by order"),
+            Self::Name => text!("commands matched by name"),
+            Self::Time => text!("commands matched by time"),
+        }
+    }
+}
+
 /// Rows that belong together, and what has no partner.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct Pairs {
@@ -34,8 +45,8 @@ pub(crate) struct Pairs {
     pub(crate) measured: Vec<usize>,
     pub(crate) commands: Vec<usize>,
     /// Names of measurements without a command, and of commands without a measurement, in words.
-    pub(crate) lonely_measured: Vec<String>,
-    pub(crate) lonely_commands: Vec<String>,
+    pub(crate) lonely_measured: Vec<Text>,
+    pub(crate) lonely_commands: Vec<Text>,
 }
 
 /// Pairs by order. The error says what differs.
@@ -49,47 +60,42 @@ pub(crate) fn by_order(measured: &Columns, commands: &Columns) -> Result<Pairs, 
         });
     }
     let (more, fewer) = (m.max(c), m.min(c));
-    let (which, longer) = if m > c {
-        (phrase!("measurements"), measured)
-    } else {
-        (phrase!("commands"), commands)
-    };
-    let mut found = text!("{m} measurements and {c} commands", m = m, c = c);
     let rest: Vec<usize> = (fewer..more).collect();
-    found += text!(
-        "; {which} beyond the {fewer} of the other side: {rest}",
-        which = which,
-        fewer = fewer,
-        rest = listed_rows(longer, &rest)
-    );
+    let mut found = vec![text!("{m} measurements and {c} commands", m = m, c = c)];
+    found.push(if m > c {
+        text!(
+            "measurements without a command: {which}",
+            which = listed_rows(measured, &rest)
+        )
+    } else {
+        text!(
+            "commands without a measurement: {which}",
+            which = listed_rows(commands, &rest)
+        )
+    });
     // Names on both sides show where the first gap is.
     if let (Some(a), Some(b)) = (measured.points(), commands.points())
         && let Some(row) = (0..fewer).find(|&row| a[row] != b[row])
     {
-        found += text!(
-            "; the first difference: measurement {row} is {measured}, command {row} is {commanded}",
+        found.push(text!(
+            "the first difference: measurement {row} is {measured}, command {row} is {commanded}",
             row = row + 1,
             measured = quoted(a[row]),
             commanded = quoted(b[row])
-        );
+        ));
     }
     Err((
-        found,
+        Text::listed(found, "; "),
         phrase!("as many of one as of the other, or --match name or time"),
     ))
 }
 
 /// Pairs by name. Without names on both sides, or without a common one, the error says so.
 pub(crate) fn by_name(measured: &Columns, commands: &Columns) -> Result<Pairs, (Text, Template)> {
-    let lacks = |side: Template| {
-        (
-            text!("{side} have no column of names", side = side),
-            phrase!("names on both sides, or --match order"),
-        )
-    };
+    let lacks = |found: Text| (found, phrase!("names on both sides, or --match order"));
     let names = measured
         .points()
-        .ok_or_else(|| lacks(phrase!("the measurements")))?;
+        .ok_or_else(|| lacks(text!("the measurements have no column of names")))?;
     let wanted = commands
         .points()
         .or_else(|| {
@@ -99,7 +105,7 @@ pub(crate) fn by_name(measured: &Columns, commands: &Columns) -> Result<Pairs, (
             let column = commands.list.iter().find(target)?;
             commands.texts(column.role)
         })
-        .ok_or_else(|| lacks(phrase!("the commands")))?;
+        .ok_or_else(|| lacks(text!("the commands have no column of names")))?;
     // Rows of each name that are still free, the next one last.
     let mut free: BTreeMap<&str, Vec<usize>> = BTreeMap::new();
     for (row, name) in wanted.iter().enumerate().rev() {
@@ -138,44 +144,50 @@ pub(crate) fn by_name(measured: &Columns, commands: &Columns) -> Result<Pairs, (
 }
 
 /// A row by its name and line.
-pub(crate) fn row_in_words(columns: &Columns, row: usize) -> String {
+pub(crate) fn row_in_words(columns: &Columns, row: usize) -> Text {
     let name = columns.point(row);
     let line = columns.lines.get(row);
     match (name.filter(|name| !name.is_empty()), line) {
-        (Some(name), Some(line)) => format!("{} (line {line})", quoted(name)),
-        (Some(name), None) => quoted(name),
-        (None, Some(line)) => format!("line {line}"),
-        (None, None) => format!("row {}", row + 1),
+        (Some(name), Some(line)) => {
+            text!("{name} (line {line})", name = quoted(name), line = line)
+        }
+        (Some(name), None) => Text::verbatim(quoted(name)),
+        (None, Some(line)) => text!("line {line}", line = line),
+        (None, None) => text!("row {rows}", rows = row + 1),
     }
 }
 
 /// Rows by their names and lines, the first ones.
-pub(crate) fn listed_rows(columns: &Columns, rows: &[usize]) -> String {
-    const SHOWN: usize = 8;
-    let named = rows.iter().take(SHOWN);
-    let named: Vec<String> = named.map(|&row| row_in_words(columns, row)).collect();
-    match rows.len().saturating_sub(SHOWN) {
-        0 => named.join(", "),
-        more => format!("{} and {more} more", named.join(", ")),
-    }
-}
-
-/// So many of them, in words.
-pub(crate) fn counted(count: usize, what: &str) -> String {
-    let ending = if count == 1 { "" } else { "s" };
-    format!("{count} {what}{ending}")
+pub(crate) fn listed_rows(columns: &Columns, rows: &[usize]) -> Text {
+    let named: Vec<Text> = rows.iter().map(|&row| row_in_words(columns, row)).collect();
+    listed(&named)
 }
 
 /// A list that a line can bear.
-pub(crate) fn listed(words: &[String]) -> String {
+pub(crate) fn listed(words: &[Text]) -> Text {
     listed_up_to(words, 8)
 }
 
+/// The same of names.
+pub(crate) fn listed_names(names: &[String]) -> Text {
+    listed_names_up_to(names, 8)
+}
+
+/// The same of at most so many names.
+pub(crate) fn listed_names_up_to(names: &[String], shown: usize) -> Text {
+    let names: Vec<Text> = names.iter().map(Text::verbatim).collect();
+    listed_up_to(&names, shown)
+}
+
 /// A list of at most so many words, and how many more there are.
-pub(crate) fn listed_up_to(words: &[String], shown: usize) -> String {
+fn listed_up_to(words: &[Text], shown: usize) -> Text {
     match words.len().saturating_sub(shown) {
-        0 => words.join(", "),
-        more => format!("{} and {more} more", words[..shown].join(", ")),
+        0 => Text::listed(words, ", "),
+        more => text!(
+            "{first} and {more} more",
+            first = Text::listed(&words[..shown], ", "),
+            more = more
+        ),
     }
 }
 
@@ -235,11 +247,12 @@ mod tests {
         let pairs = by_name(&measured, &commands).unwrap();
         assert_eq!(pairs.measured, [0, 1, 2]);
         assert_eq!(pairs.commands, [1, 0, 2]);
+        let said = |rows: &[Text]| rows.iter().map(Text::to_string).collect::<Vec<_>>();
         assert_eq!(
-            pairs.lonely_measured,
+            said(&pairs.lonely_measured),
             ["'X' (line 5)", "'A' (line 6)", "line 7"]
         );
-        assert_eq!(pairs.lonely_commands, ["'C' (line 5)"]);
+        assert_eq!(said(&pairs.lonely_commands), ["'C' (line 5)"]);
         assert!(by_name(&points(&["P"]), &points(&["Q"])).is_err());
     }
 

@@ -32,7 +32,7 @@ const WORDS: Words = Words {
 
 /// What is said of complaints beyond the first ones.
 pub(crate) fn others_like_these(more: usize) -> Text {
-    text!("{more} more cells or rows like these", more = more)
+    text!(one "{count} more cell or row like these", "{count} more cells or rows like these", count = more)
 }
 
 impl<'a> ReadContext<'a> {
@@ -297,11 +297,11 @@ impl<'a> ReadContext<'a> {
         let given = self.reading.unit.map(|unit| (unit.unit(), unit.symbol()));
         let length = match (given, &named) {
             (Some((unit, symbol)), _) => {
-                self.found.unit = format!("{symbol}, as was said");
+                self.found.unit = text!("{unit}, as stated", unit = symbol);
                 Some(unit)
             }
             (None, Some((text, unit))) => {
-                self.found.unit = format!("{text}, from the lines before the table");
+                self.found.unit = text!("{unit}, from the lines before the table", unit = text);
                 Some(*unit)
             }
             (None, None) => None,
@@ -316,12 +316,12 @@ impl<'a> ReadContext<'a> {
                 );
                 self.warn(
                     found,
-                    text!("the same unit as the headings, which are believed"),
+                    text!("the same unit as the headings, which are used"),
                 );
             }
-            "from the headings".clone_into(&mut self.found.unit);
+            self.found.unit = text!("from the headings");
         } else if says_length.is_some() {
-            "from the headings".clone_into(&mut self.found.unit);
+            self.found.unit = text!("from the headings");
         }
         if lacks_length {
             match length {
@@ -332,7 +332,7 @@ impl<'a> ReadContext<'a> {
                 Some(_) => {}
                 None => {
                     let says = text!(
-                        "the unit of {roles} is not said: {reach_mm}",
+                        "the unit of {roles} is not stated: {reach_mm}",
                         roles = lengths_in_words(roles),
                         reach_mm = units::hint(spread, self.reading.reach_mm)
                     );
@@ -343,8 +343,8 @@ impl<'a> ReadContext<'a> {
         let angle = self.reading.angle_unit.map(AngleUnit::unit);
         if lacks_angle && angle.is_none() {
             let says = match euler::columns_of(roles) {
-                Some(_) => text!("the unit of the angles is not said"),
-                None => text!("the unit of the joint values is not said"),
+                Some(_) => text!("the unit of the angles is not stated"),
+                None => text!("the unit of the joint values is not stated"),
             };
             self.ask(About::AngleUnit, says, &["deg", "rad"]);
         }
@@ -380,10 +380,14 @@ impl<'a> ReadContext<'a> {
         if turns || named || any.into_iter().any(has) {
             return true;
         }
-        let says = text!(
-            "no column is x or y for certain{headings}",
-            headings = headings
-        );
+        let says = if headings.is_empty() {
+            text!("no column is x or y for certain")
+        } else {
+            text!(
+                "no column is x or y for certain among {names}",
+                names = headings
+            )
+        };
         self.ask(About::Columns, says, &[]);
         false
     }

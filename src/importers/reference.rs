@@ -13,6 +13,7 @@ use statrs::distribution::{ContinuousCDF, FisherSnedecor};
 
 use crate::importers::clock::FARTHEST_MM;
 use crate::model::rigid_motion::rigid_motion;
+use crate::text::Text;
 
 /// Up to so many points every triple is tried.
 const ALL_TRIPLES: usize = 24;
@@ -73,23 +74,39 @@ impl Alignment {
 }
 
 /// Why points cannot be aligned.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum AlignError {
     /// Fewer than three.
-    #[error(
-        "{0} points with a name that is known in the base frame; a place and an orientation take 3"
-    )]
     TooFew(usize),
     /// All on one line, or all in one place.
-    #[error("the points lie on one line: nothing fixes the turn about it")]
     OnALine,
     /// So far away that squares overflow.
-    #[error("a reference point is more than a million kilometres away")]
     TooFar,
     /// No three of them agree with each other.
-    #[error("the points contradict each other: no majority of them fits")]
     NoMajority,
 }
+
+impl AlignError {
+    /// In words.
+    pub fn describe(&self) -> Text {
+        match self {
+            Self::TooFew(count) => text!(
+                one "{count} point with a name that is known in the base frame; a place and an orientation take 3",
+                "{count} points with a name that is known in the base frame; a place and an orientation take 3",
+                count = count
+            ),
+            Self::OnALine => text!("the points lie on one line: nothing fixes the turn about it"),
+            Self::TooFar => text!("a reference point is more than a million kilometres away"),
+            Self::NoMajority => {
+                text!("the points contradict each other: no majority of them fits")
+            }
+        }
+    }
+}
+
+displays_what_it_says!(AlignError);
+
+impl std::error::Error for AlignError {}
 
 /// Finds the motion from measured to known points, and the points that do not fit.
 ///

@@ -136,21 +136,17 @@ fn suited(reading: &Reading, robot: &Robot) -> Result<Reading, Rejected> {
 impl Job<'_> {
     pub(super) fn say_source(&mut self, bytes: &[u8], inspection: &Inspection) {
         let kind = inspection.kind.map_or("", |kind| kind.id);
-        let mut said = text!(
-            "imported from {bytes} as {kind}: {encoding}",
+        let mut read = vec![inspection.encoding.in_words()];
+        read.extend(inspection.separator.map(|s| s.name().into()));
+        read.extend(inspection.decimal.map(|d| d.name().into()));
+        if !inspection.unit.is_empty() {
+            read.push(text!("unit {unit}", unit = &inspection.unit));
+        }
+        self.said.push(text!(
+            "imported from {bytes} as {kind}: {read}",
             bytes = file_in_words(self.reading.file.as_ref(), bytes),
             kind = kind,
-            encoding = inspection.encoding.to_string()
-        );
-        if let Some(separator) = inspection.separator {
-            said += text!(", {separator}", separator = separator.to_string());
-        }
-        if let Some(decimal) = inspection.decimal {
-            said += text!(", {decimal}", decimal = decimal.to_string());
-        }
-        if !inspection.unit.is_empty() {
-            said += text!(", unit {unit}", unit = &inspection.unit);
-        }
-        self.said.push(said);
+            read = Text::listed(read, ", ")
+        ));
     }
 }

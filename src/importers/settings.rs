@@ -220,7 +220,7 @@ pub struct Inspection {
     /// Rigid bodies, markers or points that the file names, the first ones.
     pub names: Vec<String>,
     /// Where the unit of length comes from, in words.
-    pub unit: String,
+    pub unit: Text,
     /// What has to be answered before the file can be imported.
     pub questions: Vec<Question>,
     /// Errors, warnings and notes.

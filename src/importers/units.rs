@@ -172,7 +172,10 @@ pub(crate) fn hint(spread: f64, reach_mm: Option<f64>) -> Text {
                 reach = format!("{reach:.0}")
             ),
         ),
-        _ => (1000.0, text!("as robots are mostly as large as people")),
+        _ => (
+            1000.0,
+            text!("as most robots are about the size of a person"),
+        ),
     };
     let off = |unit: &LengthUnit| (mm(*unit) / wanted).ln().abs();
     let likeliest = LengthUnit::ALL

@@ -54,7 +54,7 @@ impl Robot {
                         joints = self.joints.len(),
                         mobility = mobility
                     ),
-                    text!("as many ways as joints; some joints stand in for each other"),
+                    text!("as many ways as joints; some joints are redundant"),
                 ));
             }
         }

@@ -11,7 +11,7 @@
 //! with a joint of its own is left out, because its pose is not known.
 
 use crate::diagnostic::{Diagnostic, Place, Rejected};
-use crate::text::{Template, Text};
+use crate::text::Text;
 use crate::units::LARGEST_JOINT_VALUE;
 use nalgebra::{Point3, Unit, Vector3};
 
@@ -66,6 +66,25 @@ pub(super) enum Mass {
     Unknown,
 }
 
+/// What a description calls the bodies between joints.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum BodyName {
+    Link,
+    BodyOrSite,
+}
+
+impl BodyName {
+    /// That there is none of this name, for the base or for the tip.
+    fn lacking(self, name: &str, is_base: bool) -> Text {
+        match (self, is_base) {
+            (Self::Link, true) => text!("no link '{name}' for the base", name = name),
+            (Self::Link, false) => text!("no link '{name}' for the tip", name = name),
+            (Self::BodyOrSite, true) => text!("no body or site '{name}' for the base", name = name),
+            (Self::BodyOrSite, false) => text!("no body or site '{name}' for the tip", name = name),
+        }
+    }
+}
+
 /// A body, or a place that is fixed to one.
 #[derive(Debug, Clone)]
 pub(super) struct Body {
@@ -83,7 +102,7 @@ pub(super) struct Tree {
     pub(super) name: String,
     pub(super) bodies: Vec<Body>,
     /// What the description calls its bodies, for messages: link or body.
-    pub(super) called: Template,
+    pub(super) called: BodyName,
 }
 
 /// A body of the chain at home.
@@ -214,24 +233,18 @@ impl Tree {
 
     /// The bodies from `base` to `tip`, both included.
     fn chain(&self, base: &str, tip: &str) -> Result<Vec<usize>, Rejected> {
-        let [base_at, tip_at] =
-            [(phrase!("base"), base), (phrase!("tip"), tip)].map(|(role, name)| {
-                let called = |body: &Body| !name.is_empty() && body.name == name;
-                let found = self.bodies.iter().position(called);
-                found.ok_or_else(|| {
-                    let names = self.bodies.iter().map(|body| body.name.as_str());
-                    let named = names.filter(|name| !name.is_empty());
-                    self.refuse(
-                        text!(
-                            "no {called} '{name}' for the {role}",
-                            called = self.called,
-                            name = name,
-                            role = role
-                        ),
-                        text!("one of {named}", named = listed(named)),
-                    )
-                })
-            });
+        let [base_at, tip_at] = [(true, base), (false, tip)].map(|(is_base, name)| {
+            let called = |body: &Body| !name.is_empty() && body.name == name;
+            let found = self.bodies.iter().position(called);
+            found.ok_or_else(|| {
+                let names = self.bodies.iter().map(|body| body.name.as_str());
+                let named = names.filter(|name| !name.is_empty());
+                self.refuse(
+                    self.called.lacking(name, is_base),
+                    text!("one of {named}", named = listed(named)),
+                )
+            })
+        });
         let (base_at, mut at) = (base_at?, tip_at?);
         let mut chain = vec![at];
         while at != base_at {

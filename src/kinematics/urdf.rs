@@ -22,7 +22,7 @@ use nalgebra::{Point3, Quaternion, Translation3, UnitQuaternion, Vector3};
 use super::joint_kind::JointKind;
 use super::pose::Pose;
 use super::robot::Robot;
-use super::tree::{Body, BodyJoint, MM_PER_M, Mass, Mimic, Motion, Tree, limits};
+use super::tree::{Body, BodyJoint, BodyName, MM_PER_M, Mass, Mimic, Motion, Tree, limits};
 use super::xml::{Document, ROOT};
 use crate::diagnostic::{Place, Rejected};
 
@@ -50,14 +50,14 @@ pub(super) fn tree(document: &Document, file: &Path) -> Result<Tree, Rejected> {
             .unwrap_or_default()
             .to_owned(),
         bodies: Vec::new(),
-        called: phrase!("link"),
+        called: BodyName::Link,
     };
     let mut link_of: BTreeMap<String, usize> = BTreeMap::new();
     for link in document.children(root, "link") {
         let name = document.required(link, "name")?.to_owned();
         if link_of.insert(name.clone(), tree.bodies.len()).is_some() {
             let found = text!("two links called '{name}'", name = name);
-            return Err(document.refuse(link, found, text!("a name of its own for each link")));
+            return Err(document.refuse(link, found, text!("a unique name for each link")));
         }
         tree.bodies.push(Body {
             name,
@@ -118,7 +118,7 @@ fn hang(
 ) -> Result<(), Rejected> {
     let end = |which: &'static str| -> Result<usize, Rejected> {
         let Some(element) = document.children(joint, which).next() else {
-            let found = text!("a joint without <{which}>", which = which);
+            let found = text!("a joint without <{element}>", element = which);
             return Err(document.refuse(joint, found, text!("<parent> and <child> in each joint")));
         };
         let link = document.required(element, "link")?;

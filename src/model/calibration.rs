@@ -129,7 +129,7 @@ impl Calibration {
             if found != expected {
                 wrong(
                     &field,
-                    text!("{found} coefficients", found = found),
+                    text!(one "{count} coefficient", "{count} coefficients", count = found),
                     Text::verbatim(expected.to_string()),
                 );
             }
@@ -144,7 +144,7 @@ impl Calibration {
             }
         }
         if self.measured.len() > joints {
-            let found = text!("{measured} ranges", measured = self.measured.len());
+            let found = text!(one "{count} range", "{count} ranges", count = self.measured.len());
             wrong(
                 "measured",
                 found,

@@ -184,7 +184,7 @@ impl SetUp {
     ///
     /// # Errors
     /// In words why it is not: which other joint its value depends on, or that its unit was wrong.
-    pub fn raw_joint(&self, joint: usize) -> Result<RawJoint, String> {
+    pub fn raw_joint(&self, joint: usize) -> Result<RawJoint, Text> {
         let mut own = RawJoint {
             sign: 1.0,
             at_zero: 0.0,
@@ -193,16 +193,18 @@ impl SetUp {
             match correction {
                 SessionCorrection::ScaleJoint { joint: of, factor } if *of == joint => {
                     if factor.abs() != 1.0 {
-                        return Err(format!(
-                            "the values of joint {} were in another unit",
-                            joint + 1
+                        return Err(text!(
+                            "the session has the values of joint {joint} in another unit",
+                            joint = joint + 1
                         ));
                     }
                     own.sign *= factor;
                     own.at_zero *= factor;
                 }
                 SessionCorrection::ScaleJoints { .. } => {
-                    return Err("the values of the joints were in another unit".to_owned());
+                    return Err(text!(
+                        "the session has the values of all joints in another unit"
+                    ));
                 }
                 SessionCorrection::TurnHome { joint: of, by_rad } if *of == joint => {
                     own.at_zero += by_rad;
@@ -210,16 +212,20 @@ impl SetUp {
                 SessionCorrection::ExchangeJoints { first, second }
                     if [*first, *second].contains(&joint) =>
                 {
-                    return Err(format!(
-                        "joints {} and {} were exchanged",
-                        first + 1,
-                        second + 1
+                    return Err(text!(
+                        "the session has joints {a} and {b} exchanged",
+                        a = first + 1,
+                        b = second + 1
                     ));
                 }
                 SessionCorrection::CoupleJoint {
                     joint: of, from, ..
                 } if [*of, *from].contains(&joint) => {
-                    return Err(format!("joints {} and {} are coupled", from + 1, of + 1));
+                    return Err(text!(
+                        "the session has joints {a} and {b} coupled",
+                        a = from + 1,
+                        b = of + 1
+                    ));
                 }
                 _ => {}
             }

@@ -292,35 +292,39 @@ impl Shape {
         };
         match self.variable {
             Variable::Joint(j) => text!(
-                "{what} over the value of joint {joint}, {along}",
-                what = what,
+                "{shape} over the value of joint {joint}, {along}",
+                shape = what,
                 joint = j + 1,
                 along = along
             ),
-            Variable::Time => text!("{what} over time, {along}", what = what, along = along),
+            Variable::Time => text!("{shape} over time, {along}", shape = what, along = along),
             Variable::Side(j) => text!(
-                "{what} over the side from which joint {joint} came, {along}",
-                what = what,
+                "{shape} over the side from which joint {joint} came, {along}",
+                shape = what,
                 joint = j + 1,
                 along = along
             ),
             Variable::Speed(j) => text!(
-                "{what} over the speed of joint {joint}, {along}",
-                what = what,
+                "{shape} over the speed of joint {joint}, {along}",
+                shape = what,
                 joint = j + 1,
                 along = along
             ),
-            Variable::Load => text!("{what} over the load, {along}", what = what, along = along),
+            Variable::Load => text!(
+                "{shape} over the load, {along}",
+                shape = what,
+                along = along
+            ),
             Variable::Warmth => {
                 text!(
-                    "{what} over temperature, {along}",
-                    what = what,
+                    "{shape} over temperature, {along}",
+                    shape = what,
                     along = along
                 )
             }
             Variable::Target(_) => text!(
-                "{what} of one reflector against the others, {along}",
-                what = what,
+                "{shape} of one reflector against the others, {along}",
+                shape = what,
                 along = along
             ),
         }

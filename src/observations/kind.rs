@@ -2,6 +2,7 @@
 
 use crate::effects::{Place, PlaceKind};
 use crate::sessions::{Instrument, Session};
+use crate::text::{Template, Text};
 
 use super::residual::{Residual, Seen};
 
@@ -41,6 +42,8 @@ impl Unit {
 pub struct AboutKind {
     /// Its name in answers.
     pub name: &'static str,
+    /// Its name for people.
+    pub title: Template,
     /// What it looks at.
     pub looks: Observable,
     /// The unit of its residuals.
@@ -52,6 +55,13 @@ pub struct AboutKind {
     pub shows_length: bool,
     /// Whether what is measured is that the target is at the place: a pose has to bring it there.
     pub holds: bool,
+}
+
+impl AboutKind {
+    /// Its name in answers where English names by ids, and its name for people elsewhere.
+    pub(crate) fn in_words(&self) -> Text {
+        Text::named(self.name, self.title)
+    }
 }
 
 /// One kind of measurement.

@@ -46,6 +46,7 @@ pub use figures::{Deviations, Errors, KindFigures};
 pub use kind::{ANGLES_AT_MM, AboutKind, Kind, Observable, Unit};
 pub(crate) use kind::{named, put_name};
 pub use kinds::KINDS;
+pub(crate) use kinds::kind_in_words;
 pub use layer::Layer;
 pub use residual::{Residual, Seen};
 pub use rows::ObservedRows;

@@ -13,6 +13,11 @@ pub fn title(outcome: Outcome) -> Template {
     }
 }
 
+/// That nothing is decided, and why.
+pub fn none(because: &str) -> String {
+    say!("No decision: {because}", because = because)
+}
+
 /// What a decision rests on.
 pub fn rests_on(measured: &MeasuredDeviation, rule: Rule, tolerance_mm: f64) -> String {
     let of = if measured.predicted {

@@ -15,12 +15,12 @@ pub fn document(imported: &Imported) -> Json {
         "encoding": found.encoding.to_string(),
         "separator": found.separator.map(|separator| separator.to_string()),
         "decimal": found.decimal.map(|decimal| decimal.to_string()),
-        "unit": &*found.unit,
+        "unit": found.unit.to_string(),
         "matched": imported.matched.as_ref().map(|matched| object! {
             "by": matched.by.id(),
             "samples": matched.samples,
-            "without_command": &matched.lonely_measurements,
-            "without_measurement": &matched.lonely_commands,
+            "without_command": list(&matched.lonely_measurements, |row| row.to_string().into()),
+            "without_measurement": list(&matched.lonely_commands, |row| row.to_string().into()),
             "clock": matched.clock.map(|clock| object! {
                 "offset_s": clock.offset_s,
                 "sigma_s": clock.sigma_s,

@@ -1,11 +1,11 @@
 //! Errors by kind of measurement: `kinds` in JSON, and as a table.
 
 use super::json::{Json, list, object};
-use super::names::word;
 use super::numbers::plain;
 use super::table::{Cell, Column, Table};
 use crate::observations::figures::{Errors, KindFigures};
-use crate::sessions::Session;
+use crate::observations::kind_in_words;
+use crate::text::{by_titles, current};
 
 /// One row for each kind; numbers are in its `unit`, mm or mrad.
 pub(crate) fn rows(kinds: &[KindFigures]) -> Json {
@@ -31,24 +31,9 @@ pub(crate) fn rows(kinds: &[KindFigures]) -> Json {
     })
 }
 
-/// How many measurements of each kind a session has, where there are others than points.
-pub(crate) fn measured(session: &Session) -> Option<String> {
-    session.kinds_in_words()?;
-    let kinds = session.measured_kinds().into_iter();
-    let said = kinds.map(|kind| {
-        let count = kind.count;
-        match kind.called[0] {
-            "point" => say!(one "{count} point", "{count} points", count = count),
-            "orientation" => say!(one "{count} orientation", "{count} orientations", count = count),
-            "distance" => say!(one "{count} distance", "{count} distances", count = count),
-            "direction" => say!(one "{count} direction", "{count} directions", count = count),
-            "touch" => say!(one "{count} touch", "{count} touches", count = count),
-            _ => {
-                say!(one "{count} target in a socket", "{count} targets in sockets", count = count)
-            }
-        }
-    });
-    Some(said.collect::<Vec<_>>().join(", "))
+/// What a kind is called, in the language of this thread.
+fn name_of(own: &KindFigures) -> String {
+    kind_in_words(own.kind).said(current(), by_titles())
 }
 
 /// Errors by kind, root mean square, of what was fitted and of what is held out.
@@ -69,7 +54,7 @@ pub(crate) fn table(kinds: &[KindFigures]) -> Table {
         let fitted = own
             .fitted
             .as_ref()
-            .map(|errors| (word(own.kind), errors, own));
+            .map(|errors| (name_of(own), errors, own));
         let open = KindFigures {
             unseen_rms: None,
             stated_sigma: None,
@@ -78,7 +63,7 @@ pub(crate) fn table(kinds: &[KindFigures]) -> Table {
         };
         let held_out = own.held_out.as_ref();
         let held_out = held_out.map(|errors| {
-            let name = say!("{kind}, held out", kind = word(own.kind));
+            let name = say!("{kind}, held out", kind = name_of(own));
             (name, errors, &open)
         });
         for (name, errors, more) in fitted.into_iter().chain(held_out) {

@@ -12,9 +12,8 @@ impl Where {
             Self::Range { variable, from, to } => {
                 if let Some((group, name)) = of_a_group(variable) {
                     return text!(
-                        "{group} {name}, samples {from} to {to}",
-                        group = group.name(),
-                        name = name,
+                        "{thing}, samples {from} to {to}",
+                        thing = group.called(name),
                         from = trimmed(*from, 0),
                         to = trimmed(*to, 0)
                     );
@@ -24,8 +23,8 @@ impl Where {
                 let Some(unit) = unit else { return what };
                 let [from, to] = [from, to].map(|value| format!("{}{unit}", trimmed(*value, 2)));
                 text!(
-                    "{what} from {from} to {to}",
-                    what = what,
+                    "{quantity} from {from} to {to}",
+                    quantity = what,
                     from = from,
                     to = to
                 )
@@ -39,15 +38,15 @@ impl Where {
                 // A joint that slides has no turns: its waves are counted by the metre.
                 if unit == Some("°") {
                     text!(
-                        "{cycles} cycles per turn of {what}",
+                        "{cycles} cycles per turn of {quantity}",
                         cycles = cycles,
-                        what = what
+                        quantity = what
                     )
                 } else {
                     text!(
-                        "{cycles} cycles per metre of {what}",
+                        "{cycles} cycles per metre of {quantity}",
                         cycles = cycles,
-                        what = what
+                        quantity = what
                     )
                 }
             }

@@ -143,8 +143,8 @@ fn of_poses(test: &PoseTest, compensated: bool) -> Group {
         standard: "ISO 9283",
         unit: "mm",
         says: text!(
-            "{poses} poses with two cycles or more, {turned} from several directions, {paths} paths; the largest of each figure",
-            poses = poses,
+            one "{count} pose with two cycles or more, {turned} from several directions, {paths} paths; the largest of each figure", "{count} poses with two cycles or more, {turned} from several directions, {paths} paths; the largest of each figure",
+            count = poses,
             turned = turned,
             paths = paths
         ),

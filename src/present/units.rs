@@ -140,7 +140,7 @@ pub(crate) fn typed_in(text: &str, usual: &str, into: &str) -> Result<f64, Strin
         return Ok(value * factor(usual, into).filter(|_| usual != into).unwrap_or(1.0));
     }
     let number = text.trim_end_matches(|c: char| !c.is_ascii_digit());
-    let value = typed(number).ok_or_else(|| format!("'{text}' is no number"))?;
+    let value = typed(number).ok_or_else(|| say!("'{text}' is not a number", text = text))?;
     let unit = text[number.len()..].trim();
     let known = [
         "mm, µm, m, in, thou",
@@ -153,8 +153,15 @@ pub(crate) fn typed_in(text: &str, usual: &str, into: &str) -> Result<f64, Strin
         .find(|all| factor(all.split(", ").next().unwrap_or(""), into).is_some());
     match (factor(unit, into), known) {
         (Some(factor), _) => Ok(value * factor),
-        (None, Some(known)) => Err(format!("'{unit}' is no unit here; known are {known}")),
-        (None, None) => Err(format!("'{unit}' after the number: this one has no unit")),
+        (None, Some(known)) => Err(say!(
+            "'{unit}' is not a unit here; known are {known}",
+            unit = unit,
+            known = known
+        )),
+        (None, None) => Err(say!(
+            "'{unit}' after the number: this number has no unit",
+            unit = unit
+        )),
     }
 }
 
@@ -223,10 +230,10 @@ mod tests {
         assert_eq!(typed_in("7 rad", "°", "rad"), Ok(7.0));
         assert_eq!(typed_in("3600 arcsec", "°", "°").map(f64::round), Ok(1.0));
         for (text, says) in [
-            ("abc", "'abc' is no number"),
-            ("", "'' is no number"),
-            ("8 furlongs", "'furlongs' is no unit here"),
-            ("8 deg", "'deg' is no unit here"),
+            ("abc", "'abc' is not a number"),
+            ("", "'' is not a number"),
+            ("8 furlongs", "'furlongs' is not a unit here"),
+            ("8 deg", "'deg' is not a unit here"),
             ("1e999", "no number"),
         ] {
             assert!(mm(text).is_err_and(|e| e.contains(says)), "{text}");

@@ -21,7 +21,7 @@ use super::axes::Axes;
 use super::configuration::leaves_its_sides;
 use super::program::Program;
 use super::request::{Request, measured_frame};
-use super::resolve::{Resolved, beyond_a_limit, first_beyond};
+use super::resolve::{Resolved, first_beyond};
 use super::sequence::Sequence;
 use super::target::Target;
 
@@ -215,7 +215,8 @@ impl Corrector<'_> {
             }
             let target = &self.targets[indices[i]];
             let from = &resolved[i].q;
-            let too_far = first_beyond(self.robot, &reached.q).or_else(|| {
+            let beyond = first_beyond(self.robot, &reached.q);
+            let too_far = beyond.map(|b| (b.joint, b.limit)).or_else(|| {
                 let joint = self.crosses(target, from, &reached.q)?;
                 Some((joint, from[joint]))
             });
@@ -290,11 +291,15 @@ impl Corrector<'_> {
             );
             return Err(SkippedTarget::new(Reason::Singular, says));
         }
-        if let Some(says) = beyond_a_limit(robot, &reached.q) {
-            return Err(SkippedTarget::new(
-                Reason::Unreachable,
-                text!("{says} with its correction", says = says),
-            ));
+        if let Some(beyond) = first_beyond(robot, &reached.q) {
+            let [value, limit] = beyond.shown(robot);
+            let says = text!(
+                "with its correction joint {joint} would be at {value}, beyond its limit of {limit}",
+                joint = beyond.joint + 1,
+                value = value,
+                limit = limit
+            );
+            return Err(SkippedTarget::new(Reason::Unreachable, says));
         }
         let off = reached.position_mm > REACHED[0] && self.positions;
         let turned = self.whole && reached.rotation_rad > REACHED[1] && !reached.damped;

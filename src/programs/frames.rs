@@ -86,26 +86,30 @@ impl<'a> Known<'a> {
                 (
                     &way.frame,
                     &self.program.frames,
-                    phrase!("frame"),
+                    true,
                     self.reading.all_frames.is_none(),
                 ),
-                (&way.tool, &self.program.tools, phrase!("tool"), tools),
+                (&way.tool, &self.program.tools, false, tools),
             ];
-            for (referred, names, what, as_declared) in kinds {
+            for (referred, names, is_frame, as_declared) in kinds {
                 if let Referred::Named(name) = referred
                     && let Some(Declared {
                         at, pose: Ok(_), ..
                     }) = names.get(&**name)
                     && as_declared
                 {
-                    taken.insert((
-                        *at,
+                    let says = if is_frame {
                         text!(
-                            "{what} {name} is taken as it is declared here",
-                            what = what,
+                            "frame {name} is taken as it is declared here",
                             name = &**name
-                        ),
-                    ));
+                        )
+                    } else {
+                        text!(
+                            "tool {name} is taken as it is declared here",
+                            name = &**name
+                        )
+                    };
+                    taken.insert((*at, says));
                 }
             }
         }
@@ -229,7 +233,7 @@ impl<'a> Known<'a> {
         };
         let own = match referred {
             Referred::Named(name) => self.on_flange(name)?,
-            _ => return Err(text!("which tool it is of is not said")),
+            _ => return Err(text!("which tool it is of is not stated")),
         };
         Ok(own.inverse() * model)
     }

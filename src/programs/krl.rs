@@ -85,9 +85,9 @@ pub(super) fn read(text: &Text, axes: &Axes) -> Result<Program, Vec<Problem>> {
         }
     }
     if problems.is_empty() {
-        Ok(reader
-            .moves
-            .finish(reader.program, phrase!("has its values elsewhere")))
+        Ok(reader.moves.finish(reader.program, |spelled| {
+            text!("{spelled} has its values elsewhere", spelled = spelled)
+        }))
     } else {
         Err(problems)
     }
@@ -236,7 +236,7 @@ impl KrlReader<'_> {
                 if !words.is_sign(k, b',') {
                     return Err(words.problem(
                         k,
-                        text!(", and the end point of {command}", command = command),
+                        text!("a comma and the end point of {command}", command = command),
                     ));
                 }
                 k += 1;
@@ -258,7 +258,7 @@ impl KrlReader<'_> {
         let composed = words.is_sign(k, b':');
         if composed {
             let says = text!(
-                "{command} goes to a product of frames, which is worked out at run time",
+                "{command} goes to a product of frames, which is computed at run time",
                 command = command
             );
             self.run_time(at, says);
@@ -293,7 +293,7 @@ impl KrlReader<'_> {
         };
         let Some(target) = target else {
             let says = text!(
-                "{name} takes some of its components from where the robot is, or works them out at run time",
+                "{name} takes some of its components from where the robot is, or computes them at run time",
                 name = name
             );
             self.run_time(aggregate.at, says);
@@ -303,14 +303,14 @@ impl KrlReader<'_> {
     }
 
     fn axis_target(&self, aggregate: &Aggregate, name: &str) -> Result<Option<Target>, Problem> {
-        aggregate.only(name, "an axis", &["a1", "a2", "a3", "a4", "a5", "a6"])?;
+        aggregate.only(name, &["a1", "a2", "a3", "a4", "a5", "a6"])?;
         let number = |slot| aggregate.number(&axis_name(slot)).ok_or(());
         Ok(self.axes.joint_target(name, aggregate.at, number).ok())
     }
 
     fn pose_target(&self, aggregate: &Aggregate, name: &str) -> Result<Option<Target>, Problem> {
         let keys = ["x", "y", "z", "a", "b", "c", "s", "t"];
-        aggregate.only(name, "a pose", &keys)?;
+        aggregate.only(name, &keys)?;
         let numbers: Option<Vec<Number>> = keys[..6].iter().map(|k| aggregate.number(k)).collect();
         let Some(numbers) = numbers else {
             return Ok(None);

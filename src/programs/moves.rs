@@ -4,7 +4,7 @@
 //! not once for every pair of a motion and a value, so that the work grows with the file and not with
 //! its square.
 
-use crate::text::Template;
+use crate::text::Text;
 use std::collections::BTreeMap;
 
 use super::program::Program;
@@ -138,7 +138,7 @@ impl Moves {
 
     /// The program with its visits, the frames that its targets are used in, and what is not corrected.
     /// `elsewhere`: what there is to say of a name that the file gives no values.
-    pub(super) fn finish(self, mut program: Program, elsewhere: Template) -> Program {
+    pub(super) fn finish(self, mut program: Program, elsewhere: fn(&str) -> Text) -> Program {
         for visit in self.all {
             let one = match visit {
                 MotionVisit::Inline(index) => {
@@ -152,11 +152,7 @@ impl Moves {
                 _ if one.mentioned => {}
                 (Some(index), _) if named.others.is_empty() => program.visits.push(index),
                 (None, Some(spelled)) => {
-                    let says = text!(
-                        "{spelled} {elsewhere}",
-                        spelled = &*spelled,
-                        elsewhere = elsewhere
-                    );
+                    let says = elsewhere(&spelled);
                     program.at_run_time.push(Remark { at: one.at, says });
                 }
                 // An array, or a name that is given several values.

@@ -111,28 +111,38 @@ impl Difference {
         let (line, column) = self.place;
         // A name that is only the numbers again says nothing.
         let named = !self.name.starts_with('{') && !self.name.starts_with("p[");
-        let name = if named {
-            format!(" {}", self.name)
-        } else {
-            String::new()
-        };
-        let (program, model) = (&self.program, &self.model);
+        let (name, program, model) = (&self.name, &self.program, &self.model);
         let says = match self.what {
+            DifferingNumber::Tool if named => text!(
+                "the program's tool {name} is {program}; the model's is {model}",
+                name = name,
+                program = program,
+                model = model
+            ),
             DifferingNumber::Tool => text!(
-                "the program's tool{name} is {program}; the model's is {model}",
+                "the program's tool is {program}; the model's is {model}",
+                program = program,
+                model = model
+            ),
+            DifferingNumber::Frame if named => text!(
+                "the program's frame {name} is {program}; the model's is {model}",
                 name = name,
                 program = program,
                 model = model
             ),
             DifferingNumber::Frame => text!(
-                "the program's frame{name} is {program}; the model's is {model}",
+                "the program's frame is {program}; the model's is {model}",
+                program = program,
+                model = model
+            ),
+            DifferingNumber::Load if named => text!(
+                "the program's load {name} is {program}; the model's is {model}",
                 name = name,
                 program = program,
                 model = model
             ),
             DifferingNumber::Load => text!(
-                "the program's load{name} is {program}; the model's is {model}",
-                name = name,
+                "the program's load is {program}; the model's is {model}",
                 program = program,
                 model = model
             ),
@@ -196,7 +206,7 @@ impl Differences {
         let own = options.into_iter().filter(|(what, _)| any(*what));
         let own: Vec<&str> = own.map(|(_, option)| option).collect();
         let how = text!(
-            "say which holds: {options}, --as-programmed (as the program writes it) or --as-modelled (as in the model, whatever the program says)",
+            "choose which holds: {options}, --as-programmed (as the program writes it) or --as-modelled (as in the model, whatever the program says)",
             options = own.join(", ")
         );
         let each = self.0.iter().map(Difference::describe);

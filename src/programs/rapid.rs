@@ -67,9 +67,9 @@ pub(super) fn read(text: &Text, axes: &Axes) -> Result<Program, Vec<Problem>> {
         }
     }
     if reader.problems.is_empty() {
-        Ok(reader
-            .moves
-            .finish(reader.program, phrase!("is declared elsewhere")))
+        Ok(reader.moves.finish(reader.program, |spelled| {
+            text!("{spelled} is declared elsewhere", spelled = spelled)
+        }))
     } else {
         Err(reader.problems)
     }
@@ -173,9 +173,10 @@ impl<'t, 'a> RapidReader<'t, 'a> {
             self.declared(&tree, &spelled, &spelled, kind == "robtarget", array);
         }
         if !self.words.is_sign(end, b';') {
-            let problem = self
-                .words
-                .problem(end, text!("; behind {spelled}", spelled = spelled));
+            let problem = self.words.problem(
+                end,
+                text!("a semicolon behind {spelled}", spelled = spelled),
+            );
             self.problems.push(problem);
         }
         end
@@ -212,7 +213,7 @@ impl<'t, 'a> RapidReader<'t, 'a> {
                 self.run_time(
                     at,
                     text!(
-                        "{spelled} has values that are worked out at run time",
+                        "{spelled} has values that are computed at run time",
                         spelled = spelled
                     ),
                 );
@@ -285,7 +286,10 @@ impl<'t, 'a> RapidReader<'t, 'a> {
             let end = self.words.until(k, b",;");
             let next_move = |j: &usize| self.words.name(*j).is_some_and(|n| is_move(&n));
             if let Some(j) = (k..end).find(next_move) {
-                let expected = text!("; at the end of the {command} before it", command = command);
+                let expected = text!(
+                    "a semicolon at the end of the {command} before it",
+                    command = command
+                );
                 self.problems.push(self.words.problem(j, expected));
                 return j;
             }
@@ -325,7 +329,7 @@ impl<'t, 'a> RapidReader<'t, 'a> {
                 Referred::named(self.words.spelled(k))
             } else {
                 Referred::Unknown(text!(
-                    "{name} is worked out at run time",
+                    "{name} is computed at run time",
                     name = self.words.shown(k, end)
                 ))
             }
@@ -368,9 +372,9 @@ impl<'t, 'a> RapidReader<'t, 'a> {
             return self.run_time(
                 at,
                 text!(
-                    "{command} goes to {what}, which is worked out at run time",
+                    "{command} goes to {target}, which is computed at run time",
                     command = command,
-                    what = what
+                    target = what
                 ),
             );
         }
@@ -379,7 +383,7 @@ impl<'t, 'a> RapidReader<'t, 'a> {
         }
         let read = self.lists().list(k, 0).and_then(|(tree, behind)| {
             if behind != end && !self.words.is_sign(behind, b'\\') {
-                return Err(self.words.problem(behind, text!(", or ;")));
+                return Err(self.words.problem(behind, text!("a comma or a semicolon")));
             }
             self.lists()
                 .target(&tree, &format!("target of {command}"), None)
@@ -393,7 +397,7 @@ impl<'t, 'a> RapidReader<'t, 'a> {
             Ok(None) => self.run_time(
                 at,
                 text!(
-                    "the target of {command} is worked out at run time",
+                    "the target of {command} is computed at run time",
                     command = command
                 ),
             ),

@@ -61,8 +61,8 @@ pub enum CompensateError {
     Differs(Differences),
     /// One tool or frame is given, and the program has several.
     Several {
-        /// Tool or frame.
-        what: &'static str,
+        /// Whether it is the tool, else the frame.
+        is_tool: bool,
         /// Those of the program.
         names: String,
     },
@@ -96,9 +96,18 @@ impl CompensateError {
                 "the model knows no measuring frame that was brought into the robot's base: --measured-frame has no meaning for it"
             ),
             Self::Differs(differences) => differences.describe(),
-            Self::Several { what, names } => text!(
-                "--{what} gives one {what} and the program has several ({names}): --as-programmed takes each as the program declares it",
-                what = what,
+            Self::Several {
+                is_tool: true,
+                names,
+            } => text!(
+                "--tool gives one tool and the program has several ({names}): --as-programmed takes each as the program declares it",
+                names = names
+            ),
+            Self::Several {
+                is_tool: false,
+                names,
+            } => text!(
+                "--frame gives one frame and the program has several ({names}): --as-programmed takes each as the program declares it",
                 names = names
             ),
             Self::Tool { found, expected } => text!(

@@ -76,7 +76,7 @@ impl<'a> Resolver<'a> {
             }
             Shape::Pose(frame) => {
                 let Some(goal) = frame.goal() else {
-                    let says = text!("its orientation is none");
+                    let says = text!("its orientation is not valid");
                     return Err(SkippedTarget::new(Reason::Unreachable, says));
                 };
                 let goal = target.placed.goal(&goal);
@@ -94,12 +94,17 @@ impl<'a> Resolver<'a> {
     }
 
     fn check_limits(&self, q: &[f64]) -> Result<(), SkippedTarget> {
-        beyond_a_limit(self.robot, q).map_or(Ok(()), |says| {
-            Err(SkippedTarget::new(
-                Reason::Unreachable,
-                text!("{says} in the file", says = says),
-            ))
-        })
+        let Some(beyond) = first_beyond(self.robot, q) else {
+            return Ok(());
+        };
+        let [value, limit] = beyond.shown(self.robot);
+        let says = text!(
+            "joint {joint} is at {value} in the file, beyond its limit of {limit}",
+            joint = beyond.joint + 1,
+            value = value,
+            limit = limit
+        );
+        Err(SkippedTarget::new(Reason::Unreachable, says))
     }
 
     fn solution(&mut self, target: &Target, goal: &Goal) -> Result<Vec<f64>, SkippedTarget> {
@@ -157,8 +162,9 @@ impl<'a> Resolver<'a> {
         near: Option<&[f64]>,
     ) -> Result<Vec<f64>, SkippedTarget> {
         let Some(near) = near else {
-            let says =
-                text!("infinitely many joint values reach it, and no target before it says which");
+            let says = text!(
+                "infinitely many joint values reach it, and no earlier target determines which"
+            );
             return Err(SkippedTarget::new(Reason::Ambiguous, says));
         };
         let Some(q) = self.inverse.from_start(goal, near) else {
@@ -236,7 +242,9 @@ impl<'a> Resolver<'a> {
         let singular = || is_singular(self.robot, &possible[0], &self.free);
         let says = match (&possible[..], near) {
             ([only], _) => return Ok(only.clone()),
-            (_, None) => text!("several joint values reach it, and no target before it says which"),
+            (_, None) => {
+                text!("several joint values reach it, and no earlier target determines which")
+            }
             ([first, second, ..], Some(near)) => {
                 let [first_far, second_far] =
                     [first, second].map(|q| self.inverse.distance(q, near));
@@ -255,31 +263,38 @@ impl<'a> Resolver<'a> {
     }
 }
 
-/// The first joint beyond a limit, and that limit.
-pub(super) fn first_beyond(robot: &Robot, q: &[f64]) -> Option<(usize, f64)> {
+/// A joint beyond a limit.
+pub(super) struct BeyondLimit {
+    /// Counted from 0.
+    pub(super) joint: usize,
+    value: f64,
+    pub(super) limit: f64,
+}
+
+impl BeyondLimit {
+    /// Its value and the limit, as people read them.
+    pub(super) fn shown(&self, robot: &Robot) -> [String; 2] {
+        let kind = robot.joints[self.joint].kind;
+        [self.value, self.limit].map(|v| format!("{:.4}{}", kind.outer(v), kind.sign()))
+    }
+}
+
+/// The first joint beyond a limit.
+pub(super) fn first_beyond(robot: &Robot, q: &[f64]) -> Option<BeyondLimit> {
     let mut joints = robot.joints.iter().zip(q).enumerate();
     joints.find_map(|(k, (joint, value))| {
         let limits = joint.limits?;
-        if *value < limits.from - ON_THE_LIMIT {
-            Some((k, limits.from))
+        let limit = if *value < limits.from - ON_THE_LIMIT {
+            limits.from
         } else if *value > limits.to + ON_THE_LIMIT {
-            Some((k, limits.to))
+            limits.to
         } else {
-            None
-        }
+            return None;
+        };
+        Some(BeyondLimit {
+            joint: k,
+            value: *value,
+            limit,
+        })
     })
-}
-
-/// The first joint beyond a limit, in words.
-pub(super) fn beyond_a_limit(robot: &Robot, q: &[f64]) -> Option<crate::text::Text> {
-    let (k, limit) = first_beyond(robot, q)?;
-    let kind = robot.joints[k].kind;
-    let sign = kind.sign();
-    Some(text!(
-        "joint {joint} would be at {value}{sign}, beyond its limit of {limit}{sign},",
-        joint = k + 1,
-        value = format!("{:.4}", kind.outer(q[k])),
-        sign = sign,
-        limit = format!("{:.4}", kind.outer(limit))
-    ))
 }

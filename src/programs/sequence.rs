@@ -86,7 +86,7 @@ impl<'m> Sequence<'m> {
                 }
                 if several {
                     let says = text!(
-                        "{targets} is gone to from several sides; effects of the side are left out",
+                        "{targets} is approached from several sides; effects of the side are excluded",
                         targets = &targets[k].name
                     );
                     let at = targets[k].at;

@@ -91,7 +91,7 @@ pub(super) fn settled(
 
     let tool = match (&request.tool, request.frames.tool) {
         (_, Precedence::Given(given)) => {
-            one_only("tool", &tools, &given)?;
+            one_only(true, &tools, &given)?;
             ToolReading::Given(given.inverse() * model)
         }
         (Some(ModelTool::Named(name)), _) => {
@@ -132,7 +132,7 @@ pub(super) fn settled(
     let mut stated = request.frame;
     let all_frames = match request.frames.frame {
         Precedence::Given(given) => {
-            one_only("frame", &frames, &given)?;
+            one_only(false, &frames, &given)?;
             stated = Some(given);
             Some(given)
         }
@@ -218,7 +218,7 @@ fn numeric<'p>(
 }
 
 /// One tool or frame that is given stands for one of the program.
-fn one_only(what: &'static str, known: &Numeric, given: &Pose) -> Result<(), CompensateError> {
+fn one_only(is_tool: bool, known: &Numeric, given: &Pose) -> Result<(), CompensateError> {
     let mut distinct: Vec<&Pose> = Vec::new();
     for (_, pose) in known.values() {
         // A program declares a handful of them.
@@ -231,7 +231,7 @@ fn one_only(what: &'static str, known: &Numeric, given: &Pose) -> Result<(), Com
     }
     let names: Vec<&str> = known.keys().copied().collect();
     Err(CompensateError::Several {
-        what,
+        is_tool,
         names: names.join(", "),
     })
 }
@@ -304,7 +304,7 @@ pub(super) fn load(
         name: load.name.clone(),
         program: Sentence::verbatim(format!("{kg} kg")),
         model: if several {
-            text!("{range}, and the program states several", range = range())
+            text!("{range} (the program states several)", range = range())
         } else {
             range()
         },

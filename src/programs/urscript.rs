@@ -187,12 +187,13 @@ impl UrscriptReader<'_, '_> {
             }
             let comma = self.words.is_sign(k, b',');
             if wanted > 0 && !comma {
-                let expected = text!(", and the next point of {command}", command = command);
+                let expected = text!("a comma and the next point of {command}", command = command);
                 self.problems.push(self.words.problem(k, expected));
                 return k;
             }
             if !comma && !self.words.is_sign(k, b')') {
-                self.problems.push(self.words.problem(k, text!(", or )")));
+                self.problems
+                    .push(self.words.problem(k, text!("a comma or )")));
                 return k + 1;
             }
             k += usize::from(comma && wanted > 0);
@@ -214,7 +215,9 @@ impl UrscriptReader<'_, '_> {
                 .problem(k, text!("the target of {command}", command = command)));
         }
         if end >= self.words.len() {
-            return Err(self.words.problem(end, text!(") at the end of the move")));
+            return Err(self
+                .words
+                .problem(end, text!("a closing ) at the end of the move")));
         }
         if self.words.spelled(k) == "get_inverse_kin" && self.words.is_sign(k + 1, b'(') {
             return self.inverse(k + 2, end, command);
@@ -232,9 +235,9 @@ impl UrscriptReader<'_, '_> {
             self.run_time(
                 at,
                 text!(
-                    "{command} goes to {what}, which is worked out at run time",
+                    "{command} goes to {target}, which is computed at run time",
                     command = command,
-                    what = what
+                    target = what
                 ),
             );
         }
@@ -258,7 +261,7 @@ impl UrscriptReader<'_, '_> {
 
     fn run_time_goal(&mut self, at: usize, command: &str) {
         let says = text!(
-            "the target of {command} is worked out at run time",
+            "the target of {command} is computed at run time",
             command = command
         );
         self.run_time(at, says);
@@ -318,7 +321,7 @@ impl UrscriptReader<'_, '_> {
             Literal::RunTime => return Ok(None),
             Literal::Pose(numbers) => {
                 let Some(frame) = frame_of(numbers) else {
-                    let found = text!("a pose of {numbers} numbers", numbers = numbers.len());
+                    let found = text!(one "a pose of {count} number", "a pose of {count} numbers", count = numbers.len());
                     return Err(Problem::new(at, found, text!("p[x, y, z, rx, ry, rz]")));
                 };
                 Shape::Pose(Box::new(frame))
@@ -326,7 +329,7 @@ impl UrscriptReader<'_, '_> {
             Literal::List(numbers) => {
                 let joints = self.axes.joints();
                 if numbers.len() != joints {
-                    let found = text!("a list of {numbers} numbers", numbers = numbers.len());
+                    let found = text!(one "a list of {count} number", "a list of {count} numbers", count = numbers.len());
                     let expected =
                         text!("{joints}, one for each joint of the model", joints = joints);
                     return Err(Problem::new(at, found, expected));
@@ -372,14 +375,19 @@ impl UrscriptReader<'_, '_> {
             for (k, literal) in given {
                 if matches!(literal, Literal::Pose(_)) && !is_tool && !gone_to.contains_key(&name) {
                     let says = text!(
-                        "{name} is a pose that no move of this file goes to",
+                        "{name} is a pose that no move of this file uses",
                         name = &name
                     );
                     self.run_time(self.words.at(k), says);
                 }
             }
         }
-        let elsewhere = phrase!("is worked out at run time, or has its values elsewhere");
+        let elsewhere = |spelled: &str| {
+            text!(
+                "{spelled} is computed at run time, or has its values elsewhere",
+                spelled = spelled
+            )
+        };
         let mut program = self.moves.finish(self.program, elsewhere);
         if program.tools.is_empty() {
             program.ways.set_tools(&Referred::Unsaid);

@@ -35,7 +35,7 @@ impl Address {
         let port = address.rsplit_once(':').ok_or_else(wrong)?.1;
         if port.parse::<u16>().is_err() {
             return Err(text!(
-                "{source}: {port} is no port; expected tcp://HOST:PORT or udp://:PORT, with PORT from 0 to 65535",
+                "{source}: {port} is not a port; expected tcp://HOST:PORT or udp://:PORT, with PORT from 0 to 65535",
                 source = text,
                 port = format!("{port:?}")
             ));

@@ -6,6 +6,7 @@ use crate::explain::{self, Detail, fact};
 use crate::fit::uncertainty::{NORMAL_95, all_estimates};
 use crate::model::Calibration;
 use crate::model::format_v1::model_hash;
+use crate::present::decision;
 use crate::units::deg_from_rad;
 
 use super::Extras;
@@ -47,8 +48,7 @@ impl Report {
             logo: extras.details.logo.clone(),
             decision: extras.details.rule.map(|_| {
                 let because = say!("only a session has the measured positions that it needs");
-                let says = say!("No decision: {because}", because = because);
-                (Outcome::Undecided, says)
+                (Outcome::Undecided, decision::none(because))
             }),
             headline: headline(calibration),
             foot: foot(&subject, &calibration.samples_hash),

@@ -35,14 +35,16 @@ impl ReportContext<'_> {
     }
 
     fn nothing_open(&self) -> String {
-        let mut text = say!(
-            "Nothing in these samples: no data problem, no rival explanation, nothing left without a name, no outlier"
-        )
-        .to_owned();
-        if !self.given.note.trim().is_empty() {
-            text += say!(". The note says where they come from");
+        if self.given.note.trim().is_empty() {
+            say!(
+                "Nothing in these samples: no data problem, no rival explanation, nothing left without a name, no outlier"
+            )
+        } else {
+            say!(
+                "Nothing in these samples: no data problem, no rival explanation, nothing left without a name, no outlier. The note says where they come from"
+            )
         }
-        text
+        .to_owned()
     }
 }
 

@@ -49,7 +49,8 @@ impl Logo {
     }
 
     fn decoded(path: PathBuf, bytes: &[u8]) -> Result<Self, Text> {
-        let no_png = |e: png::DecodingError| text!("no PNG file: {error}", error = e.to_string());
+        let no_png =
+            |e: png::DecodingError| text!("not a PNG file: {error}", error = e.to_string());
         let most = Limits {
             bytes: 16 * (MOST_PIXELS as usize).pow(2),
         };

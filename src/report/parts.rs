@@ -25,10 +25,12 @@ pub(super) fn robot_facts(robot: &Robot, measured: &[Range]) -> Vec<(String, Str
             say!("{from} to {to}", from = from, to = to)
         };
         if let Some(limits) = &joint.limits {
-            about += &say!(", travel {range}", range = range(limits));
+            let travel = say!("travel {range}", range = range(limits));
+            about += &format!(", {travel}");
         }
         if let Some(measured) = measured.get(k).filter(|r| r.from.is_finite()) {
-            about += &say!(", measured {range}", range = range(measured));
+            let measured = say!("measured {range}", range = range(measured));
+            about += &format!(", {measured}");
         }
         facts.push((say!("Joint {joint}", joint = k + 1), about));
     }

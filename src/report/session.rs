@@ -15,7 +15,7 @@ use crate::model::Calibration;
 use crate::model::format_v1::model_hash;
 use crate::numeric::extent;
 use crate::present::chart::in_words;
-use crate::present::decision::rests_on;
+use crate::present::decision::{self, rests_on};
 use crate::present::kinds;
 use crate::present::names::{figure, title, title_on};
 use crate::sessions::{Session, hash_of_samples};
@@ -135,7 +135,7 @@ fn difference(model: &Calibration, found: &Calibration) -> Option<String> {
         (!names.is_empty()).then(|| names.join(", "))
     };
     let less = lacks(&has, &had).map(|names| say!("without {names}", names = names));
-    let more = lacks(&had, &has).map(|names| say!("with {what}", what = names));
+    let more = lacks(&had, &has).map(|names| say!("with {effect}", effect = names));
     let said: Vec<String> = [less, more].into_iter().flatten().collect();
     Some(if said.is_empty() {
         say!("the same effects with other values").to_owned()
@@ -182,10 +182,7 @@ impl ReportContext<'_> {
             held_out_mm: d.held_out.gaps.map(|g| g.end_mm),
             floor_mm: Some(d.floor.mm),
         };
-        let none = |because: &str| {
-            let says = say!("No decision: {because}", because = because);
-            (Outcome::Undecided, says)
-        };
+        let none = |because: &str| (Outcome::Undecided, decision::none(because));
         let Some(tolerance) = self.session.tolerance_mm else {
             return none(say!("no tolerance is stated"));
         };
@@ -275,7 +272,7 @@ impl ReportContext<'_> {
             .collect();
         facts.push(fact(say!("Reflectors in the tool"), targets.join("; ")));
         facts.push(fact(say!("Samples"), self.samples()));
-        if let Some(measured) = kinds::measured(s) {
+        if let Some(measured) = s.kinds_in_words().map(spoken) {
             facts.push(fact(say!("Measured"), measured));
         }
         facts.push(fact(say!("Conditions"), self.conditions()));
@@ -306,17 +303,20 @@ impl ReportContext<'_> {
         let used = self.verification.samples;
         let mut text = format!("{all}");
         if used < all {
-            text += &say!(", of which {lost} cannot be used", lost = all - used);
+            let lost = say!("{count} of them cannot be used", count = all - used);
+            text += &format!(", {lost}");
         }
         if let Some(held) = &self.session.samples.held_out {
             let held = held.iter().filter(|h| **h).count();
-            text += &say!(", {held} held out by the file", held = held);
+            let held = say!("{held} held out by the file", held = held);
+            text += &format!(", {held}");
         }
         let z = self.session.samples.z_mm.is_some();
         if !self.session.samples.observed.is_empty() {
             return text;
         }
-        text += if z { "; x, y, z" } else { say!("; x, y only") };
+        text += "; ";
+        text += if z { "x, y, z" } else { say!("x, y only") };
         text
     }
 
@@ -387,7 +387,7 @@ impl ReportContext<'_> {
         );
         row(
             &d.history.get(1).map_or(String::new(), |step| {
-                say!("with {what}", what = in_words(&clean(&step.what)))
+                say!("with {effect}", effect = in_words(&clean(&step.what)))
             }),
             d.gap.identified_mm,
             held.map(|g| g.identified_mm),
@@ -402,7 +402,7 @@ impl ReportContext<'_> {
         if let Some(other) = &self.other {
             let (rms, max) = (v.model.rms_mm, v.model.max_mm);
             row(
-                &say!("with the model in use, {other}", other = other),
+                &say!("with the model in use ({other})", other = other),
                 rms,
                 None,
                 Some(max),
@@ -417,10 +417,7 @@ impl ReportContext<'_> {
             );
         }
         let mut blocks = vec![
-            Block::Text(say!(
-                "{error}. Noise alone leaves the floor",
-                error = self.what_the_gap_is()
-            )),
+            Block::Text(self.what_the_gap_is().to_owned()),
             Block::Table(table),
         ];
         blocks.extend(self.by_kind());
@@ -464,10 +461,12 @@ impl ReportContext<'_> {
     fn what_the_gap_is(&self) -> &'static str {
         if self.session.samples.observed.is_empty() {
             say!(
-                "RMS error is the root mean square of the distance between measured and simulated points"
+                "RMS error is the root mean square of the distance between measured and simulated points. Noise alone leaves the floor"
             )
         } else {
-            say!("RMS error is the root mean square of the residuals, as lengths")
+            say!(
+                "RMS error is the root mean square of the residuals, as lengths. Noise alone leaves the floor"
+            )
         }
     }
 

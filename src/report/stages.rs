@@ -139,15 +139,17 @@ pub(super) fn section(stages: &Stages) -> Section {
     let mut blocks = Vec::new();
     let (places, magnification) = workspace(stages);
     let corrected = stages.stages.len() > 2;
-    let mut caption = say!(
-        "Measured points with their deviations, magnified {magnification} times",
-        magnification = short(magnification)
-    );
-    if corrected {
-        caption += say!(
-            "; corrected commands act through the joints alone, the model holds what a controller can be told besides"
-        );
-    }
+    let caption = if corrected {
+        say!(
+            "Measured points with their deviations, magnified {magnification} times; corrected commands act through the joints alone, the model holds what a controller can be told besides",
+            magnification = short(magnification)
+        )
+    } else {
+        say!(
+            "Measured points with their deviations, magnified {magnification} times",
+            magnification = short(magnification)
+        )
+    };
     if points {
         blocks.push(Block::Plot(places, caption));
     }

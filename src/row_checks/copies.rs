@@ -72,7 +72,7 @@ pub(super) fn copied(session: &Session, _: JointValues) -> Vec<DataProblem> {
         ),
         evidence,
         proposal: text!(
-            "copies are left out: they are no returns to a pose and tell nothing of the noise; remove them from the file"
+            "copies are excluded: they are not returns to a pose and carry no information about the noise; remove them from the file"
         ),
         mend: Some(SessionCorrection::Remove(copies.clone())),
         samples: copies,

@@ -49,8 +49,8 @@ fn sign(session: &Session, joint: usize, speed: &[f64]) -> Option<DataProblem> {
     let (with_side, of) = agreement(session, joint, side);
     let of_side = of >= FEWEST && (with_side as f64) < (1.0 - NEARLY_ALL) * of as f64;
     let evidence = text!(
-        "in {against} of {all} samples that were measured while joint {joint} moved, speed{joint} and dir{joint} have opposite signs; from row to row the commands agree with dir{joint} in {agree} of {moves}",
-        against = against,
+        "in {opposed} of {all} samples that were measured while joint {joint} moved, speed{joint} and dir{joint} have opposite signs; from row to row the commands agree with dir{joint} in {agree} of {moves}",
+        opposed = against,
         all = products.len(),
         joint = number,
         agree = with_side,

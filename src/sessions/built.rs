@@ -158,7 +158,8 @@ impl SessionBuilder {
         joints: usize,
         rows: &[Q],
     ) -> Vec<Vec<f64>> {
-        self.count(field, rows.len(), "rows");
+        let found = text!(one "{count} row", "{count} rows", count = rows.len());
+        self.count(field, rows.len(), found);
         let mut columns = vec![Vec::with_capacity(rows.len()); joints];
         for (sample, row) in rows.iter().enumerate() {
             let row = row.as_ref();
@@ -179,19 +180,16 @@ impl SessionBuilder {
         columns
     }
 
-    fn count(&mut self, field: &str, count: usize, of: &str) {
+    fn count(&mut self, field: &str, count: usize, found: Text) {
         if count != self.rows {
             let expected = text!("{rows}, as many as samples", rows = self.rows);
-            self.wrong.push(error(
-                field,
-                text!("{count} {of}", count = count, of = of),
-                expected,
-            ));
+            self.wrong.push(error(field, found, expected));
         }
     }
 
     fn column(&mut self, field: &str, values: &[f64]) -> Vec<f64> {
-        self.count(field, values.len(), "values");
+        let found = text!(one "{count} value", "{count} values", count = values.len());
+        self.count(field, values.len(), found);
         values.to_vec()
     }
 
@@ -212,7 +210,8 @@ impl SessionBuilder {
     /// Measured points in the measuring frame, mm; a coordinate that is missing is NaN.
     #[must_use]
     pub fn points_mm(mut self, points: &[Point3<f64>]) -> Self {
-        self.count("points_mm", points.len(), "points");
+        let found = text!(one "{count} point", "{count} points", count = points.len());
+        self.count("points_mm", points.len(), found);
         let samples = &mut self.session.samples;
         samples.x_mm = points.iter().map(|point| point.x).collect();
         samples.y_mm = points.iter().map(|point| point.y).collect();
@@ -223,7 +222,8 @@ impl SessionBuilder {
     /// Measured orientations of the tool in the measuring frame.
     #[must_use]
     pub fn orientations(mut self, turns: &[UnitQuaternion<f64>]) -> Self {
-        self.count("orientations", turns.len(), "orientations");
+        let found = text!(one "{count} orientation", "{count} orientations", count = turns.len());
+        self.count("orientations", turns.len(), found);
         let part = |of: fn(&UnitQuaternion<f64>) -> f64| turns.iter().map(of).collect();
         let parts = [part(|q| q.w), part(|q| q.i), part(|q| q.j), part(|q| q.k)];
         self.session.samples.orientation_wxyz = Some(parts);
@@ -290,7 +290,7 @@ impl SessionBuilder {
             .iter()
             .any(|target| target.name == name)
         {
-            let expected = text!("a name of its own for each target");
+            let expected = text!("a unique name for each target");
             self.wrong.push(error(
                 "target",
                 text!("two targets called {name}", name = name),
@@ -307,7 +307,8 @@ impl SessionBuilder {
     /// Which target each sample sees, by its name.
     #[must_use]
     pub fn seen_target(mut self, names: &[&str]) -> Self {
-        self.count("seen_target", names.len(), "names");
+        let found = text!(one "{count} name", "{count} names", count = names.len());
+        self.count("seen_target", names.len(), found);
         self.seen = names.iter().map(|&name| name.to_owned()).collect();
         self
     }
@@ -315,7 +316,8 @@ impl SessionBuilder {
     /// In which free measuring frame each sample was taken, by its name.
     #[must_use]
     pub fn setups(mut self, names: &[&str]) -> Self {
-        self.count("setups", names.len(), "names");
+        let found = text!(one "{count} name", "{count} names", count = names.len());
+        self.count("setups", names.len(), found);
         let mut cells = crate::tables::Names::default();
         for name in names {
             cells.push(name);
@@ -330,7 +332,8 @@ impl SessionBuilder {
     /// Which samples no fit may touch: with them it is checked.
     #[must_use]
     pub fn held_out(mut self, held_out: &[bool]) -> Self {
-        self.count("held_out", held_out.len(), "values");
+        let found = text!(one "{count} value", "{count} values", count = held_out.len());
+        self.count("held_out", held_out.len(), found);
         self.session.samples.held_out = Some(held_out.to_vec());
         self
     }

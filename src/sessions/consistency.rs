@@ -109,7 +109,11 @@ fn columns_of_joints(samples: &Samples) -> [(&'static str, usize, bool); 6] {
 
 fn more_columns(field: &str, count: usize, joints: usize) -> Diagnostic {
     let expected = text!("at most {joints}, one for each joint", joints = joints);
-    error(field, text!("{count} columns", count = count), expected)
+    error(
+        field,
+        text!(one "{count} column", "{count} columns", count = count),
+        expected,
+    )
 }
 
 /// Columns of another number than the joints, of another length than the others, and indices of what is not
@@ -126,7 +130,7 @@ fn inconsistent(session: &Session) -> Vec<Diagnostic> {
             let expected = text!("{joints}, one for each joint", joints = joints);
             findings.push(error(
                 field,
-                text!("{count} columns", count = count),
+                text!(one "{count} column", "{count} columns", count = count),
                 expected,
             ));
         } else if count > joints {
@@ -147,7 +151,7 @@ fn unequal(session: &Session) -> Vec<Diagnostic> {
             let expected = text!("{rows}, as many as points (x_mm)", rows = rows);
             findings.push(error(
                 field,
-                text!("{length} values", length = length),
+                text!(one "{count} value", "{count} values", count = length),
                 expected,
             ));
         }

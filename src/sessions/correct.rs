@@ -105,16 +105,13 @@ impl SessionCorrection {
             }
             Self::FreeTargets => text!("Fit the places of the targets"),
             Self::Split { group, index, from } => text!(
-                "Take {group} {number} as another from sample {sample} on",
-                group = group.name(),
-                number = index + 1,
+                "Take {thing} as a new one from sample {sample} on",
+                thing = group.called(index + 1),
                 sample = from + 1
             ),
-            Self::Free { group, index } => text!(
-                "Fit the place of {group} {number}",
-                group = group.name(),
-                number = index + 1
-            ),
+            Self::Free { group, index } => {
+                text!("Fit the place of {thing}", thing = group.called(index + 1))
+            }
         }
     }
 

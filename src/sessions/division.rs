@@ -53,7 +53,7 @@ impl RegionError {
                 next = next
             ),
             Self::TooFewBoundaries(count) => text!(
-                "{count} region boundary; expected at least two",
+                one "{count} region boundary; expected at least two", "{count} region boundary; expected at least two",
                 count = count
             ),
             Self::NoRange => text!(

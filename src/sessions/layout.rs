@@ -109,20 +109,17 @@ pub(crate) fn check_joint(
         (Some(JointKind::Prismatic), Unit::Angle(_)) => text!("_mm, _m, _um or _in"),
         _ => return,
     };
-    let (kind, wrong) = match unit {
-        Unit::Length(_) => ("revolute", "a length"),
-        _ => ("prismatic", "an angle"),
-    };
-    findings.push(Diagnostic::error(
-        place,
-        text!(
-            "{wrong} for joint {number}, which is {kind}",
-            wrong = wrong,
-            number = number,
-            kind = kind
+    let found = match unit {
+        Unit::Length(_) => text!(
+            "a length for joint {number}, which is revolute",
+            number = number
         ),
-        expected,
-    ));
+        _ => text!(
+            "an angle for joint {number}, which is prismatic",
+            number = number
+        ),
+    };
+    findings.push(Diagnostic::error(place, found, expected));
 }
 
 fn require_columns(

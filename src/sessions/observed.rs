@@ -15,7 +15,7 @@ const MOST_COMPLAINTS: usize = 10;
 
 /// Indices of what the cells of column `index` name, of what is declared; an empty cell names nothing.
 pub(crate) fn indices(
-    (what, declared): (&str, Vec<&str>),
+    declared: &[&str],
     cells: &Names,
     index: usize,
     locate: Locate<'_>,
@@ -28,10 +28,9 @@ pub(crate) fn indices(
     let wrong = (0..cells.index.len())
         .filter(|row| known[of(*row)].is_none() && !cells.list[of(*row)].is_empty());
     let expected = match declared.len() {
-        0 => text!("{what} of the session, which declares none", what = what),
+        0 => text!("a name that the session declares; it declares none"),
         _ => text!(
-            "{what} of the session: {declared}",
-            what = what,
+            "a name that the session declares: {declared}",
             declared = first_of(declared.iter().copied())
         ),
     };
@@ -80,7 +79,7 @@ pub(crate) fn complete(
         let lacking: Vec<usize> = (0..rows)
             .filter(|i| !distance[*i].is_nan() && anchor[*i].is_none())
             .collect();
-        let names = first_of(references.named(Quantity::Anchor).1.into_iter());
+        let names = first_of(references.named(Quantity::Anchor).into_iter());
         let expected = text!(
             "one of the anchors of the session in the column anchor: {names}",
             names = names
@@ -130,7 +129,7 @@ pub(crate) fn complete(
             let lacking: Vec<usize> = (0..rows)
                 .filter(|i| !azimuth[*i].is_nan() && station[*i].is_none())
                 .collect();
-            let names = first_of(references.named(Quantity::Station).1.into_iter());
+            let names = first_of(references.named(Quantity::Station).into_iter());
             let expected = text!(
                 "one of the stations of the session in the column station: {names}; or the key \
                  pointing, where the tool itself points",
@@ -150,8 +149,8 @@ pub(crate) fn complete(
 pub(crate) struct Measured {
     /// How many samples have it.
     pub(crate) count: usize,
-    /// What one is called, and several.
-    pub(crate) called: [&'static str; 2],
+    /// So many of them, in words.
+    pub(crate) counted: Text,
     /// The key of its noise in the session's instrument.
     pub(crate) sigma_key: &'static str,
     pub(crate) stated: bool,
@@ -176,16 +175,12 @@ impl Session {
 
     /// How many measurements of each kind there are: "120 points, 40 distances". `None` where plain
     /// points are all there is.
-    pub fn kinds_in_words(&self) -> Option<String> {
+    pub fn kinds_in_words(&self) -> Option<Text> {
         if self.has_plain_points() {
             return None;
         }
         let kinds = self.measured_kinds().into_iter();
-        let words = kinds.map(|kind| {
-            let name = kind.called[usize::from(kind.count != 1)];
-            format!("{} {name}", kind.count)
-        });
-        Some(words.collect::<Vec<_>>().join(", "))
+        Some(Text::listed(kinds.map(|kind| kind.counted), ", "))
     }
 
     /// The kinds of measurement that there are.
@@ -200,43 +195,67 @@ impl Session {
         let name = |c: &Option<Vec<Option<u32>>>| c.iter().flatten().flatten().count();
         let sigma_mm = instrument.sigma_mm.is_some();
         let point = |i: usize| samples.coordinates(i).iter().any(|v| !v.is_nan());
-        let kind = |count: usize, called: [&'static str; 2], sigma_key, stated| Measured {
+        let kind = |(count, counted): (usize, Text), sigma_key, stated| Measured {
             count,
-            called,
+            counted,
             sigma_key,
             stated,
         };
         let points = count(&point);
         let stated = sigma_mm || instrument.tracker.is_some();
+        let turned = count(&|i| samples.is_turned(i));
+        let (distances, directions) = (number(&own.distance_mm), number(&own.azimuth));
+        let (held, touched) = (name(&own.socket), name(&own.plane));
         let all = [
-            kind(points, ["point", "points"], "sigma_mm", stated),
             kind(
-                count(&|i| samples.is_turned(i)),
-                ["orientation", "orientations"],
+                (
+                    points,
+                    text!(one "{count} point", "{count} points", count = points),
+                ),
+                "sigma_mm",
+                stated,
+            ),
+            kind(
+                (
+                    turned,
+                    text!(one "{count} orientation", "{count} orientations", count = turned),
+                ),
                 "sigma_mrad",
                 instrument.sigma_orientation.is_some(),
             ),
             kind(
-                number(&own.distance_mm),
-                ["distance", "distances"],
+                (
+                    distances,
+                    text!(one "{count} distance", "{count} distances", count = distances),
+                ),
                 "sigma_distance_mm",
                 instrument.sigma_distance_mm.is_some(),
             ),
             kind(
-                number(&own.azimuth),
-                ["direction", "directions"],
+                (
+                    directions,
+                    text!(one "{count} direction", "{count} directions", count = directions),
+                ),
                 "sigma_direction_urad",
                 instrument.sigma_direction.is_some(),
             ),
             kind(
-                name(&own.socket),
-                ["target in a socket", "targets in sockets"],
+                (
+                    held,
+                    text!(
+                        one "{count} target in a socket",
+                        "{count} targets in sockets",
+                        count = held
+                    ),
+                ),
                 "sigma_mm",
                 sigma_mm,
             ),
             kind(
-                name(&own.plane),
-                ["touch", "touches"],
+                (
+                    touched,
+                    text!(one "{count} touch", "{count} touches", count = touched),
+                ),
                 "sigma_touch_mm",
                 instrument.sigma_touch_mm.is_some(),
             ),

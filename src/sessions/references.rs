@@ -109,14 +109,14 @@ pub struct References {
 }
 
 impl References {
-    /// What the cells of a column of names stand for, with its article, and the names that are declared.
-    pub(crate) fn named(&self, quantity: Quantity) -> (&'static str, Vec<&str>) {
+    /// The names that are declared of what the cells of a column name.
+    pub(crate) fn named(&self, quantity: Quantity) -> Vec<&str> {
         match quantity {
-            Quantity::Anchor => ("an anchor", names(&self.anchors, |a| &a.name)),
-            Quantity::Station => ("a station", names(&self.stations, |s| &s.name)),
-            Quantity::Plane => ("a plane", names(&self.planes, |p| &p.name)),
-            Quantity::Socket => ("a socket", names(&self.sockets, |s| &s.name)),
-            _ => ("", Vec::new()),
+            Quantity::Anchor => names(&self.anchors, |a| &a.name),
+            Quantity::Station => names(&self.stations, |s| &s.name),
+            Quantity::Plane => names(&self.planes, |p| &p.name),
+            Quantity::Socket => names(&self.sockets, |s| &s.name),
+            _ => Vec::new(),
         }
     }
 }

@@ -58,7 +58,7 @@ pub(crate) fn robot(robot: &Robot, file: &Place, findings: &mut Vec<Diagnostic>)
             findings.push(Diagnostic::warning(
                 place,
                 found,
-                text!("a name of its own for each joint"),
+                text!("a unique name for each joint"),
             ));
         }
     }
@@ -69,23 +69,50 @@ pub(super) fn sizes(session: &Session, file: &Place, findings: &mut Vec<Diagnost
     let references = &session.instrument.references;
     let setups = session.samples.setups.as_ref();
     let setups = setups.map_or(0, |setups| setups.names.len());
-    for (field, what, count, most) in [
-        ("setup", "setups", setups, 300),
-        ("targets", "targets", session.targets.len(), 1_000_000),
-        ("anchors", "anchors", references.anchors.len(), 600),
-        ("stations", "stations", references.stations.len(), 300),
-        ("planes", "planes", references.planes.len(), 600),
-        ("sockets", "sockets", references.sockets.len(), 600),
+    let targets = session.targets.len();
+    for (field, count, most, expected) in [
+        (
+            "setup",
+            setups,
+            300,
+            text!("at most {most} setups in one session", most = 300),
+        ),
+        (
+            "targets",
+            targets,
+            1_000_000,
+            text!("at most {most} targets in one session", most = 1_000_000),
+        ),
+        (
+            "anchors",
+            references.anchors.len(),
+            600,
+            text!("at most {most} anchors in one session", most = 600),
+        ),
+        (
+            "stations",
+            references.stations.len(),
+            300,
+            text!("at most {most} stations in one session", most = 300),
+        ),
+        (
+            "planes",
+            references.planes.len(),
+            600,
+            text!("at most {most} planes in one session", most = 600),
+        ),
+        (
+            "sockets",
+            references.sockets.len(),
+            600,
+            text!("at most {most} sockets in one session", most = 600),
+        ),
     ] {
         if count > most {
             findings.push(Diagnostic::error(
                 file.clone().in_field(field),
-                text!("{count} {what}", count = count, what = what),
-                text!(
-                    "at most {most} {what} in one session",
-                    most = most,
-                    what = what
-                ),
+                text!("{count} of them", count = count),
+                expected,
             ));
         }
     }
@@ -154,7 +181,7 @@ fn regions(session: &Session, file: &Place, findings: &mut Vec<Diagnostic>) {
                 "two regions are called {region}",
                 region = quoted(&region.name)
             ),
-            text!("a name of its own for each region"),
+            text!("a unique name for each region"),
         ));
     }
     let joints = &session.robot.joints;
@@ -241,10 +268,10 @@ fn completeness(samples: &Samples, file: &Place, findings: &mut Vec<Diagnostic>)
         ));
     } else if !incomplete.is_empty() {
         let found = text!(
-            "{incomplete} of {count} samples lack a commanded value or everything measured and cannot be \
-             used: {which}",
-            incomplete = incomplete.len(),
-            count = count,
+                one "{count} of {all} samples lacks a commanded value or everything measured and cannot be used: {which}",
+                "{count} of {all} samples lack a commanded value or everything measured and cannot be used: {which}",
+                count = incomplete.len(),
+                all = count,
             which = which(samples, &incomplete)
         );
         findings.push(Diagnostic::warning(file.clone(), found, Text::default()).about(&incomplete));
@@ -252,9 +279,9 @@ fn completeness(samples: &Samples, file: &Place, findings: &mut Vec<Diagnostic>)
     let excluded = samples.excluded_by_hand();
     if !excluded.is_empty() {
         let found = text!(
-            "{excluded} of {count} samples are excluded by hand and count in no figure: {which}",
-            excluded = excluded.len(),
-            count = count,
+            one "{count} of {all} samples is excluded by hand and counts in no figure: {which}", "{count} of {all} samples are excluded by hand and count in no figure: {which}",
+            count = excluded.len(),
+            all = count,
             which = which(samples, &excluded)
         );
         findings.push(
@@ -265,9 +292,9 @@ fn completeness(samples: &Samples, file: &Place, findings: &mut Vec<Diagnostic>)
     let partly = samples.partly_measured();
     if !partly.is_empty() {
         let found = text!(
-            "{partly} of {count} samples lack single coordinates; the others of them are fitted: {which}",
-            partly = partly.len(),
-            count = count,
+            one "{count} of {all} samples lacks single coordinates; the others of it are fitted: {which}", "{count} of {all} samples lack single coordinates; the others of them are fitted: {which}",
+            count = partly.len(),
+            all = count,
             which = which(samples, &partly)
         );
         findings.push(Diagnostic::note(file.clone(), found).about(&partly));
@@ -295,8 +322,8 @@ fn completeness(samples: &Samples, file: &Place, findings: &mut Vec<Diagnostic>)
             .collect();
         if !off.is_empty() {
             let found = text!(
-                "{off} measured orientations are not of unit length: {which}",
-                off = off.len(),
+                one "{count} measured orientation is not of unit length: {which}", "{count} measured orientations are not of unit length: {which}",
+                count = off.len(),
                 which = which(samples, &off)
             );
             let place = file.clone().in_field("qw, qx, qy, qz");
@@ -391,7 +418,7 @@ fn conditions(samples: &Samples, file: &Place, findings: &mut Vec<Diagnostic>) {
             count = lost.len(),
             which = which(samples, &lost)
         );
-        let warning = Diagnostic::warning(file.clone(), found, text!("they are left out"));
+        let warning = Diagnostic::warning(file.clone(), found, text!("they are excluded"));
         findings.push(warning.about(&lost));
     }
 }

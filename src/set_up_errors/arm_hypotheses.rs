@@ -4,9 +4,9 @@ use crate::kinematics::JointKind;
 use crate::sessions::Session;
 use crate::sessions::SessionCorrection;
 use crate::text::Text;
-use crate::units::{deg_from_rad, rad_from_deg};
+use crate::units::rad_from_deg;
 
-use super::hypotheses::other_way_round;
+use super::hypotheses::{mistaken_angles, mistaken_lengths, other_way_round};
 
 /// A change of the samples: what is wrong, what to do, and what takes it back.
 pub(super) struct Change {
@@ -193,31 +193,24 @@ fn units(session: &Session) -> Vec<Change> {
         .filter(|j| joints[*j].kind == JointKind::Revolute)
         .collect();
     let mut all = Vec::new();
-    for (factor, what) in [
-        (
-            rad_from_deg(1.0),
-            phrase!("are in degrees but were read as radians"),
-        ),
-        (
-            deg_from_rad(1.0),
-            phrase!("are in radians but were read as degrees"),
-        ),
-    ] {
+    let of_all = [
+        text!("the values of all joints are in degrees but were read as radians"),
+        text!("the values of all joints are in radians but were read as degrees"),
+    ];
+    for (which, of_all) in of_all.into_iter().enumerate() {
         if turning.len() > 1 {
+            let (factor, _) = mistaken_angles(0)[which];
             all.push(one(
-                text!("the values of all joints {what}", what = what),
+                of_all,
                 text!("correct the unit in the headings of the joints"),
                 SessionCorrection::ScaleJoints { factor },
             ));
         }
         for joint in &turning {
             let number = joint + 1;
+            let (factor, what) = mistaken_angles(number)[which].clone();
             all.push(one(
-                text!(
-                    "the values of joint {joint} {what}",
-                    joint = number,
-                    what = what
-                ),
+                what,
                 text!(
                     "correct the unit in the heading of {column}",
                     column = format!("q{number}")
@@ -251,17 +244,9 @@ fn in_the_value(factor: f64, before: usize, number: usize) -> Text {
 
 fn measured(session: &Session) -> Vec<Change> {
     let mut all = Vec::new();
-    for (factor, what) in [
-        (1000.0, phrase!("in metres but were read as millimetres")),
-        (0.001, phrase!("in micrometres or were multiplied by 1000")),
-        (25.4, phrase!("in inches but were read as millimetres")),
-        (
-            1.0 / 25.4,
-            phrase!("in millimetres but were read as inches"),
-        ),
-    ] {
+    for (factor, what) in mistaken_lengths() {
         all.push(one(
-            text!("the measured coordinates are {what}", what = what),
+            what,
             text!("correct the unit in the headings of x, y and z"),
             SessionCorrection::ScaleLengths(factor),
         ));
@@ -272,8 +257,8 @@ fn measured(session: &Session) -> Vec<Change> {
         text!("two of the measured axes are swapped (such as x and y), or one of them is reversed")
     } else {
         text!(
-            "the measured axes {what} are swapped",
-            what = phrase!("x and y")
+            "the measured axes {axes} are swapped",
+            axes = phrase!("x and y")
         )
     };
     all.push(one(

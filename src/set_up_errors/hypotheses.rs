@@ -33,6 +33,48 @@ pub(super) fn other_way_round(joint: usize) -> (Text, Text, SessionCorrection) {
     )
 }
 
+/// Units of a joint's values that were mistaken: a factor, and what is said of it.
+pub(super) fn mistaken_angles(joint: usize) -> [(f64, Text); 2] {
+    [
+        (
+            rad_from_deg(1.0),
+            text!(
+                "the values of joint {joint} are in degrees but were read as radians",
+                joint = joint
+            ),
+        ),
+        (
+            deg_from_rad(1.0),
+            text!(
+                "the values of joint {joint} are in radians but were read as degrees",
+                joint = joint
+            ),
+        ),
+    ]
+}
+
+/// The same of measured coordinates.
+pub(super) fn mistaken_lengths() -> [(f64, Text); 4] {
+    [
+        (
+            1000.0,
+            text!("the measured coordinates are in metres but were read as millimetres"),
+        ),
+        (
+            0.001,
+            text!("the measured coordinates are in micrometres or were multiplied by 1000"),
+        ),
+        (
+            25.4,
+            text!("the measured coordinates are in inches but were read as millimetres"),
+        ),
+        (
+            1.0 / 25.4,
+            text!("the measured coordinates are in millimetres but were read as inches"),
+        ),
+    ]
+}
+
 #[allow(
     clippy::too_many_lines,
     reason = "a list of hypotheses reads best in one piece"
@@ -53,22 +95,9 @@ pub(super) fn hypotheses(session: &Session) -> Vec<Hypothesis> {
         if session.robot.joints[joint].kind != JointKind::Revolute {
             continue;
         }
-        for (factor, what) in [
-            (
-                rad_from_deg(1.0),
-                phrase!("are in degrees but were read as radians"),
-            ),
-            (
-                deg_from_rad(1.0),
-                phrase!("are in radians but were read as degrees"),
-            ),
-        ] {
+        for (factor, what) in mistaken_angles(number) {
             push(
-                text!(
-                    "the values of joint {joint} {what}",
-                    joint = number,
-                    what = what
-                ),
+                what,
                 text!(
                     "correct the unit in the heading of {column}",
                     column = format!("q{number}")
@@ -95,18 +124,9 @@ pub(super) fn hypotheses(session: &Session) -> Vec<Hypothesis> {
             );
         }
     }
-    let units = [
-        (1000.0, phrase!("in metres but were read as millimetres")),
-        (0.001, phrase!("in micrometres or were multiplied by 1000")),
-        (25.4, phrase!("in inches but were read as millimetres")),
-        (
-            1.0 / 25.4,
-            phrase!("in millimetres but were read as inches"),
-        ),
-    ];
-    for (factor, what) in units {
+    for (factor, what) in mistaken_lengths() {
         push(
-            text!("the measured coordinates are {what}", what = what),
+            what,
             text!("correct the unit in the headings of x, y and z"),
             SessionCorrection::ScaleLengths(factor),
         );
@@ -120,7 +140,7 @@ pub(super) fn hypotheses(session: &Session) -> Vec<Hypothesis> {
             ([2, 0, 1], phrase!("x, y and z (read as z, x, y)")),
         ] {
             push(
-                text!("the measured axes {what} are swapped", what = what),
+                text!("the measured axes {axes} are swapped", axes = what),
                 text!("exchange the headings of the measured columns"),
                 SessionCorrection::Reorder(order),
             );
@@ -128,8 +148,8 @@ pub(super) fn hypotheses(session: &Session) -> Vec<Hypothesis> {
     } else {
         push(
             text!(
-                "the measured axes {what} are swapped",
-                what = phrase!("x and y")
+                "the measured axes {axes} are swapped",
+                axes = phrase!("x and y")
             ),
             text!("exchange the headings of the measured columns"),
             SessionCorrection::Reorder([1, 0, 2]),

@@ -26,11 +26,13 @@ pub(super) fn losses(session: &Session, problems: &mut Vec<DataProblem>) {
     }
     problems.push(DataProblem {
         what: text!(
-            "the instrument lost the reflector in {samples}",
-            samples = listed(&lost)
+            one "the instrument lost the reflector in {count} sample: {which}",
+            "the instrument lost the reflector in {count} samples: {which}",
+            count = lost.len(),
+            which = listed(&lost)
         ),
         evidence: text!("it wrote 0, 0, 0"),
-        proposal: text!("these samples are left out; measure them again"),
+        proposal: text!("these samples are excluded; measure them again"),
         mend: Some(SessionCorrection::Remove(lost.clone())),
         samples: lost,
     });
@@ -81,13 +83,15 @@ pub(super) fn mislocked(
             let name = &session.targets[other].name;
             problems.push(DataProblem {
                 what: text!(
-                    "the instrument saw reflector {name} instead in {samples}",
+                    one "the instrument saw reflector {name} instead in {count} sample: {which}",
+                    "the instrument saw reflector {name} instead in {count} samples: {which}",
                     name = name,
-                    samples = listed(&close)
+                    count = close.len(),
+                    which = listed(&close)
                 ),
                 evidence: text!("the points lie where {name} should be", name = name),
                 proposal: text!(
-                    "these samples are left out; correct their target or measure them again"
+                    "these samples are excluded; correct their target or measure them again"
                 ),
                 mend: Some(SessionCorrection::Remove(close.clone())),
                 samples: close,
@@ -106,11 +110,13 @@ pub(super) fn mislocked(
     if !stuck.is_empty() {
         problems.push(DataProblem {
             what: text!(
-                "the instrument was locked on a point that does not move in {samples}",
-                samples = listed(&stuck)
+                one "the instrument was locked on a point that does not move in {count} sample: {which}",
+                "the instrument was locked on a point that does not move in {count} samples: {which}",
+                count = stuck.len(),
+                which = listed(&stuck)
             ),
             evidence: text!("the measured point stays while the robot moves"),
-            proposal: text!("these samples are left out; measure them again"),
+            proposal: text!("these samples are excluded; measure them again"),
             mend: Some(SessionCorrection::Remove(stuck.clone())),
             samples: stuck,
         });
@@ -126,13 +132,8 @@ fn listed(samples: &[usize]) -> Text {
         .collect();
     let more = samples.len().saturating_sub(8);
     let first = first.join(", ");
-    match (samples.len(), more) {
-        (1, _) => text!("sample {sample}", sample = first),
-        (_, 0) => text!("samples {samples}", samples = first),
-        _ => text!(
-            "samples {samples} and {more} more",
-            samples = first,
-            more = more
-        ),
+    match more {
+        0 => Text::verbatim(first),
+        more => text!("{first} and {more} more", first = first, more = more),
     }
 }

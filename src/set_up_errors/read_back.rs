@@ -15,7 +15,7 @@ use crate::fit::{DEFAULT_EFFECTS, base_model, fit_without_outliers, free_frames}
 use crate::kinematics::JointKind;
 use crate::model::Model;
 use crate::sessions::Session;
-use crate::text::{Text, angle};
+use crate::text::angle;
 
 use super::DataProblem;
 use super::thinned::thinned;
@@ -106,13 +106,17 @@ impl Lag {
     fn problem(&self) -> DataProblem {
         let number = self.joint + 1;
         let samples = self.samples;
-        let (evidence, size) = if self.by_speed {
+        let (evidence, what) = if self.by_speed {
             (
                 text!(
                     "read − commanded follows the speed over {samples} samples, and the measured points fit the commands better",
                     samples = samples
                 ),
-                Text::verbatim(format!("{:.2} ms", -1000.0 * self.slope)),
+                text!(
+                    "the values read back from joint {joint} lag the command by {time} ms",
+                    joint = number,
+                    time = format!("{:.2}", -1000.0 * self.slope)
+                ),
             )
         } else {
             (
@@ -121,17 +125,14 @@ impl Lag {
                     samples = samples
                 ),
                 text!(
-                    "{turn} towards the side it came from",
+                    "the values read back from joint {joint} lag the command by {turn} towards the side it came from",
+                    joint = number,
                     turn = angle(-self.slope, 4)
                 ),
             )
         };
         DataProblem {
-            what: text!(
-                "the values read back from joint {joint} lag the command by {size}",
-                joint = number,
-                size = size
-            ),
+            what,
             evidence,
             proposal: text!(
                 "read joint {joint} back at standstill; taken as they are, these values look like backlash or tracking lag",

@@ -74,7 +74,7 @@ pub fn simulate(
     let exact = predict(&model, &session, &mut watch)?;
     let columns = [&exact.x_mm, &exact.y_mm, &exact.z_mm];
     if columns.into_iter().flatten().any(|v| !v.is_finite()) {
-        let found = text!("a point lies farther out than numbers reach");
+        let found = text!("a point is too far away for its numbers");
         let place = Place::default().in_field("effects");
         let expected = text!("smaller lengths and effects");
         return Err(Rejected::because(Diagnostic::error(place, found, expected)).into());

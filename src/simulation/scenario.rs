@@ -302,7 +302,7 @@ impl Scenario {
                     let at = format!("poses.list[{k}]");
                     let fits = |column: &Vec<f64>| column.len() == joints;
                     if !fits(&stop.q) || !stop.dir.as_ref().is_none_or(fits) {
-                        let found = text!("another number of values");
+                        let found = text!("a different number of values");
                         wrong(&at, found, phrase!("one value for each joint"));
                     } else if (0..joints)
                         .any(|j| !stop.q[j].is_finite() || outside(j, stop.q[j]).is_some())
@@ -328,7 +328,7 @@ impl Scenario {
         }
         let samples = self.poses.stops() * self.targets.len() as f64;
         if !(1.0..=MOST_SAMPLES).contains(&samples) {
-            let found = text!("{samples} samples", samples = samples);
+            let found = text!(one "{count} sample", "{count} samples", count = samples);
             wrong("poses", found, phrase!("between 1 and 20 000 000 samples"));
         }
     }
@@ -349,7 +349,7 @@ impl Scenario {
             );
             let finite = term.coefficients.iter().all(|value| value.is_finite());
             if found != expected || !finite {
-                let found = text!("{found} coefficients", found = found);
+                let found = text!(one "{count} coefficient", "{count} coefficients", count = found);
                 let expected = text!("{expected} finite ones", expected = expected);
                 problems.push(Diagnostic::error(field(&at), found, expected));
             }
@@ -501,7 +501,7 @@ impl Scenario {
     }
 
     /// Why an effect cannot show in this scenario.
-    fn why_idle(&self, term: &Term) -> Option<&'static str> {
+    fn why_idle(&self, term: &Term) -> Option<Template> {
         let offered = self.offered();
         let needs = term.effect.about().needs.iter();
         needs

@@ -14,7 +14,7 @@
 use nalgebra::{Point3, Unit, Vector3};
 
 use crate::kinematics::JointKind;
-use crate::text::{Template, Text};
+use crate::text::Text;
 
 use super::grouping::{Keys, once_per_stay, stays};
 use super::points::Points;
@@ -213,8 +213,8 @@ impl<'p, 's> Sweep<'p, 's> {
         let left_out = all - self.positions.len();
         if left_out > 0 {
             missing.push(text!(
-                "{left_out} of {all} positions have fewer approaches than the others and are left out",
-                left_out = left_out,
+                one "{count} of {all} positions has fewer approaches than the others and is excluded", "{count} of {all} positions have fewer approaches than the others and are excluded",
+                count = left_out,
                 all = all
             ));
         }
@@ -308,19 +308,24 @@ impl<'p, 's> Sweep<'p, 's> {
 
     fn shortcomings(&self, figures: &Positioning, missing: &mut Vec<Text>) {
         let [up, down] = figures.fewest_runs();
-        let side = |n: usize, side: Template| match n {
+        missing.extend(match up {
             0 => Some(text!(
-                "not every position was approached from {side}: no figure that needs that side, and no reversal",
-                side = side
+                "not every position was approached from below: no figure that needs that side, and no reversal"
             )),
             1 => Some(text!(
-                "a position was approached once from {side}: no standard deviation, so no repeatability and no accuracy",
-                side = side
+                "a position was approached once from below: no standard deviation, so no repeatability and no accuracy"
             )),
             _ => None,
-        };
-        missing.extend(side(up, phrase!("below")));
-        missing.extend(side(down, phrase!("above")));
+        });
+        missing.extend(match down {
+            0 => Some(text!(
+                "not every position was approached from above: no figure that needs that side, and no reversal"
+            )),
+            1 => Some(text!(
+                "a position was approached once from above: no standard deviation, so no repeatability and no accuracy"
+            )),
+            _ => None,
+        });
         if up.min(down) >= 2 && up.min(down) < STANDARD_RUNS {
             missing.push(text!(
                 "{approaches} approaches from each side; the standard asks for {standard}",

@@ -28,6 +28,16 @@ pub enum Encoding {
     Binary,
 }
 
+impl Encoding {
+    /// What it is called.
+    pub(crate) fn in_words(self) -> Text {
+        match self {
+            Self::Binary => text!("binary"),
+            other => Text::verbatim(other.to_string()),
+        }
+    }
+}
+
 impl fmt::Display for Encoding {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {

@@ -38,7 +38,7 @@ pub(crate) struct Grid<'a> {
 /// The complaint about an open quote.
 pub(crate) fn open_quote(file: &Place, quote: OpenQuote) -> Diagnostic {
     let place = file.clone().at_line(quote.line);
-    let found = text!("a quote that nothing closes");
+    let found = text!("a quote that is not closed");
     Diagnostic::error(place, found, text!("a second quote, or none"))
 }
 
@@ -204,12 +204,12 @@ impl<'a> Grid<'a> {
             } else {
                 let found = match row.cells.len() {
                     1 => text!("1 cell, {cells}", cells = quoted(&row.cells[0])),
-                    count => text!("{count} cells", count = count),
+                    count => text!(one "{count} cell", "{count} cells", count = count),
                 };
                 let expected = text!(
                     "{width} between {separator}, as in the rows before",
                     width = self.width,
-                    separator = self.separator.to_string()
+                    separator = self.separator.name()
                 );
                 complaints
                     .add(|| Diagnostic::error(file.clone().at_line(row.line), found, expected));

@@ -280,8 +280,8 @@ mod tests {
 
     #[test]
     fn a_sentence_is_english_until_it_is_spoken() {
-        let whose = text!("the session's folder");
-        let expected = text!("a file in {whose} or below it", whose = whose);
+        let folder = text!("the session's folder");
+        let expected = text!("a file in {folder} or below it", folder = folder);
         let english = "a file in the session's folder or below it";
         assert_eq!(expected.to_string(), english);
         let marked = "⟦a file in ⟧⟦the session's folder⟧⟦ or below it⟧";

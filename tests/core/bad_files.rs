@@ -685,7 +685,7 @@ const BAD_TABLES: &[(&str, &[u8], &[&str])] = &[
     (
         "an open quote",
         b"q1_deg,x_mm,y_mm,target\n1,2,3,\"T1\n",
-        &["line 2, column 4, target: a quote that never closes"],
+        &["line 2, column 4, target: a quote that is not closed"],
     ),
     (
         "text behind a quote",

@@ -454,7 +454,7 @@ fn rows_in_measuring_order_say_from_which_side_each_joint_came() {
     let dir = |joint: usize| session.samples.dir[joint].clone().unwrap();
     assert_eq!(dir(0), [0.0, 1.0, 1.0, 1.0, -1.0, -1.0, -1.0, 1.0]);
     assert_eq!(dir(1), [0.0, 0.0, 1.0, -1.0, -1.0, 1.0, 1.0, 1.0]);
-    assert!(said.contains("as was said"), "{said}");
+    assert!(said.contains("as stated"), "{said}");
     let (session, said) = desk.import("measured.csv --as csv --commands commands.csv --out s.json");
     assert!(
         session.samples.dir.iter().all(Option::is_none),

@@ -372,7 +372,7 @@ fn what_is_wrong_is_named_by_line_and_column() {
         ),
         (
             "q1_deg,x_mm,y_mm\n1,2,\"3\n",
-            "line 2: a quote that nothing closes",
+            "line 2: a quote that is not closed",
         ),
         (
             "1,2,3\n1,2,3\n",
@@ -385,7 +385,7 @@ fn what_is_wrong_is_named_by_line_and_column() {
         ("q1_deg,a,b\n1,2,3\n", "no column is x or y for certain"),
         (
             "q2_deg,x_mm,y_mm\n1,2,3\n",
-            "nothing says where joint 1 was sent",
+            "the commanded value of joint 1 is not stated",
         ),
         (
             "q1_deg,q2_deg,x_mm,y_mm\n1,2,3,4\n",
@@ -590,9 +590,9 @@ fn the_program_imports_into_a_session_that_it_can_read() {
     let lines: Vec<&str> = loaded.note.lines().collect();
     for said in [
         "commands matched by name",
-        "reference point 'R3' is 10.160 mm off: left out of the alignment",
-        "left out 1 measurement without a command: 'stray' (line 24)",
-        "left out 1 command without a measurement: 'A+80' (line 16)",
+        "reference point 'R3' has a residual of 10.160 mm: excluded from the alignment",
+        "excluded 1 measurement without a command: 'stray' (line 24)",
+        "excluded 1 command without a measurement: 'A+80' (line 16)",
     ] {
         assert!(
             lines.iter().any(|line| line.contains(said)),
@@ -808,7 +808,7 @@ fn commands_may_be_the_first_to_name_the_reflectors() {
     assert_eq!(one.session.targets[0].name, "T1");
     let two = with(b"name,q1_deg,target\na,0,T1\nb,5,T2\n").expect_err("two of them");
     assert!(
-        two.contains("several targets, and nothing says where they sit"),
+        two.contains("several targets whose positions are not stated"),
         "{two}"
     );
 }

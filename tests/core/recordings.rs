@@ -289,16 +289,16 @@ fn broken_recordings_are_refused_with_the_byte_and_what_was_expected() {
     // Where a message of /joint_states starts with its four bytes: behind its times.
     let shoulder = find_bytes(&whole, b"shoulder\0");
     let cases: Vec<(Vec<u8>, &str)> = vec![
-        (Vec::new(), "byte 0: no MCAP file"),
+        (Vec::new(), "byte 0: not an MCAP file"),
         (
             b"q1_deg,x_mm,y_mm\n0,1,2\n".to_vec(),
-            "byte 0: no MCAP file",
+            "byte 0: not an MCAP file",
         ),
         (whole[..8].to_vec(), "byte 8: the recording is cut off"),
         (whole[..150].to_vec(), "the recording is cut off"),
         (
             changed(joints, b"sensor_msgs/msg/JointStave"),
-            "nothing says where joint 1 was sent",
+            "the commanded value of joint 1 is not stated",
         ),
         (
             changed(tf, b"tf2_msgs/msg/TXMessage"),
@@ -336,7 +336,7 @@ fn a_recording_that_is_cut_off_is_read_up_to_there() {
     let samples = done.session.samples.len();
     assert!((4..12).contains(&samples), "{samples}");
     assert!(
-        note(&done).contains("what stands before is read"),
+        note(&done).contains("everything before it is read"),
         "{}",
         note(&done)
     );
@@ -532,7 +532,7 @@ fn distances_that_lack_something_are_refused_or_asked_about() {
         (
             format!("{q},distance\n0,0,0,5\n"),
             &[],
-            "the unit of the distances is not said",
+            "the unit of the distances is not stated",
         ),
         (
             format!("{q},Deviation [um]\n0,0,0,5\n"),
@@ -557,7 +557,7 @@ fn distances_that_lack_something_are_refused_or_asked_about() {
         (
             "distance_mm\n5\n".to_owned(),
             &[],
-            "nothing says where joint 1 was sent",
+            "the commanded value of joint 1 is not stated",
         ),
     ] {
         let wrong = with(&text, options).unwrap_err().to_string();

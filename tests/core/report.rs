@@ -212,19 +212,19 @@ fn a_note_keeps_its_lines_and_shows_the_first_digits_of_hashes() {
     let hash = "0123456789abcdef".repeat(4);
     let mut session = small(8, false);
     session.note = format!(
-        "imported from a.txt (sha256 {hash}) as tracker.\nreference point 'B4' is 0.903 mm off: left \
-         out of the alignment.\nleft out 1 measurement without a command: 'try' (line 51)."
+        "imported from a.txt (sha256 {hash}) as tracker.\nreference point 'B4' has a residual of 0.903 mm: excluded \
+         from the alignment.\nexcluded 1 measurement without a command: 'try' (line 51)."
     );
     let made = report(&session);
     let page = html(&made);
     assert!(!page.contains(&hash), "twelve digits are enough to compare");
     assert!(page.contains("(sha256 0123456789ab…) as tracker.<br>"));
-    assert!(page.contains("left out of the alignment.<br>\nleft out 1 measurement"));
+    assert!(page.contains("excluded from the alignment.<br>\nexcluded 1 measurement"));
     let document = pdf(&made).unwrap();
     check_pdf(&document);
     if let Some(words) = words_of(&document) {
         let lines: Vec<&str> = words.lines().map(str::trim).collect();
-        let own = "left out 1 measurement without a command: 'try' (line 51).";
+        let own = "excluded 1 measurement without a command: 'try' (line 51).";
         assert!(lines.contains(&own), "a line of its own: {words}");
     }
 }
@@ -253,7 +253,7 @@ fn a_report_is_of_the_model_that_is_in_use_and_says_in_what_it_is_another() {
     let page = of(Some(&less));
     for said in [
         "the model in use is another one: without Backlash",
-        "with the model in use, without Backlash",
+        "with the model in use (without Backlash)",
         "RMS error, model in use",
         &model_hash(&less),
     ] {

@@ -158,7 +158,7 @@ fn what_cannot_be_recorded_is_refused_and_leaves_no_file() {
             "expected tcp://HOST:PORT or udp://:PORT",
         ),
         ("localhost", "expected tcp://HOST:PORT or udp://:PORT"),
-        ("tcp://localhost:99999", "is no port"),
+        ("tcp://localhost:99999", "is not a port"),
         ("tcp://localhost", "expected tcp://HOST:PORT"),
     ] {
         let output = run(source, &out);

@@ -163,7 +163,7 @@ fn a_path_that_cannot_be_one_says_what_to_do_and_changes_nothing() {
             (
                 "no such folder",
                 folder.path().join("missing").join(output.file),
-                &["the folder is not there: choose another, or make it first"],
+                &["folder not found: choose another, or create it first"],
             ),
             (
                 "below a file",
@@ -311,7 +311,7 @@ fn a_folder_without_permission_says_so() {
         assert!(refused(&window), "{}", output.name);
         assert!(says(
             &window,
-            "nothing may be written there: save to another folder"
+            "no permission to write there: save to another folder"
         ));
     }
 }
@@ -393,7 +393,7 @@ fn a_file_that_vanished_before_it_is_saved_is_written_again() {
     fs::remove_file(&session).expect("removed");
     fs::remove_file(session.with_extension("csv")).expect("removed");
     seconds(&mut window, 3);
-    assert!(says(&window, "is not there any more"), "it is said");
+    assert!(says(&window, ": file not found"), "it is said");
     keys(&mut window, Modifiers::COMMAND, Key::S);
     assert!(session.exists(), "the session is in its file again");
     assert!(session.with_extension("csv").exists());
@@ -416,7 +416,7 @@ fn a_folder_that_vanished_says_so_and_the_session_stays_unsaved() {
     assert!(says(&window, "could not be saved"));
     assert!(says(
         &window,
-        "the folder is not there: choose another, or make it first"
+        "folder not found: choose another, or create it first"
     ));
     // Saved elsewhere, nothing is lost.
     let elsewhere = folder.path().join("elsewhere.json");

@@ -44,12 +44,9 @@ fn what_was_open_yesterday_is_in_the_menu_today() {
 
     let mut window = window_at(None, Some(&home));
     seconds(&mut window, 2);
-    assert!(says(
-        &window,
-        "lamp-commissioning.json is not there any more"
-    ));
+    assert!(says(&window, "lamp-commissioning.json: file not found"));
     press(&mut window, "Forget lamp-commissioning.json");
-    assert!(!says(&window, "not there any more"));
+    assert!(!says(&window, "file not found"));
     press(&mut window, "paper-30.json");
     assert!(says(&window, "30 samples · RMS error"));
     keys(&mut window, Modifiers::NONE, Key::F2);
@@ -172,10 +169,10 @@ fn a_file_that_vanished_is_said_and_can_be_saved_again() {
     let mut window = window_at(Some(session.clone()), None);
     fs::remove_file(&session).expect("removed");
     seconds(&mut window, 2);
-    assert!(says(&window, "paper-30.json is not there any more"));
+    assert!(says(&window, "paper-30.json: file not found"));
     keys(&mut window, Modifiers::COMMAND, Key::S);
     assert!(session.exists() && says(&window, "Saved"));
-    assert!(!says(&window, "not there any more"));
+    assert!(!says(&window, "file not found"));
 }
 
 #[test]
@@ -190,25 +187,25 @@ fn samples_that_vanished_are_said_even_after_they_were_changed_and_can_be_saved_
     assert!(says(&window, "paper-30.csv was changed by another program"));
     fs::remove_file(&samples).expect("removed");
     seconds(&mut window, 2);
-    assert!(says(&window, "paper-30.csv is not there any more"));
+    assert!(says(&window, "paper-30.csv: file not found"));
     // Reading again what is not there says so, not where a document names it.
     press(&mut window, "Keep this version");
     keys(&mut window, Modifiers::COMMAND, Key::R);
     seconds(&mut window, 1);
-    assert!(says(&window, "paper-30.csv is not there any more"));
+    assert!(says(&window, "paper-30.csv: file not found"));
     assert!(says(&window, "saving writes it again") && !says(&window, "samples.file"));
     press(&mut window, "Save it again");
     assert!(samples.exists() && says(&window, "Saved"));
-    assert!(!says(&window, "not there any more"));
+    assert!(!says(&window, "file not found"));
 
     // What is put back as it was is no change.
     let ours = fs::read(&samples).expect("ours");
     fs::remove_file(&samples).expect("removed");
     seconds(&mut window, 2);
-    assert!(says(&window, "paper-30.csv is not there any more"));
+    assert!(says(&window, "paper-30.csv: file not found"));
     fs::write(&samples, ours).expect("put back");
     seconds(&mut window, 2);
-    assert!(!says(&window, "not there any more"));
+    assert!(!says(&window, "file not found"));
 }
 
 #[cfg(unix)]

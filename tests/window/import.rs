@@ -190,7 +190,7 @@ fn alignment_shows_how_far_each_point_is_off() {
     type_path(&mut window, "File of the robot", &walk("robot.json"));
     assert!(says(&window, "inspection column: one joint that turns"));
     assert!(
-        says(&window, "nothing says where joint 1 was sent"),
+        says(&window, "the commanded value of joint 1 is not stated"),
         "what is missing is said in the sheet's words"
     );
     assert!(!says(&window, "--"), "no option of the command line");

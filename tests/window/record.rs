@@ -288,7 +288,7 @@ fn lines_of_an_instrument_become_samples_while_its_connection_breaks_and_comes_b
         lines[61..=70].join("\n")
     );
     stream.write_all(more.as_bytes()).expect("sent");
-    wait_until(&mut window, "recording · 70 lines · 2 left out · connected");
+    wait_until(&mut window, "recording · 70 lines · 2 excluded · connected");
     wait_until(&mut window, "70 samples · RMS error");
     sheet(&mut window);
     assert!(says(&window, "Left out last"));

@@ -137,11 +137,19 @@ fn what_cannot_be_taken_over_names_its_row_stays_in_the_field_and_changes_nothin
         (
             "To, region 1",
             "NaN",
-            ["'NaN' is no angle", "a number of degrees"],
+            ["'NaN' is not an angle", "a number of degrees"],
         ),
-        ("To, region 1", "-5o", ["'-5o' is no angle", "such as −30"]),
+        (
+            "To, region 1",
+            "-5o",
+            ["'-5o' is not an angle", "such as −30"],
+        ),
         ("To, region 1", " ", ["the angle is missing", "such as −30"]),
-        ("From, region 1", "1e400", ["is no angle", "such as −30"]),
+        (
+            "From, region 1",
+            "1e400",
+            ["is not an angle", "such as −30"],
+        ),
     ] {
         let mut window = regions();
         let before: Vec<_> = (1..=6).map(|k| ends(&window, &k.to_string())).collect();

@@ -42,7 +42,7 @@ fn save_session(window: &mut Window, path: &Path) {
 /// Fills the sheet in and imports.
 fn import(window: &mut Window) {
     open(window, &raw("tracker.txt"));
-    assert!(says(window, "the unit of x, y, z is not said"));
+    assert!(says(window, "the unit of x, y, z is not stated"));
     type_into(window, "Name of the session", "inspection column");
     press(window, "It is mm");
     press(window, "The columns are right");

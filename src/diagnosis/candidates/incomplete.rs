@@ -48,8 +48,8 @@ pub(crate) fn leave_out(problem: &mut Problem) -> Option<DataProblem> {
     };
     Some(DataProblem {
         what: text!(
-            "{lacking} of {all} samples lack {columns}",
-            lacking = lacking.len(),
+            one "{count} of {all} samples lacks {columns}", "{count} of {all} samples lack {columns}",
+            count = lacking.len(),
             all = fitted.len(),
             columns = columns.join(", ")
         ),
@@ -57,7 +57,7 @@ pub(crate) fn leave_out(problem: &mut Problem) -> Option<DataProblem> {
             "samples {samples}; the others have a value there, and what depends on it cannot be told from these",
             samples = format!("{}{more}", shown.join(", "))
         ),
-        proposal: text!("they were left out of the diagnosis; fill in the cells to use them"),
+        proposal: text!("they were excluded from the diagnosis; fill in the cells to use them"),
         samples: lacking,
         mend: None,
     })

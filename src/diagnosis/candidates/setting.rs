@@ -1,7 +1,14 @@
 //! The setting of a term, as a number and in words.
 
+use crate::effects::words::parameter;
 use crate::effects::{Setting, Term, called};
 use crate::text::Text;
+
+/// The quantity that is set: English has the first word of its name in files.
+fn setting_in_words(name: &'static str) -> Text {
+    let english = name.split('_').next().unwrap_or(name);
+    Text::named(english, parameter(name).0)
+}
 
 /// A setting and whose it is, in words.
 pub(crate) fn setting(term: &Term) -> Text {
@@ -12,7 +19,7 @@ pub(crate) fn setting(term: &Term) -> Text {
         }
         Setting::Listed(listed) => text!(
             "{quantity} {value} of {effect}",
-            quantity = listed.quantity.name.split('_').next().unwrap_or("setting"),
+            quantity = setting_in_words(listed.quantity.name),
             value = value,
             effect = effect
         ),

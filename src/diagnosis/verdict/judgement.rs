@@ -18,8 +18,8 @@ use crate::text::length;
 
 use crate::fit::gap::lengths_mm;
 use crate::fit::noise::StatedNoise;
-use crate::observations::Layer;
 use crate::observations::figures::{ResidualsOfKind, left_of_kinds};
+use crate::observations::{Layer, kind_in_words};
 
 use super::excess::{Excess, MOST_OVER_THE_FLOOR, excess_of};
 use super::group_excess;
@@ -147,28 +147,28 @@ fn flag(
     unexplained.place = group_excess::place(session, &lengths_mm(&values.problem, &values.model));
     let times = format!("{:.2}", excess.ratio);
     let returns = floor.from == FloorFrom::Repeats;
-    unexplained.says = if let Some(kind) = excess.kind {
-        text!(
-            "the remaining error of {kind} is {times} times what {against}, without a structure that the search knows",
+    let size = length(floor.mm, 4);
+    unexplained.says = match excess.kind.map(kind_in_words) {
+        Some(kind) if returns => text!(
+            "the remaining error of {kind} is {times} times what returns to the same pose show, without a structure that the search knows",
             kind = kind,
+            times = times
+        ),
+        Some(kind) => text!(
+            "the remaining error of {kind} is {times} times what is stated for the instrument, without a structure that the search knows",
+            kind = kind,
+            times = times
+        ),
+        None if returns => text!(
+            "the remaining error is {times} times what returns to the same pose show ({size}), without a structure that the search knows",
             times = times,
-            against = if returns {
-                text!("returns to the same pose show")
-            } else {
-                text!("is stated for the instrument")
-            }
-        )
-    } else {
-        let size = length(floor.mm, 4);
-        text!(
-            "the remaining error is {times} times what {against}, without a structure that the search knows",
+            size = size
+        ),
+        None => text!(
+            "the remaining error is {times} times what is stated for the instrument ({size}), without a structure that the search knows",
             times = times,
-            against = if returns {
-                text!("returns to the same pose show ({size})", size = size)
-            } else {
-                text!("is stated for the instrument ({size})", size = size)
-            }
-        )
+            size = size
+        ),
     };
     if floor.from == FloorFrom::Instrument {
         unexplained.noise = against_stated(prepared, values);

@@ -60,8 +60,8 @@ pub(crate) fn unexplained(
         place: Some(place_of(&shape, range, prepared)),
         resembles,
         says: text!(
-            "{what}; no effect of the catalogue explains it",
-            what = shape.describe()
+            "{shape}; no effect of the catalogue explains it",
+            shape = shape.describe()
         ),
         shapes: order
             .iter()
@@ -152,8 +152,8 @@ pub(crate) fn without_shapes(prepared: &PreparedSearch, fit: &Fit) -> Unexplaine
         resembles: Vec::new(),
         says: likeliest.map_or_else(Text::default, |(_, shape)| {
             text!(
-                "what is left looks most like {what}",
-                what = shape.describe()
+                "what is left looks most like {shape}",
+                shape = shape.describe()
             )
         }),
         shapes: Vec::new(),

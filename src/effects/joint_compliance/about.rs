@@ -53,8 +53,8 @@ const TORQUE: Need = Need {
         let weight = offered.load || offered.link_masses;
         match (offered.gravity, weight) {
             (true, true) => None,
-            (true, false) => Some("the scenario has no load, and no link a mass"),
-            (false, _) => Some("the robot has no gravity"),
+            (true, false) => Some(phrase!("the scenario has no load, and no link a mass")),
+            (false, _) => Some(phrase!("the robot has no gravity")),
         }
     },
 };

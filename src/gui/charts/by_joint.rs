@@ -142,7 +142,11 @@ impl ChartKind for ByJoint {
             boundaries: (1..joints).map(|joint| joint as f64).collect(),
             series,
         };
-        let note = thinned(panels.stride, phrase!("point")).unwrap_or_default();
+        let note = thinned(
+            panels.stride,
+            phrase!("one point in {stride} shown"; stride),
+        )
+        .unwrap_or_default();
         Ok(Shown {
             chart: made.chart(say!("{name} deviation by joint", name = name), note),
             name: say!("deviation by joint, {name}", name = name),

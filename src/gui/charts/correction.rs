@@ -104,7 +104,10 @@ fn chart(made: &ExportPreview) -> Option<Chart> {
         items.push(Item::Line(reverse, ColourRole::Before, 2.0, true));
         say!("solid: moving positive · dashed: moving negative")
     };
-    let notes = std::iter::once(says.to_owned()).chain(thinned(every, phrase!("entry")));
+    let notes = std::iter::once(says.to_owned()).chain(thinned(
+        every,
+        phrase!("one entry in {stride} shown"; stride),
+    ));
     items.push(Item::Line(forward, ColourRole::After, 2.0, false));
     Some(Chart {
         title: say!("correction table").to_owned(),

@@ -294,17 +294,22 @@ impl<'a> DrawnDeviations<'a> {
         let never_changes = self.extent().is_none_or(|all| all.x[0] == all.x[1]);
         if never_changes && self.over.variable != Variable::Joint {
             let what = self.over.label(self.scene.subject);
-            notes.push(say!("the {what} never changes", what = what));
+            notes.push(say!("the {quantity} never changes", quantity = what));
         }
         if many {
             notes.push(say!("from the smallest to the largest in each column").to_owned());
         } else if self.envelope.is_none() {
-            notes.extend(thinned(self.stride, phrase!("point")));
+            notes.extend(thinned(
+                self.stride,
+                phrase!("one point in {stride} shown"; stride),
+            ));
         }
-        match self.unplaced {
-            0 => {}
-            1 => notes.push(say!("one sample has no value and is not shown").to_owned()),
-            n => notes.push(say!("{n} samples have no value and are not shown", n = n)),
+        if self.unplaced > 0 {
+            notes.push(say!(
+                one "{count} sample has no value and is not shown",
+                "{count} samples have no value and are not shown",
+                count = self.unplaced
+            ));
         }
         notes.join(" · ")
     }
@@ -339,10 +344,8 @@ impl<'a> DrawnDeviations<'a> {
             }
         }
         if let Some(tolerance) = self.scene.document.tolerance_mm {
-            says += &say!(
-                ", tolerance {tolerance}",
-                tolerance = units.length(tolerance)
-            );
+            let tolerance = say!("tolerance {tolerance}", tolerance = units.length(tolerance));
+            says += &format!(", {tolerance}");
         }
         says
     }

@@ -12,7 +12,6 @@ use crate::present::drawing::Anchor;
 use crate::present::numbers::significant;
 use crate::present::table::{Cell, Table};
 use crate::sessions::Sigma;
-use crate::text::spoken;
 
 /// A noise curve is drawn where a bin is at most so many standard deviations wide.
 const SHARP: f64 = 3.0;
@@ -220,7 +219,7 @@ fn drawn(scene: &Scene, found: &Distribution) -> Chart {
             items.push(Item::Line(line, ColourRole::Tolerance, 1.6, false));
             items.push(Item::Word(ChartText {
                 at: [value(*end), 0.995 * top],
-                text: say!(" tolerance ").to_owned(),
+                text: format!(" {} ", say!("tolerance")),
                 anchor: if *end < 0.0 {
                     Anchor::End
                 } else {
@@ -281,19 +280,18 @@ fn note(scene: &Scene, found: &Distribution, counted: &Counted) -> String {
             all = all
         ));
     }
-    match counted.beyond {
-        0 => {}
-        1 => notes.push(say!("one lies beyond the ends").to_owned()),
-        n => notes.push(say!("{n} lie beyond the ends", n = n)),
+    if counted.beyond > 0 {
+        notes.push(say!(
+            one "{count} lies beyond the ends",
+            "{count} lie beyond the ends",
+            count = counted.beyond
+        ));
     }
     let width = significant(units.length_value(counted.bins.width_mm), 2);
     notes.push(say!(
-        "{width} {unit} wide {rule}",
+        "bars {width} {unit} wide, as the spread of the samples asks for",
         width = width,
-        unit = units.length_name(),
-        rule = spoken(phrase!(
-            "bars as wide as the spread of the samples asks for"
-        ))
+        unit = units.length_name()
     ));
     notes.join(" · ")
 }

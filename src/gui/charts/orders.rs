@@ -316,14 +316,20 @@ fn describe(scene: &Scene, spectrum: &Spectrum) -> String {
             .collect();
         out.sort_by(|a, b| b.1.total_cmp(&a.1));
         let words = out.iter().take(4).map(|(order, mm)| {
-            let cause = cause(spectrum, *order);
-            let cause = cause.map_or_else(String::new, |c| format!(" ({c})"));
-            say!(
-                "order {order}{cause} with {amplitude}",
-                order = order,
-                cause = cause,
-                amplitude = units.length(*mm)
-            )
+            let amplitude = units.length(*mm);
+            match cause(spectrum, *order) {
+                Some(cause) => say!(
+                    "order {order} ({cause}) with {amplitude}",
+                    order = order,
+                    cause = cause,
+                    amplitude = amplitude
+                ),
+                None => say!(
+                    "order {order} with {amplitude}",
+                    order = order,
+                    amplitude = amplitude
+                ),
+            }
         });
         let words: Vec<String> = words.collect();
         if words.is_empty() {
@@ -332,15 +338,24 @@ fn describe(scene: &Scene, spectrum: &Spectrum) -> String {
             words.join(", ")
         }
     };
-    let mut says = say!(
-        "{orders} orders of the {component} deviation; before: {before}",
-        orders = spectrum.orders.len(),
-        component = scene.component().name(),
-        before = out(|o| Some(o.before))
-    );
-    if scene.answer.is_some() {
-        says += &say!("; after: {after}", after = out(|o| o.after));
-    }
+    let (orders, component) = (spectrum.orders.len(), scene.component().name());
+    let before = out(|o| Some(o.before));
+    let says = if scene.answer.is_some() {
+        say!(
+            "{orders} orders of the {component} deviation; before: {before}; after: {after}",
+            orders = orders,
+            component = component,
+            before = before,
+            after = out(|o| o.after)
+        )
+    } else {
+        say!(
+            "{orders} orders of the {component} deviation; before: {before}",
+            orders = orders,
+            component = component,
+            before = before
+        )
+    };
     format!("{says}; {}", note(spectrum))
 }
 
@@ -354,17 +369,24 @@ fn limits(spectrum: &Spectrum) -> Option<String> {
     }
     let range = language::spoken(angle(std::f64::consts::TAU * spectrum.turns, 0));
     let apart = trimmed((1.0 / spectrum.turns).ceil(), 0);
-    let mut says = say!(
-        "range {range}: orders nearer than {apart} cannot be told apart",
-        range = range,
-        apart = apart
-    );
-    match spectrum.unseen {
-        0 => {}
-        1 => says += say!(", and order 1 cannot be seen"),
-        n => says += &say!(", and orders up to {n} cannot be seen", n = n),
-    }
-    Some(says)
+    Some(match spectrum.unseen {
+        0 => say!(
+            "range {range}: orders nearer than {apart} cannot be told apart",
+            range = range,
+            apart = apart
+        ),
+        1 => say!(
+            "range {range}: orders nearer than {apart} cannot be told apart, and order 1 cannot be seen",
+            range = range,
+            apart = apart
+        ),
+        n => say!(
+            "range {range}: orders nearer than {apart} cannot be told apart, and orders up to {n} cannot be seen",
+            range = range,
+            apart = apart,
+            n = n
+        ),
+    })
 }
 
 /// What usually causes an order.

@@ -314,10 +314,13 @@ impl<'a> Drawn<'a> {
                 all = grouped(all)
             ));
         }
-        match self.scene.usable().len() - all {
-            0 => {}
-            1 => notes.push(say!("one sample has no value and is not shown").to_owned()),
-            n => notes.push(say!("{n} samples have no value and are not shown", n = n)),
+        let unplaced = self.scene.usable().len() - all;
+        if unplaced > 0 {
+            notes.push(say!(
+                one "{count} sample has no value and is not shown",
+                "{count} samples have no value and are not shown",
+                count = unplaced
+            ));
         }
         notes.join(" · ")
     }

@@ -221,7 +221,10 @@ fn bytes_of(path: &Path) -> Result<Vec<u8>, Refusal> {
     let (file, length) = open::open_regular(path)?;
     if length > MOST_BYTES {
         let expected = text!("a mesh of at most {value} MiB", value = MOST_BYTES >> 20);
-        return Err((text!("{length} bytes", length = length), expected));
+        return Err((
+            text!(one "{count} byte", "{count} bytes", count = length),
+            expected,
+        ));
     }
     let mut bytes = Vec::new();
     file.take(MOST_BYTES)

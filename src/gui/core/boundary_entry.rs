@@ -76,7 +76,7 @@ pub(crate) fn angle(text: &str, units: Units) -> Result<f64, String> {
     }
     typed_in(text, units.angle_name().trim(), "rad").map_err(|_| {
         say!(
-            "'{text}' is no angle; type a number of {name}, such as {example}",
+            "'{text}' is not an angle; type a number of {name}, such as {example}",
             text = text,
             name = name,
             example = example

@@ -39,19 +39,17 @@ impl Decision {
                 .to_owned();
         }
         let n = self.regions;
-        let first = say!(
-            "{n} regions: a boundary where the deviation changes by more than the noise",
-            n = n
-        );
         match (self.left_mm, self.even_mm) {
             (Some(left), Some(even)) => say!(
-                "{first}. They leave {left}, {n} even ones {even}",
-                first = first,
-                left = units.length(left),
+                "{n} regions: a boundary where the deviation changes by more than the noise. They leave {left}, {n} even ones {even}",
                 n = n,
+                left = units.length(left),
                 even = units.length(even)
             ),
-            _ => first,
+            _ => say!(
+                "{n} regions: a boundary where the deviation changes by more than the noise",
+                n = n
+            ),
         }
     }
 }

@@ -6,13 +6,14 @@ use crate::gui::core::skeleton::robot_extent;
 use crate::model::Positions;
 use crate::numeric::Ascending;
 use crate::sessions::Session;
+use crate::text::Text;
 
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Overview {
     /// Samples that can be used, in the order of the session.
     pub(crate) usable: Vec<u32>,
     /// How many measurements of which kind there are, where whole points are not all.
-    pub(crate) kinds: Option<String>,
+    pub(crate) kinds: Option<Text>,
     /// How many samples are held out.
     pub(crate) held_out: usize,
     /// How many a person took out.

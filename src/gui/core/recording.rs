@@ -42,7 +42,7 @@ impl RecordingRequest {
         let folder = path.parent().filter(|f| !f.as_os_str().is_empty());
         if let Some(folder) = folder.filter(|folder| !folder.is_dir()) {
             return Some(say!(
-                "{folder}: the folder is not there",
+                "{folder}: folder not found",
                 folder = folder.display()
             ));
         }
@@ -94,10 +94,6 @@ impl Heard {
     pub(crate) fn describe(&self) -> String {
         let recorded = usize::try_from(self.recorded).unwrap_or(usize::MAX);
         let lines = say!(one "{count} line", "{count} lines", count = grouped(recorded));
-        let left_out = match self.refused {
-            0 => String::new(),
-            n => say!(" · {count} left out", count = n),
-        };
         let state = match &self.state {
             State::Connecting => say!("connecting").to_owned(),
             State::Connected => say!("connected").to_owned(),
@@ -106,11 +102,11 @@ impl Heard {
                 why = crate::language::spoken(why)
             ),
         };
-        say!(
-            "recording · {lines}{left_out} · {state}",
-            lines = lines,
-            left_out = left_out,
-            state = state
-        )
+        let mut said = vec![say!("recording").to_owned(), lines];
+        if self.refused > 0 {
+            said.push(say!("{count} excluded", count = self.refused));
+        }
+        said.push(state);
+        said.join(" · ")
     }
 }

@@ -1,7 +1,7 @@
 //! How much of something a plot shows, and round numbers for its scales.
 
 use crate::present::chart::{among, decade};
-use crate::text::{Template, spoken};
+use crate::text::{Template, filled};
 
 /// Up to here samples are few.
 pub(crate) const FEW: usize = 1_000;
@@ -16,15 +16,9 @@ pub(crate) fn stride(count: usize, most: usize) -> usize {
     count.div_ceil(most).max(1)
 }
 
-/// What a plot says when it does not show everything; `what` is the name of one.
-pub(crate) fn thinned(stride: usize, what: Template) -> Option<String> {
-    (stride > 1).then(|| {
-        say!(
-            "one {what} in {stride} shown",
-            what = spoken(what),
-            stride = stride
-        )
-    })
+/// What a plot says when it shows one thing in so many: a sentence with the argument `stride`.
+pub(crate) fn thinned(stride: usize, says: Template) -> Option<String> {
+    (stride > 1).then(|| filled(says, &[("stride", &stride)]))
 }
 
 /// The nearest of 1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8 × 10ⁿ, by ratio; for what is a factor and no scale.
@@ -58,8 +52,9 @@ mod tests {
 
     #[test]
     fn a_thinned_plot_says_so() {
-        assert_eq!(thinned(1, phrase!("point")), None);
-        let says = |n| thinned(n, phrase!("point")).expect("thinned");
+        let one = phrase!("one point in {stride} shown"; stride);
+        assert_eq!(thinned(1, one), None);
+        let says = |n| thinned(n, one).expect("thinned");
         assert_eq!(says(100), "one point in 100 shown");
     }
 

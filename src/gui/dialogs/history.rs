@@ -89,12 +89,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         over_time(ui, workbench, robot, &mut choice);
     }
     for file in &past.history.not_read {
-        let says = say!(
-            "{file} is excluded: {because}",
-            file = file.file,
-            because = crate::language::spoken(&file.because)
-        );
-        widgets::wrong(ui, &says);
+        widgets::wrong(ui, &crate::language::spoken(file.describe()));
     }
     ui.data_mut(|data| data.insert_temp(id, choice));
     ui.add_space(space::ROW);
@@ -134,11 +129,12 @@ fn over_time(ui: &mut Ui, workbench: &Workbench, robot: &RobotHistory, choice: &
         mark = CHANGED
     );
     if shown.len() < last {
-        says += &say!(
-            "; the last {shown} of {all} sessions",
+        let of = say!(
+            "the last {shown} of {all} sessions",
             shown = shown.len(),
             all = last
         );
+        says += &format!("; {of}");
     }
     widgets::hint(ui, says);
     widgets::section(ui, &row.name);

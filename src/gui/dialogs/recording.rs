@@ -17,7 +17,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
             format!("{} → {}", wanted.address, wanted.path.display()),
         );
         if let Some(last) = heard.last_refused() {
-            widgets::hint(ui, say!("Left out last: {line}", line = last));
+            widgets::hint(ui, say!("Last excluded: {line}", line = last));
         }
         if super::ends::buttons(ui, say!("Stop recording"), true, commands) {
             commands.push(Command::Stop(Task::Recording));

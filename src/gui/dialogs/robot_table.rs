@@ -191,7 +191,11 @@ fn joint(ui: &mut Ui, number: usize, row: &mut Row, heads: &[(&'static str, &'st
     let kind = ui.add_sized(MOVES, Button::new(says));
     widgets::label(
         &kind,
-        say!("Joint {joint} {moves}", joint = number, moves = says),
+        if row.slides {
+            say!("Joint {joint} slides", joint = number)
+        } else {
+            say!("Joint {joint} turns", joint = number)
+        },
     );
     if kind.clicked() {
         row.slides = !row.slides;
@@ -210,14 +214,19 @@ fn joint(ui: &mut Ui, number: usize, row: &mut Row, heads: &[(&'static str, &'st
     let unit = row.unit();
     let mut travel = row.travel.is_some();
     let [mut from, mut to] = row.travel.unwrap_or([-180.0, 180.0]);
-    let ends = [(say!("from"), &mut from), (say!("to"), &mut to)];
+    let ends = [
+        (
+            say!("Travel of joint {joint}, from", joint = number),
+            &mut from,
+        ),
+        (say!("Travel of joint {joint}, to", joint = number), &mut to),
+    ];
     // Each a row of its own height: what is switched off or unknown would else hang below the others.
-    for (end, value) in ends {
+    for (label, value) in ends {
         ui.horizontal(|ui| {
             if !travel {
                 ui.disable();
             }
-            let label = say!("{number} of joint {joint}", number = end, joint = number);
             cell(ui, &label, unit, value);
         });
     }

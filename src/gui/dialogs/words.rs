@@ -15,7 +15,7 @@ pub(super) fn show(ui: &mut Ui, _: &Workbench, commands: &mut Vec<Command>) {
     widgets::heading(ui, say!("Glossary"));
     widgets::hint(
         ui,
-        say!("The same stands beside the numbers, where the pointer rests on a name"),
+        say!("The same is shown beside the numbers, where the pointer rests on a name"),
     );
     ui.add_space(space::TIGHT);
     let high = (ui.ctx().content_rect().height() - REST).clamp(120.0, 460.0);

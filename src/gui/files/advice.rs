@@ -37,14 +37,12 @@ pub(super) fn advice(error: &WriteError) -> String {
             say!("the disk is full: make room on it, or save to another disk")
         }
         ErrorKind::ReadOnlyFilesystem => say!("the disk can only be read: save to another disk"),
-        ErrorKind::PermissionDenied => say!("nothing may be written there: save to another folder"),
+        ErrorKind::PermissionDenied => say!("no permission to write there: save to another folder"),
         ErrorKind::NotFound | ErrorKind::NotADirectory => {
-            say!("the folder is not there: choose another, or make it first")
+            say!("folder not found: choose another, or create it first")
         }
         ErrorKind::InvalidFilename => {
-            say!(
-                "the name is too long, or has a sign in it that no name may have: choose another name"
-            )
+            say!("the name is too long or has a character that is not allowed: choose another name")
         }
         _ => return spoken(error.describe()),
     };

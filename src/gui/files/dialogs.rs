@@ -59,9 +59,9 @@ pub(crate) fn choose_to_import(beside: Option<&Path>) -> Option<PathBuf> {
 /// Asks the user for a file that goes with a measured one, beside that.
 pub(crate) fn choose_beside(which: Companion, measured: Option<&Path>) -> Option<PathBuf> {
     let title = match which {
-        Companion::Robot => say!("Which robot was measured"),
-        Companion::Commands => say!("Where the robot was sent"),
-        Companion::Reference => say!("Points known in the base frame"),
+        Companion::Robot => say!("Robot model"),
+        Companion::Commands => say!("Commanded positions"),
+        Companion::Reference => say!("Reference points (base frame)"),
         Companion::Targets => say!("Reflectors in the tool frame"),
     };
     let (name, kinds) = if which == Companion::Robot {

@@ -8,7 +8,7 @@ use crate::gui::view::Message;
 use crate::pipeline;
 use crate::progress::{Progress, ReadError, unwatched};
 
-use super::opening::{Opened, looked_through, not_read};
+use super::opening::{Opened, looked_through, not_opened};
 
 /// The example that the window opens on.
 pub(crate) fn first_example() -> Arc<LoadedSession> {
@@ -39,7 +39,7 @@ pub(crate) fn open_example(index: usize) -> Result<Opened, Message> {
         subject.and_then(|l| Ok(looked_through(l, Origin::Bundled, None, progress.whole())?));
     subject
         .map(Opened::Session)
-        .map_err(|error| not_read(example.name(), say!("opened"), &error))
+        .map_err(|error| not_opened(example.name(), &error))
 }
 
 #[cfg(test)]

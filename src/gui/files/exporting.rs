@@ -164,7 +164,7 @@ pub(crate) fn can_be_written(path: &Path, replace: bool, inputs: &[PathBuf]) -> 
     let folder = path.parent().filter(|f| !f.as_os_str().is_empty());
     match folder {
         Some(folder) if !folder.is_dir() => {
-            Err(say!("the folder is not there: choose another, or make it first").to_owned())
+            Err(say!("folder not found: choose another, or create it first").to_owned())
         }
         _ => Ok(()),
     }

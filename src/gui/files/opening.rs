@@ -43,7 +43,7 @@ pub(crate) fn open(
     if is_model(path) {
         return match load_model(path) {
             Ok(calibration) => Ok(Opened::Model(Arc::new(LoadedModel::new(calibration, path)))),
-            Err(rejected) => Err(not_read(path.display(), say!("opened"), &rejected.into())),
+            Err(rejected) => Err(not_opened(path.display(), &rejected.into())),
         };
     }
     let told = watch.progress_callback();
@@ -53,7 +53,7 @@ pub(crate) fn open(
         None => {}
         Some(Ok(foreign)) => return Ok(Opened::Foreign(Box::new(foreign))),
         Some(Err(error)) => {
-            return Err(not_read(path.display(), say!("read"), &error));
+            return Err(not_read(path.display(), &error));
         }
     }
     let loaded = pipeline::load_watched(path, whole.part(0.0, READING).watch());
@@ -74,7 +74,7 @@ pub(crate) fn open(
     });
     subject
         .map(Opened::Session)
-        .map_err(|error| not_read(path.display(), say!("opened"), &error))
+        .map_err(|error| not_opened(path.display(), &error))
 }
 
 /// Everything that follows from a session that was read, of a robot that looks like this.
@@ -106,19 +106,26 @@ pub(super) fn looked_through(
     Ok(Arc::new(subject))
 }
 
-/// Says that a file was not opened, or not read.
-pub(super) fn not_read(name: impl Display, done: &str, error: &ReadError) -> Message {
-    Message::wrong(
-        say!(
-            "{name} could not be {done}; nothing was changed",
-            name = name,
-            done = done
-        ),
-        match error {
-            ReadError::Rejected(rejected) => listed(&rejected.diagnostics),
-            ReadError::Cancelled(_) => vec![cancelled()],
-        },
-    )
+/// Says that a file was not opened.
+pub(super) fn not_opened(name: impl Display, error: &ReadError) -> Message {
+    let title = say!(
+        "{name} could not be opened; nothing was changed",
+        name = name
+    );
+    Message::wrong(title, why(error))
+}
+
+/// Says that a file was not read.
+fn not_read(name: impl Display, error: &ReadError) -> Message {
+    let title = say!("{name} could not be read; nothing was changed", name = name);
+    Message::wrong(title, why(error))
+}
+
+fn why(error: &ReadError) -> Vec<String> {
+    match error {
+        ReadError::Rejected(rejected) => listed(&rejected.diagnostics),
+        ReadError::Cancelled(_) => vec![cancelled()],
+    }
 }
 
 /// Which part of opening a session it is to read it; the rest is to look through it.

@@ -102,7 +102,7 @@ fn make(
     if !written.unshown.is_empty() {
         let says = spoken(fonts::cannot_be_shown(&written.unshown));
         details.push(say!(
-            "Some letters stand in it as codes: {says}",
+            "Some letters are written in it as codes: {says}",
             says = says
         ));
     }

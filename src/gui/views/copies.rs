@@ -32,8 +32,11 @@ pub(super) fn button(ui: &mut Ui, of: &str, text: impl FnOnce() -> String) {
     let button = Button::new(RichText::new(says).size(size::SMALL));
     let button = ui.add(button.min_size(vec2(78.0, 22.0)));
     ui.ctx().accesskit_node_builder(button.id, |node| {
-        let says = if copied { say!("Copied") } else { say!("Copy") };
-        node.set_label(say!("{says} table of {of}", says = says, of = of));
+        node.set_label(if copied {
+            say!("Copied table of {of}", of = of)
+        } else {
+            say!("Copy table of {of}", of = of)
+        });
     });
     if button.clicked() {
         ui.copy_text(text());
@@ -130,7 +133,7 @@ pub(super) fn parameters(estimates: &[Estimate]) -> String {
 pub(super) fn found(d: &Diagnosis) -> String {
     let mut table = Table::headed(format!(
         "{PARAMETER} | noise alone, 1 of | odds over the next candidate | share | RMS error before, mm \
-         | RMS error after, mm | held-out gap before, mm | held-out gap after, mm"
+         | RMS error after, mm | cross-validated before, mm | cross-validated after, mm"
     ));
     for found in &d.found {
         for one in &found.parameters {
@@ -233,7 +236,7 @@ pub(super) fn samples(workbench: &Workbench) -> String {
 pub(super) fn regions(results: &[RegionResult]) -> String {
     let mut table = Table::headed(
         "region | from, deg | to, deg | samples | dtheta, rad | 95 % from \
- | 95 % to | dl1, mm | 95 % from | 95 % to | gap before, mm | gap after, mm",
+ | 95 % to | dl1, mm | 95 % from | 95 % to | RMS error before, mm | RMS error after, mm",
     );
     for result in results {
         let c = &result.correction;

@@ -274,7 +274,7 @@ fn formats(ui: &mut Ui, workbench: &Workbench) {
         widgets::hint(
             ui,
             say!(
-                "The table comes from the identified robot. It will stand here as text, with its sign convention in words, the RMS error that it leaves, and what joint commands cannot correct"
+                "The table comes from the identified robot. It will be shown here as text, with its sign convention in words, the RMS error that it leaves, and what joint commands cannot correct"
             ),
         );
         ui.add_space(space::TIGHT);

@@ -24,7 +24,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
             ),
         ),
         FileChange::Vanished => (
-            say!("{name} is not there any more", name = name),
+            say!("{name}: file not found", name = name),
             say!("What was read is here still: saving writes it again, or put the file back"),
         ),
     };

@@ -309,7 +309,10 @@ fn text(ui: &mut Ui, text: &str) {
     let more = text.lines().count().saturating_sub(lines.len());
     if more > 0 {
         ui.add_space(space::TIGHT);
-        widgets::hint(ui, say!("and {more} more lines", more = more));
+        widgets::hint(
+            ui,
+            say!(one "and {count} more line", "and {count} more lines", count = more),
+        );
     }
 }
 
@@ -322,18 +325,13 @@ fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     }
     let format = find(workbench.document().export.format);
     let title = format.map_or(say!("table"), |f| f.extension);
-    let what = if format.is_some_and(|f| f.rules.is_none()) {
-        say!("robot")
+    let says = if format.is_some_and(|f| f.rules.is_none()) {
+        say!("Save robot as .{title}…", title = title)
     } else {
-        say!("table")
+        say!("Save table as .{title}…", title = title)
     };
     let ready = matches!(workbench.export(), Some(Ok(_)));
-    let save = ui.add_enabled_ui(ready, |ui| {
-        widgets::primary(
-            ui,
-            &say!("Save {what} as .{title}…", what = what, title = title),
-        )
-    });
+    let save = ui.add_enabled_ui(ready, |ui| widgets::primary(ui, &says));
     if save.inner.clicked() {
         commands.push(Command::Ask(Asked::WhereToExport(What::Table)));
     }

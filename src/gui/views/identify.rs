@@ -28,7 +28,7 @@ fn state(workbench: &Workbench) -> (String, Progress) {
         (true, Method::Exact) => match workbench.answer() {
             Some(answer) => {
                 let count = answer.identification.parameters.len();
-                say!("full model, {count} parameters", count = count)
+                say!(one "full model, {count} parameter", "full model, {count} parameters", count = count)
             }
             None => say!("full model").to_owned(),
         },
@@ -123,8 +123,9 @@ fn effects(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         return;
     }
     let title = say!(
-        "{not_testable} that this session cannot show",
-        not_testable = subject.not_testable.len()
+        one "{count} that this session cannot show",
+        "{count} that this session cannot show",
+        count = subject.not_testable.len()
     );
     let palette = Palette::of(ui);
     let title = RichText::new(title).size(size::SMALL).color(palette.muted);

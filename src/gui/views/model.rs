@@ -39,7 +39,7 @@ pub(super) fn about(
             widgets::hint(
                 ui,
                 say!(
-                    "Nothing was measured yet. Open a session that was measured on this robot, and what the model does there will stand here"
+                    "Nothing was measured yet. Open a session that was measured on this robot, and what the model does there will be shown here"
                 ),
             );
         }

@@ -12,7 +12,7 @@ use crate::gui::style::tokens::{Palette, size, space, strong};
 use crate::gui::view::{Side, Step};
 use crate::gui::widgets::{self, dense};
 use crate::gui::workbench::{Command, ViewChange, Workbench};
-use crate::present::decision::title as title_of_decision;
+use crate::present::decision;
 use crate::present::names::{parameter, title_on};
 use crate::present::numbers::{grouped, trimmed, with_minus_signs};
 use crate::present::units::Units;
@@ -220,7 +220,7 @@ pub(crate) fn decision(ui: &mut Ui, workbench: &Workbench) {
     match workbench.decision() {
         None => {}
         Some(Err(because)) => {
-            widgets::hint(ui, say!("No decision: {because}", because = because));
+            widgets::hint(ui, decision::none(&because));
         }
         Some(Ok((outcome, says))) => {
             let color = match outcome {
@@ -228,7 +228,7 @@ pub(crate) fn decision(ui: &mut Ui, workbench: &Workbench) {
                 Conformity::Fail => palette.outside,
                 Conformity::Undecided => palette.warning,
             };
-            let title = RichText::new(spoken(title_of_decision(outcome))).font(strong(size::BODY));
+            let title = RichText::new(spoken(decision::title(outcome))).font(strong(size::BODY));
             ui.label(title.color(color));
             widgets::hint(ui, with_minus_signs(&says));
         }

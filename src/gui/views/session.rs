@@ -78,7 +78,7 @@ fn recent(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
             }
             continue;
         }
-        let says = say!("{name} is not there any more", name = name);
+        let says = say!("{name}: file not found", name = name);
         let says = RichText::new(says).size(size::NOTE);
         let says = ui.add(egui::Label::new(says.color(palette.muted)).wrap());
         says.on_hover_text(whole);
@@ -122,7 +122,7 @@ fn facts(ui: &mut Ui, workbench: &Workbench) {
     }
     widgets::fact_of(ui, phrase!("samples"), samples);
     if let Some(kinds) = &subject.overview.kinds {
-        widgets::fact_of(ui, phrase!("measured"), kinds);
+        widgets::fact_of(ui, phrase!("measured"), language::spoken(kinds));
     }
     if session.targets.len() > 1 {
         widgets::fact_of(ui, phrase!("reflectors"), session.targets.len().to_string());
@@ -190,10 +190,7 @@ fn follow(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     if let Some(came) = following {
         widgets::hint(
             ui,
-            say!(
-                "{samples} came since",
-                samples = say!(one "{count} sample", "{count} samples", count = came)
-            ),
+            say!(one "{count} sample came since", "{count} samples came since", count = came),
         );
     }
 }

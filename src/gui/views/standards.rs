@@ -19,7 +19,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench) {
     widgets::card(ui, |ui| {
         ui.label(RichText::new(say!("Accuracy and repeatability")).font(strong(size::BODY)));
         match &figures.made {
-            None => widgets::hint(ui, say!("The figures are being worked out")),
+            None => widgets::hint(ui, say!("The figures are being computed")),
             Some(Err(because)) => widgets::hint(ui, because),
             Some(Ok(made)) => tables(ui, made),
         }

@@ -54,12 +54,13 @@ pub(crate) fn line(workbench: &Workbench) -> String {
         (None, None) => None,
     };
     let floor = floor.map_or_else(String::new, |(floor_mm, from)| {
-        say!(
-            " · floor {floor} {unit} ({from})",
+        let floor = say!(
+            "floor {floor} {unit} ({from})",
             floor = mm(floor_mm),
             unit = unit,
             from = from
-        )
+        );
+        format!(" · {floor}")
     });
     format!("{samples} · {gap}{floor}")
 }

@@ -20,7 +20,7 @@ struct Refused {
 
 /// Behind the unit of a number that may be absent: "none" is 0.
 pub(crate) fn or_none() -> &'static str {
-    say!(", or none")
+    say!(in "unit", ", or none")
 }
 
 /// So long it is said, seconds.

@@ -232,19 +232,19 @@ impl Workbench {
         let exact =
             document.identified && document.method == Method::Exact && document.given.is_none();
         if !exact {
-            let before = match &document.given {
-                Some(_) => Some(say!("the model from a file")),
-                None if document.identified => Some(say!("the identification by region")),
+            let title = match &document.given {
+                Some(_) => Some(say!(
+                    "Identified with the full model in place of the model from a file"
+                )),
+                None if document.identified => Some(say!(
+                    "Identified with the full model in place of the identification by region"
+                )),
                 None => None,
             };
-            self.view.message = before.map(|before| {
-                let title = say!(
-                    "Identified with the full model in place of {before}",
-                    before = before
-                );
+            self.view.message = title.map(|title| {
                 let undo =
                     say!("The diagnosis starts from the full model; undo brings the other back");
-                Message::done(title, vec![undo.to_owned()])
+                Message::done(title.to_owned(), vec![undo.to_owned()])
             });
             self.edit(&Edit::IdentifyBy(Method::Exact), false);
         }

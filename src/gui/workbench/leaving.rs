@@ -72,7 +72,10 @@ impl Workbench {
     pub(super) fn ask_then(&mut self, then: NextAction) {
         if let (NextAction::Leave, Some(writing)) = (&then, self.writing()) {
             // Leaving does not depend on a file being chosen.
-            let title = say!("The window closes after {what}", what = writing.what);
+            let title = say!(
+                "The window closes when this is done: {what}",
+                what = writing.what
+            );
             self.view.message = Some(Message::done(title, Vec::new()));
             self.file_state.then = Some(then);
             return;

@@ -124,7 +124,7 @@ impl Workbench {
     /// A task broke off: it may have been the one that everybody waits for.
     pub(super) fn stop_figuring(&mut self) {
         if let Some(figures) = self.figures.as_mut().filter(|f| f.made.is_none()) {
-            figures.made = Some(Err(say!("The figures could not be worked out").to_owned()));
+            figures.made = Some(Err(say!("The figures could not be computed").to_owned()));
         }
     }
 }

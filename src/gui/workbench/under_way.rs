@@ -148,7 +148,10 @@ fn the_window_closes_after_what_is_being_written() {
     bench.execute(Command::Leave);
     assert!(!bench.view().leaving, "not before it is written");
     let message = bench.view().message.as_ref().expect("it is said");
-    assert_eq!(message.title, "The window closes after writing the report");
+    assert_eq!(
+        message.title,
+        "The window closes when this is done: writing the report"
+    );
     go.send(()).expect("it waits");
     until(&mut bench, |bench| bench.view().leaving);
 }

@@ -1,6 +1,7 @@
 //! Where the parts of the workspace plot go: bounds, sectors, the scale, what is under the
 //! pointer.
 
+use crate::text::{Template, filled};
 use egui::Pos2;
 use egui_plot::{PlotPoint, PlotTransform};
 
@@ -137,22 +138,25 @@ pub(crate) fn counts(shown: &Shown, transform: &PlotTransform) -> [usize; 2] {
 /// What a layer says when it does not draw everything.
 pub(crate) fn drawn(shown: &Shown, [points, vectors]: [usize; 2]) -> Vec<String> {
     let one_of = |count: usize| shown.samples.div_ceil(count.max(1));
-    let note = |(count, what): (usize, &str)| {
+    let note = |(count, says): (usize, Template)| {
         let why = if shown.canvas == Canvas::Layers(count) {
             say!("this computer draws in software")
         } else {
             say!("zoom in for more")
         };
-        (count < shown.samples).then(|| {
-            say!(
-                "showing 1 in {one_of} {what}; {why}",
-                one_of = one_of(count),
-                what = what,
-                why = why
-            )
-        })
+        let one_of = one_of(count);
+        (count < shown.samples).then(|| filled(says, &[("one_of", &one_of), ("why", &why)]))
     };
-    let layers = [(points, say!("points")), (vectors, say!("vectors"))];
+    let layers = [
+        (
+            points,
+            phrase!("showing 1 in {one_of} points; {why}"; one_of, why),
+        ),
+        (
+            vectors,
+            phrase!("showing 1 in {one_of} vectors; {why}"; one_of, why),
+        ),
+    ];
     layers.into_iter().filter_map(note).collect()
 }
 

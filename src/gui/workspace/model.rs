@@ -183,17 +183,19 @@ impl Shown {
         if drawn >= self.samples {
             return Vec::new();
         }
-        let largest = if self.with_largest {
-            say!(", the largest deviations among them")
+        vec![if self.with_largest {
+            say!(
+                "{drawn} of {samples} samples, the largest deviations among them",
+                drawn = drawn,
+                samples = self.samples
+            )
         } else {
-            ""
-        };
-        vec![say!(
-            "{drawn} of {samples} samples{largest}",
-            drawn = drawn,
-            samples = self.samples,
-            largest = largest
-        )]
+            say!(
+                "{drawn} of {samples} samples",
+                drawn = drawn,
+                samples = self.samples
+            )
+        }]
     }
 }
 

@@ -99,7 +99,7 @@ fn read(case: &mut ReadContext<'_>) -> Option<Columns> {
         }
         columns.put(Column::made(Quantity::Distance, Unit::Length(1.0), values));
         case.note(text!(
-            "{length_mm} mm were added to every reading, as was said",
+            "{length_mm} mm were added to every reading, as stated",
             length_mm = length_mm
         ));
     }
@@ -126,7 +126,7 @@ fn nominal_length(case: &mut ReadContext<'_>, is_deviation: bool) -> Option<f64>
             value
         }
         None if is_deviation => {
-            let says = text!("the readings are deviations from a length that nothing says");
+            let says = text!("the readings are deviations from a length that is not stated");
             case.ask(About::Own(NOMINAL_LENGTH), says, &[]);
             None
         }

@@ -106,7 +106,7 @@ fn read(case: &mut ReadContext<'_>) -> Option<Columns> {
     }
     let Some(camera) = case.reading.options.get(CAMERA).cloned() else {
         let says = text!(
-            "the poses turn the board's coordinates into the camera's, and nothing says which of the two moves"
+            "the poses turn the board's coordinates into the camera's, and it is not stated which of the two moves"
         );
         case.ask(About::Own(CAMERA), says, &["fixed", "on-tool"]);
         return None;
@@ -227,16 +227,22 @@ fn into_tool_poses(
 
 /// The frame is that of the camera or of the board: one that was not aligned with the base.
 fn say_frame(case: &mut ReadContext<'_>, columns: &mut Columns, is_on_tool: bool) {
-    let (of, frame) = if is_on_tool {
-        ("the camera on the tool", "board")
+    let (note, frame) = if is_on_tool {
+        (
+            text!(
+                "poses are those of the camera on the tool, in the frame of the board, taken from p_camera = R p_board + t"
+            ),
+            "board",
+        )
     } else {
-        ("the board on the tool", "camera")
+        (
+            text!(
+                "poses are those of the board on the tool, in the frame of the camera, taken from p_camera = R p_board + t"
+            ),
+            "camera",
+        )
     };
-    case.note(text!(
-        "poses are those of {of}, in the frame of the {frame}, taken from p_camera = R p_board + t",
-        of = of,
-        frame = frame
-    ));
+    case.note(note);
     if columns.find(Quantity::Setup).is_none() {
         let mut names = Names::default();
         for _ in 0..columns.rows() {

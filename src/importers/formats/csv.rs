@@ -35,7 +35,7 @@ fn read(case: &mut ReadContext<'_>) -> Option<Columns> {
     let headings = match &grid.header {
         Some((_, names)) => {
             let names: Vec<String> = names.iter().map(|name| quoted(name)).collect();
-            format!(" among {}", names.join(", "))
+            names.join(", ")
         }
         None => String::new(),
     };

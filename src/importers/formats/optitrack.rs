@@ -9,6 +9,7 @@ use crate::diagnostic::Diagnostic;
 use crate::document::number::quoted;
 use crate::importers::columns::{Column, Columns};
 use crate::importers::formats::{Importer, KnownBy, Meanings, Questions};
+use crate::importers::matching::listed_names_up_to;
 use crate::importers::reader::{fixed, number, others_like_these};
 use crate::importers::role::Role;
 use crate::importers::settings::{About, ColumnGuess, Known, ReadContext};
@@ -143,18 +144,19 @@ fn unit(case: &mut ReadContext<'_>, keys: &[(String, String)]) -> Option<Unit> {
     let given = case.reading.unit;
     match (by_file, given) {
         (Some(unit), given) => {
-            case.found.unit = format!("{}, from the first line", named.unwrap_or_default());
+            let unit_named = named.unwrap_or_default();
+            case.found.unit = text!("{unit}, from the first line", unit = unit_named);
             if given.is_some_and(|given| given.unit() != unit) {
                 let found = text!(
                     "the first line names another unit: {unit}",
                     unit = &case.found.unit
                 );
-                case.warn(found, text!("the same unit as the file, which is believed"));
+                case.warn(found, text!("the same unit as the file, which is used"));
             }
             Some(unit)
         }
         (None, Some(given)) => {
-            case.found.unit = format!("{}, as was said", given.symbol());
+            case.found.unit = text!("{unit}, as stated", unit = given.symbol());
             Some(given.unit())
         }
         (None, None) => {
@@ -173,7 +175,7 @@ fn rotation_is_quaternion(case: &mut ReadContext<'_>, keys: &[(String, String)])
     let is = rotation.eq_ignore_ascii_case("quaternion");
     if !is {
         let found = text!(
-            "rotations as {rotation}: the orientation is left out",
+            "rotations as {rotation}: the orientation is excluded",
             rotation = quoted(rotation)
         );
         case.warn(found, text!("an export with the rotation type Quaternion"));
@@ -315,14 +317,10 @@ fn choose(case: &mut ReadContext<'_>, tracked: &[Tracked]) -> Option<Vec<Tracked
     }
 }
 
-fn listed(names: &[&str]) -> String {
+fn listed(names: &[&str]) -> Text {
     const SHOWN: usize = 12;
-    let shown: Vec<String> = names.iter().take(SHOWN).map(|name| quoted(name)).collect();
-    let more = names.len().saturating_sub(SHOWN);
-    match more {
-        0 => shown.join(", "),
-        more => format!("{} and {more} more", shown.join(", ")),
-    }
+    let names: Vec<String> = names.iter().map(|name| quoted(name)).collect();
+    listed_names_up_to(&names, SHOWN)
 }
 
 fn first_rows(rows: &TextRows<'_>) -> Vec<Vec<String>> {

@@ -41,7 +41,7 @@ fn read(case: &mut ReadContext<'_>) -> Option<Columns> {
     let unit = case.reading.unit.unwrap_or(LengthUnit::Metres);
     if unit != LengthUnit::Metres {
         let found = text!(
-            "lengths are taken in {symbol}, as was said",
+            "lengths are taken in {symbol}, as stated",
             symbol = unit.symbol()
         );
         case.warn(found, text!("m, which the format has"));
@@ -62,6 +62,6 @@ fn read(case: &mut ReadContext<'_>) -> Option<Columns> {
     for column in &mut case.found.columns {
         column.known = Known::Certain;
     }
-    case.found.unit = format!("{}, as the format has it", unit.symbol());
+    case.found.unit = text!("{unit}, as the format has it", unit = unit.symbol());
     columns
 }

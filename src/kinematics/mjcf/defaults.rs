@@ -62,11 +62,7 @@ impl Defaults {
             all.index(document, element)?;
             if all.classes.insert(name.to_owned(), own.clone()).is_some() {
                 let found = text!("two default classes called '{name}'", name = name);
-                return Err(document.refuse(
-                    element,
-                    found,
-                    text!("a name of its own for each class"),
-                ));
+                return Err(document.refuse(element, found, text!("a unique name for each class")));
             }
             open.extend(
                 document

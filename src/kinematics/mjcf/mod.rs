@@ -26,7 +26,7 @@ use nalgebra::{Point3, Translation3, Vector3};
 use super::joint_kind::JointKind;
 use super::pose::Pose;
 use super::robot::Robot;
-use super::tree::{Body, BodyJoint, Mass, Motion, Tree, limits};
+use super::tree::{Body, BodyJoint, BodyName, Mass, Motion, Tree, limits};
 use super::xml::{Document, Include, ROOT};
 use crate::diagnostic::{Place, Rejected};
 use defaults::Defaults;
@@ -93,7 +93,7 @@ pub(super) fn tree(
             .unwrap_or_default()
             .to_owned(),
         bodies,
-        called: phrase!("body or site"),
+        called: BodyName::BodyOrSite,
     })
 }
 
@@ -371,14 +371,14 @@ impl Reader<'_> {
 /// Joints that an equality makes follow another have no value of their own.
 fn tie(document: &Document, root: usize, bodies: &mut [Body]) {
     // What each tied joint follows; the last equality that names it says so.
-    let mut followed: BTreeMap<&str, &str> = BTreeMap::new();
+    let mut followed: BTreeMap<&str, Option<&str>> = BTreeMap::new();
     for equality in document.children(root, "equality") {
         for tie in document.children(equality, "joint") {
             if document.attribute(tie, "active") == Some("false") {
                 continue;
             }
             if let Some(follows) = document.attribute(tie, "joint1") {
-                let of = document.attribute(tie, "joint2").unwrap_or("a constant");
+                let of = document.attribute(tie, "joint2");
                 followed.insert(follows, of);
             }
         }
@@ -389,7 +389,11 @@ fn tie(document: &Document, root: usize, bodies: &mut [Body]) {
     for joint in bodies.iter_mut().flat_map(|body| &mut body.joints) {
         if let Some(of) = followed.get(joint.name.as_str()) {
             let expected = text!("joints with values of their own");
-            joint.motion = Motion::Other(text!("a joint that follows {of}", of = of), expected);
+            let found = match of {
+                Some(of) => text!("a joint that follows {of}", of = of),
+                None => text!("a joint that follows a constant"),
+            };
+            joint.motion = Motion::Other(found, expected);
         }
     }
 }

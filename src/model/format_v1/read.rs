@@ -191,7 +191,7 @@ fn calibration(o: &mut Object<'_, '_>, own: &mut Calibration) {
     if o.needs("measured", phrase!("an array")) {
         o.field("measured", &mut own.measured, &RANGES);
         if o.has_read_well() && own.measured.len() != joints {
-            let found = text!("{measured} ranges", measured = own.measured.len());
+            let found = text!(one "{count} range", "{count} ranges", count = own.measured.len());
             let expected = text!("one range for each of {joints} joints", joints = joints);
             o.error_in("measured", found, expected);
         }

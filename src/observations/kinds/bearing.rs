@@ -16,6 +16,7 @@ pub(crate) struct Bearing;
 
 static ABOUT: AboutKind = AboutKind {
     name: "bearing",
+    title: phrase!("direction"),
     looks: Observable::AtPoint,
     unit: Unit::Radian,
     usual_sigma: 5e-5,

@@ -13,6 +13,7 @@ pub(crate) struct Distance;
 
 static ABOUT: AboutKind = AboutKind {
     name: "distance",
+    title: phrase!("distance"),
     looks: Observable::AtPoint,
     unit: Unit::Millimetre,
     usual_sigma: 0.02,

@@ -1,6 +1,7 @@
 //! The kinds of measurement: one file each, and one line each in the register below.
 
 use super::Kind;
+use crate::text::Text;
 
 mod angles;
 
@@ -22,6 +23,12 @@ register! {
     pointing: Pointing,
     socket: Socket,
     touch: Touch,
+}
+
+/// A kind by its name in answers, in words.
+pub(crate) fn kind_in_words(name: &str) -> Text {
+    let known = KINDS.iter().find(|kind| kind.about().name == name);
+    known.map_or_else(|| Text::verbatim(name), |kind| kind.about().in_words())
 }
 
 #[cfg(test)]

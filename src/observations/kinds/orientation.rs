@@ -17,6 +17,7 @@ pub(crate) struct Orientation;
 
 static ABOUT: AboutKind = AboutKind {
     name: "orientation",
+    title: phrase!("orientation"),
     looks: Observable::AtAttitude,
     unit: Unit::Radian,
     usual_sigma: 5e-4,

@@ -18,6 +18,7 @@ pub(crate) struct Point;
 
 static ABOUT: AboutKind = AboutKind {
     name: "point",
+    title: phrase!("point"),
     looks: Observable::AtPoint,
     unit: Unit::Millimetre,
     usual_sigma: 0.05,

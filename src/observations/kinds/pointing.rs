@@ -15,6 +15,7 @@ pub(crate) struct Pointing;
 
 static ABOUT: AboutKind = AboutKind {
     name: "pointing",
+    title: phrase!("direction of the tool"),
     looks: Observable::AtAttitude,
     unit: Unit::Radian,
     usual_sigma: 5e-5,

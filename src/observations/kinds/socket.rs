@@ -10,6 +10,7 @@ pub(crate) struct Socket;
 
 static ABOUT: AboutKind = AboutKind {
     name: "socket",
+    title: phrase!("socket"),
     looks: Observable::AtPoint,
     unit: Unit::Millimetre,
     usual_sigma: 0.05,

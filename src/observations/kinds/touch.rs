@@ -15,6 +15,7 @@ pub(crate) struct Touch;
 
 static ABOUT: AboutKind = AboutKind {
     name: "touch",
+    title: phrase!("touch"),
     looks: Observable::AtPoint,
     unit: Unit::Millimetre,
     usual_sigma: 0.02,

@@ -174,7 +174,7 @@ fn row(what: &str) -> String {
 /// A step of the history, in words: what a model was begun with, or what it got.
 pub fn in_words(what: &str) -> String {
     match what.strip_prefix("with ") {
-        Some(name) => say!("with {what}", what = step(name)),
+        Some(name) => say!("with {effect}", effect = step(name)),
         None => step(what),
     }
 }

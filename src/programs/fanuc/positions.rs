@@ -192,7 +192,7 @@ impl Positions<'_, '_, '_> {
             // Between the lines of a group the comma may be missing.
             let ends = self.words.is_sign(k, b'}') || self.words.kind(k) == Some(Kind::Name);
             if !ends {
-                return Err(self.words.problem(k, text!(", or }")));
+                return Err(self.words.problem(k, text!("a comma or }")));
             }
         }
         Ok((group, k))

@@ -202,7 +202,7 @@ fn value(line: &Words, k: usize, names: &mut Names) -> Referred {
     if line.kind(k) == Some(Kind::Name) && (whole(k + 1) || indexed && whole(k + 4)) {
         return Referred::named(shown);
     }
-    Referred::Unknown(text!("{name} is worked out at run time", name = shown))
+    Referred::Unknown(text!("{name} is computed at run time", name = shown))
 }
 
 /// `FIXTURE = {X …}`, `BASE_DATA[3] = {X …}`: what may be a base or a tool. A target has these components too,
@@ -220,7 +220,7 @@ fn declare_aggregate(line: &Words, k: usize, equals: usize, program: &mut Progra
         read.map(|(read, _)| pose_of(&read, &spelled))
     } else {
         Some(Err(text!(
-            "{spelled} is worked out at run time",
+            "{spelled} is computed at run time",
             spelled = &spelled
         )))
     };

@@ -61,7 +61,7 @@ impl Aggregate {
     }
 
     /// Refuses components that do not belong to it; external axes belong to everything.
-    pub(super) fn only(&self, name: &str, what: &str, keys: &[&str]) -> Result<(), Problem> {
+    pub(super) fn only(&self, name: &str, keys: &[&str]) -> Result<(), Problem> {
         let external = ["e1", "e2", "e3", "e4", "e5", "e6"];
         for (key, component) in &self.components {
             if !keys.contains(&key.as_str()) && !external.contains(&key.as_str()) {
@@ -75,11 +75,7 @@ impl Aggregate {
                     component = key.to_uppercase(),
                     name = name
                 );
-                let expected = text!(
-                    "a component of {what}: {component}",
-                    what = what,
-                    component = keys.join(", ").to_uppercase()
-                );
+                let expected = text!("one of {names}", names = keys.join(", ").to_uppercase());
                 return Err(Problem::new(at, found, expected));
             }
         }
@@ -169,7 +165,7 @@ pub(super) fn aggregate(words: &Words, k: usize) -> Result<(Aggregate, usize), P
         match words.kind(end) {
             Some(Kind::Sign(b',')) => k = end + 1,
             Some(Kind::Sign(b'}')) => return Ok((aggregate, end + 1)),
-            _ => return Err(words.problem(end, text!(", or }"))),
+            _ => return Err(words.problem(end, text!("a comma or }"))),
         }
     }
 }

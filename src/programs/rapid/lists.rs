@@ -73,10 +73,10 @@ impl Lists<'_, '_, '_> {
                     return Err(Problem::new(
                         self.words.at(end),
                         found,
-                        text!("] at its end"),
+                        text!("a closing ] at its end"),
                     ));
                 }
-                Some(_) => return Err(self.words.problem(end, text!(", or ]"))),
+                Some(_) => return Err(self.words.problem(end, text!("a comma or ]"))),
             }
         }
     }
@@ -141,7 +141,7 @@ impl Lists<'_, '_, '_> {
             )
         };
         if parts.len() != sizes.len() {
-            let found = text!("{parts} parts in {name}", parts = parts.len(), name = name);
+            let found = text!(one "{count} part in {name}", "{count} parts in {name}", count = parts.len(), name = name);
             return Err(Problem::new(*at, found, expected));
         }
         let mut numbers: Vec<Vec<Number>> = Vec::new();
@@ -156,8 +156,8 @@ impl Lists<'_, '_, '_> {
             };
             if elements.len() != *size {
                 let found = text!(
-                    "{elements} numbers in {name}",
-                    elements = elements.len(),
+                    one "{count} number in {name}", "{count} numbers in {name}",
+                    count = elements.len(),
                     name = name
                 );
                 return Err(Problem::new(

@@ -52,7 +52,7 @@ pub(super) fn literal(words: &Words, k: usize) -> Result<Option<(Literal, usize)
                 };
                 return Ok(Some((literal, end + 1)));
             }
-            _ => return Err(words.problem(end, text!(", or ]"))),
+            _ => return Err(words.problem(end, text!("a comma or ]"))),
         }
     }
 }

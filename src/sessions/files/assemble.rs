@@ -260,7 +260,7 @@ impl PlacedColumn<'_> {
         if let Some(&row) = rows.get(MOST_COMPLAINTS) {
             let place = (self.locate)(self.index, row);
             let more = rows.len() - MOST_COMPLAINTS;
-            let found = text!("{more} more cells like these from here on", more = more);
+            let found = text!(one "{count} more cell like these from here on", "{count} more cells like these from here on", count = more);
             self.findings
                 .push(Diagnostic::error(place, found, expected));
         }
@@ -366,7 +366,7 @@ impl PlacedColumn<'_> {
         };
         let declared = references.named(quantity);
         let (index, locate, findings) = (self.index, self.locate, self.findings);
-        *into = Some(observed::indices(declared, cells, index, locate, findings));
+        *into = Some(observed::indices(&declared, cells, index, locate, findings));
     }
 
     /// Held out, and excluded. A file that excludes nothing has no marks of it.

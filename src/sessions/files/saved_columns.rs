@@ -135,7 +135,7 @@ pub(crate) fn columns(session: &Session) -> Vec<Column<'_>> {
                 .any(Option::is_some)
                 .then_some(Values::Use(uses)),
             _ => {
-                let (_, names) = session.instrument.references.named(quantity);
+                let names = session.instrument.references.named(quantity);
                 let index = samples.observed.indices(quantity);
                 let named = index.map(|index| Values::References(index, names));
                 named.or_else(|| {

@@ -295,29 +295,22 @@ impl Sums {
 
 fn problem(session: &Session, suspicion: &Suspicion, evidence: Text) -> DataProblem {
     let (group, index) = (suspicion.group, suspicion.index);
-    let what = group.name();
-    let name = group.name_of(session, index);
+    let thing = group.called(group.name_of(session, index));
     let from = suspicion.from.unwrap_or(0);
     let rows = 0..session.samples.len();
     let (what, proposal) = match suspicion.from {
         Some(from) => (
             text!(
-                "{group} {name} is elsewhere from sample {sample} on",
-                group = what,
-                name = name,
+                "{thing} is elsewhere from sample {sample} on",
+                thing = thing,
                 sample = from + 1
             ),
             text!(
-                "its samples from there on are taken as those of another {group}, whose place is fitted; fasten it, or give it another name",
-                group = what
+                "its samples from there on are taken as those of a new one, whose place is fitted; fasten it, or give it another name"
             ),
         ),
         None => (
-            text!(
-                "{group} {name} is elsewhere than the session states",
-                group = what,
-                name = name
-            ),
+            text!("{thing} is not where the session states", thing = thing),
             text!("its place is fitted; measure it again, or leave it out of the session"),
         ),
     };

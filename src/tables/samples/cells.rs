@@ -71,7 +71,7 @@ impl<'a> Sample<'a> {
     pub(super) fn text(&self) -> Result<&str, (Text, Template)> {
         if self.is_open() {
             return Err((
-                text!("a quote that never closes"),
+                text!("a quote that is not closed"),
                 phrase!("a closing quote"),
             ));
         }

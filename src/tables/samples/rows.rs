@@ -55,12 +55,14 @@ impl<'a> CellComplaints<'a> {
     #[cold]
     pub(super) fn too_few_cells(&mut self, line: u64, cells: usize, headings: usize) {
         let found = text!(
-            "the line ends after {cells}",
-            cells = counted(cells, "cell")
+            one "the line ends after {count} cell",
+            "the line ends after {count} cells",
+            count = cells
         );
         let expected = text!(
-            "{headings}, one for each heading",
-            headings = counted(headings, "cell")
+            one "{count} cell, one for each heading",
+            "{count} cells, one for each heading",
+            count = headings
         );
         let place = self.place(line, cells);
         self.all.add(|| Diagnostic::error(place, found, expected));
@@ -68,11 +70,13 @@ impl<'a> CellComplaints<'a> {
 
     #[cold]
     pub(super) fn too_many_cells(&mut self, line: u64, cells: usize, headings: usize) {
-        let found = Text::verbatim(counted(cells, "cell"));
+        let found = text!(one "{count} cell", "{count} cells", count = cells);
         let expected = text!(
-            "{headings}, one for each heading; a file with decimal commas is read by \
+            one "{count} cell, one for each heading; a file with decimal commas is read by \
              `truepose import --decimal ,`",
-            headings = counted(headings, "cell")
+            "{count} cells, one for each heading; a file with decimal commas is read by \
+             `truepose import --decimal ,`",
+            count = headings
         );
         let place = self.place(line, headings + 1);
         self.all.add(|| Diagnostic::error(place, found, expected));
@@ -83,11 +87,7 @@ impl<'a> CellComplaints<'a> {
     }
 
     pub(super) fn into(self, findings: &mut Vec<Diagnostic>) {
-        let others = |more| text!("{more} more problems of this kind", more = more);
+        let others = |more: usize| text!(one "{count} more problem of this kind", "{count} more problems of this kind", count = more);
         self.all.into(self.file, findings, others);
     }
-}
-
-fn counted(count: usize, what: &str) -> String {
-    format!("{count} {what}{}", if count == 1 { "" } else { "s" })
 }

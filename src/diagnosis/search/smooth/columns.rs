@@ -152,7 +152,7 @@ impl<'a> Columns<'a> {
             of: self.q.iter().map(|q| rank(*q) % PARTS).collect(),
             count: PARTS,
             how: text!(
-                "every {parts}th value of joint {joint}, each left out in turn and predicted by a fit without it",
+                "every {parts}th value of joint {joint}, each held out in turn and predicted by a fit without it",
                 parts = PARTS,
                 joint = joint + 1
             ),

@@ -179,9 +179,9 @@ fn fitted<'a>(
     let values = columns.values.len();
     if values < FEWEST_VALUES {
         return Err(text!(
-            "joint {joint} was measured at {values} different values; a curve needs at least {needed}",
+            one "joint {joint} was measured at {count} value; a curve needs at least {needed}", "joint {joint} was measured at {count} different values; a curve needs at least {needed}",
             joint = joint + 1,
-            values = values,
+            count = values,
             needed = FEWEST_VALUES
         ));
     }
@@ -363,20 +363,27 @@ fn describe(
             size = length(axial, 4)
         ));
     }
-    let mut curve = text!(
-        "a smooth correction over joint {joint} from {from} to {to} with {knots} knots",
-        joint = joint + 1,
-        from = format!("{:.2}", outer(knots.from)),
-        to = format!("{:.2}{unit}", outer(knots.to)),
-        knots = knots.count
+    let (from, to) = (
+        format!("{:.2}", outer(knots.from)),
+        format!("{:.2}{unit}", outer(knots.to)),
     );
-    if let Some(period) = knots.period {
-        curve = text!(
-            "{curve}, repeating every {period}",
-            curve = curve,
+    let curve = match knots.period {
+        Some(period) => text!(
+            "a smooth correction over joint {joint} from {from} to {to} with {knots} knots, repeating every {period}",
+            joint = joint + 1,
+            from = from,
+            to = to,
+            knots = knots.count,
             period = format!("{:.4}{unit}", outer(period))
-        );
-    }
+        ),
+        None => text!(
+            "a smooth correction over joint {joint} from {from} to {to} with {knots} knots",
+            joint = joint + 1,
+            from = from,
+            to = to,
+            knots = knots.count
+        ),
+    };
     let says = text!(
         "{curve}: {sizes}; cross-validated RMS error {change}; outside that range its end values are held and nothing is known; it has no name and no cause",
         curve = curve,

@@ -186,7 +186,7 @@ fn drawn(scene: &Scene, curve: &EffectCurve) -> Chart {
     let line = |name, whole| Entry::new(name, LegendSymbol::Line, ColourRole::Curve, whole);
     let dot = LegendSymbol::Mark(Form::Disc);
     let residual = Entry::new(say!("without it"), dot, ColourRole::Before, false);
-    let mut legend = vec![residual.on_paper(say!("without {what}", what = what))];
+    let mut legend = vec![residual.on_paper(say!("without {effect}", effect = what))];
     match &curve.lines[..] {
         [] => {
             legend.push(
@@ -201,9 +201,9 @@ fn drawn(scene: &Scene, curve: &EffectCurve) -> Chart {
     }
     Chart {
         title: say!(
-            "{component} residual without {what}, and what it does",
+            "{component} residual without {effect}, and what it does",
             component = component,
-            what = what
+            effect = what
         ),
         across: Axis::turning(
             format!("{}, {}", curve.over.label(scene.subject), scale.unit),
@@ -225,7 +225,10 @@ fn note(scene: &Scene, curve: &EffectCurve) -> String {
     if curve.lines.is_empty() {
         notes.push(say!("it depends on the pose too: its value at each sample").to_owned());
     }
-    notes.extend(thinned(stride(curve.spots.len(), FEW), phrase!("point")));
+    notes.extend(thinned(
+        stride(curve.spots.len(), FEW),
+        phrase!("one point in {stride} shown"; stride),
+    ));
     let problems = scene.diagnosis().map(|d| &d.data_problems);
     if problems.is_some_and(|p| p.iter().any(|p| p.mend.is_some())) {
         notes.push(say!("a set-up error is not corrected yet and shows here too").to_owned());

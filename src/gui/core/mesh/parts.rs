@@ -65,7 +65,7 @@ pub(super) fn text(bytes: &[u8]) -> Result<&str, Flaw> {
         let line = memchr::memchr_iter(b'\n', before).count() as u64 + 1;
         Flaw::new(
             line,
-            text!("bytes that are no text"),
+            text!("bytes that are not text"),
             text!("a mesh in ASCII"),
         )
     })

@@ -21,7 +21,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Vec<Triangle>, Flaw> {
     }
     let found = match (bytes.len(), count) {
         (0, _) => text!("an empty file"),
-        (length, None) => text!("{length} bytes", length = length),
+        (length, None) => text!(one "{count} byte", "{count} bytes", count = length),
         (length, Some(count)) => {
             text!(
                 "{length} bytes, and at byte 80 the number of {count} triangles",
@@ -52,7 +52,7 @@ fn binary(bytes: &[u8]) -> Result<Vec<Triangle>, Flaw> {
         } else {
             let at = HEAD + EACH * k;
             let found = text!(
-                "a corner that is no number in the triangle at byte {at}",
+                "a corner that is not a number in the triangle at byte {at}",
                 at = at
             );
             Err(Flaw::new(None, found, text!("three finite numbers")))

@@ -128,8 +128,8 @@ pub(super) fn show(
         widgets::card(ui, |ui| {
             let guesses = found.columns.iter().filter(|c| c.is_guess()).count();
             let says = say!(
-                "{guesses} of {columns} columns are guessed: compare them with the first rows",
-                guesses = guesses,
+                one "{count} of {columns} columns is guessed: compare it with the first rows", "{count} of {columns} columns are guessed: compare them with the first rows",
+                count = guesses,
                 columns = found.columns.len()
             );
             ui.label(RichText::new(says).color(palette.warning));

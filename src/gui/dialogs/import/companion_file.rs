@@ -19,7 +19,7 @@ pub(super) fn commanded(
 ) {
     widgets::section(
         ui,
-        say!("Where the robot was sent, if the table does not say it"),
+        say!("Commanded positions, if the table does not have them"),
     );
     let field = (
         say!("File of the commands"),
@@ -105,7 +105,7 @@ pub(super) fn base_frame(
 ) {
     widgets::section(
         ui,
-        say!("Points known in the base frame, if the instrument has a frame of its own"),
+        say!("Reference points (base frame), if the instrument has a frame of its own"),
     );
     let field = (
         say!("File of the known points"),
@@ -128,17 +128,21 @@ fn residuals(ui: &mut Ui, alignment: &Alignment) {
     let palette = Palette::of(ui);
     let left_out = alignment.outliers().count();
     let used = alignment.residuals.len() - left_out;
-    let mut says = say!(
-        "{used} points fit with {rms} (root mean square)",
-        used = used,
-        rms = language::spoken(length(alignment.rms_mm, 4))
-    );
-    if left_out > 0 {
-        says += &say!(
-            ", {left_out} excluded: measured or surveyed wrongly, or moved since",
+    let rms = language::spoken(length(alignment.rms_mm, 4));
+    let says = if left_out > 0 {
+        say!(
+            "{used} points fit with {rms} (root mean square), {left_out} excluded: measured or surveyed wrongly, or moved since",
+            used = used,
+            rms = rms,
             left_out = left_out
-        );
-    }
+        )
+    } else {
+        say!(
+            "{used} points fit with {rms} (root mean square)",
+            used = used,
+            rms = rms
+        )
+    };
     widgets::hint(ui, says);
     if (alignment.scale - 1.0).abs() > 0.0 {
         let ppm = 1e6 * (alignment.scale - 1.0);
@@ -157,7 +161,7 @@ fn residuals(ui: &mut Ui, alignment: &Alignment) {
         grid.spacing([18.0, 2.0]).show(ui, |ui| {
             for heading in [
                 say!("point"),
-                say!("off by, mm"),
+                say!("residual, mm"),
                 say!("in x"),
                 say!("in y"),
                 say!("in z"),

@@ -16,7 +16,7 @@ use crate::language::spoken;
 /// The file in a line: rows, separator, encoding, unit.
 pub(super) fn found_out(now: &ImportDraft) -> String {
     let found = &now.seen.inspection;
-    let mut parts = vec![say!("{rows} rows", rows = found.rows)];
+    let mut parts = vec![say!(one "{count} row", "{count} rows", count = found.rows)];
     parts.extend(
         found
             .separator
@@ -29,7 +29,7 @@ pub(super) fn found_out(now: &ImportDraft) -> String {
     });
     parts.push(found.encoding.to_string());
     if !found.unit.is_empty() {
-        parts.push(say!("unit: {found}", found = found.unit));
+        parts.push(say!("unit: {found}", found = spoken(&found.unit)));
     }
     parts.join(" · ")
 }

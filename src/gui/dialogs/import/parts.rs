@@ -12,12 +12,12 @@ use crate::gui::workbench::{Asked, Command};
 /// A finding as a line; its kind is a word as well as a colour.
 pub(super) fn line(ui: &mut Ui, severity: Severity, says: &str) {
     let palette = Palette::of(ui);
-    let (word, color) = match severity {
-        Severity::Note => ("", palette.muted),
-        Severity::Warning => (say!("Warning: "), palette.warning),
-        Severity::Error => (say!("Error: "), palette.outside),
+    let (text, color) = match severity {
+        Severity::Note => (says.to_owned(), palette.muted),
+        Severity::Warning => (say!("Warning: {says}", says = says), palette.warning),
+        Severity::Error => (say!("Error: {says}", says = says), palette.outside),
     };
-    let text = RichText::new(format!("{word}{says}"));
+    let text = RichText::new(text);
     ui.add(egui::Label::new(text.size(size::SMALL).color(color)).wrap());
 }
 

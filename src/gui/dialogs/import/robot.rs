@@ -17,7 +17,7 @@ pub(super) fn show(
     next: &mut ImportAnswers,
     commands: &mut Vec<Command>,
 ) {
-    widgets::section(ui, say!("Which robot was measured"));
+    widgets::section(ui, say!("Robot model"));
     let here = &workbench.loaded_session().session.robot;
     let is = |robot: &RobotFrom, other: &RobotFrom| {
         std::mem::discriminant(robot) == std::mem::discriminant(other)

@@ -76,7 +76,7 @@ fn recent(ui: &mut Ui, menu: &mut Menu<'_>) {
                     ui.add(egui::Label::new(folder).truncate());
                 } else {
                     let warning = Palette::of(ui).warning;
-                    let says = RichText::new(say!("not there any more")).size(size::SMALL);
+                    let says = RichText::new(say!("file not found")).size(size::SMALL);
                     ui.label(says.color(warning));
                     if ui
                         .small_button(say!("Forget {name}", name = name))

@@ -70,7 +70,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
             let redo = workbench.redoes();
             let says = redo.map_or_else(
                 || say!("Nothing to redo").into(),
-                |w| say!("Redo {what}", what = w),
+                |w| say!("Redo {edit}", edit = w),
             );
             if widgets::history_button(ui, true, redo.is_some(), &says).clicked() {
                 commands.push(Command::Redo);
@@ -78,7 +78,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
             let undo = workbench.undoes();
             let says = undo.map_or_else(
                 || say!("Nothing to undo").into(),
-                |w| say!("Undo {what}", what = w),
+                |w| say!("Undo {edit}", edit = w),
             );
             if widgets::history_button(ui, false, undo.is_some(), &says).clicked() {
                 commands.push(Command::Undo);

@@ -125,9 +125,9 @@ fn evenly(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
             .range(1..=MOST_EVEN)
             .speed(0.1)
             .suffix(if before == 1 {
-                say!(" region")
+                say!(in "unit", " region")
             } else {
-                say!(" regions")
+                say!(in "unit", " regions")
             });
         let response = widgets::cell_number(ui, say!("Number of regions"), "", 110.0, field);
         let divide = present == 0 && ui.button(say!("Divide")).clicked();
@@ -183,29 +183,21 @@ fn left_out(ui: &mut Ui, workbench: &Workbench, counts: &[Count]) {
         };
         let says = match outside {
             0 => say!("{more}: in no region, and no sample is there", more = more),
-            1 => say!(
-                "{more}: in no region; 1 sample there gets no correction",
-                more = more
-            ),
             n => say!(
-                "{more}: in no region; {n} samples there get no correction",
+                one "{more}: in no region; {count} sample there gets no correction",
+                "{more}: in no region; {count} samples there get no correction",
                 more = more,
-                n = n
+                count = n
             ),
         };
         widgets::hint(ui, says);
     } else if outside > 0 {
-        let samples = if outside == 1 {
-            say!("sample is")
-        } else {
-            say!("samples are")
-        };
         widgets::hint(
             ui,
             say!(
-                "{outside} {samples} in no region and get no correction",
-                outside = outside,
-                samples = samples
+                one "{count} sample is in no region and gets no correction",
+                "{count} samples are in no region and get no correction",
+                count = outside
             ),
         );
     }

@@ -98,14 +98,14 @@ fn head(ui: &mut Ui, columns: [f32; 5], units: Units) {
 
 /// What a region with few samples can and cannot do.
 fn few(count: Count) -> Option<String> {
-    let measured = say!(one "{count} sample", "{count} samples", count = grouped(count.all));
     match count.fitted {
         0 if count.all == 0 => Some(
             say!("no sample, so no correction: measure here, or merge it with the next").to_owned(),
         ),
         0 => Some(say!(
-            "{measured}, none of which can be fitted, so no correction",
-            measured = measured
+            one "{count} sample, which cannot be fitted, so no correction",
+            "{count} samples, none of which can be fitted, so no correction",
+            count = grouped(count.all)
         )),
         1 => Some(
             say!("one sample to fit: a correction, but nothing to tell how sure it is").to_owned(),
@@ -189,15 +189,11 @@ fn angle(
         .align(egui::Align2::RIGHT_CENTER)
         .clip_text(true);
     let field = ui.add_sized([width, HEIGHT], edit);
-    let name = say!(
-        "{end}, region {region}",
-        end = if end == End::From {
-            say!("From")
-        } else {
-            say!("To")
-        },
-        region = region.name
-    );
+    let name = if end == End::From {
+        say!("From, region {region}", region = region.name)
+    } else {
+        say!("To, region {region}", region = region.name)
+    };
     ui.ctx().accesskit_node_builder(field.id, |node| {
         node.set_label(name);
         if refused.is_some() {
@@ -304,10 +300,6 @@ fn problem(ui: &mut Ui, workbench: &Workbench, region: &Region, k: usize, end: E
     let Err(says) = judged(workbench, region, k, end, draft) else {
         return;
     };
-    let which = match end {
-        End::From => say!("Region {region}, from: ", region = region.name),
-        End::To => say!("Region {region}, to: ", region = region.name),
-    };
     let at_rad = match end {
         End::From => region.from_rad,
         End::To => region.to_rad,
@@ -315,12 +307,20 @@ fn problem(ui: &mut Ui, workbench: &Workbench, region: &Region, k: usize, end: E
     let stays = workbench.units().angle(at_rad);
     widgets::wrong(
         ui,
-        &say!(
-            "{which}{says}. Until then it stays at {stays}",
-            which = which,
-            says = says,
-            stays = stays
-        ),
+        &match end {
+            End::From => say!(
+                "Region {region}, from: {says}. Until then it stays at {stays}",
+                region = region.name,
+                says = says,
+                stays = stays
+            ),
+            End::To => say!(
+                "Region {region}, to: {says}. Until then it stays at {stays}",
+                region = region.name,
+                says = says,
+                stays = stays
+            ),
+        },
     );
 }
 

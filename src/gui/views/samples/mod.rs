@@ -194,12 +194,11 @@ fn heading(header: &mut TableRow<'_, '_>, head: &str, by: By, sorting: Sorting) 
     } else {
         head
     };
-    let order = match sorted {
-        None => "",
-        Some(true) => say!(", largest first"),
-        Some(false) => say!(", smallest first"),
+    let name = match sorted {
+        None => say!("column {name}", name = name),
+        Some(true) => say!("column {name}, largest first", name = name),
+        Some(false) => say!("column {name}, smallest first", name = name),
     };
-    let name = say!("column {name}{order}", name = name, order = order);
     cell.widget_info(|| WidgetInfo::labeled(Role::ColumnHeader, true, name.clone()));
     let cell = cell.on_hover_cursor(CursorIcon::PointingHand);
     let clicked = cell.clicked();

@@ -137,7 +137,10 @@ pub(crate) fn sheet(workbench: &Workbench) -> Result<(drawing::Drawing, String),
     if workbench.around().is_some() {
         notes.push(say!("from the smallest to the largest at each angle").to_owned());
     } else {
-        notes.extend(thinned(polar.stride, phrase!("sample")));
+        notes.extend(thinned(
+            polar.stride,
+            phrase!("one sample in {stride} shown"; stride),
+        ));
     }
     let sheet = Sheet {
         title,

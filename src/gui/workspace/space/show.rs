@@ -74,14 +74,20 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, posing: bool, commands: &
 fn describe(response: &egui::Response, workbench: &Workbench) {
     let view = workbench.view();
     let samples = workbench.loaded_session().overview.usable.len();
-    let mut name = say!(
-        "3-D view, {samples} samples, {camera}",
-        samples = samples,
-        camera = view.camera.describe()
-    );
-    if let Some(sample) = view.selected {
-        name += &say!(", sample {sample} selected", sample = sample + 1);
-    }
+    let camera = view.camera.describe();
+    let name = match view.selected {
+        Some(sample) => say!(
+            "3-D view, {samples} samples, {camera}, sample {sample} selected",
+            samples = samples,
+            camera = camera,
+            sample = sample + 1
+        ),
+        None => say!(
+            "3-D view, {samples} samples, {camera}",
+            samples = samples,
+            camera = camera
+        ),
+    };
     response.widget_info(|| WidgetInfo::labeled(Role::Figure, true, name.clone()));
     let how =
         say!("arrow keys orbit, plus and minus zoom, Home fits; 0, 1, 3 and 7 are standard views");
@@ -116,18 +122,25 @@ pub(crate) fn sheet(workbench: &Workbench) -> Result<(Drawing, String), String> 
     let robot = Drawn::of(workbench);
     let space = Space::new(workbench, Sheet::frame(SIZE));
     let session = crate::report::document::clean(&workbench.loaded_session().session.name);
-    let title = say!(
-        "{session}: {samples} samples, {camera}, deviations {state} magnified {magnified} times",
-        session = session,
-        samples = shown.samples,
-        camera = workbench.view().camera.describe(),
-        state = if shown.look.answered {
-            say!("after")
-        } else {
-            say!("before")
-        },
-        magnified = trimmed(shown.magnification, 3)
-    );
+    let (samples, camera) = (shown.samples, workbench.view().camera.describe());
+    let magnified = trimmed(shown.magnification, 3);
+    let title = if shown.look.answered {
+        say!(
+            "{session}: {samples} samples, {camera}, deviations after magnified {magnified} times",
+            session = session,
+            samples = samples,
+            camera = camera,
+            magnified = magnified
+        )
+    } else {
+        say!(
+            "{session}: {samples} samples, {camera}, deviations before magnified {magnified} times",
+            session = session,
+            samples = samples,
+            camera = camera,
+            magnified = magnified
+        )
+    };
     let sheet = Sheet {
         title: title.clone(),
         axes: None,

@@ -93,14 +93,13 @@ pub(super) fn units_of(
         } else {
             (About::AngleUnit, &["deg", "rad"])
         };
-        let says = text!("the unit of the targets or of the positions is not said");
+        let says = text!("the unit of the targets or of the positions is not stated");
         case.ask(about, says, answers);
         return None;
     };
-    let from = match default {
-        Some(_) => "as was said",
-        None => "from the headings",
+    case.found.unit = match default {
+        Some(_) => text!("as stated"),
+        None => text!("from the headings"),
     };
-    from.clone_into(&mut case.found.unit);
     Some(Units { target, measured })
 }

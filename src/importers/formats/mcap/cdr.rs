@@ -4,8 +4,10 @@
 //! behind them (in version 2 to four bytes at most). Strings carry their length and a zero at the
 //! end, sequences their count.
 
+use crate::text::Text;
+
 /// What is wrong, in words.
-pub(super) type Wrong = String;
+pub(super) type Wrong = Text;
 
 /// Fields one after the other, none beyond the end.
 #[derive(Debug, Clone)]
@@ -21,14 +23,19 @@ impl<'a> Cdr<'a> {
     /// Reads the four bytes at the start.
     pub(super) fn new(data: &'a [u8]) -> Result<Self, Wrong> {
         let Some((head, body)) = data.split_at_checked(4) else {
-            return Err(format!("a message of {} bytes", data.len()));
+            return Err(text!("a message of {length} bytes", length = data.len()));
         };
         let (is_little, largest) = match (head[0], head[1]) {
             (0, 0) => (false, 8),
             (0, 1) => (true, 8),
             (0, 6) => (false, 4),
             (0, 7) => (true, 4),
-            (a, b) => return Err(format!("the representation {a:02x} {b:02x}, no plain CDR")),
+            (a, b) => {
+                return Err(text!(
+                    "the representation {bytes}, which is not plain CDR",
+                    bytes = format!("{a:02x} {b:02x}")
+                ));
+            }
         };
         Ok(Self {
             body,
@@ -43,7 +50,10 @@ impl<'a> Cdr<'a> {
         let bytes = end.and_then(|end| self.body.get(self.at..end));
         let bytes = bytes.ok_or_else(|| {
             let length = self.body.len() + 4;
-            format!("a message that ends within a field (it has {length} bytes)")
+            text!(
+                "a message that ends within a field (it has {length} bytes)",
+                length = length
+            )
         })?;
         self.at += length;
         Ok(bytes)
@@ -79,8 +89,10 @@ impl<'a> Cdr<'a> {
         let count = self.u32()? as usize;
         let left = self.body.len() - self.at.min(self.body.len());
         if count > left / smallest {
-            return Err(format!(
-                "{count} elements in the {left} bytes that are left"
+            return Err(text!(
+                "{elements} elements in the {left} bytes that are left",
+                elements = count,
+                left = left
             ));
         }
         Ok(count)
@@ -93,7 +105,7 @@ impl<'a> Cdr<'a> {
         let bytes = bytes.strip_suffix(b"\0").unwrap_or(bytes);
         match std::str::from_utf8(bytes) {
             Ok(text) => Ok(text.to_owned()),
-            Err(_) => Err("a text that is not UTF-8".to_owned()),
+            Err(_) => Err(text!("a text that is not UTF-8")),
         }
     }
 

@@ -164,7 +164,7 @@ impl Reader {
         if !bytes.starts_with(MAGIC) {
             let expected =
                 phrase!("the bytes 89 4D 43 41 50 30 0D 0A, with which MCAP files start");
-            return Err(Broken::new(0, text!("no MCAP file"), expected));
+            return Err(Broken::new(0, text!("not an MCAP file"), expected));
         }
         let whole = LinearReaderOptions::default();
         let read = records(bytes, MAGIC.len(), whole, &mut |opcode, content, at| {
@@ -349,7 +349,7 @@ fn unpacked(content: &[u8], byte: usize) -> Result<Vec<u8>, Broken> {
     })?;
     if records.len() as u64 != length {
         let found = text!(
-            "a chunk of {records} bytes that says {length}",
+            "a chunk of {records} bytes that states {length}",
             records = records.len(),
             length = length
         );

@@ -80,7 +80,10 @@ pub(super) fn read(type_: Type, encoding: &str, data: &[u8]) -> Result<Content, 
     match encoding {
         "cdr" => from_cdr(type_, &mut Cdr::new(data)?),
         "json" => from_json(type_, data),
-        other => Err(format!("messages encoded as '{other}', not as cdr or json")),
+        other => Err(text!(
+            "messages encoded as '{other}', not as cdr or json",
+            other = other
+        )),
     }
 }
 
@@ -120,7 +123,10 @@ fn from_cdr(type_: Type, cdr: &mut Cdr<'_>) -> Result<Content, Wrong> {
 
 fn few(count: usize) -> Result<usize, Wrong> {
     if count > MOST {
-        return Err(format!("{count} elements in one message"));
+        return Err(text!(
+            "{elements} elements in one message",
+            elements = count
+        ));
     }
     Ok(count)
 }
@@ -136,7 +142,11 @@ fn header(cdr: &mut Cdr<'_>) -> Result<Header, Wrong> {
 fn joints(header: Header, names: Vec<String>, values: Vec<f64>) -> Result<Content, Wrong> {
     if names.len() != values.len() {
         let (names, values) = (names.len(), values.len());
-        return Err(format!("{names} names and {values} positions of joints"));
+        return Err(text!(
+            "{names} names and {values} positions of joints",
+            names = names,
+            values = values
+        ));
     }
     Ok(Content::Joints(Joints {
         header,
@@ -220,7 +230,12 @@ struct JsonTransforms {
 }
 
 fn from_json(type_: Type, data: &[u8]) -> Result<Content, Wrong> {
-    let wrong = |error: serde_json::Error| format!("JSON that is not as expected ({error})");
+    let wrong = |error: serde_json::Error| {
+        text!(
+            "JSON that is not as expected ({error})",
+            error = error.to_string()
+        )
+    };
     let measured = match type_ {
         Type::JointState => {
             let read: JsonJoints = serde_json::from_slice(data).map_err(wrong)?;
@@ -236,7 +251,12 @@ fn from_json(type_: Type, data: &[u8]) -> Result<Content, Wrong> {
         let (position, orientation) = match (read.pose, read.point) {
             (Some(place), _) => (place.position, Some(place.orientation)),
             (None, Some(point)) => (point, None),
-            (None, None) => return Err(format!("no pose and no point in a {}", type_.name())),
+            (None, None) => {
+                return Err(text!(
+                    "no pose and no point in a message of type {type_}",
+                    type_ = type_.name()
+                ));
+            }
         };
         Ok(Measured {
             header: read.header.into(),

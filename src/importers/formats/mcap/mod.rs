@@ -98,7 +98,7 @@ fn read(case: &mut ReadContext<'_>) -> Option<Columns> {
     };
     let start_ns = joints.and_then(Topic::start_ns).or(measured.start_ns())?;
     let mut columns = recorded::points(case, measured, start_ns)?;
-    "m and rad, as the messages have it".clone_into(&mut case.found.unit);
+    case.found.unit = text!("m and rad, as the messages have it");
     columns.commands = path.map(|path| Box::new(path.into_columns(start_ns)));
     let listed = columns.commands.iter().flat_map(|path| &path.list);
     case.found.columns = listed
@@ -134,7 +134,7 @@ fn gathered(case: &mut ReadContext<'_>) -> Option<Topics> {
         );
         let place = case.place.clone();
         if broken.is_cut && topics.messages() > 0 {
-            let found = text!("{found}; what stands before is read", found = found);
+            let found = text!("{found}; everything before it is read", found = found);
             let diagnostic = Diagnostic::warning(place, found, broken.expected);
             case.found.findings.push(diagnostic);
         } else {
@@ -156,14 +156,12 @@ fn gathered(case: &mut ReadContext<'_>) -> Option<Topics> {
 /// Which topic is looked for, and how.
 struct TopicRequest {
     option: &'static str,
-    what: &'static str,
     /// Types, the ones that are preferred first.
     types: &'static [&'static [Type]],
 }
 
 const JOINTS: TopicRequest = TopicRequest {
     option: TOPIC_JOINTS,
-    what: "joint states",
     types: &[&[Type::JointState]],
 };
 
@@ -171,7 +169,6 @@ const JOINTS: TopicRequest = TopicRequest {
 /// the robot believes of itself.
 const MEASURED: TopicRequest = TopicRequest {
     option: TOPIC_MEASURED,
-    what: "measured poses, points or transforms",
     types: &[
         &[
             Type::PoseStamped,
@@ -212,10 +209,9 @@ fn chosen<'t>(
         if found.is_none() {
             let names: Vec<String> = suited.iter().map(|topic| quoted(&topic.name)).collect();
             let found = text!(
-                "--{option}: no topic {said} with {what}",
+                "--{option}: no topic {name} of a type that suits",
                 option = wanted.option,
-                said = quoted(said),
-                what = wanted.what
+                name = quoted(said)
             );
             let expected = match &names[..] {
                 [] => text!(
@@ -240,11 +236,18 @@ fn chosen<'t>(
             [only] => return sound(case, Some(only)),
             _ => {
                 let names: Vec<&str> = candidates.iter().map(|topic| topic.name.as_str()).collect();
-                let says = text!(
-                    "several topics have {what}: {names}",
-                    what = wanted.what,
-                    names = names.join(", ")
-                );
+                let names_of = names.join(", ");
+                let says = if wanted.option == TOPIC_JOINTS {
+                    text!(
+                        "several topics have joint states: {names}",
+                        names = names_of
+                    )
+                } else {
+                    text!(
+                        "several topics have measured poses, points or transforms: {names}",
+                        names = names_of
+                    )
+                };
                 case.ask(About::Own(wanted.option), says, &names);
                 return Err(NeedsAnswer);
             }

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::document::number::quoted;
 use crate::importers::columns::{Column, Columns};
-use crate::importers::matching::listed_up_to;
+use crate::importers::matching::listed_names_up_to;
 use crate::importers::reader::fixed;
 use crate::importers::role::Role;
 use crate::importers::settings::{About, ReadContext};
@@ -59,13 +59,13 @@ pub(super) fn path(case: &mut ReadContext<'_>, topic: &Topic) -> Option<Path> {
             "no message of {topic} has all joints",
             topic = quoted(&topic.name)
         );
-        case.refuse(says, Text::verbatim(listed_up_to(&names, SHOWN)));
+        case.refuse(says, listed_names_up_to(&names, SHOWN));
         return None;
     }
     if rows.len() < all {
         let found = text!(
-            "{rows} of {all} joint states are left out: a joint has no value there",
-            rows = all - rows.len(),
+            one "{count} of {all} joint states is excluded: a joint has no value there", "{count} of {all} joint states are left out: a joint has no value there",
+            count = all - rows.len(),
             all = all
         );
         case.warn(found, Text::default());
@@ -89,21 +89,23 @@ fn joints_of(case: &mut ReadContext<'_>, topic: &Topic) -> Option<Vec<String>> {
         .iter()
         .map(|(name, _)| name.as_str())
         .collect();
-    let recorded = listed_up_to(&topic.joint_names, SHOWN);
+    let recorded = listed_names_up_to(&topic.joint_names, SHOWN);
     if let Some(said) = case.reading.options.get(JOINT_NAMES) {
         let names: Vec<String> = said.split(',').map(|name| name.trim().to_owned()).collect();
         let unknown = names.iter().find(|name| !topic.joints.contains_key(*name));
         let distinct: BTreeSet<&String> = names.iter().collect();
         let found = match unknown {
-            Some(name) => format!("no joint {} in {}", quoted(name), quoted(&topic.name)),
-            None if distinct.len() < names.len() => "a joint that comes twice".to_owned(),
-            None if !robot.is_empty() && robot.len() != names.len() => {
-                format!(
-                    "{} joints for a robot that has {}",
-                    names.len(),
-                    robot.len()
-                )
-            }
+            Some(name) => text!(
+                "no joint {name} in {topic}",
+                name = quoted(name),
+                topic = quoted(&topic.name)
+            ),
+            None if distinct.len() < names.len() => text!("a joint that comes twice"),
+            None if !robot.is_empty() && robot.len() != names.len() => text!(
+                "{joints} joints for a robot that has {own}",
+                joints = names.len(),
+                own = robot.len()
+            ),
             None => return Some(names),
         };
         case.refuse(
@@ -129,7 +131,7 @@ fn joints_of(case: &mut ReadContext<'_>, topic: &Topic) -> Option<Vec<String>> {
         return Some(topic.joint_names.clone());
     }
     let says = text!(
-        "the recorded joints ({recorded}) are not called like the robot's ({robot}), and their order in a message is no order of the robot",
+        "the recorded joints ({recorded}) are not called like the robot's ({robot}), and their order in a message is not the order of the robot",
         recorded = recorded,
         robot = robot.join(", ")
     );
@@ -219,8 +221,8 @@ pub(super) fn points(case: &mut ReadContext<'_>, topic: &Topic, start_ns: i64) -
     let lost = list.len() - list.iter().filter(is_there).count();
     if lost > 0 {
         let found = text!(
-            "{lost} of {list} measurements of {topic} have no position or no orientation: left out",
-            lost = lost,
+            one "{count} of {list} measurements of {topic} has no position or no orientation: excluded", "{count} of {list} measurements of {topic} have no position or no orientation: excluded",
+            count = lost,
             list = list.len(),
             topic = quoted(&topic.name)
         );
@@ -239,14 +241,22 @@ pub(super) fn points(case: &mut ReadContext<'_>, topic: &Topic, start_ns: i64) -
     }
     let frames: BTreeSet<&str> = list.iter().map(|m| m.header.frame.as_str()).collect();
     let frames: Vec<String> = frames.into_iter().map(quoted).collect();
-    let child = child.map_or_else(String::new, |child| format!(", child {}", quoted(&child)));
-    case.note(text!(
-        "measured is {topic}{child}, {list} times, in the frame {frames}",
-        topic = quoted(&topic.name),
-        child = child,
-        list = list.len(),
-        frames = listed_up_to(&frames, SHOWN)
-    ));
+    let listed = listed_names_up_to(&frames, SHOWN);
+    case.note(match child {
+        Some(child) => text!(
+            "measured is {topic}, child {child}, {list} times, in the frame {frames}",
+            topic = quoted(&topic.name),
+            child = quoted(&child),
+            list = list.len(),
+            frames = listed
+        ),
+        None => text!(
+            "measured is {topic}, {list} times, in the frame {frames}",
+            topic = quoted(&topic.name),
+            list = list.len(),
+            frames = listed
+        ),
+    });
     let of = |part: &dyn Fn(&Measured) -> f64| list.iter().map(|m| part(m)).collect::<Vec<f64>>();
     let mut columns = Columns::default();
     for (axis, quantity) in [Quantity::X, Quantity::Y, Quantity::Z]
@@ -303,14 +313,14 @@ fn child_of(case: &mut ReadContext<'_>, topic: &Topic) -> Result<Option<String>,
         }
         let names: Vec<String> = children.iter().map(|name| quoted(name)).collect();
         let found = text!(
-            "--{frame_child}: no frame {said} in {topic}",
+            "--{frame_child}: no frame {name} in {topic}",
             frame_child = FRAME_CHILD,
-            said = quoted(said),
+            name = quoted(said),
             topic = quoted(&topic.name)
         );
         let expected = match &names[..] {
             [] => text!("a topic with transforms; this one has {type}", type = topic.type_.name()),
-            names => text!("one of {names}", names = listed_up_to(names, SHOWN)),
+            names => text!("one of {names}", names = listed_names_up_to(names, SHOWN)),
         };
         case.refuse(found, expected);
         return Err(NeedsAnswer);

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use super::container::{Channel, Message};
 use super::messages::{self, Content, Measured, Type};
+use crate::text::Text;
 
 /// Joints that a topic may name.
 const MOST_JOINTS: usize = 1024;
@@ -30,7 +31,7 @@ pub(super) struct WrongMessage {
     pub(super) byte: usize,
     /// Counted from 1.
     pub(super) number: usize,
-    pub(super) says: String,
+    pub(super) says: Text,
 }
 
 impl Topic {
@@ -41,7 +42,7 @@ impl Topic {
         joints.chain(measured).min()
     }
 
-    fn take(&mut self, content: Content, log_time_ns: i64) -> Result<(), String> {
+    fn take(&mut self, content: Content, log_time_ns: i64) -> Result<(), Text> {
         let time = |header_ns: i64| {
             if header_ns == 0 {
                 log_time_ns
@@ -55,7 +56,10 @@ impl Topic {
                 for (name, value) in joints.names.into_iter().zip(joints.values) {
                     if !self.joints.contains_key(&name) {
                         if self.joint_names.len() == MOST_JOINTS {
-                            return Err(format!("more than {MOST_JOINTS} names of joints"));
+                            return Err(text!(
+                                "more than {most} names of joints",
+                                most = MOST_JOINTS
+                            ));
                         }
                         self.joint_names.push(name.clone());
                     }
@@ -129,7 +133,7 @@ impl Topics {
     }
 
     /// Every topic with its type and number of messages, those of use first.
-    pub(super) fn in_words(&self) -> String {
+    pub(super) fn in_words(&self) -> Text {
         const SHOWN: usize = 20;
         let of_use = self.list.values();
         let of_use = of_use.map(|topic| (&topic.name[..], topic.type_.name(), topic.messages));
@@ -139,6 +143,6 @@ impl Topics {
             .chain(others)
             .map(|(name, type_, count)| format!("{name} ({type_}, {count})"))
             .collect();
-        crate::importers::matching::listed_up_to(&all, SHOWN)
+        crate::importers::matching::listed_names_up_to(&all, SHOWN)
     }
 }

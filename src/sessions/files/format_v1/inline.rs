@@ -84,7 +84,7 @@ pub(crate) fn read(
         .zip(&columns)
         .fold(true, |same, (cells, (name, at))| {
             if cells.len() != rows {
-                let found = text!("{cells} values", cells = cells.len());
+                let found = text!(one "{count} value", "{count} values", count = cells.len());
                 let expected = text!(
                     "{rows} values, as in '{columns}'",
                     rows = rows,

@@ -9,6 +9,7 @@ use crate::document::Value;
 use crate::document::kinds::{NUMBER, point};
 use crate::document::object::{Cursor, Kind, Object};
 use crate::kinematics::{Joint, LinkMass, Pose, Robot, RobotSource};
+use crate::text::Text;
 
 /// Reads what stands beside `source`, one of the keys `dh`, `urdf` and `mjcf`.
 pub(super) fn with(o: &mut Object<'_, '_>, robot: &mut Robot, source: &str) {
@@ -28,11 +29,15 @@ pub(super) fn with(o: &mut Object<'_, '_>, robot: &mut Robot, source: &str) {
         move_by(robot, base);
     }
     o.usual("tool", &mut robot.base_from_tool, &POSE);
+    let joints = robot.joints.len();
     of_joints(
         o,
         "limits",
         &mut robot.joints,
-        "pair of limits",
+        text!(
+            "an array with one pair of limits for each of {joints} joints",
+            joints = joints
+        ),
         |joint, at| {
             if at.node.value == Value::Null {
                 return true;
@@ -46,7 +51,10 @@ pub(super) fn with(o: &mut Object<'_, '_>, robot: &mut Robot, source: &str) {
         o,
         "masses",
         &mut robot.joints,
-        "mass, or null,",
+        text!(
+            "an array with one mass, or null, for each of {joints} joints",
+            joints = joints
+        ),
         |joint, at| {
             joint.link = None;
             at.node.value == Value::Null || at.fill(&mut joint.link, mass)
@@ -74,17 +82,12 @@ fn of_joints(
     o: &mut Object<'_, '_>,
     key: &'static str,
     joints: &mut Vec<Joint>,
-    what: &str,
+    expected: Text,
     take: fn(&mut Joint, &mut Cursor<'_, '_>) -> bool,
 ) {
     if !o.is_given(key) {
         return;
     }
-    let expected = text!(
-        "an array with one {what} for each of {joints} joints",
-        what = what,
-        joints = joints.len()
-    );
     let own = joints.clone();
     let element = text!("an object with mass_kg and centre_mm, or null");
     let read = |at: &mut Cursor<'_, '_>| at.each(own, element, take);
@@ -98,8 +101,7 @@ fn gear_ratios(o: &mut Object<'_, '_>, joints: &mut Vec<Joint>) {
         return;
     }
     let expected = text!(
-        "an array with one {what} for each of {joints} joints",
-        what = "gear ratio, or null,",
+        "an array with one gear ratio, or null, for each of {joints} joints",
         joints = joints.len()
     );
     let mut own = joints.clone();
