@@ -172,7 +172,7 @@ fn a_reflector_that_was_lost() {
         (lost.samples.x_mm[i], lost.samples.y_mm[i], z[i]) = (0.0, 0.0, 0.0);
     }
     let answer = diagnosed(&lost);
-    reported(&answer, "lost the reflector in samples 4, 41");
+    reported(&answer, "lost the reflector in 2 samples: 4, 41");
     assert_eq!(names(&answer), ["backlash"]);
     assert!(answer.outliers.is_empty(), "{:?}", answer.outliers);
 }
@@ -191,8 +191,8 @@ fn the_other_reflector_or_a_point_that_does_not_move() {
         wrong.measured[i] = rig.measured[i ^ 1];
     }
     let answer = diagnosed(&session(&wrong));
-    reported(&answer, "saw reflector T1 instead in sample 62");
-    reported(&answer, "saw reflector T2 instead in sample 21");
+    reported(&answer, "saw reflector T1 instead in 1 sample: 62");
+    reported(&answer, "saw reflector T2 instead in 1 sample: 21");
     assert_eq!(names(&answer), ["backlash"]);
 
     let mut stuck = rig.clone();

@@ -856,8 +856,12 @@ fn one_place_that_is_elsewhere_is_named_and_can_be_taken_back() {
         let mended = truepose::set_up_errors::corrected_session(&session, JointValues::Commanded);
         let said = mended.problems.iter().map(|p| p.what.to_string());
         let said: Vec<String> = said.collect();
+        let where_it_is = match from {
+            None => "not where the session states",
+            Some(_) => "elsewhere",
+        };
         let name = format!(
-            "{} {} is elsewhere",
+            "{} {} is {where_it_is}",
             group.name(),
             group.name_of(&session, index)
         );
