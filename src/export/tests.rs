@@ -78,7 +78,7 @@ fn the_csv_of_the_papers_robot_holds_three_degrees_everywhere() {
     let example = meta["example"]["says"].as_str().unwrap();
     assert!(example.contains("table says +3.000000"), "{example}");
     let says = meta["stays"]["says"][0].as_str().unwrap();
-    assert!(says.contains("from 250.0000 to 245.0000 mm"), "{says}");
+    assert!(says.contains("from 250.0000 mm to 245.0000 mm"), "{says}");
     assert!((meta["stays"]["rms_mm"].as_f64().unwrap() - 5.0).abs() < 1e-9);
 }
 

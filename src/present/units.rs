@@ -234,7 +234,7 @@ mod tests {
             ("", "'' is not a number"),
             ("8 furlongs", "'furlongs' is not a unit here"),
             ("8 deg", "'deg' is not a unit here"),
-            ("1e999", "no number"),
+            ("1e999", "is not a number"),
         ] {
             assert!(mm(text).is_err_and(|e| e.contains(says)), "{text}");
         }

@@ -152,7 +152,7 @@ mod tests {
         assert!(refused().to_string().contains("logo.png"));
         std::fs::write(&path, "GIF89a").unwrap();
         assert!(
-            refused().to_string().contains("no PNG file"),
+            refused().to_string().contains("not a PNG file"),
             "{}",
             refused()
         );

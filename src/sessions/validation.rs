@@ -506,7 +506,7 @@ mod tests {
         );
         assert_eq!(findings.len(), 3, "{findings:?}");
         assert!(
-            findings[0].contains("1 of 4 samples lack a commanded value")
+            findings[0].contains("1 of 4 samples lacks a commanded value")
                 && findings[0].contains("line 5"),
             "{findings:?}"
         );

@@ -131,7 +131,7 @@ const BAD_DOCUMENTS: &[BadDocument] = &[
         "a joint that is a number",
         JOINT,
         "7",
-        &["robot.joints", "an array of 1 numbers"],
+        &["robot.joints", "an array of 1 number"],
     ),
     (
         "a joint that is a text",
@@ -224,7 +224,7 @@ const BAD_DOCUMENTS: &[BadDocument] = &[
         "one limit",
         "[-90,90]",
         "[90]",
-        &["limits: an array of 1 numbers; expected an array of 2"],
+        &["limits: an array of 1 number; expected an array of 2"],
     ),
     (
         "a negative mass",

@@ -144,7 +144,7 @@ fn what_stays_is_said_in_the_words_of_the_controllers_data() {
     };
     assert_eq!(share.effect, "link-length");
     assert!(
-        share.remedy.contains("from 250.0000 to 245.0000 mm"),
+        share.remedy.contains("from 250.0000 mm to 245.0000 mm"),
         "{}",
         share.remedy
     );

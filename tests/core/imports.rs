@@ -141,7 +141,7 @@ fn tracker_text_is_aligned_by_its_reference_points_and_matched_by_names_that_rec
     for part in [
         "'stray' (line 24)",
         "'A+80' (line 16)",
-        "'R3' is 10.160 mm off",
+        "'R3' has a residual of 10.160 mm",
         "5 measurements of reference points",
     ] {
         assert!(said.contains(part), "{part}: {said}");

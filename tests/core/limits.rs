@@ -154,7 +154,7 @@ fn names_cost_in_proportion() {
     assert!(
         run(2000)
             .stderr
-            .contains("2000 setups; expected at most 300")
+            .contains("2000 of them; expected at most 300 setups")
     );
 }
 

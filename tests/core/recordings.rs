@@ -311,7 +311,7 @@ fn broken_recordings_are_refused_with_the_byte_and_what_was_expected() {
         ),
         (
             changed(shoulder - 28, &[0, 9]),
-            "the representation 00 09, no plain CDR",
+            "the representation 00 09, which is not plain CDR",
         ),
         (packed(name, b'x'), "a chunk with the compression 'xstd'"),
         (packed(name + 100, zstd[name + 100] ^ 255), "chunk"),

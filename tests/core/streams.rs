@@ -88,7 +88,7 @@ fn a_stream_over_tcp_is_recorded_line_by_line_while_it_runs() {
     assert_eq!(std::fs::read_to_string(&out).unwrap(), all);
     let said = messages(&output);
     for part in [
-        "line 4 of the stream has 1 cells, not 4",
+        "line 4 of the stream has 1 cell, not 4",
         "line 6 of the stream has no end",
         "3 lines recorded",
     ] {
@@ -215,7 +215,7 @@ fn a_connection_that_ends_is_made_again_where_that_is_wanted() {
     assert_eq!(text, "x_mm,y_mm\n1,2\n5,6\n7,8\n");
     for part in [
         "has no end",
-        "has 1 cells, not 2",
+        "has 1 cell, not 2",
         "tries again",
         "3 lines recorded",
     ] {

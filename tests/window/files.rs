@@ -240,7 +240,7 @@ fn a_folder_that_is_not_there_is_said_with_what_to_do() {
         &folder.path().join("no such folder").join("a.json"),
     );
     assert!(says(&window, "could not be saved"));
-    assert!(says(&window, "make it first"));
+    assert!(says(&window, "create it first"));
 }
 
 #[test]

@@ -185,9 +185,9 @@ fn text_that_is_no_number_is_refused_beside_its_field_and_the_value_kept() {
     let mut window = window(None);
     press(&mut window, "Simulate session…");
     for (text, because) in [
-        ("abc", "'abc' is no number; the value is kept"),
-        ("8 furlongs", "'furlongs' is no unit here"),
-        ("8 deg", "'deg' is no unit here"),
+        ("abc", "'abc' is not a number; the value is kept"),
+        ("8 furlongs", "'furlongs' is not a unit here"),
+        ("8 deg", "'deg' is not a unit here"),
     ] {
         type_into(&mut window, "nominal radius", text);
         assert!(says(&window, because), "{text}");

@@ -9,7 +9,7 @@ use egui::{Key, Modifiers};
 use egui_kittest::kittest::{NodeT, Queryable};
 use truepose::gui::Runner;
 
-use crate::window::{Window, copied, into_sight, keys, press, window_of};
+use crate::window::{Window, copied, into_sight, keys, press, steps, window_of};
 
 /// A bundled session.
 fn session(file: &str) -> PathBuf {
@@ -79,7 +79,11 @@ impl Answers {
         printed(&["report", name, "--out", page.to_str().expect("a path")]);
         let report = std::fs::read_to_string(page).expect("a report");
         let mut window = window_of([1280.0, 800.0], Some(path), Runner::AtOnce);
-        press(&mut window, "4 Diagnose");
+        // An arm has no step of regions.
+        let diagnose = steps(&window)
+            .into_iter()
+            .find(|step| step.ends_with("Diagnose"));
+        press(&mut window, &diagnose.expect("a step of the diagnosis"));
         press(&mut window, "Run diagnosis");
         let shown = labels(&window);
         into_sight(&mut window, "Copy table of found effects");

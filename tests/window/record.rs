@@ -291,7 +291,7 @@ fn lines_of_an_instrument_become_samples_while_its_connection_breaks_and_comes_b
     wait_until(&mut window, "recording · 70 lines · 2 excluded · connected");
     wait_until(&mut window, "70 samples · RMS error");
     sheet(&mut window);
-    assert!(says(&window, "Left out last"));
+    assert!(says(&window, "Last excluded"));
     keys(&mut window, Modifiers::NONE, Key::Escape);
     press(&mut window, "Stop recording");
     assert!(!says(&window, "recording ·") || says(&window, "Recorded"));

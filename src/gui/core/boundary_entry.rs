@@ -373,19 +373,24 @@ mod tests {
                 ["outside of the joint's range", "type an angle in it"],
             ),
             (2, End::To, "-170", ["over 180° to −170°", "make two"]),
-            (0, End::From, "NaN", ["'NaN' is no angle", "such as −30"]),
+            (
+                0,
+                End::From,
+                "NaN",
+                ["'NaN' is not an angle", "such as −30"],
+            ),
             (
                 0,
                 End::From,
                 "thirty",
-                ["'thirty' is no angle", "a number of degrees"],
+                ["'thirty' is not an angle", "a number of degrees"],
             ),
             (0, End::From, " ", ["the angle is missing", "in degrees"]),
             (
                 0,
                 End::From,
                 "inf",
-                ["'inf' is no angle", "a number of degrees"],
+                ["'inf' is not an angle", "a number of degrees"],
             ),
         ] {
             let found = if text == "-170" {

@@ -187,7 +187,7 @@ mod tests {
         for (name, says) in [
             ("report.txt", ".html or .pdf"),
             ("report", ".html or .pdf"),
-            ("not there/report.pdf", "the folder is not there"),
+            ("not there/report.pdf", "folder not found"),
         ] {
             let watch = Watch::default();
             let message = write(&wanted(), &folder.path().join(name), false, &watch);
