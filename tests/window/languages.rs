@@ -312,7 +312,8 @@ fn said_in(language: Language, english: &str) -> String {
         .split_once(&format!("\nmsgid \"{english}\"\nmsgstr \""))
         .unwrap_or_else(|| panic!("{english} is not in the table"));
     let (said, _) = rest.split_once("\"\n").expect("it ends");
-    said.to_owned()
+    // A button keeps its dots beside its last word.
+    said.replace(" …", "\u{a0}…")
 }
 
 /// Opens the sheets that [`open_all`] leaves out: those that need a file or a form.
