@@ -279,7 +279,7 @@ const BAD_DOCUMENTS: &[BadDocument] = &[
         "targets in an array",
         "{\"T1\":[0,0,0]}",
         "[[0,0,0]]",
-        &["targets: an array of 1 values"],
+        &["targets: an array of 1 value"],
     ),
     (
         "a target of two numbers",

@@ -389,7 +389,9 @@ fn every_sheet_fits_on_a_small_screen_in_every_language() {
             let import = self::window(language, [1024.0, 700.0], Some(raw));
             let at = format!("{language:?}, import");
             no_text_is_cut_but_at_the_right(&import, &at, true);
-            outside.extend(out_of_sight(&import, &behind, &at));
+            // Columns of the file scroll sideways.
+            let beside = out_of_sight(&import, &behind, &at).into_iter();
+            outside.extend(beside.filter(|thing| !thing.contains("ComboBox")));
         }
     }
     assert!(outside.is_empty(), "{outside:#?}");

@@ -222,9 +222,12 @@ fn list(ui: &mut Ui, name: &str, all: &[&str], now: usize) -> Option<usize> {
 /// A table; where its rows have names, one of them can be chosen.
 fn table(ui: &mut Ui, id: &str, table: &Table, mut choice: Option<(&mut usize, &[&str])>) {
     let palette = Palette::of(ui);
+    let window = ui.ctx().content_rect().height();
+    // Two tables, a chart and the buttons fit on the smallest screen too.
+    let lower = 0.65 * (800.0 - window).max(0.0);
     ScrollArea::both()
         .id_salt(id)
-        .max_height(0.32 * ui.ctx().content_rect().height())
+        .max_height(0.32 * window - lower)
         .auto_shrink([false, true])
         .show(ui, |ui| {
             ui.style_mut().wrap_mode = Some(egui::TextWrapMode::Extend);
