@@ -478,7 +478,7 @@ const BAD_DOCUMENTS: &[BadDocument] = &[
         "columns of unequal length",
         "{\"file\":\"s.csv\"}",
         "{\"columns\":{\"q1_deg\":[1,2],\"x_mm\":[1],\"y_mm\":[1,2]}}",
-        &["samples.columns.x_mm: 1 values; expected 2 values"],
+        &["samples.columns.x_mm: 1 value; expected 2 values"],
     ),
     (
         "a text among numbers",
