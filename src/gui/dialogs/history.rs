@@ -19,6 +19,7 @@ use crate::text::filled;
 const WIDE: f32 = 900.0;
 /// Height of the chart, points.
 const CHART: f32 = 170.0;
+const LOWEST_CHART: f32 = 90.0;
 /// The newest sessions stand side by side; the chart has all of them.
 const MOST: usize = 12;
 
@@ -139,10 +140,11 @@ fn over_time(ui: &mut Ui, workbench: &Workbench, robot: &RobotHistory, choice: &
     widgets::hint(ui, says);
     widgets::section(ui, &row.name);
     let chart = chart_of(robot, row);
-    let room = vec2(ui.available_width(), CHART);
+    let height = (CHART - 0.8 * missing_height(ui)).max(LOWEST_CHART);
+    let room = vec2(ui.available_width(), height);
     let layout = egui::Layout::top_down(egui::Align::Min);
     ui.allocate_ui_with_layout(room, layout, |ui| {
-        ui.set_min_height(CHART);
+        ui.set_min_height(height);
         legend::show(ui, &chart, None, &mut Vec::new());
         let id = (&*row.name, false, workbench.view().fitted.charts);
         let (response, _) = chart::show(ui, id, &chart, |_, _| {});
@@ -219,15 +221,18 @@ fn list(ui: &mut Ui, name: &str, all: &[&str], now: usize) -> Option<usize> {
     chosen.filter(|k| *k != now)
 }
 
+/// What the window lacks of the height from which two tables, a chart and the buttons have room: they give way.
+fn missing_height(ui: &Ui) -> f32 {
+    (800.0 - ui.ctx().content_rect().height()).clamp(0.0, 200.0)
+}
+
 /// A table; where its rows have names, one of them can be chosen.
 fn table(ui: &mut Ui, id: &str, table: &Table, mut choice: Option<(&mut usize, &[&str])>) {
     let palette = Palette::of(ui);
     let window = ui.ctx().content_rect().height();
-    // Two tables, a chart and the buttons fit on the smallest screen too.
-    let lower = 0.65 * (800.0 - window).max(0.0);
     ScrollArea::both()
         .id_salt(id)
-        .max_height(0.32 * window - lower)
+        .max_height(0.32 * window - 0.85 * missing_height(ui))
         .auto_shrink([false, true])
         .show(ui, |ui| {
             ui.style_mut().wrap_mode = Some(egui::TextWrapMode::Extend);
