@@ -75,7 +75,7 @@ words! {
     INSTRUMENT, phrase!("Instrument"), phrase!("What the positions were measured with. Its noise is the smallest RMS error that any model can reach");
     COMPENSATED, phrase!("Compensated"), phrase!("The commands were already corrected by a table while this was measured: what is seen here is what that table left");
     RANGE, phrase!("Measured range"), phrase!("The smallest and the largest position of the joint that was measured. Outside it nothing is known, and a table holds its end values there");
-    HOLE, phrase!("Widest hole"), phrase!("A part of the range, much wider than the other steps, in which there is no sample. Whatever happens there stays unseen: measure a few poses in it");
+    HOLE, phrase!("Largest uncovered range"), phrase!("A part of the range, much wider than the other steps, in which there is no sample. Whatever happens there stays unseen: measure a few poses in it");
     SPEED, phrase!("Speed"), phrase!("How fast the joint moved while it was measured. Lag behind the command shows only at different speeds");
     LOAD, phrase!("Load"), phrase!("The mass at the tool while it was measured. Bending of links and joints shows only at different loads");
     TEMPERATURE, phrase!("Temperature"), phrase!("Of the robot while it was measured. Growth with warmth shows only where it changes by some degrees");
@@ -173,7 +173,7 @@ const NAMES: &[(&[Template], Word)] = &[
         ],
         RANGE,
     ),
-    (&[phrase!("widest hole")], HOLE),
+    (&[phrase!("largest uncovered range")], HOLE),
     (&[phrase!("duration")], TOOK),
     (&[phrase!("testable effects")], SHOWS),
     (&[phrase!(in "export", "without it")], WITHOUT),

@@ -549,7 +549,7 @@ fn the_primary_button_is_at_the_bottom_and_on_high_screens_near_its_controls() {
 #[test]
 fn cards_stand_in_the_same_order_in_every_step() {
     let mut window = window(None);
-    let cards = ["What the samples cover", "Testable effects"];
+    let cards = ["Coverage", "Testable effects"];
     for step in ["1 Session", "2 Regions", "3 Identify", "4 Diagnose"] {
         press(&mut window, step);
         let tops = cards.map(|card| {

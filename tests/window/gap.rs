@@ -105,7 +105,7 @@ fn a_hidden_effect_is_found_added_switched_off_and_undone() {
     // The table follows: it knows both sides now.
     press(&mut window, "5 Export");
     window.get_by_label("correction table as a curve");
-    assert!(says(&window, "dashed: moving negative"));
+    assert!(says(&window, "dashed: approach −"));
 }
 
 #[test]

@@ -217,8 +217,8 @@ impl<'a> Regression<'a> {
         residual
     }
 
-    /// What fits that were made so far need most room for is worked out again where it is asked for again: their
-    /// bases, and what stands beside them. The fits themselves stay known.
+    /// Frees the bases of the fits so far, and the scores of candidates beside them: most of what is held. They are
+    /// computed again where they are needed; the fits are kept.
     pub(crate) fn make_room(&self) {
         self.fits.forget_all_bases();
         self.scores_of_names.clear();

@@ -3,9 +3,10 @@
 
 use crate::effects::{Over, Term};
 
-use super::forward::{CHANCE, mean_sigma_mm, needed};
+use super::forward::{CHANCE, mean_sigma_mm};
 use super::found::SearchResult;
 use super::prepare::PreparedSearch;
+use super::settle::needed;
 use super::steps::{Next, Step, steps};
 use super::worth::worth;
 use super::{aliases, own_evidence};

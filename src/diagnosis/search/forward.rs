@@ -6,23 +6,19 @@
 //! [`CHANCE`] of all sessions, if samples that the fit has not seen are predicted better, and if
 //! the effect matters in practice.
 
-use crate::effects::{Over, Term};
-use crate::model::shapes::Variable;
-use std::rc::Rc;
+use crate::effects::Term;
 
+use super::aliases;
 use super::found::SearchResult;
 use super::prepare::{PreparedSearch, UNSEEN_KEPT};
-use super::{aliases, orders};
-use crate::diagnosis::candidates::Placed;
 use crate::diagnosis::candidates::columns::CandidateSubset;
 use crate::diagnosis::candidates::compatible;
-use crate::diagnosis::candidates::table::{Candidate, CandidateKind};
+use crate::diagnosis::candidates::table::CandidateKind;
 use crate::diagnosis::evidence::Fit;
 use crate::diagnosis::evidence::Folds;
 use crate::diagnosis::evidence::Regression;
 use crate::diagnosis::evidence::memo::Memo;
 use crate::diagnosis::evidence::{Score, by_odds};
-use crate::diagnosis::evidence::{Surroundings, Without};
 use crate::diagnosis::{Cancelled, DiagnoseError, Progress, Watch};
 
 /// Chance that noise alone may lead to a step. Names and shapes share it, and a search takes a
@@ -46,7 +42,7 @@ pub(crate) enum Additions {
 }
 
 impl Additions {
-    fn among(self) -> CandidateSubset {
+    pub(super) fn among(self) -> CandidateSubset {
         match self {
             Self::Names => CandidateSubset::Names,
             Self::Everything => CandidateSubset::All,
@@ -131,7 +127,7 @@ impl Search<'_, '_> {
     }
 
     /// The search is where it has found this; it is never said to be further than it is.
-    fn tell_found(&self, fit: &Fit) -> Result<(), Cancelled> {
+    pub(super) fn tell_found(&self, fit: &Fit) -> Result<(), Cancelled> {
         let names = self.regression.added(fit).into_iter();
         self.tell(&Progress::Searching {
             found: names
@@ -141,7 +137,7 @@ impl Search<'_, '_> {
         })
     }
 
-    fn count(&self, fit: &Fit) -> usize {
+    pub(super) fn count(&self, fit: &Fit) -> usize {
         self.regression.added(fit).len() + fit.shapes.len()
     }
 
@@ -230,7 +226,7 @@ impl Search<'_, '_> {
 
     /// A fit with each candidate, but for what its own values rule out: a compliance that is not clear of
     /// zero beside what has not been found yet is no reason against the others.
-    fn possible<'f>(
+    pub(super) fn possible<'f>(
         &'f self,
         fit: &'f Fit,
         scores: impl Iterator<Item = &'f Score>,
@@ -242,13 +238,13 @@ impl Search<'_, '_> {
         fitted.filter(|(_, next)| next.ln_evidence.is_finite())
     }
 
-    fn unseen(&self, fit: &Fit) -> f64 {
+    pub(super) fn unseen(&self, fit: &Fit) -> f64 {
         let work = || self.folds.rms(self.regression, fit);
         self.unseen.of(fit, work)
     }
 
     /// The candidates that may stand beside what a fit has.
-    fn retain_compatible(&self, fit: &Fit, allow: Additions, scores: &mut Vec<Score>) {
+    pub(super) fn retain_compatible(&self, fit: &Fit, allow: Additions, scores: &mut Vec<Score>) {
         let there = self.regression.added(fit);
         let candidates = &self.regression.table.candidates;
         scores.retain(|score| match &candidates[score.candidate].what {
@@ -270,191 +266,6 @@ impl Search<'_, '_> {
             .tolerance_mm
             .is_some_and(|t| rms_mm > LEAST_OF_TOLERANCE * t);
         rms_mm > LEAST_MM && (in_noise > LEAST_OF_NOISE || of_tolerance)
-    }
-
-    /// Swaps and drops until nothing changes.
-    fn settle(&self, fit: Fit, allow: Additions) -> Fit {
-        let mut fit = fit;
-        for _ in 0..3 {
-            let before = fit.ln_evidence;
-            fit = orders::together(self.regression, fit);
-            fit = self.swap(fit, allow);
-            fit = self.drop(fit);
-            if fit.ln_evidence <= before + 1e-6 {
-                break;
-            }
-        }
-        fit
-    }
-
-    /// Exchanges each term or shape for the candidate that does best in its place. What could not come near by
-    /// the table beside the whole fit is not tried.
-    fn swap(&self, fit: Fit, allow: Additions) -> Fit {
-        let mut fit = fit;
-        if self.count(&fit) < 2 && fit.shapes.is_empty() {
-            return fit;
-        }
-        let terms: Vec<Term> = self.regression.added(&fit).into_iter().cloned().collect();
-        let mut around = None;
-        for term in terms {
-            if self.regression.work.is_spent() {
-                return fit;
-            }
-            let without = self.regression.without(&fit, &term);
-            let is_own = |c: &Candidate| c.what.term().is_some_and(|t| t.same_column(&term));
-            let scores = self.near(&fit, without, &mut around, allow, is_own);
-            if scores.is_empty() {
-                continue;
-            }
-            let rest = self.regression.without_term(&fit, &term);
-            if let Some(better) = self.best_beside(&rest, scores, allow, fit.ln_evidence) {
-                (fit, around) = (better, None);
-            }
-        }
-        for index in (0..fit.shapes.len()).rev() {
-            let without = self.regression.without_placed(&fit, index);
-            let scores = self.near(&fit, without, &mut around, allow, |_| false);
-            if scores.is_empty() {
-                continue;
-            }
-            let rest = self.regression.without_shape(&fit, index);
-            if let Some(better) = self.best_beside(&rest, scores, allow, fit.ln_evidence) {
-                (fit, around) = (better, None);
-            }
-        }
-        fit
-    }
-
-    /// Candidates but this one that may be likelier in the place of what is taken out.
-    fn near(
-        &self,
-        fit: &Fit,
-        without: Option<Without>,
-        around: &mut Option<Rc<Surroundings>>,
-        allow: Additions,
-        is_own: impl Fn(&Candidate) -> bool,
-    ) -> Vec<Score> {
-        let regression = self.regression;
-        let Some(without) = without else {
-            return Vec::new();
-        };
-        let around = around.get_or_insert_with(|| regression.surroundings(fit, allow.among()));
-        let scores = regression.scan_without(around, &without);
-        let enough = fit.ln_evidence - NEAR - FIRST_ORDER - without.ln_evidence;
-        let candidates = &regression.table.candidates;
-        let other = |s: &Score| s.ln_odds > enough && !is_own(&candidates[s.candidate]);
-        scores.into_iter().filter(other).collect()
-    }
-
-    fn best_beside(
-        &self,
-        rest: &Fit,
-        mut scores: Vec<Score>,
-        allow: Additions,
-        than: f64,
-    ) -> Option<Fit> {
-        scores.retain(|s| rest.ln_evidence + s.ln_odds > than - NEAR - FIRST_ORDER);
-        self.retain_compatible(rest, allow, &mut scores);
-        by_odds(&mut scores);
-        let mut best: Option<Fit> = None;
-        for (_, next) in self.possible(rest, scores.iter()).take(3) {
-            let so_far = best.as_ref().map_or(than, |b| b.ln_evidence);
-            if next.ln_evidence > so_far + 1e-3 {
-                best = Some(next);
-            }
-        }
-        best
-    }
-
-    /// Drops what is no longer needed beside the others.
-    fn drop(&self, fit: Fit) -> Fit {
-        let mut fit = fit;
-        loop {
-            let mut best: Option<Fit> = None;
-            let mut consider = |rest: Fit, needed: f64| {
-                let lost = fit.ln_evidence - rest.ln_evidence;
-                let gain = rest.rss - fit.rss;
-                if lost < needed || !self.matters(gain, &fit) {
-                    let so_far = best.as_ref().map_or(f64::NEG_INFINITY, |b| b.ln_evidence);
-                    if rest.ln_evidence > so_far {
-                        best = Some(rest);
-                    }
-                }
-            };
-            let clear = |without: Option<Without>, needed: f64| {
-                without.is_some_and(|rest| {
-                    fit.ln_evidence - rest.ln_evidence > needed + FIRST_ORDER
-                        && self.matters(SURELY * (rest.rss - fit.rss), &fit)
-                })
-            };
-            for term in self.regression.added(&fit) {
-                let needed = needed(&fit, term);
-                if !clear(self.regression.without(&fit, term), needed) {
-                    consider(self.regression.without_term(&fit, term), needed);
-                }
-            }
-            for index in 0..fit.shapes.len() {
-                if !clear(self.regression.without_placed(&fit, index), NEEDED) {
-                    consider(self.regression.without_shape(&fit, index), NEEDED);
-                }
-            }
-            match best {
-                Some(rest) => fit = rest,
-                None => return fit,
-            }
-        }
-    }
-
-    /// Exchanges one or two terms for one or two others while that is likelier.
-    fn pairs(&self, fit: Fit) -> Result<Fit, Cancelled> {
-        let mut fit = fit;
-        for _ in 0..3 {
-            self.tell_found(&fit)?;
-            if self.regression.work.is_over() {
-                break;
-            }
-            let mut rivals = aliases::rivals(self.regression, &fit);
-            rivals.retain(|r| self.count(&r.fit) <= self.most);
-            let Some(best) = rivals.into_iter().next() else {
-                break;
-            };
-            if best.fit.ln_evidence <= fit.ln_evidence + 1e-3 {
-                break;
-            }
-            fit = self.drop(best.fit);
-        }
-        Ok(fit)
-    }
-}
-
-/// What a scan says may be so much too little: settings are fitted finely before they are judged.
-const NEAR: f64 = 3.0;
-/// So far off may log-odds be that are known to first order …
-const FIRST_ORDER: f64 = 2.0;
-/// … and a fall of the sum of squares is at least this share of what it is to first order.
-const SURELY: f64 = 0.8;
-/// Log-odds by which a term has to be needed beside the others.
-/// Calibrated, as the two below (`hidden_effects unknown`, `strange`).
-const NEEDED: f64 = 1.0;
-/// Beside a shape a name has to be needed clearly, or it only mends the shape's edges …
-const NEEDED_BESIDE_A_SHAPE: f64 = 5.0;
-/// … and more so where both follow the value of the same joint: what is unknown there may have any
-/// form, and most of it looks like some name.
-const MIN_LOG_ODDS_SAME_VARIABLE: f64 = 15.0;
-
-/// Log-odds by which a name has to be needed in a fit.
-pub(crate) fn needed(fit: &Fit, term: &Term) -> f64 {
-    let about = term.effect.about();
-    let alike = |s: &Placed| {
-        about.over == Over::Angle
-            && matches!(s.shape.variable, Variable::Joint(j) if j == term.joint || !about.per_joint)
-    };
-    if fit.shapes.iter().any(alike) {
-        MIN_LOG_ODDS_SAME_VARIABLE
-    } else if fit.shapes.is_empty() {
-        NEEDED
-    } else {
-        NEEDED_BESIDE_A_SHAPE
     }
 }
 

@@ -3,7 +3,7 @@
 //! against the rest.
 //!
 //! - `procedure`: the whole of it; `prepare`: from a session to the rows (`robust`, `classes`: which samples count).
-//! - `forward`: one search; `orders`: several orders of one joint together; `found`: what it ends with.
+//! - `forward`: one search; `settle`: swaps, drops and pairs; `orders`: several orders of one joint together; `found`: what it ends with.
 //! - `aliases`, `other_settings`: rivals that the samples cannot rule out.
 //! - `free_curve`, `smooth`, `smooth_rival`: a curve without a name as the rival of names.
 //! - `final_set`, `worth`, `steps`, `own_evidence`: the names tested at the end, and what each adds.
@@ -24,6 +24,7 @@ mod own_evidence;
 pub(crate) mod prepare;
 mod procedure;
 mod robust;
+mod settle;
 pub(crate) mod smooth;
 pub(crate) mod smooth_rival;
 mod steps;

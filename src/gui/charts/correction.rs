@@ -102,7 +102,7 @@ fn chart(made: &ExportPreview) -> Option<Chart> {
         say!("the same for both directions")
     } else {
         items.push(Item::Line(reverse, ColourRole::Before, 2.0, true));
-        say!("solid: moving positive · dashed: moving negative")
+        say!("solid: approach + · dashed: approach −")
     };
     let notes = std::iter::once(says.to_owned()).chain(thinned(
         every,

@@ -297,7 +297,7 @@ impl<'a> DrawnDeviations<'a> {
             notes.push(say!("the {quantity} never changes", quantity = what));
         }
         if many {
-            notes.push(say!("from the smallest to the largest in each column").to_owned());
+            notes.push(say!("min–max in each column").to_owned());
         } else if self.envelope.is_none() {
             notes.extend(thinned(
                 self.stride,

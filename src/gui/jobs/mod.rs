@@ -1,8 +1,8 @@
 //! Work in the background: the window never waits.
 //!
 //! A job runs on a thread of its own. What it makes goes, with what is to become of it, through a
-//! channel to the poller, and the window is woken. A cancelled job is told so by its [`Watch`],
-//! by which it says how far it is; whatever it still makes is dropped. Only of a file that is being
+//! channel to the poller, and the window is woken. Its [`Watch`] takes the progress
+//! of a job and tells it that it is cancelled; whatever it still makes is dropped. Only of a file that is being
 //! written it is told how that went all the same: it may have been too late to cancel it. What is
 //! asked faster than it is answered goes through [`Latest`]: one at a time, and the latest after it.
 //!

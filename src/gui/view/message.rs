@@ -1,4 +1,4 @@
-//! What the user has to know: what went wrong stands there until it is dismissed, what was done goes away by itself.
+//! Messages: an error is shown until it is dismissed, a task that is done for some seconds.
 
 use std::path::{Path, PathBuf};
 

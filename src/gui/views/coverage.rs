@@ -101,7 +101,7 @@ fn covers(ui: &mut Ui, workbench: &Workbench) {
         }
     };
     widgets::card(ui, |ui| {
-        title(ui, say!("What the samples cover"));
+        title(ui, say!("Coverage"));
         coverage_bar(ui, known);
         if let Some([from, to]) = known.measured {
             // Of an arm it is the first joint's, as the strip is.
@@ -115,7 +115,7 @@ fn covers(ui: &mut Ui, workbench: &Workbench) {
         if let Some([from, to]) = known.hole {
             widgets::fact_of(
                 ui,
-                phrase!("widest hole"),
+                phrase!("largest uncovered range"),
                 format!("{} … {}", at(from), at(to)),
             );
         }

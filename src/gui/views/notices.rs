@@ -1,5 +1,5 @@
-//! What the user has to know: a file that changed on the disk, what went wrong, what was done. It stands over the
-//! results, above the status bar, and takes no room from anything: what comes and goes moves no plot.
+//! Notices: a file that changed on the disk, an error, a task that is done. They lie over the results, above the status
+//! bar, so that no plot is moved when one appears or is dismissed.
 
 use egui::{
     Align2, Area, Button, CornerRadius, Frame, Id, Label, Margin, RichText, Role, ScrollArea, Ui,

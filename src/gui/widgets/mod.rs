@@ -81,7 +81,7 @@ pub(crate) fn focus_in_sight(ui: &Ui) {
     let Some(response) = ctx.read_response(focused) else {
         return;
     };
-    // What is seen whole elsewhere stands beside what scrolls, however far that goes on behind it.
+    // A control that is fully visible outside of this area is not among its contents, which may extend below it.
     let seen = response.interact_rect;
     let here = !seen.is_positive() || ui.clip_rect().expand(1.0).contains_rect(seen);
     let within = ui.min_rect().expand(1.0).contains_rect(response.rect);

@@ -119,7 +119,7 @@ pub(crate) enum Command {
     Leave,
     /// Ask for a file or a folder.
     Ask(Asked),
-    /// Look at the document in another way.
+    /// Change what is shown of the document.
     View(ViewChange),
     /// What a window that is gone has left behind.
     Left(LeftBehind),
@@ -252,7 +252,7 @@ pub(crate) enum Task {
 pub(crate) enum Letters {
     /// Find a font for characters that are shown.
     Find(BTreeSet<char>),
-    /// Looks for a face for the names of all languages; what no face has is not worth a word.
+    /// Find a font for the names of all languages; where there is none, no message is shown.
     OfLanguages,
     /// It was read which characters cannot be shown.
     Dismiss,

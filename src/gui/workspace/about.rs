@@ -72,8 +72,8 @@ pub(crate) fn about(workbench: &Workbench, sample: usize) -> (String, Vec<Line>)
         lines.push((joint.name.clone(), value));
     }
     let came = match subject.side(sample) {
-        s if s > 0.0 => say!("moving positive"),
-        s if s < 0.0 => say!("moving negative"),
+        s if s > 0.0 => say!("approach +"),
+        s if s < 0.0 => say!("approach −"),
         _ => say!("not known"),
     };
     lines.push((say!("approached").to_owned(), came.to_owned()));

@@ -239,7 +239,7 @@ pub(super) fn polar(ui: &mut Ui, workbench: &Workbench, polar: &Polar, palette: 
             marks(ui);
         }
         if workbench.around().is_some() {
-            let says = say!("from the smallest to the largest at each angle");
+            let says = say!("min–max at each angle");
             note(ui, says, palette);
         }
     });

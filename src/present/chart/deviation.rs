@@ -55,11 +55,8 @@ impl Deviation<'_> {
             let way = |name: &str, form| {
                 Entry::new(name, LegendSymbol::Mark(form), ColourRole::Noise, false)
             };
-            legend.push(way(
-                say!(in "chart-word", "moving positive"),
-                Form::Forwards,
-            ));
-            legend.push(way(say!(in "chart-word", "negative"), Form::Backwards));
+            legend.push(way(say!(in "chart-word", "approach +"), Form::Forwards));
+            legend.push(way(say!(in "chart-word", "approach −"), Form::Backwards));
         }
         if let Some(tolerance) = self.tolerance_mm {
             let low = if self.is_length { 0.0 } else { -tolerance };

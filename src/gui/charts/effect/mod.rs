@@ -195,8 +195,8 @@ fn drawn(scene: &Scene, curve: &EffectCurve) -> Chart {
         }
         [_] => legend.push(line(say!("what it does"), true).on_paper(&*what)),
         _ => legend.extend([
-            line(say!("moving positive"), true),
-            line(say!("negative"), false),
+            line(say!("approach +"), true),
+            line(say!("approach −"), false),
         ]),
     }
     Chart {

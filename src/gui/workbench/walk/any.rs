@@ -9,23 +9,18 @@ use rand_chacha::ChaCha8Rng;
 use crate::diagnosis::SessionCorrection;
 use crate::effects::CATALOGUE;
 use crate::export::EXPORTERS;
-use crate::gui::charts::CHARTS;
 use crate::gui::core::boundary_entry::{End, Joint};
 use crate::gui::core::compensated::{CompensationRequest, PrecedenceChoice};
 use crate::gui::core::document::{ExportChoice, Method};
 use crate::gui::core::edit::Edit;
-use crate::gui::core::loaded_session::{Component, LoadedSession};
-use crate::gui::core::quantity::Quantity;
+use crate::gui::core::loaded_session::LoadedSession;
 use crate::gui::core::robot_table::RobotTable;
 use crate::gui::core::search::term_of;
 use crate::gui::core::setup::{SetupForm, SigmaForm};
 use crate::gui::core::simulate::Form;
 use crate::gui::import_draft::{ImportAnswers, ImportDraft, RobotFrom, TypedAxis};
 use crate::gui::preferences::{Preferences, Sizes, Theme};
-use crate::gui::view::{
-    About, Camera, Canvas, ChartPane, Colouring, Edge, Key, NextAction, Panes, Plane, Plot, Sheet,
-    Side, Standard, Step, Tile, What,
-};
+use crate::gui::view::{About, Canvas, NextAction, Sheet, What};
 use crate::gui::workbench::{Command, LeftBehind, Letters, Task, ViewChange, Workbench};
 use crate::kinematics::JointKind;
 use crate::present::units::{AngleUnit, LengthUnit};
@@ -34,6 +29,7 @@ use crate::robots::library;
 use crate::text::Language;
 use crate::units::rad_from_deg;
 
+use super::looks::{arrangement, chart, chart_of, look, plot, seen, sizes, way_to_look};
 use super::record;
 
 /// Files that the walk opens and writes.
@@ -80,7 +76,7 @@ pub(super) fn one_of<'a, T>(random: &mut ChaCha8Rng, all: &'a [T]) -> Option<&'a
     (!all.is_empty()).then(|| &all[random.random_range(0..all.len())])
 }
 
-fn pick<T: Copy>(random: &mut ChaCha8Rng, all: &[T]) -> T {
+pub(super) fn pick<T: Copy>(random: &mut ChaCha8Rng, all: &[T]) -> T {
     all[random.random_range(0..all.len())]
 }
 
@@ -196,10 +192,6 @@ fn typed(random: &mut ChaCha8Rng) -> Command {
     })
 }
 
-fn plot_size(random: &mut ChaCha8Rng) -> ViewChange {
-    ViewChange::PlotSize(pick(random, &[-1.0, 0.0, f64::NAN, 200.0, 1e300]))
-}
-
 fn then(random: &mut ChaCha8Rng, files: &Files) -> NextAction {
     match random.random_range(0..6) {
         0 => NextAction::Leave,
@@ -251,16 +243,6 @@ fn said(random: &mut ChaCha8Rng, files: &Files, workbench: &Workbench) -> Import
         said.targets = path(random);
     }
     said
-}
-
-fn chart(random: &mut ChaCha8Rng) -> &'static str {
-    CHARTS[random.random_range(0..CHARTS.len())].about().id
-}
-
-fn plot(random: &mut ChaCha8Rng) -> Plot {
-    let chart = Plot::Chart(chart(random));
-    let drawn = [Plot::Workspace, Plot::Space, Plot::Polar];
-    pick(random, &[drawn[0], drawn[1], drawn[2], chart, chart, chart])
 }
 
 fn what(random: &mut ChaCha8Rng) -> (What, &'static str) {
@@ -329,13 +311,6 @@ fn own_robot(random: &mut ChaCha8Rng, workbench: &Workbench) -> Command {
     }
 }
 
-fn sizes(random: &mut ChaCha8Rng) -> Sizes {
-    Sizes {
-        left: one_of(random, &[0.0, 300.0, f32::NAN, 1e9]).copied(),
-        ..Sizes::default()
-    }
-}
-
 fn characters(random: &mut ChaCha8Rng) -> Command {
     match random.random_range(0..3) {
         0 => Command::Letters(Letters::Dismiss),
@@ -381,16 +356,6 @@ fn preferences(random: &mut ChaCha8Rng) -> Preferences {
     }
 }
 
-/// What is shown of the plots, and how much of them.
-fn look(random: &mut ChaCha8Rng) -> Command {
-    match random.random_range(0..4) {
-        0 => Command::View(ViewChange::Fit),
-        1 => Command::View(ViewChange::FitWorkspace),
-        2 => Command::View(ViewChange::FitChart(random.random_range(0..9))),
-        _ => Command::View(ViewChange::ActivateNext),
-    }
-}
-
 /// Of files that hold no targets as well, under loads that are none.
 fn compensation(random: &mut ChaCha8Rng, files: &Files) -> Command {
     Command::Compensate(CompensationRequest {
@@ -414,111 +379,6 @@ fn compensation(random: &mut ChaCha8Rng, files: &Files) -> Command {
         ),
         ..CompensationRequest::new(files.any(random))
     })
-}
-
-/// Another way to look at the workspace, or another pose of its robot.
-fn way_to_look(random: &mut ChaCha8Rng) -> Command {
-    match random.random_range(0..4) {
-        0 => Command::View(ViewChange::LookAround),
-        1 => Command::View(ViewChange::LookFrom(
-            one_of(random, &Standard::ALL).copied(),
-        )),
-        2 => Command::View(ViewChange::Turn(Camera {
-            azimuth_rad: pick(random, &[0.3, -7.0, f64::NAN]),
-            zoom: pick(random, &[1.0, -2.0, 1e300]),
-            ..Camera::default()
-        })),
-        _ => Command::View(ViewChange::Pose(
-            one_of(random, &[vec![0.3], vec![f64::NAN], vec![0.1; 6]]).cloned(),
-        )),
-    }
-}
-
-/// Another arrangement of the plots: split, moved, closed, pulled, looked at in another way.
-fn arrangement(random: &mut ChaCha8Rng, workbench: &Workbench) -> Command {
-    let mut panes = workbench.view().panes.clone();
-    let keys: Vec<Key> = panes
-        .panes()
-        .iter()
-        .map(|pane| pane.key)
-        .chain([99])
-        .collect();
-    let key = pick(random, &keys);
-    match random.random_range(0..8) {
-        0 => return Command::View(ViewChange::Activate(key)),
-        1 | 2 => {
-            return Command::View(ViewChange::Panes(Box::new(
-                workbench.with_chart(key, pick(random, &Edge::ALL)),
-            )));
-        }
-        3 => panes.close(key),
-        4 => panes.move_to(key, pick(random, &Edge::ALL)),
-        5 => {
-            return Command::View(ViewChange::Pull(Box::new(
-                panes.arranged(shares(random, panes.root.clone())),
-            )));
-        }
-        6 if random.random_range(0..4) == 0 => panes = Panes::default(),
-        _ => {
-            let quantities = Quantity::offered(workbench.loaded_session());
-            let [across, upwards] = [0, 1].map(|_| one_of(random, &quantities).copied());
-            if let Some(pane) = panes.chart_mut(key) {
-                *pane = ChartPane {
-                    chart: Some(chart(random).to_owned()),
-                    component: one_of(random, &Component::ALL).copied(),
-                    joint: Some(random.random_range(0..9)),
-                    axes: across
-                        .zip(upwards)
-                        .map(|(across, upwards)| [across, upwards]),
-                    fitted: 0,
-                };
-            }
-        }
-    }
-    Command::View(ViewChange::Panes(Box::new(panes)))
-}
-
-/// The same tiles with other shares, which may be no numbers.
-fn shares(random: &mut ChaCha8Rng, mut tile: Tile) -> Tile {
-    if let Tile::Beside(parts) | Tile::Below(parts) = &mut tile {
-        for part in parts {
-            part.share = pick(random, &[0.0, -1.0, f32::NAN, 1e30, 0.2, 3.0]);
-        }
-    }
-    tile
-}
-
-/// What the chart is about.
-fn chart_of(random: &mut ChaCha8Rng) -> Command {
-    match random.random_range(0..2) {
-        0 => Command::View(ViewChange::ChartJoint(random.random_range(0..7))),
-        _ => Command::View(ViewChange::ShowEffect(random.random_range(0..4))),
-    }
-}
-
-/// The document looked at otherwise: each of these numbers is one of the ways.
-fn seen(random: &mut ChaCha8Rng, workbench: &Workbench, at: i32) -> ViewChange {
-    let samples = workbench.loaded_session().len();
-    let sample = |random: &mut ChaCha8Rng| {
-        random
-            .random::<bool>()
-            .then(|| random.random_range(0..samples.max(1) + 10))
-    };
-    match at {
-        107..=112 => ViewChange::GoTo(pick(random, &Step::ALL)),
-        113 | 114 => ViewChange::Look(pick(random, &Plane::ALL)),
-        115 => ViewChange::Magnify(one_of(random, &[0.0, -1.0, f64::NAN, 20.0, 1e300]).copied()),
-        116 if random.random() => plot_size(random),
-        116 => ViewChange::Blend(pick(random, &[-1.0, 0.0, 0.4, 1.0, 2.0, f32::NAN])),
-        117 => ViewChange::Colour(pick(random, &Colouring::ALL)),
-        118 => ViewChange::Heat(random.random()),
-        119 | 120 => ViewChange::Component(pick(random, &Component::ALL)),
-        121 => ViewChange::OnlyAfter(random.random()),
-        122..=125 => ViewChange::Hover(sample(random)),
-        126..=129 => ViewChange::Select(sample(random)),
-        130 | 131 => ViewChange::Mark((0..random.random_range(0..500)).collect()),
-        _ => ViewChange::Side(pick(random, &[Side::Results, Side::Samples])),
-    }
 }
 
 /// A command of any kind but those that ask the system.

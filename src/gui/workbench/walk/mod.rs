@@ -4,6 +4,7 @@
 mod any;
 mod kinds;
 mod live;
+mod looks;
 mod record;
 
 use std::collections::{BTreeSet, VecDeque};

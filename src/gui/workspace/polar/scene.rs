@@ -267,7 +267,7 @@ pub(crate) fn legend(workbench: &Workbench, polar: &Polar) -> Vec<LegendEntry> {
         }
     }
     if polar.spots.iter().any(|s| s.side != 0.0) {
-        for (name, side) in [(say!("moving positive"), 1.0), (say!("negative"), -1.0)] {
+        for (name, side) in [(say!("approach +"), 1.0), (say!("approach −"), -1.0)] {
             let edge = line(1.2, ColourToken::Muted);
             let mark = Mark::ring(middle, Form::Ahead([side, 0.0, 0.0]), 3.4, edge);
             all.push(LegendEntry::mark(name, mark));

@@ -135,7 +135,7 @@ pub(crate) fn sheet(workbench: &Workbench) -> Result<(drawing::Drawing, String),
     );
     let mut notes = vec![scale(&polar, workbench.units())];
     if workbench.around().is_some() {
-        notes.push(say!("from the smallest to the largest at each angle").to_owned());
+        notes.push(say!("min–max at each angle").to_owned());
     } else {
         notes.extend(thinned(
             polar.stride,
@@ -184,7 +184,7 @@ mod tests {
             let mut items = drawing.items.iter();
             items.any(|item| matches!(item, OnPaper::Text(label) if label.text.contains(part)))
         };
-        assert!(says("1 division = ") && says("tolerance") && says("moving positive"));
+        assert!(says("1 division = ") && says("tolerance") && says("approach +"));
         for item in &drawing.items {
             let points: Vec<[f64; 2]> = match item {
                 OnPaper::Lines(lines, _) => lines.concat(),
