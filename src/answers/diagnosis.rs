@@ -99,7 +99,9 @@ pub struct FoundEffect {
     pub within_s: Option<[f64; 2]>,
     /// The next name, if any.
     pub next: Option<String>,
-    /// The evidence in words.
+    /// What else is known of it: the motor's turn that its order is of, when a step was, what looks the same.
+    pub notes: Vec<Text>,
+    /// The evidence in words, with the notes.
     pub says: Text,
     /// What to look at on the machine.
     pub check: Template,

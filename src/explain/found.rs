@@ -44,6 +44,8 @@ fn effect(d: &Diagnosis, detail: Detail, index: usize, found: &FoundEffect) -> S
             facts.push(fact(say!("Usual cause"), spoken(effect.about().cause)));
         }
     }
+    let notes = found.notes.iter();
+    facts.extend(notes.map(|note| fact(say!(in "finding", "Note"), spoken_text(note))));
     facts.push(fact(say!("Check on the machine"), spoken(found.check)));
     let mut blocks = vec![Block::Facts(facts)];
     if detail.sizes {

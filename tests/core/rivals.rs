@@ -6,6 +6,8 @@
 use std::f64::consts::TAU;
 
 use truepose::diagnosis::{Allowed, Diagnosis, Options, Verdict};
+use truepose::pipeline;
+use truepose::report::{Extras, html};
 use truepose::sessions::{Session, parse};
 
 const RADIUS: f64 = 320.0;
@@ -169,9 +171,15 @@ fn behind_equal_steps_every_order_is_said_and_uneven_poses_part_them() {
 fn behind_equal_steps_a_wave_once_a_turn_says_which_gears_look_the_same() {
     let said = |answer: &Diagnosis| answer.found[0].says.to_string();
     for order in [1.0, 73.0] {
-        let answer = diagnosed(&session(&equal_steps(), 5, wave(order, 0.02), still));
+        let measured = session(&equal_steps(), 5, wave(order, 0.02), still);
+        let answer = diagnosed(&measured);
         assert_eq!(names(&answer), ["encoder-eccentricity"]);
-        assert!(said(&answer).contains("equal steps of 5.00° a gear error of 71, 73, 143, 145 …"));
+        let note = "equal steps of 5.00° a gear error of 71, 73, 143, 145 …";
+        assert!(said(&answer).contains(note));
+        // Not in the JSON alone: every answer has the same sections.
+        let (options, extras) = (Options::default(), Extras::default());
+        let report = pipeline::report_of_diagnosis(&measured, &answer, None, &options, &extras);
+        assert!(html(&report.unwrap()).contains(note));
     }
     let answer = diagnosed(&session(&uneven(140), 5, wave(1.0, 0.02), still));
     assert_eq!(names(&answer), ["encoder-eccentricity"]);

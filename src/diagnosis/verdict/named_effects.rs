@@ -1,7 +1,7 @@
 //! The names that were found, each with its evidence in numbers and words.
 
 use crate::answers::diagnosis::{Floor, FoundEffect};
-use crate::effects::{called, stated};
+use crate::effects::{Term, called, stated};
 use crate::text::Text;
 use crate::text::{angle, lengths};
 
@@ -37,32 +37,8 @@ pub(crate) fn found(
         let share = step.gap_mm[0].powi(2) - step.gap_mm[1].powi(2);
         let odds = over.clamp(-30.0, 30.0).exp();
         let within_s = step_time::within_s(prepared, term, &worth);
-        let mut says = describe(step, &p_familywise, odds, next.as_deref(), floor);
-        if let Some(of) = stated(&regression.base.robot, term) {
-            says = text!(
-                "{evidence}; {cycles} for a turn of the motor, by the stated gear ratio of {ratio}",
-                evidence = says,
-                cycles = of.per_motor_turn,
-                ratio = of.ratio
-            );
-        }
-        if let Some((step, orders)) = orders_that_look_alike(prepared, term) {
-            let orders: Vec<String> = orders.iter().map(u32::to_string).collect();
-            says = text!(
-                "{evidence}; at equal steps of {step} a gear error of {orders} … cycles per turn would look the same: poses at unequal steps tell them apart",
-                evidence = says,
-                step = angle(step, 2),
-                orders = orders.join(", ")
-            );
-        }
-        if let Some([from, to]) = within_s {
-            says = text!(
-                "{evidence}; the step lies between {from} and {to} s (95 %)",
-                evidence = says,
-                from = format!("{from:.0}"),
-                to = format!("{to:.0}")
-            );
-        }
+        let notes = notes(prepared, term, within_s);
+        let evidence = describe(step, &p_familywise, odds, next.as_deref(), floor);
         FoundEffect {
             effect: about.id,
             joint: about.per_joint.then_some(term.joint + 1),
@@ -79,11 +55,40 @@ pub(crate) fn found(
             odds_over_next: odds,
             within_s,
             next,
-            says,
+            says: Text::listed(std::iter::once(&evidence).chain(&notes), "; "),
+            notes,
             check: about.check,
         }
     };
     steps.iter().map(one).collect()
+}
+
+/// What else is known of an effect than how sure it is.
+fn notes(prepared: &PreparedSearch, term: &Term, within_s: Option<[f64; 2]>) -> Vec<Text> {
+    let mut notes = Vec::new();
+    if let Some(of) = stated(&prepared.regression.base.robot, term) {
+        notes.push(text!(
+            "{cycles} for a turn of the motor, by the stated gear ratio of {ratio}",
+            cycles = of.per_motor_turn,
+            ratio = of.ratio
+        ));
+    }
+    if let Some((step, orders)) = orders_that_look_alike(prepared, term) {
+        let orders: Vec<String> = orders.iter().map(u32::to_string).collect();
+        notes.push(text!(
+            "at equal steps of {step} a gear error of {orders} … cycles per turn would look the same: poses at unequal steps tell them apart",
+            step = angle(step, 2),
+            orders = orders.join(", ")
+        ));
+    }
+    if let Some([from, to]) = within_s {
+        notes.push(text!(
+            "the step lies between {from} and {to} s (95 %)",
+            from = format!("{from:.0}"),
+            to = format!("{to:.0}")
+        ));
+    }
+    notes
 }
 
 pub(crate) fn describe(
