@@ -4,6 +4,7 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
 use crate::window::{Window, choose, keys, middle_of, press, says, there, wheel, window};
+use egui::accesskit::Role;
 use egui::{Key, Modifiers, Pos2, Rect, pos2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
@@ -140,6 +141,23 @@ fn the_keyboard_and_the_menu_know_the_polar_view() {
     assert!(says(&window, "polar view"));
     keys(&mut window, shifted, Key::K);
     assert!(says(&window, "deviation around the angle (polar)"));
+}
+
+#[test]
+fn the_switches_of_the_polar_view_lie_beside_each_other() {
+    const APART: f32 = 4.0;
+    for width in [1024.0, 1280.0, 1366.0, 1600.0, 1920.0] {
+        let mut window = crate::window::window_of([width, 800.0], None, Runner::AtOnce);
+        keys(&mut window, Modifiers::COMMAND, Key::I);
+        press(&mut window, "polar");
+        let list = window.get_by_label("Component of the polar view").rect();
+        let first = window
+            .get_by_role_and_label(Role::RadioButton, "both")
+            .rect();
+        let is_above = list.bottom() < first.top() || first.bottom() < list.top();
+        let beside = list.right() + APART <= first.left();
+        assert!(is_above || beside, "{width}: {list} {first}");
+    }
 }
 
 #[test]

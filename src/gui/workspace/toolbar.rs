@@ -74,7 +74,12 @@ pub(crate) fn show(
     }
     widgets::row(ui, |ui| {
         first(ui, commands);
-        let least = if blends { WITH_BLEND } else { TITLED };
+        let switches = around && fold == Fold::Open && workbench.answer().is_some();
+        let least = match (blends, switches) {
+            (true, _) => WITH_BLEND,
+            (_, true) => WITH_SWITCHES,
+            _ => TITLED,
+        };
         if ui.available_width() > least * stretch() && beside.is_none() {
             title(ui, say!("Workspace"));
         }
@@ -173,6 +178,7 @@ fn plot_of(aspect: Aspect) -> Plot {
 /// With less room the plot has no title, and before and after stand in a row of their own, points.
 const TITLED: f32 = 440.0;
 const WITH_BLEND: f32 = 590.0;
+const WITH_SWITCHES: f32 = 680.0;
 const ROOMY: f32 = 420.0;
 /// The words at the ends of the slider from before to after, points.
 const WORDS: f32 = 80.0;
