@@ -72,45 +72,22 @@ pub(crate) fn show(
             }
         });
     }
-    widgets::row(ui, |ui| {
-        first(ui, commands);
-        let switches = around && fold == Fold::Open && workbench.answer().is_some();
-        let least = match (blends, switches) {
+    let row = Row {
+        drawn,
+        around,
+        blends: blends && (roomy || bare),
+        least: match (
+            blends,
+            around && fold == Fold::Open && workbench.answer().is_some(),
+        ) {
+            _ if beside.is_some() => f32::INFINITY,
             (true, _) => WITH_BLEND,
             (_, true) => WITH_SWITCHES,
             _ => TITLED,
-        };
-        if ui.available_width() > least * stretch() && beside.is_none() {
-            title(ui, say!("Workspace"));
-        }
-        ways(ui, workbench, commands);
-        if around && fold == Fold::Open {
-            component(ui, workbench, commands);
-        }
-        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            if measured {
-                picture(ui, plot_of(view.aspect), commands);
-            }
-            gestures::fit(
-                ui,
-                say!("Fit to view"),
-                Command::View(ViewChange::FitWorkspace),
-                commands,
-            );
-            if around && fold == Fold::Open {
-                which(ui, workbench, commands);
-            }
-            if drawn && fold == Fold::Tight {
-                folded(ui, say!("display"), say!("How it is drawn"), |ui| {
-                    everything(ui, workbench, commands);
-                });
-            }
-            if blends && (roomy || bare) {
-                ui.add_space(space::TIGHT);
-                blend(ui, workbench, commands);
-            }
-        });
-    });
+        },
+        fold,
+    };
+    row.show(ui, workbench, first, commands);
     if around && fold != Fold::Open {
         widgets::row(ui, |ui| {
             component(ui, workbench, commands);
@@ -142,6 +119,60 @@ pub(crate) fn show(
         ui.horizontal(|ui| {
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 blend(ui, workbench, commands);
+            });
+        });
+    }
+}
+
+/// The first row of the bar.
+struct Row {
+    /// Whether samples are drawn in a plane or in space.
+    drawn: bool,
+    /// Whether they are drawn over the direction.
+    around: bool,
+    /// Whether the slider from before to after stands in it.
+    blends: bool,
+    /// The room above which the plot has a title, points.
+    least: f32,
+    fold: Fold,
+}
+
+impl Row {
+    fn show(
+        &self,
+        ui: &mut Ui,
+        workbench: &Workbench,
+        first: First<'_>,
+        commands: &mut Vec<Command>,
+    ) {
+        let open = self.around && self.fold == Fold::Open;
+        widgets::row(ui, |ui| {
+            first(ui, commands);
+            if ui.available_width() > self.least * stretch() {
+                title(ui, say!("Workspace"));
+            }
+            ways(ui, workbench, commands);
+            if open {
+                component(ui, workbench, commands);
+            }
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                if self.drawn || self.around {
+                    picture(ui, plot_of(workbench.view().aspect), commands);
+                }
+                let fit = Command::View(ViewChange::FitWorkspace);
+                gestures::fit(ui, say!("Fit to view"), fit, commands);
+                if open {
+                    which(ui, workbench, commands);
+                }
+                if self.drawn && self.fold == Fold::Tight {
+                    folded(ui, say!("display"), say!("How it is drawn"), |ui| {
+                        everything(ui, workbench, commands);
+                    });
+                }
+                if self.blends {
+                    ui.add_space(space::TIGHT);
+                    blend(ui, workbench, commands);
+                }
             });
         });
     }
