@@ -15,7 +15,7 @@ use std::os::unix::process::ExitStatusExt;
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
 use std::thread::sleep;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use serde_json::{Value, json};
 
@@ -668,11 +668,7 @@ fn unfinished(folder: &Path) -> usize {
 }
 
 #[test]
-#[allow(
-    clippy::disallowed_methods,
-    reason = "how soon a command ends is what is tested"
-)]
-fn a_signal_ends_a_command_at_once_and_leaves_nothing() {
+fn a_signal_ends_a_command_before_its_work_is_done_and_leaves_nothing() {
     let folder = tempfile::tempdir().unwrap();
     let made = simulated(folder.path(), 1.0, "s.json", 400_000);
     assert_eq!(made.code, Some(0), "{}", made.stderr);
@@ -684,15 +680,13 @@ fn a_signal_ends_a_command_at_once_and_leaves_nothing() {
             .stderr(Stdio::null())
             .spawn()
             .unwrap();
-        let began = Instant::now();
-        while unfinished(folder.path()) == 0 && began.elapsed() < Duration::from_mins(1) {
+        while unfinished(folder.path()) == 0 {
             assert!(
                 writer.try_wait().unwrap().is_none(),
                 "it ended before it was seen"
             );
             sleep(Duration::from_millis(2));
         }
-        let sent = Instant::now();
         let pid = writer.id().to_string();
         assert!(
             Command::new("kill")
@@ -702,11 +696,7 @@ fn a_signal_ends_a_command_at_once_and_leaves_nothing() {
                 .success()
         );
         let status = writer.wait().unwrap();
-        assert!(
-            sent.elapsed() < Duration::from_secs(1),
-            "{signal}: {:?}",
-            sent.elapsed()
-        );
+        // One that had gone on to its end would say so.
         assert_eq!(status.signal(), Some(number), "{signal}");
         let left = unfinished(folder.path());
         assert_eq!(left > 0, signal == "KILL", "{signal}: {left} files");

@@ -137,9 +137,15 @@ impl Answers {
         for title in self.titles() {
             let mut own = self.terminal.lines();
             own.find(|line| line.starts_with(&format!("{title} (")));
-            let own = own.take(3).filter_map(|line| line.trim().split_once("  "));
-            let own: Vec<&str> = own.map(|(_, value)| value.trim()).collect();
-            let [size, evidence, to_check] = own[..] else {
+            let own = own.take_while(|line| line.starts_with(' '));
+            let own: Vec<(&str, &str)> = own
+                .filter_map(|line| line.trim().split_once("  "))
+                .map(|(name, value)| (name, value.trim()))
+                .collect();
+            let row = |name: &str| own.iter().find(|row| row.0 == name).map(|row| row.1);
+            let [Some(size), Some(evidence), Some(to_check)] =
+                ["Size", "Evidence", "Check on the machine"].map(row)
+            else {
                 panic!("{title}: {}", self.terminal);
             };
             check(self.report.contains(&format!("<h3>{title}</h3>")), title);
@@ -160,6 +166,10 @@ impl Answers {
             check(behind("Check on the machine", card) == to_check, to_check);
             check(self.report.contains(&proof.replace('<', "&lt;")), &proof);
             check(self.report.contains(&odds), &odds);
+            if let Some(note) = row("Note") {
+                check(behind("Note", card) == note, note);
+                check(self.report.contains(note), note);
+            }
 
             // The clipboard has the joint in a column of its own.
             let called = |row: &&Vec<String>| {
