@@ -3,7 +3,7 @@
 //!
 //! `cargo run --features window-tests --example gallery`; with `-- arm` only the pictures of the arm;
 //! with `-- languages` only those of a diagnosis in other languages and units; with `-- looks FOLDER [de|zh]` every
-//! step of three robots at four sizes into that folder, to be looked at
+//! step of four robots at four sizes into that folder, to be looked at
 //!
 //! It needs something to draw with (Mesa's lavapipe does); without an adapter it says so and writes
 //! nothing.

@@ -8,7 +8,7 @@ use crate::text::{known, known_in};
 
 /// A sentence of the core, in the language of this thread.
 pub(crate) fn spoken(text: impl Into<Text>) -> String {
-    text.into().said(current(), by_titles())
+    text.into().spoken_with(current(), by_titles())
 }
 
 /// A finding, with where it is and what was expected.

@@ -46,7 +46,7 @@ pub struct RegionalStart {
     /// The largest distance between those and the identified ones, mm.
     pub apart_mm: f64,
     /// In words.
-    pub says: Text,
+    pub summary: Text,
 }
 
 /// Holds the regional model of a session against the answer of its diagnosis.
@@ -90,7 +90,7 @@ pub fn regional_start(
         one_correction: (theta, l1),
         turn,
         apart_mm,
-        says,
+        summary: says,
         regional,
     })
 }

@@ -353,7 +353,7 @@ pub fn report_of_diagnosis(
     let calibration = in_use.unwrap_or(&all_found);
     let evidence = Evidence {
         session: &mended,
-        given: session,
+        as_read: session,
         found,
         all_found: &all_found,
         in_use,

@@ -105,7 +105,7 @@ pub struct Recorder<F, W> {
     open: Option<F>,
     out: Option<W>,
     /// Headings that a person gave; empty: the stream's own.
-    given: Vec<String>,
+    own_headings: Vec<String>,
     form: Option<Form>,
     /// The start of a line that is not complete.
     pending: Vec<u8>,
@@ -176,7 +176,7 @@ impl<F: FnOnce() -> io::Result<W>, W: Write> Recorder<F, W> {
         Self {
             open: Some(open),
             out: None,
-            given: headings,
+            own_headings: headings,
             form: None,
             pending: Vec::new(),
             lines: 0,
@@ -406,14 +406,14 @@ impl<F: FnOnce() -> io::Result<W>, W: Write> Recorder<F, W> {
         let separator = Separator::of(line);
         let cells = separator.cells(line);
         let is_heading = !cells.iter().any(|cell| cell.parse::<f64>().is_ok());
-        let headings = if self.given.is_empty() {
+        let headings = if self.own_headings.is_empty() {
             if !is_heading {
                 let found = quoted(line);
                 return Err(RecordError::NoHeadings { found });
             }
             cells.clone()
         } else {
-            self.given.clone()
+            self.own_headings.clone()
         };
         if cells.len() != headings.len() {
             return Err(RecordError::Width {
@@ -430,7 +430,7 @@ impl<F: FnOnce() -> io::Result<W>, W: Write> Recorder<F, W> {
         if !is_heading {
             push_row(&cells, text);
             *planned += 1;
-        } else if !self.given.is_empty() {
+        } else if !self.own_headings.is_empty() {
             self.say(text!(
                 "line {line} of the stream holds the stream's own headings: excluded",
                 line = self.lines

@@ -1,5 +1,5 @@
-//! Every step of one axis, of a positioner and of an arm with six joints, in both themes and at four
-//! sizes, for somebody to look at: how each looks, and whether anything is cut. Not for the repository.
+//! Every step of one axis, of a positioner and of arms with six and seven joints, in both themes and at four
+//! sizes, to be looked at: how each looks, and whether anything is cut. Not for the repository.
 
 use std::path::{Path, PathBuf};
 
@@ -9,20 +9,21 @@ use truepose::gui::Language;
 use crate::palette;
 use crate::walk::{self, Window};
 
-/// Width and height in points, and pixels of a point: the smallest window, the usual one, 1920 × 1080
-/// at 150 %, and 3840 × 2160.
+/// Width and height in points, and pixels of a point: the smallest window, the usual one, 1920 × 1080,
+/// and 3840 × 2160 at 150 %.
 const SIZES: [(f32, f32, f32, &str); 4] = [
     (1024.0, 700.0, 1.0, "1024"),
     (1280.0, 800.0, 1.0, "1280"),
-    (1280.0, 720.0, 1.5, "1920at150"),
-    (3840.0, 2160.0, 1.0, "3840"),
+    (1920.0, 1080.0, 1.0, "1920"),
+    (2560.0, 1440.0, 1.5, "3840at150"),
 ];
 
 /// What is looked at; `None`: the bundled session.
-const SESSIONS: [(&str, Option<&str>); 3] = [
+const SESSIONS: [(&str, Option<&str>); 4] = [
     ("axis", None),
     ("positioner", Some("tests/data/arms/positioner-60.json")),
-    ("arm", Some("tests/data/arms/six-60.json")),
+    ("six", Some("tests/data/arms/six-60.json")),
+    ("seven", Some("tests/data/arms/seven-60.json")),
 ];
 
 /// Writes all of them into this folder, in the language of this name.

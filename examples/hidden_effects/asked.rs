@@ -84,7 +84,7 @@ pub fn in_short(rig: &Rig, answer: &Diagnosis) -> String {
         design.shuffled,
         names(answer),
         answer.verdict,
-        answer.unexplained.says,
+        answer.unexplained.description,
         answer.unexplained.p,
         answer.unexplained.resembles,
         answer.noise.slow,

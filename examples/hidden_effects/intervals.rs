@@ -127,7 +127,7 @@ fn beside_unexplained(id: &str, k: usize) -> Covered {
     if covered.0 < covered.1 {
         details(|| {
             let told: Vec<_> = answer.identified.iter().map(|e| (e.name, e.ci95)).collect();
-            let says = &answer.unexplained.says;
+            let says = &answer.unexplained.description;
             format!(
                 "{:?} {k}: {told:?}, true {:?}; '{says}'",
                 rig.hidden,

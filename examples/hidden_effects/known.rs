@@ -216,7 +216,7 @@ fn told(rig: &Rig, answer: &Diagnosis, seen: &Seen, lambda: f64, k: usize) {
             rig.design.shuffled,
             rig.hidden,
             names(answer),
-            answer.unexplained.says,
+            answer.unexplained.description,
             answer.unexplained.resembles.join(" "),
             seen.in_the_set,
             seen.worse,

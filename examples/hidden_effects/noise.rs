@@ -44,7 +44,7 @@ pub fn false_alarms(n: usize) {
                         "{name} {k}: {} samples, {:?} {}{}",
                         design.samples,
                         names(&answer),
-                        answer.unexplained.says,
+                        answer.unexplained.description,
                         written(&rig),
                     )
                 });

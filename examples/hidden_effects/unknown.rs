@@ -105,7 +105,7 @@ fn told(rig: &Rig, answer: &Diagnosis, what: &str) {
             rig.design.shuffled,
             rig.hidden,
             names(answer),
-            answer.unexplained.says,
+            answer.unexplained.description,
             answer.unexplained.p,
             answer.unexplained.resembles
         )

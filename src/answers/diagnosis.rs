@@ -102,7 +102,7 @@ pub struct FoundEffect {
     /// What else is known of it: the motor's turn that its order is of, when a step was, what looks the same.
     pub notes: Vec<Text>,
     /// The evidence in words, with the notes.
-    pub says: Text,
+    pub explanation: Text,
     /// What to look at on the machine.
     pub check: Template,
 }
@@ -170,7 +170,7 @@ pub struct Unexplained {
     /// Names that only imitate a part of it; of several joints each with its joint.
     pub resembles: Vec<String>,
     /// In words; empty where nothing is left.
-    pub says: Text,
+    pub description: Text,
     /// The shapes themselves with their coefficients.
     pub shapes: Vec<(Shape, Vec<f64>)>,
     /// Noise as stated and as found, where they differ; whether anything is unexplained or not.
@@ -309,7 +309,7 @@ pub struct Correction {
     /// How they were held out.
     pub how: Text,
     /// In words.
-    pub says: Text,
+    pub description: Text,
 }
 
 impl Correction {

@@ -140,7 +140,10 @@ impl Compensate {
             language,
             file: Some(&self.targets),
             load_kg: self.load.unwrap_or_default(),
-            start: self.start.as_deref().map(|start| inner(robot, start)),
+            start: self
+                .start
+                .as_deref()
+                .map(|start| from_display(robot, start)),
             frame,
             tool,
             frames,
@@ -273,13 +276,13 @@ fn pose(option: &str, numbers: &[f64], turns: Orientation) -> Result<Pose, Failu
 }
 
 /// Values in degrees or mm in rad or mm; too many or too few are told apart later.
-fn inner(robot: &Robot, start: &[f64]) -> Vec<f64> {
+fn from_display(robot: &Robot, start: &[f64]) -> Vec<f64> {
     let kinds = robot.joints.iter().map(|joint| Some(joint.kind));
     let kinds = kinds.chain(std::iter::repeat(None));
     start
         .iter()
         .zip(kinds)
-        .map(|(value, kind)| kind.map_or(*value, |kind| kind.inner(*value)))
+        .map(|(value, kind)| kind.map_or(*value, |kind| kind.from_display(*value)))
         .collect()
 }
 

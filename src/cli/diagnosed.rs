@@ -26,7 +26,7 @@ pub(super) fn start_in_words(start: &RegionalStart) -> String {
             format!("{:.4}", region.rms_after_mm),
         ]);
     }
-    let start = say!("start: {start}", start = spoken(&start.says));
+    let start = say!("start: {start}", start = spoken(&start.summary));
     format!("{start}\n\n{}\n", table.aligned(0))
 }
 

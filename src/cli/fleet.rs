@@ -115,7 +115,7 @@ pub(crate) fn run(
     if !json_lines {
         output::text(&summary.in_words())?;
     }
-    summary.outcome()
+    summary.exit_status()
 }
 
 /// Diagnoses one session, unless the command is stopped meanwhile.
@@ -235,7 +235,7 @@ impl Summary {
     }
 
     /// The exit status: see the module.
-    fn outcome(&self) -> Result<(), Failure> {
+    fn exit_status(&self) -> Result<(), Failure> {
         let text = text!(
             "{failed} of {all} sessions could not be diagnosed",
             failed = self.failed,
@@ -252,13 +252,13 @@ impl Summary {
 /// How often each name occurs, the most frequent first.
 fn counted<'a>(
     counts: impl Iterator<Item = (&'a str, usize)>,
-    said: impl Fn(&'a str) -> Cow<'a, str>,
+    name_of: impl Fn(&'a str) -> Cow<'a, str>,
 ) -> String {
     let mut counts: Vec<_> = counts.collect();
     counts.sort_by_key(|(_, count)| Reverse(*count));
     let each = counts
         .into_iter()
-        .map(|(name, count)| format!("{} {count}", said(name)));
+        .map(|(name, count)| format!("{} {count}", name_of(name)));
     each.collect::<Vec<_>>().join(", ")
 }
 

@@ -264,7 +264,7 @@ impl Import {
         };
         Ok(Reading {
             kind: self.format.as_deref().and_then(find),
-            options: self.own.given.clone(),
+            options: self.own.values.clone(),
             file: Some(self.file.clone()),
             unit: self.unit.as_deref().map(|unit| match unit {
                 "m" => LengthUnit::Metres,

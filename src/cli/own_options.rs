@@ -11,7 +11,7 @@ use crate::importers::{IMPORTERS, OwnOption};
 /// What was given of them, by their names without dashes.
 #[derive(Debug, Default)]
 pub(crate) struct OwnOptions {
-    pub(crate) given: BTreeMap<&'static str, String>,
+    pub(crate) values: BTreeMap<&'static str, String>,
 }
 
 /// Every such option once, with the formats that have it.
@@ -38,7 +38,7 @@ impl FromArgMatches for OwnOptions {
     fn update_from_arg_matches(&mut self, matches: &ArgMatches) -> Result<(), Error> {
         for (option, _) in all() {
             if let Some(value) = matches.get_one::<String>(option.name) {
-                self.given.insert(option.name, value.clone());
+                self.values.insert(option.name, value.clone());
             }
         }
         Ok(())

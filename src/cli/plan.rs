@@ -25,7 +25,7 @@ pub(crate) struct Plan {
     /// Session that was measured, or the robot alone (a session's `robot` object in a file, or a name that
     /// `truepose robots` lists)
     #[arg(value_name = "SESSION|ROBOT")]
-    subject: PathBuf,
+    input: PathBuf,
     /// Number of poses; with --separate and a session at most so many [default: as many as are
     /// needed; 60 for a robot with one joint]
     #[arg(long, value_name = "N", allow_negative_numbers = true)]
@@ -91,9 +91,9 @@ impl Plan {
         let to_stdout = output::is_standard_output(self.out.as_deref());
         output::one_use_of_standard_output(self.json, to_stdout, "--json", "--out -")?;
         if self.iso9283 {
-            let session = is_a_session(&self.subject);
+            let session = is_a_session(&self.input);
             let out = self.out.as_deref().map(|out| (out, self.force));
-            return super::test_cube::run(&self.subject, session, out, self.json);
+            return super::test_cube::run(&self.input, session, out, self.json);
         }
         let separate = match &self.separate[..] {
             [] => None,
@@ -118,14 +118,14 @@ impl Plan {
                 ..Options::default()
             },
         };
-        let (plan, files) = if is_a_session(&self.subject) {
-            let loaded = output::session(&self.subject)?;
+        let (plan, files) = if is_a_session(&self.input) {
+            let loaded = output::session(&self.input)?;
             let plan = pipeline::plan_session(&loaded.session, &options, &|_| true)?;
             (plan, loaded.files)
         } else {
-            let robot = output::robot(&self.subject)?;
+            let robot = output::robot(&self.input)?;
             let plan = pipeline::plan_robot(&robot, &options)?;
-            (plan, vec![self.subject.clone()])
+            (plan, vec![self.input.clone()])
         };
         if let Some(out) = &self.out {
             let list = match self.language(out) {

@@ -103,7 +103,7 @@ fn described(robot: &LibraryRobot) -> String {
     for (k, joint) in robot.robot.joints.iter().enumerate() {
         let range = joint.limits.map_or(say!("no limits").to_owned(), |limits| {
             let [from, to] =
-                [limits.from, limits.to].map(|end| figure(Some(joint.kind.outer(end))));
+                [limits.from, limits.to].map(|end| figure(Some(joint.kind.to_display(end))));
             format!("{from} … {to}{}", joint.kind.sign())
         });
         let mut said = say!(

@@ -15,19 +15,19 @@ use super::words::line;
 /// Runs the command for a session or a robot; `out`: where the poses go, and whether a file that exists is
 /// replaced.
 pub(super) fn run(
-    subject: &Path,
+    input: &Path,
     session: bool,
     out: Option<(&Path, bool)>,
     json: bool,
 ) -> Result<(), Failure> {
     let (robot, files) = if session {
-        let loaded = output::session(subject)?;
+        let loaded = output::session(input)?;
         (loaded.session.robot, loaded.files)
     } else {
-        (output::robot(subject)?, vec![subject.to_owned()])
+        (output::robot(input)?, vec![input.to_owned()])
     };
     let cube = TestCube::of(&robot)
-        .map_err(|error| Failure::WrongAt(subject.display().to_string(), error.describe()))?;
+        .map_err(|error| Failure::WrongAt(input.display().to_string(), error.describe()))?;
     if let Some((out, force)) = out {
         let list = measuring_list(&cube.measuring_order(), &robot);
         output::document(out, list.as_bytes(), force, &files)?;
@@ -69,7 +69,12 @@ fn in_words(cube: &TestCube, robot: &Robot) -> String {
             pose.name, at.x, at.y, at.z
         );
         for (joint, q) in robot.joints.iter().zip(&pose.q) {
-            let _ = write!(text, " {:>9.3}{}", joint.kind.outer(*q), joint.kind.sign());
+            let _ = write!(
+                text,
+                " {:>9.3}{}",
+                joint.kind.to_display(*q),
+                joint.kind.sign()
+            );
         }
         text.push('\n');
     }

@@ -163,7 +163,7 @@ impl JointTable {
         let grid = Grid::new(axis.kind, travel, step_outer)?;
         notes.extend(grid.note(step_outer));
         let held: Vec<f64> = grid
-            .inner(axis.kind)
+            .from_display(axis.kind)
             .iter()
             .map(|q| raw.to_model(q.max(measured.from).min(measured.to)))
             .collect();
@@ -182,7 +182,7 @@ impl JointTable {
             signed.collect::<Vec<f64>>()
         };
         if !raw.is_plain() {
-            let outer = axis.kind.outer(raw.at_zero);
+            let outer = axis.kind.to_display(raw.at_zero);
             let value = format!("{outer:.3}{}", axis.kind.sign());
             notes.push(if raw.sign < 0.0 {
                 text!(
@@ -221,13 +221,13 @@ impl JointTable {
     }
 
     /// A value of the joint in the user's unit.
-    pub fn outer(&self, inner: f64) -> f64 {
-        self.kind.outer(inner)
+    pub fn to_display(&self, inner: f64) -> f64 {
+        self.kind.to_display(inner)
     }
 
     /// The column of a side (in inner units, over commands in inner units), to look values up in.
     pub fn lookup(&self, side: Side) -> UniformTable {
-        let inner = |outer: f64| self.kind.inner(outer);
+        let inner = |outer: f64| self.kind.from_display(outer);
         let values: Vec<f64> = match side {
             Side::Forward => self.forward.clone(),
             Side::Reverse => self.reverse.clone(),
@@ -241,7 +241,7 @@ impl JointTable {
     }
 
     fn describe(&mut self, calibration: &Calibration, travel: Range) {
-        let (unit, outer) = (self.unit(), |v: f64| self.outer(v));
+        let (unit, outer) = (self.unit(), |v: f64| self.to_display(v));
         let mut notes = Vec::new();
         let measured = self.measured;
         if travel.from < measured.from || travel.to > measured.to {
@@ -382,8 +382,8 @@ impl Grid {
         })
     }
 
-    fn inner(&self, kind: JointKind) -> Vec<f64> {
-        let inner = |outer: &f64| kind.inner(*outer);
+    fn from_display(&self, kind: JointKind) -> Vec<f64> {
+        let inner = |outer: &f64| kind.from_display(*outer);
         self.commanded.iter().map(inner).collect()
     }
 

@@ -35,7 +35,7 @@ pub fn measuring_program(
         Stop {
             from: (from != pose.q).then_some(from),
             q: pose.q.clone(),
-            says: circumstances(pose, robot),
+            comment: circumstances(pose, robot),
         }
     };
     let all: Vec<Stop> = poses.iter().map(stop).collect();
@@ -69,7 +69,7 @@ fn circumstances(pose: &NextPose, robot: &Robot) -> String {
                 format!(
                     "in motion, joint {} at {:.1} {unit}/s",
                     j + 1,
-                    joint.kind.outer(*speed)
+                    joint.kind.to_display(*speed)
                 )
             }),
     );
@@ -83,7 +83,7 @@ pub fn measuring_list(poses: &[NextPose], robot: &Robot) -> String {
     let mut columns: Vec<(String, Cell)> = Vec::new();
     for (j, joint) in robot.joints.iter().enumerate() {
         let (unit, kind) = (joint.kind.unit(), joint.kind);
-        let outer = move |v: f64| number(kind.outer(v));
+        let outer = move |v: f64| number(kind.to_display(v));
         columns.push((
             format!("q{}_{unit}", j + 1),
             Box::new(move |p| p.q.get(j).map_or_else(String::new, |q| outer(*q))),

@@ -110,7 +110,7 @@ impl Attempt {
     ) -> Vec<NextPose> {
         let joints = &prepared.problem.session.robot.joints;
         let place = |(q, joint): (&f64, &Joint)| match joint.kind {
-            JointKind::Revolute => format!("{:.1}°", joint.kind.outer(*q)),
+            JointKind::Revolute => format!("{:.1}°", joint.kind.to_display(*q)),
             JointKind::Prismatic => format!("{q:.1} mm"),
         };
         let poses = self.order.iter().flat_map(|k| {

@@ -101,7 +101,7 @@ impl Plan {
                 };
                 quantity.map_or((*name, *size), |quantity| {
                     let on = quantity.on(kind);
-                    (on.name, size * quantity.unit.inner / on.unit.inner)
+                    (on.name, size * quantity.unit.scale / on.unit.scale)
                 })
             };
             SeenAbove {

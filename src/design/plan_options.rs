@@ -69,7 +69,7 @@ pub enum PlanError {
     /// A joint that is not there, or not a number.
     Joint {
         /// What was given.
-        given: String,
+        input: String,
         /// Number of joints.
         joints: usize,
     },
@@ -125,7 +125,10 @@ impl PlanError {
             Self::TwoNumbers => text!(
                 "--poses and --accuracy both say how many poses there are; expected one of them"
             ),
-            Self::Joint { given, joints } => text!(
+            Self::Joint {
+                input: given,
+                joints,
+            } => text!(
                 "--separate {given}: expected an effect, or an effect and a joint from 1 to {joints} such as backlash:1",
                 given = given,
                 joints = joints
@@ -221,7 +224,7 @@ impl PlanOptions {
             let number = joint.parse::<usize>().ok();
             let joint = number.filter(|j| (1..=joints).contains(j));
             let wrong = || PlanError::Joint {
-                given: given.clone(),
+                input: given.clone(),
                 joints,
             };
             Ok(Named {

@@ -141,7 +141,7 @@ impl Listed {
     /// A value that stands for all where nothing is measured yet, inner units.
     pub fn stands_for_all(&self, joint: usize) -> f64 {
         let unit = self.quantity.unit;
-        (self.usual)(joint).unwrap_or(unit.example) * unit.inner
+        (self.usual)(joint).unwrap_or(unit.example) * unit.scale
     }
 }
 

@@ -104,11 +104,11 @@ impl Term {
     pub fn from_parameters(
         id: &str,
         joint: usize,
-        given: &[(&str, f64)],
+        parameters: &[(&str, f64)],
         joints: usize,
     ) -> Result<Self, TermError> {
         let effect = find(id).ok_or_else(|| TermError::UnknownEffect(id.to_owned()))?;
-        let given = &renamed(given)[..];
+        let given = &renamed(parameters)[..];
         let effect = form_with(effect, |form| {
             let names = [JointKind::Revolute, JointKind::Prismatic].map(|k| names_on(form, k));
             let known = |(name, _): &(&str, f64)| names.iter().any(|n| n.contains(name));
@@ -136,7 +136,7 @@ impl Term {
             let turning = given.iter().find(|g| g.0 == quantity.name);
             let on_slide = quantity.on(JointKind::Prismatic);
             let sliding = given.iter().find(|g| g.0 == on_slide.name);
-            let inner = |g: &(&str, f64), q: Quantity| g.1 * q.unit.inner;
+            let inner = |g: &(&str, f64), q: Quantity| g.1 * q.unit.scale;
             turning
                 .map(|g| inner(g, quantity))
                 .or_else(|| sliding.map(|g| inner(g, on_slide)))
@@ -152,9 +152,9 @@ impl Term {
                 Setting::Listed(listed) => (listed.usual)(joint - 1),
                 _ => None,
             };
-            let usual = || usual().map(|value| value * quantity.unit.inner);
+            let usual = || usual().map(|value| value * quantity.unit.scale);
             term.setting = inner_value(quantity).or_else(usual).ok_or(missing)?;
-            let outer = term.setting / quantity.unit.inner;
+            let outer = term.setting / quantity.unit.scale;
             check_setting(effect, [joint - 1, joints], quantity.name, outer)?;
         }
         match about.form {
@@ -164,7 +164,7 @@ impl Term {
                 }
             }
             Form::Harmonic(quantity) => {
-                let amplitude = value(quantity.name).unwrap_or(0.0) * quantity.unit.inner;
+                let amplitude = value(quantity.name).unwrap_or(0.0) * quantity.unit.scale;
                 let phase = crate::units::rad_from_deg(value("phase_deg").unwrap_or(0.0));
                 term.coefficients = vec![amplitude * phase.cos(), amplitude * phase.sin()];
             }
@@ -196,14 +196,14 @@ fn check_setting(
     effect: &Effect,
     [joint, joints]: [usize; 2],
     name: &'static str,
-    given: f64,
+    value: f64,
 ) -> Result<(), TermError> {
     let about = effect.about();
     let expected = match about.setting {
         Setting::Order { from, to } => {
             let fraction = about.setting.takes_fractions();
-            let whole = fraction || given.fract() == 0.0;
-            let inside = given >= f64::from(from) && given <= f64::from(to);
+            let whole = fraction || value.fract() == 0.0;
+            let inside = value >= f64::from(from) && value <= f64::from(to);
             (!(whole && inside)).then(|| {
                 if fraction {
                     text!("a number from {from} to {to}", from = from, to = to)
@@ -212,10 +212,10 @@ fn check_setting(
                 }
             })
         }
-        Setting::Fade => (given < 0.0 || !given.is_finite()).then(|| text!("zero or more")),
-        Setting::Time => (!given.is_finite()).then(|| text!("a time")),
+        Setting::Fade => (value < 0.0 || !value.is_finite()).then(|| text!("zero or more")),
+        Setting::Time => (!value.is_finite()).then(|| text!("a time")),
         Setting::Listed(listed) => {
-            (!(listed.takes)(given, joint, joints)).then(|| listed.expected.into())
+            (!(listed.takes)(value, joint, joints)).then(|| listed.expected.into())
         }
         Setting::None | Setting::Setup | Setting::Target | Setting::Place => None,
     };
@@ -223,7 +223,7 @@ fn check_setting(
         Some(expected) => Err(TermError::OutOfRange {
             effect: about.id,
             name,
-            value: given,
+            value,
             expected,
         }),
         None => Ok(()),

@@ -40,7 +40,7 @@ pub(super) static JOINT_ZERO_OFFSET: Effect = Effect {
 
 fn remedy(robot: &Robot, term: &Term) -> Text {
     let kind = robot.joints[term.joint].kind;
-    let beyond = kind.outer(term.coefficients[0]);
+    let beyond = kind.to_display(term.coefficients[0]);
     let unit = match kind {
         JointKind::Revolute => "°",
         JointKind::Prismatic => " mm",

@@ -103,7 +103,7 @@ impl Term {
         let mut parameters = Vec::new();
         if let Some(quantity) = setting_quantity(about.setting) {
             let Quantity { name, unit, .. } = quantity.on(kind);
-            let value = self.scanned() / unit.inner;
+            let value = self.scanned() / unit.scale;
             parameters.push(Parameter { name, value });
         }
         match about.form {
@@ -112,7 +112,7 @@ impl Term {
                     let quantity = quantity.on(kind);
                     parameters.push(Parameter {
                         name: quantity.name,
-                        value: coefficient / quantity.unit.inner,
+                        value: coefficient / quantity.unit.scale,
                     });
                 }
             }
@@ -120,7 +120,7 @@ impl Term {
                 let (a, b) = (self.coefficient(0), self.coefficient(1));
                 parameters.push(Parameter {
                     name: quantity.name,
-                    value: a.hypot(b) / quantity.unit.inner,
+                    value: a.hypot(b) / quantity.unit.scale,
                 });
                 parameters.push(Parameter {
                     name: "phase_deg",
@@ -131,7 +131,7 @@ impl Term {
                 let quantity = quantity.on(kind);
                 parameters.push(Parameter {
                     name: quantity.name,
-                    value: self.coefficient(0) / quantity.unit.inner,
+                    value: self.coefficient(0) / quantity.unit.scale,
                 });
             }
         }

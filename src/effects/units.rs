@@ -6,7 +6,7 @@ pub struct Unit {
     /// As it is written behind a number.
     pub symbol: &'static str,
     /// Inner units (mm, rad, s, kg, K, N·m) in one of it.
-    pub inner: f64,
+    pub scale: f64,
     /// The largest value that makes any sense, inner units: a turn of one radian, a metre, a scale
     /// of two. What the samples leave open within this range they do not determine.
     pub reach: f64,
@@ -27,7 +27,7 @@ impl Unit {
     const fn new(symbol: &'static str, inner: f64, reach: f64, example: f64) -> Self {
         Self {
             symbol,
-            inner,
+            scale: inner,
             reach,
             turns: false,
             example,

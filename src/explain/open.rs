@@ -58,7 +58,7 @@ pub(super) fn unexplained(d: &Diagnosis, detail: Detail) -> Option<Section> {
     let mut facts = Vec::new();
     if left.present {
         facts.push(fact(say!("Size"), detail.length(left.rms_mm)));
-        facts.push(fact(say!("Evidence"), cleaned(&left.says)));
+        facts.push(fact(say!("Evidence"), cleaned(&left.description)));
         if let Some(place) = &left.place {
             facts.push(fact(say!("Where"), cleaned(place.describe())));
         }
@@ -87,7 +87,7 @@ pub(super) fn unexplained(d: &Diagnosis, detail: Detail) -> Option<Section> {
 fn corrected(detail: Detail, correction: &Correction) -> String {
     say!(
         "{says}; RMS error {fit}, cross-validated {unseen} ({how})",
-        says = cleaned(&correction.says),
+        says = cleaned(&correction.description),
         fit = detail.lengths(correction.gap_mm),
         unseen = detail.lengths(correction.held_out_mm),
         how = cleaned(&correction.how)

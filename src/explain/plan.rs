@@ -251,7 +251,7 @@ fn limits(plan: &Plan, detail: Detail) -> Option<Section> {
     });
     let seen: Vec<Limit> = seen.collect();
     let lines = limits_of(&plan.robot, &seen, |effect| title(effect).to_owned());
-    let facts = lines.into_iter().map(|line| (line.names, line.says));
+    let facts = lines.into_iter().map(|line| (line.names, line.text));
     let mut blocks = vec![Block::Facts(facts.collect())];
     let alike = plan.expected.alike.iter().map(|pair| {
         let name = |(effect, joint): (&str, Option<usize>)| {

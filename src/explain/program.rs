@@ -53,7 +53,7 @@ pub(crate) fn left_as_it_is(target: &Outcome, left: &SkippedTarget) -> String {
         "{target} is left as it is ({reason}): {left}",
         target = called(&target.name),
         reason = word(left.reason.name()),
-        left = cleaned(&left.says)
+        left = cleaned(&left.explanation)
     );
     at(target.place, &says)
 }

@@ -10,7 +10,7 @@ use crate::present::names::title;
 pub(super) fn limits(d: &Diagnosis, detail: Detail) -> Option<Section> {
     let facts: Vec<Fact> = if d.model.robot.joints.len() > 1 {
         let lines = limits::limits(d, name).into_iter();
-        lines.map(|line| (line.names, line.says)).collect()
+        lines.map(|line| (line.names, line.text)).collect()
     } else {
         let limits = d.not_found.iter();
         limits
@@ -24,7 +24,7 @@ pub(super) fn limits(d: &Diagnosis, detail: Detail) -> Option<Section> {
 /// What these samples cannot show, a line for each reason.
 pub(super) fn not_testable(d: &Diagnosis, detail: Detail) -> Option<Section> {
     let lines = limits::not_testable(d, name).into_iter();
-    let facts = lines.map(|line| (line.names, line.says)).collect();
+    let facts = lines.map(|line| (line.names, line.text)).collect();
     let heading = say!("Not testable with these samples");
     listed(Topic::NotTestable, heading, facts, detail)
 }

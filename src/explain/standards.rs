@@ -17,7 +17,7 @@ pub(crate) fn standards(standards: &Standards, series: usize) -> Vec<Section> {
 fn of_group(group: &Group) -> Section {
     let mut blocks = Vec::new();
     if !group.rows.is_empty() {
-        blocks.push(Block::Text(cleaned(&group.says)));
+        blocks.push(Block::Text(cleaned(&group.conditions)));
         blocks.push(Block::Table(group.table()));
     }
     if !group.missing.is_empty() {

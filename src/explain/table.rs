@@ -31,12 +31,12 @@ pub(crate) fn table(of: &Exported<'_>, detail: Detail) -> Vec<Section> {
         .export
         .meaning
         .iter()
-        .map(|line| said(line, detail))
+        .map(|line| spoken(line, detail))
         .collect();
     // Notes are for places that show nothing else: they have the meaning and what no joint can correct in them.
     let stays = of.remainder.map_or_else(Vec::new, Remainder::describe);
-    let stays: Vec<String> = stays.iter().map(|line| said(line, detail)).collect();
-    let more = of.export.notes.iter().map(|line| said(line, detail));
+    let stays: Vec<String> = stays.iter().map(|line| spoken(line, detail)).collect();
+    let more = of.export.notes.iter().map(|line| spoken(line, detail));
     let more = more.filter(|line| !meaning.contains(line) && !stays.contains(line));
     let more: Vec<String> = more.collect();
     for (title, lines) in [
@@ -51,7 +51,7 @@ pub(crate) fn table(of: &Exported<'_>, detail: Detail) -> Vec<Section> {
 }
 
 /// A line of the export; other programs read the terminal's minus signs.
-fn said(line: &Text, detail: Detail) -> String {
+fn spoken(line: &Text, detail: Detail) -> String {
     let line = cleaned(line);
     if detail.brief {
         line
@@ -96,7 +96,7 @@ fn leaves(of: &Exported<'_>, detail: Detail) -> Option<Section> {
         let says: Vec<String> = remainder
             .describe()
             .iter()
-            .map(|line| said(line, detail))
+            .map(|line| spoken(line, detail))
             .collect();
         if !says.is_empty() {
             blocks.push(Block::List(says));

@@ -6,14 +6,14 @@
 use crate::text::Text;
 use std::fmt::Write;
 
-use super::rules::{Directions, Rules, Says, Spacing};
+use super::rules::{Directions, Rules, EntryMeaning, Spacing};
 use super::sheet::Sheet;
 use super::table_file::{Columns, TableFile, number};
 use super::{ExportError, Format, Job};
 
 pub(super) const RULES: Rules = Rules {
     format: "csv",
-    says: Says::Correction,
+    meaning: EntryMeaning::Correction,
     resolution: None,
     units: ["deg", "mm"],
     per_outer: 1.0,

@@ -40,7 +40,7 @@ pub(super) struct Written {
     /// The file.
     pub(super) text: String,
     /// Files beside it: ending of the name, content.
-    pub(super) beside: Vec<(&'static str, String)>,
+    pub(super) companions: Vec<(&'static str, String)>,
     /// The chain that it says when it is read back; values as the controller counts them.
     pub(super) robot: Robot,
     pub(super) level: Level,
@@ -65,7 +65,7 @@ impl Written {
         Self {
             format,
             text,
-            beside: Vec::new(),
+            companions: Vec::new(),
             robot,
             level: Level::Links,
             units: "metres and radians",
@@ -190,10 +190,15 @@ pub(super) fn finish(job: &Job, chain: &Chain, written: Written) -> Result<Expor
     meaning.extend(sidecar.notes.iter().cloned());
     let json = text_of(&sidecar).into_bytes();
     let mut documents = Document::with_sidecar(job.file_name, written.text.into_bytes(), json);
-    documents.extend(written.beside.into_iter().map(|(ending, text)| Document {
-        name: format!("{}{ending}", job.file_name),
-        bytes: text.into_bytes(),
-    }));
+    documents.extend(
+        written
+            .companions
+            .into_iter()
+            .map(|(ending, text)| Document {
+                name: format!("{}{ending}", job.file_name),
+                bytes: text.into_bytes(),
+            }),
+    );
     Ok(Export {
         documents,
         reads_as: None,
@@ -313,7 +318,7 @@ fn left_out(job: &Job, chain: &Chain, format: &str) -> Vec<Text> {
 
 fn zeros(nominal: &Robot, chain: &Chain, in_words: Option<Text>) -> ZerosJson {
     let joints = nominal.joints.iter().enumerate().map(|(k, joint)| {
-        let outer = |inner: f64| joint.kind.outer(inner) + 0.0;
+        let outer = |inner: f64| joint.kind.to_display(inner) + 0.0;
         let offset = outer(chain.offsets[k]);
         ZeroJson {
             joint: k + 1,
@@ -328,7 +333,7 @@ fn zeros(nominal: &Robot, chain: &Chain, in_words: Option<Text>) -> ZerosJson {
     let taken = taken.filter(|(_, (_, value))| **value != 0.0);
     let taken: Vec<Text> = taken
         .map(|(k, (joint, value))| {
-            let outer = joint.kind.outer(*value);
+            let outer = joint.kind.to_display(*value);
             text!(
                 "joint {joint} by {offset}",
                 joint = k + 1,

@@ -26,7 +26,7 @@ use crate::document::kinds::{TEXT, VECTOR};
 use crate::document::object::written;
 use crate::document::{Value, degrees, text_of};
 use crate::kinematics::{DhConvention, DhRow, JointKind, Pose, Robot, RobotSource};
-use crate::sessions::files::format_v1::robot::outer;
+use crate::sessions::files::format_v1::robot::to_display;
 use crate::sessions::files::format_v1::robot_parts::POSE;
 use crate::sessions::files::format_v1::robot_source::DH_ROWS;
 use crate::sessions::parse_robot;
@@ -215,7 +215,7 @@ fn write(job: &Job, found: &Rows) -> String {
     let mut nominal = job.calibration.model.robot.clone();
     let limits = nominal.joints.iter().map(|joint| {
         let ends = joint.limits.map(|range| [range.from, range.to]);
-        ends.map(|ends| ends.map(|end| outer(joint.kind, end)))
+        ends.map(|ends| ends.map(|end| to_display(joint.kind, end)))
     });
     let limits: Value = limits.collect();
     // At home, in the base frame.

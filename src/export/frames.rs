@@ -150,7 +150,7 @@ fn write(job: &Job, found: &ControllerFrames) -> String {
         );
     }
     for (k, (joint, zero)) in nominal.joints.iter().zip(&found.zeros).enumerate() {
-        let (value, unit) = (joint.kind.outer(*zero), joint.kind.unit());
+        let (value, unit) = (joint.kind.to_display(*zero), joint.kind.unit());
         text.push_str(&format!("zero of joint {},,,,,{value},,,,{unit}\n", k + 1));
     }
     text

@@ -115,7 +115,7 @@ impl Exporter for LeRobot {
             return Err(ExportError::ReadBack("the calibration".to_owned()));
         }
         let written = Written {
-            beside: vec![(".urdf", text)],
+            companions: vec![(".urdf", text)],
             units: "ticks, 4096 a turn; the URDF in metres and radians",
             sign: match job.options.motors {
                 Motors::Feetech => {

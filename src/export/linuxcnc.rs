@@ -15,7 +15,7 @@
 
 use std::fmt::Write;
 
-use super::rules::{DECIMALS, Directions, Rules, Says, Spacing};
+use super::rules::{DECIMALS, Directions, Rules, EntryMeaning, Spacing};
 use super::sheet::Sheet;
 use super::table_file::{Columns, TableFile, number};
 use super::{ExportError, Format, Job};
@@ -24,7 +24,7 @@ use crate::text::Text;
 
 const RULES: Rules = Rules {
     format: "linuxcnc",
-    says: Says::Correction,
+    meaning: EntryMeaning::Correction,
     resolution: DECIMALS,
     units: ["deg", "mm"],
     per_outer: 1.0,

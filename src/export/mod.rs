@@ -49,7 +49,7 @@ pub use lerobot::lerobot_calibration;
 pub use options::{Motors, Options, Reference, Zeros};
 pub use read_back::{ReadBack, gap_left, gap_to, gap_without};
 pub use residual_error::{Allowance, ResidualError};
-pub use rules::{Directions, Rules, Says, Spacing};
+pub use rules::{Directions, EntryMeaning, Rules, Spacing};
 pub use sheet::Sheet;
 
 /// Makes the modules and the list of the names given, so that a format is registered in one line.

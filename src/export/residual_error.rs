@@ -85,14 +85,14 @@ impl Exact {
         let wide = joint.and_then(|joint| joint.limits);
         let wide = wide.or_else(|| job.calibration.measured.get(job.joint).copied());
         let span = wide.map_or(1.0, |range| range.to - range.from);
-        let span = joint.map_or(span, |joint| joint.kind.outer(span));
+        let span = joint.map_or(span, |joint| joint.kind.to_display(span));
         let points = (PER_UNIT * span).ceil().clamp(POINTS[0], POINTS[1]);
         // What is wrong with the joint or its range is said by the table.
         let step = span / points;
         let usable = step.is_finite() && step > 0.0;
         let table = job.table(if usable { step } else { 1.0 })?;
         let lever = lever(job);
-        let lever_outer_mm = table.kind.inner(lever);
+        let lever_outer_mm = table.kind.from_display(lever);
         Ok(Self {
             table,
             lever_outer_mm,
@@ -108,8 +108,8 @@ impl Exact {
     fn points(&self) -> Vec<usize> {
         let table = &self.table;
         let [from, to] = [
-            table.outer(table.measured.from),
-            table.outer(table.measured.to),
+            table.to_display(table.measured.from),
+            table.to_display(table.measured.to),
         ];
         let all = 0..table.commanded_outer.len();
         let inside = |k: &usize| {
@@ -140,7 +140,10 @@ impl Exact {
         let (mut sum, mut largest, mut count) = (0.0, 0.0_f64, 0.0);
         for k in self.points() {
             let q = table.commanded_outer[k];
-            let (forward, reverse) = (table.outer(table.forward[k]), table.outer(table.reverse[k]));
+            let (forward, reverse) = (
+                table.to_display(table.forward[k]),
+                table.to_display(table.reverse[k]),
+            );
             let mean = 0.5 * (forward + reverse);
             for (side, exact) in [(1.0, forward), (-1.0, reverse)] {
                 let exact = if against_the_mean { mean } else { exact };
@@ -157,7 +160,7 @@ impl Exact {
     pub(super) fn apart_outer(&self) -> f64 {
         let table = &self.table;
         let both = table.forward.iter().zip(&table.reverse);
-        table.outer(both.map(|(f, r)| (f - r).abs()).fold(0.0, f64::max))
+        table.to_display(both.map(|(f, r)| (f - r).abs()).fold(0.0, f64::max))
     }
 
     /// What the mean of both directions leaves of each, root mean square, mm; none where the format
@@ -170,7 +173,7 @@ impl Exact {
         let points = self.points();
         let squares = points.iter().map(|k| {
             let half = 0.5 * (table.forward[*k] - table.reverse[*k]);
-            table.outer(half).powi(2)
+            table.to_display(half).powi(2)
         });
         self.lever_outer_mm * (squares.sum::<f64>() / points.len() as f64).sqrt()
     }

@@ -12,14 +12,14 @@ use crate::text::Template;
 
 /// What the numbers of a table are.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Says {
+pub enum EntryMeaning {
     /// What to add to the command.
     Correction,
     /// Where the joint stands beyond its command; its controller subtracts it.
     Deviation,
 }
 
-impl Says {
+impl EntryMeaning {
     /// What turns a correction into the table's number, and back.
     pub fn sign(self) -> f64 {
         match self {
@@ -72,7 +72,7 @@ pub struct Rules {
     /// Name of the format.
     pub format: &'static str,
     /// What its numbers are.
-    pub says: Says,
+    pub meaning: EntryMeaning,
     /// The smallest difference that the file can hold, degrees or mm; `None`: every digit.
     pub resolution: Option<f64>,
     /// Unit of its numbers on a joint that turns and on one that slides.

@@ -41,7 +41,9 @@ impl Sheet {
     /// The whole of a table, as the format rounds it.
     pub(super) fn new(table: &JointTable, rules: &Rules) -> Self {
         let outer = |values: &[f64]| -> Vec<f64> {
-            let values = values.iter().map(|v| rules.rounded(table.outer(*v)) + 0.0);
+            let values = values
+                .iter()
+                .map(|v| rules.rounded(table.to_display(*v)) + 0.0);
             values.collect()
         };
         let (mut forward, mut reverse) = (outer(&table.forward), outer(&table.reverse));
@@ -103,13 +105,13 @@ impl Sheet {
     }
 
     /// A value of the joint in the user's unit.
-    pub fn outer(&self, inner: f64) -> f64 {
-        self.kind.outer(inner)
+    pub fn to_display(&self, inner: f64) -> f64 {
+        self.kind.to_display(inner)
     }
 
     /// A value of the joint in inner units.
-    pub fn inner(&self, outer: f64) -> f64 {
-        self.kind.inner(outer)
+    pub fn from_display(&self, outer: f64) -> f64 {
+        self.kind.from_display(outer)
     }
 
     /// First and last place.

@@ -5,7 +5,7 @@ use sha2::{Digest, Sha256};
 use super::Job;
 use super::poses::measured_poses;
 use super::residual_error::ResidualError;
-use super::rules::{Rules, Says};
+use super::rules::{EntryMeaning, Rules};
 use super::sheet::Sheet;
 use crate::compensation::conditions::Side;
 use crate::compensation::inverse::{closest_commands, places};
@@ -42,7 +42,7 @@ impl Sidecar<'_> {
         let calibration = job.calibration;
         let remainder = self.stays();
         let [from, to] = sheet.ends();
-        let measured = [sheet.measured.from, sheet.measured.to].map(|end| sheet.outer(end));
+        let measured = [sheet.measured.from, sheet.measured.to].map(|end| sheet.to_display(end));
         let example = WorkedExample::new(job, sheet, rules);
         let texts = |texts: &[Text]| texts.iter().collect::<Value>();
         let document = object! {
@@ -58,7 +58,7 @@ impl Sidecar<'_> {
             "joint_name": &sheet.name,
             "unit": sheet.unit(),
             "unit_of_the_numbers": rules.unit(sheet.kind),
-            "sign": rules.says.sentence(),
+            "sign": rules.meaning.sentence(),
             // How much of what was identified it carries.
             "level": "effects-of-a-joint",
             "level_in_words": "everything that this joint can correct, its zero offset included",
@@ -87,7 +87,7 @@ impl Sidecar<'_> {
             "measured_range": measured,
             "outside_the_measured_range": "the correction at the end of the measured range is held",
             "conditions": object! {
-                "speed_per_s": sheet.outer(sheet.conditions.speed),
+                "speed_per_s": sheet.to_display(sheet.conditions.speed),
                 "load_kg": sheet.conditions.load_kg,
                 "temperature_c": sheet.conditions.temperature_c,
             },
@@ -115,7 +115,7 @@ impl Sidecar<'_> {
     /// What the numbers mean: their sign, the example, what to enter, how sure it is, the table's notes.
     pub(super) fn meaning(&self) -> Vec<Text> {
         let example = WorkedExample::new(self.job, self.sheet, self.rules).says;
-        let mut meaning = vec![self.rules.says.sentence().into(), example];
+        let mut meaning = vec![self.rules.meaning.sentence().into(), example];
         meaning.extend(self.in_the_controller.iter().cloned());
         meaning.extend(self.rules.label.map(Text::from));
         meaning.extend(self.sheet.notes.iter().cloned());
@@ -151,7 +151,7 @@ impl WorkedExample {
     /// The entry with the largest correction, forward, in the measured range where there is one.
     fn new(job: &Job, sheet: &Sheet, rules: &Rules) -> Self {
         let size = |k: &usize| {
-            let q = sheet.inner(sheet.places[*k]);
+            let q = sheet.from_display(sheet.places[*k]);
             let measured = q >= sheet.measured.from - 1e-9 && q <= sheet.measured.to + 1e-9;
             (measured, sheet.forward[*k].abs())
         };
@@ -165,9 +165,9 @@ impl WorkedExample {
             .unwrap_or(0);
         let commanded = sheet.places[largest];
         let correction = sheet.forward[largest] + 0.0;
-        let reached = sheet.outer(reached(job, sheet, commanded, correction));
+        let reached = sheet.to_display(reached(job, sheet, commanded, correction));
         let unit = sheet.kind.sign();
-        let says = rules.says.sign() * correction * rules.per_outer + 0.0;
+        let says = rules.meaning.sign() * correction * rules.per_outer + 0.0;
         let digits = 6;
         let number = if rules.per_outer == 1.0 {
             Text::verbatim(format!("{says:+.digits$}"))
@@ -183,15 +183,15 @@ impl WorkedExample {
         // The data's range may end at any digit.
         let at = format!("{}{unit}", (commanded * 1e6).round() / 1e6);
         let reached_there = format!("{reached:.digits$}{unit}");
-        let in_words = match rules.says {
-            Says::Correction => text!(
+        let in_words = match rules.meaning {
+            EntryMeaning::Correction => text!(
                 "commanded {commanded}, robot reached {reached}, table says {number}: send {sent}",
                 commanded = at,
                 reached = reached_there,
                 number = number,
                 sent = send
             ),
-            Says::Deviation => text!(
+            EntryMeaning::Deviation => text!(
                 "commanded {commanded}, robot reached {reached}, table says {number}: the controller sends {sent}",
                 commanded = at,
                 reached = reached_there,
@@ -214,10 +214,10 @@ impl WorkedExample {
 fn reached(job: &Job, sheet: &Sheet, commanded: f64, correction: f64) -> f64 {
     let compensation = Compensation::new(job.calibration);
     let joints = job.calibration.model.robot.joints.len();
-    let command = sheet.inner(commanded);
+    let command = sheet.from_display(commanded);
     if joints > 1 || compensation.regional.is_some() {
         // To first order, which is all that a regional correction knows.
-        return command - sheet.inner(correction);
+        return command - sheet.from_display(correction);
     }
     let homes = compensation.reflectors_at_home.clone();
     let inputs = sheet

@@ -14,14 +14,14 @@
 use crate::text::Text;
 use std::fmt::Write;
 
-use super::rules::{DECIMALS, Directions, FROM_THE_MANUAL, Rules, Says, Spacing, decimal};
+use super::rules::{DECIMALS, Directions, FROM_THE_MANUAL, Rules, EntryMeaning, Spacing, decimal};
 use super::sheet::Sheet;
 use super::table_file::{Columns, TableFile, number};
 use super::{ExportError, Format, Job};
 
 const RULES: Rules = Rules {
     format: "sinumerik",
-    says: Says::Deviation,
+    meaning: EntryMeaning::Deviation,
     resolution: DECIMALS,
     units: ["deg", "mm"],
     per_outer: 1.0,
@@ -68,7 +68,7 @@ fn axis(sheet: &Sheet) -> String {
 }
 
 fn write(_: &Job, sheet: &Sheet, _: &[Text]) -> String {
-    let (axis, sign) = (axis(sheet), RULES.says.sign());
+    let (axis, sign) = (axis(sheet), RULES.meaning.sign());
     let [from, to] = sheet.ends();
     let last = sheet.places.len() - 1;
     let step = sheet.step.unwrap_or((to - from) / last as f64);

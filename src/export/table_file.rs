@@ -16,7 +16,8 @@ use crate::text::{InUnits, Template, Text, current};
 /// A comment in a file: a person reads it, in the language of this thread and the units of documents.
 pub(super) fn in_a_comment(text: &Text) -> String {
     let _units = InUnits::of_documents();
-    text.said(current(), false).replace(['\n', '\r'], " ")
+    text.spoken_with(current(), false)
+        .replace(['\n', '\r'], " ")
 }
 
 /// What tells one table format from another.
@@ -100,7 +101,7 @@ impl TableFile {
     fn read_back(&self, sheet: &Sheet, text: &str) -> Result<ReadBack, ExportError> {
         let wrong = |what: &str| ExportError::ReadBack(what.to_owned());
         let columns = (self.read)(sheet, text)?;
-        let sign = self.rules.says.sign();
+        let sign = self.rules.meaning.sign();
         let corrections =
             |values: Vec<f64>| -> Vec<f64> { values.iter().map(|v| sign * v + 0.0).collect() };
         let (forward, reverse) = (corrections(columns.forward), corrections(columns.reverse));

@@ -263,7 +263,7 @@ int main(void)
 
     let table = Job::new(&calibration, "t").table(2.5).unwrap();
     let own = |values: &[f64]| {
-        let outer: Vec<f64> = values.iter().map(|v| table.outer(*v)).collect();
+        let outer: Vec<f64> = values.iter().map(|v| table.to_display(*v)).collect();
         UniformTable::new(table.commanded_outer[0], table.step_outer, &outer)
     };
     let (forward, reverse) = (own(&table.forward), own(&table.reverse));

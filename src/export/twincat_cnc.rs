@@ -16,14 +16,14 @@
 use crate::text::Text;
 use std::fmt::Write;
 
-use super::rules::{Directions, FROM_THE_MANUAL, Rules, Says, Spacing};
+use super::rules::{Directions, FROM_THE_MANUAL, Rules, EntryMeaning, Spacing};
 use super::sheet::Sheet;
 use super::table_file::{Columns, TableFile};
 use super::{ExportError, Format, Job};
 
 const RULES: Rules = Rules {
     format: "twincat-cnc",
-    says: Says::Deviation,
+    meaning: EntryMeaning::Deviation,
     resolution: Some(1.0 / PER_OUTER),
     units: ["0.0001°", "0.1 µm"],
     per_outer: PER_OUTER,
@@ -88,7 +88,7 @@ fn write(_: &Job, sheet: &Sheet, _: &[Text]) -> String {
     entry("kw.ssfk.kw_nr_max", &sheet.places.len().to_string());
     entry("kw.ssfk.bilateral", "1");
     entry("kw.ssfk.modulo", if sheet.repeats { "1" } else { "0" });
-    let sign = RULES.says.sign();
+    let sign = RULES.meaning.sign();
     for (key, column, sign) in [
         ("setpoint", &sheet.places, 1.0),
         ("pos", &sheet.forward, sign),

@@ -16,14 +16,14 @@
 use crate::text::Text;
 use std::fmt::Write;
 
-use super::rules::{DECIMALS, Directions, FROM_THE_MANUAL, Rules, Says, Spacing, decimal};
+use super::rules::{DECIMALS, Directions, FROM_THE_MANUAL, Rules, EntryMeaning, Spacing, decimal};
 use super::sheet::Sheet;
 use super::table_file::{Columns, TableFile, in_a_comment, number};
 use super::{ExportError, Format, Job};
 
 const RULES: Rules = Rules {
     format: "twincat-nc",
-    says: Says::Correction,
+    meaning: EntryMeaning::Correction,
     resolution: DECIMALS,
     units: ["deg", "mm"],
     per_outer: 1.0,

@@ -124,18 +124,18 @@ fn half_widths(
             .enumerate()
             .map(|(k, quantity)| {
                 (!undetermined[k])
-                    .then(|| factor * covariance[(k, k)].sqrt() / quantity.on(kind).unit.inner)
+                    .then(|| factor * covariance[(k, k)].sqrt() / quantity.on(kind).unit.scale)
             })
             .collect(),
         Form::Fading(quantity) => {
             let quantity = quantity.on(kind);
             let fade = setting_quantity(term.effect.about().setting).map_or(1.0, |setting| {
-                term.settled().setting / setting.on(kind).unit.inner
+                term.settled().setting / setting.on(kind).unit.scale
             });
             let deviation = |k: usize| factor * covariance[(k, k)].sqrt();
             // An uncertainty beyond a factor of e is none that an interval could tell.
             let of_fade = (!undetermined[1] && deviation(1) < 1.0).then(|| fade * deviation(1));
-            let of_size = (!undetermined[0]).then(|| deviation(0) / quantity.unit.inner);
+            let of_size = (!undetermined[0]).then(|| deviation(0) / quantity.unit.scale);
             vec![of_fade, of_size]
         }
         Form::Harmonic(quantity) => {
@@ -151,13 +151,13 @@ fn half_widths(
             };
             if amplitude == 0.0 {
                 let largest = covariance[(0, 0)].max(covariance[(1, 1)]);
-                return vec![Some(factor * largest.sqrt() / quantity.unit.inner), None];
+                return vec![Some(factor * largest.sqrt() / quantity.unit.scale), None];
             }
             let radial = variance(a / amplitude, b / amplitude).sqrt();
             let around = variance(-b / amplitude, a / amplitude).sqrt() / amplitude;
             let phase = deg_from_rad(factor * around);
             vec![
-                Some(factor * radial / quantity.unit.inner),
+                Some(factor * radial / quantity.unit.scale),
                 (phase < 180.0).then_some(phase),
             ]
         }
@@ -202,7 +202,7 @@ mod tests {
         let [Some(amplitude), Some(phase)] = of([false; 2])[..] else {
             panic!("both are known");
         };
-        let expected = 2.0 * deviation(&f64::hypot) / quantity.unit.inner;
+        let expected = 2.0 * deviation(&f64::hypot) / quantity.unit.scale;
         assert!(
             (amplitude / expected - 1.0).abs() < 1e-6,
             "{amplitude} {expected}"

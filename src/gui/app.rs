@@ -177,7 +177,7 @@ impl App {
         let wanted = preferred.unwrap_or(self.language);
         if wanted != self.wanted {
             self.wanted = wanted;
-            let letters = crate::text::letters(wanted).collect();
+            let letters = crate::text::characters(wanted).collect();
             self.workbench
                 .execute(Command::Letters(Letters::Find(letters)));
             self.workbench.receive();

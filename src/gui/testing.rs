@@ -18,9 +18,9 @@ pub(crate) fn workbench() -> Workbench {
         ..Form::default()
     };
     let (session, _) = form.session(unwatched).expect("the form is valid");
-    let subject = LoadedSession::new(session, Vec::new(), Origin::Simulated);
+    let loaded_session = LoadedSession::new(session, Vec::new(), Origin::Simulated);
     let jobs = Jobs::new(Runner::AtOnce, Arc::new(|| {}));
-    Workbench::new(Arc::new(subject), jobs, drawing)
+    Workbench::new(Arc::new(loaded_session), jobs, drawing)
 }
 
 /// A session in this folder of one joint of a URDF, whose link looks like this mesh.

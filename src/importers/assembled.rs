@@ -88,7 +88,7 @@ impl Job<'_> {
             joint = joint + 1
         );
         self.note(said.clone());
-        self.said.push(said);
+        self.sentences.push(said);
         Ok(())
     }
 
@@ -138,7 +138,7 @@ impl Job<'_> {
         let mut session = Session {
             name: self.settings.name.clone(),
             note: self
-                .said
+                .sentences
                 .iter()
                 .map(|said| format!("{said}."))
                 .collect::<Vec<_>>()

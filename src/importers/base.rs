@@ -151,10 +151,10 @@ impl Job<'_> {
         let Some(companion) = self.settings.commands.as_ref().filter(|_| by_name) else {
             return BTreeSet::new();
         };
-        let (findings, said) = (self.findings.len(), self.said.len());
+        let (findings, said) = (self.findings.len(), self.sentences.len());
         let columns = self.commands_in(companion, "q1_deg");
         self.findings.truncate(findings);
-        self.said.truncate(said);
+        self.sentences.truncate(said);
         let names = columns
             .as_ref()
             .ok()
@@ -199,7 +199,7 @@ impl Job<'_> {
             each = matching::listed_names_up_to(&each, 40)
         );
         self.findings.push(Diagnostic::note(place.clone(), found));
-        self.said.push(said);
+        self.sentences.push(said);
         for outlier in alignment.outliers() {
             let found = text!(
                 "reference point {outlier} has a residual of {norm}: excluded from the alignment",

@@ -27,7 +27,7 @@ impl Column {
     }
 
     /// The numbers in inner units.
-    pub(crate) fn inner(&self) -> Option<Vec<f64>> {
+    pub(crate) fn in_base_units(&self) -> Option<Vec<f64>> {
         let factor = match self.role {
             Role::Known(_, Some(unit)) | Role::Turn(_, Some(unit)) => unit.factor(),
             Role::Known(_, None) | Role::Time(_) | Role::Axis(_) => 1.0,
@@ -73,7 +73,7 @@ impl Columns {
 
     /// A quantity's numbers in inner units.
     pub(crate) fn numbers(&self, quantity: Quantity) -> Option<Vec<f64>> {
-        self.find(quantity)?.inner()
+        self.find(quantity)?.in_base_units()
     }
 
     /// The text of each row in the column with this role.

@@ -90,7 +90,7 @@ impl Job<'_> {
             lonely_commands: Vec::new(),
             clock: None,
         };
-        self.said.push(by.in_words());
+        self.sentences.push(by.in_words());
         let (columns, left) = match by {
             Matching::Order => match matching::by_order(&columns, &commands) {
                 Ok(pairs) => matching::join(columns, commands, &pairs),
@@ -146,7 +146,7 @@ impl Job<'_> {
             let found = text!("no joint {joint} in the recording", joint = joint + 1);
             return self.refuse(place, found, text!("as many joints as the robot has"));
         }
-        self.said.push(text!(
+        self.sentences.push(text!(
             "commands are the recorded joint values, matched by time"
         ));
         let (columns, _, clock) = self.by_time(columns, recorded, targets, &place, true)?;
@@ -231,8 +231,8 @@ impl Job<'_> {
             ),
         };
         self.note(said.clone());
-        self.said.push(said);
-        self.said
+        self.sentences.push(said);
+        self.sentences
             .extend(done.findings.iter().map(|finding| finding.found.clone()));
         self.findings.extend(done.findings);
         Ok((done.columns, done.left, clock))

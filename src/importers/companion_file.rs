@@ -95,7 +95,7 @@ impl Job<'_> {
                 },
                 ..Reading::default()
             };
-            let mut case = ReadContext {
+            let mut context = ReadContext {
                 text: &text,
                 bytes: companion.bytes,
                 reading: &reading,
@@ -103,9 +103,9 @@ impl Job<'_> {
                 found: Inspection::default(),
                 part: self.part,
             };
-            let columns = reader(&mut case);
-            let columns = columns.filter(|_| !case.is_open());
-            (case.found, columns)
+            let columns = reader(&mut context);
+            let columns = columns.filter(|_| !context.is_open());
+            (context.found, columns)
         };
         let (mut found, mut columns) = read_with(&[]);
         if !found.questions.is_empty() {
@@ -139,7 +139,8 @@ impl Job<'_> {
         };
         self.findings.append(&mut findings);
         let file = file_in_words(companion.file.as_ref(), companion.bytes);
-        self.said.push(kind.read_from(&file, &encoding.in_words()));
+        self.sentences
+            .push(kind.read_from(&file, &encoding.in_words()));
         Ok(columns)
     }
 

@@ -128,7 +128,7 @@ impl Job<'_> {
         };
         let said = with_unknown(said, &unknown);
         self.note(said.clone());
-        self.said.push(said);
+        self.sentences.push(said);
         names
     }
 

@@ -66,7 +66,7 @@ impl Job<'_> {
             joints = joints
         );
         self.note(said.clone());
-        self.said.push(said);
+        self.sentences.push(said);
     }
 }
 

@@ -76,7 +76,7 @@ impl Job<'_> {
             );
         }
         self.note(said.clone());
-        self.said.push(said);
+        self.sentences.push(said);
         Ok(anchors)
     }
 

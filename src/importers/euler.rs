@@ -256,7 +256,7 @@ pub(crate) fn to_quaternions(columns: &mut Columns, convention: Convention) {
     let Some(Ok((at, by_axis))) = columns_of(&roles) else {
         return;
     };
-    let angles = at.map(|index| columns.list[index].inner().unwrap_or_default());
+    let angles = at.map(|index| columns.list[index].in_base_units().unwrap_or_default());
     let rows = columns.rows();
     let mut parts = [const { Vec::new() }; 4];
     for row in 0..rows {

@@ -71,7 +71,7 @@ pub(super) fn read(
     let known = binary.or(reading.kind);
     let importer = known.unwrap_or_else(|| proposed(&text, reading, part));
     found.kind = Some(importer);
-    let mut case = ReadContext {
+    let mut context = ReadContext {
         text: &text,
         bytes,
         reading,
@@ -79,8 +79,8 @@ pub(super) fn read(
         found,
         part,
     };
-    let columns = (importer.read)(&mut case).filter(|_| !case.is_open());
-    (case.found, columns)
+    let columns = (importer.read)(&mut context).filter(|_| !context.is_open());
+    (context.found, columns)
 }
 
 /// The format that a text looks like: each is asked whether it has anything against the file, the
@@ -102,7 +102,7 @@ pub(super) fn proposed(text: &str, reading: &Reading, part: ProgressSpan<'_>) ->
         .collect();
     asked.sort_by_key(|(turn, ..)| *turn);
     let tried = |importer: &Importer| {
-        let mut case = ReadContext {
+        let mut context = ReadContext {
             text,
             bytes: text.as_bytes(),
             reading,
@@ -110,8 +110,8 @@ pub(super) fn proposed(text: &str, reading: &Reading, part: ProgressSpan<'_>) ->
             found: Inspection::default(),
             part,
         };
-        let read = (importer.read)(&mut case);
-        let found = case.found;
+        let read = (importer.read)(&mut context);
+        let found = context.found;
         let asks_for_columns = found.questions.iter().any(|q| q.about == About::Columns);
         let is_error = |finding: &Diagnostic| finding.severity == Severity::Error;
         let headings = found.columns.into_iter().map(|column| column.heading);

@@ -121,7 +121,7 @@ pub(crate) struct Job<'s> {
     pub(crate) place: Place,
     pub(crate) findings: Vec<Diagnostic>,
     /// Sentences of the note.
-    pub(crate) said: Vec<Text>,
+    pub(crate) sentences: Vec<Text>,
     /// What the columns of the commands are taken for.
     pub(crate) commands_columns: Vec<ColumnGuess>,
     /// The work that reading the files beside it is a part of.
@@ -159,7 +159,7 @@ impl Job<'_> {
     /// Warns of what did not come into the session, and has its note say it: the one who signs reads
     /// the note, not the terminal.
     pub(crate) fn left_out(&mut self, place: Place, found: Text) {
-        self.said.push(found.clone());
+        self.sentences.push(found.clone());
         self.findings
             .push(Diagnostic::warning(place, found, Text::default()));
     }

@@ -59,7 +59,7 @@ fn import_in(
         reading: &reading,
         place: reading.place(),
         findings,
-        said: Vec::new(),
+        sentences: Vec::new(),
         commands_columns: Vec::new(),
         part: part.part(0.7, 0.95),
     };
@@ -74,7 +74,7 @@ fn import_in(
     }
     if reading.z_up {
         upwards::turn_up(&mut columns);
-        job.said.push(text!(
+        job.sentences.push(text!(
             "turned so that z points up: (x, y, z) became (x, -z, y)"
         ));
     } else if inspection.kind.is_some_and(|kind| kind.asks.y_up) && settings.reference.is_none() {
@@ -142,7 +142,7 @@ impl Job<'_> {
         if !inspection.unit.is_empty() {
             read.push(text!("unit {unit}", unit = &inspection.unit));
         }
-        self.said.push(text!(
+        self.sentences.push(text!(
             "imported from {bytes} as {kind}: {read}",
             bytes = file_in_words(self.reading.file.as_ref(), bytes),
             kind = kind,

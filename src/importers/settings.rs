@@ -104,7 +104,7 @@ pub struct Question {
     /// Where in the file it came up.
     pub place: Place,
     /// What is not known, and what the answers would mean.
-    pub says: Text,
+    pub text: Text,
     /// Possible answers as the command line takes them; empty where there are too many.
     pub answers: Vec<String>,
 }
@@ -114,7 +114,7 @@ impl Question {
         Self {
             about,
             place,
-            says: says.into(),
+            text: says.into(),
             answers: answers.iter().map(|&answer| answer.to_owned()).collect(),
         }
     }
@@ -143,7 +143,7 @@ impl Question {
                 answers = answers.join(" or ")
             ),
         };
-        Diagnostic::error(self.place.clone(), self.says.clone(), expected)
+        Diagnostic::error(self.place.clone(), self.text.clone(), expected)
     }
 }
 
@@ -244,7 +244,7 @@ pub struct Importer {
     /// Its name for `--as`.
     pub id: &'static str,
     /// What it is, for a user who has only the file.
-    pub plainly: Template,
+    pub title: Template,
     /// What is asked about its files.
     pub asks: Questions,
     /// Options that only this format has.

@@ -33,7 +33,7 @@ impl JointKind {
     }
 
     /// A value (rad or mm) in the user's unit.
-    pub fn outer(self, inner: f64) -> f64 {
+    pub fn to_display(self, inner: f64) -> f64 {
         match self {
             Self::Revolute => deg_from_rad(inner),
             Self::Prismatic => inner,
@@ -41,7 +41,7 @@ impl JointKind {
     }
 
     /// A value in the user's unit in rad or mm.
-    pub fn inner(self, outer: f64) -> f64 {
+    pub fn from_display(self, outer: f64) -> f64 {
         match self {
             Self::Revolute => rad_from_deg(outer),
             Self::Prismatic => outer,

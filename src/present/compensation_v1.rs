@@ -181,7 +181,7 @@ fn entry(outcome: &Outcome, robot: &Robot) -> Json {
     let outer = |values: &[f64]| -> Vec<f64> {
         let pairs = robot.joints.iter().zip(values);
         pairs
-            .map(|(joint, value)| joint.kind.outer(*value))
+            .map(|(joint, value)| joint.kind.to_display(*value))
             .collect()
     };
     let change = |w: &Written| {
@@ -195,7 +195,7 @@ fn entry(outcome: &Outcome, robot: &Robot) -> Json {
         "kind": if outcome.is_pose { "pose" } else { "joints" },
         "corrected": written.is_some(),
         "because": left.map(|l| l.reason.name()),
-        "says": left.map(|l| l.says.to_string()),
+        "says": left.map(|l| l.explanation.to_string()),
         "q_deg": written.map(|w| outer(&w.commanded)),
         "change_deg": written.map(change),
         "dir": written.map(|w| w.dir.iter().map(|dir| f64::from(*dir)).collect::<Vec<_>>()),

@@ -12,7 +12,7 @@ use crate::paper::RegionalStart;
 use crate::sessions::Session;
 use crate::units::deg_from_rad;
 
-use super::json::{Json, given, keyed, list, object};
+use super::json::{Json, keyed, list, object, optional};
 use super::kinds;
 use super::parts::{not_identifiable, outliers, parameters_by_effect, problems};
 
@@ -23,7 +23,7 @@ pub fn document(d: &Diagnosis, session: &Session, start: Option<&RegionalStart>)
         "session": &d.session,
         "samples": d.samples,
         "verdict": d.verdict.name(),
-        "stopped": given(d.stopped.map(crate::diagnosis::Stopped::name)),
+        "stopped": optional(d.stopped.map(crate::diagnosis::Stopped::name)),
         "data_problems": problems(&d.data_problems),
         "floor": object! {
             "mm": d.floor.mm,
@@ -57,7 +57,7 @@ pub fn document(d: &Diagnosis, session: &Session, start: Option<&RegionalStart>)
         "expected_error": super::identification_v1::expected(&d.identification),
         "not_testable": list(&d.not_testable, |n| object! {
             "effect": n.effect,
-            "joint": given(n.joint.map(|j| j + 1)),
+            "joint": optional(n.joint.map(|j| j + 1)),
             "because": &n.because,
         }),
         "not_found": list(&d.not_found, not_found),
@@ -65,8 +65,8 @@ pub fn document(d: &Diagnosis, session: &Session, start: Option<&RegionalStart>)
         "excluded": list(&d.identification.excluded(), |sample| Json::from(sample + 1)),
         "next_poses": poses(&d.next_poses, &session.robot),
         "noise": noise(&d.noise),
-        "kinds": given(kinds::rows(&d.identification.kinds)),
-        "start": given(start.map(regional)),
+        "kinds": optional(kinds::rows(&d.identification.kinds)),
+        "start": optional(start.map(regional)),
     }
 }
 
@@ -85,7 +85,7 @@ fn found(f: &FoundEffect) -> Json {
     let parameters = f.parameters.iter().map(super::parts::value);
     object! {
         "effect": f.effect,
-        "joint": given(f.joint),
+        "joint": optional(f.joint),
         "parameters": parameters.chain(figures).collect::<Json>(),
         "p_family": f.p_familywise.p,
         "p_family_is_a_bound": f.p_familywise.bound,
@@ -97,7 +97,7 @@ fn found(f: &FoundEffect) -> Json {
         "odds_over_next": f.odds_over_next,
         "next": f.next.as_ref(),
         "within_s": f.within_s.map_or(Json::Null, |[from, to]| [from, to].into_iter().collect()),
-        "says": &f.says,
+        "says": &f.explanation,
         "check": f.check,
     }
 }
@@ -117,15 +117,15 @@ fn unexplained(left: &Unexplained, session: &Session) -> Json {
             }
         }),
         "resembles": &left.resembles,
-        "says": &left.says,
-        "noise": given(left.noise.map(|n| {
+        "says": &left.description,
+        "noise": optional(left.noise.map(|n| {
             object! { "stated_mm": n.stated_mm, "found_mm": n.found_mm }
         })),
         // Only where it was asked for; null where there is none.
         "correction": asked.map_or(Json::Absent, |c| {
             c.as_ref().ok().and_then(|c| correction(c, session)).into()
         }),
-        "no_correction_because": given(asked.and_then(|c| c.as_ref().err())),
+        "no_correction_because": optional(asked.and_then(|c| c.as_ref().err())),
     }
 }
 
@@ -143,10 +143,10 @@ fn correction(c: &Correction, session: &Session) -> Option<Json> {
         "held_out_after_mm": c.held_out_mm[1],
         "held_out": &c.how,
         "knots": knots.count,
-        "range_deg": given(turns.then(|| range.map(deg_from_rad))),
-        "range_mm": given((!turns).then_some(range)),
-        "period_deg": given(knots.period.filter(|_| turns).map(deg_from_rad)),
-        "says": &c.says,
+        "range_deg": optional(turns.then(|| range.map(deg_from_rad))),
+        "range_mm": optional((!turns).then_some(range)),
+        "period_deg": optional(knots.period.filter(|_| turns).map(deg_from_rad)),
+        "says": &c.description,
     })
 }
 
@@ -164,9 +164,9 @@ fn not_found(limit: &Limit) -> Json {
         .map(|(name, size)| (name.to_owned(), size.into()));
     object! {
         "effect": limit.effect,
-        "joint": given(limit.joint.map(|j| j + 1)),
+        "joint": optional(limit.joint.map(|j| j + 1)),
         "would_have_been_seen_above": keyed(pairs),
-        "not_shown_at_any_size": given(list(hidden, |(name, _)| name.into())),
+        "not_shown_at_any_size": optional(list(hidden, |(name, _)| name.into())),
     }
 }
 
@@ -187,18 +187,18 @@ pub(super) fn poses(poses: &[NextPose], robot: &Robot) -> Json {
     let outer = |values: &Vec<f64>| {
         let pairs = robot.joints.iter().zip(values);
         pairs
-            .map(|(joint, v)| joint.kind.outer(*v))
+            .map(|(joint, v)| joint.kind.to_display(*v))
             .collect::<Vec<_>>()
     };
     list(poses, |p| {
         object! {
             "q_deg": outer(&p.q),
             "dir": &p.dir,
-            "target": given(p.target.as_ref()),
-            "target_mm": given(p.target_mm),
-            "speed_deg_s": given(p.speed.as_ref().map(outer)),
-            "load_kg": given(p.load_kg),
-            "temperature_c": given(p.temperature_c),
+            "target": optional(p.target.as_ref()),
+            "target_mm": optional(p.target_mm),
+            "speed_deg_s": optional(p.speed.as_ref().map(outer)),
+            "load_kg": optional(p.load_kg),
+            "temperature_c": optional(p.temperature_c),
             "why": &p.why,
         }
     })
@@ -230,6 +230,6 @@ fn regional(start: &RegionalStart) -> Json {
             }
         }),
         "apart_mm": start.apart_mm,
-        "says": &start.says,
+        "says": &start.summary,
     }
 }

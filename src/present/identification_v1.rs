@@ -1,6 +1,6 @@
 //! `truepose-identification/1`: what an identification answers as JSON. Samples count from 1.
 
-use super::json::{Json, given, list, object};
+use super::json::{Json, list, object, optional};
 use super::kinds;
 use super::parts::{not_identifiable, outliers, problems, which};
 use crate::fit::expected::Expected;
@@ -18,7 +18,7 @@ pub fn document(answer: &Identification, data_problems: &[DataProblem]) -> Json 
         "session": &answer.session,
         "method": answer.method,
         "samples": answer.samples,
-        "regions": given(list(&answer.regions, region)),
+        "regions": optional(list(&answer.regions, region)),
         "parameters": if answer.method == "exact" {
             list(&answer.parameters, parameter)
         } else {
@@ -27,13 +27,13 @@ pub fn document(answer: &Identification, data_problems: &[DataProblem]) -> Json 
         "not_identifiable": not_identifiable(&answer.not_identifiable),
         "data_problems": problems(data_problems),
         "gap": gap(&answer.gap),
-        "kinds": given(kinds::rows(&answer.kinds)),
-        "held_out": given(answer.held_out.as_ref().map(|held_out| {
+        "kinds": optional(kinds::rows(&answer.kinds)),
+        "held_out": optional(answer.held_out.as_ref().map(|held_out| {
             object! { "samples": held_out.samples }.with(gap(held_out))
         })),
         // What each level of correction would bring, and the error to be expected over the joint ranges;
         // of several joints.
-        "levels": given(list(&answer.levels, level)),
+        "levels": optional(list(&answer.levels, level)),
         "expected_error": expected(answer),
         "outliers": outliers(&answer.outliers),
         "left_out": list(&answer.left_out, |l| {
@@ -57,7 +57,7 @@ pub fn parameter(one: &Estimate) -> Json {
     which(one).with(object! {
         "value": one.value,
         "ci95": one.ci95,
-        "implausible": given(one.implausible().map(|says| says.to_string())),
+        "implausible": optional(one.implausible().map(|says| says.to_string())),
     })
 }
 
@@ -100,7 +100,7 @@ fn level(level: &Level) -> Json {
 
 /// The error to be expected over the joint ranges; nothing where it is not known.
 pub(super) fn expected(answer: &Identification) -> Json {
-    given(answer.expected.as_ref().map(|e| {
+    optional(answer.expected.as_ref().map(|e| {
         object! {
             "rms_mm": e.rms_mm,
             "max_mm": e.max_mm,
@@ -114,7 +114,7 @@ pub(super) fn expected(answer: &Identification) -> Json {
 /// The joint values where the largest error is expected, as a session's file has them.
 pub fn worst_pose(expected: &Expected, robot: &Robot) -> Vec<f64> {
     let values = expected.worst_q.iter().zip(&robot.joints);
-    values.map(|(q, joint)| joint.kind.outer(*q)).collect()
+    values.map(|(q, joint)| joint.kind.to_display(*q)).collect()
 }
 
 /// Degrees as a person wrote them: the conversion to radians and back can cost the last bit.

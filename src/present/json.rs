@@ -6,7 +6,7 @@ pub use crate::document::Value as Json;
 pub(crate) use crate::document::object;
 
 /// A value, or nothing: the key is left out then. An empty list is nothing.
-pub fn given(value: impl Into<Json>) -> Json {
+pub fn optional(value: impl Into<Json>) -> Json {
     match value.into() {
         Json::Null => Json::Absent,
         Json::List(values) if values.is_empty() => Json::Absent,
@@ -49,7 +49,7 @@ mod tests {
         let none: Option<f64> = None;
         let inner = object! { "samples": 3_usize }.with(object! { "z": f64::NAN });
         let document = object! {
-            "b": [1.0, 2.5], "a": none, "left out": given(none), "empty": given(Vec::<f64>::new()),
+            "b": [1.0, 2.5], "a": none, "left out": optional(none), "empty": optional(Vec::<f64>::new()),
             "inner": inner, "text": "x\"y",
         };
         assert_eq!(

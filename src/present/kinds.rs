@@ -33,7 +33,7 @@ pub(crate) fn rows(kinds: &[KindFigures]) -> Json {
 
 /// What a kind is called, in the language of this thread.
 fn name_of(own: &KindFigures) -> String {
-    kind_in_words(own.kind).said(current(), by_titles())
+    kind_in_words(own.kind).spoken_with(current(), by_titles())
 }
 
 /// Errors by kind, root mean square, of what was fitted and of what is held out.

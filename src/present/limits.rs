@@ -20,7 +20,7 @@ pub(crate) struct Line {
     /// Whether it is about joints, not about the whole robot or the instrument.
     pub(crate) of_joints: bool,
     /// In the language of this thread.
-    pub(crate) says: String,
+    pub(crate) text: String,
 }
 
 /// Joints, counted from 0, as they are said: `joint 2`, `joints 1–3, 5`.
@@ -112,7 +112,7 @@ pub(crate) fn not_testable(d: &Diagnosis, name: impl Fn(&str) -> String) -> Vec<
         Line {
             names: names.join("; "),
             of_joints: true,
-            says: because.said(current(), by_titles()),
+            text: because.spoken_with(current(), by_titles()),
         }
     };
     reasons.into_iter().map(line).collect()
@@ -144,7 +144,7 @@ pub(crate) fn limits_of(
         Line {
             names: with_joints(&name(effect), &joints, robot),
             of_joints: joints.iter().any(Option::is_some),
-            says: limits_in_words(effect, &limits),
+            text: limits_in_words(effect, &limits),
         }
     };
     effects.into_iter().map(line).collect()

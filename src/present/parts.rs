@@ -1,6 +1,6 @@
 //! Parts that several JSON documents have.
 
-use super::json::{Json, given, list, object};
+use super::json::{Json, list, object, optional};
 use crate::fit::{Estimate, NotIdentifiable, Outlier};
 use crate::kinematics::Pose;
 use crate::set_up_errors::DataProblem;
@@ -33,9 +33,9 @@ pub(super) fn outliers(all: &[Outlier]) -> Json {
 /// Which parameter it is.
 pub(super) fn which(one: &Estimate) -> Json {
     object! { "effect": one.effect, "joint": one.joint }.with(object! {
-        "setup": given(one.setup.as_ref()),
-        "target": given(one.target.as_ref()),
-        "place": given(one.place.as_ref()),
+        "setup": optional(one.setup.as_ref()),
+        "target": optional(one.target.as_ref()),
+        "place": optional(one.place.as_ref()),
         "name": one.name,
     })
 }
@@ -70,10 +70,10 @@ pub(super) fn parameters_by_effect(estimates: &[Estimate]) -> Json {
         let one = group[0];
         object! {
             "effect": one.effect,
-            "joint": given(one.joint),
-            "setup": given(one.setup.as_ref()),
-            "target": given(one.target.as_ref()),
-            "place": given(one.place.as_ref()),
+            "joint": optional(one.joint),
+            "setup": optional(one.setup.as_ref()),
+            "target": optional(one.target.as_ref()),
+            "place": optional(one.place.as_ref()),
             "parameters": list(group, value),
         }
     })

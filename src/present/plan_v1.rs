@@ -38,7 +38,7 @@
 //!   says the error with other numbers of poses, beside the session.
 
 use super::diagnosis_v1::poses;
-use super::json::{Json, given, keyed, list, object};
+use super::json::{Json, keyed, list, object, optional};
 use crate::design::forecast::ExpectedError;
 use crate::design::geometry::Geometry;
 use crate::design::needs::Untestable;
@@ -78,7 +78,7 @@ pub fn document(plan: &Plan) -> Json {
 }
 
 fn named(effect: &str, joint: Option<usize>) -> Json {
-    object! { "effect": effect, "joint": given(joint) }
+    object! { "effect": effect, "joint": optional(joint) }
 }
 
 fn geometry(geometry: &Geometry, subject: Subject) -> Json {

@@ -59,7 +59,7 @@ pub(crate) fn table_by_joint(poses: &[NextPose], robot: &Robot) -> Table {
 /// Values of all joints with their units.
 fn values_of(values: &[f64], robot: &Robot, per: &str) -> Vec<String> {
     let each = values.iter().zip(&robot.joints).map(|(value, joint)| {
-        let value = trimmed(joint.kind.outer(*value), 2);
+        let value = trimmed(joint.kind.to_display(*value), 2);
         format!("{value}{}{per}", joint.kind.sign())
     });
     each.collect()
@@ -81,7 +81,7 @@ fn after_sides(poses: &[NextPose], k: usize, robot: &Robot) -> [String; 3] {
     [
         pose.target.clone().unwrap_or_default(),
         conditions.join(", "),
-        pose.why.said(current(), by_titles()),
+        pose.why.spoken_with(current(), by_titles()),
     ]
 }
 

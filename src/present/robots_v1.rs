@@ -1,6 +1,6 @@
 //! `truepose-robot-list/1`: robots of the library, as JSON.
 
-use super::json::{Json, given, keyed, list, object};
+use super::json::{Json, keyed, list, object, optional};
 use crate::robots::{LibraryRobot, Reference, Source, source};
 
 /// The document of these robots, with the sources that they name.
@@ -34,7 +34,7 @@ fn of_source(source: &Source) -> Json {
     object! {
         "what": source.what.as_str(),
         "at": source.at.as_str(),
-        "commit": given(source.commit.as_deref()),
+        "commit": optional(source.commit.as_deref()),
         "licence": source.licence.as_str(),
     }
 }
@@ -54,8 +54,8 @@ fn entry(robot: &LibraryRobot) -> Json {
         "payload_kg": robot.payload_kg,
         "mass_kg": robot.mass_kg,
         "repeatability_mm": robot.repeatability_mm,
-        "gear_ratios": given(robot.gear_ratios.as_slice()),
-        "note": given(robot.note.as_deref()),
+        "gear_ratios": optional(robot.gear_ratios.as_slice()),
+        "note": optional(robot.note.as_deref()),
         "geometry": at(&robot.geometry),
         "figures": at_some(&robot.figures),
         "gears": at_some(&robot.gears),

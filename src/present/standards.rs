@@ -17,7 +17,7 @@ pub(crate) struct Group {
     /// Unit of the figures.
     pub unit: &'static str,
     /// Under which conditions.
-    pub says: Text,
+    pub conditions: Text,
     /// The figures that there are.
     pub rows: Vec<FigureRow>,
     /// Why others are missing.
@@ -112,7 +112,7 @@ fn of_series(axis: &AxisTest, series: &Series, empty: &Group) -> Group {
         })
     };
     Group {
-        says: text!(
+        conditions: text!(
             "{conditions}; {positions} positions, each approached {up} in positive and {down} in negative direction",
             conditions = series.fixed.in_words(axis),
             positions = series.before.positions.len(),
@@ -142,7 +142,7 @@ fn of_poses(test: &PoseTest, compensated: bool) -> Group {
         title: text!("Poses"),
         standard: "ISO 9283",
         unit: "mm",
-        says: text!(
+        conditions: text!(
             one "{count} pose with two cycles or more, {turned} from several directions, {paths} paths; the largest of each figure", "{count} poses with two cycles or more, {turned} from several directions, {paths} paths; the largest of each figure",
             count = poses,
             turned = turned,

@@ -44,7 +44,7 @@ pub fn document(cube: &TestCube, robot: &Robot) -> Json {
 fn poses(all: &[TestPose], robot: &Robot) -> Json {
     list(all, |one| {
         let values = robot.joints.iter().zip(&one.q);
-        let q_deg: Vec<f64> = values.map(|(joint, q)| joint.kind.outer(*q)).collect();
+        let q_deg: Vec<f64> = values.map(|(joint, q)| joint.kind.to_display(*q)).collect();
         object! { "name": &one.name }
             .with(pose(&one.pose))
             .with(object! { "q_deg": q_deg })

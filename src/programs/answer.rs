@@ -27,13 +27,16 @@ pub struct SkippedTarget {
     /// What kind of reason there is.
     pub reason: Reason,
     /// The reason in words.
-    pub says: Text,
+    pub explanation: Text,
 }
 
 impl SkippedTarget {
     pub(super) fn new(reason: Reason, says: impl Into<Text>) -> Self {
         let says = says.into();
-        Self { reason, says }
+        Self {
+            reason,
+            explanation: says,
+        }
     }
 }
 

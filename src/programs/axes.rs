@@ -90,7 +90,7 @@ impl Axes {
         let numbers: Result<Vec<Number>, E> = self.slots.iter().copied().map(number).collect();
         let shape = Shape::Joints {
             numbers: numbers?,
-            inner: self.inner_of_degrees().into(),
+            scales: self.inner_of_degrees().into(),
             decimals: 5,
         };
         Ok(Target::new(name, at, shape))
@@ -108,7 +108,7 @@ impl Axes {
         external
             .map(|joint| {
                 let value = number(self.slot(joint))?.value;
-                Ok((joint, self.kind(joint).inner(value)))
+                Ok((joint, self.kind(joint).from_display(value)))
             })
             .collect()
     }
@@ -137,7 +137,10 @@ impl Axes {
 
     /// rad or mm in a degree or mm of each joint.
     pub fn inner_of_degrees(&self) -> Vec<f64> {
-        self.kinds.iter().map(|kind| kind.inner(1.0)).collect()
+        self.kinds
+            .iter()
+            .map(|kind| kind.from_display(1.0))
+            .collect()
     }
 
     /// Joints that a correction moves: external axes stay where the program puts them, unless there

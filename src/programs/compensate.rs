@@ -73,7 +73,7 @@ pub fn compensate(request: &Request) -> Result<Answer, CompensateError> {
             .iter()
             .map(|remark| {
                 let (line, column) = text.place(remark.at);
-                (line, column, remark.says.clone())
+                (line, column, remark.text.clone())
             })
             .collect();
         remarks.sort();
@@ -230,7 +230,11 @@ fn read_back(
             continue;
         };
         let off = match &target.shape {
-            Shape::Joints { numbers, inner, .. } => {
+            Shape::Joints {
+                numbers,
+                scales: inner,
+                ..
+            } => {
                 let mut raw = written.corrected.clone();
                 convention.to_raw(&mut raw);
                 let values = numbers.iter().zip(inner.iter()).zip(&raw);

@@ -54,12 +54,12 @@ pub(super) fn read(text: &Text, axes: &Axes) -> Result<Program, Vec<Problem>> {
         axes,
         columns,
         joints: Vec::new(),
-        inner: Arc::default(),
+        scales: Arc::default(),
         comma: separator != Separator::Comma,
     };
     let joints = (0..axes.joints()).filter_map(|joint| table.of(Quantity::Commanded(joint)));
     let (joints, inner): (Vec<usize>, Vec<f64>) = joints.unzip();
-    (table.joints, table.inner) = (joints, inner.into());
+    (table.joints, table.scales) = (joints, inner.into());
     let mut program = table.layout(row.start).map_err(|problem| vec![problem])?;
     let mut problems = Vec::new();
     // A large table has hundreds of thousands: room for each, and row by row.
@@ -176,7 +176,7 @@ struct Table<'x> {
     columns: Columns,
     /// The columns of the joint values, in the order of the joints, and rad or mm in one of their units.
     joints: Vec<usize>,
-    inner: Arc<[f64]>,
+    scales: Arc<[f64]>,
     /// Whether a decimal comma is possible.
     comma: bool,
 }
@@ -213,7 +213,7 @@ impl Table<'_> {
             if places.iter().any(Option::is_some) {
                 program.notes.push(Remark {
                     at,
-                    says: text!("the targets are the joint values; x, y, z are left as they are"),
+                    text: text!("the targets are the joint values; x, y, z are left as they are"),
                 });
             }
             return Ok(program);
@@ -250,10 +250,10 @@ impl Table<'_> {
                 numbers.push(number_at(*k)?);
             }
             // 10⁻⁷ rad is 10⁻⁴ mm at a metre.
-            let degrees = self.inner.iter().all(|unit| (*unit - 1.0).abs() > 0.5);
+            let degrees = self.scales.iter().all(|unit| (*unit - 1.0).abs() > 0.5);
             Shape::Joints {
                 numbers,
-                inner: Arc::clone(&self.inner),
+                scales: Arc::clone(&self.scales),
                 decimals: if degrees { 6 } else { 7 },
             }
         } else {

@@ -134,7 +134,7 @@ fn motion(
             && upper.replace(' ', "").starts_with(&format!("P[{number}]="))
         {
             let says = text!("P[{number}] is changed at run time", number = number);
-            program.at_run_time.push(Remark { at, says });
+            program.at_run_time.push(Remark { at, text: says });
         }
         return;
     }
@@ -145,7 +145,7 @@ fn motion(
         .find(|w| matches!(**w, "INC" | "OFFSET" | "TOOL_OFFSET"));
     if motion.contains(" PR[") || motion.starts_with("PR[") {
         let says = text!("a move to a position register, whose value is set at run time");
-        program.at_run_time.push(Remark { at, says });
+        program.at_run_time.push(Remark { at, text: says });
     }
     for number in position_numbers(motion) {
         let Some(index) = by_number.get(&number) else {
@@ -153,7 +153,7 @@ fn motion(
                 "P[{number}] is not in /POS, or not a target",
                 number = number
             );
-            program.at_run_time.push(Remark { at, says });
+            program.at_run_time.push(Remark { at, text: says });
             continue;
         };
         match by {
@@ -171,7 +171,7 @@ fn motion(
                     number = number,
                     offset = offset
                 );
-                program.at_run_time.push(Remark { at, says });
+                program.at_run_time.push(Remark { at, text: says });
                 program.visits.push(*index);
             }
             None => program.visits.push(*index),
@@ -196,7 +196,7 @@ fn set_by(line: &str, at: usize, program: &mut Program) {
                 &mut program.frames
             };
             declare(names, &format!("{short} {n}"), at, Err(says.clone()));
-            program.at_run_time.push(Remark { at, says });
+            program.at_run_time.push(Remark { at, text: says });
         }
     }
     if let Some(n) = number("PAYLOAD") {
@@ -204,7 +204,7 @@ fn set_by(line: &str, at: usize, program: &mut Program) {
             "PAYLOAD[{n}] has its mass in the controller: --load says it",
             n = n
         );
-        program.at_run_time.push(Remark { at, says });
+        program.at_run_time.push(Remark { at, text: says });
     }
 }
 

@@ -113,7 +113,9 @@ impl<'a> Known<'a> {
                 }
             }
         }
-        let remarks = taken.into_iter().map(|(at, says)| Remark { at, says });
+        let remarks = taken
+            .into_iter()
+            .map(|(at, says)| Remark { at, text: says });
         remarks.collect()
     }
 

@@ -267,7 +267,7 @@ impl KrlReader<'_> {
     }
 
     fn run_time(&mut self, at: usize, says: crate::text::Text) {
-        self.program.at_run_time.push(Remark { at, says });
+        self.program.at_run_time.push(Remark { at, text: says });
     }
 
     /// Keeps the target of an aggregate, if it is one.

@@ -153,7 +153,10 @@ impl Moves {
                 (Some(index), _) if named.others.is_empty() => program.visits.push(index),
                 (None, Some(spelled)) => {
                     let says = elsewhere(&spelled);
-                    program.at_run_time.push(Remark { at: one.at, says });
+                    program.at_run_time.push(Remark {
+                        at: one.at,
+                        text: says,
+                    });
                 }
                 // An array, or a name that is given several values.
                 _ => {}
@@ -168,7 +171,7 @@ impl Moves {
             let known = self.by_name.get(&name);
             if known.is_some_and(|known| self.names[*known].first.is_some()) {
                 let says = text!("{spelled} is changed at run time", spelled = &*spelled);
-                program.at_run_time.push(Remark { at, says });
+                program.at_run_time.push(Remark { at, text: says });
             }
             let unknown = || {
                 Err(text!(

@@ -141,7 +141,7 @@ impl Number {
     }
 
     /// Where its digits begin, if they stand off its sign.
-    pub fn apart(&self) -> Option<usize> {
+    pub fn detached_digits(&self) -> Option<usize> {
         self.detached_digits.map(|at| at.get() as usize)
     }
 
@@ -198,8 +198,11 @@ mod tests {
     fn digits_that_stand_off_their_sign_say_where_they_begin() {
         let text = b"x - \r5.25";
         let number = Number::read(text, 2..9, false).unwrap();
-        assert_eq!((number.value, number.apart()), (-5.25, Some(5)));
-        assert_eq!(Number::read(b"-5", 0..2, false).unwrap().apart(), None);
+        assert_eq!((number.value, number.detached_digits()), (-5.25, Some(5)));
+        assert_eq!(
+            Number::read(b"-5", 0..2, false).unwrap().detached_digits(),
+            None
+        );
     }
 
     #[test]

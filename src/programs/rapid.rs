@@ -413,7 +413,7 @@ impl<'t, 'a> RapidReader<'t, 'a> {
     }
 
     fn run_time(&mut self, at: usize, says: crate::text::Text) {
-        self.program.at_run_time.push(Remark { at, says });
+        self.program.at_run_time.push(Remark { at, text: says });
     }
 }
 

@@ -37,7 +37,7 @@ pub(super) struct Resolver<'a> {
     /// Joint values of the target before.
     before: Option<Vec<f64>>,
     /// All solutions of the pose before: the next ones are not far.
-    known: Vec<Vec<f64>>,
+    previous_solutions: Vec<Vec<f64>>,
 }
 
 impl<'a> Resolver<'a> {
@@ -57,7 +57,7 @@ impl<'a> Resolver<'a> {
             free: axes.free(),
             inverse: Inverse::new(robot, &axes.free()),
             before: start,
-            known: Vec::new(),
+            previous_solutions: Vec::new(),
         }
     }
 
@@ -66,7 +66,11 @@ impl<'a> Resolver<'a> {
             return Err((**left).clone());
         }
         let (q, pose) = match &target.shape {
-            Shape::Joints { numbers, inner, .. } => {
+            Shape::Joints {
+                numbers,
+                scales: inner,
+                ..
+            } => {
                 let values = numbers.iter().zip(inner.iter());
                 let mut q: Vec<f64> = values.map(|(number, inner)| number.value * inner).collect();
                 self.convention.to_model(&mut q);
@@ -141,12 +145,12 @@ impl<'a> Resolver<'a> {
                 .any(|(_, value)| turns_of(*value) != 0)
         };
         let once = all.iter().filter(|q| !turns(q)).take(MOST_KNOWN).cloned();
-        self.known = once.collect();
+        self.previous_solutions = once.collect();
         self.nearest(possible, near.as_deref())
     }
 
     fn with_external(&self, external: &[(usize, f64)], fixed: &[f64]) -> Vec<Vec<f64>> {
-        let mut known = self.known.clone();
+        let mut known = self.previous_solutions.clone();
         for q in &mut known {
             for (joint, _) in external {
                 q[*joint] = fixed[*joint];
@@ -275,7 +279,7 @@ impl BeyondLimit {
     /// Its value and the limit, as people read them.
     pub(super) fn shown(&self, robot: &Robot) -> [String; 2] {
         let kind = robot.joints[self.joint].kind;
-        [self.value, self.limit].map(|v| format!("{:.4}{}", kind.outer(v), kind.sign()))
+        [self.value, self.limit].map(|v| format!("{:.4}{}", kind.to_display(v), kind.sign()))
     }
 }
 

@@ -20,7 +20,7 @@ pub(super) fn edits(
     let numbers: Vec<(&super::Number, f64, usize)> = match &target.shape {
         Shape::Joints {
             numbers,
-            inner,
+            scales: inner,
             decimals,
         } => {
             let values = numbers.iter().zip(inner.iter()).zip(&raw);
@@ -35,7 +35,7 @@ pub(super) fn edits(
             continue;
         };
         let Range { start, end } = number.range();
-        if let Some(digits) = number.apart() {
+        if let Some(digits) = number.detached_digits() {
             // What stands between sign and digits, a line break perhaps, stays.
             let unsigned = text.trim_start_matches('-');
             let (sign, text) = text.split_at(text.len() - unsigned.len());

@@ -90,7 +90,7 @@ impl<'m> Sequence<'m> {
                         targets = &targets[k].name
                     );
                     let at = targets[k].at;
-                    sequence.remarks.push(Remark { at, says });
+                    sequence.remarks.push(Remark { at, text: says });
                 }
             } else {
                 known[k] = true;

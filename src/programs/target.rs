@@ -35,7 +35,7 @@ pub struct Remark {
     /// The byte that it is about.
     pub at: usize,
     /// What there is to say.
-    pub says: Text,
+    pub text: Text,
 }
 
 /// The numbers of a target.
@@ -46,7 +46,7 @@ pub enum Shape {
         /// In the order of the robot's joints.
         numbers: Vec<Number>,
         /// rad or mm in one of the file's units, joint by joint: the same of all targets of a table.
-        inner: Arc<[f64]>,
+        scales: Arc<[f64]>,
         /// Digits behind the point that a number needs at least.
         decimals: usize,
     },

@@ -336,7 +336,7 @@ impl UrscriptReader<'_, '_> {
                 }
                 Shape::Joints {
                     numbers: numbers.clone(),
-                    inner: vec![1.0; joints].into(),
+                    scales: vec![1.0; joints].into(),
                     decimals: 7,
                 }
             }
@@ -349,7 +349,7 @@ impl UrscriptReader<'_, '_> {
     }
 
     fn run_time(&mut self, at: usize, says: crate::text::Text) {
-        self.program.at_run_time.push(Remark { at, says });
+        self.program.at_run_time.push(Remark { at, text: says });
     }
 
     fn finished(mut self) -> Program {
@@ -367,7 +367,7 @@ impl UrscriptReader<'_, '_> {
                     "{name} is used here as well, with its corrected values",
                     name = name
                 );
-                self.program.notes.push(Remark { at, says });
+                self.program.notes.push(Remark { at, text: says });
             }
         }
         for (name, given) in std::mem::take(&mut self.assigned) {

@@ -23,7 +23,7 @@ pub struct Stop {
     /// Joint values, rad or mm.
     pub q: Vec<f64>,
     /// What stands in the comment before it; one line.
-    pub says: String,
+    pub comment: String,
 }
 
 /// Why there is no program.
@@ -166,7 +166,7 @@ impl LanguageWords {
         comment(&mut text, title);
         text.push_str(self.start);
         for (k, stop) in stops.iter().enumerate() {
-            comment(&mut text, &format!("pose {}: {}", k + 1, stop.says));
+            comment(&mut text, &format!("pose {}: {}", k + 1, stop.comment));
             if let Some(from) = &stop.from {
                 text.push_str(&(self.go)(axes, from));
             }
@@ -179,13 +179,13 @@ impl LanguageWords {
 }
 
 /// A joint's value in degrees or mm.
-fn outer(axes: &Axes, joint: usize, q: &[f64]) -> String {
+fn displayed(axes: &Axes, joint: usize, q: &[f64]) -> String {
     // Not minus zero.
-    format!("{:.5}", axes.kind(joint).outer(q[joint]) + 0.0)
+    format!("{:.5}", axes.kind(joint).to_display(q[joint]) + 0.0)
 }
 
 fn jointtarget(axes: &Axes, q: &[f64]) -> String {
-    let at = |slot: Slot| axes.joint(slot).map(|joint| outer(axes, joint, q));
+    let at = |slot: Slot| axes.joint(slot).map(|joint| displayed(axes, joint, q));
     let own = (0..6).map(|k| at(Slot::Own(k)).unwrap_or_else(|| "0".to_owned()));
     let external = (0..6).map(|k| at(Slot::External(k)).unwrap_or_else(|| "9E9".to_owned()));
     let joined = |all: Vec<String>| all.join(",");
@@ -202,7 +202,7 @@ fn e6axis(axes: &Axes, q: &[f64]) -> String {
             Slot::Own(k) => format!("A{}", k + 1),
             Slot::External(k) => format!("E{}", k + 1),
         };
-        format!("{name} {}", outer(axes, joint, q))
+        format!("{name} {}", displayed(axes, joint, q))
     });
     format!("{{E6AXIS: {}}}", named.collect::<Vec<_>>().join(","))
 }

@@ -64,7 +64,7 @@ fn headline(c: &Calibration) -> Vec<Figure> {
         step.map(|s| Figure {
             name: name.to_owned(),
             value: mm(s.gap_mm),
-            beside: s.held_out_mm.map_or_else(String::new, |u| {
+            reference: s.held_out_mm.map_or_else(String::new, |u| {
                 say!("{size} cross-validated", size = mm(u))
             }),
         })

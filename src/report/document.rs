@@ -38,5 +38,5 @@ pub struct Figure {
     /// Value with its unit.
     pub value: String,
     /// What to hold it against; may be empty.
-    pub beside: String,
+    pub reference: String,
 }

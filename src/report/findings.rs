@@ -35,7 +35,7 @@ impl ReportContext<'_> {
     }
 
     fn nothing_open(&self) -> String {
-        if self.given.note.trim().is_empty() {
+        if self.as_read.note.trim().is_empty() {
             say!(
                 "Nothing in these samples: no data problem, no rival explanation, nothing left without a name, no outlier"
             )

@@ -68,7 +68,7 @@ fn head(report: &Report, out: &mut String) {
             "<div><dt>{}</dt><dd>{}<small>{}</small></dd></div>",
             escape(&figure.name),
             escape(&figure.value),
-            escape(&figure.beside)
+            escape(&figure.reference)
         );
     }
     out.push_str("</dl>\n</header>\n");

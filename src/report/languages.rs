@@ -57,7 +57,7 @@ fn texts(report: &Report) -> Vec<String> {
     ];
     all.extend(report.decision.iter().map(|(_, says)| says.clone()));
     for figure in &report.headline {
-        all.extend([&figure.name, &figure.value, &figure.beside].map(Clone::clone));
+        all.extend([&figure.name, &figure.value, &figure.reference].map(Clone::clone));
     }
     for section in &report.sections {
         all.push(section.title.clone());

@@ -20,8 +20,8 @@ pub(super) fn robot_facts(robot: &Robot, measured: &[Range]) -> Vec<(String, Str
         let mut about = format!("{}, {kind}", or_unnamed(&joint.name));
         let range = |range: &Range| {
             let unit = joint.kind.sign();
-            let [from, to] =
-                [range.from, range.to].map(|end| format!("{}{unit}", short(joint.kind.outer(end))));
+            let [from, to] = [range.from, range.to]
+                .map(|end| format!("{}{unit}", short(joint.kind.to_display(end))));
             say!("{from} to {to}", from = from, to = to)
         };
         if let Some(limits) = &joint.limits {

@@ -42,7 +42,7 @@ pub struct Evidence<'a> {
     /// The session that was diagnosed: without the set-up errors that were corrected.
     pub session: &'a Session,
     /// The session as it was read.
-    pub given: &'a Session,
+    pub as_read: &'a Session,
     /// What the diagnosis found.
     pub found: &'a Diagnosis,
     /// The model of everything that was found.
@@ -65,7 +65,7 @@ impl Report {
         let _units = crate::text::InUnits::of_documents();
         let Evidence {
             session,
-            given,
+            as_read: given,
             found,
             all_found,
             in_use,
@@ -76,7 +76,7 @@ impl Report {
         let hash = hash_of_samples(given);
         let known = ReportContext {
             session,
-            given,
+            as_read: given,
             found,
             calibration,
             other: difference(calibration, all_found),
@@ -147,7 +147,7 @@ fn difference(model: &Calibration, found: &Calibration) -> Option<String> {
 /// Everything that is there to be translated.
 pub(super) struct ReportContext<'a> {
     pub(super) session: &'a Session,
-    pub(super) given: &'a Session,
+    pub(super) as_read: &'a Session,
     pub(super) found: &'a Diagnosis,
     calibration: &'a VerifiedCalibration,
     /// In what that model is not the one that was found.
@@ -200,7 +200,7 @@ impl ReportContext<'_> {
         let figure = |name: &str, value: String, beside: String| Figure {
             name: name.to_owned(),
             value,
-            beside,
+            reference: beside,
         };
         let unseen = d.held_out.gaps.map_or_else(
             || say!("too few samples to hold any out").to_owned(),
@@ -247,7 +247,7 @@ impl ReportContext<'_> {
     }
 
     fn measured(&self, hash: &str) -> Section {
-        let s = self.given;
+        let s = self.as_read;
         let mut facts = vec![fact(say!("Session"), or_unnamed(&s.name))];
         if !s.note.trim().is_empty() {
             facts.push(fact(say!("Note"), clean_note(&s.note)));

@@ -55,13 +55,13 @@ pub fn stages(
         }
         more.push(Stage {
             name: say!("With corrected commands").to_owned(),
-            stands: ColourRole::Corrected,
+            role: ColourRole::Corrected,
             deviations: corrected,
         });
     }
     more.push(Stage {
         name: say!(in "chart-word", "Against the model").to_owned(),
-        stands: ColourRole::After,
+        role: ColourRole::After,
         deviations: verification.after.clone(),
     });
     all.stages.extend(more);
@@ -100,14 +100,14 @@ pub fn as_measured(session: &Session, floor_mm: Option<f64>) -> Stages {
         in_degrees: joints[k].kind.sign().trim() == "°",
         values: problem.inputs.q[k]
             .iter()
-            .map(|q| joints[k].kind.outer(*q))
+            .map(|q| joints[k].kind.to_display(*q))
             .collect(),
         side: (0..n)
             .map(|i| dir.map_or(0.0, |d| if d[i].is_nan() { 0.0 } else { d[i] }))
             .collect(),
         stages: vec![Stage {
             name: say!(in "chart-word", "As measured").to_owned(),
-            stands: ColourRole::Before,
+            role: ColourRole::Before,
             deviations: deviations(&problem, &nominal),
         }],
         floor_mm,
@@ -124,7 +124,7 @@ fn without_samples(session: &Session, floor_mm: Option<f64>) -> Stages {
         side: Vec::new(),
         stages: vec![Stage {
             name: say!(in "chart-word", "As measured").to_owned(),
-            stands: ColourRole::Before,
+            role: ColourRole::Before,
             deviations: Deviations::default(),
         }],
         floor_mm,

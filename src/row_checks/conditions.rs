@@ -5,7 +5,7 @@ use crate::answers::diagnosis::DataProblem;
 use crate::effects::JointValues;
 use crate::sessions::{Session, SessionCorrection};
 
-use super::problem::said;
+use super::problem::without_correction;
 
 /// What a robot may carry, kg: so much …
 const LEAST_PAYLOAD_KG: f64 = 60.0;
@@ -77,7 +77,7 @@ fn temperature(session: &Session) -> Option<DataProblem> {
     // A warm gear is as hot: it is asked, not changed.
     let celsius = |f: f64| (f - 32.0) / 1.8;
     (FAHRENHEIT.contains(&least) && FAHRENHEIT.contains(&most)).then(|| {
-        said(
+        without_correction(
             text!(
                 "temperature may be in degrees Fahrenheit: {least} to {most}",
                 least = format!("{least:.1}"),

@@ -9,7 +9,7 @@ use crate::fit::problem::digits_mm;
 use crate::sessions::{Session, SessionCorrection, Sigma};
 use crate::text::Text;
 
-use super::problem::said;
+use super::problem::without_correction;
 
 /// What rounding adds matters above this share of the noise otherwise expected.
 const MATTERS: f64 = 1.0 / 3.0;
@@ -70,7 +70,7 @@ pub(super) fn coarse(session: &Session, _: JointValues) -> Vec<DataProblem> {
             added = added
         ),
     };
-    let mut problem = said(
+    let mut problem = without_correction(
         text!(
             "resolution: the coordinates are rounded to {digits}",
             digits = of

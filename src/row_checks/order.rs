@@ -11,7 +11,7 @@ use crate::sessions::measuring_order::falls_of_the_clock;
 use crate::sessions::{Samples, Session};
 use crate::text::Text;
 
-use super::problem::said;
+use super::problem::without_correction;
 
 pub(super) fn out_of_order(session: &Session, _: JointValues) -> Vec<DataProblem> {
     let samples = &session.samples;
@@ -35,7 +35,7 @@ pub(super) fn out_of_order(session: &Session, _: JointValues) -> Vec<DataProblem
             by = by
         ),
     };
-    vec![said(
+    vec![without_correction(
         text!("rows out of order: the file is not in the order of its clock"),
         evidence,
         text!(

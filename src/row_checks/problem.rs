@@ -4,7 +4,7 @@ use crate::answers::diagnosis::DataProblem;
 use crate::text::Text;
 
 /// A problem that is about all samples and is said only.
-pub(super) fn said(what: Text, evidence: Text, proposal: Text) -> DataProblem {
+pub(super) fn without_correction(what: Text, evidence: Text, proposal: Text) -> DataProblem {
     DataProblem {
         what,
         evidence,

@@ -57,7 +57,7 @@ fn sign(session: &Session, joint: usize, speed: &[f64]) -> Option<DataProblem> {
         moves = of
     );
     if of_side {
-        return Some(super::problem::said(
+        return Some(super::problem::without_correction(
             text!(
                 "the direction of approach of joint {joint} has the wrong sign beside its speed",
                 joint = number

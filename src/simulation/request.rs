@@ -153,8 +153,9 @@ impl SimulationRequest {
                 let swept = self.robot.joints.get(joint.saturating_sub(1));
                 let kind = swept.map_or(JointKind::Revolute, |joint| joint.kind);
                 let limits = swept.and_then(|joint| joint.limits);
-                let [from, to] =
-                    limits.map_or([-180.0, 180.0], |l| [l.from, l.to].map(|v| kind.outer(v)));
+                let [from, to] = limits.map_or([-180.0, 180.0], |l| {
+                    [l.from, l.to].map(|v| kind.to_display(v))
+                });
                 // Rounded towards less, so that the last stop stays within the range.
                 let steps = stops.saturating_sub(1).max(1) as f64;
                 let step = ((to - from) / steps * 1e6).floor() / 1e6;

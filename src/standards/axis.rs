@@ -248,7 +248,7 @@ impl<'p, 's> Sweep<'p, 's> {
 
     /// `None` if a point is too near to the axis.
     fn deviations(&self, compensated: bool) -> Option<Vec<Position>> {
-        let outer = |q: f64| self.points.robot.joints[self.joint].kind.outer(q);
+        let outer = |q: f64| self.points.robot.joints[self.joint].kind.to_display(q);
         let position = |(q, sides): &(f64, [Vec<usize>; 2])| {
             let deviations = |side: &Vec<usize>| -> Option<Vec<f64>> {
                 side.iter()
@@ -285,7 +285,8 @@ impl<'p, 's> Sweep<'p, 's> {
             session, inputs, ..
         } = self.points;
         let i = self.first;
-        let outer = |joint: usize, value: f64| self.points.robot.joints[joint].kind.outer(value);
+        let outer =
+            |joint: usize, value: f64| self.points.robot.joints[joint].kind.to_display(value);
         let others = (0..inputs.q.len()).filter(|j| *j != self.joint);
         Fixed {
             target: inputs

@@ -256,7 +256,7 @@ impl PoseTest {
 fn outer_pose(points: &Points<'_>, sample: usize) -> Vec<f64> {
     let joints = points.robot.joints.iter().zip(&points.inputs.q);
     joints
-        .map(|(joint, q)| joint.kind.outer(q[sample]))
+        .map(|(joint, q)| joint.kind.to_display(q[sample]))
         .collect()
 }
 

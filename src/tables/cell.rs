@@ -155,7 +155,7 @@ mod tests {
 
     #[test]
     fn a_cell_ends_where_its_dialect_says() {
-        let of = |separator| Dialect::foreign(separator);
+        let of = |separator| Dialect::of_instruments(separator);
         for (text, dialect, content, quotes, stop) in [
             ("a;b,c", of(Separator::Comma), "a;b", Quotes::None, 3),
             ("a;b,c", of(Separator::Semicolon), "a", Quotes::None, 1),

@@ -77,7 +77,7 @@ pub(crate) const SAMPLES: Dialect = Dialect {
 impl Dialect {
     /// A table that a program or an instrument wrote, perhaps with remarks (`#`, `//`, `%`, `!`, and `;` where it
     /// separates nothing) among its lines.
-    pub(crate) fn foreign(separator: Separator) -> Self {
+    pub(crate) fn of_instruments(separator: Separator) -> Self {
         let comments: &[&str] = match separator {
             Separator::Semicolon => &["#", "//", "%", "!"],
             _ => &["#", "//", "%", "!", ";"],

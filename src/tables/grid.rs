@@ -98,7 +98,7 @@ impl<'a> Grid<'a> {
 
     /// The same table with its header in this line, and everything below it as rows.
     fn below(self, text: &'a str, line: u64, file: &Place) -> Result<Self, Box<Diagnostic>> {
-        let mut rows = TextRows::new(text, Dialect::foreign(self.separator));
+        let mut rows = TextRows::new(text, Dialect::of_instruments(self.separator));
         let mut row = TextRow::default();
         let mut before: Vec<Vec<String>> = Vec::new();
         loop {
@@ -138,7 +138,7 @@ impl<'a> Grid<'a> {
         words: &Words,
     ) -> Result<Self, OpenQuote> {
         let enough = numbers.div_ceil(2).max(1);
-        let mut rows = TextRows::new(text, Dialect::foreign(separator));
+        let mut rows = TextRows::new(text, Dialect::of_instruments(separator));
         let mut row = TextRow::default();
         let mut before: Vec<(u64, Vec<String>)> = Vec::new();
         let body = loop {

@@ -33,7 +33,7 @@ pub(super) struct Head {
 
 impl Head {
     pub(super) fn read(text: &str, separator: Separator) -> Self {
-        let mut rows = TextRows::new(text, Dialect::foreign(separator));
+        let mut rows = TextRows::new(text, Dialect::of_instruments(separator));
         let mut row = TextRow::default();
         let mut head = Self {
             lines: Vec::new(),
@@ -133,7 +133,7 @@ pub(super) fn header_in_comment(
     words: &Words,
 ) -> Option<Vec<String>> {
     let mut row = TextRow::default();
-    let mut rows = TextRows::new(comment, Dialect::foreign(separator));
+    let mut rows = TextRows::new(comment, Dialect::of_instruments(separator));
     if rows.next(&mut row) != Ok(true) || row.cells.len() != width {
         return None;
     }

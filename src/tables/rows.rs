@@ -239,7 +239,7 @@ mod tests {
     use super::*;
 
     fn read(text: &str, separator: Separator) -> Vec<(u64, Vec<String>)> {
-        let mut rows = TextRows::new(text, Dialect::foreign(separator));
+        let mut rows = TextRows::new(text, Dialect::of_instruments(separator));
         let mut row = TextRow::default();
         let mut all = Vec::new();
         while rows.next(&mut row).expect("quotes are closed") {
@@ -288,7 +288,7 @@ mod tests {
     #[test]
     fn an_open_quote_is_found_where_it_opens() {
         let text = format!("a,b\n1,\"{}", "x,\n".repeat(100_000));
-        let mut rows = TextRows::new(&text, Dialect::foreign(Separator::Comma));
+        let mut rows = TextRows::new(&text, Dialect::of_instruments(Separator::Comma));
         let mut row = TextRow::default();
         assert_eq!(rows.next(&mut row), Ok(true));
         assert_eq!(rows.next(&mut row), Err(OpenQuote { line: 2, at: 6 }));
@@ -319,7 +319,7 @@ mod tests {
     proptest! {
         #[test]
         fn any_text_has_rows(text in "[\"ab1 ,;\t\r\n#/é]{0,40}", which in 0..4usize) {
-            let mut rows = TextRows::new(&text, Dialect::foreign(Separator::ALL[which]));
+            let mut rows = TextRows::new(&text, Dialect::of_instruments(Separator::ALL[which]));
             let mut row = TextRow::default();
             let mut count = 0;
             while rows.next(&mut row) == Ok(true) {

@@ -122,9 +122,9 @@ pub(crate) use speech::choose;
 #[cfg(feature = "gui")]
 pub(crate) use speech::known;
 pub(crate) use speech::{ByTitles, by_titles};
-pub(crate) use speech::{current, filled, known_in, spoken, within};
 #[cfg(feature = "gui")]
-pub(crate) use speech::{letters, name_by_titles, stretch};
+pub(crate) use speech::{characters, name_by_titles, stretch};
+pub(crate) use speech::{current, filled, known_in, spoken, within};
 
 /// Every template of the program.
 #[cfg(test)]

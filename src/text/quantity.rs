@@ -110,7 +110,7 @@ impl Quantity {
     }
 
     /// In these units: in that of documents with its decimals, in another one with three digits, or as fine.
-    pub(super) fn said(&self, (length, angle): (LengthUnit, AngleUnit)) -> String {
+    pub(super) fn spoken(&self, (length, angle): (LengthUnit, AngleUnit)) -> String {
         let of_documents = match self.dimension {
             Dimension::Length => length == LengthUnit::default(),
             Dimension::Angle | Dimension::SmallAngle => angle == AngleUnit::default(),
@@ -164,7 +164,7 @@ mod tests {
     #[test]
     fn a_sentence_has_the_unit_that_the_reader_chose_and_a_file_has_millimetres() {
         let says = text!("their RMS error is {error}", error = length(0.0254, 4));
-        let here = || says.said(current(), false);
+        let here = || says.spoken_with(current(), false);
         assert_eq!(here(), "their RMS error is 0.0254 mm");
         {
             let _inches = InUnits::begin((LengthUnit::Inch, AngleUnit::default()));
@@ -181,7 +181,7 @@ mod tests {
         assert_eq!(place.to_string(), "250.0000, 2.5000 mm");
         {
             let _inches = InUnits::begin((LengthUnit::Inch, AngleUnit::default()));
-            assert_eq!(place.said(current(), false), "9.842520, 0.098425 in");
+            assert_eq!(place.spoken_with(current(), false), "9.842520, 0.098425 in");
         }
         assert_eq!(here(), "their RMS error is 0.0254 mm");
         assert_eq!(lengths([0.135, 0.054], 3).to_string(), "0.135 → 0.054 mm");
@@ -193,8 +193,8 @@ mod tests {
         assert_eq!(turn.to_string(), "28.6°");
         assert_eq!(left.to_string(), "1.23 mrad");
         let _radians = InUnits::begin((LengthUnit::default(), AngleUnit::Radian));
-        assert_eq!(turn.said(current(), false), "0.500 rad");
-        assert_eq!(left.said(current(), false), "0.00123 rad");
+        assert_eq!(turn.spoken_with(current(), false), "0.500 rad");
+        assert_eq!(left.spoken_with(current(), false), "0.00123 rad");
         assert_eq!(left.to_string(), "1.23 mrad");
     }
 }

@@ -65,25 +65,27 @@ impl Text {
 
     /// In this language; words that no template made stay as they are.
     pub fn spoken_in(&self, language: Language) -> String {
-        self.said(language, false)
+        self.spoken_with(language, false)
     }
 
     /// In this language, and whether English has words for what has an id.
-    pub(crate) fn said(&self, language: Language, by_titles: bool) -> String {
+    pub(crate) fn spoken_with(&self, language: Language, by_titles: bool) -> String {
         match &self.0 {
             Kind::Verbatim(text) => text.clone(),
             Kind::Joined(clauses) => {
                 let clauses = clauses.iter();
-                clauses.map(|one| one.said(language, by_titles)).collect()
+                clauses
+                    .map(|one| one.spoken_with(language, by_titles))
+                    .collect()
             }
-            Kind::Quantity(quantity) => quantity.said(current_units()),
+            Kind::Quantity(quantity) => quantity.spoken(current_units()),
             Kind::Named(named) if language == Language::English && !by_titles => named.0.clone(),
-            Kind::Named(named) => named.1.said(language, by_titles),
+            Kind::Named(named) => named.1.spoken_with(language, by_titles),
             Kind::Sentence(sentence) => {
                 let (template, arguments) = &**sentence;
                 let said: Vec<(&str, String)> = arguments
                     .iter()
-                    .map(|(name, value)| (*name, value.said(language, by_titles)))
+                    .map(|(name, value)| (*name, value.spoken_with(language, by_titles)))
                     .collect();
                 let said: Vec<(&str, &dyn fmt::Display)> = said
                     .iter()
@@ -159,9 +161,9 @@ fn quantity(dimension: Dimension, values: (&[f64], Several), decimals: usize) ->
 }
 
 impl Argument {
-    fn said(&self, language: Language, by_titles: bool) -> String {
+    fn spoken_with(&self, language: Language, by_titles: bool) -> String {
         match self {
-            Self::Text(text) => text.said(language, by_titles),
+            Self::Text(text) => text.spoken_with(language, by_titles),
             Self::Count(count) => count.to_string(),
         }
     }

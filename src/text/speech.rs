@@ -178,7 +178,7 @@ pub(crate) fn within(name: &str) -> Cow<'_, str> {
 }
 
 /// The characters of a language's sentences that no bundled font has: those of East Asian scripts.
-pub(crate) fn letters(language: Language) -> impl Iterator<Item = char> {
+pub(crate) fn characters(language: Language) -> impl Iterator<Item = char> {
     language.catalogue().chars().filter(|c| *c >= '\u{2e80}')
 }
 

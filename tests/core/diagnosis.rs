@@ -344,7 +344,7 @@ fn a_search_that_is_stopped_says_what_is_proven_until_then_where_that_is_wanted(
     assert!(
         stopped
             .unexplained
-            .says
+            .description
             .to_string()
             .starts_with("the search was stopped")
     );

@@ -46,7 +46,7 @@ fn the_orders_of_a_stated_ratio_are_named_with_it() {
         let per_turn = if order(found) == RATIO { 1 } else { 2 };
         let says =
             format!("{per_turn} for a turn of the motor, by the stated gear ratio of {RATIO}");
-        assert!(found.says.contains(&says), "{}", found.says);
+        assert!(found.explanation.contains(&says), "{}", found.explanation);
         // What is stated is not fitted.
         let own = found.parameters.iter().find(|p| p.name == "order").unwrap();
         assert_eq!(own.ci95, None);
@@ -68,7 +68,11 @@ fn without_a_ratio_an_order_is_what_fits_and_nothing_is_said_of_one() {
             "{}",
             order(own)
         );
-        assert!(!own.says.contains("gear ratio"), "{}", own.says);
+        assert!(
+            !own.explanation.contains("gear ratio"),
+            "{}",
+            own.explanation
+        );
     }
 }
 

@@ -100,7 +100,7 @@ fn a_pose_of_another_robot_is_nowhere() {
         let stop = Stop {
             from: Some(q.clone()),
             q: q.clone(),
-            says: "a\n\u{0}".into(),
+            comment: "a\n\u{0}".into(),
         };
         let pose = NextPose {
             q: q.clone(),

@@ -356,9 +356,13 @@ fn the_regional_model_misses_a_rotation_and_the_diagnosis_says_so() {
     let start = regional_start(&shifted, &answer, JointValues::Commanded).unwrap();
     assert!(start.turn.unwrap().abs() < 1e-6, "{:?}", start.turn);
     assert!(
-        !start.says.contains("drops that rotation"),
+        !start.summary.contains("drops that rotation"),
         "{}",
-        start.says
+        start.summary
     );
-    assert!(start.says.contains("with base-offset"), "{}", start.says);
+    assert!(
+        start.summary.contains("with base-offset"),
+        "{}",
+        start.summary
+    );
 }

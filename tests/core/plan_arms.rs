@@ -605,7 +605,12 @@ fn a_program_of_joint_moves_reads_back_as_what_was_planned() {
                 .targets
                 .iter()
                 .map(|target| {
-                    let Shape::Joints { numbers, inner, .. } = &target.shape else {
+                    let Shape::Joints {
+                        numbers,
+                        scales: inner,
+                        ..
+                    } = &target.shape
+                    else {
                         panic!("{language}: no joint values");
                     };
                     numbers

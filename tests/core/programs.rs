@@ -738,12 +738,12 @@ fn assert_held(
     for (k, target) in answer.targets.iter().enumerate() {
         match (&target.result, left.iter().find(|(index, _)| *index == k)) {
             (Err(found), Some((_, word))) => {
-                assert_eq!(found.reason, Reason::Frame, "{}", found.says);
+                assert_eq!(found.reason, Reason::Frame, "{}", found.explanation);
                 assert!(
-                    found.says.to_string().contains(word),
+                    found.explanation.to_string().contains(word),
                     "{}: {}",
                     target.name,
-                    found.says
+                    found.explanation
                 );
             }
             (Ok(_), None) => {
@@ -863,7 +863,11 @@ fn rapid_poses_are_corrected_in_their_work_objects_and_of_their_tools() {
         let answer = with_tool("rapid", &changed, Some(model_tool()));
         let found = answer.targets[0].result.as_ref().unwrap_err();
         assert_eq!(found.reason, Reason::Frame);
-        assert!(found.says.to_string().contains(word), "{}", found.says);
+        assert!(
+            found.explanation.to_string().contains(word),
+            "{}",
+            found.explanation
+        );
     }
 }
 
@@ -1025,7 +1029,7 @@ fn fanuc_positions_of_other_user_frames_and_tools_are_left() {
         (found.reason, answer.left()),
         (Reason::Frame, 1),
         "{}",
-        found.says
+        found.explanation
     );
     assert_eq!(answer.targets[0].place, (24, 1));
     let request = Request {

@@ -169,7 +169,7 @@ fn behind_equal_steps_every_order_is_said_and_uneven_poses_part_them() {
 
 #[test]
 fn behind_equal_steps_a_wave_once_a_turn_says_which_gears_look_the_same() {
-    let said = |answer: &Diagnosis| answer.found[0].says.to_string();
+    let said = |answer: &Diagnosis| answer.found[0].explanation.to_string();
     for order in [1.0, 73.0] {
         let measured = session(&equal_steps(), 5, wave(order, 0.02), still);
         let answer = diagnosed(&measured);
@@ -202,5 +202,9 @@ fn a_name_does_not_stand_in_for_one_that_is_left_out() {
     assert!(answer.unexplained.present || !answer.equivalent.is_empty());
     let answer = diagnosed_without(&session, &["frame-drift"]);
     assert_eq!(names(&answer), ["encoder-eccentricity"]);
-    assert!(!answer.unexplained.present, "{}", answer.unexplained.says);
+    assert!(
+        !answer.unexplained.present,
+        "{}",
+        answer.unexplained.description
+    );
 }

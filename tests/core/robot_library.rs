@@ -79,7 +79,7 @@ fn at_least_forty_robots_have_names_kinds_ranges_and_sources() {
         assert_eq!(slides.count(), usize::from(robot.kind == RobotKind::Scara));
         for joint in joints {
             let limits = joint.limits.expect("a range");
-            let [from, to] = [limits.from, limits.to].map(|end| joint.kind.outer(end));
+            let [from, to] = [limits.from, limits.to].map(|end| joint.kind.to_display(end));
             let widest = if joint.kind == JointKind::Prismatic {
                 500.0
             } else {
@@ -183,7 +183,7 @@ fn forward_positions_are_those_of_a_second_source() {
         let pose: Vec<f64> = joints
             .iter()
             .zip(&forward.pose)
-            .map(|(j, q)| j.kind.inner(*q))
+            .map(|(j, q)| j.kind.from_display(*q))
             .collect();
         for (q, expected) in [(zero, forward.zero_mm), (pose, forward.position_mm)] {
             let found = robot.robot.point_in_base(&q, &Point3::origin());

@@ -73,7 +73,7 @@ fn other_peoples_programs_put_the_tip_in_the_same_place() {
             assert_eq!(joint.kind.name(), wanted.kind, "case {number}");
             let limits = joint
                 .limits
-                .map(|l| [joint.kind.outer(l.from), joint.kind.outer(l.to)]);
+                .map(|l| [joint.kind.to_display(l.from), joint.kind.to_display(l.to)]);
             let near = |(a, b): (&f64, &f64)| (a - b).abs() < 1e-9;
             match (limits, wanted.limits) {
                 (None, None) => {}

@@ -175,7 +175,7 @@ pub fn compensated(
                 let left = written.position_mm.iter().chain(&written.rotation_rad);
                 assert!(left.into_iter().all(|v| v.is_finite()));
             }
-            Err(left) => assert!(!left.says.is_empty()),
+            Err(left) => assert!(!left.explanation.is_empty()),
         }
     }
     if answer.left() == answer.targets.len() {

@@ -54,7 +54,7 @@ impl ChartKind for Cumulative {
         Ok(Shown {
             chart: sorted.drawn(scene),
             name: say!("cumulative deviations").to_owned(),
-            says: say!("95 % of the samples deviate by {at} or less", at = at),
+            description: say!("95 % of the samples deviate by {at} or less", at = at),
             pointed: HoverTarget::Nothing,
         })
     }

@@ -11,7 +11,7 @@ use crate::sessions::columns::{Quantity, Unit};
 
 pub(crate) static IMPORTER: Importer = Importer {
     id: "euroc",
-    plainly: phrase!("a EuRoC trajectory: time in nanoseconds, position, quaternion"),
+    title: phrase!("a EuRoC trajectory: time in nanoseconds, position, quaternion"),
     asks: Questions {
         columns: Meanings::Fixed,
         ..Questions::TABLE

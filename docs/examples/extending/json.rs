@@ -4,14 +4,14 @@
 use crate::document::{Member, Value, text_of};
 use crate::text::Text;
 
-use super::rules::{Directions, Rules, Says, Spacing};
+use super::rules::{Directions, Rules, EntryMeaning, Spacing};
 use super::sheet::Sheet;
 use super::table_file::{Columns, TableFile};
 use super::{ExportError, Format, Job};
 
 pub(super) const RULES: Rules = Rules {
     format: "json",
-    says: Says::Correction,
+    meaning: EntryMeaning::Correction,
     resolution: None,
     units: ["deg", "mm"],
     per_outer: 1.0,

@@ -34,7 +34,7 @@ pub(crate) fn setting(term: &Term) -> Text {
 /// A setting as it is read.
 pub(crate) fn value(term: &Term) -> f64 {
     match term.effect.about().setting {
-        Setting::Listed(listed) => term.setting / listed.quantity.unit.inner,
+        Setting::Listed(listed) => term.setting / listed.quantity.unit.scale,
         _ => term.setting,
     }
 }

@@ -260,8 +260,8 @@ fn tell_what_is_open(
     let ended = prepared.regression.work.ended();
     if let Some(why) = &ended {
         unexplained.present = true;
-        let before = std::mem::take(&mut unexplained.says);
-        unexplained.says = behind(why.describe().into(), before);
+        let before = std::mem::take(&mut unexplained.description);
+        unexplained.description = behind(why.describe().into(), before);
     }
     !dropped.is_empty() || ended.is_some()
 }
@@ -383,7 +383,7 @@ fn tell_dropped(unexplained: &mut Unexplained, dropped: &[Term], session: &Sessi
         "the RMS error of the samples, or that of unseen ones, is no smaller with {effects}, or what it does runs away over the joint ranges: not handed out",
         effects = Text::listed(names.iter().map(|name| called(name)), ", ")
     );
-    unexplained.says = behind(says, std::mem::take(&mut unexplained.says));
+    unexplained.description = behind(says, std::mem::take(&mut unexplained.description));
     unexplained.present = true;
     unexplained.p = unexplained.p.min(CHANCE);
     unexplained.resembles.extend(names);

@@ -53,10 +53,10 @@ pub(crate) fn judge(
         if unexplained.p <= structure {
             unexplained.present = true;
             if prepared.is_full(found) {
-                unexplained.says = text!(
+                unexplained.description = text!(
                     "the search stopped at its limit of {limit} effects; {rest}",
                     limit = prepared.cap(),
-                    rest = &unexplained.says
+                    rest = &unexplained.description
                 );
             }
         } else if let Some(excess) = excess.filter(Excess::is_more_than_noise) {
@@ -69,7 +69,7 @@ pub(crate) fn judge(
         } else if let Some(other) = stand_in(prepared, &found.fit) {
             unexplained.present = true;
             unexplained.place = None;
-            unexplained.says = text!(
+            unexplained.description = text!(
                 "{withheld}, which this run leaves out, explains as much as {named}",
                 withheld = called(other.withheld),
                 named = called(&other.said)
@@ -80,7 +80,7 @@ pub(crate) fn judge(
             let names: Vec<String> = curve.names.iter().map(|t| t.name_on(robot)).collect();
             unexplained.present = true;
             unexplained.place = None;
-            unexplained.says = text!(
+            unexplained.description = text!(
                 "a smooth curve over joint {joint} explains as much as {effects} together",
                 joint = curve.joint + 1,
                 effects = Text::listed(names.iter().map(|name| called(name)), ", ")
@@ -89,7 +89,7 @@ pub(crate) fn judge(
         } else if let Some(wander) = wanders(values, names, floor) {
             unexplained.present = true;
             unexplained.place = None;
-            unexplained.says = wander;
+            unexplained.description = wander;
         }
         if unexplained.present && unexplained.rms_mm == 0.0 {
             let end = held_out.gaps.map_or(0.0, |g| g.end_mm).max(values.rms_mm());
@@ -97,7 +97,7 @@ pub(crate) fn judge(
         } else if !unexplained.present {
             // What the search saw last is noise: there is nothing to say of it.
             unexplained.place = None;
-            unexplained.says = Text::default();
+            unexplained.description = Text::default();
         }
     }
     if unexplained.noise.is_none() {
@@ -148,7 +148,7 @@ fn flag(
     let times = format!("{:.2}", excess.ratio);
     let returns = floor.from == FloorFrom::Repeats;
     let size = length(floor.mm, 4);
-    unexplained.says = match excess.kind.map(kind_in_words) {
+    unexplained.description = match excess.kind.map(kind_in_words) {
         Some(kind) if returns => text!(
             "the remaining error of {kind} is {times} times what returns to the same pose show, without a structure that the search knows",
             kind = kind,

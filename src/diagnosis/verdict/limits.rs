@@ -64,10 +64,10 @@ pub(crate) fn limits(regression: &Regression, fit: &Fit) -> Vec<Limit> {
                 Form::Plain(quantities) => quantities
                     .iter()
                     .enumerate()
-                    .map(|(i, q)| (q.name, size / energy(i).sqrt() / q.unit.inner))
+                    .map(|(i, q)| (q.name, size / energy(i).sqrt() / q.unit.scale))
                     .collect(),
                 Form::Fading(quantity) => {
-                    vec![(quantity.name, size / energy(0).sqrt() / quantity.unit.inner)]
+                    vec![(quantity.name, size / energy(0).sqrt() / quantity.unit.scale)]
                 }
                 Form::Harmonic(quantity) => {
                     // The phase that is hardest to see: the smaller eigenvalue of the 2 × 2.
@@ -77,7 +77,7 @@ pub(crate) fn limits(regression: &Regression, fit: &Fit) -> Vec<Limit> {
                     let smaller = mean - (0.25 * (a - d) * (a - d) + b * b).sqrt();
                     vec![(
                         quantity.name,
-                        size / smaller.max(1e-300).sqrt() / quantity.unit.inner,
+                        size / smaller.max(1e-300).sqrt() / quantity.unit.scale,
                     )]
                 }
             };

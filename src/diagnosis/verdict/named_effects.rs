@@ -55,7 +55,7 @@ pub(crate) fn found(
             odds_over_next: odds,
             within_s,
             next,
-            says: Text::listed(std::iter::once(&evidence).chain(&notes), "; "),
+            explanation: Text::listed(std::iter::once(&evidence).chain(&notes), "; "),
             notes,
             check: about.check,
         }

@@ -59,7 +59,7 @@ pub(crate) fn unexplained(
         rms_mm: of_the_shapes_mm(regression, fit),
         place: Some(place_of(&shape, range, prepared)),
         resembles,
-        says: text!(
+        description: text!(
             "{shape}; no effect of the catalogue explains it",
             shape = shape.describe()
         ),
@@ -120,9 +120,9 @@ fn of_the_base(prepared: &PreparedSearch, end: &SearchEnd) -> Unexplained {
         present: true,
         rms_mm: (left_mm * left_mm - floor_mm * floor_mm).max(0.0).sqrt(),
         resembles: names.iter().map(|t| t.name_on(robot)).collect(),
-        says: text!(
+        description: text!(
             "the base model does not fit: axes, tool or masses; {rest}",
-            rest = &left.says
+            rest = &left.description
         ),
         ..left
     }
@@ -150,7 +150,7 @@ pub(crate) fn without_shapes(prepared: &PreparedSearch, fit: &Fit) -> Unexplaine
             place_of(shape, range, prepared)
         }),
         resembles: Vec::new(),
-        says: likeliest.map_or_else(Text::default, |(_, shape)| {
+        description: likeliest.map_or_else(Text::default, |(_, shape)| {
             text!(
                 "what is left looks most like {shape}",
                 shape = shape.describe()

@@ -40,25 +40,27 @@ pub(crate) struct Remainder {
 
 impl Cloud {
     /// That of a session: made when it is first wanted, in the background if possible.
-    pub(crate) fn of(subject: &LoadedSession) -> Arc<Self> {
-        subject.drawn.get_or_make(|| Self::new(subject))
+    pub(crate) fn of(loaded_session: &LoadedSession) -> Arc<Self> {
+        loaded_session
+            .drawn
+            .get_or_make(|| Self::new(loaded_session))
     }
 
     /// The usable samples of a session.
-    fn new(subject: &LoadedSession) -> Self {
-        let usable = &subject.overview.usable;
+    fn new(loaded_session: &LoadedSession) -> Self {
+        let usable = &loaded_session.overview.usable;
         let samples: Vec<u32> = spread(usable.len()).map(|k| usable[k]).collect();
-        let [low, high] = subject.overview.measured_mm;
+        let [low, high] = loaded_session.overview.measured_mm;
         let centre_mm = std::array::from_fn(|k| {
             let middle = 0.5 * (low[k] + high[k]);
             if middle.is_finite() { middle } else { 0.0 }
         });
-        let columns = columns(&subject.session.samples);
+        let columns = columns(&loaded_session.session.samples);
         let conditions = columns.map(|column| column.and_then(|c| range(c, usable)));
         let place = |sample: &u32| {
             let sample = *sample as usize;
-            let at = subject.measured(sample);
-            let before = subject.deviation_before(sample);
+            let at = loaded_session.measured(sample);
+            let before = loaded_session.deviation_before(sample);
             let mut place = [-1.0; 9];
             for k in 0..3 {
                 place[k] = single(at[k] - centre_mm[k]);
@@ -158,12 +160,12 @@ mod tests {
     #[test]
     fn the_cloud_holds_what_the_session_holds() {
         let workbench = workbench();
-        let subject = workbench.loaded_session();
-        let cloud = Cloud::of(subject);
-        assert_eq!(cloud.places.len(), subject.overview.usable.len());
+        let loaded_session = workbench.loaded_session();
+        let cloud = Cloud::of(loaded_session);
+        assert_eq!(cloud.places.len(), loaded_session.overview.usable.len());
         for (place, sample) in cloud.places.iter().zip(&cloud.samples) {
-            let measured = subject.measured(*sample as usize);
-            let before = subject.deviation_before(*sample as usize);
+            let measured = loaded_session.measured(*sample as usize);
+            let before = loaded_session.deviation_before(*sample as usize);
             for k in 0..3 {
                 let at = f64::from(place[k]) + cloud.centre_mm[k];
                 assert!((at - measured[k]).abs() < 1e-4);

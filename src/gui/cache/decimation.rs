@@ -27,21 +27,25 @@ pub(crate) struct Thinned {
 
 impl Thinned {
     /// Looks at every sample once; takes its time.
-    pub(crate) fn of(subject: &LoadedSession, answer: Option<&Answer>, plane: Plane) -> Self {
-        let usable = &subject.overview.usable;
+    pub(crate) fn of(
+        loaded_session: &LoadedSession,
+        answer: Option<&Answer>,
+        plane: Plane,
+    ) -> Self {
+        let usable = &loaded_session.overview.usable;
         let lengths = [
-            Some(&subject.before.length_mm),
+            Some(&loaded_session.before.length_mm),
             answer.map(|a| &a.lengths_mm),
         ];
         let mut kept: Vec<u32> = Vec::with_capacity(2 * MOST);
         for lengths in lengths.into_iter().flatten() {
             kept.extend(largest(usable, lengths));
-            kept.extend(largest_of_cells(subject, lengths, plane));
+            kept.extend(largest_of_cells(loaded_session, lengths, plane));
         }
         kept.sort_unstable();
         kept.dedup();
         let extremes = kept.clone();
-        let cloud = Cloud::of(subject);
+        let cloud = Cloud::of(loaded_session);
         let others = cloud.samples.iter().copied();
         let others = others.filter(|sample| extremes.binary_search(sample).is_err());
         kept.extend(others.take(MOST.saturating_sub(extremes.len())));
@@ -65,15 +69,15 @@ fn largest(usable: &[u32], lengths_mm: &[f64]) -> Vec<u32> {
 }
 
 /// The one with the largest length in each cell that holds any.
-fn largest_of_cells(subject: &LoadedSession, lengths_mm: &[f64], plane: Plane) -> Vec<u32> {
+fn largest_of_cells(loaded_session: &LoadedSession, lengths_mm: &[f64], plane: Plane) -> Vec<u32> {
     let axes = plane.axes();
-    let [low, high] = subject.overview.nominal_mm;
+    let [low, high] = loaded_session.overview.nominal_mm;
     let side = axes.map(|k| high[k] - low[k]);
     let cell_mm = side[0].max(side[1]).max(1.0) / CELLS;
     let mut cells: BTreeMap<[i32; 2], (f64, u32)> = BTreeMap::new();
-    for sample in &subject.overview.usable {
+    for sample in &loaded_session.overview.usable {
         let (at, length) = (
-            subject.measured(*sample as usize),
+            loaded_session.measured(*sample as usize),
             lengths_mm[*sample as usize],
         );
         if length.is_nan() {
@@ -120,14 +124,14 @@ mod tests {
     #[test]
     fn the_largest_deviations_are_never_thinned_away() {
         let workbench = many();
-        let (subject, answer) = (workbench.loaded_session(), workbench.answer());
-        assert_eq!(subject.len(), 18_002);
-        let thinned = Thinned::of(subject, answer, Plane::Xy);
+        let (loaded_session, answer) = (workbench.loaded_session(), workbench.answer());
+        assert_eq!(loaded_session.len(), 18_002);
+        let thinned = Thinned::of(loaded_session, answer, Plane::Xy);
         assert!(thinned.samples.len() <= MOST, "{}", thinned.samples.len());
         assert!(thinned.samples.windows(2).all(|pair| pair[0] < pair[1]));
         let after = &answer.expect("it is identified").lengths_mm;
-        for lengths in [&subject.before.length_mm, after] {
-            let mut order: Vec<u32> = subject.overview.usable.clone();
+        for lengths in [&loaded_session.before.length_mm, after] {
+            let mut order: Vec<u32> = loaded_session.overview.usable.clone();
             order.sort_by(|a, b| lengths[*b as usize].total_cmp(&lengths[*a as usize]));
             for sample in &order[..LARGEST] {
                 assert!(thinned.samples.binary_search(sample).is_ok(), "{sample}");
@@ -138,11 +142,11 @@ mod tests {
     #[test]
     fn the_rest_shows_the_whole() {
         let workbench = many();
-        let subject = workbench.loaded_session();
-        let thinned = Thinned::of(subject, None, Plane::Xy);
+        let loaded_session = workbench.loaded_session();
+        let thinned = Thinned::of(loaded_session, None, Plane::Xy);
         let mut met = [0; 18];
         for sample in &thinned.samples {
-            let degrees = subject.q(*sample as usize).to_degrees() + 90.0;
+            let degrees = loaded_session.q(*sample as usize).to_degrees() + 90.0;
             met[crate::numeric::whole(degrees / 10.0).min(17)] += 1;
         }
         assert!(met.iter().all(|n| *n > MOST / 40), "{met:?}");

@@ -142,29 +142,29 @@ impl Envelope {
     /// Sorts the samples of a session.
     pub(crate) fn of(given: ChartInputs<'_>, over: Over) -> Self {
         let ChartInputs {
-            subject,
+            loaded_session,
             answer,
             component,
         } = given;
-        let usable = &subject.overview.usable;
+        let usable = &loaded_session.overview.usable;
         let track = |side: f64| {
-            let x = |sample: u32| over.of(subject, sample as usize);
+            let x = |sample: u32| over.of(loaded_session, sample as usize);
             let of_side = |sample: &u32| {
-                over.side(subject, *sample as usize) == side && x(*sample).is_finite()
+                over.side(loaded_session, *sample as usize) == side && x(*sample).is_finite()
             };
             let mut samples: Vec<u32> = usable.iter().copied().filter(of_side).collect();
             samples.sort_unstable_by(|a, b| x(*a).total_cmp(&x(*b)).then(a.cmp(b)));
             let values = |deviation: &dyn Fn(usize) -> [f64; 3]| {
                 let value = |sample: &u32| {
                     let sample = *sample as usize;
-                    single(subject.component(deviation(sample), sample, component))
+                    single(loaded_session.component(deviation(sample), sample, component))
                 };
                 Extremes::new(samples.iter().map(value).collect())
             };
             Track {
                 side,
                 x: samples.iter().map(|sample| x(*sample)).collect(),
-                before: values(&|sample| subject.deviation_before(sample)),
+                before: values(&|sample| loaded_session.deviation_before(sample)),
                 after: answer.map(|answer| values(&|sample| answer.deviation_after(sample))),
                 samples,
             }
@@ -294,7 +294,7 @@ mod tests {
 
     fn chart_inputs(workbench: &Workbench, component: Component) -> ChartInputs<'_> {
         ChartInputs {
-            subject: workbench.loaded_session(),
+            loaded_session: workbench.loaded_session(),
             answer: workbench.answer(),
             component,
         }
@@ -328,16 +328,16 @@ mod tests {
         let mut workbench = workbench();
         workbench.execute(Command::Edit(Edit::Identify));
         workbench.receive();
-        let subject = workbench.loaded_session();
+        let loaded_session = workbench.loaded_session();
         let envelope = Envelope::of(chart_inputs(&workbench, Component::Radial), ANGLE);
         let all = envelope.extent().expect("there are samples");
         let columns = envelope.columns([all.x[0], all.x[1] + 1e-9], 7);
         for side in [-1.0, 1.0] {
-            let of_side = |i: &usize| subject.side(*i) == side;
-            for sample in (0..subject.len()).filter(of_side) {
-                let x = subject.q(sample);
-                let e = subject.deviation_before(sample);
-                let mm = subject.component(e, sample, Component::Radial);
+            let of_side = |i: &usize| loaded_session.side(*i) == side;
+            for sample in (0..loaded_session.len()).filter(of_side) {
+                let x = loaded_session.q(sample);
+                let e = loaded_session.deviation_before(sample);
+                let mm = loaded_session.component(e, sample, Component::Radial);
                 let holds = |c: &&Column| {
                     let [low, high] = c.before_mm.expect("a column has samples");
                     c.x[0] <= x && x <= c.x[1] && low - 1e-6 <= mm && mm <= high + 1e-6
@@ -346,8 +346,11 @@ mod tests {
             }
         }
         assert!(columns.len() <= 14 && columns.iter().all(|c| c.after_mm.is_some()));
-        assert_eq!(envelope.count(all.x), subject.len());
-        assert_eq!(envelope.samples(all.x, 10_000).count(), subject.len());
+        assert_eq!(envelope.count(all.x), loaded_session.len());
+        assert_eq!(
+            envelope.samples(all.x, 10_000).count(),
+            loaded_session.len()
+        );
         assert!(envelope.samples(all.x, 20).count() <= 22);
     }
 

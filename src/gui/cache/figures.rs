@@ -46,7 +46,7 @@ impl Figures {
 
 fn made(outcome: &IdentifiedAnswer, floor_mm: Option<f64>) -> Result<StandardsFigures, String> {
     let answer = outcome.answer.as_ref().map_err(Clone::clone)?;
-    let session = &outcome.question.subject.session;
+    let session = &outcome.question.loaded_session.session;
     let figures = pipeline::standards(session, Some(&answer.calibration))
         .map_err(|e| spoken(e.describe()))?;
     let found = &answer.identification;

@@ -49,33 +49,33 @@ pub(crate) struct Heat {
 impl Heat {
     /// The map of a session, and of an answer; `None` where no sample can be used.
     pub(crate) fn of(
-        subject: &LoadedSession,
+        loaded_session: &LoadedSession,
         answer: Option<&Answer>,
         plane: Plane,
     ) -> Option<Self> {
         let [right, up] = plane.axes();
-        let usable = &subject.overview.usable;
-        let [low, high] = subject.overview.nominal_mm;
+        let usable = &loaded_session.overview.usable;
+        let [low, high] = loaded_session.overview.nominal_mm;
         let extent = [right, up].map(|k| high[k] - low[k]);
         let side = extent[0].max(extent[1]).max(1.0);
         if usable.is_empty() || !side.is_finite() {
             return None;
         }
         let cell_mm = side / CELLS;
-        let places = places(subject, [right, up], [low[right], low[up]], cell_mm);
+        let places = places(loaded_session, [right, up], [low[right], low[up]], cell_mm);
         let sigma = (OF_SPACING * spacing(&places)).clamp(SIGMA[0] * CELLS, SIGMA[1] * CELLS);
         let margin = (END * sigma).ceil();
         let size = extent.map(|e| whole((e / cell_mm).ceil() + 2.0 * margin) + 1);
         let first_mm = [low[right] - margin * cell_mm, low[up] - margin * cell_mm];
         let mut sums = vec![[0.0_f64; 5]; size[0] * size[1]];
         for sample in usable.iter().map(|sample| *sample as usize) {
-            let at = subject.measured(sample);
+            let at = loaded_session.measured(sample);
             let cell = |k: usize, axis: usize| ((at[axis] - first_mm[k]) / cell_mm).round();
             let (x, y) = (cell(0, right), cell(1, up));
             if !(x >= 0.0 && y >= 0.0 && x < size[0] as f64 && y < size[1] as f64) {
                 continue;
             }
-            let before = subject.deviation_before(sample);
+            let before = loaded_session.deviation_before(sample);
             let after = answer.map_or([0.0; 3], |a| a.deviation_after(sample));
             let products = [dot(before, before), dot(before, after), dot(after, after)];
             if products.iter().all(|p| p.is_finite()) {
@@ -125,7 +125,7 @@ impl Heat {
 /// The cells in which something was measured, each once, counted from the nominal robot's lowest
 /// corner.
 fn places(
-    subject: &LoadedSession,
+    loaded_session: &LoadedSession,
     axes: [usize; 2],
     low_mm: [f64; 2],
     cell_mm: f64,
@@ -133,8 +133,8 @@ fn places(
     let side = whole(CELLS) + 1;
     let mut seen = vec![false; side * side];
     let mut places = Vec::new();
-    for sample in &subject.overview.usable {
-        let at = subject.measured(*sample as usize);
+    for sample in &loaded_session.overview.usable {
+        let at = loaded_session.measured(*sample as usize);
         let cell = [0, 1].map(|k| ((at[axes[k]] - low_mm[k]) / cell_mm).round());
         if cell.iter().all(|c| (0.0..side as f64).contains(c)) {
             let [x, y] = cell.map(whole);
@@ -235,10 +235,10 @@ mod tests {
     #[test]
     fn it_fades_away_from_the_samples() {
         let workbench = workbench();
-        let subject = workbench.loaded_session();
-        let heat = Heat::of(subject, None, Plane::Xy).expect("there are samples");
-        for sample in 0..subject.len() {
-            let [x, y, _] = subject.measured(sample);
+        let loaded_session = workbench.loaded_session();
+        let heat = Heat::of(loaded_session, None, Plane::Xy).expect("there are samples");
+        for sample in 0..loaded_session.len() {
+            let [x, y, _] = loaded_session.measured(sample);
             assert!(heat.at([x, y])[3] > 0.85);
             assert!(heat.at([0.5 * x, 0.5 * y])[3] < 0.01);
         }
@@ -254,11 +254,11 @@ mod tests {
         };
         workbench.execute(Command::Simulate(form));
         workbench.receive();
-        let subject = workbench.loaded_session();
-        let heat = Heat::of(subject, None, Plane::Xy).expect("there are samples");
-        let [a, b] = [4, 5].map(|sample| subject.measured(sample));
+        let loaded_session = workbench.loaded_session();
+        let heat = Heat::of(loaded_session, None, Plane::Xy).expect("there are samples");
+        let [a, b] = [4, 5].map(|sample| loaded_session.measured(sample));
         let apart = (a[0] - b[0]).hypot(a[1] - b[1]);
-        assert!(apart > 0.08 * 2.0 * subject.arm_mm, "{apart}");
+        assert!(apart > 0.08 * 2.0 * loaded_session.arm_mm, "{apart}");
         let between = heat.at([0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])]);
         assert!(between[3] > 0.6, "{between:?}");
         assert!((heat.sigma_mm / apart - 0.5).abs() < 0.05, "{apart}");

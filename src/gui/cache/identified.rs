@@ -40,12 +40,12 @@ pub(crate) struct AnswerSummary {
 }
 
 impl AnswerSummary {
-    fn new(subject: &LoadedSession, answer: &Answer) -> Self {
-        let remainder = Cloud::of(subject).remainder(&answer.after_mm, &answer.suspected);
+    fn new(loaded_session: &LoadedSession, answer: &Answer) -> Self {
+        let remainder = Cloud::of(loaded_session).remainder(&answer.after_mm, &answer.suspected);
         Self {
             remainder: Arc::new(remainder),
             lengths: Ascending::new(&answer.lengths_mm),
-            readable: Readable::new(subject.overview.radius_mm, &answer.lengths_mm),
+            readable: Readable::new(loaded_session.overview.radius_mm, &answer.lengths_mm),
         }
     }
 }
@@ -62,7 +62,7 @@ impl IdentifiedAnswer {
     pub(crate) fn of(question: Question, watch: &Watch) -> Self {
         let answer = answer(&question, watch);
         let after = answer.as_ref().ok();
-        let after = after.map(|answer| AnswerSummary::new(&question.subject, answer));
+        let after = after.map(|answer| AnswerSummary::new(&question.loaded_session, answer));
         Self {
             question,
             answer,
@@ -79,7 +79,7 @@ impl IdentifiedAnswer {
             if let QuestionDetails::Given(given) = &self.question.asks {
                 return Ok(Arc::new(given.calibration.clone()));
             }
-            let session = &self.question.subject.session;
+            let session = &self.question.loaded_session.session;
             let verified = pipeline::hand_out(&answer.calibration, session);
             verified
                 .map(Arc::new)

@@ -25,7 +25,7 @@ use crate::gui::view::Plane;
     reason = "each says whether one thing is shown"
 )]
 pub(crate) struct PlotInputs {
-    pub(crate) subject: Arc<LoadedSession>,
+    pub(crate) loaded_session: Arc<LoadedSession>,
     pub(crate) identified: Option<Arc<IdentifiedAnswer>>,
     /// The plane of the workspace.
     pub(crate) plane: Plane,
@@ -50,14 +50,14 @@ impl PlotInputs {
 
     fn chart_inputs(&self, component: Component) -> ChartInputs<'_> {
         ChartInputs {
-            subject: &self.subject,
+            loaded_session: &self.loaded_session,
             answer: self.answer(),
             component,
         }
     }
 
     fn many(&self) -> bool {
-        self.subject.overview.usable.len() > FEW
+        self.loaded_session.overview.usable.len() > FEW
     }
 
     /// Whether there is anything to work out.
@@ -93,25 +93,25 @@ impl PlotCache {
 
     /// Works it out; what the last one has already is taken from there.
     pub(crate) fn of(scenery: PlotInputs, last: Option<&Self>) -> Self {
-        let last = last.filter(|l| l.inputs.subject == scenery.subject);
+        let last = last.filter(|l| l.inputs.loaded_session == scenery.loaded_session);
         let same_plane = last.filter(|l| l.inputs.plane == scenery.plane);
         let same_answer = last.filter(|l| l.inputs.identified == scenery.identified);
         let heat_of = same_answer.filter(|_| same_plane.is_some());
-        let subject = &*scenery.subject;
+        let loaded_session = &*scenery.loaded_session;
         let nearest = || {
             let axes = scenery.plane.axes();
             let at = |sample: &u32| {
-                let measured = subject.measured(*sample as usize);
+                let measured = loaded_session.measured(*sample as usize);
                 (axes.map(|k| measured[k]), *sample)
             };
-            Arc::new(Nearest::new(subject.overview.usable.iter().map(at)))
+            Arc::new(Nearest::new(loaded_session.overview.usable.iter().map(at)))
         };
         let many = scenery.many();
         let known = same_plane.and_then(|l| l.nearest.clone());
         let nearest = many.then(|| known.unwrap_or_else(nearest));
         let heat = heat_of.and_then(|l| l.heat.clone()).or_else(|| {
             let wanted = scenery.heat.then(|| {
-                let heat = Heat::of(subject, scenery.answer(), scenery.plane)?;
+                let heat = Heat::of(loaded_session, scenery.answer(), scenery.plane)?;
                 Some(Arc::new(heat))
             });
             wanted.flatten()
@@ -119,7 +119,7 @@ impl PlotCache {
         let known = same_answer.and_then(|l| l.uncertain.clone());
         let uncertain = known.or_else(|| {
             let answer = scenery.answer().filter(|_| scenery.uncertain)?;
-            Uncertain::of(subject, answer).map(Arc::new)
+            Uncertain::of(loaded_session, answer).map(Arc::new)
         });
         let charted = scenery.charts.iter().map(|wanted| {
             let known = same_answer.and_then(|last| last.charted_for(wanted));
@@ -129,11 +129,11 @@ impl PlotCache {
         });
         let charted = charted.collect();
         // A boundary that is dragged later finds its sums made.
-        if many && subject.single_revolute() {
-            subject.region_totals();
+        if many && loaded_session.single_revolute() {
+            loaded_session.region_totals();
         }
         let known = heat_of.and_then(|l| l.thinned.clone());
-        let thin = || Arc::new(Thinned::of(subject, scenery.answer(), scenery.plane));
+        let thin = || Arc::new(Thinned::of(loaded_session, scenery.answer(), scenery.plane));
         let thinned = (many && scenery.thins).then(|| known.unwrap_or_else(thin));
         let known = heat_of.filter(|l| l.inputs.component == scenery.component);
         let known = known.and_then(|l| l.around.clone());

@@ -57,7 +57,7 @@ fn made(wanted: &PreviewRequest) -> Result<ExportPreview, String> {
         choice,
         name,
     } = wanted;
-    let session = &outcome.question.subject.session;
+    let session = &outcome.question.loaded_session.session;
     let calibration = &*outcome.handed_out()?;
     let name = name.clone();
     let name = name.unwrap_or_else(|| choice.file_name(&session.name));
@@ -66,7 +66,7 @@ fn made(wanted: &PreviewRequest) -> Result<ExportPreview, String> {
         step: choice.step,
         ..Job::new(calibration, &name)
     };
-    let inputs = if outcome.question.subject.is_empty() {
+    let inputs = if outcome.question.loaded_session.is_empty() {
         measured_poses(&job)
     } else {
         Inputs::new(session, JointValues::Commanded)

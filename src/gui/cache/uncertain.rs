@@ -48,26 +48,26 @@ impl Uncertain {
     }
 
     /// That of an answer; `None` where it does not say. Takes its time with many samples.
-    pub(crate) fn of(subject: &LoadedSession, answer: &Answer) -> Option<Self> {
+    pub(crate) fn of(loaded_session: &LoadedSession, answer: &Answer) -> Option<Self> {
         let found = &answer.identification;
         let covariance = found
             .covariance
             .as_ref()
             .filter(|_| Self::is_known(answer))?;
-        let problem = Problem::new(&subject.session, JointValues::Commanded);
+        let problem = Problem::new(&loaded_session.session, JointValues::Commanded);
         let mut mm = uncertainties_mm(&found.model, &problem.inputs, covariance)?;
-        for (value, usable) in mm.iter_mut().zip(&subject.usable) {
+        for (value, usable) in mm.iter_mut().zip(&loaded_session.usable) {
             if !usable {
                 *value = f64::NAN;
             }
         }
-        let values = subject.over_travel();
+        let values = loaded_session.over_travel();
         let along = (!values.is_empty())
             .then(|| uncertainties_mm(&found.model, &along_joint(&problem, &values), covariance));
         let along = along.flatten().unwrap_or_default();
         let along = along.chunks(values.len().max(1)).map(<[f64]>::to_vec);
         let along_mm: Vec<Vec<f64>> = along.collect();
-        let over = if subject.session.robot.joint_count() > 1 {
+        let over = if loaded_session.session.robot.joint_count() > 1 {
             over_the_workspace(&found.model, &problem, covariance)
         } else {
             Vec::new()
@@ -79,7 +79,7 @@ impl Uncertain {
             .copied()
             .filter(|v| v.is_finite())
             .fold(0.0, f64::max);
-        let cloud = Cloud::of(subject);
+        let cloud = Cloud::of(loaded_session);
         let mut remainder = cloud.remainder(&answer.after_mm, &answer.suspected);
         for (row, sample) in remainder.rows.iter_mut().zip(&cloud.samples) {
             #[allow(clippy::cast_possible_truncation, reason = "a part of a scale")]
@@ -123,9 +123,9 @@ mod tests {
     const STEP: f64 = 1e-6;
 
     /// The same by differences of predictions, for one pose.
-    fn by_differences(answer: &Answer, subject: &LoadedSession, sample: usize) -> f64 {
+    fn by_differences(answer: &Answer, loaded_session: &LoadedSession, sample: usize) -> f64 {
         let found = &answer.identification;
-        let inputs = Problem::new(&subject.session, JointValues::Commanded).inputs;
+        let inputs = Problem::new(&loaded_session.session, JointValues::Commanded).inputs;
         let predicted = |shift: &dyn Fn(usize) -> f64| {
             let mut k = 0;
             let terms = found.model.terms().iter().cloned().map(|mut term| {
@@ -166,13 +166,13 @@ mod tests {
         workbench.receive();
         let uncertain = workbench.uncertain().expect("it is known");
         let answer = workbench.answer().expect("an answer");
-        let subject = workbench.loaded_session();
-        for sample in [0, 7, subject.len() - 1] {
-            let expected = by_differences(answer, subject, sample);
+        let loaded_session = workbench.loaded_session();
+        for sample in [0, 7, loaded_session.len() - 1] {
+            let expected = by_differences(answer, loaded_session, sample);
             let found = uncertain.mm[sample];
             assert!((found / expected - 1.0).abs() < 1e-4, "{found} {expected}");
         }
-        let cloud = Cloud::of(subject);
+        let cloud = Cloud::of(loaded_session);
         for (row, sample) in uncertain.remainder.rows.iter().zip(&cloud.samples) {
             let part = uncertain.mm[*sample as usize] / uncertain.most_mm;
             assert!((f64::from(row[4]) - part).abs() < 1e-6);
@@ -186,9 +186,12 @@ mod tests {
         workbench.execute(Command::View(ViewChange::Colour(Colouring::Uncertainty)));
         workbench.receive();
         let uncertain = workbench.uncertain().expect("it is known");
-        let subject = workbench.loaded_session();
-        let values = subject.over_travel();
-        assert_eq!(uncertain.along_mm.len(), subject.session.targets.len());
+        let loaded_session = workbench.loaded_session();
+        let values = loaded_session.over_travel();
+        assert_eq!(
+            uncertain.along_mm.len(),
+            loaded_session.session.targets.len()
+        );
         assert!(
             uncertain
                 .along_mm
@@ -197,14 +200,14 @@ mod tests {
         );
         // Zero and length turn with the joint: where a sample lies, it is that of the sample.
         let of = |sample: usize| {
-            let q = subject.q(sample);
+            let q = loaded_session.q(sample);
             let near = |k: &usize| (values[*k] - q).abs();
             let at = (0..values.len()).min_by(|a, b| near(a).total_cmp(&near(b)));
-            let target = subject.session.samples.target.as_ref();
+            let target = loaded_session.session.samples.target.as_ref();
             let way = target.map_or(0, |t| t[sample] as usize);
             uncertain.along_mm[way][at.expect("values")]
         };
-        for sample in [0, 7, subject.len() - 1] {
+        for sample in [0, 7, loaded_session.len() - 1] {
             let (way, own) = (of(sample), uncertain.mm[sample]);
             assert!((way / own - 1.0).abs() < 0.02, "{way} {own}");
         }

@@ -11,7 +11,7 @@ use crate::gui::core::loaded_session::{Component, LoadedSession};
 /// What is worked out: samples, the newest answer, the component that is looked at.
 #[derive(Clone, Copy)]
 pub(crate) struct ChartInputs<'a> {
-    pub(crate) subject: &'a LoadedSession,
+    pub(crate) loaded_session: &'a LoadedSession,
     pub(crate) answer: Option<&'a Answer>,
     pub(crate) component: Component,
 }
@@ -20,10 +20,13 @@ impl ChartInputs<'_> {
     /// The component of some samples' deviations before, and after where it is known.
     pub(crate) fn values(self, samples: &[usize]) -> (Vec<f64>, Option<Vec<f64>>) {
         let of = |deviation: &dyn Fn(usize) -> [f64; 3]| {
-            let value = |i: &usize| self.subject.component(deviation(*i), *i, self.component);
+            let value = |i: &usize| {
+                self.loaded_session
+                    .component(deviation(*i), *i, self.component)
+            };
             samples.iter().map(value).collect::<Vec<f64>>()
         };
-        let before = of(&|i| self.subject.deviation_before(i));
+        let before = of(&|i| self.loaded_session.deviation_before(i));
         let after = self.answer.map(|answer| of(&|i| answer.deviation_after(i)));
         (before, after)
     }

@@ -36,7 +36,7 @@ impl<'a> Panels<'a> {
             extent(shown.map(|i| q[i]))
         };
         Self {
-            ranges: scene.subject.session.samples.q.iter().map(range).collect(),
+            ranges: scene.loaded_session.session.samples.q.iter().map(range).collect(),
             stride,
             scene,
         }
@@ -50,7 +50,7 @@ impl<'a> Panels<'a> {
     /// Where a sample stands along the chart in the panel of a joint.
     fn at(&self, joint: usize, sample: usize) -> Option<f64> {
         let [low, high] = self.ranges[joint];
-        let q = self.scene.subject.session.samples.q[joint][sample];
+        let q = self.scene.loaded_session.session.samples.q[joint][sample];
         let part = if high > low {
             (q - low) / (high - low)
         } else {
@@ -63,9 +63,9 @@ impl<'a> Panels<'a> {
     /// The component before and after, mm.
     fn values(&self, sample: usize) -> (f64, Option<f64>) {
         let scene = self.scene;
-        let of = |e: [f64; 3]| scene.subject.component(e, sample, scene.component());
+        let of = |e: [f64; 3]| scene.loaded_session.component(e, sample, scene.component());
         let after = scene.answer.map(|a| of(a.deviation_after(sample)));
-        (of(scene.subject.deviation_before(sample)), after)
+        (of(scene.loaded_session.deviation_before(sample)), after)
     }
 
     /// Marks of all samples in all panels.
@@ -73,7 +73,7 @@ impl<'a> Panels<'a> {
         let marks = self.shown().flat_map(|sample| {
             let mm = value(self.values(sample)).filter(|mm| mm.is_finite());
             (0..self.ranges.len()).filter_map(move |joint| {
-                let dir = self.scene.subject.session.samples.dir[joint].as_ref();
+                let dir = self.scene.loaded_session.session.samples.dir[joint].as_ref();
                 let side = dir.map_or(0.0, |dir| dir[sample]);
                 Some((self.at(joint, sample)?, mm?, side))
             })
@@ -102,7 +102,7 @@ impl ChartKind for ByJoint {
     }
 
     fn is_offered(&self, scene: &Scene) -> bool {
-        scene.subject.session.robot.joints.len() > 1 && !scene.subject.is_empty()
+        scene.loaded_session.session.robot.joints.len() > 1 && !scene.loaded_session.is_empty()
     }
 
     fn show<'a>(&self, scene: &'a Scene<'a>) -> Result<Shown<'a>, ChartPlaceholder> {
@@ -122,7 +122,7 @@ impl ChartKind for ByJoint {
             return Err(ChartPlaceholder::new(say!("No sample to show"), why));
         };
         let joints = panels.ranges.len();
-        let names = scene.subject.session.robot.joints.iter().enumerate();
+        let names = scene.loaded_session.session.robot.joints.iter().enumerate();
         let names = names.map(|(k, joint)| (k as f64 + 0.5, shortened(&joint.name, MOST_LETTERS)));
         let name = scene.component().name();
         let number = |mm: f64| significant(scene.units.length_value(mm), 3);
@@ -150,7 +150,7 @@ impl ChartKind for ByJoint {
         Ok(Shown {
             chart: made.chart(say!("{name} deviation by joint", name = name), note),
             name: say!("deviation by joint, {name}", name = name),
-            says: say!(
+            description: say!(
                 "{name} deviation of {samples} samples over {joints} joints, {from} to {to}",
                 name = name,
                 samples = scene.usable().len(),
@@ -164,7 +164,7 @@ impl ChartKind for ByJoint {
 
     /// Every sample: joint values in degrees or mm.
     fn numbers(&self, scene: &Scene) -> Table {
-        let session = &scene.subject.session;
+        let session = &scene.loaded_session.session;
         let component = scene.component().name();
         let joints = || session.robot.joints.iter();
         let heads = joints().map(|joint| format!("{}, {}", joint.name, joint.kind.sign().trim()));
@@ -176,7 +176,7 @@ impl ChartKind for ByJoint {
             let (before, after) = panels.values(sample);
             let mut cells = vec![Cell::from(sample + 1)];
             let values = joints().zip(&session.samples.q);
-            cells.extend(values.map(|(joint, q)| Cell::from(joint.kind.outer(q[sample]))));
+            cells.extend(values.map(|(joint, q)| Cell::from(joint.kind.to_display(q[sample]))));
             cells.extend([before.into(), after.into()]);
             table.rows.push(cells);
         }

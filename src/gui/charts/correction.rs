@@ -26,7 +26,7 @@ impl ChartKind for Correction {
     }
 
     fn is_offered(&self, scene: &Scene) -> bool {
-        let alone = scene.subject.is_empty();
+        let alone = scene.loaded_session.is_empty();
         let step = scene.view.step == Step::Export || alone;
         // A description of the robot has no curve; then the samples are more to look at.
         let shows = |made: &ExportPreview| step && (alone || made.export.reads_as.is_some());
@@ -45,7 +45,7 @@ impl ChartKind for Correction {
         Ok(Shown {
             chart,
             name: say!("correction table as a curve").to_owned(),
-            says: String::new(),
+            description: String::new(),
             pointed: HoverTarget::Nothing,
         })
     }

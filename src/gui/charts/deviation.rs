@@ -112,7 +112,7 @@ impl ChartKind for Along {
         let mut chart = drawn.deviation(&number, extent);
         let many = drawn.envelope.filter(|envelope| {
             let [[from, _], [to, _]] = chart.bounds;
-            are_many(envelope, [from, to].map(|x| drawn.scale.inner(x)))
+            are_many(envelope, [from, to].map(|x| drawn.scale.value_at(x)))
         });
         chart.note = drawn.note(many.is_some());
         if many.is_some() {
@@ -122,7 +122,7 @@ impl ChartKind for Along {
                 .retain(|e| !matches!(e.sign, LegendSymbol::Mark(form) if form != Form::Disc));
         }
         Ok(Shown {
-            says: drawn.describe(extent),
+            description: drawn.describe(extent),
             chart,
             name,
             pointed: HoverTarget::Samples(Box::new(drawn)),
@@ -133,12 +133,12 @@ impl ChartKind for Along {
     fn numbers(&self, scene: &Scene) -> Table {
         let drawn = DrawnDeviations::of(scene, self.over(scene));
         let component = scene.component().name();
-        let along = drawn.over.heading(scene.subject);
+        let along = drawn.over.heading(scene.loaded_session);
         let [before, after] = ["before", "after"].map(|when| format!("{component} {when}, mm"));
         let mut table = Table::new(["sample", &along, "side", &before, &after]);
         for sample in scene.usable() {
             let dot = drawn.dot(sample);
-            let x = drawn.over.cell(scene.subject, dot.x);
+            let x = drawn.over.cell(scene.loaded_session, dot.x);
             let [x, side, before] = [x, dot.side, dot.before_mm].map(Cell::from);
             table.row([(sample + 1).into(), x, side, before, dot.after_mm.into()]);
         }
@@ -183,7 +183,7 @@ impl<'a> DrawnDeviations<'a> {
         let mut drawn = Self {
             scene,
             over,
-            scale: over.scale(scene.subject, scene.units, 0.0),
+            scale: over.scale(scene.loaded_session, scene.units, 0.0),
             envelope,
             dots: Vec::new(),
             stride,
@@ -195,18 +195,18 @@ impl<'a> DrawnDeviations<'a> {
             (drawn.dots, drawn.unplaced) = (dots, stride * unplaced.len());
         }
         let span = drawn.extent().map_or(0.0, |all| all.x[1] - all.x[0]);
-        drawn.scale = over.scale(scene.subject, scene.units, span);
+        drawn.scale = over.scale(scene.loaded_session, scene.units, span);
         drawn
     }
 
     fn dot(&self, sample: usize) -> Dot {
-        let subject = &**self.scene.subject;
-        let of = |e: [f64; 3]| subject.component(e, sample, self.scene.component());
+        let loaded_session = &**self.scene.loaded_session;
+        let of = |e: [f64; 3]| loaded_session.component(e, sample, self.scene.component());
         Dot {
-            x: self.over.of(subject, sample),
-            before_mm: of(subject.deviation_before(sample)),
+            x: self.over.of(loaded_session, sample),
+            before_mm: of(loaded_session.deviation_before(sample)),
             after_mm: self.scene.answer.map(|a| of(a.deviation_after(sample))),
-            side: self.over.side(subject, sample),
+            side: self.over.side(loaded_session, sample),
         }
     }
 
@@ -214,7 +214,7 @@ impl<'a> DrawnDeviations<'a> {
     fn is_missing(&self) -> bool {
         match self.envelope {
             Some(envelope) => envelope.placed() == 0,
-            None => self.over.is_missing(self.scene.subject),
+            None => self.over.is_missing(self.scene.loaded_session),
         }
     }
 
@@ -255,7 +255,7 @@ impl<'a> DrawnDeviations<'a> {
             });
         }
         let name = scene.component().name();
-        let label = self.over.label(scene.subject);
+        let label = self.over.label(scene.loaded_session);
         let made = Deviation {
             component: name,
             is_length: scene.component() == Component::Length,
@@ -281,7 +281,7 @@ impl<'a> DrawnDeviations<'a> {
         let mut notes = Vec::new();
         let component = self.scene.component();
         let polar = [Component::Tangential, Component::Radial, Component::Axial];
-        if let [first, _, ..] = &self.scene.subject.session.robot.joints[..]
+        if let [first, _, ..] = &self.scene.loaded_session.session.robot.joints[..]
             && polar.contains(&component)
         {
             // The axis below may be another joint's.
@@ -293,7 +293,7 @@ impl<'a> DrawnDeviations<'a> {
         }
         let never_changes = self.extent().is_none_or(|all| all.x[0] == all.x[1]);
         if never_changes && self.over.variable != Variable::Joint {
-            let what = self.over.label(self.scene.subject);
+            let what = self.over.label(self.scene.loaded_session);
             notes.push(say!("the {quantity} never changes", quantity = what));
         }
         if many {
@@ -331,7 +331,7 @@ impl<'a> DrawnDeviations<'a> {
             "{component} deviation of {samples} samples over {label} from {from} to {to}",
             component = self.scene.component().name(),
             samples = self.scene.usable().len() - self.unplaced,
-            label = self.over.label(self.scene.subject),
+            label = self.over.label(self.scene.loaded_session),
             from = self.scale.describe(all.x[0]),
             to = self.scale.describe(all.x[1])
         );
@@ -375,7 +375,7 @@ impl Samples for DrawnDeviations<'_> {
         match self.envelope {
             None => self.scene.usable().step_by(self.stride).collect(),
             Some(envelope) => {
-                let x = x.map(|x| self.scale.inner(x));
+                let x = x.map(|x| self.scale.value_at(x));
                 envelope.samples(x, MOST_NEAR).collect()
             }
         }
@@ -385,7 +385,7 @@ impl Samples for DrawnDeviations<'_> {
         let Some(envelope) = self.envelope else {
             return Vec::new();
         };
-        let x = x.map(|x| self.scale.inner(x));
+        let x = x.map(|x| self.scale.value_at(x));
         let alone = self.scene.only_after();
         if are_many(envelope, x) {
             let number = whole((points / COLUMN).ceil().min(8192.0)).max(1);

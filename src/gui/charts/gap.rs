@@ -31,7 +31,7 @@ impl ChartKind for Gap {
     }
 
     fn is_offered(&self, scene: &Scene) -> bool {
-        scene.answer.is_some() && !scene.subject.is_empty()
+        scene.answer.is_some() && !scene.loaded_session.is_empty()
     }
 
     fn suits(&self, scene: &Scene) -> bool {
@@ -52,7 +52,7 @@ impl ChartKind for Gap {
         Ok(Shown {
             chart,
             name: say!("gap by step: {steps}", steps = says.join(", ")),
-            says: String::new(),
+            description: String::new(),
             pointed: HoverTarget::Nothing,
         })
     }

@@ -37,7 +37,7 @@ impl ChartKind for Histogram {
 
     fn work(&self, _: &Scene) -> Option<Work> {
         Some(Work::new(self.about().id, Vec::new(), |given| {
-            let usable = given.subject.overview.usable.iter().map(|i| *i as usize);
+            let usable = given.loaded_session.overview.usable.iter().map(|i| *i as usize);
             let (before, after) = given.values(&usable.collect::<Vec<_>>());
             let length = given.component == Component::Length;
             Distribution::new(&before, after.as_deref(), length)
@@ -52,7 +52,7 @@ impl ChartKind for Histogram {
                 "histogram, {component}",
                 component = scene.component().name()
             ),
-            says: describe(scene, found),
+            description: describe(scene, found),
             pointed: HoverTarget::Bars(Box::new(DrawnBars {
                 scene,
                 counted: found.shown(scene.only_after()),
@@ -96,12 +96,12 @@ struct DrawnBars<'a> {
 impl DrawnBars<'_> {
     /// The component of a sample that is counted: what is left if anything is, else before.
     fn value(&self, sample: usize, after: bool) -> f64 {
-        let subject = self.scene.subject;
+        let loaded_session = self.scene.loaded_session;
         let e = match self.scene.answer.filter(|_| after) {
             Some(answer) => answer.deviation_after(sample),
-            None => subject.deviation_before(sample),
+            None => loaded_session.deviation_before(sample),
         };
-        subject.component(e, sample, self.scene.component())
+        loaded_session.component(e, sample, self.scene.component())
     }
 }
 
@@ -139,8 +139,8 @@ impl Bars for DrawnBars<'_> {
 /// How noise alone is spread in the component that is shown, where the noise is known: as the
 /// instrument says, else as the residuals show it.
 fn noise(scene: &Scene) -> Option<NoiseCurve> {
-    let subject = scene.subject;
-    let planar = subject.session.samples.z_mm.is_none();
+    let loaded_session = scene.loaded_session;
+    let planar = loaded_session.session.samples.z_mm.is_none();
     let count = if planar { 2 } else { 3 };
     let mean = |axes: [f64; 3]| {
         let squares = axes[..count].iter().map(|s| s * s).sum::<f64>();
@@ -153,7 +153,7 @@ fn noise(scene: &Scene) -> Option<NoiseCurve> {
         _ => mean(axes),
     };
     let found = || scene.answer.and_then(|a| a.identification.noise_mm);
-    let sigma_mm = match subject.session.instrument.sigma_mm {
+    let sigma_mm = match loaded_session.session.instrument.sigma_mm {
         Some(Sigma::Overall(sigma)) => sigma,
         Some(Sigma::PerAxis(axes)) => along(axes),
         None => along(found()?),

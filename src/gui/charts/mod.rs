@@ -78,7 +78,7 @@ pub(crate) trait ChartKind: Sync {
 
     /// Whether there is anything to show, or at least something to say.
     fn is_offered(&self, scene: &Scene) -> bool {
-        !scene.subject.is_empty()
+        !scene.loaded_session.is_empty()
     }
 
     /// Whether it is what the step is about: it is shown without a choice of the user.
@@ -137,7 +137,7 @@ pub(crate) struct Shown<'a> {
     /// How it is called for those who do not see it.
     pub(crate) name: String,
     /// What is seen, in words.
-    pub(crate) says: String,
+    pub(crate) description: String,
     pub(crate) pointed: HoverTarget<'a>,
 }
 

@@ -46,10 +46,10 @@ impl ChartKind for Orders {
                 variable: Variable::Joint,
                 joint,
             };
-            let usable = given.subject.overview.usable.iter().map(|i| *i as usize);
-            let placed = |i: &usize| over.of(given.subject, *i).is_finite();
+            let usable = given.loaded_session.overview.usable.iter().map(|i| *i as usize);
+            let placed = |i: &usize| over.of(given.loaded_session, *i).is_finite();
             let samples: Vec<usize> = usable.filter(placed).collect();
-            let angles: Vec<f64> = samples.iter().map(|i| over.of(given.subject, *i)).collect();
+            let angles: Vec<f64> = samples.iter().map(|i| over.of(given.loaded_session, *i)).collect();
             let (before, after) = given.values(&samples);
             Spectrum::new(&angles, &before, after.as_deref(), &gears)
         };
@@ -64,7 +64,7 @@ impl ChartKind for Orders {
                 "order spectrum, {component}",
                 component = scene.component().name()
             ),
-            says: describe(scene, spectrum),
+            description: describe(scene, spectrum),
             pointed: HoverTarget::Bars(Box::new(DrawnOrders { scene, spectrum })),
         })
     }
@@ -106,8 +106,8 @@ fn gears(scene: &Scene) -> Vec<usize> {
 /// The spectrum, or why there is none.
 fn spectrum<'a>(scene: &Scene<'a>) -> Result<&'a Spectrum, ChartPlaceholder> {
     let joint = scene.joint();
-    if !scene.subject.joint_turns(joint) {
-        let name = &scene.subject.session.robot.joints[joint].name;
+    if !scene.loaded_session.joint_turns(joint) {
+        let name = &scene.loaded_session.session.robot.joints[joint].name;
         let why = say!("Orders are cycles per turn. Choose a joint that turns");
         return Err(ChartPlaceholder::new(
             say!("{name} slides", name = name),
@@ -226,7 +226,7 @@ fn drawn(scene: &Scene, spectrum: &Spectrum) -> Chart {
     let ticks = orders.iter().enumerate();
     let last = orders.len() as f64 - 0.4;
     let name = scene.component().name();
-    let joint = &scene.subject.session.robot.joints[scene.joint()].name;
+    let joint = &scene.loaded_session.session.robot.joints[scene.joint()].name;
     let mut legend = vec![Entry::before(LegendSymbol::Bar)];
     if scene.answer.is_some() {
         legend.push(Entry::after(LegendSymbol::Bar));

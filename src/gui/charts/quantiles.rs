@@ -46,12 +46,12 @@ impl ChartKind for Quantiles {
     }
 
     fn is_offered(&self, scene: &Scene) -> bool {
-        scene.answer.is_some() && !scene.subject.is_empty()
+        scene.answer.is_some() && !scene.loaded_session.is_empty()
     }
 
     fn work(&self, _: &Scene) -> Option<Work> {
         Some(Work::new(self.about().id, Vec::new(), |given| {
-            let usable = given.subject.overview.usable.iter().map(|i| *i as usize);
+            let usable = given.loaded_session.overview.usable.iter().map(|i| *i as usize);
             let usable: Vec<usize> = usable.collect();
             let left = given.values(&usable).1.unwrap_or_default();
             Ranked::of(usable.into_iter().zip(left))
@@ -71,7 +71,7 @@ impl ChartKind for Quantiles {
         Ok(Shown {
             chart: ranked.drawn(scene),
             name: say!("normal quantiles, {name}", name = name),
-            says: say!(
+            description: say!(
                 "{name} residuals of {samples} samples over normal quantiles; the middle half is spread like noise of {sigma}",
                 name = name,
                 samples = scene.usable().len(),

@@ -30,14 +30,14 @@ pub(crate) static SCATTER: Scatter = Scatter;
 /// What stands across and upwards: as chosen, else the deviation as it is seen from above.
 pub(crate) fn axes(scene: &Scene) -> [Quantity; 2] {
     let first = [Component::X, Component::Y].map(Quantity::Deviation);
-    let joints = scene.subject.session.robot.joints.len();
+    let joints = scene.loaded_session.session.robot.joints.len();
     scene.axes.unwrap_or(first).map(|axis| axis.within(joints))
 }
 
 /// What can be chosen, and how it is called.
 pub(crate) fn named(scene: &Scene) -> Vec<(Quantity, String)> {
-    let offered = Quantity::offered(scene.subject).into_iter();
-    offered.map(|q| (q, q.name(scene.subject))).collect()
+    let offered = Quantity::offered(scene.loaded_session).into_iter();
+    offered.map(|q| (q, q.name(scene.loaded_session))).collect()
 }
 
 /// Before, 0, or after, 1.
@@ -45,14 +45,14 @@ type When = usize;
 
 /// Where a sample is, inner units; NaN where that is not known.
 fn at(
-    subject: &LoadedSession,
+    loaded_session: &LoadedSession,
     answer: Option<&Answer>,
     axes: [Quantity; 2],
     when: When,
     sample: usize,
 ) -> [f64; 2] {
     axes.map(|axis| {
-        let (before, after) = axis.of(subject, answer, sample);
+        let (before, after) = axis.of(loaded_session, answer, sample);
         if when == 0 {
             before
         } else {
@@ -80,9 +80,9 @@ struct Points {
 impl Cloud {
     fn of(given: ChartInputs<'_>, axes: [Quantity; 2]) -> Self {
         Self([0, 1].map(|when| {
-            let place = |sample: usize| at(given.subject, given.answer, axes, when, sample);
+            let place = |sample: usize| at(given.loaded_session, given.answer, axes, when, sample);
             let known = when == 0 || given.answer.is_some() && axes.iter().any(|a| a.changes());
-            let usable = given.subject.overview.usable.iter().filter(|_| known);
+            let usable = given.loaded_session.overview.usable.iter().filter(|_| known);
             Points::of(usable.copied(), place)
         }))
     }
@@ -187,14 +187,14 @@ impl<'a> Drawn<'a> {
         let mut drawn = Self {
             scene,
             axes,
-            scales: axes.map(|axis| axis.scale(scene.subject, scene.units, 0.0)),
+            scales: axes.map(|axis| axis.scale(scene.loaded_session, scene.units, 0.0)),
             cloud,
             changes: axes.iter().any(|axis| axis.changes()),
         };
         let extent = drawn.extent();
         drawn.scales = [0, 1].map(|k| {
             let span = extent.map_or(0.0, |extent| extent[k][1] - extent[k][0]);
-            axes[k].scale(scene.subject, scene.units, span)
+            axes[k].scale(scene.loaded_session, scene.units, span)
         });
         Some(drawn)
     }
@@ -219,7 +219,7 @@ impl<'a> Drawn<'a> {
 
     fn place(&self, when: When, sample: usize) -> [f64; 2] {
         at(
-            self.scene.subject,
+            self.scene.loaded_session,
             self.scene.answer,
             self.axes,
             when,
@@ -240,7 +240,7 @@ impl<'a> Drawn<'a> {
     }
 
     fn names(&self) -> [String; 2] {
-        self.axes.map(|axis| axis.name(self.scene.subject))
+        self.axes.map(|axis| axis.name(self.scene.loaded_session))
     }
 
     fn chart(&self, extent: [[f64; 2]; 2]) -> Chart {
@@ -342,7 +342,7 @@ impl<'a> Drawn<'a> {
 
     /// Those that are drawn between two places along the chart.
     fn between(&self, when: When, x: [f64; 2]) -> &[u32] {
-        let x = x.map(|x| self.scales[0].inner(x));
+        let x = x.map(|x| self.scales[0].value_at(x));
         let across = |sample: u32| self.place(when, sample as usize)[0];
         self.points(when).between(x, across).0
     }
@@ -350,7 +350,7 @@ impl<'a> Drawn<'a> {
 
 fn chart_inputs<'a>(scene: &Scene<'a>) -> ChartInputs<'a> {
     ChartInputs {
-        subject: scene.subject,
+        loaded_session: scene.loaded_session,
         answer: scene.answer,
         component: scene.component(),
     }
@@ -396,7 +396,7 @@ impl ChartKind for Scatter {
                 upwards = upwards,
                 across = across
             ),
-            says: drawn.describe(extent),
+            description: drawn.describe(extent),
             pointed: HoverTarget::Samples(Box::new(drawn)),
         })
     }
@@ -410,7 +410,7 @@ impl ChartKind for Scatter {
         for when in whens {
             let name = ["before", "after"][*when];
             heads.extend(axes.map(|axis| {
-                let heading = axis.heading(scene.subject);
+                let heading = axis.heading(scene.loaded_session);
                 match (heading.split_once(", "), axis.changes()) {
                     (Some((what, unit)), true) => format!("{what} {name}, {unit}"),
                     _ => heading,
@@ -428,8 +428,8 @@ impl ChartKind for Scatter {
         for sample in scene.usable() {
             let mut cells = vec![Cell::from(sample + 1)];
             for when in whens {
-                let here = at(scene.subject, scene.answer, axes, *when, sample);
-                let here = [0, 1].map(|k| axes[k].cell(scene.subject, here[k]));
+                let here = at(scene.loaded_session, scene.answer, axes, *when, sample);
+                let here = [0, 1].map(|k| axes[k].cell(scene.loaded_session, here[k]));
                 cells.extend(here.map(Cell::from));
             }
             table.row(kept.iter().map(|k| cells[*k].clone()));

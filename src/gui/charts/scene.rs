@@ -21,7 +21,7 @@ use crate::present::units::Units;
 #[derive(Clone, Copy)]
 pub(crate) struct Scene<'a> {
     pub(crate) document: &'a Document,
-    pub(crate) subject: &'a Arc<LoadedSession>,
+    pub(crate) loaded_session: &'a Arc<LoadedSession>,
     pub(crate) view: &'a ViewState,
     /// The component of the deviation that the chart shows.
     pub(crate) component: Component,
@@ -55,7 +55,7 @@ impl<'a> Scene<'a> {
 
     /// The joint that charts are about.
     pub(crate) fn joint(&self) -> usize {
-        let joints = self.subject.session.robot.joints.len();
+        let joints = self.loaded_session.session.robot.joints.len();
         self.joint.min(joints.saturating_sub(1))
     }
 
@@ -66,7 +66,11 @@ impl<'a> Scene<'a> {
 
     /// Samples that can be used.
     pub(crate) fn usable(&self) -> impl ExactSizeIterator<Item = usize> + use<'a> {
-        self.subject.overview.usable.iter().map(|s| *s as usize)
+        self.loaded_session
+            .overview
+            .usable
+            .iter()
+            .map(|s| *s as usize)
     }
 
     /// How lengths are written, a number by `number`.
@@ -87,7 +91,7 @@ pub(crate) struct HeldScene {
     pub(crate) joint: usize,
     pub(crate) axes: Option<[Quantity; 2]>,
     pub(crate) units: Units,
-    pub(crate) outcome: Option<Arc<IdentifiedAnswer>>,
+    pub(crate) identified: Option<Arc<IdentifiedAnswer>>,
     pub(crate) search: Option<Arc<Search>>,
     pub(crate) made: Option<ExportPreview>,
     pub(crate) worked_out: Option<ChartResult>,
@@ -95,10 +99,10 @@ pub(crate) struct HeldScene {
 
 impl HeldScene {
     pub(crate) fn scene(&self) -> Scene<'_> {
-        let outcome = self.outcome.as_deref();
+        let outcome = self.identified.as_deref();
         Scene {
             document: &self.document,
-            subject: &self.document.subject,
+            loaded_session: &self.document.loaded_session,
             view: &self.view,
             component: self.component,
             joint: self.joint,

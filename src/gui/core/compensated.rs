@@ -70,7 +70,7 @@ impl CompensationRequest {
 #[derive(Debug, Clone, Default)]
 pub(crate) struct NotCorrected {
     /// A line for each problem.
-    pub(crate) says: Vec<String>,
+    pub(crate) problems: Vec<String>,
     /// What is to be settled: whose tool, whose frame.
     pub(crate) differs: Vec<DifferingNumber>,
 }
@@ -119,7 +119,7 @@ impl Compensated {
     /// Nothing is corrected: the model is not handed out.
     pub(crate) fn refused(wanted: CompensationRequest, says: String) -> Self {
         let result = Err(NotCorrected {
-            says: vec![says],
+            problems: vec![says],
             differs: Vec::new(),
         });
         Self { wanted, result }
@@ -146,7 +146,7 @@ fn corrected(
 ) -> Result<Corrected, NotCorrected> {
     let path: &Path = &wanted.path;
     let lines = |says: &str| NotCorrected {
-        says: says.lines().map(str::to_owned).collect(),
+        problems: says.lines().map(str::to_owned).collect(),
         differs: Vec::new(),
     };
     let bytes = read_document(path).map_err(|error| lines(&spoken(error.describe())))?;
@@ -181,7 +181,7 @@ fn corrected(
         // How to settle it is asked for above them: options of the terminal are no help here.
         let differences = differences.0.iter();
         NotCorrected {
-            says: differences
+            problems: differences
                 .clone()
                 .map(|one| spoken(one.describe()))
                 .collect(),

@@ -94,7 +94,7 @@ pub(crate) struct Choices {
 /// See the module. Cloning is cheap: the session is shared.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Document {
-    pub(crate) subject: Arc<LoadedSession>,
+    pub(crate) loaded_session: Arc<LoadedSession>,
     /// Regions of joint 1.
     pub(crate) regions: Arc<[Region]>,
     pub(crate) division: Division,
@@ -108,23 +108,23 @@ pub(crate) struct Document {
     /// How the table is exported.
     pub(crate) export: ExportChoice,
     /// A model that takes the place of the identification.
-    pub(crate) given: Option<Arc<LoadedModel>>,
+    pub(crate) loaded_model: Option<Arc<LoadedModel>>,
     /// Whether the robot is to be identified; from then on the answer follows every change.
     pub(crate) identified: bool,
 }
 
 impl Document {
     /// A session as it is opened: its own regions and tolerance, nothing identified yet.
-    pub(crate) fn new(subject: Arc<LoadedSession>) -> Self {
-        let regions = if subject.single_revolute() && !subject.is_empty() {
+    pub(crate) fn new(loaded_session: Arc<LoadedSession>) -> Self {
+        let regions = if loaded_session.single_revolute() && !loaded_session.is_empty() {
             // A session at one angle has no range to divide, and so no regions.
             RegionChoice::FromSession
-                .resolve(&subject.session)
+                .resolve(&loaded_session.session)
                 .unwrap_or_default()
         } else {
             Vec::new()
         };
-        let division = if subject.session.regions.is_empty() {
+        let division = if loaded_session.session.regions.is_empty() {
             Division::Even
         } else {
             Division::Given
@@ -135,17 +135,17 @@ impl Document {
             method: Method::default(),
             effects: DEFAULT_EFFECTS.to_vec(),
             added: Arc::from([]),
-            tolerance_mm: subject.session.tolerance_mm,
-            export: ExportChoice::usual(&subject.session.robot),
-            given: None,
+            tolerance_mm: loaded_session.session.tolerance_mm,
+            export: ExportChoice::usual(&loaded_session.session.robot),
+            loaded_model: None,
             identified: false,
-            subject,
+            loaded_session,
         }
     }
 
     /// The same with a model that was read from a file.
     pub(crate) fn with_model(self, given: Arc<LoadedModel>) -> Self {
-        let regions = if self.subject.is_empty() {
+        let regions = if self.loaded_session.is_empty() {
             given
                 .calibration
                 .regions
@@ -157,7 +157,7 @@ impl Document {
         };
         Self {
             regions,
-            given: Some(given),
+            loaded_model: Some(given),
             identified: true,
             ..self
         }
@@ -165,7 +165,7 @@ impl Document {
 
     /// The session with what was changed here, as it is saved.
     pub(crate) fn session_to_save(&self) -> Session {
-        let mut session = self.subject.session.clone();
+        let mut session = self.loaded_session.session.clone();
         session.regions = self.regions.to_vec();
         session.tolerance_mm = self.tolerance_mm;
         session
@@ -180,8 +180,8 @@ impl Document {
     /// What the answer depends on; `None` while nothing is to be identified.
     pub(crate) fn question(&self) -> Option<Question> {
         self.identified.then(|| Question {
-            subject: Arc::clone(&self.subject),
-            asks: match (&self.given, self.method) {
+            loaded_session: Arc::clone(&self.loaded_session),
+            asks: match (&self.loaded_model, self.method) {
                 (Some(given), _) => QuestionDetails::Given(Arc::clone(given)),
                 (None, Method::Exact) => QuestionDetails::Exact {
                     effects: self.effects.clone(),
@@ -197,7 +197,7 @@ impl Document {
 /// What to identify, from what.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Question {
-    pub(crate) subject: Arc<LoadedSession>,
+    pub(crate) loaded_session: Arc<LoadedSession>,
     pub(crate) asks: QuestionDetails,
 }
 
@@ -277,7 +277,7 @@ impl Question {
             && DEFAULT_EFFECTS.iter().all(|id| effects.contains(id));
         let clean = |d: &Diagnosis| d.data_problems.is_empty();
         let as_given = search.answer.as_ref().is_ok_and(clean);
-        if base && as_given && Arc::ptr_eq(&search.subject, &self.subject) {
+        if base && as_given && Arc::ptr_eq(&search.loaded_session, &self.loaded_session) {
             *found = RequestedSearch::all_of(search, with);
         }
         self

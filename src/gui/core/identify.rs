@@ -23,11 +23,11 @@ use super::loaded;
 
 /// Works the answer to a question out. Takes its time with many samples.
 pub(crate) fn answer(question: &Question, watch: &Watch) -> Result<Answer, String> {
-    let subject = &*question.subject;
-    let session = &subject.session;
+    let loaded_session = &*question.loaded_session;
+    let session = &loaded_session.session;
     let values = JointValues::Commanded;
     let (identification, calibration) = match &question.asks {
-        QuestionDetails::Given(given) => return loaded::answer(given, subject),
+        QuestionDetails::Given(given) => return loaded::answer(given, loaded_session),
         QuestionDetails::Exact {
             effects,
             with,
@@ -45,13 +45,13 @@ pub(crate) fn answer(question: &Question, watch: &Watch) -> Result<Answer, Strin
         }
     };
     let after_mm = if let QuestionDetails::Regional(_) = &question.asks {
-        after_regional(subject, &identification)
+        after_regional(loaded_session, &identification)
     } else {
         deviations(&Problem::new(session, values), &identification.model).axes_mm
     };
     let length = |i: usize| after_mm.iter().map(|e| e[i] * e[i]).sum::<f64>().sqrt();
-    let lengths_mm = (0..subject.len()).map(length).collect();
-    let suspected = suspected(&identification, subject.len());
+    let lengths_mm = (0..loaded_session.len()).map(length).collect();
+    let suspected = suspected(&identification, loaded_session.len());
     Ok(Answer {
         identification,
         calibration,
@@ -112,12 +112,15 @@ fn fitted(
 
 /// Deviations after the paper's correction (8): e + M Δρ of the sample's region, in the plane of
 /// motion at home. A sample in no region keeps its deviation: nothing corrects it.
-fn after_regional(subject: &LoadedSession, identification: &Identification) -> [Vec<f64>; 3] {
-    let session = &subject.session;
+fn after_regional(
+    loaded_session: &LoadedSession,
+    identification: &Identification,
+) -> [Vec<f64>; 3] {
+    let session = &loaded_session.session;
     let inputs = Inputs::new(session, JointValues::Commanded);
     let corrections = identification.regions.iter().map(|r| r.correction.clone());
     let regional = Regional::new(&session.robot, &corrections.collect::<Vec<_>>());
-    let mut after = subject.before.axes_mm.clone();
+    let mut after = loaded_session.before.axes_mm.clone();
     let by_sample = regional.corrections_at(&inputs.q[0]);
     for (sample, correction) in by_sample.into_iter().enumerate() {
         let Some(correction) = correction else {

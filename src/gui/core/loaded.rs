@@ -19,14 +19,17 @@ use super::loaded_session::LoadedSession;
 pub(crate) const METHOD: &str = "model";
 
 /// What the model says about a session.
-pub(crate) fn answer(given: &LoadedModel, subject: &LoadedSession) -> Result<Answer, String> {
+pub(crate) fn answer(
+    given: &LoadedModel,
+    loaded_session: &LoadedSession,
+) -> Result<Answer, String> {
     let calibration = Calibration::clone(&given.calibration);
     let mut loaded = LoadedModelSummary {
         file: given.file_name(),
         verification: None,
     };
-    if subject.is_empty() {
-        let identification = identification(given, subject, None);
+    if loaded_session.is_empty() {
+        let identification = identification(given, loaded_session, None);
         return Ok(Answer {
             identification,
             calibration,
@@ -36,9 +39,10 @@ pub(crate) fn answer(given: &LoadedModel, subject: &LoadedSession) -> Result<Ans
             suspected: Vec::new(),
         });
     }
-    let verification = verify(&calibration, &subject.session).map_err(|e| spoken(e.describe()))?;
-    let identification = identification(given, subject, Some(&verification));
-    let mut suspected = vec![false; subject.len()];
+    let verification =
+        verify(&calibration, &loaded_session.session).map_err(|e| spoken(e.describe()))?;
+    let identification = identification(given, loaded_session, Some(&verification));
+    let mut suspected = vec![false; loaded_session.len()];
     for outlier in &verification.outliers {
         suspected[*outlier] = true;
     }
@@ -55,13 +59,13 @@ pub(crate) fn answer(given: &LoadedModel, subject: &LoadedSession) -> Result<Ans
 }
 
 fn identification(
-    given: &LoadedModel,
-    subject: &LoadedSession,
+    loaded_model: &LoadedModel,
+    loaded_session: &LoadedSession,
     verified: Option<&Verification>,
 ) -> Identification {
     let Calibration {
         model, covariance, ..
-    } = &*given.calibration;
+    } = &*loaded_model.calibration;
     let nothing = Spread {
         rms_mm: 0.0,
         max_mm: 0.0,
@@ -72,13 +76,13 @@ fn identification(
         deviation_mm: v.after.length_mm[sample],
     };
     Identification {
-        session: subject.session.name.clone(),
+        session: loaded_session.session.name.clone(),
         method: METHOD,
-        samples: subject.len(),
+        samples: loaded_session.len(),
         model: model.clone(),
         covariance: covariance.clone(),
-        parameters: all_estimates(&given.calibration, NORMAL_95),
-        regions: regions(given, subject, verified),
+        parameters: all_estimates(&loaded_model.calibration, NORMAL_95),
+        regions: regions(loaded_model, loaded_session, verified),
         not_identifiable: Vec::new(),
         gap: Gap {
             before: verified.map_or(nothing, |v| v.nominal),
@@ -111,16 +115,16 @@ fn identification(
 }
 
 fn regions(
-    given: &LoadedModel,
-    subject: &LoadedSession,
+    loaded_model: &LoadedModel,
+    loaded_session: &LoadedSession,
     verified: Option<&Verification>,
 ) -> Vec<RegionResult> {
-    let corrections = &given.calibration.regions;
+    let corrections = &loaded_model.calibration.regions;
     let regions: Vec<Region> = corrections.iter().map(RegionalCorrection::region).collect();
     let assignment = Assignment::new(&regions);
-    let before_mm = subject.in_plane_before();
+    let before_mm = loaded_session.in_plane_before();
     let rms = |region: usize, lengths_mm: &[f64]| {
-        let inside = |i: usize| assignment.region_of(subject.q(i)) == Some(region);
+        let inside = |i: usize| assignment.region_of(loaded_session.q(i)) == Some(region);
         let spread = Spread::of(lengths_mm, inside, |_| false);
         spread.map_or(f64::NAN, |s| s.rms_mm)
     };

@@ -72,8 +72,9 @@ impl LoadedModel {
             },
             path: None,
         };
-        let mut subject = LoadedSession::new(session, Vec::new(), Origin::Model(self.path.clone()));
-        subject.measured_range = self.calibration.measured.first().copied();
-        subject
+        let mut loaded_session =
+            LoadedSession::new(session, Vec::new(), Origin::Model(self.path.clone()));
+        loaded_session.measured_range = self.calibration.measured.first().copied();
+        loaded_session
     }
 }

@@ -121,7 +121,7 @@ pub(crate) struct LoadedSession {
     /// How many samples lie where along joint 1, once it was asked for.
     angles: OnceLock<Angles>,
     /// What its samples cover.
-    pub(crate) known: Coverage,
+    pub(crate) coverage: Coverage,
     /// What is drawn of its samples, once it was asked for.
     pub(crate) drawn: Attached,
     /// Effects that the session can show.
@@ -157,8 +157,9 @@ impl PartialEq for LoadedSession {
 impl LoadedSession {
     /// Looks through a session.
     pub(crate) fn new(session: Session, findings: Vec<Diagnostic>, origin: Origin) -> Self {
-        let Ok(subject) = Self::look(session, findings, origin, |_| Ok::<(), Infallible>(()));
-        subject
+        let Ok(loaded_session) =
+            Self::look(session, findings, origin, |_| Ok::<(), Infallible>(()));
+        loaded_session
     }
 
     /// Looks through a session, told as this part of something.
@@ -206,12 +207,12 @@ impl LoadedSession {
         let known = Coverage::new(&session, &problem.inputs, overview.travel);
         let (testable, not_testable) = effects_of(&session, &known.survey);
         done(0.8)?;
-        let subject = Self {
+        let loaded_session = Self {
             joint,
             arm_mm,
             overview,
             angles: OnceLock::new(),
-            known,
+            coverage: known,
             drawn: Attached::default(),
             region_totals: OnceLock::new(),
             base,
@@ -232,7 +233,7 @@ impl LoadedSession {
             measured_range: None,
         };
         done(1.0)?;
-        Ok(subject)
+        Ok(loaded_session)
     }
 
     /// The same opening with another session: what was found while it was read stays.

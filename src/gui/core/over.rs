@@ -34,14 +34,14 @@ pub(crate) struct Over {
 
 impl Over {
     /// The variable at a sample; NaN where it is not known. Travel is not a column.
-    pub(crate) fn of(self, subject: &LoadedSession, sample: usize) -> f64 {
-        self.column(subject)
+    pub(crate) fn of(self, loaded_session: &LoadedSession, sample: usize) -> f64 {
+        self.column(loaded_session)
             .map_or(f64::NAN, |column| column[sample])
     }
 
     /// The column, where the session has it.
-    pub(crate) fn column(self, subject: &LoadedSession) -> Option<&[f64]> {
-        let samples = &subject.session.samples;
+    pub(crate) fn column(self, loaded_session: &LoadedSession) -> Option<&[f64]> {
+        let samples = &loaded_session.session.samples;
         match self.variable {
             Variable::Joint => samples.q.get(self.joint).map(Vec::as_slice),
             Variable::Time => samples.time_s.as_deref(),
@@ -53,15 +53,15 @@ impl Over {
     }
 
     /// Side from which the joint came; 0 where it is not known.
-    pub(crate) fn side(self, subject: &LoadedSession, sample: usize) -> f64 {
-        let dir = subject.session.samples.dir.get(self.joint);
+    pub(crate) fn side(self, loaded_session: &LoadedSession, sample: usize) -> f64 {
+        let dir = loaded_session.session.samples.dir.get(self.joint);
         let side = dir.and_then(Option::as_ref).map_or(0.0, |dir| dir[sample]);
         if side.is_nan() { 0.0 } else { side }
     }
 
     /// Whether no sample has a value. Looks at all of them, at worst.
-    pub(crate) fn is_missing(self, subject: &LoadedSession) -> bool {
-        let column = self.column(subject);
+    pub(crate) fn is_missing(self, loaded_session: &LoadedSession) -> bool {
+        let column = self.column(loaded_session);
         !column.is_some_and(|column| column.iter().any(|v| v.is_finite()))
     }
 
@@ -99,14 +99,14 @@ impl Over {
         }
     }
 
-    fn turns(self, subject: &LoadedSession) -> bool {
-        subject.joint_turns(self.joint)
+    fn turns(self, loaded_session: &LoadedSession) -> bool {
+        loaded_session.joint_turns(self.joint)
     }
 
     /// How the variable is shown: its scale to the screen's unit, and that unit. `span` is how far
     /// it reaches, inner units.
-    pub(crate) fn scale(self, subject: &LoadedSession, units: Units, span: f64) -> Scale {
-        let turns = self.turns(subject);
+    pub(crate) fn scale(self, loaded_session: &LoadedSession, units: Units, span: f64) -> Scale {
+        let turns = self.turns(loaded_session);
         let per = |factor: f64, unit: &str| Scale {
             factor,
             origin: 0.0,
@@ -114,7 +114,7 @@ impl Over {
             degrees: false,
         };
         let since = |factor: f64, unit: &str| Scale {
-            origin: self.first(subject),
+            origin: self.first(loaded_session),
             ..per(factor, unit)
         };
         match self.variable {
@@ -140,17 +140,17 @@ impl Over {
     }
 
     /// The first value that is known.
-    fn first(self, subject: &LoadedSession) -> f64 {
+    fn first(self, loaded_session: &LoadedSession) -> f64 {
         let known = |column: &[f64]| column.iter().copied().find(|v| v.is_finite());
-        self.column(subject).and_then(known).unwrap_or(0.0)
+        self.column(loaded_session).and_then(known).unwrap_or(0.0)
     }
 
     /// What stands below the axis, without the unit.
-    pub(crate) fn label(self, subject: &LoadedSession) -> String {
-        let joint = &subject.session.robot.joints[self.joint].name;
+    pub(crate) fn label(self, loaded_session: &LoadedSession) -> String {
+        let joint = &loaded_session.session.robot.joints[self.joint].name;
         match self.variable {
             Variable::Joint => joint.clone(),
-            Variable::Time if self.first(subject) == 0.0 => say!("time").to_owned(),
+            Variable::Time if self.first(loaded_session) == 0.0 => say!("time").to_owned(),
             Variable::Time => say!("time since the first sample").to_owned(),
             Variable::Load => say!("load").to_owned(),
             Variable::Temperature => say!("temperature").to_owned(),
@@ -160,8 +160,8 @@ impl Over {
     }
 
     /// The heading of its column in a table, inner units except that a joint's angle is in degrees.
-    pub(crate) fn heading(self, subject: &LoadedSession) -> String {
-        let turns = self.turns(subject);
+    pub(crate) fn heading(self, loaded_session: &LoadedSession) -> String {
+        let turns = self.turns(loaded_session);
         let number = self.joint + 1;
         match (self.variable, turns) {
             (Variable::Joint, true) => format!("q{number}, deg"),
@@ -177,9 +177,9 @@ impl Over {
     }
 
     /// A value as that table has it.
-    pub(crate) fn cell(self, subject: &LoadedSession, value: f64) -> f64 {
+    pub(crate) fn cell(self, loaded_session: &LoadedSession, value: f64) -> f64 {
         match self.variable {
-            Variable::Joint | Variable::Speed | Variable::Travel if self.turns(subject) => {
+            Variable::Joint | Variable::Speed | Variable::Travel if self.turns(loaded_session) => {
                 crate::units::deg_from_rad(value)
             }
             _ => value,
@@ -206,7 +206,7 @@ impl Scale {
     }
 
     /// The value at a place of the screen.
-    pub(crate) fn inner(&self, shown: f64) -> f64 {
+    pub(crate) fn value_at(&self, shown: f64) -> f64 {
         shown / self.factor + self.origin
     }
 
@@ -232,7 +232,7 @@ mod tests {
         let mut session = workbench.loaded_session().session.clone();
         session.samples.load_kg = None;
         session.samples.temperature_c = Some(vec![f64::NAN; session.samples.len()]);
-        let subject = LoadedSession::new(
+        let loaded_session = LoadedSession::new(
             session,
             Vec::new(),
             workbench.loaded_session().origin.clone(),
@@ -242,12 +242,12 @@ mod tests {
             (Variable::Load, "load_kg"),
             (Variable::Temperature, "temperature_c"),
         ] {
-            assert!(over(variable).is_missing(&subject));
+            assert!(over(variable).is_missing(&loaded_session));
             let [_, why] = over(variable).needs();
             assert!(why.contains(column), "{why}");
-            assert!(over(variable).of(&subject, 0).is_nan());
+            assert!(over(variable).of(&loaded_session, 0).is_nan());
         }
-        assert!(!over(Variable::Joint).is_missing(&subject));
+        assert!(!over(Variable::Joint).is_missing(&loaded_session));
     }
 
     #[test]

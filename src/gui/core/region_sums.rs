@@ -153,9 +153,9 @@ mod tests {
     #[test]
     fn every_division_has_the_sums_that_looking_at_every_sample_finds() {
         let workbench = workbench();
-        let subject = workbench.loaded_session();
-        let totals = subject.region_totals();
-        let mut problem = Problem::new(&subject.session, JointValues::Commanded);
+        let loaded_session = workbench.loaded_session();
+        let totals = loaded_session.region_totals();
+        let mut problem = Problem::new(&loaded_session.session, JointValues::Commanded);
         problem.axis_weights = [1.0, 1.0, 0.0];
         for regions in divisions() {
             let (expected, _) = sum_by_region(&problem, &regions);
@@ -175,12 +175,12 @@ mod tests {
     #[test]
     fn samples_are_counted_as_one_by_one() {
         let workbench = workbench();
-        let subject = workbench.loaded_session();
-        let totals = subject.region_totals();
+        let loaded_session = workbench.loaded_session();
+        let totals = loaded_session.region_totals();
         for regions in divisions() {
             let assignment = Assignment::new(&regions);
             let mut counts = vec![0; regions.len()];
-            for q in &subject.session.samples.q[0] {
+            for q in &loaded_session.session.samples.q[0] {
                 if let Some(region) = assignment.region_of(*q) {
                     counts[region] += 1;
                 }
@@ -195,11 +195,11 @@ mod tests {
         use crate::fit::identify_regional;
         use crate::sessions::division::RegionChoice;
         let workbench = workbench();
-        let subject = workbench.loaded_session();
+        let loaded_session = workbench.loaded_session();
         let regions = regions(&[(-90.0, -30.0), (-30.0, 27.0), (27.0, 90.0)]);
-        let totals = subject.region_totals();
+        let totals = loaded_session.region_totals();
         let choice = RegionChoice::Given(regions.clone());
-        let whole = identify_regional(&subject.session, &choice, JointValues::Commanded)
+        let whole = identify_regional(&loaded_session.session, &choice, JointValues::Commanded)
             .expect("it can be identified");
         for (held, result) in totals.held(&regions).iter().zip(&whole.regions) {
             let (theta, l1_mm, left_mm) = held.correction().expect("there are samples");

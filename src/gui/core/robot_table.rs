@@ -174,7 +174,7 @@ impl RobotTable {
                 numbers: numbers.map(rounded),
                 travel: joint
                     .limits
-                    .map(|own| [own.from, own.to].map(|v| rounded(joint.kind.outer(v)))),
+                    .map(|own| [own.from, own.to].map(|v| rounded(joint.kind.to_display(v)))),
                 link: joint
                     .link
                     .as_ref()
@@ -310,8 +310,8 @@ impl RobotTable {
             joint.name.clone_from(&row.name);
             let kind = row.kind();
             joint.limits = row.travel.map(|[from, to]| Range {
-                from: kind.inner(from),
-                to: kind.inner(to),
+                from: kind.from_display(from),
+                to: kind.from_display(to),
             });
             joint.link = row.link.map(|(mass_kg, centre)| LinkMass {
                 mass_kg,

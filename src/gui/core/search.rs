@@ -14,7 +14,7 @@ use crate::gui::jobs::Watch;
 #[derive(Debug, Clone)]
 pub(crate) struct Search {
     /// The session that was searched.
-    pub(crate) subject: Arc<LoadedSession>,
+    pub(crate) loaded_session: Arc<LoadedSession>,
     /// What was found, or why there is no answer.
     pub(crate) answer: Result<Diagnosis, String>,
 }
@@ -36,13 +36,20 @@ const BEGUN: [f64; 5] = [0.02, 0.1, 0.25, 0.7, 0.85];
 
 impl Search {
     /// Searches. Takes its time.
-    pub(crate) fn of(subject: Arc<LoadedSession>, watch: &Watch) -> Self {
-        let answer = diagnose(&subject.session, &options(), &progress_callback(watch));
+    pub(crate) fn of(loaded_session: Arc<LoadedSession>, watch: &Watch) -> Self {
+        let answer = diagnose(
+            &loaded_session.session,
+            &options(),
+            &progress_callback(watch),
+        );
         let answer = answer.map_err(|error| match error {
             DiagnoseError::Cancelled => say!("the search was cancelled").to_owned(),
             other => other.to_string(),
         });
-        Self { subject, answer }
+        Self {
+            loaded_session,
+            answer,
+        }
     }
 }
 

@@ -209,7 +209,7 @@ fn joint_form(joint: &Joint) -> JointForm {
         point_mm: joint.axis.point_mm.coords.into(),
         limits: joint
             .limits
-            .map(|l| [l.from, l.to].map(|q| joint.kind.outer(q))),
+            .map(|l| [l.from, l.to].map(|q| joint.kind.to_display(q))),
         link: joint.link.map(|l| (l.mass_kg, l.centre_mm.coords.into())),
     }
 }
@@ -238,8 +238,8 @@ fn change_joint(
     }
     if form.limits != was.limits || form.kind != was.kind {
         joint.limits = form.limits.map(|[from, to]| Range {
-            from: form.kind.inner(from),
-            to: form.kind.inner(to),
+            from: form.kind.from_display(from),
+            to: form.kind.from_display(to),
         });
         if form.limits.is_some_and(|[from, to]| from >= to) {
             let says = say!("limits run from the smaller to the larger value");

@@ -46,7 +46,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     asked(ui, &compensated.wanted, differs, commands);
     match &compensated.result {
         Err(not_corrected) => {
-            for problem in not_corrected.says.iter().take(MOST_LEFT) {
+            for problem in not_corrected.problems.iter().take(MOST_LEFT) {
                 widgets::wrong(ui, problem);
             }
             refused(ui, differs, commands);

@@ -27,7 +27,7 @@ const OTHER: f32 = 420.0;
 const FACTS: f32 = 110.0;
 
 /// Size of the robot with what is known of it: a large window has more room for it.
-fn room(ui: &Ui) -> egui::Vec2 {
+fn picture_size(ui: &Ui) -> egui::Vec2 {
     let window = ui.ctx().content_rect();
     vec2(
         (SHARE * window.width()).clamp(PICTURE[0], PICTURE[1]),
@@ -112,7 +112,7 @@ impl<'w> Robot<'w> {
 }
 
 pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
-    let room = room(ui);
+    let room = picture_size(ui);
     ui.set_width(LIST + room.x + f32::from(space::PANEL));
     widgets::heading(ui, say!("Robots"));
     widgets::hint(

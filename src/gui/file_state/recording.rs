@@ -18,7 +18,7 @@ struct Shared {
     heard: Mutex<Heard>,
     stopped: AtomicBool,
     /// Whether the window was told, and has not looked yet.
-    told: AtomicBool,
+    reported: AtomicBool,
 }
 
 /// A thread that records; it ends when this is dropped.
@@ -60,7 +60,7 @@ impl Recording {
 
     /// How it stands now.
     pub(crate) fn look(&self) -> Heard {
-        self.shared.told.store(false, Ordering::Relaxed);
+        self.shared.reported.store(false, Ordering::Relaxed);
         let heard = self.shared.heard.lock();
         heard.map_or_else(|_| Heard::default(), |heard| heard.clone())
     }
@@ -91,7 +91,7 @@ fn listened(
             if let Some(last) = standing.left_out.last() {
                 heard.last_refused = Some(last.clone());
             }
-            if *heard != before && !shared.told.swap(true, Ordering::Relaxed) {
+            if *heard != before && !shared.reported.swap(true, Ordering::Relaxed) {
                 tell();
             }
         }

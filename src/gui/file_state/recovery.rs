@@ -110,7 +110,7 @@ impl SavedDocument {
         Self {
             session: document.session_to_save(),
             file,
-            identified: document.identified && document.given.is_none(),
+            identified: document.identified && document.loaded_model.is_none(),
             method: document.method,
             effects: document.effects.iter().map(|e| (*e).to_owned()).collect(),
             added: document.added.iter().filter_map(SavedTerm::of).collect(),

@@ -34,10 +34,10 @@ pub(crate) fn open_example(index: usize) -> Result<Opened, Message> {
     let (document, samples) = example.files();
     let loaded = pipeline::parse_with_csv(document, samples);
     let progress = Progress::new(&unwatched);
-    let subject = loaded.map_err(ReadError::from);
-    let subject =
-        subject.and_then(|l| Ok(looked_through(l, Origin::Bundled, None, progress.whole())?));
-    subject
+    let loaded_session = loaded.map_err(ReadError::from);
+    let loaded_session = loaded_session
+        .and_then(|l| Ok(looked_through(l, Origin::Bundled, None, progress.whole())?));
+    loaded_session
         .map(Opened::Session)
         .map_err(|error| not_opened(example.name(), &error))
 }

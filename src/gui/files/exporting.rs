@@ -50,7 +50,7 @@ fn documents(wanted: &PreviewRequest, what: What, path: &Path) -> Result<Vec<Doc
         step: choice.step,
         ..Job::new(&verified, name)
     };
-    let session = &wanted.identified.question.subject.session;
+    let session = &wanted.identified.question.loaded_session.session;
     let export =
         pipeline::export_for(choice.format, &job, session).map_err(|e| spoken(e.describe()))?;
     Ok(export.export.documents)
@@ -112,7 +112,7 @@ pub(crate) fn write_targets(
     let beside = sidecar_of(path);
     let name = beside.file_name().unwrap_or_default().to_string_lossy();
     let written = match &compensated.result {
-        Err(not_corrected) => Err(not_corrected.says.join("\n")),
+        Err(not_corrected) => Err(not_corrected.problems.join("\n")),
         Ok(corrected) => can_be_written(path, replace, inputs).and_then(|()| {
             let documents = [
                 Document {

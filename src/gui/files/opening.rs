@@ -57,7 +57,7 @@ pub(crate) fn open(
         }
     }
     let loaded = pipeline::load_watched(path, whole.part(0.0, READING).watch());
-    let subject = loaded.and_then(|mut loaded| {
+    let loaded_session = loaded.and_then(|mut loaded| {
         let is_of_links = matches!(loaded.session.robot.source, RobotSource::Links(_));
         let own = is_of_links.then(|| Chain::of_session(path)).flatten();
         let appearance = match (own, remembered.filter(|_| is_of_links)) {
@@ -72,7 +72,7 @@ pub(crate) fn open(
         let part = whole.part(READING, 1.0);
         Ok(looked_through(loaded, origin, appearance, part)?)
     });
-    subject
+    loaded_session
         .map(Opened::Session)
         .map_err(|error| not_opened(path.display(), &error))
 }
@@ -87,23 +87,23 @@ pub(super) fn looked_through(
     let in_a_file = !loaded.session.samples.line.is_empty();
     let samples_file = loaded.files.last().filter(|_| in_a_file).cloned();
     let findings = loaded.findings;
-    let mut subject =
+    let mut loaded_session =
         LoadedSession::watched(loaded.session, findings, origin, part.part(0.0, 0.6))?;
-    subject.files = loaded
+    loaded_session.files = loaded
         .files
         .iter()
         .filter_map(|f| Fingerprint::of(f))
         .collect();
-    subject.appearance = appearance.map(Arc::new);
-    subject.samples_file = samples_file.filter(|_| !subject.files.is_empty());
+    loaded_session.appearance = appearance.map(Arc::new);
+    loaded_session.samples_file = samples_file.filter(|_| !loaded_session.files.is_empty());
     // Made here, so that the window never waits for it.
-    Cloud::of(&subject);
+    Cloud::of(&loaded_session);
     part.reached(0.8)?;
-    if subject.single_revolute() {
-        subject.angles();
+    if loaded_session.single_revolute() {
+        loaded_session.angles();
     }
     part.reached(1.0)?;
-    Ok(Arc::new(subject))
+    Ok(Arc::new(loaded_session))
 }
 
 /// Says that a file was not opened.
@@ -145,10 +145,10 @@ fn listed(findings: &[Diagnostic]) -> Vec<String> {
 pub(crate) fn simulate(form: &Form, watch: &Watch) -> Result<Opened, Message> {
     match form.session(watch.progress_callback()) {
         Ok((session, hidden)) => {
-            let mut subject = LoadedSession::new(session, Vec::new(), Origin::Simulated);
-            subject.hidden = Some(hidden.into());
-            Cloud::of(&subject);
-            Ok(Opened::Session(Arc::new(subject)))
+            let mut loaded_session = LoadedSession::new(session, Vec::new(), Origin::Simulated);
+            loaded_session.hidden = Some(hidden.into());
+            Cloud::of(&loaded_session);
+            Ok(Opened::Session(Arc::new(loaded_session)))
         }
         Err(problems) => Err(Message::wrong(
             say!("The simulation needs other numbers").to_owned(),
@@ -175,9 +175,9 @@ mod tests {
             let progress = Progress::new(watch);
             looked_through(loaded.unwrap(), Origin::Bundled, None, progress.whole())
         };
-        let (shares, subject) = report_to(through);
+        let (shares, loaded_session) = report_to(through);
         assert_grows(&shares);
-        assert_eq!(subject.map(|s| s.len()).ok(), Some(30));
+        assert_eq!(loaded_session.map(|s| s.len()).ok(), Some(30));
         for number in 0..shares.len() {
             assert!(through(&no_at(number)).is_err(), "{number}");
         }
@@ -189,18 +189,23 @@ mod tests {
         let write = |mesh: &str| session_of_a_urdf(folder.path(), mesh);
         let path = write("v 0 0 0\nv 1 0 0\nv 0 0 1\nf 1 2 3\n");
         let opened = || match open(&path, None, &Watch::default()) {
-            Ok(Opened::Session(subject)) => subject,
+            Ok(Opened::Session(loaded_session)) => loaded_session,
             other => panic!("{other:?}"),
         };
-        let subject = opened();
-        let parts = subject.appearance.as_deref().map(|a| a.parts.len());
+        let loaded_session = opened();
+        let parts = loaded_session.appearance.as_deref().map(|a| a.parts.len());
         assert_eq!(parts, Some(1));
         // Whatever is changed of the session, the robot looks as it did.
-        assert!(subject.with(subject.session.clone()).appearance.is_some());
+        assert!(
+            loaded_session
+                .with(loaded_session.session.clone())
+                .appearance
+                .is_some()
+        );
         write("v 0 0 0\nv 1 0 0\nf 1 2 3\n");
-        let subject = opened();
-        assert!(subject.appearance.is_none());
-        let warned = subject.findings.iter().map(ToString::to_string);
+        let loaded_session = opened();
+        assert!(loaded_session.appearance.is_none());
+        let warned = loaded_session.findings.iter().map(ToString::to_string);
         let warned: Vec<String> = warned.filter(|says| says.contains("arm.obj")).collect();
         assert!(
             warned.len() == 1 && warned[0].contains("line 3"),

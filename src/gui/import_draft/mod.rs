@@ -37,7 +37,7 @@ pub(crate) const LOOKING: Template = phrase!("Looking at the file…");
 #[derive(Debug)]
 pub(crate) struct InspectedDraft {
     /// What had been said then.
-    pub(crate) said: ImportAnswers,
+    pub(crate) answers: ImportAnswers,
     /// What was found out about the file.
     pub(crate) inspection: Inspection,
     /// The robot, or why there is none; `None` while it is not stated which.
@@ -55,7 +55,7 @@ pub(crate) struct ImportDraft {
     /// What of it was taken because its name is that of the file.
     pub(crate) taken: Vec<(Companion, PathBuf)>,
     /// What a person said.
-    pub(crate) said: ImportAnswers,
+    pub(crate) answers: ImportAnswers,
     /// What was seen last.
     pub(crate) seen: Arc<InspectedDraft>,
     /// The meanings of the columns that the user has looked at.
@@ -66,7 +66,7 @@ impl PartialEq for ImportDraft {
     fn eq(&self, other: &Self) -> bool {
         Arc::ptr_eq(&self.bytes, &other.bytes)
             && Arc::ptr_eq(&self.seen, &other.seen)
-            && self.said == other.said
+            && self.answers == other.answers
             && self.confirmed == other.confirmed
     }
 }
@@ -140,7 +140,7 @@ impl ImportDraft {
             bytes: Arc::new(bytes),
             neighbours: Arc::new(neighbours),
             taken,
-            said,
+            answers: said,
             seen: Arc::new(seen),
             confirmed: None,
         })
@@ -153,7 +153,7 @@ impl ImportDraft {
     pub(crate) fn look(&self, watch: &Watch) -> Result<InspectedDraft, Cancelled> {
         let told = watch.progress_callback();
         let progress = Progress::new(&told);
-        InspectedDraft::of(&self.bytes, &self.path, &self.said, progress.whole())
+        InspectedDraft::of(&self.bytes, &self.path, &self.answers, progress.whole())
     }
 
     /// Takes what was seen, if it was seen of this file.
@@ -165,7 +165,7 @@ impl ImportDraft {
 
     /// Whether what is seen belongs to what is said.
     pub(crate) fn is_up_to_date(&self) -> bool {
-        self.seen.said == self.said
+        self.seen.answers == self.answers
     }
 
     /// Whether columns are only guessed and not confirmed.
@@ -213,10 +213,10 @@ impl ImportDraft {
         if self.asks_for_confirmation() {
             return so(say!("Look at the columns above, and confirm them"));
         }
-        if self.said.name.trim().is_empty() {
+        if self.answers.name.trim().is_empty() {
             return so(say!("Give the session a name"));
         }
-        match (&self.said.robot, &self.seen.robot) {
+        match (&self.answers.robot, &self.seen.robot) {
             (RobotFrom::Open, _) => return so(say!("Choose the robot that was measured")),
             (_, None) => return so(say!("Say which file the robot is in")),
             (_, Some(Err(because))) => {
@@ -253,15 +253,15 @@ impl InspectedDraft {
     fn of(
         bytes: &[u8],
         path: &Path,
-        said: &ImportAnswers,
+        answers: &ImportAnswers,
         part: ProgressSpan<'_>,
     ) -> Result<Self, Cancelled> {
-        let robot = said
+        let robot = answers
             .robot
             .robot()
             .map(|robot| robot.map_err(|rejected| trial::in_words(&rejected.diagnostics)));
         let known = robot.as_ref().and_then(|robot| robot.as_ref().ok());
-        let mut reading = said.reading.clone();
+        let mut reading = answers.reading.clone();
         if let Some(robot) = known {
             let reach = robot.base_from_tool.translation.vector.norm();
             reading.reach_mm = Some(reach).filter(|reach| *reach > 0.0);
@@ -273,7 +273,7 @@ impl InspectedDraft {
         let is_open = !inspection.questions.is_empty() || inspection.findings.iter().any(is_wrong);
         let trial = known.filter(|_| !is_open).map(|robot| {
             let part = part.part(inspecting, 1.0);
-            match Trial::of(bytes, path, said, robot, part) {
+            match Trial::of(bytes, path, answers, robot, part) {
                 Ok(trial) => Ok(Ok(trial)),
                 Err(ReadError::Rejected(r)) => Ok(Err(trial::in_words(&r.diagnostics))),
                 Err(ReadError::Cancelled(cancelled)) => Err(cancelled),
@@ -282,7 +282,7 @@ impl InspectedDraft {
         let trial = trial.transpose()?;
         part.reached(1.0)?;
         Ok(Self {
-            said: said.clone(),
+            answers: answers.clone(),
             inspection,
             robot,
             trial,

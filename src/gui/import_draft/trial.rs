@@ -20,7 +20,7 @@ use crate::sessions::files::open;
 #[derive(Debug)]
 pub(crate) struct Trial {
     /// The session, ready to be opened.
-    pub(crate) subject: Arc<LoadedSession>,
+    pub(crate) loaded_session: Arc<LoadedSession>,
     /// How commands found their measurements.
     pub(crate) matched: Option<Matched>,
     /// How the points came into the base frame.
@@ -37,27 +37,27 @@ impl Trial {
     pub(super) fn of(
         bytes: &[u8],
         path: &Path,
-        said: &ImportAnswers,
+        answers: &ImportAnswers,
         robot: &Robot,
         part: ProgressSpan<'_>,
     ) -> Result<Self, ReadError> {
-        let commands = read(&said.commands)?;
-        let reference = read(&said.reference)?;
-        let targets = read(&said.targets)?;
+        let commands = read(&answers.commands)?;
+        let reference = read(&answers.reference)?;
+        let targets = read(&answers.targets)?;
         let settings = Settings {
-            name: said.name.trim().to_owned(),
+            name: answers.name.trim().to_owned(),
             commands: commands.as_ref().map(companion),
-            matching: said.matching,
-            motion: said.motion,
-            clock_offset_s: said.clock_offset_s,
+            matching: answers.matching,
+            motion: answers.motion,
+            clock_offset_s: answers.clock_offset_s,
             reference: reference.as_ref().map(companion),
-            scale: said.scale && reference.is_some(),
+            scale: answers.scale && reference.is_some(),
             targets: targets.as_ref().map(companion),
-            ..Settings::new(said.reading.clone(), robot)
+            ..Settings::new(answers.reading.clone(), robot)
         };
         let imported = import_watched(bytes, &settings, part.part(0.0, 0.6).watch())?;
         let mut findings = imported.findings;
-        let appearance = seen(said.robot.chain(), &mut findings);
+        let appearance = seen(answers.robot.chain(), &mut findings);
         let notes = findings
             .iter()
             .map(|finding| {
@@ -69,10 +69,11 @@ impl Trial {
             .collect();
         let origin = Origin::Imported(path.to_path_buf());
         let looking = part.part(0.6, 1.0);
-        let mut subject = LoadedSession::watched(imported.session, findings, origin, looking)?;
-        subject.appearance = appearance.map(Arc::new);
+        let mut loaded_session =
+            LoadedSession::watched(imported.session, findings, origin, looking)?;
+        loaded_session.appearance = appearance.map(Arc::new);
         Ok(Self {
-            subject: Arc::new(subject),
+            loaded_session: Arc::new(loaded_session),
             matched: imported.matched,
             alignment: imported.alignment,
             notes,
@@ -83,10 +84,10 @@ impl Trial {
 impl Trial {
     /// What it brings, as it is said everywhere.
     pub(crate) fn brings(&self, units: Units) -> Section {
-        let subject = &self.subject;
+        let loaded_session = &self.loaded_session;
         imported(
-            subject.len(),
-            subject.gap_before,
+            loaded_session.len(),
+            loaded_session.gap_before,
             self.matched.as_ref(),
             self.alignment.as_ref(),
             Detail::window(units),

@@ -364,13 +364,13 @@ fn the_heat_map_has_the_colour_of_the_error_at_every_sample() {
         return;
     }
     let workbench = crate::gui::testing::workbench();
-    let subject = Arc::clone(workbench.loaded_session());
-    let heat = Arc::new(Heat::of(&subject, None, Plane::Xy).expect("there are samples"));
-    let side = 1.1 * subject.arm_mm;
+    let loaded_session = Arc::clone(workbench.loaded_session());
+    let heat = Arc::new(Heat::of(&loaded_session, None, Plane::Xy).expect("there are samples"));
+    let side = 1.1 * loaded_session.arm_mm;
     let bounds = PlotBounds::from_min_max([-1.5625 * side, -side], [1.5625 * side, side]);
     let transform = PlotTransform::new(frame(), bounds, false);
     let look = LayerOptions {
-        centre_mm: Cloud::of(&subject).centre_mm,
+        centre_mm: Cloud::of(&loaded_session).centre_mm,
         long_mm: 20.0,
         ..look(Colouring::Deviation, 0.0)
     };
@@ -384,16 +384,16 @@ fn the_heat_map_has_the_colour_of_the_error_at_every_sample() {
             layer.shape(frame())
         });
         let sigma_mm = heat.sigma_mm;
-        for sample in (0..subject.len()).step_by(7) {
-            let at = subject.measured(sample);
+        for sample in (0..loaded_session.len()).step_by(7) {
+            let at = loaded_session.measured(sample);
             // The definition, over the samples themselves.
             let (mut weights, mut squares) = (0.0, 0.0);
-            for other in 0..subject.len() {
-                let there = subject.measured(other);
+            for other in 0..loaded_session.len() {
+                let there = loaded_session.measured(other);
                 let r2 = (there[0] - at[0]).powi(2) + (there[1] - at[1]).powi(2);
                 let w = (-0.5 * r2 / sigma_mm.powi(2)).exp();
                 weights += w;
-                squares += w * subject.before.length_mm[other].powi(2);
+                squares += w * loaded_session.before.length_mm[other].powi(2);
             }
             #[allow(clippy::cast_possible_truncation, reason = "a part of a scale")]
             let part = ((squares / weights).sqrt() / 20.0) as f32;

@@ -36,7 +36,7 @@ pub(super) fn of_chart<'a>(
     side: Axis,
     of: &chart::Axis,
     palette: &Palette,
-    room: f32,
+    width: f32,
 ) -> Vec<AxisHints<'a>> {
     let hints = axis(side, of.label.clone(), palette, |x| x);
     let Ticks::Words(words) = &of.ticks else {
@@ -54,7 +54,7 @@ pub(super) fn of_chart<'a>(
     let with_words = |hint: AxisHints<'a>| {
         let named = named.clone();
         let hint = hint.label_spacing(Rangef::new(10.0, 16.0));
-        hint.min_thickness(room)
+        hint.min_thickness(width)
             .tick_label_color(color)
             .formatter(move |mark, _| named(mark.value))
     };

@@ -79,7 +79,7 @@ fn label_width(painter: &Painter, chart: &Chart, palette: &Palette) -> f32 {
 fn plot<'a>(
     id: impl std::hash::Hash + std::fmt::Debug,
     chart: &Chart,
-    beside: f32,
+    label_width: f32,
     most: f64,
     palette: &Palette,
 ) -> Plot<'a> {
@@ -93,7 +93,7 @@ fn plot<'a>(
         .x_grid_spacer(move |input| places(&x, input.bounds, most))
         .y_grid_spacer(move |input| places(&y, input.bounds, 4.0))
         .custom_x_axes(of_chart(Axis::X, across, palette, 0.0))
-        .custom_y_axes(of_chart(Axis::Y, upwards, palette, beside))
+        .custom_y_axes(of_chart(Axis::Y, upwards, palette, label_width))
 }
 
 /// What a chart is drawn on.

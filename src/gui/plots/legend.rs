@@ -106,7 +106,7 @@ fn entry(ui: &mut Ui, entry: &Entry, shown: Option<bool>) -> bool {
         painter.rect_filled(rect.expand2(vec2(4.0, 0.0)), 3.0, palette.inset);
     }
     let middle = pos2(rect.left() + 5.0, rect.center().y);
-    let full = chart::color(entry.stands, &palette);
+    let full = chart::color(entry.role, &palette);
     let faded = if off { full.gamma_multiply(0.35) } else { full };
     painter.extend(symbol(middle, entry, faded));
     let at = pos2(rect.left() + MARK, rect.center().y - 0.5 * galley.size().y);

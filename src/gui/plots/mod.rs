@@ -20,7 +20,7 @@ use crate::gui::workbench::{Asked, Command};
 
 /// Saves a plot as a file.
 pub(crate) fn picture(ui: &mut Ui, plot: Plot, commands: &mut Vec<Command>) {
-    let says = say!("Save picture of the {plot}…", plot = plot.said());
+    let says = say!("Save picture of the {plot}…", plot = plot.title());
     if widgets::save_button(ui, &says).clicked() {
         commands.push(Command::Ask(Asked::WhereToExport(What::Picture(plot))));
     }

@@ -110,7 +110,7 @@ impl Mark {
 pub(crate) struct Label {
     pub(crate) at: Place,
     pub(crate) text: String,
-    pub(crate) ink: Tint,
+    pub(crate) colour: Tint,
     pub(crate) anchor: Align2,
     /// Points.
     pub(crate) size: f32,
@@ -119,9 +119,9 @@ pub(crate) struct Label {
     pub(crate) most: Option<f32>,
     /// Room around it, points: it is left out where it would touch another one with such room, and
     /// stays within the picture.
-    pub(crate) room: Option<[f32; 2]>,
+    pub(crate) padding: Option<[f32; 2]>,
     /// What is behind it in its room.
-    pub(crate) ground: Option<Tint>,
+    pub(crate) background: Option<Tint>,
 }
 
 impl Label {
@@ -129,13 +129,13 @@ impl Label {
         Self {
             at: at.into(),
             text: text.into(),
-            ink: ink.into(),
+            colour: ink.into(),
             anchor: Align2::CENTER_CENTER,
             size: size::SMALL,
             bold: false,
             most: None,
-            room: None,
-            ground: None,
+            padding: None,
+            background: None,
         }
     }
 }

@@ -4,10 +4,10 @@
 //! for a picture. So a picture shows what the screen shows.
 
 mod camera;
+mod drawing_canvas;
 mod entry;
 mod items;
 mod paint;
-mod paper;
 mod screen;
 mod sheet;
 mod tint;

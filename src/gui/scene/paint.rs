@@ -34,7 +34,7 @@ pub(crate) trait Canvas {
         let half = 0.5 * (tip - neck);
         let across = vec2(-half.y, half.x);
         let head = vec![tip, neck + across, neck - across];
-        self.area(head, Some(stroke.ink), None);
+        self.area(head, Some(stroke.colour), None);
     }
 }
 
@@ -114,21 +114,21 @@ pub(crate) fn corners_of(corners: &[[f32; 2]], at: Pos2, radius: f32, ahead: Vec
 fn words(canvas: &mut dyn Canvas, camera: &Camera, label: &Label, taken: &mut Vec<Rect>) {
     let size = canvas.size(label);
     let mut place = label.anchor.anchor_size(camera.place(&label.at), size);
-    if let Some([x, y]) = label.room {
+    if let Some([x, y]) = label.padding {
         place = inside(place, camera.frame());
         let back = place.expand2(vec2(x, y));
         if taken.iter().any(|other| other.intersects(back)) {
             return;
         }
         taken.push(back);
-        if label.ground.is_some() {
+        if label.background.is_some() {
             let corners = [
                 back.left_top(),
                 back.right_top(),
                 back.right_bottom(),
                 back.left_bottom(),
             ];
-            canvas.area(corners.to_vec(), label.ground, None);
+            canvas.area(corners.to_vec(), label.background, None);
         }
     }
     canvas.words(place, label);

@@ -48,7 +48,7 @@ impl<'a> Screen<'a> {
 
     fn stroke(&self, stroke: Option<Stroke>) -> egui::Stroke {
         stroke.map_or(egui::Stroke::NONE, |stroke| {
-            egui::Stroke::new(stroke.width, stroke.ink.color(self.palette))
+            egui::Stroke::new(stroke.width, stroke.colour.color(self.palette))
         })
     }
 
@@ -58,7 +58,7 @@ impl<'a> Screen<'a> {
         } else {
             FontId::proportional(label.size)
         };
-        let color = label.ink.color(self.palette);
+        let color = label.colour.color(self.palette);
         let mut job = LayoutJob::simple_singleline(label.text.clone(), font, color);
         if let Some(most) = label.most {
             job.wrap = TextWrapping::truncate_at_width(most);
@@ -155,7 +155,7 @@ impl Canvas for Screen<'_> {
     }
 
     fn words(&mut self, place: Rect, label: &Label) {
-        let color = label.ink.color(self.palette);
+        let color = label.colour.color(self.palette);
         let galley = self.galley(label);
         let pointer = self.painter.ctx().input(|i| i.pointer.hover_pos());
         let pointer = pointer.filter(|at| self.painter.clip_rect().contains(*at));
@@ -163,7 +163,7 @@ impl Canvas for Screen<'_> {
             // Whole, over whatever is there.
             let whole = Label {
                 most: None,
-                ink: ColourToken::Text.into(),
+                colour: ColourToken::Text.into(),
                 ..label.clone()
             };
             let size = self.size(&whole);

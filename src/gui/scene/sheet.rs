@@ -4,10 +4,10 @@
 use egui::{Align2, Pos2, Rect, Vec2, vec2};
 
 use super::camera::Camera;
+use super::drawing_canvas::{Paper, SCALE, width};
 use super::entry::LegendEntry;
 use super::items::{Label, Scene};
 use super::paint::{Canvas, items, paint};
-use super::paper::{Paper, SCALE, width};
 use super::tint::ColourToken;
 use crate::gui::style::tokens::size;
 use crate::present::chart::Axis;

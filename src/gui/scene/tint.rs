@@ -116,7 +116,7 @@ impl Tint {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Stroke {
     pub(crate) width: f32,
-    pub(crate) ink: Tint,
+    pub(crate) colour: Tint,
     pub(crate) dash: Option<[f32; 2]>,
 }
 
@@ -124,7 +124,7 @@ impl Stroke {
     pub(crate) fn new(width: f32, ink: impl Into<Tint>) -> Self {
         Self {
             width,
-            ink: ink.into(),
+            colour: ink.into(),
             dash: None,
         }
     }

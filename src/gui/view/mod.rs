@@ -72,7 +72,7 @@ pub(crate) enum Side {
 pub(crate) struct OnDisk {
     pub(crate) path: PathBuf,
     /// What became of it.
-    pub(crate) fate: FileChange,
+    pub(crate) change: FileChange,
 }
 
 /// What decides which panels there are and how high: egui lays a panel out with the size that it

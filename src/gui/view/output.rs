@@ -58,7 +58,7 @@ impl Plot {
     }
 
     /// Its name in the language of the window.
-    pub(crate) fn said(self) -> String {
+    pub(crate) fn title(self) -> String {
         known_words("plot", self.name()).unwrap_or_else(|| self.name().to_owned())
     }
 

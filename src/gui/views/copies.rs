@@ -182,7 +182,7 @@ pub(super) fn poses(poses: &[NextPose], robot: &Robot) -> String {
     heads.extend(others.split(" | ").map(str::to_owned));
     let mut table = Table::new(heads);
     for pose in poses {
-        let outer = |(j, value): (usize, &f64)| Cell::from(robot.joints[j].kind.outer(*value));
+        let outer = |(j, value): (usize, &f64)| Cell::from(robot.joints[j].kind.to_display(*value));
         let mut cells: Vec<Cell> = pose.q.iter().enumerate().map(outer).collect();
         cells.extend(pose.dir.iter().map(|dir| Cell::from(*dir)));
         match &pose.speed {
@@ -203,8 +203,8 @@ pub(super) fn poses(poses: &[NextPose], robot: &Robot) -> String {
 
 /// Sample by sample: what was commanded and measured, and how far that is from the simulation.
 pub(super) fn samples(workbench: &Workbench) -> String {
-    let subject = workbench.loaded_session();
-    let (session, answer) = (&subject.session, workbench.answer());
+    let loaded_session = workbench.loaded_session();
+    let (session, answer) = (&loaded_session.session, workbench.answer());
     let mut heads = vec!["sample".to_owned()];
     let joints = session.robot.joints.iter().enumerate();
     heads.extend(joints.map(|(j, joint)| format!("q{}, {}", j + 1, joint.kind.unit())));
@@ -212,10 +212,10 @@ pub(super) fn samples(workbench: &Workbench) -> String {
     heads.extend(others.split(" | ").map(str::to_owned));
     let mut table = Table::new(heads);
     let samples = &session.samples;
-    for sample in 0..subject.len() {
+    for sample in 0..loaded_session.len() {
         let mut cells = vec![Cell::from(sample + 1)];
         let joints = session.robot.joints.iter().zip(&samples.q);
-        cells.extend(joints.map(|(joint, q)| Cell::from(joint.kind.outer(q[sample]))));
+        cells.extend(joints.map(|(joint, q)| Cell::from(joint.kind.to_display(q[sample]))));
         let target = samples
             .target
             .as_ref()
@@ -223,7 +223,7 @@ pub(super) fn samples(workbench: &Workbench) -> String {
         let target = target.and_then(|target| session.targets.get(target));
         cells.push(target.map(|target| target.name.as_str()).into());
         let z = samples.z_mm.as_ref().map_or(f64::NAN, |z| z[sample]);
-        let before = subject.before.length_mm[sample];
+        let before = loaded_session.before.length_mm[sample];
         let after = answer.map_or(f64::NAN, |answer| answer.lengths_mm[sample]);
         let numbers = [samples.x_mm[sample], samples.y_mm[sample], z, before, after];
         cells.extend(numbers.map(Cell::from));

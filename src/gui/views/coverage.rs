@@ -47,30 +47,30 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench) {
 fn gap(ui: &mut Ui, workbench: &Workbench) {
     let palette = Palette::of(ui);
     let units = workbench.units();
-    let subject = workbench.loaded_session();
+    let loaded_session = workbench.loaded_session();
     widgets::card(ui, |ui| {
         let name =
             ui.label(RichText::new(say!("RMS error of the nominal robot")).color(palette.muted));
         widgets::explained(name, crate::gui::help::GAP);
-        let rms = subject.gap_before;
+        let rms = loaded_session.gap_before;
         let rms = rms.map_or_else(|| "–".to_owned(), |g| units.length(g.rms_mm));
         ui.label(
             RichText::new(rms)
                 .font(strong(size::DISPLAY))
                 .color(palette.before),
         );
-        if let Some(gap) = subject.gap_before {
+        if let Some(gap) = loaded_session.gap_before {
             widgets::fact_of(ui, phrase!("largest deviation"), units.length(gap.max_mm));
         }
         if let Some(tolerance_mm) = workbench.document().tolerance_mm {
-            let (inside, all) = subject.overview.lengths.within(tolerance_mm);
+            let (inside, all) = loaded_session.overview.lengths.within(tolerance_mm);
             widgets::fact_of(
                 ui,
                 phrase!("within tolerance"),
                 say!("{inside} of {all}", inside = inside, all = all),
             );
         }
-        if let Some(floor_mm) = subject.known.floor_mm {
+        if let Some(floor_mm) = loaded_session.coverage.floor_mm {
             let floor = say!("{floor}, instrument", floor = units.length(floor_mm));
             widgets::fact_of(ui, phrase!("noise floor"), floor);
         }
@@ -88,11 +88,11 @@ fn gap(ui: &mut Ui, workbench: &Workbench) {
 
 /// Under which conditions was measured.
 fn covers(ui: &mut Ui, workbench: &Workbench) {
-    let subject = workbench.loaded_session();
+    let loaded_session = workbench.loaded_session();
     let units = workbench.units();
-    let known = &subject.known;
+    let known = &loaded_session.coverage;
     let survey = &known.survey;
-    let turns = subject.turns();
+    let turns = loaded_session.turns();
     let at = |q: f64| {
         if turns {
             units.angle(q)
@@ -105,7 +105,7 @@ fn covers(ui: &mut Ui, workbench: &Workbench) {
         coverage_bar(ui, known);
         if let Some([from, to]) = known.measured {
             // Of an arm it is the first joint's, as the strip is.
-            let name = if subject.session.robot.joints.len() > 1 {
+            let name = if loaded_session.session.robot.joints.len() > 1 {
                 phrase!("measured range, joint 1")
             } else {
                 phrase!("measured range")
@@ -212,8 +212,11 @@ fn coverage_bar(ui: &mut Ui, known: &Coverage) {
 
 /// Which effects can be seen in such samples, and which cannot.
 fn testable(ui: &mut Ui, workbench: &Workbench) {
-    let subject = workbench.loaded_session();
-    let (yes, no) = (subject.testable.len(), subject.not_testable.len());
+    let loaded_session = workbench.loaded_session();
+    let (yes, no) = (
+        loaded_session.testable.len(),
+        loaded_session.not_testable.len(),
+    );
     let name = |id: &str| crate::present::names::title(id).to_owned();
     widgets::card(ui, |ui| {
         title(ui, say!("Testable effects"));
@@ -224,7 +227,7 @@ fn testable(ui: &mut Ui, workbench: &Workbench) {
         );
         let can = say!("{yes} can be tested", yes = yes);
         widgets::folded(ui, &can, size::NOTE, |ui| {
-            let names: Vec<String> = subject.testable.iter().map(|id| name(id)).collect();
+            let names: Vec<String> = loaded_session.testable.iter().map(|id| name(id)).collect();
             widgets::hint(ui, names.join(", ").to_lowercase());
         });
         if no == 0 {
@@ -232,7 +235,7 @@ fn testable(ui: &mut Ui, workbench: &Workbench) {
         }
         let cannot = say!("{no} cannot, and why", no = no);
         widgets::folded(ui, &cannot, size::NOTE, |ui| {
-            for one in &subject.not_testable {
+            for one in &loaded_session.not_testable {
                 ui.label(name(one.effect));
                 widgets::hint(ui, spoken(&one.because));
             }

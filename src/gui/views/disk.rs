@@ -16,7 +16,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     let palette = Palette::of(ui);
     let name = on_disk.path.file_name().unwrap_or_default();
     let name = name.to_string_lossy();
-    let (title, says) = match on_disk.fate {
+    let (title, says) = match on_disk.change {
         FileChange::Changed => (
             say!("{name} was changed by another program", name = name),
             say!(
@@ -32,7 +32,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     ui.add(Label::new(title.color(palette.warning)).wrap());
     ui.add(Label::new(RichText::new(says).size(size::NOTE)).wrap());
     ui.horizontal_wrapped(|ui| {
-        match on_disk.fate {
+        match on_disk.change {
             FileChange::Changed if ui.button(say!("Reload")).clicked() => {
                 commands.push(Command::Reload);
             }

@@ -67,10 +67,10 @@ fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
 
 /// Where the work stands before there is a search.
 fn before(ui: &mut Ui, workbench: &Workbench) {
-    let subject = workbench.loaded_session();
+    let loaded_session = workbench.loaded_session();
     let units = workbench.units();
     widgets::section(ui, say!("RMS error so far"));
-    if let Some(gap) = subject.gap_before {
+    if let Some(gap) = loaded_session.gap_before {
         widgets::fact_of(ui, phrase!("nominal robot"), units.length(gap.rms_mm));
     }
     let answer = workbench.answer();
@@ -78,7 +78,7 @@ fn before(ui: &mut Ui, workbench: &Workbench) {
     if let Some(left) = left {
         widgets::fact_of(ui, phrase!("identified"), units.length(left));
     }
-    let floor = subject.known.floor_mm;
+    let floor = loaded_session.coverage.floor_mm;
     if let Some(floor) = floor {
         widgets::fact_of(ui, phrase!("noise floor"), units.length(floor));
     }
@@ -100,14 +100,18 @@ fn before(ui: &mut Ui, workbench: &Workbench) {
     };
     widgets::hint(ui, says);
     let document = workbench.document();
-    if document.given.is_some() || document.identified && document.method == Method::Regional {
+    if document.loaded_model.is_some() || document.identified && document.method == Method::Regional
+    {
         let says = say!(
             "The diagnosis starts from the full model, which takes the place of what is identified now. Undo brings that back"
         );
         widgets::hint(ui, says);
     }
     widgets::section(ui, say!("What it can find"));
-    let (yes, no) = (subject.testable.len(), subject.not_testable.len());
+    let (yes, no) = (
+        loaded_session.testable.len(),
+        loaded_session.not_testable.len(),
+    );
     widgets::fact_of(
         ui,
         phrase!("testable effects"),

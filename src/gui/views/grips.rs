@@ -11,7 +11,7 @@ use crate::gui::workbench::{Command, ViewChange, Workbench};
 pub(crate) fn show(
     ui: &Ui,
     workbench: &Workbench,
-    room: Layout,
+    layout: Layout,
     middle: Rect,
     commands: &mut Vec<Command>,
 ) {
@@ -35,7 +35,7 @@ pub(crate) fn show(
     };
     let left = widgets::grip(ui, say!("steps"), middle, middle.left());
     pulled(left, &|sizes, x| sizes.left = x);
-    if let Some(width) = room.right {
+    if let Some(width) = layout.right {
         // The samples, where they stand beside the results, keep their width.
         let end = middle.right() + width;
         let right = widgets::grip(ui, say!("results"), middle, middle.right());

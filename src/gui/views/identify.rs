@@ -22,7 +22,7 @@ pub(super) const STEP: StepView = StepView {
 fn state(workbench: &Workbench) -> (String, Progress) {
     let document = workbench.document();
     let caption = match (document.identified, document.method) {
-        _ if document.given.is_some() => say!("model from a file").to_owned(),
+        _ if document.loaded_model.is_some() => say!("model from a file").to_owned(),
         (false, _) => say!("not yet").to_owned(),
         (true, Method::Regional) => say!("by region").to_owned(),
         (true, Method::Exact) => match workbench.answer() {
@@ -38,7 +38,7 @@ fn state(workbench: &Workbench) -> (String, Progress) {
 
 fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let document = workbench.document();
-    if let Some(given) = &document.given {
+    if let Some(given) = &document.loaded_model {
         widgets::hint(
             ui,
             say!(
@@ -96,10 +96,10 @@ fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
 
 fn effects(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let document = workbench.document();
-    let subject = workbench.loaded_session();
+    let loaded_session = workbench.loaded_session();
     widgets::section(ui, say!("Effects to fit"));
     ui.spacing_mut().item_spacing.y = 4.0;
-    for id in &subject.testable {
+    for id in &loaded_session.testable {
         let Some(about) = find(id).map(crate::effects::Effect::about) else {
             continue;
         };
@@ -119,20 +119,20 @@ fn effects(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
             commands.push(Command::Edit(Edit::Effect(about.id, on)));
         }
     }
-    if subject.not_testable.is_empty() {
+    if loaded_session.not_testable.is_empty() {
         return;
     }
     let title = say!(
         one "{count} that this session cannot show",
         "{count} that this session cannot show",
-        count = subject.not_testable.len()
+        count = loaded_session.not_testable.len()
     );
     let palette = Palette::of(ui);
     let title = RichText::new(title).size(size::SMALL).color(palette.muted);
     CollapsingHeader::new(title)
         .id_salt("not testable")
         .show(ui, |ui| {
-            for one in &subject.not_testable {
+            for one in &loaded_session.not_testable {
                 ui.label(crate::present::names::title(one.effect));
                 widgets::hint(ui, spoken(&one.because));
             }
@@ -147,7 +147,7 @@ fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         }
         return;
     }
-    if document.given.is_none() {
+    if document.loaded_model.is_none() {
         widgets::hint(ui, say!("Identified; the result follows every change"));
     }
     if widgets::primary(ui, say!("Continue to diagnose")).clicked() {

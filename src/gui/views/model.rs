@@ -27,7 +27,13 @@ pub(super) fn about(
         widgets::fact_of(ui, phrase!("identified from"), &calibration.session);
         let joints = &calibration.model.robot.joints;
         for (joint, range) in joints.iter().zip(&calibration.measured) {
-            let says = |q| format!("{}{}", trimmed(joint.kind.outer(q), 2), joint.kind.sign());
+            let says = |q| {
+                format!(
+                    "{}{}",
+                    trimmed(joint.kind.to_display(q), 2),
+                    joint.kind.sign()
+                )
+            };
             let measured = format!("{} … {}", says(range.from), says(range.to));
             let name = match joints.len() {
                 1 => say!("measured").to_owned(),

@@ -63,7 +63,7 @@ pub(crate) fn show(ui: &Ui, workbench: &Workbench, room: Layout, commands: &mut 
             card(ui, &mut |ui| {
                 // What is long scrolls; its buttons stay in sight.
                 let scroll = ScrollArea::vertical().max_height(high);
-                scroll.show(ui, |ui| said(ui, message));
+                scroll.show(ui, |ui| body(ui, message));
                 ui.horizontal_wrapped(|ui| buttons(ui, message, commands));
             });
         }
@@ -91,7 +91,7 @@ fn goes_by_itself(ui: &Ui, message: &Message, pointed: bool, commands: &mut Vec<
     ctx.data_mut(|data| data.insert_temp(id, Shown { message, since }));
 }
 
-fn said(ui: &mut Ui, message: &Message) {
+fn body(ui: &mut Ui, message: &Message) {
     let palette = Palette::of(ui);
     let (title, lines) = if message.wrong {
         (palette.outside, palette.text)

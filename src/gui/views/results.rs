@@ -325,7 +325,7 @@ const NUMBERS: f32 = 212.0;
 fn regions(ui: &mut Ui, workbench: &Workbench, results: &[RegionResult]) {
     let palette = Palette::of(ui);
     let units = workbench.units();
-    let is_given = workbench.document().given.is_some();
+    let is_given = workbench.document().loaded_model.is_some();
     title(ui, say!("Correction of each region"));
     ui.style_mut().wrap_mode = Some(egui::TextWrapMode::Extend);
     // The numbers keep their places, however long a name is.

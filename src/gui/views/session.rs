@@ -89,12 +89,12 @@ fn recent(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
 }
 
 fn facts(ui: &mut Ui, workbench: &Workbench) {
-    let subject = workbench.loaded_session();
-    let session = &subject.session;
+    let loaded_session = workbench.loaded_session();
+    let session = &loaded_session.session;
     let units = workbench.units();
     widgets::fact_of(ui, phrase!("robot"), &session.robot.name);
     if let [joint] = session.robot.joints.as_slice() {
-        let (from, to) = subject.travel();
+        let (from, to) = loaded_session.travel();
         let range = match joint.kind {
             JointKind::Revolute => format!("{} … {}", units.angle(from), units.angle(to)),
             JointKind::Prismatic => format!("{} … {}", units.length(from), units.length(to)),
@@ -107,21 +107,21 @@ fn facts(ui: &mut Ui, workbench: &Workbench) {
             session.robot.joints.len().to_string(),
         );
     }
-    if subject.is_empty() {
+    if loaded_session.is_empty() {
         widgets::fact_of(ui, phrase!("samples"), say!("none: this is a model"));
         return;
     }
-    let mut samples = grouped(subject.len());
+    let mut samples = grouped(loaded_session.len());
     for (n, what) in [
-        (subject.overview.held_out, say!("held out")),
-        (subject.overview.excluded, say!("excluded")),
+        (loaded_session.overview.held_out, say!("held out")),
+        (loaded_session.overview.excluded, say!("excluded")),
     ] {
         if n > 0 {
             samples += &format!(", {} {what}", grouped(n));
         }
     }
     widgets::fact_of(ui, phrase!("samples"), samples);
-    if let Some(kinds) = &subject.overview.kinds {
+    if let Some(kinds) = &loaded_session.overview.kinds {
         widgets::fact_of(ui, phrase!("measured"), language::spoken(kinds));
     }
     if session.targets.len() > 1 {
@@ -283,13 +283,13 @@ fn path_field(ui: &mut Ui, commands: &mut Vec<Command>) {
 }
 
 fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
-    let subject = workbench.loaded_session();
-    if subject.origin == Origin::Bundled {
+    let loaded_session = workbench.loaded_session();
+    if loaded_session.origin == Origin::Bundled {
         widgets::hint(ui, say!("This is an example that comes with the program"));
     }
-    let (step, text) = if workbench.document().given.is_some() {
+    let (step, text) = if workbench.document().loaded_model.is_some() {
         (Step::Export, say!("Continue to export"))
-    } else if subject.single_revolute() {
+    } else if loaded_session.single_revolute() {
         (Step::Regions, say!("Continue to regions"))
     } else {
         (Step::Identify, say!("Continue to identify"))

@@ -44,7 +44,7 @@ fn tables(ui: &mut Ui, made: &StandardsFigures) {
         }
         widgets::section(ui, &format!("{title}, {}", group.standard));
         if !group.rows.is_empty() {
-            widgets::hint(ui, spoken(&group.says));
+            widgets::hint(ui, spoken(&group.conditions));
         }
         if !group.rows.is_empty() {
             table(ui, group);

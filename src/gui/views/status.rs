@@ -14,18 +14,19 @@ use crate::recorder::live::State;
 
 /// Where the work stands, in one line.
 pub(crate) fn line(workbench: &Workbench) -> String {
-    let subject = workbench.loaded_session();
-    if subject.is_empty() {
+    let loaded_session = workbench.loaded_session();
+    if loaded_session.is_empty() {
         return say!(
             "model of {robot} · open a session measured on this robot to see what the model does",
-            robot = subject.session.robot.name
+            robot = loaded_session.session.robot.name
         );
     }
     let units = workbench.units();
-    let samples = say!(one "{count} sample", "{count} samples", count = grouped(subject.len()));
+    let samples =
+        say!(one "{count} sample", "{count} samples", count = grouped(loaded_session.len()));
     let unit = units.length_name();
     let mm = |mm: f64| units.length_number(mm);
-    let gap = match (workbench.answer(), &subject.gap_before) {
+    let gap = match (workbench.answer(), &loaded_session.gap_before) {
         (Some(answer), _) => {
             let gap = &answer.identification.gap;
             let mut gaps = vec![gap.before.rms_mm];
@@ -48,7 +49,7 @@ pub(crate) fn line(workbench: &Workbench) -> String {
         (None, Some(gap)) => say!("RMS error {rms} {unit}", rms = mm(gap.rms_mm), unit = unit),
         (None, None) => say!("no sample can be used").to_owned(),
     };
-    let floor = match (workbench.diagnosis(), subject.known.floor_mm) {
+    let floor = match (workbench.diagnosis(), loaded_session.coverage.floor_mm) {
         (Some(d), _) => Some((d.floor.mm, floor_from(d.floor.from))),
         (None, Some(mm)) => Some((mm, say!("instrument"))),
         (None, None) => None,

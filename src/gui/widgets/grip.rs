@@ -40,7 +40,7 @@ pub(crate) fn grip(ui: &Ui, name: &str, panel: Rect, x: f32) -> Option<Gripped> 
 pub(crate) fn grip_between(
     ui: &Ui,
     id: Id,
-    says: &str,
+    label: &str,
     gap: Rect,
     upright: bool,
 ) -> Option<Gripped> {
@@ -49,7 +49,7 @@ pub(crate) fn grip_between(
     } else {
         vec2(0.0, REACH - 0.5 * gap.height())
     };
-    pulled(ui, id, says, gap.expand2(wider), upright)
+    pulled(ui, id, label, gap.expand2(wider), upright)
 }
 
 /// A grip in this place: where its middle is to be.

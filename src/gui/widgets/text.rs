@@ -18,10 +18,10 @@ pub(crate) fn cut(
     text: &str,
     font: FontId,
     color: Color32,
-    room: f32,
+    width: f32,
 ) -> Arc<egui::Galley> {
     let mut job = LayoutJob::simple_singleline(text.to_owned(), font, color);
-    job.wrap = TextWrapping::truncate_at_width(room.max(1.0));
+    job.wrap = TextWrapping::truncate_at_width(width.max(1.0));
     ui.painter().layout_job(job)
 }
 

@@ -27,11 +27,11 @@ impl Workbench {
     /// Whether a model can be held against the open session: both are of the same robot. The
     /// session that the window began with counts only where the model came from it.
     pub(super) fn has_a_session_for(&self, given: &LoadedModel) -> bool {
-        let subject = self.loaded_session();
-        if Arc::ptr_eq(subject, &self.first) {
-            given.came_from(&subject.session)
+        let loaded_session = self.loaded_session();
+        if Arc::ptr_eq(loaded_session, &self.first) {
+            given.came_from(&loaded_session.session)
         } else {
-            !subject.is_empty() && given.is_of(&subject.session)
+            !loaded_session.is_empty() && given.is_of(&loaded_session.session)
         }
     }
 
@@ -52,7 +52,7 @@ impl Workbench {
         self.identified.as_deref().filter(|outcome| {
             let question = &outcome.question;
             document.identified
-                && Arc::ptr_eq(&question.subject, &document.subject)
+                && Arc::ptr_eq(&question.loaded_session, &document.loaded_session)
                 && document.question().is_some_and(|asked| {
                     std::mem::discriminant(&asked.asks) == std::mem::discriminant(&question.asks)
                 })
@@ -81,7 +81,7 @@ impl Workbench {
 
     pub(super) fn plot_cache(&self) -> Option<&PlotCache> {
         let backdrop = self.plot_cache.as_deref()?;
-        Arc::ptr_eq(&backdrop.inputs.subject, self.loaded_session()).then_some(backdrop)
+        Arc::ptr_eq(&backdrop.inputs.loaded_session, self.loaded_session()).then_some(backdrop)
     }
 
     /// Which sample is where in the plane; `None` where they are few, or while it is being found
@@ -165,7 +165,7 @@ impl Workbench {
         self.answer()?;
         let preview = self.preview.as_ref()?;
         let same = Arc::ptr_eq(
-            &preview.wanted.identified.question.subject,
+            &preview.wanted.identified.question.loaded_session,
             self.loaded_session(),
         );
         same.then_some(preview.made.as_ref())
@@ -197,7 +197,7 @@ impl Workbench {
     /// What a search of the open session found, or why it found nothing out.
     pub(crate) fn searched(&self) -> Option<Result<&Diagnosis, &String>> {
         let search = self.searched.as_ref()?;
-        Arc::ptr_eq(&search.subject, self.loaded_session()).then_some(search.answer.as_ref())
+        Arc::ptr_eq(&search.loaded_session, self.loaded_session()).then_some(search.answer.as_ref())
     }
 
     /// The diagnosis of the open session.
@@ -229,10 +229,11 @@ impl Workbench {
         // Asked for by its key it is seen as well.
         self.view.step = Step::Gap;
         let document = self.document();
-        let exact =
-            document.identified && document.method == Method::Exact && document.given.is_none();
+        let exact = document.identified
+            && document.method == Method::Exact
+            && document.loaded_model.is_none();
         if !exact {
-            let title = match &document.given {
+            let title = match &document.loaded_model {
                 Some(_) => Some(say!(
                     "Identified with the full model in place of the model from a file"
                 )),
@@ -282,7 +283,7 @@ impl Workbench {
             .clone()
             .filter(|_| self.identified().is_some());
         let scenery = PlotInputs {
-            subject: Arc::clone(self.loaded_session()),
+            loaded_session: Arc::clone(self.loaded_session()),
             identified: outcome,
             plane: self.view.plane,
             heat: self.view.heat && !self.view.in_space(),

@@ -77,8 +77,7 @@ impl Workbench {
     }
 
     fn identify(&mut self, question: Question) {
-        let samples =
-            say!(one "{count} sample", "{count} samples", count = grouped(question.subject.len()));
+        let samples = say!(one "{count} sample", "{count} samples", count = grouped(question.loaded_session.len()));
         self.jobs.start(
             Kind::Identifies,
             say!("identifying, {samples}", samples = samples),
@@ -133,7 +132,7 @@ impl Workbench {
     }
 
     /// Searches a session for what is missing, unless a search is under way.
-    pub(super) fn search_in(&mut self, subject: Arc<LoadedSession>) {
+    pub(super) fn search_in(&mut self, loaded_session: Arc<LoadedSession>) {
         if self.searching().is_some() {
             return;
         }
@@ -141,7 +140,7 @@ impl Workbench {
         self.jobs.start(
             Kind::Searches,
             say!("searching"),
-            move |watch| Search::of(subject, watch),
+            move |watch| Search::of(loaded_session, watch),
             |bench: &mut Self, search| {
                 bench.searched = Some(Arc::new(search));
                 // What is in the model may be just what was found, with the search's values.
@@ -169,8 +168,8 @@ impl Workbench {
 
     /// Names that a search of the open session had found when it was stopped.
     pub(crate) fn stopped(&self) -> Option<&[String]> {
-        let (subject, found) = self.stopped.as_ref()?;
-        Arc::ptr_eq(subject, self.loaded_session()).then_some(found)
+        let (loaded_session, found) = self.stopped.as_ref()?;
+        Arc::ptr_eq(loaded_session, self.loaded_session()).then_some(found)
     }
 
     /// Drops the newest job that the status bar names.
@@ -198,11 +197,16 @@ impl Workbench {
 
     pub(super) fn take_opened(&mut self, opened: Result<Opened, Message>) {
         match opened {
-            Ok(Opened::Session(subject)) => self.execute(Command::Edit(Edit::Open(subject))),
+            Ok(Opened::Session(loaded_session)) => {
+                self.execute(Command::Edit(Edit::Open(loaded_session)))
+            }
             Ok(Opened::Foreign(foreign)) => self.view.sheet = Some(Sheet::Import(foreign)),
             Ok(Opened::Model(given)) => {
                 let beside = self.has_a_session_for(&given);
-                self.execute(Command::Edit(Edit::OpenModel { given, beside }));
+                self.execute(Command::Edit(Edit::OpenModel {
+                    loaded_model: given,
+                    of_open_session: beside,
+                }));
             }
             Err(message) => self.take_written(message),
         }

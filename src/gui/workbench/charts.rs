@@ -55,14 +55,15 @@ impl Workbench {
         let search = self.searched.as_ref();
         Scene {
             document: self.document(),
-            subject: self.loaded_session(),
+            loaded_session: self.loaded_session(),
             view: &self.view,
             component: self.view.component,
             joint: self.view.joint,
             axes: None,
             units: self.units(),
             answer: self.answer(),
-            search: search.filter(|search| Arc::ptr_eq(&search.subject, self.loaded_session())),
+            search: search
+                .filter(|search| Arc::ptr_eq(&search.loaded_session, self.loaded_session())),
             made: self.export().and_then(Result::ok),
             worked_out: None,
         }
@@ -115,7 +116,7 @@ impl Workbench {
             joint: scene.joint,
             axes: scene.axes,
             units: scene.units,
-            outcome: self.identified.clone().filter(|_| scene.answer.is_some()),
+            identified: self.identified.clone().filter(|_| scene.answer.is_some()),
             search: scene.search.cloned(),
             made: scene.made.cloned(),
             worked_out: self.worked_out(pane, &scene).cloned(),
@@ -232,10 +233,10 @@ impl Workbench {
     }
 
     pub(super) fn show_effect(&mut self, index: usize) {
-        let subject = Arc::clone(self.loaded_session());
+        let loaded_session = Arc::clone(self.loaded_session());
         let strongest = self
             .diagnosis()
-            .and_then(|d| effect::strongest(&subject, d, index));
+            .and_then(|d| effect::strongest(&loaded_session, d, index));
         let Some(component) = strongest else {
             return;
         };

@@ -15,16 +15,16 @@ use super::{Command, Workbench};
 type Adapted = (Arc<LoadedSession>, Result<(Vec<Region>, Decision), String>);
 
 /// Looks where the samples ask for regions. Takes its time with many samples.
-pub(super) fn adapted(subject: Arc<LoadedSession>) -> Adapted {
-    let made = adapt(&subject.session);
-    (subject, made)
+pub(super) fn adapted(loaded_session: Arc<LoadedSession>) -> Adapted {
+    let made = adapt(&loaded_session.session);
+    (loaded_session, made)
 }
 
 impl Workbench {
     /// Looks where the samples ask for regions.
     pub(super) fn adapt(&mut self) {
-        let subject = Arc::clone(self.loaded_session());
-        if subject.is_empty() || !subject.single_revolute() {
+        let loaded_session = Arc::clone(self.loaded_session());
+        if loaded_session.is_empty() || !loaded_session.single_revolute() {
             return self.complain(
                 say!("This change cannot be made"),
                 vec![
@@ -36,13 +36,13 @@ impl Workbench {
         self.jobs.start(
             Kind::Once,
             say!("looking where regions are needed"),
-            move |_| adapted(subject),
+            move |_| adapted(loaded_session),
             Self::take_adapted,
         );
     }
 
-    pub(super) fn take_adapted(&mut self, (subject, made): Adapted) {
-        if !Arc::ptr_eq(&subject, self.loaded_session()) {
+    pub(super) fn take_adapted(&mut self, (loaded_session, made): Adapted) {
+        if !Arc::ptr_eq(&loaded_session, self.loaded_session()) {
             // Another session is open now: the answer is about the old one.
             return;
         }

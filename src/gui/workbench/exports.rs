@@ -20,7 +20,7 @@ impl Workbench {
     /// What an export's file is called unless the user says otherwise.
     pub(crate) fn name_of(&self, what: What) -> String {
         let document = self.document();
-        let session = &document.subject.session.name;
+        let session = &document.loaded_session.session.name;
         match what {
             What::Table => document.export.file_name(session),
             What::Model => format!("{}.model.json", plain(session)),

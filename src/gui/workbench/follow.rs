@@ -112,7 +112,7 @@ impl Workbench {
             Cloud::of(&to);
             let outcome = question.map(|question| {
                 let question = Question {
-                    subject: Arc::clone(&to),
+                    loaded_session: Arc::clone(&to),
                     ..question
                 };
                 IdentifiedAnswer::of(question, &Watch::default())
@@ -142,8 +142,8 @@ impl Workbench {
             return;
         }
         self.history.rewrite(|document| {
-            Arc::ptr_eq(&document.subject, &from).then(|| Document {
-                subject: Arc::clone(&to),
+            Arc::ptr_eq(&document.loaded_session, &from).then(|| Document {
+                loaded_session: Arc::clone(&to),
                 ..document.clone()
             })
         });
@@ -161,8 +161,8 @@ impl Workbench {
 }
 
 /// Whether the samples begin with those of the session.
-fn starts_with(samples: &Samples, subject: &LoadedSession) -> bool {
-    let before = &subject.session.samples;
+fn starts_with(samples: &Samples, loaded_session: &LoadedSession) -> bool {
+    let before = &loaded_session.session.samples;
     let begins = |all: &[f64], start: &[f64]| {
         let pairs = all.iter().zip(start);
         start.len() <= all.len() && pairs.into_iter().all(|(a, b)| a.to_bits() == b.to_bits())

@@ -12,17 +12,17 @@ use super::Workbench;
 impl Workbench {
     /// What is known of letters.
     pub(crate) fn characters(&self) -> &Characters {
-        &self.letters
+        &self.characters
     }
 
     /// So many of the faces that were found egui draws with.
     pub(crate) fn draws_with(&mut self, faces: usize) {
-        self.letters.drawn = faces;
+        self.characters.drawn = faces;
     }
 
     /// Looks for letters in this library from now on.
     pub(crate) fn read_letters_from(&mut self, library: Arc<Library>) {
-        self.letters.library = library;
+        self.characters.library = library;
     }
 
     /// Looks for a face for the names of the languages.
@@ -33,19 +33,19 @@ impl Workbench {
 
     /// Looks for a face for these, in the background; `aloud`: what no face has is said.
     pub(super) fn find_letters(&mut self, wanted: BTreeSet<char>, aloud: bool) {
-        let new = self.letters.new_among(wanted);
+        let new = self.characters.new_among(wanted);
         if new.is_empty() {
             return;
         }
-        let library = Arc::clone(&self.letters.library);
+        let library = Arc::clone(&self.characters.library);
         self.jobs.quietly(
             move || library.covering(&new, Purpose::Screen),
-            move |bench: &mut Self, found| bench.letters.take(found, aloud),
+            move |bench: &mut Self, found| bench.characters.take(found, aloud),
         );
     }
 
     /// The user has read that they cannot be shown.
     pub(super) fn dismiss_letters(&mut self) {
-        self.letters.unshown.clear();
+        self.characters.unshown.clear();
     }
 }

@@ -215,10 +215,10 @@ fn a_measured_file_that_is_looked_at_says_how_far_it_is_and_is_left_and_looked_a
         panic!("it was waited for");
     };
     // Something is said, and the look at it waits for the test.
-    let mut said = foreign.said.clone();
+    let mut said = foreign.answers.clone();
     said.name = "another name".to_owned();
     let mut looked_at = (*foreign).clone();
-    looked_at.said = said.clone();
+    looked_at.answers = said.clone();
     let (work, arrived, go, ends) =
         halfway(move |watch| looked_at.look(watch).map_err(|c| c.to_string()));
     let what = "looking at the file";

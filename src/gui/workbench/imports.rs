@@ -22,7 +22,7 @@ impl Workbench {
     /// Takes what was said, and looks at the file with it.
     pub(super) fn say(&mut self, said: ImportAnswers) {
         if let Some(foreign) = self.import_draft() {
-            foreign.said = said;
+            foreign.answers = said;
         }
         self.keep_looking();
     }
@@ -65,7 +65,7 @@ impl Workbench {
             }) = &seen
             {
                 // Made here, so that the window never waits for it.
-                Cloud::of(&trial.subject);
+                Cloud::of(&trial.loaded_session);
             }
             (seen, foreign)
         };
@@ -92,7 +92,7 @@ impl Workbench {
     /// Takes a file that was chosen; the field is there to type it where no dialog is.
     fn take_beside(&mut self, which: Companion, path: Option<PathBuf>) {
         if let (Some(foreign), Some(path)) = (self.import_draft(), path) {
-            foreign.said.choose(which, &path);
+            foreign.answers.choose(which, &path);
         }
         self.keep_looking();
     }
@@ -107,11 +107,11 @@ impl Workbench {
     pub(super) fn import(&mut self) {
         let result = self.import_draft().and_then(|foreign| {
             let trial = foreign.result()?;
-            Some(Arc::clone(&trial.subject))
+            Some(Arc::clone(&trial.loaded_session))
         });
-        if let Some(subject) = result {
+        if let Some(loaded_session) = result {
             self.view.sheet = None;
-            self.execute(Command::Edit(Edit::Open(subject)));
+            self.execute(Command::Edit(Edit::Open(loaded_session)));
         }
     }
 }

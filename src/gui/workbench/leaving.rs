@@ -36,13 +36,13 @@ impl Workbench {
     /// Whether something would be lost that a session's file can hold.
     pub(crate) fn unsaved(&self) -> bool {
         let now = self.document();
-        if now.subject.is_empty() {
+        if now.loaded_session.is_empty() {
             return false;
         }
         let same = |saved: &Arc<Document>| {
             now.regions == saved.regions
                 && now.tolerance_mm == saved.tolerance_mm
-                && Arc::ptr_eq(&now.subject, &saved.subject)
+                && Arc::ptr_eq(&now.loaded_session, &saved.loaded_session)
         };
         !self.file_state.on_file.iter().any(same)
     }
@@ -53,7 +53,7 @@ impl Workbench {
         let document = self.document();
         let example = self.loaded_session().lineage == self.first.lineage
             || self.loaded_session().origin == Origin::Bundled;
-        let asked = self.question().filter(|_| document.given.is_none());
+        let asked = self.question().filter(|_| document.loaded_model.is_none());
         Losses {
             session: self.unsaved(),
             model: !example
@@ -190,7 +190,7 @@ impl Workbench {
     pub(super) fn save_to(&mut self, path: &Path, replace: Replace) {
         self.view.sheet = None;
         let document = Arc::clone(self.history.present());
-        let known = self.file_state.places.get(&document.subject.lineage);
+        let known = self.file_state.places.get(&document.loaded_session.lineage);
         let known = known.map_or_else(Vec::new, |place| place.files.clone());
         let (what, path) = (
             say!("saving {path}", path = path.display()),
@@ -225,10 +225,10 @@ impl Workbench {
                     samples,
                 };
                 // What stood in its file before does not stand there any more.
-                let lineage = document.subject.lineage;
+                let lineage = document.loaded_session.lineage;
                 self.file_state
                     .on_file
-                    .retain(|d| d.subject.lineage != lineage);
+                    .retain(|d| d.loaded_session.lineage != lineage);
                 self.keep_meshes(&document, &path);
                 self.remember_on_file(document);
                 self.file_state.places.insert(lineage, place);

@@ -10,6 +10,7 @@ mod charts;
 mod command;
 mod compensating;
 mod details;
+mod diagnosis_sections;
 mod dividing;
 mod exports;
 mod follow;
@@ -24,7 +25,6 @@ mod recording;
 mod recovering;
 mod recovery_writer;
 mod robots;
-mod said;
 mod state;
 #[cfg(test)]
 mod tests;
@@ -87,7 +87,7 @@ pub(crate) struct Workbench {
     searched: Option<Arc<Search>>,
     /// A chart and its numbers, ready to be copied.
     copied: Option<(&'static str, String)>,
-    said: SpokenSections,
+    spoken_sections: SpokenSections,
     /// What a search that was stopped had found until then, and in which session.
     stopped: Option<(Arc<LoadedSession>, Vec<String>)>,
     preview: Option<Preview>,
@@ -98,7 +98,7 @@ pub(crate) struct Workbench {
     /// The name under which this export was saved last.
     saved_as: Option<(ExportChoice, String)>,
     figures: Option<Figures>,
-    letters: Characters,
+    characters: Characters,
     draw: Drawer,
     jobs: Jobs<Self>,
     asked: PendingQueries,
@@ -107,9 +107,9 @@ pub(crate) struct Workbench {
 
 impl Workbench {
     /// A workbench with a session on it.
-    pub(crate) fn new(subject: Arc<LoadedSession>, jobs: Jobs<Self>, draw: Drawer) -> Self {
-        let first = Arc::clone(&subject);
-        let history = History::new(Document::new(subject));
+    pub(crate) fn new(loaded_session: Arc<LoadedSession>, jobs: Jobs<Self>, draw: Drawer) -> Self {
+        let first = Arc::clone(&loaded_session);
+        let history = History::new(Document::new(loaded_session));
         let mut workbench = Self {
             first,
             file_state: FileState::default(),
@@ -121,7 +121,7 @@ impl Workbench {
             identified: None,
             searched: None,
             copied: None,
-            said: SpokenSections::default(),
+            spoken_sections: SpokenSections::default(),
             stopped: None,
             preview: None,
             plot_cache: None,
@@ -129,7 +129,7 @@ impl Workbench {
             exported: Vec::new(),
             saved_as: None,
             figures: None,
-            letters: Characters::default(),
+            characters: Characters::default(),
             draw,
             asked: PendingQueries::default(),
             watcher: Self::watcher(&jobs),
@@ -145,7 +145,7 @@ impl Workbench {
     }
 
     pub(crate) fn loaded_session(&self) -> &Arc<LoadedSession> {
-        &self.document().subject
+        &self.document().loaded_session
     }
 
     /// How it is looked at.

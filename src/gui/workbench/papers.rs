@@ -28,7 +28,7 @@ impl Workbench {
         inputs.extend(self.samples_file().map(PathBuf::from));
         inputs.extend(
             self.document()
-                .given
+                .loaded_model
                 .as_ref()
                 .map(|given| given.path.clone()),
         );
@@ -70,7 +70,7 @@ impl Workbench {
     }
 
     fn is_search_of_this(&self, search: &crate::gui::core::search::Search) -> bool {
-        Arc::ptr_eq(&search.subject, self.loaded_session()) && search.answer.is_ok()
+        Arc::ptr_eq(&search.loaded_session, self.loaded_session()) && search.answer.is_ok()
     }
 
     pub(super) fn write_picture(&mut self, plot: Plot, path: PathBuf, replace: bool) {
@@ -85,7 +85,10 @@ impl Workbench {
     pub(crate) fn figures(&self) -> Option<&Figures> {
         self.answer()?;
         let figures = self.figures.as_ref()?;
-        let same = Arc::ptr_eq(&figures.identified.question.subject, self.loaded_session());
+        let same = Arc::ptr_eq(
+            &figures.identified.question.loaded_session,
+            self.loaded_session(),
+        );
         same.then_some(figures)
     }
 

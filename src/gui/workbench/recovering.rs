@@ -15,7 +15,7 @@ impl Workbench {
     pub(crate) fn recovery_lags(&self) -> bool {
         let now = self.history.present();
         let kept = self.file_state.kept.as_ref();
-        self.file_state.keeper.is_some()
+        self.file_state.recovery_file.is_some()
             && match (kept, self.at_risk().any()) {
                 (Some(kept), true) => !Arc::ptr_eq(kept, now),
                 (Some(_), false) | (None, true) => true,
@@ -27,7 +27,7 @@ impl Workbench {
     pub(super) fn keep_recovery(&mut self) {
         let Some(path) = self
             .file_state
-            .keeper
+            .recovery_file
             .as_ref()
             .map(|k| k.path().to_path_buf())
         else {
@@ -62,26 +62,26 @@ impl Workbench {
     }
 
     pub(super) fn take_left_behind(&mut self, left: Vec<OrphanedRecovery>) {
-        self.file_state.left_behind = left;
-        if !self.file_state.left_behind.is_empty() && self.view.sheet.is_none() {
+        self.file_state.orphaned = left;
+        if !self.file_state.orphaned.is_empty() && self.view.sheet.is_none() {
             self.view.sheet = Some(Sheet::RECOVERY);
         }
     }
 
     /// Brings back what was left behind.
     pub(super) fn restore(&mut self, index: usize) {
-        if index >= self.file_state.left_behind.len() {
+        if index >= self.file_state.orphaned.len() {
             return;
         }
-        let left = self.file_state.left_behind.remove(index);
+        let left = self.file_state.orphaned.remove(index);
         self.close_recovery();
         match &left.kept {
             Ok(kept) => {
                 let mut session = kept.session.clone();
                 session.path.clone_from(&kept.file);
                 let origin = Origin::Recovered(kept.file.clone());
-                let subject = Arc::new(LoadedSession::new(session, Vec::new(), origin));
-                let edit = Edit::Recover(subject, kept.choices());
+                let loaded_session = Arc::new(LoadedSession::new(session, Vec::new(), origin));
+                let edit = Edit::Recover(loaded_session, kept.choices());
                 self.execute(Command::Edit(edit));
                 self.file_state.restored.push(left);
                 self.keep_recovery();
@@ -106,8 +106,8 @@ impl Workbench {
 
     /// Discards what was left behind.
     pub(super) fn discard_left(&mut self, index: usize) {
-        if index < self.file_state.left_behind.len() {
-            let left = self.file_state.left_behind.remove(index);
+        if index < self.file_state.orphaned.len() {
+            let left = self.file_state.orphaned.remove(index);
             if left.kept.is_ok() {
                 left.remove();
             } else {
@@ -118,13 +118,13 @@ impl Workbench {
     }
 
     pub(super) fn discard_all_left(&mut self) {
-        while !self.file_state.left_behind.is_empty() {
+        while !self.file_state.orphaned.is_empty() {
             self.discard_left(0);
         }
     }
 
     fn close_recovery(&mut self) {
-        if self.file_state.left_behind.is_empty() && self.view.sheet == Some(Sheet::RECOVERY) {
+        if self.file_state.orphaned.is_empty() && self.view.sheet == Some(Sheet::RECOVERY) {
             self.view.sheet = None;
         }
     }

@@ -34,7 +34,7 @@ impl Workbench {
         details
             .extend(damaged.map(|says| say!("Preferences could not be read: {says}", says = says)));
         match keeper {
-            Ok(keeper) => self.file_state.keeper = Some(keeper),
+            Ok(keeper) => self.file_state.recovery_file = Some(keeper),
             Err(error) => details.push(say!(
                 "What is not saved cannot be kept against a crash: {home}: {error}",
                 home = home.display(),
@@ -53,7 +53,7 @@ impl Workbench {
 
     /// Leaves nothing behind: the window closes as it should.
     pub(crate) fn tidy(&mut self) {
-        if let Some(keeper) = self.file_state.keeper.take() {
+        if let Some(keeper) = self.file_state.recovery_file.take() {
             keeper.tidy();
         }
     }
@@ -67,7 +67,7 @@ impl Workbench {
 
     /// What windows that are gone have left behind.
     pub(crate) fn orphaned(&self) -> &[OrphanedRecovery] {
-        &self.file_state.left_behind
+        &self.file_state.orphaned
     }
 
     /// The file that the session stands in.
@@ -84,7 +84,11 @@ impl Workbench {
             Origin::Recovered(path) => path.as_ref(),
             Origin::Bundled | Origin::Simulated => None,
         };
-        let given = self.document().given.as_ref().map(|given| &given.path);
+        let given = self
+            .document()
+            .loaded_model
+            .as_ref()
+            .map(|given| &given.path);
         let beside = self.file().or(came_from.or(given).map(PathBuf::as_path))?;
         std::path::absolute(beside)
             .ok()?
@@ -130,17 +134,17 @@ impl Workbench {
 
     /// A session or a model was opened.
     pub(super) fn opened(&mut self) {
-        let subject = Arc::clone(self.loaded_session());
+        let loaded_session = Arc::clone(self.loaded_session());
         let mut opened = None;
-        match &subject.origin {
+        match &loaded_session.origin {
             Origin::File(path) => {
                 opened = Some(path.clone());
                 let place = Place {
                     path: path.clone(),
-                    files: subject.files.clone(),
-                    samples: subject.samples_file.clone(),
+                    files: loaded_session.files.clone(),
+                    samples: loaded_session.samples_file.clone(),
                 };
-                self.file_state.places.insert(subject.lineage, place);
+                self.file_state.places.insert(loaded_session.lineage, place);
                 let path = path.clone();
                 self.use_recent(Recent::Used(path));
                 self.remember_on_file(Arc::clone(self.history.present()));
@@ -203,7 +207,7 @@ impl Workbench {
 
     /// Keeps from which URDF the robot of a session is drawn that was saved here.
     pub(super) fn keep_meshes(&mut self, document: &Document, path: &Path) {
-        let Some(appearance) = document.subject.appearance.as_deref() else {
+        let Some(appearance) = document.loaded_session.appearance.as_deref() else {
             return;
         };
         let one = DrawnFrom::new(path, &appearance.chain);
@@ -302,10 +306,10 @@ impl Workbench {
                 let ours = place.is_some_and(|p| p.files.iter().any(|f| f.path == path));
                 let shown = self.view.on_disk.as_ref();
                 let same = shown.is_some_and(|shown| shown.path == path);
-                let worse = shown.is_none_or(|shown| shown.fate == FileChange::Changed);
+                let worse = shown.is_none_or(|shown| shown.change == FileChange::Changed);
                 match fate {
                     Some(fate) if ours && (same || worse) => {
-                        self.view.on_disk = Some(OnDisk { path, fate });
+                        self.view.on_disk = Some(OnDisk { path, change: fate });
                     }
                     None if same => self.view.on_disk = None,
                     _ => {}
@@ -349,9 +353,9 @@ impl Workbench {
     /// Everything that stood in a file and was about `from` is about `to` now.
     pub(super) fn grow_on_file(&mut self, from: &Arc<LoadedSession>, to: &Arc<LoadedSession>) {
         for document in &mut self.file_state.on_file {
-            if Arc::ptr_eq(&document.subject, from) {
+            if Arc::ptr_eq(&document.loaded_session, from) {
                 let mut grown = Document::clone(document);
-                grown.subject = Arc::clone(to);
+                grown.loaded_session = Arc::clone(to);
                 *document = Arc::new(grown);
             }
         }

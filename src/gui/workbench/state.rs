@@ -38,8 +38,8 @@ pub(super) struct Place {
 #[derive(Default)]
 pub(super) struct FileState {
     pub(super) home: Option<PathBuf>,
-    pub(super) keeper: Option<RecoveryFile>,
-    pub(super) left_behind: Vec<OrphanedRecovery>,
+    pub(super) recovery_file: Option<RecoveryFile>,
+    pub(super) orphaned: Vec<OrphanedRecovery>,
     /// Restored, and to be removed as soon as this window keeps it itself.
     pub(super) restored: Vec<OrphanedRecovery>,
     pub(super) recent: Vec<PathBuf>,

@@ -207,7 +207,7 @@ fn what_this_window_saved_is_not_taken_for_a_change_by_another_program() {
     workbench.look_at_disk();
     workbench.receive();
     let seen = workbench.view().on_disk.as_ref().expect("it is said");
-    assert_eq!(seen.fate, FileChange::Changed);
+    assert_eq!(seen.change, FileChange::Changed);
 }
 
 /// A tick for a file that holds another model's table would be wrong.
@@ -393,12 +393,12 @@ fn a_saved_session_is_drawn_from_the_meshes_of_its_urdf_as_long_as_that_describe
         let mut bench = fresh();
         bench.execute(Command::OpenFile(at("saved.json")));
         bench.receive();
-        let subject = bench.loaded_session();
-        assert_eq!(subject.session.name, "arm");
-        let mut said = subject.findings.iter();
+        let loaded_session = bench.loaded_session();
+        assert_eq!(loaded_session.session.name, "arm");
+        let mut said = loaded_session.findings.iter();
         let said = said.find(|f| f.to_string().contains("drawn from its axes"));
         let said = said.map(|f| (f.severity, f.to_string()));
-        (subject.appearance.is_some(), said)
+        (loaded_session.appearance.is_some(), said)
     };
     assert_eq!(opened(), (true, None));
     let urdf = std::fs::read_to_string(at("arm.urdf")).unwrap();

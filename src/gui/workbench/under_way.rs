@@ -196,13 +196,13 @@ fn of_two_sessions_the_one_asked_for_last_is_opened_whichever_takes_longer() {
 #[test]
 fn commands_while_something_runs_are_done_and_the_result_of_another_session_is_not_taken() {
     let mut bench = on_threads();
-    let subject = Arc::clone(bench.loaded_session());
+    let loaded_session = Arc::clone(bench.loaded_session());
     let (go, wait) = gate();
     let (adapted, came) = channel();
     let work = move |_: &Watch| {
         let _ = wait.recv();
         let _ = adapted.send(());
-        super::dividing::adapted(subject)
+        super::dividing::adapted(loaded_session)
     };
     let what = "looking where regions are needed";
     bench

@@ -11,9 +11,9 @@ pub(crate) type Line = (String, String);
 /// What matters most of a sample.
 pub(crate) fn brief(workbench: &Workbench, sample: usize) -> (String, Vec<Line>) {
     const MOST: usize = 3;
-    let subject = &**workbench.loaded_session();
+    let loaded_session = &**workbench.loaded_session();
     let (title, all) = about(workbench, sample);
-    let joints = subject.session.robot.joints.len();
+    let joints = loaded_session.session.robot.joints.len();
     let mut lines: Vec<Line> = Vec::new();
     if joints > MOST {
         let values = all.iter().take(joints).map(|(_, value)| value.as_str());
@@ -59,33 +59,33 @@ pub(crate) fn brief(workbench: &Workbench, sample: usize) -> (String, Vec<Line>)
 
 /// What is said about a sample.
 pub(crate) fn about(workbench: &Workbench, sample: usize) -> (String, Vec<Line>) {
-    let subject = &**workbench.loaded_session();
+    let loaded_session = &**workbench.loaded_session();
     let units = workbench.units();
     let title = say!("sample {sample}", sample = sample + 1);
     let mut lines = Vec::new();
-    let joints = &subject.session.robot.joints;
-    for (joint, q) in joints.iter().zip(&subject.session.samples.q) {
+    let joints = &loaded_session.session.robot.joints;
+    for (joint, q) in joints.iter().zip(&loaded_session.session.samples.q) {
         let value = match joint.kind {
             crate::kinematics::JointKind::Revolute => units.angle(q[sample]),
             crate::kinematics::JointKind::Prismatic => units.length(q[sample]),
         };
         lines.push((joint.name.clone(), value));
     }
-    let came = match subject.side(sample) {
+    let came = match loaded_session.side(sample) {
         s if s > 0.0 => say!("approach +"),
         s if s < 0.0 => say!("approach −"),
         _ => say!("not known"),
     };
     lines.push((say!("approached").to_owned(), came.to_owned()));
-    if !subject.usable[sample] {
+    if !loaded_session.usable[sample] {
         lines.push((
             say!("excluded").to_owned(),
             say!("a value is missing").to_owned(),
         ));
         return (title, lines);
     }
-    let before = subject.deviation_before(sample);
-    let length = |e: [f64; 3]| units.length(subject.component(e, sample, Component::Length));
+    let before = loaded_session.deviation_before(sample);
+    let length = |e: [f64; 3]| units.length(loaded_session.component(e, sample, Component::Length));
     let mut shown = before;
     match workbench.answer() {
         None => lines.push((say!("deviation").to_owned(), length(before))),
@@ -99,13 +99,13 @@ pub(crate) fn about(workbench: &Workbench, sample: usize) -> (String, Vec<Line>)
         lines.push((Colouring::Uncertainty.name().to_owned(), units.length(u)));
     }
     for component in [Component::Tangential, Component::Radial, Component::Axial] {
-        if component.out_of_plane() && subject.session.samples.z_mm.is_none() {
+        if component.out_of_plane() && loaded_session.session.samples.z_mm.is_none() {
             continue;
         }
-        let value = subject.component(shown, sample, component);
+        let value = loaded_session.component(shown, sample, component);
         lines.push((component.name().to_owned(), units.length(value)));
     }
-    let samples = &subject.session.samples;
+    let samples = &loaded_session.session.samples;
     let conditions = [
         (say!("load"), &samples.load_kg, "kg"),
         (say!("temperature"), &samples.temperature_c, "°C"),
@@ -123,7 +123,7 @@ pub(crate) fn about(workbench: &Workbench, sample: usize) -> (String, Vec<Line>)
         format!("{}°", trimmed(direction, 0)),
     ));
     if let Some(tolerance_mm) = workbench.document().tolerance_mm {
-        let within = subject.component(shown, sample, Component::Length) <= tolerance_mm;
+        let within = loaded_session.component(shown, sample, Component::Length) <= tolerance_mm;
         let says = if within {
             say!("within")
         } else {

@@ -34,7 +34,7 @@ pub(crate) fn show(
     commands: &mut Vec<Command>,
 ) {
     let document = workbench.document();
-    let within = document.subject.travel();
+    let within = document.loaded_session.travel();
     for (index, boundary) in boundaries::boundaries(&document.regions).iter().enumerate() {
         let [x, y] = dial.at(boundary.at_rad, HANDLE * dial.radius_mm);
         let centre = transform.position_from_point(&PlotPoint::new(x, y));
@@ -158,10 +158,10 @@ fn badge(
     handle: egui::Pos2,
     frame: Rect,
 ) {
-    let subject = workbench.loaded_session();
-    let few = subject.len() <= crate::gui::core::scale::FEW;
-    let totals = subject.region_totals_if_made();
-    let totals = totals.or_else(|| few.then(|| subject.region_totals()));
+    let loaded_session = workbench.loaded_session();
+    let few = loaded_session.len() <= crate::gui::core::scale::FEW;
+    let totals = loaded_session.region_totals_if_made();
+    let totals = totals.or_else(|| few.then(|| loaded_session.region_totals()));
     let palette = Palette::of(ui);
     let regions = &workbench.document().regions;
     let held = totals.map(|totals| totals.held(regions));

@@ -31,7 +31,7 @@ pub(crate) struct VisibleSample {
     /// Whether it is a suspected outlier.
     pub(crate) suspected: bool,
     /// What its colour says, from 0 to 1; `None`: before or after, or nothing is known.
-    pub(crate) says: Option<f32>,
+    pub(crate) shade: Option<f32>,
 }
 
 impl VisibleSample {
@@ -114,7 +114,7 @@ impl Shown {
 
     /// The same, drawn by this.
     pub(crate) fn on(workbench: &Workbench, canvas: Canvas) -> Self {
-        let subject = &**workbench.loaded_session();
+        let loaded_session = &**workbench.loaded_session();
         let view = workbench.view();
         let facing = workbench.facing();
         let answer = workbench.answer();
@@ -122,8 +122,8 @@ impl Shown {
         let shown = |sample: usize| shown(workbench, sample);
         let length = |e: [f64; 3]| (e[0] * e[0] + e[1] * e[1] + e[2] * e[2]).sqrt();
         let tolerance_mm = workbench.document().tolerance_mm;
-        let usable = &subject.overview.usable;
-        let cloud = Cloud::of(subject);
+        let usable = &loaded_session.overview.usable;
+        let cloud = Cloud::of(loaded_session);
         let spread = &cloud.samples;
         let shown_here: &[u32] = match (canvas, workbench.thinned()) {
             (Canvas::Layers(_), _) => &[],
@@ -135,40 +135,42 @@ impl Shown {
         let extent = (canvas != Canvas::Shapes && usable.len() > FEW).then(|| {
             let some = spread.iter().take(SOME);
             let some: Vec<_> = some
-                .map(|s| facing.flat(subject.measured(*s as usize)))
+                .map(|s| facing.flat(loaded_session.measured(*s as usize)))
                 .collect();
             Extent::of(&some)
         });
         let mut shown_here: Vec<usize> = shown_here.iter().map(|s| *s as usize).collect();
         if view.in_space() {
             // What is near covers what is far.
-            let nearness = |sample: usize| facing.nearness(subject.measured(sample));
+            let nearness = |sample: usize| facing.nearness(loaded_session.measured(sample));
             shown_here.sort_by(|a, b| nearness(*a).total_cmp(&nearness(*b)).then(a.cmp(b)));
         }
         let each = shown_here.into_iter().map(|sample| {
             let e = shown(sample);
             VisibleSample {
                 sample,
-                at_mm: subject.measured(sample),
+                at_mm: loaded_session.measured(sample),
                 vector_mm: e,
-                before_mm: look.ghosts().then(|| subject.deviation_before(sample)),
+                before_mm: look
+                    .ghosts()
+                    .then(|| loaded_session.deviation_before(sample)),
                 within: tolerance_mm.map(|t| length(e) <= t),
                 suspected: answer.is_some_and(|a| a.suspected[sample]),
-                says: describe(workbench, &look, sample, e),
+                shade: describe(workbench, &look, sample, e),
             }
         });
         Self {
             each: each.collect(),
-            paths_mm: paths(subject, &workbench.base()),
+            paths_mm: paths(loaded_session, &workbench.base()),
             sure: sure(workbench),
             over: over(workbench, &facing),
             dial: (!view.in_space())
-                .then(|| dial(subject, view.plane))
+                .then(|| dial(loaded_session, view.plane))
                 .flatten(),
             magnification: look.magnification,
-            reach_mm: subject.overview.reach_mm,
-            measured_mm: facing.flat_box(subject.overview.measured_mm),
-            robot_mm: facing.flat_box(subject.overview.robot_mm),
+            reach_mm: loaded_session.overview.reach_mm,
+            measured_mm: facing.flat_box(loaded_session.overview.measured_mm),
+            robot_mm: facing.flat_box(loaded_session.overview.robot_mm),
             look,
             samples: usable.len(),
             extent: extent.flatten(),
@@ -233,14 +235,14 @@ pub(crate) fn shown(workbench: &Workbench, sample: usize) -> [f64; 3] {
 /// that the robot fills.
 pub(crate) fn ball(workbench: &Workbench) -> Ball {
     const SOME: usize = 1_000;
-    let subject = workbench.loaded_session();
+    let loaded_session = workbench.loaded_session();
     let to_base = workbench.base().inverse();
-    let cloud = Cloud::of(subject);
+    let cloud = Cloud::of(loaded_session);
     let measured = cloud.samples.iter().take(SOME).map(|sample| {
-        let p = subject.measured(*sample as usize);
+        let p = loaded_session.measured(*sample as usize);
         (to_base * Point3::from(p)).into()
     });
-    let [low, high] = subject.overview.robot_mm;
+    let [low, high] = loaded_session.overview.robot_mm;
     let faces = (0..6).map(|face| {
         let mut p = [0, 1, 2].map(|k| 0.5 * (low[k] + high[k]));
         p[face / 2] = [low, high][face % 2][face / 2];
@@ -250,14 +252,14 @@ pub(crate) fn ball(workbench: &Workbench) -> Ball {
 }
 
 fn look(workbench: &Workbench) -> LayerOptions {
-    let (view, subject) = (workbench.view(), workbench.loaded_session());
+    let (view, loaded_session) = (workbench.view(), workbench.loaded_session());
     let answered = workbench.answer().is_some();
     let magnification = magnification(workbench);
     let colouring = offered(workbench, view.colouring);
     LayerOptions {
         facing: workbench.facing(),
         deep_mm: view.in_space().then(|| 2.0 * ball(workbench).radius_mm),
-        centre_mm: Cloud::of(subject).centre_mm,
+        centre_mm: Cloud::of(loaded_session).centre_mm,
         framed: view.in_space() && workbench.found_base().is_some(),
         blend: if answered { view.blend } else { 0.0 },
         answered,
@@ -266,7 +268,7 @@ fn look(workbench: &Workbench) -> LayerOptions {
         tolerance_mm: workbench.document().tolerance_mm,
         colouring,
         // Many points stand close together, and small ones apart. A colour needs room to be seen.
-        mark: match (subject.overview.usable.len(), colouring) {
+        mark: match (loaded_session.overview.usable.len(), colouring) {
             (0..=80, Colouring::State) => 1.0,
             (0..=80, _) => 1.5,
             (81..=5_000, Colouring::State) => 0.75,
@@ -319,7 +321,7 @@ fn offered(workbench: &Workbench, colouring: Colouring) -> Colouring {
     reason = "a part of a scale needs no more"
 )]
 fn describe(workbench: &Workbench, look: &LayerOptions, sample: usize, e: [f64; 3]) -> Option<f32> {
-    let subject = workbench.loaded_session();
+    let loaded_session = workbench.loaded_session();
     let part = match look.colouring {
         Colouring::State => return None,
         Colouring::Deviation => e.iter().map(|v| v * v).sum::<f64>().sqrt() / look.long_mm,
@@ -333,26 +335,26 @@ fn describe(workbench: &Workbench, look: &LayerOptions, sample: usize, e: [f64; 
         }
         Colouring::Load | Colouring::Temperature | Colouring::Time => {
             let condition = look.colouring.condition()?;
-            let samples = &subject.session.samples;
+            let samples = &loaded_session.session.samples;
             let columns = [&samples.load_kg, &samples.temperature_c, &samples.time_s];
-            let [low, high] = Cloud::of(subject).conditions[condition]?;
+            let [low, high] = Cloud::of(loaded_session).conditions[condition]?;
             (columns[condition].as_ref()?[sample] - low) / (high - low)
         }
     };
     part.is_finite().then_some(part as f32)
 }
 
-pub(crate) fn dial(subject: &LoadedSession, plane: Plane) -> Option<Dial> {
-    let joint = &subject.joint;
+pub(crate) fn dial(loaded_session: &LoadedSession, plane: Plane) -> Option<Dial> {
+    let joint = &loaded_session.joint;
     let facing = joint.along[plane.normal()].abs() > 0.999;
-    (subject.turns() && facing && joint.radius_mm > 0.0).then(|| {
+    (loaded_session.turns() && facing && joint.radius_mm > 0.0).then(|| {
         let [right, up] = plane.axes();
         let flat = |p: [f64; 3]| [p[right], p[up]];
         Dial {
             centre_mm: flat(joint.foot_mm),
             radial: flat(joint.radial),
             tangential: flat(joint.tangential),
-            radius_mm: subject.arm_mm,
+            radius_mm: loaded_session.arm_mm,
         }
     })
 }
@@ -379,13 +381,13 @@ fn over(workbench: &Workbench, facing: &Facing) -> Vec<([f64; 3], f32)> {
 }
 
 /// Points on the way of the nominal robot: an arc of each reflector for a single joint that turns.
-fn paths(subject: &LoadedSession, base: &Isometry3<f64>) -> Vec<Vec<[f64; 3]>> {
-    let values = subject.over_travel();
+fn paths(loaded_session: &LoadedSession, base: &Isometry3<f64>) -> Vec<Vec<[f64; 3]>> {
+    let values = loaded_session.over_travel();
     if values.is_empty() {
         return Vec::new();
     }
-    let robot = &subject.session.robot;
-    let arcs = subject.session.targets.iter().map(|target| {
+    let robot = &loaded_session.session.robot;
+    let arcs = loaded_session.session.targets.iter().map(|target| {
         let at = |q: &f64| (base * robot.point_in_base(&[*q], &target.position_mm)).into();
         values.iter().map(at).collect()
     });
@@ -425,16 +427,16 @@ mod tests {
     fn an_error_vector_runs_from_the_simulation_to_the_measurement() {
         let workbench = workbench();
         let shown = Shown::of(&workbench);
-        let subject = workbench.loaded_session();
+        let loaded_session = workbench.loaded_session();
         for one in &shown.each {
-            let measured = subject.measured(one.sample);
+            let measured = loaded_session.measured(one.sample);
             let from = one.simulated_mm(one.vector_mm);
             for k in 0..3 {
                 let tip = from[k] + one.vector_mm[k];
                 assert!((tip - measured[k]).abs() < 1e-9);
             }
         }
-        assert_eq!(shown.each.len(), subject.len());
+        assert_eq!(shown.each.len(), loaded_session.len());
     }
 
     #[test]
@@ -486,8 +488,8 @@ mod tests {
             ..crate::gui::core::simulate::Form::default()
         }));
         workbench.receive();
-        let subject = Arc::clone(workbench.loaded_session());
-        assert_eq!(subject.len(), 36_002);
+        let loaded_session = Arc::clone(workbench.loaded_session());
+        assert_eq!(loaded_session.len(), 36_002);
         let shown = Shown::of(&workbench);
         assert!(shown.each.len() <= MOST && shown.each.len() > MOST / 2);
         let says = format!(
@@ -495,8 +497,8 @@ mod tests {
             shown.each.len()
         );
         assert_eq!(shown.notes(), [says]);
-        let length = |sample: u32| subject.before.length_mm[sample as usize];
-        let largest = subject.overview.usable.iter().copied();
+        let length = |sample: u32| loaded_session.before.length_mm[sample as usize];
+        let largest = loaded_session.overview.usable.iter().copied();
         let largest = largest.max_by(|a, b| length(*a).total_cmp(&length(*b)));
         let drawn = |sample: u32| shown.each.iter().any(|a| a.sample == sample as usize);
         assert!(largest.is_some_and(drawn));

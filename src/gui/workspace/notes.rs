@@ -14,7 +14,7 @@ use super::model::Shown;
 pub(super) struct Notes {
     id: egui::Id,
     before: Vec<String>,
-    pub(super) said: Vec<String>,
+    pub(super) lines: Vec<String>,
 }
 
 impl Notes {
@@ -27,7 +27,11 @@ impl Notes {
             Vec::new()
         };
         said.extend_from_slice(&before);
-        Self { id, before, said }
+        Self {
+            id,
+            before,
+            lines: said,
+        }
     }
 
     pub(super) fn keep(self, ui: &Ui, shown: &Shown, transform: &PlotTransform) {

@@ -47,12 +47,12 @@ pub(super) fn show(
 
 /// Points on the vectors of some samples, so many that a crowd is seen.
 fn vector_points(workbench: &Workbench, all: &Shown, camera: &Camera) -> Vec<Pos2> {
-    let subject = workbench.loaded_session();
-    let cloud = Cloud::of(subject);
+    let loaded_session = workbench.loaded_session();
+    let cloud = Cloud::of(loaded_session);
     let samples = cloud.samples.iter().take(SOME);
     let points = samples.flat_map(|sample| {
         let sample = *sample as usize;
-        let (at, e) = (subject.measured(sample), shown(workbench, sample));
+        let (at, e) = (loaded_session.measured(sample), shown(workbench, sample));
         [0.0, 0.5, 1.0].map(|part| {
             let more = part * (all.magnification - 1.0);
             camera.at([0, 1, 2].map(|k| at[k] + more * e[k]))

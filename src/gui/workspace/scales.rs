@@ -238,7 +238,7 @@ mod tests {
         let most = workbench.uncertain().expect("it is known").most_mm;
         let [low, high] = scale.ends.expect("its ends");
         assert_eq!([low, high], ["0".to_owned(), significant(most, 2)]);
-        let parts: Vec<f32> = shown.each.iter().filter_map(|a| a.says).collect();
+        let parts: Vec<f32> = shown.each.iter().filter_map(|a| a.shade).collect();
         assert_eq!(parts.len(), shown.each.len());
         assert!(parts.iter().all(|p| (0.0..=1.0).contains(p)) && parts.contains(&1.0));
     }

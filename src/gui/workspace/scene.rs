@@ -163,7 +163,7 @@ fn points(scene: &mut Scene, shown: &Shown) {
     let mark = |one: &VisibleSample| {
         let at = one.at_mm;
         // Where nothing is known the mark is left open.
-        let said = one.says.map_or(ColourToken::Surface, |part| {
+        let said = one.shade.map_or(ColourToken::Surface, |part| {
             ColourToken::Scale(colouring, part)
         });
         let radius = if one.within.is_some() { 2.8 } else { 2.6 } * size;
@@ -213,7 +213,7 @@ fn vectors(scene: &mut Scene, shown: &Shown, camera: &Camera) {
         }
     }
     for one in all() {
-        let stroke = match one.says {
+        let stroke = match one.shade {
             Some(part) => {
                 let wedge = WEDGE[0] + part * (WEDGE[1] - WEDGE[0]);
                 let width = if colouring.by_width() { wedge } else { WIDTH };
@@ -229,13 +229,14 @@ fn vectors(scene: &mut Scene, shown: &Shown, camera: &Camera) {
 
 /// The samples that a finding is about, and the one under the pointer or else the chosen one.
 pub(super) fn emphasised(scene: &mut Scene, workbench: &Workbench, all: &Shown) {
-    let (view, subject) = (workbench.view(), workbench.loaded_session());
-    let measured = |sample: usize| subject.usable[sample].then(|| subject.measured(sample));
+    let (view, loaded_session) = (workbench.view(), workbench.loaded_session());
+    let measured =
+        |sample: usize| loaded_session.usable[sample].then(|| loaded_session.measured(sample));
     let ring = |scene: &mut Scene, at: [f64; 3]| {
         let edge = Stroke::new(2.5, ColourToken::Accent);
         scene.mark(Mark::ring(at, Form::Disc, 9.0, edge));
     };
-    for at in marked(view, subject.len()).filter_map(measured) {
+    for at in marked(view, loaded_session.len()).filter_map(measured) {
         ring(scene, at);
     }
     let Some(sample) = view.hovered.or(view.selected) else {

@@ -100,7 +100,14 @@ fn plane(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let hints = |side, name| axis(side, name, &palette, move |mm| units.length_value(mm));
     let editing = view.step == Step::Regions && !workbench.loaded_session().is_empty();
     let notes = Notes::recall(ui, &shown);
-    let scale = legend::show(ui, workbench, &shown, robot.as_ref(), &notes.said, &palette);
+    let scale = legend::show(
+        ui,
+        workbench,
+        &shown,
+        robot.as_ref(),
+        &notes.lines,
+        &palette,
+    );
     let plot = gestures::plot(("workspace", view.plane.name(), view.fitted.workspace))
         .data_aspect(1.0)
         .set_margin_fraction(egui::Vec2::splat(0.02))

@@ -20,7 +20,7 @@ pub(crate) type First<'a> = &'a mut dyn FnMut(&mut Ui, &mut Vec<Command>);
 const FIRST: f32 = 32.0;
 
 /// Something else that stands in the bar.
-pub(crate) type Beside = fn(&mut Ui, &Workbench, &mut Vec<Command>);
+pub(crate) type ExtraControls = fn(&mut Ui, &Workbench, &mut Vec<Command>);
 
 /// How much of the bar there is room for.
 #[derive(Clone, Copy, PartialEq)]
@@ -37,7 +37,7 @@ enum Fold {
 pub(crate) fn show(
     ui: &mut Ui,
     workbench: &Workbench,
-    beside: Option<Beside>,
+    extra: Option<ExtraControls>,
     first: First<'_>,
     commands: &mut Vec<Command>,
 ) {
@@ -59,10 +59,10 @@ pub(crate) fn show(
     } else {
         ROOMY
     };
-    let roomy = beside_first > least && beside.is_none();
+    let roomy = beside_first > least && extra.is_none();
     // A row of its own would take a sixth of a low plot: before that the slider stands without its words.
-    let bare = !roomy && beside_first > least - WORDS && beside.is_none();
-    if let Some(beside) = beside {
+    let bare = !roomy && beside_first > least - WORDS && extra.is_none();
+    if let Some(beside) = extra {
         widgets::row(ui, |ui| {
             beside(ui, workbench, commands);
             if blends {
@@ -80,7 +80,7 @@ pub(crate) fn show(
             blends,
             around && fold == Fold::Open && workbench.answer().is_some(),
         ) {
-            _ if beside.is_some() => f32::INFINITY,
+            _ if extra.is_some() => f32::INFINITY,
             (true, _) => WITH_BLEND,
             (_, true) => WITH_SWITCHES,
             _ => TITLED,
@@ -115,7 +115,7 @@ pub(crate) fn show(
             });
         }
     }
-    if blends && !roomy && !bare && beside.is_none() {
+    if blends && !roomy && !bare && extra.is_none() {
         ui.horizontal(|ui| {
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 blend(ui, workbench, commands);
@@ -371,9 +371,10 @@ fn scale_for(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let Some(after) = workbench.after() else {
         return;
     };
-    let subject = workbench.loaded_session();
+    let loaded_session = workbench.loaded_session();
     let room = workbench.view().plot_size;
-    let [before, left] = [subject.overview.readable, after.readable].map(|r| r.magnification(room));
+    let [before, left] =
+        [loaded_session.overview.readable, after.readable].map(|r| r.magnification(room));
     let now = magnification_of(workbench);
     let says = say!(
         "how long vectors are drawn and where the colours of lengths end: so that the deviations before can be read, or those that are left after"

@@ -20,7 +20,7 @@ const NOMINAL_LENGTH: &str = "nominal-length";
 
 pub(crate) static IMPORTER: Importer = Importer {
     id: "ballbar",
-    plainly: phrase!("a ballbar, a draw-wire or an interferometer: distances"),
+    title: phrase!("a ballbar, a draw-wire or an interferometer: distances"),
     asks: Questions::TABLE,
     options: &[
         OwnOption {
@@ -62,15 +62,15 @@ const DISTANCE: Words = "distance dist abstand distanz länge laenge length radi
 const DEVIATION: Words = "deviation abweichung extension";
 
 /// Reads the distances.
-fn read(case: &mut ReadContext<'_>) -> Option<Columns> {
-    let grid = case.grid()?;
+fn read(context: &mut ReadContext<'_>) -> Option<Columns> {
+    let grid = context.grid()?;
     let names = grid.header.as_ref().map_or(&[][..], |header| &header.1);
     let mut found: Vec<(Role, bool)> = names.iter().map(|name| role(name)).collect();
     found.resize(grid.width, (Role::Kept, false));
     let mut roles: Vec<Role> = found.iter().map(|(role, _)| *role).collect();
-    if let Some(given) = case.given_roles(&grid, Some(&roles)) {
+    if let Some(given) = context.given_roles(&grid, Some(&roles)) {
         roles = given;
-    } else if !case.reading.columns.is_empty() {
+    } else if !context.reading.columns.is_empty() {
         return None;
     }
     let is_distance = |role: &Role| role.quantity() == Some(Quantity::Distance);
@@ -85,12 +85,12 @@ fn read(case: &mut ReadContext<'_>) -> Option<Columns> {
                 )
             }
         };
-        case.ask(About::Columns, says, &[]);
+        context.ask(About::Columns, says, &[]);
         return None;
     };
     let is_deviation = found[at].1;
-    let length_mm = nominal_length(case, is_deviation)?;
-    let mut columns = case.columns(&grid, roles)?;
+    let length_mm = nominal_length(context, is_deviation)?;
+    let mut columns = context.columns(&grid, roles)?;
     if length_mm != 0.0
         && let Some(mut values) = columns.numbers(Quantity::Distance)
     {
@@ -98,7 +98,7 @@ fn read(case: &mut ReadContext<'_>) -> Option<Columns> {
             *value += length_mm;
         }
         columns.put(Column::made(Quantity::Distance, Unit::Length(1.0), values));
-        case.note(text!(
+        context.note(text!(
             "{length_mm} mm were added to every reading, as stated",
             length_mm = length_mm
         ));
@@ -107,8 +107,8 @@ fn read(case: &mut ReadContext<'_>) -> Option<Columns> {
 }
 
 /// The length to add to every reading, mm. `None`: it is asked, or wrong.
-fn nominal_length(case: &mut ReadContext<'_>, is_deviation: bool) -> Option<f64> {
-    match case.reading.options.get(NOMINAL_LENGTH) {
+fn nominal_length(context: &mut ReadContext<'_>, is_deviation: bool) -> Option<f64> {
+    match context.reading.options.get(NOMINAL_LENGTH) {
         Some(said) => {
             let value = said
                 .trim()
@@ -121,13 +121,13 @@ fn nominal_length(case: &mut ReadContext<'_>, is_deviation: bool) -> Option<f64>
                     nominal_length = NOMINAL_LENGTH,
                     said = quoted(said)
                 );
-                case.refuse(found, text!("a length in mm, such as 300.0015"));
+                context.refuse(found, text!("a length in mm, such as 300.0015"));
             }
             value
         }
         None if is_deviation => {
             let says = text!("the readings are deviations from a length that is not stated");
-            case.ask(About::Own(NOMINAL_LENGTH), says, &[]);
+            context.ask(About::Own(NOMINAL_LENGTH), says, &[]);
             None
         }
         None => Some(0.0),

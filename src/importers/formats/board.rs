@@ -31,7 +31,7 @@ const CAMERA: &str = "camera";
 
 pub(crate) static IMPORTER: Importer = Importer {
     id: "board",
-    plainly: phrase!("a camera that sees a calibration board: rvec and tvec of each image"),
+    title: phrase!("a camera that sees a calibration board: rvec and tvec of each image"),
     asks: Questions::TABLE,
     options: &[OwnOption {
         name: CAMERA,
@@ -60,8 +60,8 @@ enum BoardColumn {
 }
 
 /// Reads the poses.
-fn read(case: &mut ReadContext<'_>) -> Option<Columns> {
-    let grid = case.grid()?;
+fn read(context: &mut ReadContext<'_>) -> Option<Columns> {
+    let grid = context.grid()?;
     let names = grid.header.as_ref().map_or(&[][..], |header| &header.1);
     let mut parts: Vec<BoardColumn> = names.iter().map(|name| part(name)).collect();
     parts.resize(grid.width, BoardColumn::Other(Role::Kept));
@@ -81,7 +81,7 @@ fn read(case: &mut ReadContext<'_>) -> Option<Columns> {
         let found = text!(
             "no header with tvec_x, tvec_y, tvec_z and either rvec_x, rvec_y, rvec_z or qw, qx, qy, qz"
         );
-        case.refuse(
+        context.refuse(
             found,
             text!("image,rvec_x,rvec_y,rvec_z,tvec_x,tvec_y,tvec_z"),
         );
@@ -95,8 +95,8 @@ fn read(case: &mut ReadContext<'_>) -> Option<Columns> {
         }
         BoardColumn::Other(role) => *role,
     });
-    let columns = case.columns(&grid, roles.collect());
-    for (guess, part) in case.found.columns.iter_mut().zip(&parts) {
+    let columns = context.columns(&grid, roles.collect());
+    for (guess, part) in context.found.columns.iter_mut().zip(&parts) {
         if let BoardColumn::Turn(at) = part {
             guess.meaning = format!("rvec_{}", ["x", "y", "z"][*at]);
         }
@@ -104,15 +104,15 @@ fn read(case: &mut ReadContext<'_>) -> Option<Columns> {
             guess.known = Known::Certain;
         }
     }
-    let Some(camera) = case.reading.options.get(CAMERA).cloned() else {
+    let Some(camera) = context.reading.options.get(CAMERA).cloned() else {
         let says = text!(
             "the poses turn the board's coordinates into the camera's, and it is not stated which of the two moves"
         );
-        case.ask(About::Own(CAMERA), says, &["fixed", "on-tool"]);
+        context.ask(About::Own(CAMERA), says, &["fixed", "on-tool"]);
         return None;
     };
     let mut columns = columns?;
-    into_tool_poses(case, &mut columns, is_turned, camera == "on-tool")?;
+    into_tool_poses(context, &mut columns, is_turned, camera == "on-tool")?;
     Some(columns)
 }
 
@@ -153,7 +153,7 @@ fn part(heading: &str) -> BoardColumn {
 
 /// Makes poses of the tool of what was seen.
 fn into_tool_poses(
-    case: &mut ReadContext<'_>,
+    context: &mut ReadContext<'_>,
     columns: &mut Columns,
     is_turned: bool,
     is_on_tool: bool,
@@ -200,7 +200,7 @@ fn into_tool_poses(
             unseen = unseen,
             poses = poses.len()
         );
-        case.warn(found, Text::default());
+        context.warn(found, Text::default());
     }
     let mut put = |quantity, unit, of: &dyn Fn(&Isometry3<f64>) -> f64| {
         let values = poses.iter().map(|pose| pose.as_ref().map_or(f64::NAN, of));
@@ -221,12 +221,12 @@ fn into_tool_poses(
             of(pose.rotation.quaternion())
         });
     }
-    say_frame(case, columns, is_on_tool);
+    say_frame(context, columns, is_on_tool);
     Some(())
 }
 
 /// The frame is that of the camera or of the board: one that was not aligned with the base.
-fn say_frame(case: &mut ReadContext<'_>, columns: &mut Columns, is_on_tool: bool) {
+fn say_frame(context: &mut ReadContext<'_>, columns: &mut Columns, is_on_tool: bool) {
     let (note, frame) = if is_on_tool {
         (
             text!(
@@ -242,7 +242,7 @@ fn say_frame(case: &mut ReadContext<'_>, columns: &mut Columns, is_on_tool: bool
             "camera",
         )
     };
-    case.note(note);
+    context.note(note);
     if columns.find(Quantity::Setup).is_none() {
         let mut names = Names::default();
         for _ in 0..columns.rows() {

@@ -14,7 +14,7 @@ use crate::tables::decimals::shape;
 
 pub(crate) static IMPORTER: Importer = Importer {
     id: "csv",
-    plainly: phrase!("any program: a table with a header, or with columns chosen below"),
+    title: phrase!("any program: a table with a header, or with columns chosen below"),
     asks: Questions::TABLE,
     options: &[
         EULER_OPTION,
@@ -30,8 +30,8 @@ pub(crate) static IMPORTER: Importer = Importer {
 };
 
 /// Reads a table of measured points.
-fn read(case: &mut ReadContext<'_>) -> Option<Columns> {
-    let (grid, roles) = table(case, true)?;
+fn read(context: &mut ReadContext<'_>) -> Option<Columns> {
+    let (grid, roles) = table(context, true)?;
     let headings = match &grid.header {
         Some((_, names)) => {
             let names: Vec<String> = names.iter().map(|name| quoted(name)).collect();
@@ -39,27 +39,27 @@ fn read(case: &mut ReadContext<'_>) -> Option<Columns> {
         }
         None => String::new(),
     };
-    let complete = case.require_position(&roles, &headings);
-    let columns = case.columns(&grid, roles);
+    let complete = context.require_position(&roles, &headings);
+    let columns = context.columns(&grid, roles);
     columns.filter(|_| complete)
 }
 
 /// Reads a table in which no column is required: commands. Without a header, as many columns as the
 /// robot has joints are the joints in their order, a column of names before them.
-pub(crate) fn read_any(case: &mut ReadContext<'_>) -> Option<Columns> {
-    let (grid, roles) = table(case, false)?;
-    case.columns(&grid, roles)
+pub(crate) fn read_any(context: &mut ReadContext<'_>) -> Option<Columns> {
+    let (grid, roles) = table(context, false)?;
+    context.columns(&grid, roles)
 }
 
 /// Finds the table and what its columns are.
-fn table<'a>(case: &mut ReadContext<'a>, measured: bool) -> Option<(Grid<'a>, Vec<Role>)> {
-    let grid = case.grid()?;
-    let roles = match (case.given_roles(&grid, None), &grid.header) {
+fn table<'a>(context: &mut ReadContext<'a>, measured: bool) -> Option<(Grid<'a>, Vec<Role>)> {
+    let grid = context.grid()?;
+    let roles = match (context.given_roles(&grid, None), &grid.header) {
         (Some(roles), _) => roles,
-        (None, Some((_, names))) if !case.has_said_columns(&grid) => {
+        (None, Some((_, names))) if !context.has_said_columns(&grid) => {
             let mut roles: Vec<Role> = names
                 .iter()
-                .map(|name| understand(name, &case.reading.joints))
+                .map(|name| understand(name, &context.reading.joints))
                 .collect();
             // A column that a separator at the end of each line makes is no column.
             for (role, name) in roles.iter_mut().zip(names) {
@@ -70,24 +70,24 @@ fn table<'a>(case: &mut ReadContext<'a>, measured: bool) -> Option<(Grid<'a>, Ve
             roles.truncate(grid.width);
             if measured {
                 // While a kind is looked for, a table of distances is that of an instrument for them.
-                if case.found.kind.is_some() {
+                if context.found.kind.is_some() {
                     own_references(names, &mut roles);
                 }
                 let names = &names[..names.len().min(roles.len())];
                 if let Some(proposed) = families::proposed(names, &roles) {
-                    propose(case, names, &roles, &proposed);
+                    propose(context, names, &roles, &proposed);
                     roles = proposed;
                 }
             }
             roles
         }
-        (None, None) if !measured && case.reading.columns.is_empty() => {
-            headerless_commands(case, &grid)
+        (None, None) if !measured && context.reading.columns.is_empty() => {
+            headerless_commands(context, &grid)
         }
         (None, _) => {
-            if case.reading.columns.is_empty() {
+            if context.reading.columns.is_empty() {
                 let says = text!(one "{count} column and no header", "{count} columns and no header", count = grid.width);
-                case.ask(About::Columns, says, &[]);
+                context.ask(About::Columns, says, &[]);
             }
             vec![Role::Left; grid.width]
         }
@@ -116,7 +116,7 @@ fn own_references(names: &[String], roles: &mut [Role]) {
 }
 
 /// Asks whether what was proposed is right, unless that was said.
-fn propose(case: &mut ReadContext<'_>, names: &[String], roles: &[Role], proposed: &[Role]) {
+fn propose(context: &mut ReadContext<'_>, names: &[String], roles: &[Role], proposed: &[Role]) {
     let changed: Vec<String> = (names.iter().zip(proposed).zip(roles))
         .filter(|((_, proposed), role)| proposed != role)
         .map(|((name, proposed), _)| format!("{} as {proposed}", quoted(name)))
@@ -125,19 +125,19 @@ fn propose(case: &mut ReadContext<'_>, names: &[String], roles: &[Role], propose
         "columns that may be what was measured: {changed}",
         changed = changed.join(", ")
     );
-    if case.reading.confirmed {
-        case.note(text!("{says}; taken so, as was confirmed", says = says));
+    if context.reading.confirmed {
+        context.note(text!("{says}; taken so, as was confirmed", says = says));
         return;
     }
     let words: Vec<String> = proposed.iter().map(ToString::to_string).collect();
-    case.ask(About::Columns, says, &[&words.join(",")]);
+    context.ask(About::Columns, says, &[&words.join(",")]);
 }
 
 /// Commands without a header: the joints in their order.
-fn headerless_commands(case: &mut ReadContext<'_>, grid: &Grid<'_>) -> Vec<Role> {
-    let joints = case.reading.joints.len();
+fn headerless_commands(context: &mut ReadContext<'_>, grid: &Grid<'_>) -> Vec<Role> {
+    let joints = context.reading.joints.len();
     let is_text = |cells: &Vec<String>| cells.first().is_some_and(|cell| shape(cell).is_none());
-    let first = case.found.first_rows.first().is_some_and(is_text);
+    let first = context.found.first_rows.first().is_some_and(is_text);
     let joint = |joint| Role::Known(Quantity::Commanded(joint), None);
     let roles: Vec<Role> = match grid.width.checked_sub(joints) {
         Some(0) if joints > 0 && !first => (0..joints).map(joint).collect(),
@@ -150,12 +150,12 @@ fn headerless_commands(case: &mut ReadContext<'_>, grid: &Grid<'_>) -> Vec<Role>
                 width = grid.width,
                 joints = joints
             );
-            case.ask(About::Columns, says, &[]);
+            context.ask(About::Columns, says, &[]);
             return vec![Role::Left; grid.width];
         }
     };
     let words: Vec<String> = roles.iter().map(ToString::to_string).collect();
-    case.note(text!(
+    context.note(text!(
         "no header: the columns are taken as {words}",
         words = words.join(", ")
     ));

@@ -27,7 +27,7 @@ const MOST_HEADER_LINES: usize = 16;
 
 pub(crate) static IMPORTER: Importer = Importer {
     id: "optitrack",
-    plainly: phrase!("OptiTrack Motive"),
+    title: phrase!("OptiTrack Motive"),
     asks: Questions {
         table: false,
         columns: Meanings::Fixed,
@@ -59,21 +59,21 @@ fn is_likely(text: &str) -> bool {
 }
 
 /// Reads what was tracked.
-fn read(case: &mut ReadContext<'_>) -> Option<Columns> {
-    case.found.separator = Some(Separator::Comma);
-    case.found.decimal = Some(Decimal::Point);
-    let mut rows = TextRows::new(case.text, Dialect::foreign(Separator::Comma));
-    let keys = key_line(case, &mut rows)?;
-    let (tracked, frame_line) = header(case, &mut rows)?;
-    case.found.header_line = Some(frame_line);
-    let unit = unit(case, &keys);
-    let chosen = choose(case, &tracked);
-    case.found.first_rows = first_rows(&rows);
-    let with_orientation = rotation_is_quaternion(case, &keys);
+fn read(context: &mut ReadContext<'_>) -> Option<Columns> {
+    context.found.separator = Some(Separator::Comma);
+    context.found.decimal = Some(Decimal::Point);
+    let mut rows = TextRows::new(context.text, Dialect::of_instruments(Separator::Comma));
+    let keys = key_line(context, &mut rows)?;
+    let (tracked, frame_line) = header(context, &mut rows)?;
+    context.found.header_line = Some(frame_line);
+    let unit = unit(context, &keys);
+    let chosen = choose(context, &tracked);
+    context.found.first_rows = first_rows(&rows);
+    let with_orientation = rotation_is_quaternion(context, &keys);
     if value_of(&keys, "coordinate space")
         .is_some_and(|space| !space.eq_ignore_ascii_case("global"))
     {
-        case.warn(
+        context.warn(
             text!("coordinates that are not in the global space"),
             text!("an export in the coordinate space Global"),
         );
@@ -81,12 +81,12 @@ fn read(case: &mut ReadContext<'_>) -> Option<Columns> {
     let (Some(unit), Some(chosen)) = (unit, chosen) else {
         return None;
     };
-    let frames = frames(case, rows, &chosen, with_orientation);
-    if case.found.rows == 0 && !case.is_open() {
-        case.refuse(text!("no frame"), text!("at least one"));
+    let frames = frames(context, rows, &chosen, with_orientation);
+    if context.found.rows == 0 && !context.is_open() {
+        context.refuse(text!("no frame"), text!("at least one"));
     }
     let columns = frames.into_columns(&chosen, unit);
-    case.found.columns = columns
+    context.found.columns = columns
         .list
         .iter()
         .map(|column| ColumnGuess {
@@ -95,17 +95,17 @@ fn read(case: &mut ReadContext<'_>) -> Option<Columns> {
             known: Known::Certain,
         })
         .collect();
-    (!case.is_open()).then_some(columns)
+    (!context.is_open()).then_some(columns)
 }
 
-fn key_line(case: &mut ReadContext<'_>, rows: &mut TextRows<'_>) -> Option<Vec<(String, String)>> {
+fn key_line(context: &mut ReadContext<'_>, rows: &mut TextRows<'_>) -> Option<Vec<(String, String)>> {
     let mut row = TextRow::default();
     match rows.next(&mut row) {
         Ok(true) if is_likely(&row.cells[0]) => {}
         Ok(_) => {
-            let place = case.place.clone().at_line(row.line.max(1));
+            let place = context.place.clone().at_line(row.line.max(1));
             let found = row.cells.first().map_or("", |cell| cell.as_ref());
-            case.found.findings.push(Diagnostic::error(
+            context.found.findings.push(Diagnostic::error(
                 place,
                 Text::verbatim(quoted(found)),
                 text!("Format Version, with which the CSV files of Motive start (export with header information)"),
@@ -113,7 +113,7 @@ fn key_line(case: &mut ReadContext<'_>, rows: &mut TextRows<'_>) -> Option<Vec<(
             return None;
         }
         Err(quote) => {
-            case.found.findings.push(open_quote(&case.place, quote));
+            context.found.findings.push(open_quote(&context.place, quote));
             return None;
         }
     }
@@ -122,7 +122,7 @@ fn key_line(case: &mut ReadContext<'_>, rows: &mut TextRows<'_>) -> Option<Vec<(
         (pair[0].to_lowercase(), value.to_owned())
     });
     let pairs: Vec<(String, String)> = pairs.collect();
-    case.found.preamble = pairs
+    context.found.preamble = pairs
         .iter()
         .map(|(key, value)| format!("{key}: {value}"))
         .collect();
@@ -135,32 +135,32 @@ fn value_of<'k>(keys: &'k [(String, String)], key: &str) -> Option<&'k str> {
 }
 
 /// The unit of length, by the file or by the person.
-fn unit(case: &mut ReadContext<'_>, keys: &[(String, String)]) -> Option<Unit> {
+fn unit(context: &mut ReadContext<'_>, keys: &[(String, String)]) -> Option<Unit> {
     let named = value_of(keys, "length units");
     let by_file = named.and_then(units::word).and_then(|word| match word {
         Word::Unit(unit @ Unit::Length(_)) => Some(unit),
         _ => None,
     });
-    let given = case.reading.unit;
+    let given = context.reading.unit;
     match (by_file, given) {
         (Some(unit), given) => {
             let unit_named = named.unwrap_or_default();
-            case.found.unit = text!("{unit}, from the first line", unit = unit_named);
+            context.found.unit = text!("{unit}, from the first line", unit = unit_named);
             if given.is_some_and(|given| given.unit() != unit) {
                 let found = text!(
                     "the first line names another unit: {unit}",
-                    unit = &case.found.unit
+                    unit = &context.found.unit
                 );
-                case.warn(found, text!("the same unit as the file, which is used"));
+                context.warn(found, text!("the same unit as the file, which is used"));
             }
             Some(unit)
         }
         (None, Some(given)) => {
-            case.found.unit = text!("{unit}, as stated", unit = given.symbol());
+            context.found.unit = text!("{unit}, as stated", unit = given.symbol());
             Some(given.unit())
         }
         (None, None) => {
-            case.ask(
+            context.ask(
                 About::Unit,
                 text!("the first line has no Length Units"),
                 &["mm", "m", "in"],
@@ -170,7 +170,7 @@ fn unit(case: &mut ReadContext<'_>, keys: &[(String, String)]) -> Option<Unit> {
     }
 }
 
-fn rotation_is_quaternion(case: &mut ReadContext<'_>, keys: &[(String, String)]) -> bool {
+fn rotation_is_quaternion(context: &mut ReadContext<'_>, keys: &[(String, String)]) -> bool {
     let rotation = value_of(keys, "rotation type").unwrap_or("Quaternion");
     let is = rotation.eq_ignore_ascii_case("quaternion");
     if !is {
@@ -178,13 +178,13 @@ fn rotation_is_quaternion(case: &mut ReadContext<'_>, keys: &[(String, String)])
             "rotations as {rotation}: the orientation is excluded",
             rotation = quoted(rotation)
         );
-        case.warn(found, text!("an export with the rotation type Quaternion"));
+        context.warn(found, text!("an export with the rotation type Quaternion"));
     }
     is
 }
 
 /// The lines down to that of the frames: what is tracked, in the order of the columns.
-fn header(case: &mut ReadContext<'_>, rows: &mut TextRows<'_>) -> Option<(Vec<Tracked>, u64)> {
+fn header(context: &mut ReadContext<'_>, rows: &mut TextRows<'_>) -> Option<(Vec<Tracked>, u64)> {
     let mut lines: Vec<Vec<String>> = Vec::new();
     let mut row = TextRow::default();
     let frame_line = loop {
@@ -194,11 +194,11 @@ fn header(case: &mut ReadContext<'_>, rows: &mut TextRows<'_>) -> Option<(Vec<Tr
                 lines.push(row.owned());
             }
             Err(quote) => {
-                case.found.findings.push(open_quote(&case.place, quote));
+                context.found.findings.push(open_quote(&context.place, quote));
                 return None;
             }
             Ok(_) => {
-                case.refuse(
+                context.refuse(
                     text!("no line that starts with Frame"),
                     text!("Frame,Time (Seconds),X,Y,Z,…"),
                 );
@@ -208,7 +208,7 @@ fn header(case: &mut ReadContext<'_>, rows: &mut TextRows<'_>) -> Option<(Vec<Tr
     };
     let axes: Vec<String> = row.cells.iter().map(|cell| cell.to_lowercase()).collect();
     if axes.len() > 64 * MOST_COLUMNS {
-        case.refuse(text!("{axes} columns", axes = axes.len()), text!("fewer"));
+        context.refuse(text!("{axes} columns", axes = axes.len()), text!("fewer"));
         return None;
     }
     // Newer exports name the lines; in older ones they are type, name, ID in this order.
@@ -220,7 +220,7 @@ fn header(case: &mut ReadContext<'_>, rows: &mut TextRows<'_>) -> Option<(Vec<Tr
         })
     };
     let Some(what) = lines.len().checked_sub(1) else {
-        case.refuse(
+        context.refuse(
             text!("no lines above Frame"),
             text!("lines of types, names and IDs"),
         );
@@ -266,18 +266,18 @@ fn header(case: &mut ReadContext<'_>, rows: &mut TextRows<'_>) -> Option<(Vec<Tr
 }
 
 /// Takes what the person named, or the only rigid body, or the only marker.
-fn choose(case: &mut ReadContext<'_>, tracked: &[Tracked]) -> Option<Vec<Tracked>> {
+fn choose(context: &mut ReadContext<'_>, tracked: &[Tracked]) -> Option<Vec<Tracked>> {
     const SHOWN: usize = 100;
     let is_body = |thing: &&Tracked| thing.kind.eq_ignore_ascii_case("rigid body");
     let names: Vec<&str> = tracked.iter().map(|thing| thing.name.as_str()).collect();
-    case.found.names = names
+    context.found.names = names
         .iter()
         .take(SHOWN)
         .map(|&name| name.to_owned())
         .collect();
-    if !case.reading.names.is_empty() {
+    if !context.reading.names.is_empty() {
         let mut chosen = Vec::new();
-        for name in &case.reading.names {
+        for name in &context.reading.names {
             let mut called = tracked.iter().filter(|thing| thing.name == *name);
             // A body and its own marker may be called alike.
             let body = tracked
@@ -289,17 +289,17 @@ fn choose(case: &mut ReadContext<'_>, tracked: &[Tracked]) -> Option<Vec<Tracked
             } else {
                 let found = text!("nothing called {name}", name = quoted(name));
                 let expected = text!("one of {names}", names = listed(&names));
-                case.refuse(found, expected);
+                context.refuse(found, expected);
             }
         }
-        return (chosen.len() == case.reading.names.len()).then_some(chosen);
+        return (chosen.len() == context.reading.names.len()).then_some(chosen);
     }
     let bodies: Vec<&Tracked> = tracked.iter().filter(is_body).collect();
     match (&bodies[..], tracked) {
         ([body], _) => Some(vec![(*body).clone()]),
         ([], [only]) => Some(vec![only.clone()]),
         (_, []) => {
-            case.refuse(
+            context.refuse(
                 text!("no column of positions"),
                 text!("Position above X, Y and Z"),
             );
@@ -311,7 +311,7 @@ fn choose(case: &mut ReadContext<'_>, tracked: &[Tracked]) -> Option<Vec<Tracked
                 names = listed(&names)
             );
             let answers: Vec<&str> = names.iter().take(SHOWN).copied().collect();
-            case.ask(About::Name, says, &answers);
+            context.ask(About::Name, says, &answers);
             None
         }
     }
@@ -348,7 +348,7 @@ struct Frames {
 }
 
 fn frames(
-    case: &mut ReadContext<'_>,
+    context: &mut ReadContext<'_>,
     rows: TextRows<'_>,
     chosen: &[Tracked],
     with_orientation: bool,
@@ -362,8 +362,8 @@ fn frames(
     let mut complaints = Complaints::default();
     let mut occluded = vec![0usize; chosen.len()];
     let mut first_occluded = None;
-    let place = case.place.clone();
-    let mut rows = rows.in_pass_of(case.part);
+    let place = context.place.clone();
+    let mut rows = rows.in_pass_of(context.part);
     let mut row = TextRow::default();
     loop {
         match rows.next(&mut row) {
@@ -410,10 +410,10 @@ fn frames(
             }
         }
     }
-    case.found.rows = frames.frame.len();
+    context.found.rows = frames.frame.len();
     complaints.into(
-        &case.place.clone(),
-        &mut case.found.findings,
+        &context.place.clone(),
+        &mut context.found.findings,
         others_like_these,
     );
     for (thing, count) in chosen.iter().zip(occluded).filter(|(_, count)| *count > 0) {
@@ -424,7 +424,7 @@ fn frames(
             chosen = frames.frame.len() / chosen.len(),
             unwrap_or = first_occluded.unwrap_or(0)
         );
-        case.warn(found, Text::default());
+        context.warn(found, Text::default());
     }
     frames
 }

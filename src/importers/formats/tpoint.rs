@@ -36,7 +36,7 @@ const POINTING_AXIS: &str = "pointing-axis";
 
 pub(crate) static IMPORTER: Importer = Importer {
     id: "tpoint",
-    plainly: phrase!("a pointing run for TPOINT: where the mount was and where the star was"),
+    title: phrase!("a pointing run for TPOINT: where the mount was and where the star was"),
     asks: Questions {
         table: false,
         columns: Meanings::Fixed,
@@ -90,8 +90,8 @@ fn numbers(line: &str) -> Option<Vec<f64>> {
 }
 
 /// Reads the run.
-fn read(case: &mut ReadContext<'_>) -> Option<Columns> {
-    let text = case.text;
+fn read(context: &mut ReadContext<'_>) -> Option<Columns> {
+    let text = context.text;
     let mut lines = text
         .lines()
         .zip(1u64..)
@@ -103,29 +103,29 @@ fn read(case: &mut ReadContext<'_>) -> Option<Columns> {
     while let Some((line, _)) = lines.next_if(|(line, _)| numbers(line).is_none()) {
         options.extend(options_of(line));
     }
-    case.found.preamble = vec![caption.to_owned(), options.join(" ")];
+    context.found.preamble = vec![caption.to_owned(), options.join(" ")];
     if !options
         .iter()
         .any(|option| option == "ALTAZ" || option == "AZALT")
     {
-        case.refuse(
+        context.refuse(
             text!("a run with the options {options}", options = options.join(", ")),
             text!("an altazimuth run (: ALTAZ) in degrees; an equatorial one states catalogue places, which have to be reduced to \
              azimuth and elevation as seen first: import those with --as csv (q1_deg, q2_deg, azimuth_deg, elevation_deg)"),
         );
         return None;
     }
-    if !matches!(case.reading.joints.len(), 0 | 2) {
+    if !matches!(context.reading.joints.len(), 0 | 2) {
         let found = text!(
             "a pointing run for a robot of {joints} joints",
-            joints = case.reading.joints.len()
+            joints = context.reading.joints.len()
         );
-        case.refuse(found, text!("a mount of two joints: azimuth and elevation"));
+        context.refuse(found, text!("a mount of two joints: azimuth and elevation"));
         return None;
     }
     let latitude = lines.next();
     let Some(latitude) = latitude.and_then(|(line, _)| numbers(line)) else {
-        case.refuse(
+        context.refuse(
             text!("no line of run parameters"),
             text!("latitude in degrees, minutes and seconds behind the options"),
         );
@@ -146,30 +146,30 @@ fn read(case: &mut ReadContext<'_>) -> Option<Columns> {
                 rows.add(number, 1);
             }
             _ => complaints.add(|| {
-                let place = case.place.clone().at_line(number);
+                let place = context.place.clone().at_line(number);
                 Diagnostic::error(place, Text::verbatim(quoted(line)), text!("azimuth and elevation of the star, azimuth and elevation of the mount, in degrees, and perhaps the rotator"))
             }),
         }
     }
-    let place = case.place.clone();
-    complaints.into(&place, &mut case.found.findings, others_like_these);
-    case.found.rows = values[0].len();
-    if case.found.rows == 0 && !case.is_open() {
-        case.refuse(text!("no row that can be read"), text!("at least one star"));
+    let place = context.place.clone();
+    complaints.into(&place, &mut context.found.findings, others_like_these);
+    context.found.rows = values[0].len();
+    if context.found.rows == 0 && !context.is_open() {
+        context.refuse(text!("no row that can be read"), text!("at least one star"));
     }
     if let [degrees, rest @ ..] = &latitude[..] {
         let minutes = rest.first().copied().unwrap_or(0.0);
-        case.note(text!(
+        context.note(text!(
             "{caption}; latitude {degrees}° {minutes}′: it plays no part in an altazimuth run",
             caption = caption,
             degrees = degrees,
             minutes = minutes
         ));
     }
-    Some(columns(case, values, rows))
+    Some(columns(context, values, rows))
 }
 
-fn columns(case: &mut ReadContext<'_>, values: [Vec<f64>; 5], lines: Lines) -> Columns {
+fn columns(context: &mut ReadContext<'_>, values: [Vec<f64>; 5], lines: Lines) -> Columns {
     let degree = Unit::Angle(1.0_f64.to_radians());
     let [azimuth, elevation, mount_azimuth, mount_elevation, rotator] = values;
     let mut list = vec![
@@ -196,7 +196,7 @@ fn columns(case: &mut ReadContext<'_>, values: [Vec<f64>; 5], lines: Lines) -> C
     for (column, number) in list.iter_mut().zip(1..) {
         column.number = number;
     }
-    case.found.columns = list
+    context.found.columns = list
         .iter()
         .map(|column| ColumnGuess {
             heading: String::new(),
@@ -204,7 +204,7 @@ fn columns(case: &mut ReadContext<'_>, values: [Vec<f64>; 5], lines: Lines) -> C
             known: Known::Certain,
         })
         .collect();
-    let axis = match case.reading.options.get(POINTING_AXIS).map(String::as_str) {
+    let axis = match context.reading.options.get(POINTING_AXIS).map(String::as_str) {
         Some("y") => Vector3::y_axis(),
         Some("z") => Vector3::z_axis(),
         _ => Vector3::x_axis(),

@@ -15,7 +15,7 @@ use crate::tables::{Complaints, Grid};
 
 pub(crate) static IMPORTER: Importer = Importer {
     id: "tracker",
-    plainly: phrase!("a laser tracker or SpatialAnalyzer: names, x, y, z"),
+    title: phrase!("a laser tracker or SpatialAnalyzer: names, x, y, z"),
     asks: Questions::TABLE,
     options: &[EULER_OPTION],
     known_by: KnownBy::Reading {
@@ -35,36 +35,36 @@ enum Kind {
 }
 
 /// Reads measured points.
-pub(crate) fn read(case: &mut ReadContext<'_>) -> Option<Columns> {
-    let grid = case.grid()?;
+pub(crate) fn read(context: &mut ReadContext<'_>) -> Option<Columns> {
+    let grid = context.grid()?;
     // Some programs can be told to write a header: then it says.
-    let found = roles_by_header(&grid, case).or_else(|| {
-        let names = names_before(&kinds(&grid, case))?;
+    let found = roles_by_header(&grid, context).or_else(|| {
+        let names = names_before(&kinds(&grid, context))?;
         Some(roles(names, grid.width))
     });
-    let roles = match (case.given_roles(&grid, found.as_deref()), found) {
+    let roles = match (context.given_roles(&grid, found.as_deref()), found) {
         (Some(given), _) => given,
-        (None, _) if case.has_said_columns(&grid) => return None,
+        (None, _) if context.has_said_columns(&grid) => return None,
         (None, Some(found)) => found,
         (None, None) => {
             let says = text!(
                 "{width} columns, of which it is not certain where x, y and z begin",
                 width = grid.width
             );
-            case.ask(About::Columns, says, &[]);
+            context.ask(About::Columns, says, &[]);
             vec![Role::Left; grid.width]
         }
     };
-    case.require_position(&roles, "");
-    case.columns(&grid, roles)
+    context.require_position(&roles, "");
+    context.columns(&grid, roles)
 }
 
 /// What a header says, if it says where x and y are.
-fn roles_by_header(grid: &Grid<'_>, case: &ReadContext<'_>) -> Option<Vec<Role>> {
+fn roles_by_header(grid: &Grid<'_>, context: &ReadContext<'_>) -> Option<Vec<Role>> {
     let (_, names) = grid.header.as_ref()?;
     let mut roles: Vec<Role> = names
         .iter()
-        .map(|name| understand(name, &case.reading.joints))
+        .map(|name| understand(name, &context.reading.joints))
         .collect();
     roles.truncate(grid.width);
     let has = |wanted| roles.iter().any(|role| role.quantity() == Some(wanted));
@@ -72,11 +72,11 @@ fn roles_by_header(grid: &Grid<'_>, case: &ReadContext<'_>) -> Option<Vec<Role>>
 }
 
 /// What the columns are over the whole file.
-fn kinds(grid: &Grid<'_>, case: &ReadContext<'_>) -> Vec<Kind> {
+fn kinds(grid: &Grid<'_>, context: &ReadContext<'_>) -> Vec<Kind> {
     let mut kinds = vec![Kind::Empty; grid.width];
     // What is wrong with rows is said when they are read.
     let mut ignored = Complaints::default();
-    grid.each_row(&case.place, &mut ignored, |row, _| {
+    grid.each_row(&context.place, &mut ignored, |row, _| {
         for (kind, cell) in kinds.iter_mut().zip(&row.cells) {
             if *kind == Kind::Text || cell.is_empty() {
                 continue;

@@ -14,7 +14,7 @@ const NAMES: [&str; 8] = ["timestamp", "tx", "ty", "tz", "qx", "qy", "qz", "qw"]
 
 pub(crate) static IMPORTER: Importer = Importer {
     id: "tum",
-    plainly: phrase!("a TUM trajectory: time, position, quaternion"),
+    title: phrase!("a TUM trajectory: time, position, quaternion"),
     asks: Questions {
         columns: Meanings::Fixed,
         ..Questions::TABLE
@@ -31,20 +31,20 @@ fn suits(trial: &Trial) -> bool {
 }
 
 /// Reads a trajectory.
-fn read(case: &mut ReadContext<'_>) -> Option<Columns> {
-    let grid = case.grid()?;
+fn read(context: &mut ReadContext<'_>) -> Option<Columns> {
+    let grid = context.grid()?;
     if grid.width != 8 {
         let found = text!(one "{count} column", "{count} columns", count = grid.width);
-        case.refuse(found, text!("8: timestamp tx ty tz qx qy qz qw"));
+        context.refuse(found, text!("8: timestamp tx ty tz qx qy qz qw"));
         return None;
     }
-    let unit = case.reading.unit.unwrap_or(LengthUnit::Metres);
+    let unit = context.reading.unit.unwrap_or(LengthUnit::Metres);
     if unit != LengthUnit::Metres {
         let found = text!(
             "lengths are taken in {symbol}, as stated",
             symbol = unit.symbol()
         );
-        case.warn(found, text!("m, which the format has"));
+        context.warn(found, text!("m, which the format has"));
     }
     let position = |quantity| fixed(quantity, unit.unit());
     let part = |part| fixed(Quantity::Orientation(part), Unit::Fixed);
@@ -58,10 +58,10 @@ fn read(case: &mut ReadContext<'_>) -> Option<Columns> {
         part(3),
         part(0),
     ];
-    let columns = case.columns(&grid, roles);
-    for column in &mut case.found.columns {
+    let columns = context.columns(&grid, roles);
+    for column in &mut context.found.columns {
         column.known = Known::Certain;
     }
-    case.found.unit = text!("{unit}, as the format has it", unit = unit.symbol());
+    context.found.unit = text!("{unit}, as the format has it", unit = unit.symbol());
     columns
 }

@@ -23,7 +23,7 @@ use tree::Node;
 pub(crate) struct Listed {
     pub(crate) text: String,
     /// What was made of it, for a note.
-    pub(crate) says: Text,
+    pub(crate) note: Text,
 }
 
 /// One row: where it begins, what it is called, its headings if it brings them, its cells.
@@ -39,7 +39,7 @@ struct Row {
 pub(crate) fn as_rows<'a>(text: Cow<'a, str>, says: &mut Option<Text>) -> Cow<'a, str> {
     match read(&text) {
         Some(listed) => {
-            *says = Some(listed.says);
+            *says = Some(listed.note);
             Cow::Owned(listed.text)
         }
         None => text,
@@ -367,7 +367,7 @@ fn written(rows: &[Row]) -> Listed {
         .map_or(0, |row| row.cells.len() + usize::from(named));
     Listed {
         text,
-        says: text!(
+        note: text!(
             "lists, read as a table of {rows} rows and {columns} columns",
             rows = rows.len(),
             columns = width

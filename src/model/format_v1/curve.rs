@@ -13,7 +13,7 @@ use crate::document::{Fields, Member, Node, Path, Value, optional};
 use crate::effects::curve::{Curve, CurveError, Knots};
 use crate::effects::{Parameter, SMOOTH, Term};
 use crate::kinematics::JointKind;
-use crate::sessions::files::format_v1::robot::outer;
+use crate::sessions::files::format_v1::robot::to_display;
 use crate::units::rad_from_deg;
 
 /// Keys of the values and of their standard deviations, by direction.
@@ -121,7 +121,7 @@ pub(super) fn parameters(curve: &Curve, kind: JointKind) -> Vec<Parameter> {
     there
         .map(|(name, value)| Parameter {
             name,
-            value: outer(kind, value),
+            value: to_display(kind, value),
         })
         .collect()
 }

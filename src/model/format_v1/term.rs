@@ -96,7 +96,7 @@ pub(crate) fn term(at: &mut Cursor<'_, '_>, robot: &Robot) -> Option<Term> {
 fn of_another_kind<'n>(
     term: &Term,
     robot: &Robot,
-    given: &[(&'n str, f64)],
+    parameters: &[(&'n str, f64)],
 ) -> Option<(&'n str, Text)> {
     let kind = robot.joints.get(term.joint)?.kind;
     let (other, says) = match kind {
@@ -106,7 +106,7 @@ fn of_another_kind<'n>(
     let own = names_on(term.effect, kind);
     let others = names_on(term.effect, other);
     let is_others = |name: &str| others.contains(&name) && !own.contains(&name);
-    let (name, _) = given.iter().find(|(name, _)| is_others(name))?;
+    let (name, _) = parameters.iter().find(|(name, _)| is_others(name))?;
     let expected = text!(
         "{parameters}: joint {joint} {turns}",
         parameters = own.join(", "),

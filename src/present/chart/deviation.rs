@@ -99,7 +99,7 @@ impl Deviation<'_> {
                 form: Form::of_side(*side),
             };
             let marks = one.samples.iter().map(mark).collect();
-            items.push(Item::Marks(marks, one.entry.stands, one.entry.filled));
+            items.push(Item::Marks(marks, one.entry.role, one.entry.filled));
         }
         Chart {
             title,

@@ -6,9 +6,9 @@
 //! - [`gap`](fn@gap): the RMS error step by step.
 
 mod deviation;
+mod drawing;
 mod gap;
 pub(crate) mod panel;
-mod paper;
 mod spec;
 mod ticks;
 

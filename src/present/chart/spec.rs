@@ -124,7 +124,7 @@ pub struct Entry {
     /// What stands before it.
     pub sign: LegendSymbol,
     /// What it stands for.
-    pub stands: ColourRole,
+    pub role: ColourRole,
     /// Filled or whole; else outlined or dashed.
     pub filled: bool,
     /// Whether the reader may leave it out.
@@ -136,7 +136,7 @@ impl Entry {
     pub fn new(
         name: impl Into<String>,
         sign: LegendSymbol,
-        stands: ColourRole,
+        role: ColourRole,
         filled: bool,
     ) -> Self {
         let name = name.into();
@@ -144,7 +144,7 @@ impl Entry {
             on_paper: name.clone(),
             name,
             sign,
-            stands,
+            role,
             filled,
             may_go: false,
         }

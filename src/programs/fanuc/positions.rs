@@ -130,13 +130,16 @@ impl Positions<'_, '_, '_> {
                 .program
                 .notes
                 .iter()
-                .any(|n| n.says.to_string().contains("of group"))
+                .any(|n| n.text.to_string().contains("of group"))
             {
                 let says = text!(
                     "positions of group {number} are left as they are",
                     number = number
                 );
-                self.program.notes.push(Remark { at: begins, says });
+                self.program.notes.push(Remark {
+                    at: begins,
+                    text: says,
+                });
             }
         }
         Ok((target, k))
@@ -231,7 +234,7 @@ impl Positions<'_, '_, '_> {
     ) -> Result<Option<Target>, Problem> {
         if group.values.values().any(|v| matches!(v, Value::Nothing)) {
             let says = text!("{name} was never taught", name = name);
-            self.program.at_run_time.push(Remark { at, says });
+            self.program.at_run_time.push(Remark { at, text: says });
             return Ok(None);
         }
         let number = |key: &str, unit: &str| match group.values.get(key) {

@@ -138,7 +138,10 @@ impl Flow<'_> {
             }
             self.y = top + 11.0 * most as f64;
             self.line_of(&figure.value, 13.0, 18.0, true, INK, x);
-            for line in self.fonts.wrapped(&figure.beside, 7.2, false, width - 14.0) {
+            for line in self
+                .fonts
+                .wrapped(&figure.reference, 7.2, false, width - 14.0)
+            {
                 self.line_of(&line, 7.2, 9.6, false, MUTED, x);
             }
             lowest = lowest.max(self.y);

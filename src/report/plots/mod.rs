@@ -59,7 +59,7 @@ pub fn deviation(stages: &Stages) -> Drawing {
             floor_mm: stages.floor_mm,
             boundaries: Vec::new(),
             series: vec![Series {
-                entry: Entry::new(say!("measured"), sign, stage.stands, true),
+                entry: Entry::new(say!("measured"), sign, stage.role, true),
                 samples: kept.into_iter().map(sample).collect(),
             }],
         };

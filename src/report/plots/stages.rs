@@ -10,7 +10,7 @@ pub struct Stage {
     /// What the stage is called.
     pub name: String,
     /// What it stands for, which decides its colour.
-    pub stands: ColourRole,
+    pub role: ColourRole,
     /// Measured − where it should be, mm; NaN where a sample cannot be used.
     pub deviations: Deviations,
 }

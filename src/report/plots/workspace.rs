@@ -147,7 +147,7 @@ fn lines(
     }
     drawing
         .items
-        .push(Item::Lines(ends, Stroke::new(0.8, stage.stands.on_paper())));
+        .push(Item::Lines(ends, Stroke::new(0.8, stage.role.on_paper())));
     drawing.items.push(Item::Marks {
         shape: Shape::Square,
         at: starts,

@@ -145,7 +145,7 @@ fn read_robot(path: Option<&Path>, bytes: &[u8]) -> Result<LoadedRobot, Rejected
 fn read_session(
     path: Option<&Path>,
     bytes: &[u8],
-    beside: CompanionFile<'_>,
+    companion: CompanionFile<'_>,
     part: ProgressSpan<'_>,
 ) -> Result<Loaded, ReadError> {
     let place = path.map(Place::file).unwrap_or_default();
@@ -182,7 +182,7 @@ fn read_session(
             samples_file(
                 &name,
                 &place,
-                beside,
+                companion,
                 &TableRequest {
                     joints: joints.as_deref(),
                     declared: Declared {

@@ -30,7 +30,9 @@ pub(super) fn conditions(at: &mut Cursor<'_, '_>, robot: &Robot) -> Option<Circu
     let good = at.fill(&mut circumstances, |o, own| {
         o.usual("speed_deg_s", &mut own.speeds, &VALUES);
         o.usual("speed_mm_s", &mut own.speeds, &VALUES);
-        own.speeds.iter_mut().for_each(|v| *v = kind.inner(*v));
+        own.speeds
+            .iter_mut()
+            .for_each(|v| *v = kind.from_display(*v));
         o.usual("load_kg", &mut own.loads_kg, &VALUES);
         o.optional("temperature_c", &mut own.temperature, &TEMPERATURE);
         let key = "joint_temperatures_c";

@@ -90,7 +90,7 @@ fn sweep(fields: &mut Fields<'_>, node: &Node, path: &Path<'_>, robot: &Robot) -
             let slides = kind == JointKind::Prismatic;
             let key = if slides && o.is_given(mm) { mm } else { deg };
             o.required(key, value, &NUMBER);
-            *value = kind.inner(*value);
+            *value = kind.from_display(*value);
         }
         o.usual("both_ways", &mut own.both_ways, &FLAG);
         o.usual("repeats", &mut repeats, &WHOLE);
@@ -171,7 +171,10 @@ fn stop(fields: &mut Fields<'_>, node: &Node, path: &Path<'_>, robot: &Robot) ->
     }
     let kinds = robot.joints.iter().map(|j| j.kind);
     Some(Stop {
-        q: kinds.zip(q?).map(|(kind, q)| kind.inner(q)).collect(),
+        q: kinds
+            .zip(q?)
+            .map(|(kind, q)| kind.from_display(q))
+            .collect(),
         dir: dir.map(|(_, dir)| dir),
     })
 }

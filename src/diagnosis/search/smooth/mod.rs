@@ -123,7 +123,7 @@ fn correct(prepared: &PreparedSearch, shapes: &[Shape], model: &Model) -> Result
         term,
         held_out_mm,
         how,
-        says,
+        description: says,
     })
 }
 

@@ -82,7 +82,7 @@ fn models(diagnosis: &Diagnosis, index: usize) -> Option<(Term, Model, Model)> {
 }
 
 /// What an effect's curve stands over: what it depends on.
-pub(crate) fn over(term: &Term, subject: &LoadedSession) -> Over {
+pub(crate) fn over(term: &Term, loaded_session: &LoadedSession) -> Over {
     let variable = match term.effect.about().over {
         Follows::Load => Variable::Load,
         Follows::Temperature => Variable::Temperature,
@@ -93,7 +93,7 @@ pub(crate) fn over(term: &Term, subject: &LoadedSession) -> Over {
     };
     let joint = term.joint;
     let over = |variable| Over { variable, joint };
-    let column = over(variable).column(subject);
+    let column = over(variable).column(loaded_session);
     let first = column.and_then(|c| c.iter().copied().find(|v| v.is_finite()));
     let changes = |c: &[f64]| c.iter().any(|v| v.is_finite() && Some(*v) != first);
     let varies = column.is_some_and(changes) || variable == Variable::Travel;
@@ -108,24 +108,24 @@ fn has_sides(term: &Term) -> bool {
 
 /// The component that an effect has most of.
 pub(crate) fn strongest(
-    subject: &LoadedSession,
+    loaded_session: &LoadedSession,
     diagnosis: &Diagnosis,
     index: usize,
 ) -> Option<Component> {
     let (_, with, without) = models(diagnosis, index)?;
-    let usable = &subject.overview.usable;
+    let usable = &loaded_session.overview.usable;
     let some = usable.iter().step_by(stride(usable.len(), SOME));
     let some: Vec<usize> = some.map(|s| *s as usize).collect();
-    let inputs = Inputs::new(&subject.session, JointValues::Commanded).select(&some);
+    let inputs = Inputs::new(&loaded_session.session, JointValues::Commanded).select(&some);
     let (with, without) = (with.predict(&inputs), without.predict(&inputs));
-    let planar = subject.session.samples.z_mm.is_none();
+    let planar = loaded_session.session.samples.z_mm.is_none();
     let offered = Component::ALL
         .into_iter()
         .filter(|c| *c != Component::Length && !(planar && c.out_of_plane()));
     let size = |component: &Component| -> f64 {
         let square = |(k, sample): (usize, &usize)| {
             let e = minus(with.get(k), without.get(k));
-            subject.component(e, *sample, *component).powi(2)
+            loaded_session.component(e, *sample, *component).powi(2)
         };
         some.iter().enumerate().map(square).sum()
     };
@@ -139,23 +139,23 @@ pub(crate) fn strongest(
 impl EffectCurve {
     /// The curve of a found effect, in one component.
     pub(super) fn of(
-        subject: &LoadedSession,
+        loaded_session: &LoadedSession,
         search: &Search,
         index: usize,
         component: Component,
     ) -> Option<Self> {
         let diagnosis = search.answer.as_ref().ok()?;
         let (term, with, without) = models(diagnosis, index)?;
-        let inputs = Inputs::new(&subject.session, JointValues::Commanded);
+        let inputs = Inputs::new(&loaded_session.session, JointValues::Commanded);
         let (p_with, p_without) = (with.predict(&inputs), without.predict(&inputs));
-        let over = over(&term, subject);
-        let planar = subject.session.samples.z_mm.is_none();
+        let over = over(&term, loaded_session);
+        let planar = loaded_session.session.samples.z_mm.is_none();
         let at = |sample: usize| match over.variable {
             Variable::Travel => {
                 let travel = inputs.travel[over.joint].as_ref();
                 travel.map_or(f64::NAN, |travel| travel[sample])
             }
-            _ => over.of(subject, sample),
+            _ => over.of(loaded_session, sample),
         };
         let flat = |mut e: [f64; 3]| {
             if planar {
@@ -165,17 +165,17 @@ impl EffectCurve {
         };
         let spot = |sample: &u32| {
             let sample = *sample as usize;
-            let e = flat(minus(subject.measured(sample), p_without.get(sample)));
+            let e = flat(minus(loaded_session.measured(sample), p_without.get(sample)));
             let d = flat(minus(p_with.get(sample), p_without.get(sample)));
             EffectSample {
                 sample,
                 x: at(sample),
-                residual_mm: subject.component(e, sample, component),
-                effect_mm: subject.component(d, sample, component),
-                side: over.side(subject, sample),
+                residual_mm: loaded_session.component(e, sample, component),
+                effect_mm: loaded_session.component(d, sample, component),
+                side: over.side(loaded_session, sample),
             }
         };
-        let mut spots: Vec<EffectSample> = subject.overview.usable.iter().map(spot).collect();
+        let mut spots: Vec<EffectSample> = loaded_session.overview.usable.iter().map(spot).collect();
         spots.retain(|s| s.x.is_finite() && s.residual_mm.is_finite());
         spots.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.sample.cmp(&b.sample)));
         let sides: &[f64] = if has_sides(&term) && over.variable != Variable::Speed {
@@ -187,9 +187,9 @@ impl EffectCurve {
         let line = |side: &f64| {
             let [from, to] = ends?;
             let inputs = between(&inputs, &spots, over, *side, [from, to])?;
-            let nominal = Model::nominal(subject.session.robot.clone()).predict(&inputs);
+            let nominal = Model::nominal(loaded_session.session.robot.clone()).predict(&inputs);
             let (a, b) = (with.predict(&inputs), without.predict(&inputs));
-            let points = points(subject, component, [&a, &b, &nominal], planar, [from, to]);
+            let points = points(loaded_session, component, [&a, &b, &nominal], planar, [from, to]);
             Some(Line {
                 side: *side,
                 points,
@@ -207,7 +207,7 @@ impl EffectCurve {
             let squares = spots.iter().map(|s| left(s).powi(2)).sum::<f64>();
             (squares / spots.len().max(1) as f64).sqrt()
         };
-        let mut places = vec![None; subject.len()];
+        let mut places = vec![None; loaded_session.len()];
         for (place, spot) in (0_u32..).zip(&spots) {
             places[spot.sample] = Some(place);
         }
@@ -278,7 +278,7 @@ fn between(
 }
 
 fn points(
-    subject: &LoadedSession,
+    loaded_session: &LoadedSession,
     component: Component,
     [with, without, nominal]: [&Positions; 3],
     planar: bool,
@@ -289,7 +289,7 @@ fn points(
         if planar {
             d[2] = 0.0;
         }
-        [x, subject.component_at(d, nominal.get(k), component)]
+        [x, loaded_session.component_at(d, nominal.get(k), component)]
     };
     places(ends).enumerate().map(point).collect()
 }
@@ -346,30 +346,30 @@ mod tests {
     #[test]
     fn the_curve_is_the_difference_of_the_two_models_and_runs_through_the_residual() {
         let (workbench, search) = searched();
-        let subject = Arc::clone(workbench.loaded_session());
+        let loaded_session = Arc::clone(workbench.loaded_session());
         let diagnosis = search.answer.as_ref().expect("it can be searched");
         let index = diagnosis.found.iter().position(|f| f.effect == "backlash");
         let index = index.expect("the backlash is found");
-        let component = strongest(&subject, diagnosis, index).expect("it has one");
+        let component = strongest(&loaded_session, diagnosis, index).expect("it has one");
         assert_eq!(component, Component::Tangential);
-        let curve = EffectCurve::of(&subject, &search, index, component).expect("it has a curve");
+        let curve = EffectCurve::of(&loaded_session, &search, index, component).expect("it has a curve");
         assert_eq!(curve.over.variable, Variable::Joint);
 
         // What the models say, worked out here from the model with and without the term.
         let with = &diagnosis.model;
         let without = with.without(|t| t.effect.about().id == "backlash");
         assert_eq!(without.terms().len() + 1, with.terms().len());
-        let inputs = Inputs::new(&subject.session, JointValues::Commanded);
+        let inputs = Inputs::new(&loaded_session.session, JointValues::Commanded);
         let (a, b) = (with.predict(&inputs), without.predict(&inputs));
         for spot in &curve.spots {
             let d = minus(a.get(spot.sample), b.get(spot.sample));
-            let e = minus(subject.measured(spot.sample), b.get(spot.sample));
-            let of = |v| subject.component(v, spot.sample, component);
+            let e = minus(loaded_session.measured(spot.sample), b.get(spot.sample));
+            let of = |v| loaded_session.component(v, spot.sample, component);
             assert!((spot.effect_mm - of(d)).abs() < 1e-12);
             assert!((spot.residual_mm - of(e)).abs() < 1e-12);
             assert_eq!(curve.spot(spot.sample), Some(spot));
         }
-        assert_eq!(curve.spots.len(), subject.len());
+        assert_eq!(curve.spots.len(), loaded_session.len());
 
         // Play depends on the side: a line for each, apart by the width times the radius.
         let [negative, positive] = &curve.lines[..] else {
@@ -395,10 +395,10 @@ mod tests {
     #[test]
     fn effects_stand_over_what_they_depend_on() {
         let workbench = workbench();
-        let subject = workbench.loaded_session();
+        let loaded_session = workbench.loaded_session();
         let term = |id: &str| {
             let effect = crate::effects::find(id).expect("it is in the catalogue");
-            over(&Term::absent(effect, 0, 0.0), subject).variable
+            over(&Term::absent(effect, 0, 0.0), loaded_session).variable
         };
         assert_eq!(term("frame-drift"), Variable::Time);
         assert_eq!(term("lost-motion"), Variable::Travel);

@@ -49,7 +49,7 @@ impl ChartKind for Effect {
         // The closure keeps the search: no other one stands where it does.
         let key = vec![Arc::as_ptr(&search).addr(), index];
         Some(Work::new(ID, key, move |given| {
-            EffectCurve::of(given.subject, &search, index, given.component)
+            EffectCurve::of(given.loaded_session, &search, index, given.component)
         }))
     }
 
@@ -62,7 +62,7 @@ impl ChartKind for Effect {
                 curve = name(curve),
                 component = scene.component().name()
             ),
-            says: describe(scene, curve),
+            description: describe(scene, curve),
             pointed: HoverTarget::Samples(Box::new(Drawn {
                 scale: scale(scene, curve),
                 scene,
@@ -76,13 +76,13 @@ impl ChartKind for Effect {
         let Ok(curve) = curve(scene) else {
             return Table::default();
         };
-        let (subject, component) = (scene.subject, scene.component().name());
-        let (along, what) = (curve.over.heading(subject), name(curve));
+        let (loaded_session, component) = (scene.loaded_session, scene.component().name());
+        let (along, what) = (curve.over.heading(loaded_session), name(curve));
         let [without, of] =
             ["without", "of"].map(|which| format!("{component} {which} {what}, mm"));
         let mut table = Table::new(["sample", &along, "side", &without, &of]);
         for spot in &curve.spots {
-            let x = curve.over.cell(subject, spot.x);
+            let x = curve.over.cell(loaded_session, spot.x);
             let numbers = [x, spot.side, spot.residual_mm, spot.effect_mm];
             let sample = Cell::from(spot.sample + 1);
             table.row([sample].into_iter().chain(numbers.map(Cell::from)));
@@ -138,7 +138,7 @@ fn scale(scene: &Scene, curve: &EffectCurve) -> Scale {
     let ends = curve.spots.first().zip(curve.spots.last());
     let span = ends.map_or(0.0, |(a, b)| b.x - a.x);
     let units = scene.units;
-    curve.over.scale(scene.subject, units, span)
+    curve.over.scale(scene.loaded_session, units, span)
 }
 
 /// Samples that are drawn.
@@ -206,7 +206,7 @@ fn drawn(scene: &Scene, curve: &EffectCurve) -> Chart {
             effect = what
         ),
         across: Axis::turning(
-            format!("{}, {}", curve.over.label(scene.subject), scale.unit),
+            format!("{}, {}", curve.over.label(scene.loaded_session), scale.unit),
             scale.degrees,
         ),
         upwards: Axis::numbers(format!("{component}, {}", units.length_name())),
@@ -244,7 +244,7 @@ fn describe(scene: &Scene, curve: &EffectCurve) -> String {
     say!(
         "{curve} over {label}: it moves the {component} deviation from {from} to {to}; without it {before} root mean square are left, with it {after}",
         curve = name(curve),
-        label = curve.over.label(scene.subject),
+        label = curve.over.label(scene.loaded_session),
         component = scene.component().name(),
         from = ends[0],
         to = ends[1],

@@ -37,22 +37,25 @@ impl Edit {
     pub(crate) fn apply(&self, document: &Document) -> Result<Document, String> {
         let mut next = document.clone();
         if self.asks_samples() {
-            if document.subject.is_empty() {
+            if document.loaded_session.is_empty() {
                 return Err(say!(
                     "nothing was measured yet: open a session that was measured on this robot"
                 )
                 .to_owned());
             }
-            next.given = None;
+            next.loaded_model = None;
         }
         if let Some(next) = regions::apply(self, document) {
             return next;
         }
         match self {
-            Self::Open(subject) => return Ok(opened(document, subject)),
-            Self::OpenModel { given, beside } => return Ok(with_model(next, given, *beside)),
+            Self::Open(loaded_session) => return Ok(opened(document, loaded_session)),
+            Self::OpenModel {
+                loaded_model: given,
+                of_open_session: beside,
+            } => return Ok(with_model(next, given, *beside)),
             Self::Method(Method::Regional) | Self::IdentifyBy(Method::Regional)
-                if !document.subject.single_revolute() =>
+                if !document.loaded_session.single_revolute() =>
             {
                 return Err(say!("regions are for a single joint that turns").to_owned());
             }
@@ -65,7 +68,7 @@ impl Edit {
                 next.tolerance_mm = *tolerance_mm;
             }
             Self::Export(choice) => {
-                let joints = document.subject.session.robot.joints.len();
+                let joints = document.loaded_session.session.robot.joints.len();
                 let usable = choice
                     .step
                     .is_none_or(|step| step.is_finite() && step > 0.0);
@@ -88,7 +91,9 @@ impl Edit {
             Self::Setup(form) => set_up(&mut next, form)?,
             Self::Exclude(samples, out) => exclude(&mut next, samples, *out)?,
             Self::Correct(mends) => correct(&mut next, mends)?,
-            Self::Recover(subject, kept) => return Ok(recovered(document, subject, kept)),
+            Self::Recover(loaded_session, kept) => {
+                return Ok(recovered(document, loaded_session, kept));
+            }
             Self::Divide(_)
             | Self::MoveBoundary(..)
             | Self::PlaceBoundary(..)
@@ -110,10 +115,10 @@ impl Edit {
 }
 
 /// Another session; a model that was read from a file stays where both are of the same robot.
-fn opened(document: &Document, subject: &Arc<LoadedSession>) -> Document {
-    let opened = Document::new(Arc::clone(subject));
-    let given = document.given.as_ref();
-    match given.filter(|given| given.is_of(&subject.session)) {
+fn opened(document: &Document, loaded_session: &Arc<LoadedSession>) -> Document {
+    let opened = Document::new(Arc::clone(loaded_session));
+    let given = document.loaded_model.as_ref();
+    match given.filter(|given| given.is_of(&loaded_session.session)) {
         Some(given) => opened.with_model(Arc::clone(given)),
         None => opened,
     }
@@ -121,7 +126,7 @@ fn opened(document: &Document, subject: &Arc<LoadedSession>) -> Document {
 
 /// What is filled in, where that makes a robot.
 fn set_up(document: &mut Document, form: &SetupForm) -> Result<(), String> {
-    let session = &document.subject.session;
+    let session = &document.loaded_session.session;
     // Compared as it is filled in: missing cells are never equal.
     if *form == SetupForm::of(session) {
         return Ok(());
@@ -134,7 +139,7 @@ fn set_up(document: &mut Document, form: &SetupForm) -> Result<(), String> {
 
 /// Takes samples out of every fit and figure, or in again.
 fn exclude(document: &mut Document, samples: &[usize], out: bool) -> Result<(), String> {
-    let mut session = document.subject.session.clone();
+    let mut session = document.loaded_session.session.clone();
     let n = session.samples.len();
     let mut excluded = session.samples.excluded.take();
     let marks = excluded.get_or_insert_with(|| vec![false; n]);
@@ -144,7 +149,7 @@ fn exclude(document: &mut Document, samples: &[usize], out: bool) -> Result<(), 
     session.samples.excluded = excluded.filter(|all| all.contains(&true));
     let held_out = session.samples.held_out.as_deref();
     let counts = |i: usize| {
-        document.subject.usable[i]
+        document.loaded_session.usable[i]
             && !session.samples.is_excluded(i)
             && !held_out.is_some_and(|h| h[i])
     };
@@ -157,7 +162,7 @@ fn exclude(document: &mut Document, samples: &[usize], out: bool) -> Result<(), 
 
 /// Takes mistakes back, one after the other.
 fn correct(document: &mut Document, mends: &[SessionCorrection]) -> Result<(), String> {
-    let mut session = document.subject.session.clone();
+    let mut session = document.loaded_session.session.clone();
     for mend in mends {
         mend.apply(&mut session);
     }
@@ -166,15 +171,15 @@ fn correct(document: &mut Document, mends: &[SessionCorrection]) -> Result<(), S
     if session.samples.incomplete().len() == left {
         return Err(say!("no sample would be left").to_owned());
     }
-    let same_rows = left == document.subject.len();
+    let same_rows = left == document.loaded_session.len();
     with_session(document, session);
     if !same_rows {
-        let mut subject = LoadedSession::clone(&document.subject);
+        let mut loaded_session = LoadedSession::clone(&document.loaded_session);
         // Samples have other numbers now.
-        for finding in &mut subject.findings {
+        for finding in &mut loaded_session.findings {
             finding.samples.clear();
         }
-        document.subject = Arc::new(subject);
+        document.loaded_session = Arc::new(loaded_session);
     }
     Ok(())
 }
@@ -199,28 +204,28 @@ fn as_saved(session: &mut Session) {
 
 /// The same document with another description of the robot, or other samples.
 fn with_session(document: &mut Document, session: Session) {
-    let subject = LoadedSession::with(&document.subject, session);
+    let loaded_session = LoadedSession::with(&document.loaded_session, session);
     if document
-        .given
+        .loaded_model
         .as_ref()
-        .is_some_and(|g| !g.is_of(&subject.session))
+        .is_some_and(|g| !g.is_of(&loaded_session.session))
     {
-        document.given = None;
+        document.loaded_model = None;
     }
-    if !subject.single_revolute() {
+    if !loaded_session.single_revolute() {
         document.regions = Arc::from([]);
         document.division = Division::Given;
         document.method = Method::Exact;
     }
-    document.subject = Arc::new(subject);
+    document.loaded_session = Arc::new(loaded_session);
 }
 
 /// What was left behind, with the choices that were made.
-fn recovered(document: &Document, subject: &Arc<LoadedSession>, kept: &Choices) -> Document {
-    let mut next = opened(document, subject);
-    next.given = None;
+fn recovered(document: &Document, loaded_session: &Arc<LoadedSession>, kept: &Choices) -> Document {
+    let mut next = opened(document, loaded_session);
+    next.loaded_model = None;
     next.identified = kept.identified;
-    if subject.single_revolute() {
+    if loaded_session.single_revolute() {
         next.method = kept.method;
     }
     let all = CATALOGUE.iter().map(|effect| effect.about().id);

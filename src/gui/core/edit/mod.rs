@@ -22,9 +22,9 @@ pub(crate) enum Edit {
     Open(Arc<LoadedSession>),
     /// A model: beside the open session, or by itself.
     OpenModel {
-        given: Arc<LoadedModel>,
+        loaded_model: Arc<LoadedModel>,
         /// Whether the open session is one of its robot.
-        beside: bool,
+        of_open_session: bool,
     },
     /// So many regions of the same width.
     Divide(usize),

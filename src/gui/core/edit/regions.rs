@@ -25,7 +25,7 @@ pub(super) fn apply(edit: &Edit, document: &Document) -> Option<Result<Document,
         }
         _ => divided(edit, document)?.and_then(|(regions, division)| {
             let mut next = document.clone();
-            next.given = None;
+            next.loaded_model = None;
             by_regions(&mut next, regions)?;
             next.division = division;
             Ok(next)
@@ -35,9 +35,9 @@ pub(super) fn apply(edit: &Edit, document: &Document) -> Option<Result<Document,
 
 /// The regions after a change of them, and how they came about.
 fn divided(edit: &Edit, document: &Document) -> Option<Result<(Vec<Region>, Division), String>> {
-    let subject = &document.subject;
+    let loaded_session = &document.loaded_session;
     let resolved = |choice: RegionChoice| {
-        let regions = choice.resolve(&subject.session);
+        let regions = choice.resolve(&loaded_session.session);
         regions.map_err(|e| spoken(e.describe()))
     };
     let by_hand = |regions: Option<Vec<Region>>, otherwise: &str| {
@@ -56,13 +56,17 @@ fn divided(edit: &Edit, document: &Document) -> Option<Result<(Vec<Region>, Divi
             Ok((regions.to_vec(), Division::Adaptive(decision.clone())))
         }
         Edit::MoveBoundary(boundary, to_rad) => by_hand(
-            boundaries::moved(all, *boundary, *to_rad, subject.travel()),
+            boundaries::moved(all, *boundary, *to_rad, loaded_session.travel()),
             say!("the boundary cannot be moved there"),
         ),
-        Edit::PlaceBoundary(joint, at_rad) => {
-            boundary_entry::placed(all, *joint, *at_rad, subject.travel(), Units::default())
-                .map(|regions| (regions, Division::Given))
-        }
+        Edit::PlaceBoundary(joint, at_rad) => boundary_entry::placed(
+            all,
+            *joint,
+            *at_rad,
+            loaded_session.travel(),
+            Units::default(),
+        )
+        .map(|regions| (regions, Division::Given)),
         Edit::Split(region) => by_hand(
             boundaries::split(all, *region),
             say!("the region is too narrow to be split"),
@@ -105,7 +109,7 @@ fn renamed(document: &Document, region: usize, name: &str) -> Result<Document, S
 
 /// Regions that are worked on are regions that are wanted: the answer follows them at once.
 fn by_regions(document: &mut Document, regions: Vec<Region>) -> Result<(), String> {
-    if !document.subject.single_revolute() {
+    if !document.loaded_session.single_revolute() {
         return Err(say!("regions are for a single joint that turns").to_owned());
     }
     // Exactly as a file will have them: what is saved is read again to the last bit.

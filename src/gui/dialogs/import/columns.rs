@@ -113,7 +113,7 @@ pub(super) fn show(
     let offered = meanings(found.kind, joints);
     let changed = table(ui, now, &offered);
     if let Some((k, word)) = changed {
-        next.reading.columns = said(found.kind, &found.columns, &now.said.reading.columns);
+        next.reading.columns = in_words(found.kind, &found.columns, &now.answers.reading.columns);
         next.reading.columns[k] = word;
     }
     if !found.preamble.is_empty() {
@@ -142,7 +142,7 @@ pub(super) fn show(
 
 /// The columns as words that mean the same when they are said, and are guesses still where they
 /// were.
-fn said(kind: Option<&Importer>, columns: &[ColumnGuess], before: &[String]) -> Vec<String> {
+fn in_words(kind: Option<&Importer>, columns: &[ColumnGuess], before: &[String]) -> Vec<String> {
     let columns_of = kind.map(|importer| importer.asks.columns);
     let own_words = matches!(columns_of, Some(Meanings::Own(_)));
     let word = |(k, guess): (usize, &ColumnGuess)| match (guess.known, guess.heading.as_str()) {
@@ -264,7 +264,7 @@ mod tests {
             ..Reading::default()
         };
         let found = inspect(text, &reading);
-        let mut words = said(found.kind, &found.columns, &[]);
+        let mut words = in_words(found.kind, &found.columns, &[]);
         "load_kg".clone_into(&mut words[4]);
         let reading = Reading {
             columns: words,

@@ -48,11 +48,11 @@ pub(super) fn show(ui: &mut Ui, now: &ImportDraft, next: &mut ImportAnswers) {
     widgets::form_row(ui, say!("Source"), |ui| {
         let list = ComboBox::from_id_salt("what wrote it")
             .width(430.0)
-            .selected_text(kind.map_or_else(String::new, |importer| spoken(importer.plainly)))
+            .selected_text(kind.map_or_else(String::new, |importer| spoken(importer.title)))
             .show_ui(ui, |ui| {
                 for &importer in IMPORTERS {
                     let is = kind == Some(importer);
-                    if ui.selectable_label(is, spoken(importer.plainly)).clicked() && !is {
+                    if ui.selectable_label(is, spoken(importer.title)).clicked() && !is {
                         reading.kind = Some(importer);
                         reading.columns.clear();
                     }
@@ -242,7 +242,7 @@ pub(super) fn questions(ui: &mut Ui, now: &ImportDraft, next: &mut ImportAnswers
 
 fn ask(ui: &mut Ui, question: &Question, next: &mut ImportAnswers) {
     let palette = Palette::of(ui);
-    let says = RichText::new(in_the_sheets_words(&spoken(&question.says))).color(palette.warning);
+    let says = RichText::new(in_the_sheets_words(&spoken(&question.text))).color(palette.warning);
     ui.add(egui::Label::new(says).wrap());
     if question.answers.is_empty() {
         widgets::hint(ui, say!("Choose it in the table above"));

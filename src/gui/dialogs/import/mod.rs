@@ -38,7 +38,7 @@ pub(super) fn show(
     let name = now.path.file_name().unwrap_or_default().to_string_lossy();
     widgets::heading(ui, &say!("Import {name}", name = name));
     widgets::hint(ui, file::found_out(now));
-    let mut next = now.said.clone();
+    let mut next = now.answers.clone();
     let height = (window.height() - AROUND).max(200.0);
     let scrolled = ScrollArea::vertical().max_height(height).show(ui, |ui| {
         // Beside what scrolls, not over it.
@@ -55,7 +55,7 @@ pub(super) fn show(
         widgets::focus_in_sight(ui);
         ui.max_rect().width()
     });
-    let missing = if next == now.said {
+    let missing = if next == now.answers {
         now.missing()
     } else {
         Some(spoken(LOOKING).to_owned())
@@ -73,7 +73,7 @@ pub(super) fn show(
     });
     if pressed.inner {
         commands.push(Command::Import);
-    } else if next != now.said {
+    } else if next != now.answers {
         commands.push(Command::Say(Box::new(next)));
     }
 }
@@ -88,7 +88,7 @@ fn foot(
 ) {
     if let Some(running) = workbench.looking() {
         looking(ui, running, commands);
-    } else if *next == now.said && !now.is_up_to_date() {
+    } else if *next == now.answers && !now.is_up_to_date() {
         ui.horizontal(|ui| {
             widgets::hint(ui, say!("Looking at the file was cancelled"));
             if ui.button(say!("Look again")).clicked() {

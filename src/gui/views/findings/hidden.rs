@@ -15,12 +15,12 @@ use crate::present::numbers::{significant, with_minus_signs};
 
 /// A button, and behind it the truth; nothing for a session that was not simulated here.
 pub(super) fn show(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis) {
-    let subject = workbench.loaded_session();
-    let Some(hidden) = subject.hidden.as_deref() else {
+    let loaded_session = workbench.loaded_session();
+    let Some(hidden) = loaded_session.hidden.as_deref() else {
         return;
     };
     // The truth of this opening: another simulation hides it again.
-    let id = egui::Id::unique("hidden").with(subject.lineage);
+    let id = egui::Id::unique("hidden").with(loaded_session.lineage);
     let shown: bool = ui.data(|data| data.get_temp(id)).unwrap_or(false);
     let says = if shown {
         say!("Do not show what was hidden")

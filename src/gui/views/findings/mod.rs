@@ -82,7 +82,7 @@ fn so_far(ui: &mut Ui, name: &str, says: &str, found: &[String]) {
 }
 
 fn all(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis, commands: &mut Vec<Command>) {
-    let sections = workbench.said();
+    let sections = workbench.diagnosis_sections();
     for section in sections.iter() {
         match section.topic {
             Topic::NotIdentifiable | Topic::Limits | Topic::NotTestable => {

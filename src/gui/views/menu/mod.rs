@@ -26,7 +26,7 @@ const BUTTONS: f32 = 190.0;
 
 /// What the window is called.
 pub(crate) fn window_title(workbench: &Workbench) -> String {
-    let name = &workbench.document().subject.session.name;
+    let name = &workbench.document().loaded_session.session.name;
     let mark = if workbench.unsaved() { " ●" } else { "" };
     format!("{name}{mark} – truepose")
 }
@@ -94,14 +94,14 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
 
 fn name(ui: &mut Ui, workbench: &Workbench) {
     let palette = Palette::of(ui);
-    let subject = workbench.loaded_session();
-    let title = RichText::new(&subject.session.name).font(strong(size::BODY));
+    let loaded_session = workbench.loaded_session();
+    let title = RichText::new(&loaded_session.session.name).font(strong(size::BODY));
     let title = ui.add(Label::new(title).truncate());
     let file_name = |path: &std::path::Path| {
         let name = path.file_name();
         name.map_or_else(String::new, |name| name.to_string_lossy().into_owned())
     };
-    let origin = match (workbench.file(), &subject.origin) {
+    let origin = match (workbench.file(), &loaded_session.origin) {
         (Some(path), _) => file_name(path),
         (None, Origin::Bundled) => say!("example").to_owned(),
         (None, Origin::Simulated) => say!("simulated").to_owned(),
@@ -109,7 +109,7 @@ fn name(ui: &mut Ui, workbench: &Workbench) {
         (None, Origin::Imported(path)) => say!("from {path}", path = file_name(path)),
         (None, Origin::File(path) | Origin::Model(path)) => file_name(path),
     };
-    let origin = match (&workbench.document().given, &subject.origin) {
+    let origin = match (&workbench.document().loaded_model, &loaded_session.origin) {
         (Some(_), Origin::Model(_)) => say!("model {origin}", origin = origin),
         (Some(given), _) => say!(
             "{origin} · model {given}",

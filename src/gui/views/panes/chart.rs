@@ -93,7 +93,7 @@ fn plotted(
         }
     };
     let (response, transform) = chart::show(ui, id, &shown.chart, more);
-    figure(&response, &shown.name, shown.says.clone());
+    figure(&response, &shown.name, shown.description.clone());
     match &shown.pointed {
         HoverTarget::Nothing => {}
         HoverTarget::Samples(samples) => {
@@ -275,7 +275,7 @@ fn charts<'a>(
 }
 
 fn components<'a>(scene: &Scene<'_>, place: Place<'_>) -> Choice<'a, Component> {
-    let planar = scene.subject.session.samples.z_mm.is_none();
+    let planar = scene.loaded_session.session.samples.z_mm.is_none();
     let offered = Component::ALL.into_iter();
     let offered = offered.filter(|c| !(planar && c.out_of_plane()));
     Choice {
@@ -287,7 +287,7 @@ fn components<'a>(scene: &Scene<'_>, place: Place<'_>) -> Choice<'a, Component> 
 
 /// The joints, where there are several.
 fn joints<'a>(scene: &Scene<'a>, place: Place<'_>) -> Option<Choice<'a, usize>> {
-    let joints = &scene.subject.session.robot.joints;
+    let joints = &scene.loaded_session.session.robot.joints;
     let offered = joints.iter().enumerate();
     (joints.len() > 1).then(|| Choice {
         of: place.own(say!("Joint of the chart")),
@@ -372,7 +372,7 @@ fn signs(ui: &mut Ui, (place, kind): (Place<'_>, &dyn ChartKind), commands: &mut
     let about = kind.about();
     let before = commands.len();
     picture(ui, Plot::Chart(about.id), commands);
-    let plot = Plot::Chart(about.id).said();
+    let plot = Plot::Chart(about.id).title();
     let says = say!("Save data of the {plot}…", plot = plot);
     if widgets::data_button(ui, &says).clicked() {
         commands.push(Command::Ask(Asked::WhereToExport(What::Numbers(about.id))));

@@ -193,7 +193,7 @@ fn pulled(
     ui: &Ui,
     workbench: &Workbench,
     tile: &Tile,
-    room: Rect,
+    area: Rect,
     way: &mut Vec<usize>,
     commands: &mut Vec<Command>,
 ) {
@@ -201,17 +201,17 @@ fn pulled(
         return;
     };
     let axis = usize::from(!beside);
-    let sizes = divided(parts, axis, room.size()[axis]);
-    let mut from = room.min[axis];
+    let sizes = divided(parts, axis, area.size()[axis]);
+    let mut from = area.min[axis];
     for (k, part) in parts.iter().enumerate() {
         let to = from + sizes[k];
-        let mut inner = room;
+        let mut inner = area;
         (inner.min[axis], inner.max[axis]) = (from, to);
         way.push(k);
         pulled(ui, workbench, &part.tile, inner, way, commands);
         way.pop();
         if k + 1 < parts.len() {
-            let mut gap = room;
+            let mut gap = area;
             (gap.min[axis], gap.max[axis]) = (to, to + GAP);
             let name = first(&part.tile).map(|pane| name_of(workbench, pane));
             let name = name.unwrap_or_default();

@@ -15,8 +15,8 @@ const SAMPLES: f32 = 14.0;
 const BINS: u16 = 68;
 
 pub(super) fn show(ui: &mut Ui, workbench: &Workbench, counts: &[Count]) {
-    let subject = workbench.loaded_session();
-    let (from, to) = subject.travel();
+    let loaded_session = workbench.loaded_session();
+    let (from, to) = loaded_session.travel();
     let regions = &workbench.document().regions;
     let ends = regions.iter().flat_map(|r| [r.from_rad, r.to_rad]);
     let (low, high) = ends.fold((from, to), |(a, b), end| (a.min(end), b.max(end)));
@@ -62,7 +62,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, counts: &[Count]) {
         } else {
             start + width
         };
-        subject.angles().between(start, end).all
+        loaded_session.angles().between(start, end).all
     });
     let bins: Vec<usize> = bins.collect();
     let most = bins.iter().copied().max().unwrap_or(0).max(1);

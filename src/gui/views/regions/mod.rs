@@ -49,8 +49,8 @@ fn state(workbench: &Workbench) -> (String, Progress) {
 }
 
 fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
-    let subject = workbench.loaded_session();
-    if subject.is_empty() {
+    let loaded_session = workbench.loaded_session();
+    if loaded_session.is_empty() {
         widgets::hint(
             ui,
             say!(
@@ -59,7 +59,9 @@ fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         );
         return;
     }
-    let counts = subject.angles().by_region(&workbench.document().regions);
+    let counts = loaded_session
+        .angles()
+        .by_region(&workbench.document().regions);
     division(ui, workbench, commands);
     if workbench.document().regions.is_empty() {
         none(ui, workbench);
@@ -170,10 +172,10 @@ fn none(ui: &mut Ui, workbench: &Workbench) {
 
 /// What no region covers.
 fn left_out(ui: &mut Ui, workbench: &Workbench, counts: &[Count]) {
-    let subject = workbench.loaded_session();
+    let loaded_session = workbench.loaded_session();
     let regions = &workbench.document().regions;
-    let gaps = boundary_entry::gaps(regions, subject.travel());
-    let outside = subject.angles().total().all - counts.iter().map(|c| c.all).sum::<usize>();
+    let gaps = boundary_entry::gaps(regions, loaded_session.travel());
+    let outside = loaded_session.angles().total().all - counts.iter().map(|c| c.all).sum::<usize>();
     if let Some((from, to)) = gaps.first() {
         let units = workbench.units();
         let gap = format!("{} … {}", units.angle(*from), units.angle(*to));
@@ -206,8 +208,10 @@ fn left_out(ui: &mut Ui, workbench: &Workbench, counts: &[Count]) {
 fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let document = workbench.document();
     let regional = document.identified && document.method == Method::Regional;
-    let subject = workbench.loaded_session();
-    let possible = subject.single_revolute() && !subject.is_empty() && !document.regions.is_empty();
+    let loaded_session = workbench.loaded_session();
+    let possible = loaded_session.single_revolute()
+        && !loaded_session.is_empty()
+        && !document.regions.is_empty();
     if possible && !regional {
         widgets::hint(
             ui,

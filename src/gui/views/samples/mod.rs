@@ -24,7 +24,7 @@ const ROOM_FOR_UNITS: f32 = 76.0;
 pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let palette = Palette::of(ui);
     let units = workbench.units();
-    let subject = workbench.loaded_session();
+    let loaded_session = workbench.loaded_session();
     let answer = workbench.answer();
     let tolerance_mm = workbench.document().tolerance_mm;
     let view = workbench.view();
@@ -37,7 +37,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     let wide = (ui.available_width() - NUMBER - MARK - between) / 3.0;
     let wide = wide.clamp(50.0, 96.0).floor();
     // A column has one number of decimals, so that its numbers can be compared at a glance.
-    let like_before = subject.gap_before.map_or(1.0, |gap| gap.rms_mm);
+    let like_before = loaded_session.gap_before.map_or(1.0, |gap| gap.rms_mm);
     let like_after = answer.map_or(1.0, |a| a.identification.gap.after.rms_mm);
     let mut table = TableBuilder::new(ui)
         .striped(false)
@@ -53,7 +53,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
             .animate_scrolling(false);
     }
     let length = units.length_name();
-    let angle = if subject.turns() {
+    let angle = if loaded_session.turns() {
         units.angle_name().trim()
     } else {
         length
@@ -64,16 +64,16 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
             sorting = heads(&mut header, [angle, length], sorting);
         })
         .body(|body| {
-            body.rows(ROW, subject.len(), |mut row| {
+            body.rows(ROW, loaded_session.len(), |mut row| {
                 let sample = rows.sample(row.index());
-                let excluded = subject.session.samples.is_excluded(sample);
+                let excluded = loaded_session.session.samples.is_excluded(sample);
                 let marked = view.marked.binary_search(&sample).is_ok();
                 row.set_selected(view.selected == Some(sample) || marked);
                 row.set_hovered(view.hovered == Some(sample));
-                let before = subject.before.length_mm[sample];
+                let before = loaded_session.before.length_mm[sample];
                 let after = answer.map(|a| a.lengths_mm[sample]);
-                let q = subject.q(sample);
-                let q = if subject.turns() {
+                let q = loaded_session.q(sample);
+                let q = if loaded_session.turns() {
                     trimmed(units.angle_value(q), 3)
                 } else {
                     trimmed(units.length_value(q), 3)

@@ -30,12 +30,12 @@ impl By {
     ];
 
     fn value(self, workbench: &Workbench, sample: usize) -> f64 {
-        let subject = workbench.loaded_session();
-        let before = subject.before.length_mm[sample];
+        let loaded_session = workbench.loaded_session();
+        let before = loaded_session.before.length_mm[sample];
         let after = workbench.answer().map(|a| a.lengths_mm[sample]);
         match self {
             Self::Number => sample as f64,
-            Self::Angle => subject.q(sample),
+            Self::Angle => loaded_session.q(sample),
             Self::Before => before,
             Self::After => after.unwrap_or(f64::NAN),
             Self::Mark => after.unwrap_or(before),
@@ -72,8 +72,8 @@ impl Sorting {
 /// What an order depends on.
 #[derive(Clone, Copy, PartialEq, Default)]
 struct Of {
-    subject: usize,
-    outcome: usize,
+    loaded_session: usize,
+    identified: usize,
     sorting: Sorting,
 }
 
@@ -92,8 +92,8 @@ impl Rows {
             .last_outcome()
             .filter(|_| workbench.answer().is_some());
         let of = Of {
-            subject: Arc::as_ptr(workbench.loaded_session()) as usize,
-            outcome: outcome.map_or(0, |outcome| Arc::as_ptr(outcome) as usize),
+            loaded_session: Arc::as_ptr(workbench.loaded_session()) as usize,
+            identified: outcome.map_or(0, |outcome| Arc::as_ptr(outcome) as usize),
             sorting,
         };
         let kept: Option<Self> = ui.data(|data| data.get_temp(id));

@@ -90,8 +90,8 @@ fn angle(random: &mut ChaCha8Rng) -> f64 {
 }
 
 /// A robot that may make no sense.
-fn setup(random: &mut ChaCha8Rng, subject: &LoadedSession) -> SetupForm {
-    let mut form = SetupForm::of(&subject.session);
+fn setup(random: &mut ChaCha8Rng, loaded_session: &LoadedSession) -> SetupForm {
+    let mut form = SetupForm::of(&loaded_session.session);
     let number = random.random_range(-300.0..300.0);
     let axis = random.random_range(0..3);
     match random.random_range(0..8) {
@@ -129,7 +129,7 @@ fn correction(random: &mut ChaCha8Rng) -> SessionCorrection {
 
 /// A change of the document.
 fn edit(random: &mut ChaCha8Rng, workbench: &Workbench) -> Edit {
-    let subject = workbench.loaded_session();
+    let loaded_session = workbench.loaded_session();
     let region = random.random_range(0..9);
     match random.random_range(0..40) {
         0 | 1 => Edit::Divide(random.random_range(0..12)),
@@ -167,7 +167,7 @@ fn edit(random: &mut ChaCha8Rng, workbench: &Workbench) -> Edit {
                 .then(|| random.random_range(-1.0..10.0)),
             joint: random.random_range(0..2),
         }),
-        27 | 28 => Edit::Setup(Box::new(setup(random, subject))),
+        27 | 28 => Edit::Setup(Box::new(setup(random, loaded_session))),
         29 => Edit::Correct(vec![correction(random)]),
         35 => Edit::Exclude((0..random.random_range(0..60)).collect(), random.random()),
         30 => {
@@ -211,17 +211,21 @@ fn form(random: &mut ChaCha8Rng) -> Form {
 }
 
 /// A foreign file as it stands in its sheet, and an answer about it.
-fn foreign(random: &mut ChaCha8Rng, files: &Files, workbench: &Workbench) -> Box<ImportDraft> {
+fn any_instrument_file(
+    random: &mut ChaCha8Rng,
+    files: &Files,
+    workbench: &Workbench,
+) -> Box<ImportDraft> {
     let foreign = {
         let progress = Progress::new(&unwatched);
         ImportDraft::of(&files.instrument_file, progress.whole()).expect("it is a table")
     };
     let mut foreign = foreign.expect("the walk has written it");
-    foreign.said = said(random, files, workbench);
+    foreign.answers = any_answers(random, files, workbench);
     Box::new(foreign)
 }
 
-fn said(random: &mut ChaCha8Rng, files: &Files, workbench: &Workbench) -> ImportAnswers {
+fn any_answers(random: &mut ChaCha8Rng, files: &Files, workbench: &Workbench) -> ImportAnswers {
     let mut said = ImportAnswers::default();
     let path = |random: &mut ChaCha8Rng| files.any(random).display().to_string();
     said.robot = match random.random_range(0..5) {
@@ -273,7 +277,7 @@ fn sheet(random: &mut ChaCha8Rng, files: &Files, workbench: &Workbench) -> Optio
         2 => Sheet::Simulate(form(random)),
         3 => Sheet::Unsaved(then(random, files)),
         4 => Sheet::Overwrite(files.any(random)),
-        5 => Sheet::Import(foreign(random, files, workbench)),
+        5 => Sheet::Import(any_instrument_file(random, files, workbench)),
         6 => Sheet::RECOVERY,
         7 => Sheet::Named("preferences"),
         8 => Sheet::Named("none of this name"),
@@ -394,7 +398,7 @@ pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Fi
             Command::Drop((0..several).map(|_| files.any(random)).collect())
         }
         68 => Command::OpenFile(files.any(random)),
-        69 => Command::Say(Box::new(said(random, files, workbench))),
+        69 => Command::Say(Box::new(any_answers(random, files, workbench))),
         70 if random.random() => Command::ConfirmColumns,
         70 => Command::Import,
         71 => Command::OpenExample(random.random_range(0..4)),

@@ -256,7 +256,7 @@ fn divided(document: &Document) {
     if let Division::Adaptive(decision) = &document.division {
         assert_eq!(decision.regions, sorted.len());
     }
-    assert!(document.regions.is_empty() || document.subject.single_revolute());
+    assert!(document.regions.is_empty() || document.loaded_session.single_revolute());
 }
 
 /// Undo and redo give the identical document back.
@@ -303,8 +303,8 @@ fn all_the_way(bench: &mut Workbench) {
 /// What is saved is read as it was, and a saved model predicts the same to the last bit.
 fn saved_is_read_again(bench: &mut Workbench, folder: &Path, step: usize) {
     let document = bench.document().clone();
-    let session = &document.subject.session;
-    if !document.subject.is_empty() {
+    let session = &document.loaded_session.session;
+    if !document.loaded_session.is_empty() {
         let path = folder.join(format!("read again {step}.json"));
         let replacing = sessions::Replacing {
             force: false,
@@ -324,7 +324,7 @@ fn saved_is_read_again(bench: &mut Workbench, folder: &Path, step: usize) {
             assert_eq!(opened.regions, document.regions, "regions");
         }
         assert_eq!(opened.tolerance_mm, document.tolerance_mm);
-        let again = &opened.subject.session;
+        let again = &opened.loaded_session.session;
         assert_eq!(again.robot, session.robot);
         assert_eq!(again.targets, session.targets);
         let bits = |column: &[f64]| column.iter().map(|v| v.to_bits()).collect::<Vec<_>>();
@@ -351,7 +351,7 @@ fn saved_is_read_again(bench: &mut Workbench, folder: &Path, step: usize) {
     }
     let read = load_model(&path).expect("a model that was saved can be read");
     let answer = bench.answer().expect("it is there still");
-    if document.subject.is_empty() {
+    if document.loaded_session.is_empty() {
         assert_eq!(
             read.model.terms().len(),
             answer.calibration.model.terms().len()

@@ -42,18 +42,18 @@ pub(crate) struct PolarSample {
 impl PolarSample {
     /// A sample of a session.
     pub(crate) fn of(
-        subject: &LoadedSession,
+        loaded_session: &LoadedSession,
         answer: Option<&Answer>,
         component: Component,
         sample: usize,
     ) -> Self {
-        let of = |e: [f64; 3]| subject.component(e, sample, component);
+        let of = |e: [f64; 3]| loaded_session.component(e, sample, component);
         Self {
             sample,
-            q: subject.q(sample),
-            before_mm: of(subject.deviation_before(sample)),
+            q: loaded_session.q(sample),
+            before_mm: of(loaded_session.deviation_before(sample)),
             after_mm: answer.map(|a| of(a.deviation_after(sample))),
-            side: subject.side(sample),
+            side: loaded_session.side(sample),
         }
     }
 }
@@ -89,9 +89,9 @@ pub(crate) struct Polar {
 }
 
 /// Why a session has no polar view, and what shows the same.
-pub(crate) fn absent(subject: &LoadedSession) -> Option<&'static str> {
-    let robot = &subject.session.robot;
-    if subject.is_empty() {
+pub(crate) fn absent(loaded_session: &LoadedSession) -> Option<&'static str> {
+    let robot = &loaded_session.session.robot;
+    if loaded_session.is_empty() {
         Some(say!(
             "Nothing was measured yet: the polar view shows deviations around the joint’s angle"
         ))
@@ -99,7 +99,7 @@ pub(crate) fn absent(subject: &LoadedSession) -> Option<&'static str> {
         Some(say!(
             "This robot has several joints, so that a deviation belongs to no single angle: there is no polar view. The other views show where it is, the chart below over which value of the first joint"
         ))
-    } else if !subject.turns() {
+    } else if !loaded_session.turns() {
         Some(say!(
             "This joint slides, and a length does not close a circle: there is no polar view. The chart below shows the deviation along the joint’s way"
         ))
@@ -111,18 +111,18 @@ pub(crate) fn absent(subject: &LoadedSession) -> Option<&'static str> {
 impl Polar {
     /// The view as the workbench has it; why there is none otherwise.
     pub(crate) fn of(workbench: &Workbench) -> Result<Self, &'static str> {
-        let subject = &**workbench.loaded_session();
-        if let Some(because) = absent(subject) {
+        let loaded_session = &**workbench.loaded_session();
+        if let Some(because) = absent(loaded_session) {
             return Err(because);
         }
         let (view, answer) = (workbench.view(), workbench.answer());
-        let usable = &subject.overview.usable;
+        let usable = &loaded_session.overview.usable;
         let envelope = workbench.around();
         let stride = stride(usable.len(), FEW);
         let shown: &[u32] = if envelope.is_some() { &[] } else { usable };
         let samples = shown.iter().step_by(stride).map(|s| *s as usize);
         let spots: Vec<PolarSample> = samples
-            .map(|sample| PolarSample::of(subject, answer, view.component, sample))
+            .map(|sample| PolarSample::of(loaded_session, answer, view.component, sample))
             .collect();
         let only_after = view.only_after && answer.is_some();
         let per_mm = workbench.units().length_value(1.0);

@@ -37,10 +37,11 @@ pub(super) fn bounds(polar: &Polar) -> [[f64; 2]; 2] {
 
 /// The view where a division is so many points.
 pub(super) fn scene(workbench: &Workbench, polar: &Polar, points: f64) -> Scene {
-    let subject = &**workbench.loaded_session();
+    let loaded_session = &**workbench.loaded_session();
     let view = workbench.view();
     let only_after = workbench.only_after();
-    let of = |sample: usize| PolarSample::of(subject, workbench.answer(), view.component, sample);
+    let of =
+        |sample: usize| PolarSample::of(loaded_session, workbench.answer(), view.component, sample);
     let mut scene = Scene::default();
     axes(&mut scene, polar);
     match workbench.around() {
@@ -58,8 +59,8 @@ pub(super) fn scene(workbench: &Workbench, polar: &Polar, points: f64) -> Scene 
         }
     }
     let emphasised = view.hovered.or(view.selected);
-    let there = marked(view, subject.len()).chain(emphasised);
-    for sample in there.filter(|sample| subject.usable[*sample]) {
+    let there = marked(view, loaded_session.len()).chain(emphasised);
+    for sample in there.filter(|sample| loaded_session.usable[*sample]) {
         for at in places(polar, &of(sample), only_after).into_iter().flatten() {
             let ring = Stroke::new(2.5, ColourToken::Accent);
             scene.mark(Mark::ring(at, Form::Disc, 8.0, ring));
@@ -208,15 +209,18 @@ fn names(scene: &mut Scene, polar: &Polar, units: Units) {
             ColourToken::Muted,
         );
         let room = Some([4.0, 1.0]);
-        scene.label(Label { room, ..name });
+        scene.label(Label {
+            padding: room,
+            ..name
+        });
     }
     for divisions in [outside, -inside] {
         let value = units.length_value(divisions * polar.division_mm);
         let says = format!("{} {}", trimmed(value, 6), units.length_name());
         let name = Label::new([names_at(polar), divisions, 0.0], says, ColourToken::Muted);
         scene.label(Label {
-            room: Some([3.0, 1.0]),
-            ground: Some(ColourToken::Surface.into()),
+            padding: Some([3.0, 1.0]),
+            background: Some(ColourToken::Surface.into()),
             ..name
         });
     }

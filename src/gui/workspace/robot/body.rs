@@ -216,7 +216,7 @@ impl Pen<'_> {
         vec![
             area(ends.concat(), DRUM_LIT[1]),
             area(ends[1].clone(), DRUM_LIT[0]),
-            Item::Mark(Mark::filled(place(&near), Form::Disc, 1.6, edge.ink)),
+            Item::Mark(Mark::filled(place(&near), Form::Disc, 1.6, edge.colour)),
         ]
     }
 }

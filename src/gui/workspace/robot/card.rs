@@ -16,7 +16,7 @@ pub(crate) fn values(
     camera: &Camera,
     drawn: &Drawn,
     written: bool,
-    crowd: &[Pos2],
+    obstacles: &[Pos2],
     palette: &Palette,
 ) {
     const MOST: usize = 8;
@@ -26,7 +26,7 @@ pub(crate) fn values(
     let chain: Vec<Pos2> = chain.map(|p| camera.at(p.coords.into())).collect();
     let tool = chain.last().copied();
     let Some(tool) = tool.filter(|t| written && frame.contains(*t)) else {
-        said(
+        label(
             ui,
             Rect::from_min_size(frame.left_top(), Vec2::splat(1.0)),
             &says,
@@ -72,8 +72,9 @@ pub(crate) fn values(
         (0..=8_u8).map(move |k| from.lerp(to, f32::from(k) / 8.0))
     };
     let chain: Vec<Pos2> = chain.windows(2).flat_map(along).collect();
-    let Some(place) = free_space::freest(&places, frame, &[crowd, &chain, &chain, &chain]) else {
-        said(ui, Rect::from_center_size(tool, Vec2::splat(1.0)), &says);
+    let Some(place) = free_space::freest(&places, frame, &[obstacles, &chain, &chain, &chain])
+    else {
+        label(ui, Rect::from_center_size(tool, Vec2::splat(1.0)), &says);
         return;
     };
     let painter = ui.painter().with_clip_rect(frame);
@@ -90,11 +91,11 @@ pub(crate) fn values(
         painter.galley(at, galley, palette.text);
         at = pos2(at.x, next);
     }
-    said(ui, place, &says);
+    label(ui, place, &says);
 }
 
 /// A line for screen readers.
-fn said(ui: &Ui, place: Rect, says: &str) {
+fn label(ui: &Ui, place: Rect, says: &str) {
     let id = ui.scope_id().with("robot");
     let response = ui.interact(place, id, egui::Sense::hover());
     response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, says));

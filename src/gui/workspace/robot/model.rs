@@ -77,24 +77,24 @@ pub(crate) struct Drawn {
 impl Drawn {
     /// The robot at the sample that is pointed at or chosen, or else at one in the middle.
     pub(crate) fn of(workbench: &Workbench) -> Option<Self> {
-        let (subject, view) = (&**workbench.loaded_session(), workbench.view());
-        let robot = &subject.session.robot;
+        let (loaded_session, view) = (&**workbench.loaded_session(), workbench.view());
+        let robot = &loaded_session.session.robot;
         let asked = view
             .hovered
             .or(view.selected)
-            .filter(|s| *s < subject.len());
-        let usable = &subject.overview.usable;
+            .filter(|s| *s < loaded_session.len());
+        let usable = &loaded_session.overview.usable;
         let middle = usable.get(usable.len() / 2).map(|sample| *sample as usize);
         let pose = |sample: usize| -> Vec<f64> {
-            let columns = subject.session.samples.q.iter();
+            let columns = loaded_session.session.samples.q.iter();
             columns.map(|q| q[sample]).collect()
         };
         let posed = view.pose.clone();
         let sample = asked.or(middle).filter(|_| posed.is_none());
         let q = posed.or_else(|| sample.map(pose));
         let q = q.unwrap_or_else(|| home(robot));
-        let targets = &subject.session.targets;
-        let target = sample.and_then(|s| Some(subject.session.samples.target.as_ref()?[s]));
+        let targets = &loaded_session.session.targets;
+        let target = sample.and_then(|s| Some(loaded_session.session.samples.target.as_ref()?[s]));
         let target = targets.get(target.map_or(0, |t| t as usize));
         let target_mm = target.map_or_else(Point3::origin, |t| t.position_mm);
         let base = workbench.base();
@@ -185,21 +185,21 @@ fn home(robot: &Robot) -> Vec<f64> {
 }
 
 fn real(workbench: &Workbench, sample: usize, corners: &[Point3<f64>]) -> Option<Real> {
-    let subject = &**workbench.loaded_session();
-    if !subject.usable[sample] {
+    let loaded_session = &**workbench.loaded_session();
+    if !loaded_session.usable[sample] {
         return None;
     }
     let answer = workbench.answer();
     // What the model says is what was measured without what is left.
     let left = answer.map_or([0.0; 3], |answer| answer.deviation_after(sample));
-    let real = Vector3::from(subject.measured(sample)) - Vector3::from(left);
+    let real = Vector3::from(loaded_session.measured(sample)) - Vector3::from(left);
     let deviation = real - corners.last()?.coords;
     let length = deviation.norm();
     if !length.is_finite() {
         return None;
     }
     let wanted = magnification(workbench);
-    let most = MOST_DISPLACED * subject.overview.reach_mm / length.max(1e-9);
+    let most = MOST_DISPLACED * loaded_session.overview.reach_mm / length.max(1e-9);
     let times = if wanted <= most {
         wanted
     } else {
@@ -278,7 +278,7 @@ mod tests {
                 assert!((0..2).all(|k| low[k] <= p[k] && p[k] <= high[k]), "{p:?}");
             }
         }
-        let subject = Arc::clone(workbench.loaded_session());
-        assert_eq!(subject.overview.robot_mm[0][2], 0.0);
+        let loaded_session = Arc::clone(workbench.loaded_session());
+        assert_eq!(loaded_session.overview.robot_mm[0][2], 0.0);
     }
 }

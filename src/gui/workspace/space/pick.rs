@@ -110,14 +110,14 @@ mod tests {
                 workbench.execute(Command::View(ViewChange::Turn(camera)));
                 let shown = Shown::of(&workbench);
                 let facing = workbench.facing();
-                let subject = workbench.loaded_session();
-                for sample in subject.overview.usable.iter().map(|s| *s as usize) {
-                    let p = subject.measured(sample);
+                let loaded_session = workbench.loaded_session();
+                for sample in loaded_session.overview.usable.iter().map(|s| *s as usize) {
+                    let p = loaded_session.measured(sample);
                     let at = facing.flat(p);
-                    let all = subject.len();
+                    let all = loaded_session.len();
                     let found = under(&workbench, &shown, at, 100.0, (14.0, all));
                     let found = found.expect("it is there");
-                    let q = subject.measured(found);
+                    let q = loaded_session.measured(found);
                     let apart = facing.flat([0, 1, 2].map(|k| q[k] - p[k]));
                     assert!(100.0 * apart[0].hypot(apart[1]) < SAME + 0.1);
                     assert!(facing.nearness(q) > facing.nearness(p) - 1e-3);

@@ -66,9 +66,9 @@ pub(super) fn scene(
     grid(&mut scene, workbench, space);
     path(&mut scene, shown);
     if let Some(robot) = robot {
-        let subject = workbench.loaded_session();
-        let surface = subject.appearance.as_deref().map(|appearance| {
-            let motions = subject.session.robot.motions_from_home(&robot.q);
+        let loaded_session = workbench.loaded_session();
+        let surface = loaded_session.appearance.as_deref().map(|appearance| {
+            let motions = loaded_session.session.robot.motions_from_home(&robot.q);
             let motions: Vec<_> = motions.iter().map(|motion| space.base * motion).collect();
             let facing = &shown.look.facing;
             robot::surface(appearance, &motions, facing, robot.asked_for)

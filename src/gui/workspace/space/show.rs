@@ -29,7 +29,14 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, posing: bool, commands: &
     let shown = Shown::of(workbench);
     let robot = Drawn::of(workbench);
     let notes = Notes::recall(ui, &shown);
-    let scale = legend::show(ui, workbench, &shown, robot.as_ref(), &notes.said, &palette);
+    let scale = legend::show(
+        ui,
+        workbench,
+        &shown,
+        robot.as_ref(),
+        &notes.lines,
+        &palette,
+    );
     if posing && let Some(robot) = &robot {
         Panel::right("joints of the robot")
             .resizable(false)
@@ -238,9 +245,9 @@ mod tests {
             let turned = workbench.view().camera.orbited([61.0, 17.0]);
             workbench.execute(Command::View(ViewChange::Turn(turned)));
             let space = Space::new(&workbench, rect);
-            let subject = workbench.loaded_session();
-            for sample in 0..subject.len() {
-                let at = space.camera.at(subject.measured(sample));
+            let loaded_session = workbench.loaded_session();
+            for sample in 0..loaded_session.len() {
+                let at = space.camera.at(loaded_session.measured(sample));
                 assert!(rect.contains(at), "{at:?}");
             }
             assert!(rect.contains(space.camera.at(space.of_base([0.0; 3]))));

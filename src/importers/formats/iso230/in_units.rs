@@ -16,14 +16,14 @@ pub(super) struct Units {
 }
 
 pub(super) fn units_of(
-    case: &mut ReadContext<'_>,
+    context: &mut ReadContext<'_>,
     grid: &Grid<'_>,
     headings: &[String],
     parts: &[TableColumn],
 ) -> Option<Units> {
     let suits = |unit: &Unit| match unit {
-        Unit::Length(_) => case.reading.slides,
-        Unit::Angle(_) => !case.reading.slides,
+        Unit::Length(_) => context.reading.slides,
+        Unit::Angle(_) => !context.reading.slides,
         Unit::Fixed => false,
     };
     let in_heading = |index: usize| match words_and_unit(&headings.get(index)?.to_lowercase()).1? {
@@ -52,12 +52,12 @@ pub(super) fn units_of(
         }
     }
     if let Some((index, _)) = strange {
-        let (kind, expected) = if case.reading.slides {
+        let (kind, expected) = if context.reading.slides {
             (text!("an angle for a sliding joint"), text!("a length"))
         } else {
             (text!("a length for a joint that turns"), text!("an angle"))
         };
-        case.refuse(
+        context.refuse(
             text!(
                 "{index}: {kind}",
                 index = quoted(&headings[index]),
@@ -76,10 +76,10 @@ pub(super) fn units_of(
             _ => None,
         })
     });
-    let given = if case.reading.slides {
-        case.reading.unit.map(LengthUnit::unit)
+    let given = if context.reading.slides {
+        context.reading.unit.map(LengthUnit::unit)
     } else {
-        case.reading.angle_unit.map(AngleUnit::unit)
+        context.reading.angle_unit.map(AngleUnit::unit)
     };
     // What holds for the targets holds for the positions, but for deviations nothing follows.
     let default = given.or(in_preamble.filter(suits));
@@ -88,16 +88,16 @@ pub(super) fn units_of(
     let inherited = if is_deviation { None } else { target };
     let measured_unit = measured.or(default).or(inherited);
     let (Some(target), Some(measured)) = (target_unit, measured_unit) else {
-        let (about, answers): (_, &[&str]) = if case.reading.slides {
+        let (about, answers): (_, &[&str]) = if context.reading.slides {
             (About::Unit, &["mm", "m", "in"])
         } else {
             (About::AngleUnit, &["deg", "rad"])
         };
         let says = text!("the unit of the targets or of the positions is not stated");
-        case.ask(about, says, answers);
+        context.ask(about, says, answers);
         return None;
     };
-    case.found.unit = match default {
+    context.found.unit = match default {
         Some(_) => text!("as stated"),
         None => text!("from the headings"),
     };

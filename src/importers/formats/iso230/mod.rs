@@ -30,7 +30,7 @@ use parts::{TableColumn, headings, parts};
 
 pub(crate) static IMPORTER: Importer = Importer {
     id: "iso230",
-    plainly: phrase!("an ISO 230-2 run: targets and positions of one axis"),
+    title: phrase!("an ISO 230-2 run: targets and positions of one axis"),
     asks: Questions {
         columns: Meanings::Own(&[
             ("target", "target position"),
@@ -61,12 +61,12 @@ struct Measurement {
 }
 
 /// Reads the runs of an axis.
-fn read(case: &mut ReadContext<'_>) -> Option<Columns> {
-    let grid = case.grid()?;
+fn read(context: &mut ReadContext<'_>) -> Option<Columns> {
+    let grid = context.grid()?;
     let headings = headings(&grid);
-    let parts = parts(case, &grid, &headings)?;
-    let said = &case.reading.columns;
-    case.found.columns = headings
+    let parts = parts(context, &grid, &headings)?;
+    let said = &context.reading.columns;
+    context.found.columns = headings
         .iter()
         .zip(&parts)
         .enumerate()
@@ -96,27 +96,27 @@ fn read(case: &mut ReadContext<'_>) -> Option<Columns> {
             None | Some(TableColumn::Direction | TableColumn::Run | TableColumn::Other)
         )
     };
-    let decimal = case.decimal_sign(&grid, &is_number);
-    let units = units_of(case, &grid, &headings, &parts);
+    let decimal = context.decimal_sign(&grid, &is_number);
+    let units = units_of(context, &grid, &headings, &parts);
     let (decimal, units) = (decimal?, units?);
-    let list = measurements(case, &grid, &parts, decimal);
-    case.found.rows = list.len();
-    if list.is_empty() && !case.is_open() {
-        case.refuse(text!("no measurement"), text!("at least one"));
+    let list = measurements(context, &grid, &parts, decimal);
+    context.found.rows = list.len();
+    if list.is_empty() && !context.is_open() {
+        context.refuse(text!("no measurement"), text!("at least one"));
     }
-    if case.is_open() {
+    if context.is_open() {
         return None;
     }
     let is_wide = parts
         .iter()
         .any(|part| matches!(part, TableColumn::Of { .. }));
-    let is_deviation = deviations(case, &parts, &list, units)?;
-    Some(columns(case, &in_order(list, is_wide), is_deviation, units))
+    let is_deviation = deviations(context, &parts, &list, units)?;
+    Some(columns(context, &in_order(list, is_wide), is_deviation, units))
 }
 
 /// Reads every measured cell.
 fn measurements(
-    case: &mut ReadContext<'_>,
+    context: &mut ReadContext<'_>,
     grid: &Grid<'_>,
     parts: &[TableColumn],
     decimal: Decimal,
@@ -124,7 +124,7 @@ fn measurements(
     let mut list = Vec::new();
     let mut complaints = Complaints::default();
     let mut empty = 0;
-    let place = case.place.clone();
+    let place = context.place.clone();
     grid.each_row(&place, &mut complaints, |row, complaints| {
         let cell = |index: usize| row.cells.get(index).map_or("", |cell| cell.as_ref());
         let mut wrong = |index: usize, expected: Template| {
@@ -177,9 +177,9 @@ fn measurements(
             }
         }
     });
-    complaints.into(&place, &mut case.found.findings, others_like_these);
+    complaints.into(&place, &mut context.found.findings, others_like_these);
     if empty > 0 {
-        case.note(text!(
+        context.note(text!(
             one "{count} cell is empty: not measured, excluded",
             "{count} cells are empty: not measured, excluded",
             count = empty
@@ -190,7 +190,7 @@ fn measurements(
 
 /// Whether deviations stand in the place of positions.
 fn deviations(
-    case: &mut ReadContext<'_>,
+    context: &mut ReadContext<'_>,
     parts: &[TableColumn],
     list: &[Measurement],
     units: Units,
@@ -213,13 +213,13 @@ fn deviations(
         return Some(false);
     }
     if largest(&|measured, _| measured) <= 0.02 * travel {
-        case.warn(
+        context.warn(
             text!("the measured values are far too small for positions: they are taken as deviations from the targets"),
             text!("a heading with the word deviation, or positions"),
         );
         return Some(true);
     }
-    case.refuse(
+    context.refuse(
         text!(
             "measured positions are up to {travel} % of the travel away from their targets",
             travel = format!("{:.1}", 100.0 * off / travel)
@@ -249,12 +249,12 @@ fn in_order(mut list: Vec<Measurement>, is_wide: bool) -> Vec<Measurement> {
 }
 
 fn columns(
-    case: &ReadContext<'_>,
+    context: &ReadContext<'_>,
     list: &[Measurement],
     is_deviation: bool,
     units: Units,
 ) -> Columns {
-    let joint = case.reading.joint;
+    let joint = context.reading.joint;
     let of = |get: fn(&Measurement) -> f64| list.iter().map(get).collect::<Vec<f64>>();
     let position = |m: &Measurement| {
         let measured = m.measured * units.measured.factor();

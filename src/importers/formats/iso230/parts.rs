@@ -51,11 +51,11 @@ pub(super) fn headings(grid: &Grid<'_>) -> Vec<String> {
 
 /// What each column is.
 pub(super) fn parts(
-    case: &mut ReadContext<'_>,
+    context: &mut ReadContext<'_>,
     grid: &Grid<'_>,
     headings: &[String],
 ) -> Option<Vec<TableColumn>> {
-    let given = &case.reading.columns;
+    let given = &context.reading.columns;
     let parts: Vec<TableColumn> = if !given.is_empty() {
         let mut parts: Vec<TableColumn> = given.iter().map(|word| part_of(word)).collect();
         parts.resize(grid.width, TableColumn::Other);
@@ -74,7 +74,7 @@ pub(super) fn parts(
         }
         parts
     } else if grid.width == 4 {
-        case.note(text!(
+        context.note(text!(
             "no header: the columns are taken as target, direction, run, position"
         ));
         vec![
@@ -85,7 +85,7 @@ pub(super) fn parts(
         ]
     } else {
         let says = text!(one "{count} column and no header", "{count} columns and no header", count = grid.width);
-        case.ask(About::Columns, says, &["target,direction,run,position"]);
+        context.ask(About::Columns, says, &["target,direction,run,position"]);
         return None;
     };
     let count = |wanted: fn(&TableColumn) -> bool| parts.iter().filter(|part| wanted(part)).count();
@@ -102,7 +102,7 @@ pub(super) fn parts(
         );
         let long = "target,direction,run,position";
         let wide = "target,\"run 1 +\",\"run 1 -\"";
-        case.ask(About::Columns, says, &[long, wide]);
+        context.ask(About::Columns, says, &[long, wide]);
         return None;
     }
     Some(parts)

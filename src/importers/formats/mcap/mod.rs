@@ -25,7 +25,7 @@ use topics::{Topic, Topics};
 
 pub(crate) static IMPORTER: Importer = Importer {
     id: "mcap",
-    plainly: phrase!("an MCAP recording: joint states and measured poses"),
+    title: phrase!("an MCAP recording: joint states and measured poses"),
     asks: Questions {
         table: false,
         columns: Meanings::Fixed,
@@ -70,38 +70,38 @@ pub(crate) static IMPORTER: Importer = Importer {
 };
 
 /// Reads a recording.
-fn read(case: &mut ReadContext<'_>) -> Option<Columns> {
-    let topics = gathered(case)?;
-    case.found.names = topics.names().map(str::to_owned).collect();
-    case.note(text!("topics: {topics}", topics = topics.in_words()));
-    let joints = chosen(case, &topics, &JOINTS);
-    let measured = chosen(case, &topics, &MEASURED);
+fn read(context: &mut ReadContext<'_>) -> Option<Columns> {
+    let topics = gathered(context)?;
+    context.found.names = topics.names().map(str::to_owned).collect();
+    context.note(text!("topics: {topics}", topics = topics.in_words()));
+    let joints = chosen(context, &topics, &JOINTS);
+    let measured = chosen(context, &topics, &MEASURED);
     let (joints, measured) = (joints.ok()?, measured.ok()?);
     let Some(measured) = measured else {
         let expected = text!(
             "a topic of one of the types {types_in_words}",
             types_in_words = MEASURED.types_in_words()
         );
-        case.refuse(
+        context.refuse(
             text!("no topic with measured poses, points or transforms"),
             expected,
         );
         return None;
     };
     let path = if let Some(topic) = joints {
-        Some(recorded::path(case, topic)?)
+        Some(recorded::path(context, topic)?)
     } else {
-        case.note(text!(
+        context.note(text!(
             "no topic with joint states: --commands says where the robot was sent"
         ));
         None
     };
     let start_ns = joints.and_then(Topic::start_ns).or(measured.start_ns())?;
-    let mut columns = recorded::points(case, measured, start_ns)?;
-    case.found.unit = text!("m and rad, as the messages have it");
+    let mut columns = recorded::points(context, measured, start_ns)?;
+    context.found.unit = text!("m and rad, as the messages have it");
     columns.commands = path.map(|path| Box::new(path.into_columns(start_ns)));
     let listed = columns.commands.iter().flat_map(|path| &path.list);
-    case.found.columns = listed
+    context.found.columns = listed
         .chain(&columns.list)
         .map(|column| ColumnGuess {
             heading: column.name.clone(),
@@ -109,16 +109,16 @@ fn read(case: &mut ReadContext<'_>) -> Option<Columns> {
             known: Known::Certain,
         })
         .collect();
-    case.found.rows = columns.rows();
-    (!case.is_open()).then_some(columns)
+    context.found.rows = columns.rows();
+    (!context.is_open()).then_some(columns)
 }
 
 /// Everything of use in the file, by topic. A recording that is cut off is good up to there.
-fn gathered(case: &mut ReadContext<'_>) -> Option<Topics> {
+fn gathered(context: &mut ReadContext<'_>) -> Option<Topics> {
     let mut topics = Topics::default();
-    let part = case.part;
+    let part = context.part;
     let mut cancelled = false;
-    let read = container::Reader::default().read(case.bytes, &mut |channels, message, share| {
+    let read = container::Reader::default().read(context.bytes, &mut |channels, message, share| {
         cancelled = part.reached(0.9 * share).is_err();
         topics.add(&channels[message.channel], message);
         !cancelled
@@ -132,19 +132,19 @@ fn gathered(case: &mut ReadContext<'_>) -> Option<Topics> {
             byte = broken.byte,
             found = broken.found
         );
-        let place = case.place.clone();
+        let place = context.place.clone();
         if broken.is_cut && topics.messages() > 0 {
             let found = text!("{found}; everything before it is read", found = found);
             let diagnostic = Diagnostic::warning(place, found, broken.expected);
-            case.found.findings.push(diagnostic);
+            context.found.findings.push(diagnostic);
         } else {
             let diagnostic = Diagnostic::error(place, found, broken.expected);
-            case.found.findings.push(diagnostic);
+            context.found.findings.push(diagnostic);
             return None;
         }
     }
     if topics.messages() == 0 {
-        case.refuse(
+        context.refuse(
             text!("a recording without messages"),
             text!("joint states and measured poses"),
         );
@@ -193,7 +193,7 @@ impl TopicRequest {
 
 /// The topic that was said, or the only one of the types that are wanted. `None`: there is none.
 fn chosen<'t>(
-    case: &mut ReadContext<'_>,
+    context: &mut ReadContext<'_>,
     topics: &'t Topics,
     wanted: &TopicRequest,
 ) -> Result<Option<&'t Topic>, NeedsAnswer> {
@@ -202,7 +202,7 @@ fn chosen<'t>(
         all.filter(|topic| types.contains(&topic.type_)).collect()
     };
     let suited: Vec<&Topic> = wanted.types.iter().flat_map(|types| of(types)).collect();
-    if let Some(said) = case.reading.options.get(wanted.option) {
+    if let Some(said) = context.reading.options.get(wanted.option) {
         let is =
             |topic: &&&Topic| topic.name.trim_start_matches('/') == said.trim_start_matches('/');
         let found = suited.iter().find(is).copied();
@@ -220,10 +220,10 @@ fn chosen<'t>(
                 ),
                 names => text!("one of {names}", names = names.join(", ")),
             };
-            case.refuse(found, expected);
+            context.refuse(found, expected);
             return Err(NeedsAnswer);
         }
-        return sound(case, found);
+        return sound(context, found);
     }
     for types in wanted.types {
         let mut candidates = of(types);
@@ -233,7 +233,7 @@ fn chosen<'t>(
         }
         match candidates[..] {
             [] => {}
-            [only] => return sound(case, Some(only)),
+            [only] => return sound(context, Some(only)),
             _ => {
                 let names: Vec<&str> = candidates.iter().map(|topic| topic.name.as_str()).collect();
                 let names_of = names.join(", ");
@@ -248,7 +248,7 @@ fn chosen<'t>(
                         names = names_of
                     )
                 };
-                case.ask(About::Own(wanted.option), says, &names);
+                context.ask(About::Own(wanted.option), says, &names);
                 return Err(NeedsAnswer);
             }
         }
@@ -258,7 +258,7 @@ fn chosen<'t>(
 
 /// The topic, if its messages can be read.
 fn sound<'t>(
-    case: &mut ReadContext<'_>,
+    context: &mut ReadContext<'_>,
     topic: Option<&'t Topic>,
 ) -> Result<Option<&'t Topic>, NeedsAnswer> {
     if let Some(topic) = topic
@@ -269,9 +269,9 @@ fn sound<'t>(
             byte = wrong.byte,
             number = wrong.number,
             topic = quoted(&topic.name),
-            wrong = &wrong.says
+            wrong = &wrong.problem
         );
-        case.refuse(
+        context.refuse(
             found,
             text!("a {type} in CDR or JSON", type = topic.type_.name()),
         );

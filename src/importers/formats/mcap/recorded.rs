@@ -34,9 +34,9 @@ pub(super) struct Path {
 }
 
 /// The path of the robot's joints. `None`: something is asked, or wrong.
-pub(super) fn path(case: &mut ReadContext<'_>, topic: &Topic) -> Option<Path> {
-    let names = joints_of(case, topic)?;
-    let slides = match &case.reading.joints[..] {
+pub(super) fn path(context: &mut ReadContext<'_>, topic: &Topic) -> Option<Path> {
+    let names = joints_of(context, topic)?;
+    let slides = match &context.reading.joints[..] {
         [] => vec![false; names.len()],
         joints => joints.iter().map(|(_, slides)| *slides).collect(),
     };
@@ -59,7 +59,7 @@ pub(super) fn path(case: &mut ReadContext<'_>, topic: &Topic) -> Option<Path> {
             "no message of {topic} has all joints",
             topic = quoted(&topic.name)
         );
-        case.refuse(says, listed_names_up_to(&names, SHOWN));
+        context.refuse(says, listed_names_up_to(&names, SHOWN));
         return None;
     }
     if rows.len() < all {
@@ -68,11 +68,11 @@ pub(super) fn path(case: &mut ReadContext<'_>, topic: &Topic) -> Option<Path> {
             count = all - rows.len(),
             all = all
         );
-        case.warn(found, Text::default());
+        context.warn(found, Text::default());
     }
     let start_ns = topic.start_ns()?;
     let path = Path::averaged(&rows, names.len(), slides, start_ns);
-    case.note(text!(
+    context.note(text!(
         "joint values are those that {topic} reports, {rows} of them, taken as commanded: {names}",
         topic = quoted(&topic.name),
         rows = rows.len(),
@@ -82,15 +82,15 @@ pub(super) fn path(case: &mut ReadContext<'_>, topic: &Topic) -> Option<Path> {
 }
 
 /// The recorded joints that are the robot's, from base to tool.
-fn joints_of(case: &mut ReadContext<'_>, topic: &Topic) -> Option<Vec<String>> {
-    let robot: Vec<&str> = case
+fn joints_of(context: &mut ReadContext<'_>, topic: &Topic) -> Option<Vec<String>> {
+    let robot: Vec<&str> = context
         .reading
         .joints
         .iter()
         .map(|(name, _)| name.as_str())
         .collect();
     let recorded = listed_names_up_to(&topic.joint_names, SHOWN);
-    if let Some(said) = case.reading.options.get(JOINT_NAMES) {
+    if let Some(said) = context.reading.options.get(JOINT_NAMES) {
         let names: Vec<String> = said.split(',').map(|name| name.trim().to_owned()).collect();
         let unknown = names.iter().find(|name| !topic.joints.contains_key(*name));
         let distinct: BTreeSet<&String> = names.iter().collect();
@@ -108,7 +108,7 @@ fn joints_of(case: &mut ReadContext<'_>, topic: &Topic) -> Option<Vec<String>> {
             ),
             None => return Some(names),
         };
-        case.refuse(
+        context.refuse(
             text!(
                 "--{joint_names}: {found}",
                 joint_names = JOINT_NAMES,
@@ -141,7 +141,7 @@ fn joints_of(case: &mut ReadContext<'_>, topic: &Topic) -> Option<Vec<String>> {
     } else {
         &[]
     };
-    case.ask(About::Own(JOINT_NAMES), says, answers);
+    context.ask(About::Own(JOINT_NAMES), says, answers);
     None
 }
 
@@ -209,8 +209,8 @@ fn time_column(time_s: Vec<f64>) -> Column {
 }
 
 /// What was measured, in the order of time. `None`: something is asked.
-pub(super) fn points(case: &mut ReadContext<'_>, topic: &Topic, start_ns: i64) -> Option<Columns> {
-    let child = child_of(case, topic).ok()?;
+pub(super) fn points(context: &mut ReadContext<'_>, topic: &Topic, start_ns: i64) -> Option<Columns> {
+    let child = child_of(context, topic).ok()?;
     let mut list: Vec<&Measured> = topic
         .measured
         .iter()
@@ -226,11 +226,11 @@ pub(super) fn points(case: &mut ReadContext<'_>, topic: &Topic, start_ns: i64) -
             list = list.len(),
             topic = quoted(&topic.name)
         );
-        case.warn(found, Text::default());
+        context.warn(found, Text::default());
         list.retain(|measured| measured.is_there());
     }
     if list.is_empty() {
-        case.refuse(
+        context.refuse(
             text!(
                 "nothing was measured in {topic}",
                 topic = quoted(&topic.name)
@@ -242,7 +242,7 @@ pub(super) fn points(case: &mut ReadContext<'_>, topic: &Topic, start_ns: i64) -
     let frames: BTreeSet<&str> = list.iter().map(|m| m.header.frame.as_str()).collect();
     let frames: Vec<String> = frames.into_iter().map(quoted).collect();
     let listed = listed_names_up_to(&frames, SHOWN);
-    case.note(match child {
+    context.note(match child {
         Some(child) => text!(
             "measured is {topic}, child {child}, {list} times, in the frame {frames}",
             topic = quoted(&topic.name),
@@ -301,13 +301,13 @@ pub(super) fn points(case: &mut ReadContext<'_>, topic: &Topic, start_ns: i64) -
 }
 
 /// The child frame that was measured: `None` where there are no transforms.
-fn child_of(case: &mut ReadContext<'_>, topic: &Topic) -> Result<Option<String>, NeedsAnswer> {
+fn child_of(context: &mut ReadContext<'_>, topic: &Topic) -> Result<Option<String>, NeedsAnswer> {
     let children: BTreeSet<&str> = topic.measured.iter().map(|m| m.child.as_str()).collect();
     let children: Vec<&str> = children
         .into_iter()
         .filter(|child| !child.is_empty())
         .collect();
-    if let Some(said) = case.reading.options.get(FRAME_CHILD) {
+    if let Some(said) = context.reading.options.get(FRAME_CHILD) {
         if children.contains(&said.as_str()) {
             return Ok(Some(said.clone()));
         }
@@ -322,7 +322,7 @@ fn child_of(case: &mut ReadContext<'_>, topic: &Topic) -> Result<Option<String>,
             [] => text!("a topic with transforms; this one has {type}", type = topic.type_.name()),
             names => text!("one of {names}", names = listed_names_up_to(names, SHOWN)),
         };
-        case.refuse(found, expected);
+        context.refuse(found, expected);
         return Err(NeedsAnswer);
     }
     match children[..] {
@@ -334,7 +334,7 @@ fn child_of(case: &mut ReadContext<'_>, topic: &Topic) -> Result<Option<String>,
                 topic = quoted(&topic.name),
                 children = children.join(", ")
             );
-            case.ask(About::Own(FRAME_CHILD), says, &children);
+            context.ask(About::Own(FRAME_CHILD), says, &children);
             Err(NeedsAnswer)
         }
     }

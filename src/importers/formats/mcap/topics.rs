@@ -31,7 +31,7 @@ pub(super) struct WrongMessage {
     pub(super) byte: usize,
     /// Counted from 1.
     pub(super) number: usize,
-    pub(super) says: Text,
+    pub(super) problem: Text,
 }
 
 impl Topic {
@@ -116,7 +116,7 @@ impl Topics {
             topic.wrong = Some(WrongMessage {
                 byte: message.byte,
                 number: topic.messages,
-                says,
+                problem: says,
             });
         }
     }

@@ -151,7 +151,7 @@ fn joint(o: &mut Object<'_, '_>, own: &mut Joint) {
     o.required("axis", &mut own.axis.direction, &AXIS);
     o.required("point_mm", &mut own.axis.point_mm, &point(VECTOR.expected));
     let (kind, limits) = (own.kind, own.limits);
-    let mut ends = limits.map(|limits| [limits.from, limits.to].map(|end| outer(kind, end)));
+    let mut ends = limits.map(|limits| [limits.from, limits.to].map(|end| to_display(kind, end)));
     o.optional("limits", &mut ends, &ENDS);
     own.limits = ends.map(|ends| range(kind, ends));
     for key in ["mass_kg", "centre_mm"] {
@@ -212,7 +212,7 @@ fn follows(o: &mut Object<'_, '_>, own: &mut Follows) {
 }
 
 /// A value of a joint as a file says it: degrees that are read as the same angle, or mm.
-pub(crate) fn outer(kind: JointKind, inner: f64) -> f64 {
+pub(crate) fn to_display(kind: JointKind, inner: f64) -> f64 {
     match kind {
         JointKind::Revolute => degrees(inner),
         JointKind::Prismatic => inner,

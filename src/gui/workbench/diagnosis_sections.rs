@@ -9,12 +9,12 @@ use crate::text::current;
 
 impl Workbench {
     /// What the diagnosis of the open session says; nothing where there is none.
-    pub(crate) fn said(&self) -> Arc<[Section]> {
+    pub(crate) fn diagnosis_sections(&self) -> Arc<[Section]> {
         let (Some(search), Some(found)) = (self.searched.as_ref(), self.diagnosis()) else {
             return Arc::default();
         };
         let voice = (self.units(), current(), notation());
-        let mut said = self.said.0.borrow_mut();
+        let mut said = self.spoken_sections.0.borrow_mut();
         let kept = said
             .take()
             .filter(|(whose, how, _)| Arc::ptr_eq(whose, search) && *how == voice);

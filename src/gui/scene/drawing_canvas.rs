@@ -35,7 +35,7 @@ impl Paper<'_> {
 
     fn stroke(stroke: Stroke) -> drawing::Stroke {
         let width = f64::from(SCALE * stroke.width);
-        let drawn = drawing::Stroke::new(width, colour(stroke.ink));
+        let drawn = drawing::Stroke::new(width, colour(stroke.colour));
         match stroke.dash {
             Some([dash, gap]) => drawn.dashed(f64::from(SCALE * dash), f64::from(SCALE * gap)),
             None => drawn,
@@ -165,7 +165,7 @@ impl Canvas for Paper<'_> {
         };
         let at = self.on_sheet(pos2(x, place.center().y + 0.35 * label.size));
         let size = f64::from(SCALE * label.size);
-        let text = drawing::Label::new(at, cut_short(label), size, colour(label.ink));
+        let text = drawing::Label::new(at, cut_short(label), size, colour(label.colour));
         self.drawing.text(drawing::Label {
             bold: label.bold,
             ..text.anchored(anchor)

@@ -182,7 +182,7 @@ impl Chart {
         };
         for entry in self.legend.iter().rev() {
             // What was left out is not named either.
-            if entry.stands == ColourRole::Before && !drawn(ColourRole::Before) {
+            if entry.role == ColourRole::Before && !drawn(ColourRole::Before) {
                 continue;
             }
             let name = &entry.on_paper;
@@ -202,7 +202,7 @@ fn width(text: &str) -> f64 {
 }
 
 fn symbol(entry: &Entry, [x, y]: [f64; 2]) -> drawing::Item {
-    let colour = entry.stands.on_paper();
+    let colour = entry.role.on_paper();
     let mark = |shape| drawing::Item::Marks {
         shape,
         at: vec![[x, y]],
