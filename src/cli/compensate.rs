@@ -143,7 +143,7 @@ impl Compensate {
             start: self
                 .start
                 .as_deref()
-                .map(|start| from_display(robot, start)),
+                .map(|start| to_base_units(robot, start)),
             frame,
             tool,
             frames,
@@ -276,13 +276,13 @@ fn pose(option: &str, numbers: &[f64], turns: Orientation) -> Result<Pose, Failu
 }
 
 /// Values in degrees or mm in rad or mm; too many or too few are told apart later.
-fn from_display(robot: &Robot, start: &[f64]) -> Vec<f64> {
+fn to_base_units(robot: &Robot, start: &[f64]) -> Vec<f64> {
     let kinds = robot.joints.iter().map(|joint| Some(joint.kind));
     let kinds = kinds.chain(std::iter::repeat(None));
     start
         .iter()
         .zip(kinds)
-        .map(|(value, kind)| kind.map_or(*value, |kind| kind.from_display(*value)))
+        .map(|(value, kind)| kind.map_or(*value, |kind| kind.to_base_units(*value)))
         .collect()
 }
 

@@ -103,7 +103,7 @@ displays_what_it_says!(TableError);
 
 impl std::error::Error for TableError {}
 
-/// See the module. Values are in inner units; [`JointTable::outer`] gives those of the user.
+/// See the module. Values are in inner units; [`JointTable::to_display`] gives those of the user.
 #[derive(Debug, Clone, PartialEq)]
 pub struct JointTable {
     /// Joint, counted from 0.
@@ -163,7 +163,7 @@ impl JointTable {
         let grid = Grid::new(axis.kind, travel, step_outer)?;
         notes.extend(grid.note(step_outer));
         let held: Vec<f64> = grid
-            .from_display(axis.kind)
+            .to_base_units(axis.kind)
             .iter()
             .map(|q| raw.to_model(q.max(measured.from).min(measured.to)))
             .collect();
@@ -227,7 +227,7 @@ impl JointTable {
 
     /// The column of a side (in inner units, over commands in inner units), to look values up in.
     pub fn lookup(&self, side: Side) -> UniformTable {
-        let inner = |outer: f64| self.kind.from_display(outer);
+        let inner = |outer: f64| self.kind.to_base_units(outer);
         let values: Vec<f64> = match side {
             Side::Forward => self.forward.clone(),
             Side::Reverse => self.reverse.clone(),
@@ -382,8 +382,8 @@ impl Grid {
         })
     }
 
-    fn from_display(&self, kind: JointKind) -> Vec<f64> {
-        let inner = |outer: &f64| kind.from_display(*outer);
+    fn to_base_units(&self, kind: JointKind) -> Vec<f64> {
+        let inner = |outer: &f64| kind.to_base_units(*outer);
         self.commanded.iter().map(inner).collect()
     }
 

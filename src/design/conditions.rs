@@ -38,7 +38,7 @@ const USUAL: f64 = 10.0;
 /// range.
 pub(crate) fn approach(joint: &Joint, range: Option<Range>) -> f64 {
     let usual = match joint.kind {
-        JointKind::Revolute => joint.kind.from_display(5.0),
+        JointKind::Revolute => joint.kind.to_base_units(5.0),
         JointKind::Prismatic => 10.0,
     };
     range.map_or(usual, |r| usual.min(0.25 * (r.to - r.from)))

@@ -1,6 +1,7 @@
 //! Sections of blocks: what every answer is made of.
 
 use crate::present::drawing::Drawing;
+use crate::present::numbers::with_minus_signs;
 use crate::present::table::Table;
 
 /// A part of an answer.
@@ -27,6 +28,14 @@ impl Section {
             title,
             blocks,
         }
+    }
+
+    /// As it stands on paper and on a screen: see [`Block::with_minus_signs`].
+    pub(crate) fn with_minus_signs(mut self) -> Self {
+        self.title = with_minus_signs(&self.title);
+        let blocks = self.blocks.into_iter();
+        self.blocks = blocks.map(Block::with_minus_signs).collect();
+        self
     }
 }
 
@@ -59,6 +68,24 @@ pub enum Topic {
     NotTestable,
     /// Anything else.
     Other,
+}
+
+impl Block {
+    /// With real minus signs before its numbers; those of the terminal are read by other programs.
+    pub(crate) fn with_minus_signs(mut self) -> Self {
+        let written = |text: &mut String| *text = with_minus_signs(text);
+        match &mut self {
+            Self::Text(text) | Self::Warning(text) => written(text),
+            Self::List(points) => points.iter_mut().for_each(written),
+            Self::Facts(facts) => facts.iter_mut().for_each(|(_, value)| written(value)),
+            Self::Table(table) => {
+                let cells = table.rows.iter_mut().flatten();
+                cells.for_each(|cell| written(&mut cell.shown));
+            }
+            Self::Heading(_) | Self::Plot(..) | Self::Sign(_) => {}
+        }
+        self
+    }
 }
 
 /// A piece of a section.

@@ -6,7 +6,7 @@
 use crate::text::Text;
 use std::fmt::Write;
 
-use super::rules::{Directions, Rules, EntryMeaning, Spacing};
+use super::rules::{Directions, EntryMeaning, Rules, Spacing};
 use super::sheet::Sheet;
 use super::table_file::{Columns, TableFile, number};
 use super::{ExportError, Format, Job};

@@ -15,7 +15,7 @@
 
 use std::fmt::Write;
 
-use super::rules::{DECIMALS, Directions, Rules, EntryMeaning, Spacing};
+use super::rules::{DECIMALS, Directions, EntryMeaning, Rules, Spacing};
 use super::sheet::Sheet;
 use super::table_file::{Columns, TableFile, number};
 use super::{ExportError, Format, Job};

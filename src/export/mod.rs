@@ -9,7 +9,7 @@
 //!
 //! # Signs
 //! The trap of every compensation table is its sign. Here everything starts from the correction:
-//! what to add to the command. [`Rules::says`] turns it into the file's numbers and back, and
+//! what to add to the command. [`Rules::meaning`] turns it into the file's numbers and back, and
 //! nothing else does. Each format says in its sidecar what its numbers mean, with one worked line.
 //! And each reads its own bytes back: [`Export::reads_as`] is what the controller will make of them,
 //! [`gap_left`] the RMS error that it leaves on a session, [`ResidualError`] what it leaves over the measured range.

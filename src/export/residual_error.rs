@@ -92,7 +92,7 @@ impl Exact {
         let usable = step.is_finite() && step > 0.0;
         let table = job.table(if usable { step } else { 1.0 })?;
         let lever = lever(job);
-        let lever_outer_mm = table.kind.from_display(lever);
+        let lever_outer_mm = table.kind.to_base_units(lever);
         Ok(Self {
             table,
             lever_outer_mm,

@@ -110,8 +110,8 @@ impl Sheet {
     }
 
     /// A value of the joint in inner units.
-    pub fn from_display(&self, outer: f64) -> f64 {
-        self.kind.from_display(outer)
+    pub fn to_base_units(&self, outer: f64) -> f64 {
+        self.kind.to_base_units(outer)
     }
 
     /// First and last place.

@@ -151,7 +151,7 @@ impl WorkedExample {
     /// The entry with the largest correction, forward, in the measured range where there is one.
     fn new(job: &Job, sheet: &Sheet, rules: &Rules) -> Self {
         let size = |k: &usize| {
-            let q = sheet.from_display(sheet.places[*k]);
+            let q = sheet.to_base_units(sheet.places[*k]);
             let measured = q >= sheet.measured.from - 1e-9 && q <= sheet.measured.to + 1e-9;
             (measured, sheet.forward[*k].abs())
         };
@@ -214,10 +214,10 @@ impl WorkedExample {
 fn reached(job: &Job, sheet: &Sheet, commanded: f64, correction: f64) -> f64 {
     let compensation = Compensation::new(job.calibration);
     let joints = job.calibration.model.robot.joints.len();
-    let command = sheet.from_display(commanded);
+    let command = sheet.to_base_units(commanded);
     if joints > 1 || compensation.regional.is_some() {
         // To first order, which is all that a regional correction knows.
-        return command - sheet.from_display(correction);
+        return command - sheet.to_base_units(correction);
     }
     let homes = compensation.reflectors_at_home.clone();
     let inputs = sheet

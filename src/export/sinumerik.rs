@@ -14,7 +14,7 @@
 use crate::text::Text;
 use std::fmt::Write;
 
-use super::rules::{DECIMALS, Directions, FROM_THE_MANUAL, Rules, EntryMeaning, Spacing, decimal};
+use super::rules::{DECIMALS, Directions, EntryMeaning, FROM_THE_MANUAL, Rules, Spacing, decimal};
 use super::sheet::Sheet;
 use super::table_file::{Columns, TableFile, number};
 use super::{ExportError, Format, Job};

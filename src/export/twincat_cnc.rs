@@ -16,7 +16,7 @@
 use crate::text::Text;
 use std::fmt::Write;
 
-use super::rules::{Directions, FROM_THE_MANUAL, Rules, EntryMeaning, Spacing};
+use super::rules::{Directions, EntryMeaning, FROM_THE_MANUAL, Rules, Spacing};
 use super::sheet::Sheet;
 use super::table_file::{Columns, TableFile};
 use super::{ExportError, Format, Job};

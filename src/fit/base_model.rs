@@ -180,7 +180,7 @@ pub fn fit(problem: &mut Problem, start: &Model, weak: bool) -> Fitted {
             // A tool that is mounted turned moves every target; only then are their places in doubt.
             let start = if is_turned(&model) || !may_turn(problem, start) {
                 problem.priors.targets_mm = None;
-                notes.push(text!("the targets do not sit where the session says within targets_sigma_mm: their places are fitted freely"));
+                notes.push(text!("the targets do not sit where the session says, within their stated uncertainty: their places are fitted freely"));
                 Cow::Borrowed(start)
             } else {
                 let turned = Term::absent(&TOOL_ORIENTATION, 0, 0.0);

@@ -41,7 +41,7 @@ impl JointKind {
     }
 
     /// A value in the user's unit in rad or mm.
-    pub fn from_display(self, outer: f64) -> f64 {
+    pub fn to_base_units(self, outer: f64) -> f64 {
         match self {
             Self::Revolute => rad_from_deg(outer),
             Self::Prismatic => outer,

@@ -108,7 +108,7 @@ impl Axes {
         external
             .map(|joint| {
                 let value = number(self.slot(joint))?.value;
-                Ok((joint, self.kind(joint).from_display(value)))
+                Ok((joint, self.kind(joint).to_base_units(value)))
             })
             .collect()
     }
@@ -139,7 +139,7 @@ impl Axes {
     pub fn inner_of_degrees(&self) -> Vec<f64> {
         self.kinds
             .iter()
-            .map(|kind| kind.from_display(1.0))
+            .map(|kind| kind.to_base_units(1.0))
             .collect()
     }
 

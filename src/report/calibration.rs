@@ -54,7 +54,10 @@ impl Report {
             foot: foot(&subject, &calibration.samples_hash),
             language: current(),
             subject,
-            sections,
+            sections: sections
+                .into_iter()
+                .map(Section::with_minus_signs)
+                .collect(),
         }
     }
 }

@@ -108,7 +108,10 @@ impl Report {
             foot: foot(&subject, &hash),
             language: current(),
             subject,
-            sections,
+            sections: sections
+                .into_iter()
+                .map(Section::with_minus_signs)
+                .collect(),
         })
     }
 }

@@ -37,11 +37,9 @@ pub(super) fn copied(session: &Session, _: JointValues) -> Vec<DataProblem> {
     let per_row = -chance(session).ln();
     let least = EVIDENCE + 2.0 * (samples.len() as f64).ln();
     let mut copies = Vec::new();
-    let (mut weakest, mut origins) = (f64::INFINITY, Vec::new());
+    let mut origins = Vec::new();
     for run in runs(&twins) {
-        let evidence = per_row * run.len() as f64;
-        if evidence > least {
-            weakest = weakest.min(evidence - least + EVIDENCE);
+        if per_row * run.len() as f64 > least {
             copies.extend(run.iter().map(|twin| twin.row));
             origins.extend(run.iter().map(|twin| twin.of));
         }
@@ -52,16 +50,13 @@ pub(super) fn copied(session: &Session, _: JointValues) -> Vec<DataProblem> {
     copies.sort_unstable();
     origins.sort_unstable();
     origins.dedup();
-    let weakest = format!("{weakest:.0}");
     let evidence = match copies.len() {
         1 => text!(
-            "the row agrees with an earlier one in every recorded value to the last digit; that it is a copy is e^{weakest} times likelier than chance",
-            weakest = weakest
+            "the row agrees with an earlier one in every recorded value to the last digit; that it is a copy is more than 1000 times likelier than chance"
         ),
         count => text!(
-            "{count} rows agree with an earlier one in every recorded value to the last digit; that they are copies is e^{weakest} times likelier than chance",
-            count = count,
-            weakest = weakest
+            "{count} rows agree with an earlier one in every recorded value to the last digit; that they are copies is more than 1000 times likelier than chance",
+            count = count
         ),
     };
     vec![DataProblem {

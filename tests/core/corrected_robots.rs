@@ -307,7 +307,7 @@ fn a_zero_offset_is_in_the_file_or_left_to_the_controller_and_never_in_both() {
             .map(|(zero, joint)| {
                 joint
                     .kind
-                    .from_display(zero["in_the_controller"].as_f64().unwrap())
+                    .to_base_units(zero["in_the_controller"].as_f64().unwrap())
             })
             .collect();
         assert!(joints.iter().all(|zero| zero["in_the_file"] == 0.0));
@@ -450,7 +450,7 @@ fn frames_and_zeros_say_base_tool_and_offsets_in_every_makers_terms() {
         let zero = |(k, joint): (usize, &truepose::kinematics::Joint)| {
             joint
                 .kind
-                .from_display(row(&format!("zero of joint {}", k + 1))[0])
+                .to_base_units(row(&format!("zero of joint {}", k + 1))[0])
         };
         let zeros: Vec<f64> = nominal.joints.iter().enumerate().map(zero).collect();
         let (mut square, mut before) = (0.0, 0.0);

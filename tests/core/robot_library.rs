@@ -183,7 +183,7 @@ fn forward_positions_are_those_of_a_second_source() {
         let pose: Vec<f64> = joints
             .iter()
             .zip(&forward.pose)
-            .map(|(j, q)| j.kind.from_display(*q))
+            .map(|(j, q)| j.kind.to_base_units(*q))
             .collect();
         for (q, expected) in [(zero, forward.zero_mm), (pose, forward.position_mm)] {
             let found = robot.robot.point_in_base(&q, &Point3::origin());

@@ -4,7 +4,7 @@
 use crate::document::{Member, Value, text_of};
 use crate::text::Text;
 
-use super::rules::{Directions, Rules, EntryMeaning, Spacing};
+use super::rules::{Directions, EntryMeaning, Rules, Spacing};
 use super::sheet::Sheet;
 use super::table_file::{Columns, TableFile};
 use super::{ExportError, Format, Job};

@@ -36,7 +36,14 @@ impl<'a> Panels<'a> {
             extent(shown.map(|i| q[i]))
         };
         Self {
-            ranges: scene.loaded_session.session.samples.q.iter().map(range).collect(),
+            ranges: scene
+                .loaded_session
+                .session
+                .samples
+                .q
+                .iter()
+                .map(range)
+                .collect(),
             stride,
             scene,
         }

@@ -2,6 +2,7 @@
 //! the noise floor below which no model can come.
 
 use super::{About, ChartChoice, ChartKind, ChartPlaceholder, HoverTarget, Scene, Shown};
+use crate::gui::core::document::Method;
 use crate::gui::help;
 use crate::gui::view::Step;
 use crate::model::ResidualStep;
@@ -17,6 +18,17 @@ fn steps<'a>(scene: &Scene<'a>) -> &'a [ResidualStep] {
     scene
         .answer
         .map_or(&[], |answer| &answer.calibration.history)
+}
+
+/// Those of what was found while nothing of it is in the model: the fits are one upon the other.
+fn proposed<'a>(scene: &Scene<'a>) -> &'a [ResidualStep] {
+    let exact = scene.document.method == Method::Exact;
+    match scene.diagnosis() {
+        Some(found) if exact && scene.document.added.is_empty() => {
+            found.history.get(2..).unwrap_or(&[])
+        }
+        _ => &[],
+    }
 }
 
 impl ChartKind for Gap {
@@ -43,12 +55,19 @@ impl ChartKind for Gap {
         let lengths = scene.lengths(&number);
         let floor_mm = scene.diagnosis().map(|d| d.floor.mm);
         let steps = steps(scene);
-        let chart = gap(steps, floor_mm, scene.document.tolerance_mm, lengths);
+        let proposed = proposed(scene);
+        let chart = gap(
+            steps,
+            proposed,
+            floor_mm,
+            scene.document.tolerance_mm,
+            lengths,
+        );
         let mut chart =
             chart.ok_or(ChartPlaceholder::new(say!("nothing is identified yet"), ""))?;
         say!("RMS over the fitted samples").clone_into(&mut chart.note);
         let says = |s: &ResidualStep| format!("{} {}", in_words(&s.what), number(s.gap_mm));
-        let says: Vec<String> = steps.iter().map(says).collect();
+        let says: Vec<String> = steps.iter().chain(proposed).map(says).collect();
         Ok(Shown {
             chart,
             name: say!("gap by step: {steps}", steps = says.join(", ")),
@@ -59,7 +78,7 @@ impl ChartKind for Gap {
 
     fn numbers(&self, scene: &Scene) -> Table {
         let mut table = Table::headed("step | gap, mm");
-        for step in steps(scene) {
+        for step in steps(scene).iter().chain(proposed(scene)) {
             table.row([Cell::from(in_words(&step.what)), step.gap_mm.into()]);
         }
         table

@@ -37,7 +37,12 @@ impl ChartKind for Histogram {
 
     fn work(&self, _: &Scene) -> Option<Work> {
         Some(Work::new(self.about().id, Vec::new(), |given| {
-            let usable = given.loaded_session.overview.usable.iter().map(|i| *i as usize);
+            let usable = given
+                .loaded_session
+                .overview
+                .usable
+                .iter()
+                .map(|i| *i as usize);
             let (before, after) = given.values(&usable.collect::<Vec<_>>());
             let length = given.component == Component::Length;
             Distribution::new(&before, after.as_deref(), length)

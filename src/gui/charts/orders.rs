@@ -46,10 +46,18 @@ impl ChartKind for Orders {
                 variable: Variable::Joint,
                 joint,
             };
-            let usable = given.loaded_session.overview.usable.iter().map(|i| *i as usize);
+            let usable = given
+                .loaded_session
+                .overview
+                .usable
+                .iter()
+                .map(|i| *i as usize);
             let placed = |i: &usize| over.of(given.loaded_session, *i).is_finite();
             let samples: Vec<usize> = usable.filter(placed).collect();
-            let angles: Vec<f64> = samples.iter().map(|i| over.of(given.loaded_session, *i)).collect();
+            let angles: Vec<f64> = samples
+                .iter()
+                .map(|i| over.of(given.loaded_session, *i))
+                .collect();
             let (before, after) = given.values(&samples);
             Spectrum::new(&angles, &before, after.as_deref(), &gears)
         };

@@ -51,7 +51,12 @@ impl ChartKind for Quantiles {
 
     fn work(&self, _: &Scene) -> Option<Work> {
         Some(Work::new(self.about().id, Vec::new(), |given| {
-            let usable = given.loaded_session.overview.usable.iter().map(|i| *i as usize);
+            let usable = given
+                .loaded_session
+                .overview
+                .usable
+                .iter()
+                .map(|i| *i as usize);
             let usable: Vec<usize> = usable.collect();
             let left = given.values(&usable).1.unwrap_or_default();
             Ranked::of(usable.into_iter().zip(left))

@@ -82,7 +82,12 @@ impl Cloud {
         Self([0, 1].map(|when| {
             let place = |sample: usize| at(given.loaded_session, given.answer, axes, when, sample);
             let known = when == 0 || given.answer.is_some() && axes.iter().any(|a| a.changes());
-            let usable = given.loaded_session.overview.usable.iter().filter(|_| known);
+            let usable = given
+                .loaded_session
+                .overview
+                .usable
+                .iter()
+                .filter(|_| known);
             Points::of(usable.copied(), place)
         }))
     }

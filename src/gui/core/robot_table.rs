@@ -310,8 +310,8 @@ impl RobotTable {
             joint.name.clone_from(&row.name);
             let kind = row.kind();
             joint.limits = row.travel.map(|[from, to]| Range {
-                from: kind.from_display(from),
-                to: kind.from_display(to),
+                from: kind.to_base_units(from),
+                to: kind.to_base_units(to),
             });
             joint.link = row.link.map(|(mass_kg, centre)| LinkMass {
                 mass_kg,

@@ -238,8 +238,8 @@ fn change_joint(
     }
     if form.limits != was.limits || form.kind != was.kind {
         joint.limits = form.limits.map(|[from, to]| Range {
-            from: form.kind.from_display(from),
-            to: form.kind.from_display(to),
+            from: form.kind.to_base_units(from),
+            to: form.kind.to_base_units(to),
         });
         if form.limits.is_some_and(|[from, to]| from >= to) {
             let says = say!("limits run from the smaller to the larger value");

@@ -6,6 +6,7 @@ use egui::{Grid, Response, RichText, TextStyle, TextWrapMode, Ui, WidgetText};
 use crate::explain::{Block, Section};
 use crate::gui::style::tokens::{Palette, size, strong};
 use crate::gui::widgets;
+use crate::present::numbers::with_minus_signs;
 use crate::present::table::Table;
 
 /// How a section's title looks.
@@ -30,7 +31,7 @@ pub(crate) fn title(ui: &mut Ui, section: &Section, look: Title) -> Response {
 /// What belongs to it.
 pub(crate) fn show(ui: &mut Ui, blocks: &[Block]) {
     for (index, block) in blocks.iter().enumerate() {
-        match block {
+        match &block.clone().with_minus_signs() {
             Block::Heading(text) => {
                 ui.label(RichText::new(text).font(strong(size::SMALL)));
             }
@@ -62,7 +63,7 @@ pub(crate) fn warned(ui: &mut Ui, blocks: &[Block]) {
         match block {
             Block::List(points) => {
                 for point in points {
-                    widgets::wrong(ui, point);
+                    widgets::wrong(ui, &with_minus_signs(point));
                 }
             }
             other => show(ui, std::slice::from_ref(other)),

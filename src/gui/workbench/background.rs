@@ -198,7 +198,7 @@ impl Workbench {
     pub(super) fn take_opened(&mut self, opened: Result<Opened, Message>) {
         match opened {
             Ok(Opened::Session(loaded_session)) => {
-                self.execute(Command::Edit(Edit::Open(loaded_session)))
+                self.execute(Command::Edit(Edit::Open(loaded_session)));
             }
             Ok(Opened::Foreign(foreign)) => self.view.sheet = Some(Sheet::Import(foreign)),
             Ok(Opened::Model(given)) => {

@@ -98,7 +98,10 @@ fn read(context: &mut ReadContext<'_>) -> Option<Columns> {
     (!context.is_open()).then_some(columns)
 }
 
-fn key_line(context: &mut ReadContext<'_>, rows: &mut TextRows<'_>) -> Option<Vec<(String, String)>> {
+fn key_line(
+    context: &mut ReadContext<'_>,
+    rows: &mut TextRows<'_>,
+) -> Option<Vec<(String, String)>> {
     let mut row = TextRow::default();
     match rows.next(&mut row) {
         Ok(true) if is_likely(&row.cells[0]) => {}
@@ -113,7 +116,10 @@ fn key_line(context: &mut ReadContext<'_>, rows: &mut TextRows<'_>) -> Option<Ve
             return None;
         }
         Err(quote) => {
-            context.found.findings.push(open_quote(&context.place, quote));
+            context
+                .found
+                .findings
+                .push(open_quote(&context.place, quote));
             return None;
         }
     }
@@ -194,7 +200,10 @@ fn header(context: &mut ReadContext<'_>, rows: &mut TextRows<'_>) -> Option<(Vec
                 lines.push(row.owned());
             }
             Err(quote) => {
-                context.found.findings.push(open_quote(&context.place, quote));
+                context
+                    .found
+                    .findings
+                    .push(open_quote(&context.place, quote));
                 return None;
             }
             Ok(_) => {

@@ -204,7 +204,12 @@ fn columns(context: &mut ReadContext<'_>, values: [Vec<f64>; 5], lines: Lines) -
             known: Known::Certain,
         })
         .collect();
-    let axis = match context.reading.options.get(POINTING_AXIS).map(String::as_str) {
+    let axis = match context
+        .reading
+        .options
+        .get(POINTING_AXIS)
+        .map(String::as_str)
+    {
         Some("y") => Vector3::y_axis(),
         Some("z") => Vector3::z_axis(),
         _ => Vector3::x_axis(),

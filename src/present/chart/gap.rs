@@ -23,15 +23,20 @@ const APART: f64 = 0.02;
 const FOOT: f64 = 0.8;
 
 /// The steps as bars, with the noise floor and the tolerance as lines; `None` where no step has a
-/// size.
+/// size. The bars of what was found and is not in the model, `proposed`, are outlined.
 pub fn gap(
     steps: &[ResidualStep],
+    proposed: &[ResidualStep],
     floor_mm: Option<f64>,
     tolerance_mm: Option<f64>,
     lengths: Lengths<'_>,
 ) -> Option<Chart> {
-    let shown = ends(steps);
-    let gaps = shown.iter().flat_map(|s| [Some(s.gap_mm), s.held_out_mm]);
+    let in_model = steps.iter().map(|step| (step, true));
+    let all = in_model.chain(proposed.iter().map(|step| (step, false)));
+    let shown = ends(all.collect());
+    let gaps = shown
+        .iter()
+        .flat_map(|(s, _)| [Some(s.gap_mm), s.held_out_mm]);
     let largest = gaps
         .flatten()
         .filter(|mm| mm.is_finite())
@@ -44,20 +49,14 @@ pub fn gap(
     let rows = shown.len().max(FEWEST) as f64;
     let has_unseen = shown
         .iter()
-        .any(|s| s.held_out_mm.is_some_and(f64::is_finite));
+        .any(|(s, _)| s.held_out_mm.is_some_and(f64::is_finite));
     let room = if has_unseen { NUMBERS[1] } else { 0.0 };
     let width = value(largest) * (1.0 + NUMBERS[0] + room);
     let mut items = Vec::new();
     let mut marks = Vec::new();
-    for (k, step) in shown.iter().enumerate() {
+    for (k, (step, in_model)) in shown.iter().enumerate() {
         let y = -(k as f64);
-        let stands = if k == 0 {
-            ColourRole::Before
-        } else {
-            ColourRole::After
-        };
-        let bar = [[0.0, y - 0.32], [value(step.gap_mm), y + 0.32]];
-        items.push(Item::Bars(vec![bar], stands, true));
+        items.push(bar(value(step.gap_mm), y, *in_model));
         let mut end = step.gap_mm;
         let mut text = says(step.gap_mm);
         if let Some(mm) = step.held_out_mm.filter(|mm| mm.is_finite()) {
@@ -76,7 +75,7 @@ pub fn gap(
         }));
         if shown
             .get(k + 1)
-            .is_some_and(|next| next.gap_mm < step.gap_mm)
+            .is_some_and(|(next, _)| next.gap_mm < step.gap_mm)
         {
             // What the next step takes away.
             let taken = [y - 0.32, y - 1.0 + 0.32].map(|y| [value(step.gap_mm), y]);
@@ -85,6 +84,11 @@ pub fn gap(
     }
     let ends = [0.5, 0.5 - rows];
     let mut legend = Vec::new();
+    if !proposed.is_empty() {
+        let name = say!(in "chart-word", "not in the model");
+        let entry = Entry::new(name, LegendSymbol::Bar, ColourRole::After, false);
+        legend.push(entry.on_paper(say!(in "chart-word", "found, not in the model")));
+    }
     for (mm, stands) in [
         (floor_mm, ColourRole::Noise),
         (tolerance_mm, ColourRole::Tolerance),
@@ -111,7 +115,7 @@ pub fn gap(
         legend.push(cross_validated());
         items.push(Item::Marks(marks, ColourRole::Curve, false));
     }
-    let named = |(k, step): (usize, &&ResidualStep)| (-(k as f64), row(&step.what));
+    let named = |(k, (step, _)): (usize, &(&ResidualStep, bool))| (-(k as f64), row(&step.what));
     Some(Chart {
         title: say!(in "chart-word", "the gap step by step").to_owned(),
         across: Axis::numbers(format!(
@@ -141,13 +145,23 @@ fn cross_validated() -> Entry {
     entry.on_paper(say!(in "chart-word", "on samples that no fit has seen"))
 }
 
+/// The bar of a row: whole where the step is in the model.
+fn bar(end: f64, y: f64, in_model: bool) -> Item {
+    let stands = if y == 0.0 {
+        ColourRole::Before
+    } else {
+        ColourRole::After
+    };
+    let bar = [[0.0, y - 0.32], [end, y + 0.32]];
+    Item::Bars(vec![bar], stands, in_model)
+}
+
 /// All steps, or the first and the last of many.
-fn ends(steps: &[ResidualStep]) -> Vec<&ResidualStep> {
-    if steps.len() <= MOST {
-        return steps.iter().collect();
+fn ends<T>(mut steps: Vec<T>) -> Vec<T> {
+    if steps.len() > MOST {
+        steps.drain(MOST / 2..steps.len() - MOST / 2);
     }
-    let (first, last) = (&steps[..MOST / 2], &steps[steps.len() - MOST / 2..]);
-    first.iter().chain(last).collect()
+    steps
 }
 
 /// A step as its row is called: the bars need the room more than the words.

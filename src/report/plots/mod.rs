@@ -80,6 +80,6 @@ pub fn gap(steps: &[ResidualStep], floor_mm: Option<f64>, tolerance_mm: Option<f
         per_mm: 1.0,
         number: &plain,
     };
-    let chart = chart::gap(steps, floor_mm, tolerance_mm, lengths);
+    let chart = chart::gap(steps, &[], floor_mm, tolerance_mm, lengths);
     chart.map_or_else(Drawing::default, |chart| chart.in_page(chart.height()))
 }

@@ -60,7 +60,6 @@ pub(super) fn shifted(session: &Session, values: JointValues) -> Vec<DataProblem
 /// A path that is believed.
 struct BelievedPath {
     path: Path,
-    evidence: f64,
     /// Median deviation as the rows are and paired again, mm.
     median_mm: [f64; 2],
 }
@@ -164,7 +163,6 @@ fn judged(
         && (gross || of_all[0] > GROSS_SHARE * size);
     believed.then_some(BelievedPath {
         path,
-        evidence,
         median_mm: [of_moved[0], of_moved[1]],
     })
 }
@@ -206,11 +204,10 @@ impl BelievedPath {
         DataProblem {
             what,
             evidence: text!(
-                "{rows} rows are {before} from where the robot can be (median) as they are, and {after} paired again; e^{evidence} times likelier",
+                "{rows} rows are {before} from where the robot can be (median) as they are, and {after} paired again; more than 1000 times likelier",
                 rows = rows.len(),
                 before = length(self.median_mm[0], 3),
-                after = length(self.median_mm[1], 3),
-                evidence = format!("{:.0}", self.evidence)
+                after = length(self.median_mm[1], 3)
             ),
             proposal,
             mend: Some(SessionCorrection::PairRows(self.path.changes.clone())),

@@ -87,7 +87,7 @@ pub(super) fn moved(
         let Some(best) = tried.min_by(|a, b| a.left_mm.total_cmp(&b.left_mm)) else {
             break;
         };
-        let numbers = in_numbers(before, best.left_mm, best.evidence);
+        let numbers = in_numbers(before, best.left_mm);
         problems.push(problem(session, &best.suspicion, numbers));
         (now, model, before) = (Some(best.session), best.model, best.left_mm);
     }
@@ -100,7 +100,6 @@ struct FittedSuspicion {
     session: Session,
     model: Model,
     left_mm: f64,
-    evidence: f64,
 }
 
 impl FittedSuspicion {
@@ -129,7 +128,6 @@ impl FittedSuspicion {
             session: trial,
             model,
             left_mm,
-            evidence,
         })
     }
 }

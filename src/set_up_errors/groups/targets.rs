@@ -102,7 +102,7 @@ fn of_an_arm(
             session,
             target,
             by,
-            in_numbers(before, after, evidence),
+            in_numbers(before, after),
             SessionCorrection::FreeTargets,
         ));
     }
@@ -195,7 +195,7 @@ fn of_one_axis(
             target: *target,
             by_mm: [by.x, by.y, by.z],
         };
-        let numbers = in_numbers(before, after, evidence);
+        let numbers = in_numbers(before, after);
         problems.push(problem(session, *target, *by, numbers, mend));
     }
     Some(moved(session))
@@ -282,7 +282,7 @@ fn problem(
         ),
         evidence,
         proposal: text!(
-            "its place is fitted (moved by {by}); measure it, or state targets_sigma_mm",
+            "its place is fitted (moved by {by}); measure it, or state in the session how certain it is",
             by = components(by.into(), 3)
         ),
         mend: Some(mend),

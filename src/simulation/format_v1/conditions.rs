@@ -32,7 +32,7 @@ pub(super) fn conditions(at: &mut Cursor<'_, '_>, robot: &Robot) -> Option<Circu
         o.usual("speed_mm_s", &mut own.speeds, &VALUES);
         own.speeds
             .iter_mut()
-            .for_each(|v| *v = kind.from_display(*v));
+            .for_each(|v| *v = kind.to_base_units(*v));
         o.usual("load_kg", &mut own.loads_kg, &VALUES);
         o.optional("temperature_c", &mut own.temperature, &TEMPERATURE);
         let key = "joint_temperatures_c";

@@ -90,7 +90,7 @@ fn sweep(fields: &mut Fields<'_>, node: &Node, path: &Path<'_>, robot: &Robot) -
             let slides = kind == JointKind::Prismatic;
             let key = if slides && o.is_given(mm) { mm } else { deg };
             o.required(key, value, &NUMBER);
-            *value = kind.from_display(*value);
+            *value = kind.to_base_units(*value);
         }
         o.usual("both_ways", &mut own.both_ways, &FLAG);
         o.usual("repeats", &mut repeats, &WHOLE);
@@ -173,7 +173,7 @@ fn stop(fields: &mut Fields<'_>, node: &Node, path: &Path<'_>, robot: &Robot) ->
     Some(Stop {
         q: kinds
             .zip(q?)
-            .map(|(kind, q)| kind.from_display(q))
+            .map(|(kind, q)| kind.to_base_units(q))
             .collect(),
         dir: dir.map(|(_, dir)| dir),
     })

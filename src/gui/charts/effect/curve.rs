@@ -165,7 +165,10 @@ impl EffectCurve {
         };
         let spot = |sample: &u32| {
             let sample = *sample as usize;
-            let e = flat(minus(loaded_session.measured(sample), p_without.get(sample)));
+            let e = flat(minus(
+                loaded_session.measured(sample),
+                p_without.get(sample),
+            ));
             let d = flat(minus(p_with.get(sample), p_without.get(sample)));
             EffectSample {
                 sample,
@@ -175,7 +178,8 @@ impl EffectCurve {
                 side: over.side(loaded_session, sample),
             }
         };
-        let mut spots: Vec<EffectSample> = loaded_session.overview.usable.iter().map(spot).collect();
+        let mut spots: Vec<EffectSample> =
+            loaded_session.overview.usable.iter().map(spot).collect();
         spots.retain(|s| s.x.is_finite() && s.residual_mm.is_finite());
         spots.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.sample.cmp(&b.sample)));
         let sides: &[f64] = if has_sides(&term) && over.variable != Variable::Speed {
@@ -189,7 +193,13 @@ impl EffectCurve {
             let inputs = between(&inputs, &spots, over, *side, [from, to])?;
             let nominal = Model::nominal(loaded_session.session.robot.clone()).predict(&inputs);
             let (a, b) = (with.predict(&inputs), without.predict(&inputs));
-            let points = points(loaded_session, component, [&a, &b, &nominal], planar, [from, to]);
+            let points = points(
+                loaded_session,
+                component,
+                [&a, &b, &nominal],
+                planar,
+                [from, to],
+            );
             Some(Line {
                 side: *side,
                 points,
@@ -352,7 +362,8 @@ mod tests {
         let index = index.expect("the backlash is found");
         let component = strongest(&loaded_session, diagnosis, index).expect("it has one");
         assert_eq!(component, Component::Tangential);
-        let curve = EffectCurve::of(&loaded_session, &search, index, component).expect("it has a curve");
+        let curve =
+            EffectCurve::of(&loaded_session, &search, index, component).expect("it has a curve");
         assert_eq!(curve.over.variable, Variable::Joint);
 
         // What the models say, worked out here from the model with and without the term.

@@ -111,7 +111,12 @@ fn read(context: &mut ReadContext<'_>) -> Option<Columns> {
         .iter()
         .any(|part| matches!(part, TableColumn::Of { .. }));
     let is_deviation = deviations(context, &parts, &list, units)?;
-    Some(columns(context, &in_order(list, is_wide), is_deviation, units))
+    Some(columns(
+        context,
+        &in_order(list, is_wide),
+        is_deviation,
+        units,
+    ))
 }
 
 /// Reads every measured cell.

@@ -209,7 +209,11 @@ fn time_column(time_s: Vec<f64>) -> Column {
 }
 
 /// What was measured, in the order of time. `None`: something is asked.
-pub(super) fn points(context: &mut ReadContext<'_>, topic: &Topic, start_ns: i64) -> Option<Columns> {
+pub(super) fn points(
+    context: &mut ReadContext<'_>,
+    topic: &Topic,
+    start_ns: i64,
+) -> Option<Columns> {
     let child = child_of(context, topic).ok()?;
     let mut list: Vec<&Measured> = topic
         .measured

@@ -9,7 +9,7 @@ use super::unit;
 
 /// Limits that a file says.
 pub(super) fn range(kind: JointKind, ends: [f64; 2]) -> Range {
-    let [from, to] = ends.map(|end| kind.from_display(end));
+    let [from, to] = ends.map(|end| kind.to_base_units(end));
     Range { from, to }
 }
 
