@@ -109,17 +109,17 @@ impl Identify {
             calibration,
             data_problems,
         } = pipeline::identify_checked(session, &method, values)?;
-        if let Some(out) = &self.out {
+        // Where no model is handed out, the answer says all the same what was found.
+        let written = self.out.as_ref().map_or(Ok(()), |out| {
             let text = pipeline::write_model(&pipeline::hand_out(&calibration, session)?);
-            output::document(out, text.as_bytes(), self.force, &loaded.files)?;
-        }
+            output::document(out, text.as_bytes(), self.force, &loaded.files)
+        });
         if self.json {
-            output::json(&document(&answer, &data_problems))
-        } else if to_stdout {
-            Ok(())
-        } else {
-            output::text(&in_words(&answer, session, &data_problems))
+            output::json(&document(&answer, &data_problems))?;
+        } else if !to_stdout {
+            output::text(&in_words(&answer, session, &data_problems))?;
         }
+        written
     }
 }
 

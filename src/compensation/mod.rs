@@ -30,6 +30,7 @@ mod carried_over;
 pub(crate) mod conditions;
 mod conventions;
 pub mod decision;
+mod gross;
 mod hand_out;
 pub(crate) mod interpolation;
 pub(crate) mod inverse;

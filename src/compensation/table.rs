@@ -15,7 +15,7 @@ use crate::effects::{JointFrame, Stage, Term};
 use crate::kinematics::{JointKind, Range};
 use crate::lanes::add_scaled;
 use crate::model::{Calibration, Model, RawJoint};
-use crate::text::Text;
+use crate::text::{Text, length};
 use crate::units::deg_from_rad;
 
 use super::conditions::{Conditions, Side};
@@ -34,6 +34,13 @@ const LEVER_MM: f64 = 1000.0;
 pub enum TableError {
     /// The model says what another table leaves.
     AlreadyCompensated(String),
+    /// The model leaves an error of the robot's size.
+    Gross {
+        /// RMS error, mm.
+        left_mm: f64,
+        /// How far the robot reaches, mm.
+        size_mm: f64,
+    },
     /// The controller counts the joint in a way that a table cannot.
     Conventions {
         /// The joint, counted from 1.
@@ -70,6 +77,11 @@ impl TableError {
             Self::AlreadyCompensated(model) => text!(
                 "the model comes from a session that was measured with the table of model {model} active: it says what is left, and a table made from it would lack what that one does; measure without a table",
                 model = model
+            ),
+            Self::Gross { left_mm, size_mm } => text!(
+                "the model leaves an RMS error of {left_mm} on a robot that reaches {size_mm}: the session is not as it says (a unit, a sign, rows of other rows), and nothing is corrected with it",
+                left_mm = length(*left_mm, 3),
+                size_mm = length(*size_mm, 0)
             ),
             Self::Conventions { joint, why } => text!(
                 "no table for joint {joint}: {why}, and the model corrected that; correct it in the controller or in the session, identify again and make the table from that model",
@@ -139,9 +151,7 @@ impl JointTable {
         step_outer: f64,
         conditions: Conditions,
     ) -> Result<Self, TableError> {
-        if let Some(hash) = &calibration.compensated_by {
-            return Err(TableError::AlreadyCompensated(hash.clone()));
-        }
+        calibration.may_correct()?;
         let robot = &calibration.model.robot;
         let joints = robot.joints.len();
         let Some(axis) = robot.joints.get(joint) else {

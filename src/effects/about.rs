@@ -364,6 +364,8 @@ pub struct About {
     pub cycles_per_turn: Option<u32>,
     /// Whether its sizes (an amplitude apart, which is one by its form) cannot be negative.
     pub non_negative: bool,
+    /// Whether none of its components can be negative: one that clearly is rules it out.
+    pub no_component_negative: bool,
     /// Sizes above this, in the unit of its parameters, are said to be implausible: ten times the
     /// usual ones. `None` where any size is usual.
     pub implausible_above: Option<f64>,
@@ -405,6 +407,7 @@ impl About {
         needs: &[],
         cycles_per_turn: None,
         non_negative: false,
+        no_component_negative: false,
         implausible_above: None,
         usual_size: phrase!(""),
         confused_with: phrase!(""),

@@ -44,6 +44,7 @@ const ABOUT: About = About {
     over: Over::Load,
     of_other_joints: true,
     needs: &[Need::GRAVITY, MOMENT],
+    no_component_negative: true,
     implausible_above: Some(100.0),
     usual_size: phrase!("0.1 to 10 µrad/(N·m)"),
     confused_with: phrase!(

@@ -16,7 +16,7 @@ use super::corrected::{Corrected, differences};
 use super::options::Zeros;
 use super::poses::poses;
 use super::{ExportError, Job};
-use crate::compensation::{Compensation, Side, TableError};
+use crate::compensation::{Compensation, Side};
 use crate::effects::{Stage, Term};
 use crate::kinematics::{JointKind, Pose, Robot, RobotSource};
 use crate::lanes::dot;
@@ -66,9 +66,7 @@ impl Chain {
         take: impl FnOnce(&[f64]) -> Result<Vec<f64>, ExportError>,
     ) -> Result<Self, ExportError> {
         let calibration = job.calibration;
-        if let Some(hash) = &calibration.compensated_by {
-            return Err(TableError::AlreadyCompensated(hash.clone()).into());
-        }
+        calibration.may_correct()?;
         if !calibration.regions.is_empty() {
             return Err(ExportError::Refused(text!(
                 "a correction by regions is not a geometry; identify the full model for a description of the robot"

@@ -118,6 +118,7 @@ struct TermJson {
 
 impl Exporter for Tpoint {
     fn export(&self, job: &Job) -> Result<Export, ExportError> {
+        job.calibration.may_correct()?;
         let nominal = &job.calibration.model.robot;
         let mount = Mount::of(nominal).ok_or_else(|| {
             ExportError::Refused(text!(

@@ -8,7 +8,6 @@ use std::collections::BTreeMap;
 
 use nalgebra::{Rotation3, Vector3};
 
-use crate::compensation::TableError;
 use crate::effects::Term;
 use crate::effects::inputs::REFERENCE_TEMPERATURE_C;
 use crate::kinematics::Robot;
@@ -36,9 +35,7 @@ const ROUNDING: f64 = 1e-3;
 /// See [`CompensateError`].
 pub fn compensate(request: &Request) -> Result<Answer, CompensateError> {
     let calibration = request.calibration;
-    if let Some(hash) = &calibration.compensated_by {
-        return Err(TableError::AlreadyCompensated(hash.clone()).into());
-    }
+    calibration.may_correct()?;
     let robot = &calibration.model.robot;
     if let Some(start) = &request.start
         && start.len() != robot.joints.len()

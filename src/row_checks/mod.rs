@@ -17,8 +17,10 @@ mod conditions;
 mod copies;
 mod digits;
 pub mod equal_steps;
+mod midnight;
 mod order;
 mod problem;
+pub(crate) mod returns;
 mod shifted;
 mod speeds;
 
@@ -41,8 +43,10 @@ pub struct CheckedRows<'a> {
 type RowCheck = fn(&Session, JointValues) -> Vec<DataProblem>;
 
 /// Every check, in the order in which they are made: what others would stumble over comes first.
-const CHECKS: [RowCheck; 6] = [
+const CHECKS: [RowCheck; 8] = [
+    midnight::passed,
     copies::copied,
+    returns::far_apart,
     order::out_of_order,
     conditions::in_other_units,
     speeds::turned_or_scaled,

@@ -3,7 +3,7 @@
 use crate::kinematics::JointKind;
 use crate::text::Text;
 
-use super::correction::SessionCorrection;
+use super::correction::{DAY_S, SessionCorrection};
 use super::{Samples, Session, Setups};
 
 impl SessionCorrection {
@@ -99,6 +99,7 @@ impl SessionCorrection {
                 text!("Read the temperatures as Fahrenheit")
             }
             Self::ConvertTemperature { .. } => text!("Read the temperatures as kelvin"),
+            Self::ContinueClock(_) => text!("Continue the clock past midnight"),
             Self::WidenNoise(_) => text!("Count the digit as noise"),
             Self::MoveTarget { target, .. } => {
                 text!("Move target {target}", target = target + 1)
@@ -182,6 +183,13 @@ impl SessionCorrection {
                     for v in column.iter_mut() {
                         *v = *v * factor + offset;
                     }
+                }
+            }
+            Self::ContinueClock(days) => {
+                let times = samples.time_s.iter_mut().flatten().enumerate();
+                for (sample, time) in times {
+                    let days = days.iter().filter(|first| **first <= sample).count();
+                    *time += DAY_S * days as f64;
                 }
             }
             Self::WidenNoise(by_mm) => {

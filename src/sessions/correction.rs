@@ -5,6 +5,9 @@
 
 use super::Group;
 
+/// A day, s.
+pub(crate) const DAY_S: f64 = 86_400.0;
+
 /// What was done to samples in memory since they were read.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Corrected {
@@ -83,6 +86,9 @@ pub enum SessionCorrection {
         /// What is added then, °C.
         offset: f64,
     },
+    /// From each of these samples (counted from 0, in ascending order) on the clock is a day later: it shows the
+    /// time of day.
+    ContinueClock(Vec<usize>),
     /// The instrument's noise has this besides along x, y and z, mm: what was rounded away.
     WidenNoise([f64; 3]),
     /// A target sits elsewhere in the tool than the session says: its place and this, tool frame, mm.

@@ -95,6 +95,20 @@ impl Regression<'_> {
                     return f64::NEG_INFINITY;
                 }
             }
+            if term.effect.about().no_component_negative
+                && term.coefficients.iter().any(|size| *size < 0.0)
+            {
+                let all = covariance.get_or_insert_with(|| basis.inverse_gram());
+                let scale = self.rounded(rss) / self.m();
+                let is_clear = |(size, k): (&f64, usize)| {
+                    *size < 0.0
+                        && basis.kept.contains(&k)
+                        && size.powi(2) > CLEAR * all[(k, k)] * scale
+                };
+                if term.coefficients.iter().zip(own.clone()).any(is_clear) {
+                    return f64::NEG_INFINITY;
+                }
+            }
             // Components that the samples do not show pay nothing.
             let own: Vec<usize> = own.filter(|k| basis.kept.contains(k)).collect();
             if !vector || own.len() < 2 {

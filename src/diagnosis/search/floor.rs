@@ -1,6 +1,7 @@
 //! The noise floor: the smallest gap that noise allows, from returns to the same pose, else from
 //! the instrument's maker, else from what the final model leaves.
 
+use crate::row_checks::returns::WORST_REPEATABILITY;
 use crate::sessions::Sigma;
 
 use super::prepare::PreparedSearch;
@@ -154,8 +155,12 @@ pub(crate) fn pure_error(prepared: &PreparedSearch) -> Option<PureError> {
         start = end;
     }
     let all = all as f64;
-    (freedom >= FEWEST_REPEATS).then(|| PureError {
-        mm: (of_lengths >= FEWEST_REPEATS).then(|| (sum / of_lengths as f64).sqrt()),
+    let mm = (of_lengths >= FEWEST_REPEATS).then(|| (sum / of_lengths as f64).sqrt());
+    // What is farther apart is no return: the commands are not the robot's.
+    let worst_mm = WORST_REPEATABILITY * prepared.problem.session.robot.reach_mm();
+    let are_returns = mm.is_none_or(|mm| mm <= worst_mm);
+    (freedom >= FEWEST_REPEATS && are_returns).then(|| PureError {
+        mm,
         variance: weighted / all,
         freedom: all,
     })

@@ -3,8 +3,9 @@
 //! at home.
 //!
 //! ```text
-//! d = Σ_k J_k c_k              what the coefficients c of the names do together, mm
-//! max |d| over the joint ranges  >  5 max |d| at the samples,     rms Σ_k |J_k c_k|  >  3 rms |d|
+//! d   = p(all) − p(none)       what the names do together, mm
+//! d_k = p(k alone) − p(none)   what one of them does
+//! max |d| over the joint ranges  >  5 max |d| at the samples,     rms Σ_k |d_k|  >  3 rms |d|
 //! ```
 
 use crate::effects::{Inputs, Term};
@@ -12,7 +13,7 @@ use crate::fit::base_model;
 use crate::fit::expected::{along_joint, over_the_ranges};
 use crate::fit::problem::Problem;
 use crate::fit::spread::spread;
-use crate::model::Model;
+use crate::model::{Model, Positions};
 
 /// So many times as large as at any sample is far.
 const FAR: f64 = 5.0;
@@ -52,32 +53,30 @@ struct TermDisplacements {
 impl TermDisplacements {
     fn of(model: &Model, inputs: &Inputs) -> Self {
         let is_name = |term: &Term| !base_model::belongs(term.effect.about().id);
-        let named: Vec<(usize, f64)> = model
-            .columns()
-            .zip(model.coefficients())
-            .enumerate()
-            .filter(|(_, ((term, _), _))| is_name(term))
-            .map(|(column, (_, coefficient))| (column, coefficient))
+        let base = model.without(is_name);
+        let without = base.predict(inputs);
+        let all = model.predict(inputs);
+        // Not by columns: what an order or a phase does is not its column times its value.
+        let names = model.terms().iter().filter(|term| is_name(term));
+        let alone: Vec<Positions> = names
+            .map(|term| base.with_term(term.clone()).predict(inputs))
             .collect();
         let (mut largest, mut together, mut parts, mut count) = (0.0_f64, 0.0, 0.0, 0_usize);
-        model.visit(inputs, true, |_, block| {
-            for i in 0..block.len {
-                let (mut sum, mut apart) = ([0.0; 3], 0.0);
-                for (column, coefficient) in &named {
-                    let part: [f64; 3] =
-                        std::array::from_fn(|axis| block.columns[*column][axis][i] * coefficient);
-                    apart += crate::lanes::dot(part, part).sqrt();
-                    sum = std::array::from_fn(|axis| sum[axis] + part[axis]);
-                }
-                let square = crate::lanes::dot(sum, sum);
-                if square.is_finite() {
-                    largest = largest.max(square.sqrt());
-                    together += square;
-                    parts += apart * apart;
-                    count += 1;
-                }
+        for i in 0..inputs.len() {
+            let from = without.get(i);
+            let part = |positions: &Positions| {
+                let [x, y, z] = positions.get(i);
+                (x - from[0]).hypot(y - from[1]).hypot(z - from[2])
+            };
+            let sum = part(&all);
+            let apart: f64 = alone.iter().map(part).sum();
+            if sum.is_finite() && apart.is_finite() {
+                largest = largest.max(sum);
+                together += sum * sum;
+                parts += apart * apart;
+                count += 1;
             }
-        });
+        }
         let rms = |sum: f64| (sum / count.max(1) as f64).sqrt();
         Self {
             largest_mm: largest,

@@ -18,6 +18,10 @@
 //! 4. the same with fewer names, the last that was found left out first,
 //! 5. the model of `identify` itself.
 //!
+//! A model is no better either where it is worse at most samples and better at a few that are far off: rows that
+//! belong to other rows have the largest deviations, and the sum of squares is theirs. Where samples were set
+//! aside and nothing was found, the identification without them is handed out in place of the one with them.
+//!
 //! Names of several joints that cancel each other at the samples and run away over the joint ranges
 //! (`run_away`) are left out as well.
 //!
@@ -35,6 +39,9 @@ use super::unseen::{self, Procedure};
 use super::values::{Values, corrected_for_selection};
 use crate::diagnosis::evidence::Fit;
 use crate::diagnosis::search::prepare::PreparedSearch;
+
+/// The median deviation of what is handed out may be so many times that of `identify`: more is no scatter.
+const MOST_TIMES_MEDIAN: f64 = 1.25;
 
 /// What is handed out.
 pub(crate) struct HandedOut<'a> {
@@ -72,6 +79,7 @@ pub(crate) fn choose<'a>(
     let base_fit = regression.fit(&regression.base, &[]);
     let identified = identified(prepared, problem);
     let identified_mm = rms_mm(problem, &identified);
+    let median_most_mm = MOST_TIMES_MEDIAN * median_mm(problem, &identified);
     let identified_held_out = unseen::of(prepared, &base_fit, Procedure::Identify);
     let no_worse = |c: &WayToValues| {
         let held_out = match (c.held_out_mm, identified_held_out) {
@@ -79,7 +87,8 @@ pub(crate) fn choose<'a>(
             _ => true,
         };
         let tame = || runs_away(problem, &c.values.model).is_none();
-        held_out && c.end_mm <= identified_mm && tame()
+        let at_most_samples = || median_mm(problem, &c.values.model) <= median_most_mm;
+        held_out && c.end_mm <= identified_mm && at_most_samples() && tame()
     };
     let candidate = |values: Values<'a>, fit: &Fit, procedure| WayToValues {
         end_mm: rms_mm(problem, &values.model),
@@ -129,7 +138,7 @@ pub(crate) fn choose<'a>(
             ..handed_out(own, Vec::new())
         };
     }
-    if found > 0 {
+    if found > 0 || has_set_aside(problem) {
         for values in [corrected.clone(), raw] {
             let own = candidate(values.sure_as(unsure), names, Procedure::Names);
             if no_worse(&own) {
@@ -182,6 +191,24 @@ fn rms_mm(problem: &Problem, model: &Model) -> f64 {
     let left_mm = lengths_mm(problem, model);
     let spread = Spread::of(&left_mm, |i| problem.fit[i], |i| !problem.used[i]);
     spread.map_or(0.0, |s| s.rms_mm)
+}
+
+/// Whether any sample was set aside as a suspected outlier.
+fn has_set_aside(problem: &Problem) -> bool {
+    let samples = problem.to_fit().iter().zip(problem.counted());
+    samples
+        .into_iter()
+        .any(|(to_fit, counted)| *to_fit && !*counted)
+}
+
+/// The median deviation over the same samples, mm.
+fn median_mm(problem: &Problem, model: &Model) -> f64 {
+    let left_mm = lengths_mm(problem, model);
+    let samples = left_mm.iter().zip(&problem.used);
+    let used = samples.filter(|(mm, used)| **used && mm.is_finite());
+    let mut used: Vec<f64> = used.map(|(mm, _)| *mm).collect();
+    used.sort_by(f64::total_cmp);
+    used.get(used.len() / 2).copied().unwrap_or(0.0)
 }
 
 /// Whether shapes are told from the model that they were fitted beside: what they take of it is no more

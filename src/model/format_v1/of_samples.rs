@@ -26,6 +26,10 @@ pub(super) fn numbers_of(correction: &SessionCorrection) -> Option<(&'static str
         SessionCorrection::ConvertTemperature { factor, offset } => {
             ("convert-temperature", vec![*factor, *offset])
         }
+        SessionCorrection::ContinueClock(days) => (
+            "continue-clock",
+            days.iter().map(|sample| place(*sample)).collect(),
+        ),
         SessionCorrection::WidenNoise(by_mm) => ("widen-noise", by_mm.to_vec()),
         SessionCorrection::MoveTarget { target, by_mm } => {
             let numbers = [place(*target)].into_iter().chain(*by_mm);
@@ -59,6 +63,10 @@ pub(super) fn of_numbers(name: &str, numbers: &[f64]) -> Option<SessionCorrectio
             factor: *factor,
             offset: *offset,
         },
+        ("continue-clock", days) => {
+            let days = days.iter().map(|sample| index(*sample));
+            SessionCorrection::ContinueClock(days.collect::<Option<_>>()?)
+        }
         ("widen-noise", [x, y, z]) => SessionCorrection::WidenNoise([*x, *y, *z]),
         ("move-target", [target, x, y, z]) => SessionCorrection::MoveTarget {
             target: index(*target)?,
@@ -136,6 +144,7 @@ mod tests {
                 factor: 1.0,
                 offset: -273.15,
             },
+            SessionCorrection::ContinueClock(vec![14, 300]),
             SessionCorrection::WidenNoise([0.01, 0.02, 0.0]),
             SessionCorrection::MoveTarget {
                 target: 2,

@@ -1,0 +1,55 @@
+//! Which calibrations correct commands at all: not one that was measured with a table active, and not one that
+//! leaves a gross error. A column in another unit, rows that belong to other rows, a sign that changes half way
+//! leave errors of the robot's size; values that were fitted to them are no robot's, and a table made of them
+//! makes it worse.
+
+use super::{TableError, VerifiedCalibration};
+use crate::kinematics::JointKind;
+use crate::model::Calibration;
+
+/// A model that leaves more than this share of the robot's size corrects nothing. Real arms that were calibrated
+/// leave a thousandth at most, ones of hobby servos a hundredth.
+const MOST_OF_SIZE: f64 = 0.03;
+/// From this share on it has to be at least so much better than the nominal robot: a servo that is a degree off
+/// leaves as much, and its zeros are worth correcting.
+const WORTH_OF_SIZE: f64 = 0.01;
+const LEAVES_OF_NOMINAL: f64 = 0.5;
+
+impl VerifiedCalibration {
+    /// That commands may be corrected with it: what every table, program and description asks first.
+    ///
+    /// # Errors
+    /// [`TableError::AlreadyCompensated`] and [`TableError::Gross`].
+    pub fn may_correct(&self) -> Result<(), TableError> {
+        if let Some(hash) = &self.compensated_by {
+            return Err(TableError::AlreadyCompensated(hash.clone()));
+        }
+        let [nominal, .., last] = &self.history[..] else {
+            return Ok(());
+        };
+        let size_mm = size_mm(self);
+        let left_mm = last.gap_mm;
+        let gains = left_mm < LEAVES_OF_NOMINAL * nominal.gap_mm;
+        if left_mm > MOST_OF_SIZE * size_mm || left_mm > WORTH_OF_SIZE * size_mm && !gains {
+            return Err(TableError::Gross { left_mm, size_mm });
+        }
+        Ok(())
+    }
+}
+
+/// How far the robot reaches with what it carries, or how far it slides, mm.
+fn size_mm(calibration: &Calibration) -> f64 {
+    let robot = &calibration.model.robot;
+    let target = calibration
+        .targets
+        .iter()
+        .map(|t| t.position_mm.coords.norm());
+    let slides = robot.joints.iter().zip(&calibration.measured);
+    let slides = slides
+        .filter(|(joint, _)| joint.kind == JointKind::Prismatic)
+        .map(|(joint, measured)| {
+            let range = joint.limits.unwrap_or(*measured);
+            range.to - range.from
+        });
+    (robot.reach_mm() + target.fold(0.0, f64::max)).max(slides.fold(0.0, f64::max))
+}
