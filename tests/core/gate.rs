@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 
 use crate::hidden_robot::{Hidden, apart};
 use crate::rig::Random;
-use truepose::compensation::{NotHandedOut, VerifiedCalibration, verify};
+use truepose::compensation::{NotHandedOut, TableError, VerifiedCalibration, verify};
 use truepose::diagnosis::{Diagnosis, Options};
 use truepose::effects::JointValues;
 use truepose::export::{ExportError, Job};
@@ -519,4 +519,37 @@ fn a_model_that_is_not_what_was_said_or_makes_its_session_worse_is_not_handed_ou
         matches!(refused, ExportError::MakesWorse { .. }),
         "{refused}"
     );
+}
+
+/// Units that change on the way and a coordinate in another one leave errors of the robot's size: the values that
+/// are fitted to them are no robot's.
+#[test]
+fn nothing_is_made_of_a_model_that_leaves_a_gross_error() {
+    const INCH_MM: f64 = 25.4;
+    let mistakes: [(&str, fn(usize, [f64; 3]) -> [f64; 3]); 2] = [
+        ("from the middle on in inches", |i, p| {
+            if i < 65 { p } else { p.map(|v| v / INCH_MM) }
+        }),
+        ("x in inches", |_, [x, y, z]| [x / INCH_MM, y, z]),
+    ];
+    for (what, seen) in mistakes {
+        let session = one_axis(5, 130, NOTHING, seen, |q| q);
+        let calibrations = [
+            diagnosed(&session).calibration(&session),
+            identify_checked(&session, &Method::default(), JointValues::Commanded)
+                .unwrap()
+                .calibration,
+        ];
+        for calibration in calibrations {
+            // A model that is not handed out at all makes nothing either.
+            let Ok(verified) = hand_out(&calibration, &session) else {
+                continue;
+            };
+            for format in ["csv", "linuxcnc", "urdf"] {
+                let export = pipeline::export(format, &Job::new(&verified, "table"));
+                let refused = matches!(export, Err(ExportError::Table(TableError::Gross { .. })));
+                assert!(refused, "{what}: {format}: {export:?}");
+            }
+        }
+    }
 }

@@ -102,3 +102,47 @@ fn speeds_and_loads_in_another_sign_and_unit_are_said() {
         said(&session, "load");
     }
 }
+
+#[test]
+fn a_time_of_day_that_passes_midnight_goes_on() {
+    let mut session = with_backlash();
+    let n = session.samples.len();
+    let of_day = |k: usize| (86_400.0 - 8.0 * (n / 3) as f64 + 8.0 * k as f64) % 86_400.0;
+    session.samples.time_s = Some((0..n).map(of_day).collect());
+    said(&session, "time of day");
+}
+
+/// A point that is nowhere is no point too few beside one too many.
+#[test]
+fn rows_that_are_wrong_by_themselves_are_not_shifted() {
+    let mut session = with_backlash();
+    for row in [5, 11, 40] {
+        for column in points(&mut session.samples) {
+            column[row] = -9999.0;
+        }
+    }
+    let answer = diagnosed(&session);
+    let mut what = answer.data_problems.iter().map(|p| p.what.to_string());
+    assert!(
+        !what.any(|w| w.contains("shifted")),
+        "{:?}",
+        answer.data_problems
+    );
+}
+
+#[test]
+fn commands_that_stood_still_are_said_and_are_no_noise() {
+    let mut session = with_backlash();
+    session.samples.q[0].fill(0.4);
+    if let Some(dir) = &mut session.samples.dir[0] {
+        dir.fill(1.0);
+    }
+    let answer = diagnosed(&session);
+    let what: Vec<String> = answer
+        .data_problems
+        .iter()
+        .map(|p| p.what.to_string())
+        .collect();
+    assert!(what.iter().any(|w| w.contains("returns")), "{what:?}");
+    assert_ne!(answer.verdict, Verdict::Noise);
+}

@@ -74,6 +74,10 @@ fn a_hidden_effect_is_found_added_switched_off_and_undone() {
     tables_can_be_copied(&mut window);
     let identified = gap_mm(&window);
     assert!(identified > 2.0 * FLOOR_MM, "{identified}");
+    assert!(
+        says(&window, "gap by step: nominal robot") && says(&window, "with backlash"),
+        "the chart outlines what would be left with it"
+    );
 
     assert!(
         !says(&window, "Continue to export"),

@@ -18,6 +18,8 @@ const WITHOUT_A_POINT: f64 = 4.0;
 /// A row whose point would be behind an end of the file, or would be one that was not measured: a shift that only
 /// takes rows out fits nothing.
 const NO_POINT_THERE: f64 = 20.0;
+/// A shift that ends again has given at least so many rows a point.
+const FEWEST_IN_A_ROW: usize = 3;
 /// Rows to either side between which the place of a change is sought again.
 const NEAR: usize = 4;
 
@@ -111,14 +113,21 @@ impl Path {
         taken.is_none_or(|taken| point > taken).then_some(point)
     }
 
-    /// Takes out shifts that give no row a point: they only spare a row one that does not fit.
+    /// Takes out shifts that give no row a point, and ones that end after a row or two: they only spare rows points
+    /// that do not fit. A point that is missing beside one too many is a bad row.
     fn drop_empty(&mut self, is_point: impl Fn(usize) -> bool, rows: usize) {
         let mut k = 0;
         while k < self.changes.len() {
             let (first, by) = self.changes[k];
             let end = self.changes.get(k + 1).map_or(rows, |next| next.0);
-            let mut own = (first..end).filter_map(|row| row.checked_add_signed(by));
-            if own.any(|point| point < rows && is_point(point)) {
+            let least = if end < rows && by != 0 {
+                FEWEST_IN_A_ROW
+            } else {
+                1
+            };
+            let own = (first..end).filter_map(|row| row.checked_add_signed(by));
+            let points = own.filter(|point| *point < rows && is_point(*point));
+            if points.take(least).count() == least {
                 k += 1;
             } else {
                 self.changes.remove(k);
