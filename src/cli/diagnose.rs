@@ -1,7 +1,7 @@
 //! `truepose diagnose`: what is missing, its name, and how sure that is.
 
 use std::num::NonZeroUsize;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::Args;
 
@@ -9,7 +9,7 @@ use crate::diagnosis::{Allowed, DiagnoseError, Diagnosis, Options, Progress};
 use crate::paper::RegionalStart;
 use crate::pipeline;
 use crate::present::diagnosis_v1::document;
-use crate::sessions::{Loaded, Session};
+use crate::sessions::Session;
 
 use super::asked::{IdentificationTask, Start};
 use super::diagnosed::{in_words, start_in_words};
@@ -125,27 +125,25 @@ impl Diagnose {
         let loaded = output::session(one)?;
         let session = &loaded.session;
         let (answer, start) = answer_of(&asked, session)?;
-        // Where no model is handed out, the answer says all the same what was found.
-        let written = match &self.out {
-            Some(out) => write(&answer, &loaded, out, self.force),
-            None => Ok(()),
-        };
+        let mut not_handed_out = None;
+        if let Some(out) = &self.out {
+            match pipeline::hand_out(&answer.calibration(session), session) {
+                Ok(verified) => {
+                    let text = pipeline::write_model(&verified);
+                    output::document(out, text.as_bytes(), self.force, &loaded.files)?;
+                }
+                // The answer says all the same what was found.
+                Err(why) => not_handed_out = Some(why),
+            }
+        }
         if self.json {
             output::json(&document(&answer, session, start.as_ref()))?;
         } else if !to_stdout {
             let start = start.map_or_else(String::new, |s| start_in_words(&s));
             output::text(&(start + &in_words(&answer)))?;
         }
-        written
+        not_handed_out.map_or(Ok(()), |why| Err(why.into()))
     }
-}
-
-/// Writes the model that was found.
-fn write(answer: &Diagnosis, loaded: &Loaded, out: &Path, force: bool) -> Result<(), Failure> {
-    let session = &loaded.session;
-    let verified = pipeline::hand_out(&answer.calibration(session), session)?;
-    let text = pipeline::write_model(&verified);
-    output::document(out, text.as_bytes(), force, &loaded.files)
 }
 
 /// The answer about one session; at an interrupt what is proven until then.

@@ -109,17 +109,23 @@ impl Identify {
             calibration,
             data_problems,
         } = pipeline::identify_checked(session, &method, values)?;
-        // Where no model is handed out, the answer says all the same what was found.
-        let written = self.out.as_ref().map_or(Ok(()), |out| {
-            let text = pipeline::write_model(&pipeline::hand_out(&calibration, session)?);
-            output::document(out, text.as_bytes(), self.force, &loaded.files)
-        });
+        let mut not_handed_out = None;
+        if let Some(out) = &self.out {
+            match pipeline::hand_out(&calibration, session) {
+                Ok(verified) => {
+                    let text = pipeline::write_model(&verified);
+                    output::document(out, text.as_bytes(), self.force, &loaded.files)?;
+                }
+                // The answer says all the same what was found.
+                Err(why) => not_handed_out = Some(why),
+            }
+        }
         if self.json {
             output::json(&document(&answer, &data_problems))?;
         } else if !to_stdout {
             output::text(&in_words(&answer, session, &data_problems))?;
         }
-        written
+        not_handed_out.map_or(Ok(()), |why| Err(why.into()))
     }
 }
 

@@ -672,7 +672,9 @@ fn a_signal_ends_a_command_before_its_work_is_done_and_leaves_nothing() {
     let folder = tempfile::tempdir().unwrap();
     let made = simulated(folder.path(), 1.0, "s.json", 400_000);
     assert_eq!(made.code, Some(0), "{}", made.stderr);
-    for (signal, number) in [("INT", 2), ("TERM", 15), ("KILL", 9)] {
+    let mut signals = vec![("INT", 2), ("TERM", 15), ("KILL", 9)];
+    let mut too_late = 0;
+    while let Some((signal, number)) = signals.pop() {
         let mut command = crate::program::truepose();
         command.args(["simulate", "s.json.scenario", "--out", "s.json", "--force"]);
         let mut writer = command
@@ -680,23 +682,20 @@ fn a_signal_ends_a_command_before_its_work_is_done_and_leaves_nothing() {
             .stderr(Stdio::null())
             .spawn()
             .unwrap();
-        while unfinished(folder.path()) == 0 {
-            assert!(
-                writer.try_wait().unwrap().is_none(),
-                "it ended before it was seen"
-            );
+        while unfinished(folder.path()) == 0 && writer.try_wait().unwrap().is_none() {
             sleep(Duration::from_millis(2));
         }
         let pid = writer.id().to_string();
-        assert!(
-            Command::new("kill")
-                .args([&format!("-{signal}"), &pid])
-                .status()
-                .unwrap()
-                .success()
-        );
+        let mut kill = Command::new("kill");
+        let _ = kill.args([&format!("-{signal}"), &pid]).output().unwrap();
         let status = writer.wait().unwrap();
-        // One that had gone on to its end would say so.
+        if status.success() && too_late < 10 {
+            // A busy machine sends it after the end: once more.
+            too_late += 1;
+            signals.push((signal, number));
+            continue;
+        }
+        // One that went on to its end would say so every time.
         assert_eq!(status.signal(), Some(number), "{signal}");
         let left = unfinished(folder.path());
         assert_eq!(left > 0, signal == "KILL", "{signal}: {left} files");

@@ -285,8 +285,15 @@ fn the_table_of_an_arms_joint_takes_the_part_along_its_motion() {
         {"name":"c","kind":"revolute","axis":[0,1,0],"point_mm":[300,0,400],"limits":[-90,90]}],
         "tool":{"position_mm":[550,0,400],"quaternion_wxyz":[1,0,0,0]}},
         "samples":{"columns":{"q1_deg":[-60,0,60,20],"q2_deg":[-60,60,0,10],"q3_deg":[30,60,-60,5],
-        "x_mm":[550,400,300,500],"y_mm":[1,2,3,4],"z_mm":[400,300,200,100]}}}"#;
-    let session = parse(text.as_bytes()).unwrap().session;
+        "x_mm":[0,0,0,0],"y_mm":[0,0,0,0],"z_mm":[0,0,0,0]}}}"#;
+    let mut session = parse(text.as_bytes()).unwrap().session;
+    // A robot that is as it was drawn.
+    let commands = Inputs::new(&session, JointValues::Commanded);
+    let points = Model::new(session.robot.clone(), Vec::new()).predict(&commands);
+    drop(commands);
+    let samples = &mut session.samples;
+    (samples.x_mm, samples.y_mm) = (points.x_mm, points.y_mm);
+    samples.z_mm = Some(points.z_mm);
     let inputs = Inputs::new(&session, JointValues::Commanded);
     let nothing: [String; 0] = [];
     let identified = identify_exact(&session, &nothing, JointValues::Commanded).unwrap();

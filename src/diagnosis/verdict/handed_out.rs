@@ -42,6 +42,11 @@ use crate::diagnosis::search::prepare::PreparedSearch;
 
 /// The median deviation of what is handed out may be so many times that of `identify`: more is no scatter.
 const MOST_TIMES_MEDIAN: f64 = 1.25;
+/// No name is handed out while more than this share of the robot's reach is left.
+const GROSS_SHARE: f64 = 0.01;
+/// Where nothing was found the identification without what was set aside takes its place if the median deviation is
+/// below this share of that with it: the others had bent it.
+const GAINS_OF_MEDIAN: f64 = 0.9;
 
 /// What is handed out.
 pub(crate) struct HandedOut<'a> {
@@ -79,7 +84,8 @@ pub(crate) fn choose<'a>(
     let base_fit = regression.fit(&regression.base, &[]);
     let identified = identified(prepared, problem);
     let identified_mm = rms_mm(problem, &identified);
-    let median_most_mm = MOST_TIMES_MEDIAN * median_mm(problem, &identified);
+    let median_identified_mm = median_mm(problem, &identified);
+    let median_most_mm = MOST_TIMES_MEDIAN * median_identified_mm;
     let identified_held_out = unseen::of(prepared, &base_fit, Procedure::Identify);
     let no_worse = |c: &WayToValues| {
         let held_out = match (c.held_out_mm, identified_held_out) {
@@ -87,8 +93,10 @@ pub(crate) fn choose<'a>(
             _ => true,
         };
         let tame = || runs_away(problem, &c.values.model).is_none();
+        let names = regression.base.terms().len() < c.values.model.terms().len();
+        let gross = names && c.end_mm > GROSS_SHARE * problem.session.robot.reach_mm();
         let at_most_samples = || median_mm(problem, &c.values.model) <= median_most_mm;
-        held_out && c.end_mm <= identified_mm && at_most_samples() && tame()
+        held_out && !gross && c.end_mm <= identified_mm && at_most_samples() && tame()
     };
     let candidate = |values: Values<'a>, fit: &Fit, procedure| WayToValues {
         end_mm: rms_mm(problem, &values.model),
@@ -138,7 +146,18 @@ pub(crate) fn choose<'a>(
             ..handed_out(own, Vec::new())
         };
     }
-    if found > 0 || has_set_aside(problem) {
+    if found == 0 && has_set_aside(problem) {
+        let own = candidate(corrected.clone().sure_as(unsure), names, Procedure::Names);
+        let gains = median_mm(problem, &own.values.model) < GAINS_OF_MEDIAN * median_identified_mm;
+        if own.end_mm < identified_mm && gains {
+            // Unseen samples are predicted by the same procedure, without the others.
+            return HandedOut {
+                held_out_mm: own.held_out_mm.map(|own| [own, own]),
+                ..handed_out(own, Vec::new())
+            };
+        }
+    }
+    if found > 0 {
         for values in [corrected.clone(), raw] {
             let own = candidate(values.sure_as(unsure), names, Procedure::Names);
             if no_worse(&own) {

@@ -65,7 +65,11 @@ impl ChartKind for Gap {
         );
         let mut chart =
             chart.ok_or(ChartPlaceholder::new(say!("nothing is identified yet"), ""))?;
-        say!("RMS over the fitted samples").clone_into(&mut chart.note);
+        chart.note = if proposed.is_empty() {
+            say!("RMS over the fitted samples").to_owned()
+        } else {
+            say!("outlined: not in the model").to_owned()
+        };
         let says = |s: &ResidualStep| format!("{} {}", in_words(&s.what), number(s.gap_mm));
         let says: Vec<String> = steps.iter().chain(proposed).map(says).collect();
         Ok(Shown {

@@ -84,11 +84,6 @@ pub fn gap(
     }
     let ends = [0.5, 0.5 - rows];
     let mut legend = Vec::new();
-    if !proposed.is_empty() {
-        let name = say!(in "chart-word", "not in the model");
-        let entry = Entry::new(name, LegendSymbol::Bar, ColourRole::After, false);
-        legend.push(entry.on_paper(say!(in "chart-word", "found, not in the model")));
-    }
     for (mm, stands) in [
         (floor_mm, ColourRole::Noise),
         (tolerance_mm, ColourRole::Tolerance),
