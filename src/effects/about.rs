@@ -335,6 +335,10 @@ impl Form {
 
 /// Everything that is known of an effect before anything is measured. What is left out of an
 /// effect's file is as in [`About::PLAIN`].
+#[allow(
+    clippy::struct_excessive_bools,
+    reason = "each is a fact of an effect, stated by its name"
+)]
 #[derive(Debug, Clone, Copy)]
 pub struct About {
     /// The name that files and commands use.

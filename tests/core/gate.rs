@@ -525,8 +525,9 @@ fn a_model_that_is_not_what_was_said_or_makes_its_session_worse_is_not_handed_ou
 /// are fitted to them are no robot's.
 #[test]
 fn nothing_is_made_of_a_model_that_leaves_a_gross_error() {
+    type Seen = fn(usize, [f64; 3]) -> [f64; 3];
     const INCH_MM: f64 = 25.4;
-    let mistakes: [(&str, fn(usize, [f64; 3]) -> [f64; 3]); 2] = [
+    let mistakes: [(&str, Seen); 2] = [
         ("from the middle on in inches", |i, p| {
             if i < 65 { p } else { p.map(|v| v / INCH_MM) }
         }),

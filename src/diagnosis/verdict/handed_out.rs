@@ -83,20 +83,12 @@ pub(crate) fn choose<'a>(
     let regression = &prepared.regression;
     let base_fit = regression.fit(&regression.base, &[]);
     let identified = identified(prepared, problem);
-    let identified_mm = rms_mm(problem, &identified);
-    let median_identified_mm = median_mm(problem, &identified);
-    let median_most_mm = MOST_TIMES_MEDIAN * median_identified_mm;
-    let identified_held_out = unseen::of(prepared, &base_fit, Procedure::Identify);
-    let no_worse = |c: &WayToValues| {
-        let held_out = match (c.held_out_mm, identified_held_out) {
-            (Some(own), Some(identified)) => own <= identified,
-            _ => true,
-        };
-        let tame = || runs_away(problem, &c.values.model).is_none();
-        let names = regression.base.terms().len() < c.values.model.terms().len();
-        let gross = names && c.end_mm > GROSS_SHARE * problem.session.robot.reach_mm();
-        let at_most_samples = || median_mm(problem, &c.values.model) <= median_most_mm;
-        held_out && !gross && c.end_mm <= identified_mm && at_most_samples() && tame()
+    let against = Against {
+        prepared,
+        problem,
+        rms_mm: rms_mm(problem, &identified),
+        median_mm: median_mm(problem, &identified),
+        held_out_mm: unseen::of(prepared, &base_fit, Procedure::Identify),
     };
     let candidate = |values: Values<'a>, fit: &Fit, procedure| WayToValues {
         end_mm: rms_mm(problem, &values.model),
@@ -104,16 +96,8 @@ pub(crate) fn choose<'a>(
             .or_else(|| unseen::of(prepared, fit, procedure)),
         values,
     };
-    let handed_out = |own: WayToValues<'a>, dropped: Vec<Term>| HandedOut {
-        values: own.values,
-        identified_mm,
-        end_mm: own.end_mm,
-        held_out_mm: own
-            .held_out_mm
-            .zip(identified_held_out)
-            .map(|(end, id)| [id, end]),
-        dropped,
-    };
+    let no_worse = |c: &WayToValues| against.is_no_worse(c);
+    let handed_out = |own, dropped| against.handed_out(own, dropped);
     let beside = judged.is_beside_shapes();
     let found = regression.added(names).len();
     let raw = if beside || judged.is_corrected() {
@@ -148,8 +132,7 @@ pub(crate) fn choose<'a>(
     }
     if found == 0 && has_set_aside(problem) {
         let own = candidate(corrected.clone().sure_as(unsure), names, Procedure::Names);
-        let gains = median_mm(problem, &own.values.model) < GAINS_OF_MEDIAN * median_identified_mm;
-        if own.end_mm < identified_mm && gains {
+        if against.gains(&own) {
             // Unseen samples are predicted by the same procedure, without the others.
             return HandedOut {
                 held_out_mm: own.held_out_mm.map(|own| [own, own]),
@@ -185,13 +168,59 @@ pub(crate) fn choose<'a>(
     let values = of_base.at(&identified).unwrap_or_else(of_names);
     let own = WayToValues {
         end_mm: rms_mm(problem, &values.model),
-        held_out_mm: identified_held_out,
+        held_out_mm: against.held_out_mm,
         values,
     };
     HandedOut {
         // The same model: what is left of it is what is left of the other.
         identified_mm: own.end_mm,
         ..handed_out(own, all)
+    }
+}
+
+/// What a way to values is measured against: the model of `identify`, over the same samples and folds.
+struct Against<'p, 'a> {
+    prepared: &'p PreparedSearch<'p>,
+    problem: &'p Problem<'a>,
+    rms_mm: f64,
+    median_mm: f64,
+    /// Cross-validated RMS error; `None` with too few samples.
+    held_out_mm: Option<f64>,
+}
+
+impl<'a> Against<'_, 'a> {
+    fn is_no_worse(&self, own: &WayToValues) -> bool {
+        let (model, problem) = (&own.values.model, self.problem);
+        let held_out = match (own.held_out_mm, self.held_out_mm) {
+            (Some(own), Some(identified)) => own <= identified,
+            _ => true,
+        };
+        let has_names = model.terms().len() > self.prepared.regression.base.terms().len();
+        let gross = has_names && own.end_mm > GROSS_SHARE * problem.session.robot.reach_mm();
+        held_out
+            && !gross
+            && own.end_mm <= self.rms_mm
+            && median_mm(problem, model) <= MOST_TIMES_MEDIAN * self.median_mm
+            && runs_away(problem, model).is_none()
+    }
+
+    /// Whether the identification without what was set aside shows that the others had bent it.
+    fn gains(&self, own: &WayToValues) -> bool {
+        let median_mm = median_mm(self.problem, &own.values.model);
+        own.end_mm < self.rms_mm && median_mm < GAINS_OF_MEDIAN * self.median_mm
+    }
+
+    fn handed_out(&self, own: WayToValues<'a>, dropped: Vec<Term>) -> HandedOut<'a> {
+        HandedOut {
+            values: own.values,
+            identified_mm: self.rms_mm,
+            end_mm: own.end_mm,
+            held_out_mm: own
+                .held_out_mm
+                .zip(self.held_out_mm)
+                .map(|(end, id)| [id, end]),
+            dropped,
+        }
     }
 }
 
