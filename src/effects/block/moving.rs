@@ -62,6 +62,11 @@ impl Block<'_> {
                 direction[k][i] = along[k];
             }
         }
+        if let Some(first) = self.apart {
+            self.columns[first + index] = direction;
+            self.live[first + index] = true;
+            return;
+        }
         for tangent in self.tangents.iter().filter(moves) {
             let column = &mut self.columns[tangent.column];
             if !self.live[tangent.column] {
