@@ -463,12 +463,13 @@ impl<'a> Block<'a> {
         me: &Placed,
         f: impl Fn(Lane) -> ([f64; 3], [[f64; 3]; N]),
     ) {
+        let asked = self.asks_for::<N>(me);
         for i in 0..LANES {
             let (by, columns) = f(self.lane(me.joint, i));
             for axis in 0..3 {
                 self.point[axis][i] += by[axis];
             }
-            if self.by == Columns::Coefficients {
+            if asked {
                 for (k, column) in columns.into_iter().enumerate() {
                     for axis in 0..3 {
                         self.columns[me.first_column + k][axis][i] = column[axis];
@@ -489,6 +490,7 @@ impl<'a> Block<'a> {
         f: impl Fn([f64; 3], Lane) -> ([f64; 3], [[f64; 3]; 3], [[f64; 3]; N]),
     ) {
         let mut carried = [[[0.0; LANES]; 3]; 3];
+        let asked = self.asks_for::<N>(me);
         for i in 0..LANES {
             let before = [self.point[0][i], self.point[1][i], self.point[2][i]];
             let (to, carry, columns) = f(before, self.lane(me.joint, i));
@@ -501,7 +503,7 @@ impl<'a> Block<'a> {
             for (lanes, carry) in carried.iter_mut().flatten().zip(carry.as_flattened()) {
                 lanes[i] = *carry;
             }
-            if self.by == Columns::Commands {
+            if !asked {
                 continue;
             }
             // None of its own columns is live yet.
@@ -517,6 +519,12 @@ impl<'a> Block<'a> {
             by: &carried,
         });
         self.mark_live::<N>(me);
+    }
+
+    /// Whether any column of an effect with so many coefficients is asked for.
+    pub(super) fn asks_for<const N: usize>(&self, me: &Placed) -> bool {
+        let mut own = me.first_column..me.first_column + N;
+        self.by == Columns::Coefficients && own.any(|column| !self.held[column])
     }
 
     fn mark_live<const N: usize>(&mut self, me: &Placed) {
