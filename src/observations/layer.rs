@@ -216,7 +216,7 @@ impl<'a> Layer<'a> {
                 let point = [0, 1, 2].map(|axis| block.point[axis][lane]);
                 self.put(&mut rows, &mut follows, item, &placing, (point, UPRIGHT));
             }
-            follows.put_all(&mut rows, block, 1, |column| Cow::Borrowed(column));
+            follows.put_all(&mut rows, block, 1, Cow::Borrowed);
             see(&mut rows);
         });
         send(

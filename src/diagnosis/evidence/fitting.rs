@@ -101,10 +101,8 @@ impl Regression<'_> {
                 break;
             }
         }
-        let basis = place.map_or_else(
-            || Arc::new(Basis::new(&DMatrix::zeros(self.height(), 0))),
-            |basis| basis,
-        );
+        let basis =
+            place.unwrap_or_else(|| Arc::new(Basis::new(&DMatrix::zeros(self.height(), 0))));
         let ln_evidence = self.ln_evidence(&model, &shapes, rss, basis.rank())
             + self.subset_selection_credit(&model, &basis, rss);
         let fit = Fit {
@@ -144,10 +142,13 @@ impl Regression<'_> {
             }
             all = DMatrix::from_vec(all.nrows(), width, numbers);
         }
-        let basis = near.map_or_else(
-            || Basis::new(&all),
-            |own| self.base_basis().extended_by(&own, &all),
-        );
+        let base_basis = self.base_basis();
+        let basis = match near {
+            Some(own) => Some(base_basis.extended_by(&own, &all)),
+            None if *with_the_bases_own => base_basis.extended(&self.base, model, &all),
+            None => None,
+        };
+        let basis = basis.unwrap_or_else(|| Basis::new(&all));
         (residual, Arc::new(basis))
     }
 }

@@ -259,8 +259,10 @@ impl<'a> Regression<'a> {
         })
     }
 
-    /// Where the base's columns are among those of a model, if they are nearly what they are at the base.
+    /// Where the base's columns are among those of a model, if a few samples show that they are nearly what they are at
+    /// the base. Of plain points, whose columns cost little, it is not asked: all samples show it.
     pub(super) fn base_columns_of(&self, model: &Model) -> Option<Vec<usize>> {
+        self.rows.observed()?;
         let in_few = || self.few.extract(&self.holding(model, false)).1;
         self.base_basis().near(&self.base, model, in_few)
     }
