@@ -10,7 +10,7 @@
 
 use crate::kinematics::Robot;
 use crate::lanes::{LANES, Lanes, Lanes3};
-use crate::wide::wide;
+use crate::wide::{Loop, wide};
 
 use super::inputs::Inputs;
 use super::placed::Placed;
@@ -72,19 +72,36 @@ impl<const N: usize> TurnedLanes<N> {
             by_coefficient: [[0.0; LANES]; N],
         }
     }
+}
 
-    #[inline]
-    fn of(f: impl Fn(usize) -> Turned<N>) -> Self {
-        let mut lanes = Self::zero();
+/// The loop of [`Block::turn`].
+struct EachTurned<'b, 'a, const N: usize, F> {
+    block: &'b Block<'a>,
+    joint: usize,
+    f: F,
+    lanes: &'b mut TurnedLanes<N>,
+}
+
+impl<const N: usize, F: Fn(f64, Lane) -> Turned<N>> Loop for EachTurned<'_, '_, N, F> {
+    type Output = ();
+
+    #[inline(always)]
+    #[allow(clippy::inline_always, reason = "see Loop")]
+    fn run(self) {
+        let Self {
+            block,
+            joint,
+            f,
+            lanes,
+        } = self;
         for i in 0..LANES {
-            let turned = f(i);
+            let turned = f(block.theta[joint][i], block.lane(joint, i));
             lanes.value[i] = turned.value;
             lanes.by_input[i] = turned.by_input;
             for (by, value) in lanes.by_coefficient.iter_mut().zip(turned.by_coefficient) {
                 by[i] = value;
             }
         }
-        lanes
     }
 }
 
@@ -137,6 +154,8 @@ pub struct Block<'a> {
     /// Which columns stay zero: no fit moves their coefficients.
     held: Vec<bool>,
     by: Columns,
+    /// From which column on the derivatives by the joints' values are, where they stay apart.
+    apart: Option<usize>,
     /// Samples of this block; the lanes behind them repeat the last one.
     pub len: usize,
 }
@@ -161,6 +180,17 @@ impl<'a> Block<'a> {
         Self::with_columns(robot, Columns::Commands, robot.joints.len())
     }
 
+    /// Room for blocks in which what moves a joint alone stays apart: of all coefficients that do, one column is
+    /// carried on, the derivative by the joint's value. What each of them does is that times a number of each
+    /// sample ([`Block::turning`]), so that who takes its rows may do so once for each joint.
+    pub(crate) fn apart(robot: &'a Robot, coefficients: usize) -> Self {
+        let all = coefficients + robot.joints.len();
+        Self {
+            apart: Some(coefficients),
+            ..Self::with_columns(robot, Columns::Coefficients, all)
+        }
+    }
+
     fn with_columns(robot: &'a Robot, by: Columns, columns: usize) -> Self {
         let per_joint = || vec![[0.0; LANES]; robot.joints.len()];
         Self {
@@ -182,6 +212,7 @@ impl<'a> Block<'a> {
             live: vec![false; columns],
             held: vec![false; columns],
             by,
+            apart: None,
             len: 0,
         }
     }
@@ -387,9 +418,14 @@ impl<'a> Block<'a> {
     /// An effect of the joint stage: `f` gives the joint's value after the effect.
     #[inline]
     pub fn turn<const N: usize>(&mut self, me: &Placed, f: impl Fn(f64, Lane) -> Turned<N>) {
-        let joint = me.joint;
-        let turned = TurnedLanes::of(|i| f(self.theta[joint][i], self.lane(joint, i)));
-        self.take_turn(me, &turned);
+        let mut lanes = TurnedLanes::zero();
+        wide(EachTurned {
+            block: self,
+            joint: me.joint,
+            f,
+            lanes: &mut lanes,
+        });
+        self.take_turn(me, &lanes);
     }
 
     /// The same where all lanes are known.
@@ -399,9 +435,12 @@ impl<'a> Block<'a> {
         if self.by == Columns::None {
             return;
         }
-        for tangent in self.tangents.iter_mut().filter(|t| t.joint == joint) {
-            for (value, carry) in tangent.lanes.iter_mut().zip(&turned.by_input) {
-                *value *= carry;
+        // Most effects add to the value, whatever it is.
+        if turned.by_input.iter().any(|carry| *carry != 1.0) {
+            for tangent in self.tangents.iter_mut().filter(|t| t.joint == joint) {
+                for (value, carry) in tangent.lanes.iter_mut().zip(&turned.by_input) {
+                    *value *= carry;
+                }
             }
         }
         if self.by == Columns::Commands {
@@ -424,12 +463,13 @@ impl<'a> Block<'a> {
         me: &Placed,
         f: impl Fn(Lane) -> ([f64; 3], [[f64; 3]; N]),
     ) {
+        let asked = self.asks_for::<N>(me);
         for i in 0..LANES {
             let (by, columns) = f(self.lane(me.joint, i));
             for axis in 0..3 {
                 self.point[axis][i] += by[axis];
             }
-            if self.by == Columns::Coefficients {
+            if asked {
                 for (k, column) in columns.into_iter().enumerate() {
                     for axis in 0..3 {
                         self.columns[me.first_column + k][axis][i] = column[axis];
@@ -450,6 +490,7 @@ impl<'a> Block<'a> {
         f: impl Fn([f64; 3], Lane) -> ([f64; 3], [[f64; 3]; 3], [[f64; 3]; N]),
     ) {
         let mut carried = [[[0.0; LANES]; 3]; 3];
+        let asked = self.asks_for::<N>(me);
         for i in 0..LANES {
             let before = [self.point[0][i], self.point[1][i], self.point[2][i]];
             let (to, carry, columns) = f(before, self.lane(me.joint, i));
@@ -462,7 +503,7 @@ impl<'a> Block<'a> {
             for (lanes, carry) in carried.iter_mut().flatten().zip(carry.as_flattened()) {
                 lanes[i] = *carry;
             }
-            if self.by == Columns::Commands {
+            if !asked {
                 continue;
             }
             // None of its own columns is live yet.
@@ -478,6 +519,12 @@ impl<'a> Block<'a> {
             by: &carried,
         });
         self.mark_live::<N>(me);
+    }
+
+    /// Whether any column of an effect with so many coefficients is asked for.
+    pub(super) fn asks_for<const N: usize>(&self, me: &Placed) -> bool {
+        let mut own = me.first_column..me.first_column + N;
+        self.by == Columns::Coefficients && own.any(|column| !self.held[column])
     }
 
     fn mark_live<const N: usize>(&mut self, me: &Placed) {
@@ -498,8 +545,30 @@ impl<'a> Block<'a> {
         }
     }
 
-    /// Clears the columns that nothing has touched, so that they can be read as zero.
+    /// Whether a column is anything but zero beside what [stays apart](Self::apart).
+    pub(crate) fn is_live(&self, column: usize) -> bool {
+        self.live[column]
+    }
+
+    /// What a joint's value does, where that [stays apart](Self::apart); `None` of one that no coefficient turns.
+    pub(crate) fn by_value(&self, joint: usize) -> Option<&Lanes3> {
+        let column = self.apart? + joint;
+        self.live[column].then(|| &self.columns[column])
+    }
+
+    /// The coefficients that turn a joint and how much, in the order of the joint stage: column, joint, and the
+    /// derivative of the joint's value in every lane.
+    pub(crate) fn turning(&self) -> impl Iterator<Item = (usize, usize, &Lanes)> {
+        let free = self.tangents.iter().filter(|t| !self.held[t.column]);
+        free.map(|tangent| (tangent.column, tangent.joint, &tangent.lanes))
+    }
+
+    /// Clears the columns that nothing has touched, so that they can be read as zero. Where columns stay apart,
+    /// [`is_live`](Self::is_live) says so of each.
     pub fn settle(&mut self) {
+        if self.apart.is_some() {
+            return;
+        }
         for (column, _) in self.columns.iter_mut().zip(&self.live).filter(|c| !*c.1) {
             *column = [[0.0; LANES]; 3];
         }

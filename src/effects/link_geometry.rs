@@ -78,7 +78,10 @@ fn act(me: &Placed, block: &mut Block) {
     };
     let zero = [0.0; 3];
     let units = [(zero, x), (zero, y), (x, zero), (y, zero)];
-    let by = units.map(|(turn, shift)| screw.left_jacobian_times(Screw { turn, shift }));
+    let mut by = units.map(|(turn, shift)| Screw { turn, shift });
+    if block.asks_for::<4>(me) {
+        by = by.map(|unit| screw.left_jacobian_times(unit));
+    }
     let motion = RigidMotion {
         origin_mm: me.frame.origin_mm,
         rotation: rotation(screw.turn),

@@ -78,6 +78,36 @@ impl<'a> Rows<'a> {
         }
     }
 
+    /// The rows of so many samples, spread evenly over all. What they are in mm is not known.
+    pub(crate) fn spread(&self, samples: usize) -> Self {
+        let own = |k: usize| match &self.observed {
+            Some(rows) => rows.layer().items[k].sample,
+            None => k,
+        };
+        let mut all: Vec<usize> = (0..self.samples.len()).map(own).collect();
+        all.dedup();
+        let every = all.len().div_ceil(samples.max(1)).max(1);
+        let few: Vec<usize> = all.into_iter().step_by(every).collect();
+        let kept = |k: &usize| few.binary_search(&own(*k)).is_ok();
+        let at: Vec<usize> = (0..self.samples.len()).filter(kept).collect();
+        let mut marked = vec![false; self.samples.len()];
+        for k in &at {
+            marked[*k] = true;
+        }
+        Self {
+            samples: at.iter().map(|k| self.samples[*k]).collect(),
+            axes: self.axes.clone(),
+            times: at.iter().map(|k| self.times[*k]).collect(),
+            inputs: self.inputs.select(&at),
+            digits_mm: self.digits_mm,
+            measured_mm: {
+                let of = |axis: &Vec<f64>| at.iter().map(|k| axis[*k]).collect();
+                self.measured_mm.iter().map(of).collect()
+            },
+            observed: self.observed.as_ref().map(|rows| rows.only(&marked)),
+        }
+    }
+
     /// The same with the lengths of angles as a model has them.
     #[must_use]
     pub fn seen_by(mut self, model: &Model) -> Self {

@@ -160,8 +160,26 @@ impl Model {
         starts: impl Iterator<Item = usize>,
         mut see: impl FnMut(usize, &Block),
     ) {
+        let block = Block::new(&self.robot, self.coefficient_count(), differentiate);
+        self.send(block, inputs, starts, &mut see);
+    }
+
+    /// Like [`Model::visit`] with the columns of every coefficient, of which those that turn a joint
+    /// [stay apart](Block::apart).
+    pub(crate) fn visit_apart(&self, inputs: &Inputs, mut see: impl FnMut(usize, &Block)) {
+        let starts = (0..inputs.len()).step_by(LANES);
+        let block = Block::apart(&self.robot, self.coefficient_count());
+        self.send(block, inputs, starts, &mut see);
+    }
+
+    fn send(
+        &self,
+        mut block: Block,
+        inputs: &Inputs,
+        starts: impl Iterator<Item = usize>,
+        see: &mut impl FnMut(usize, &Block),
+    ) {
         let placed = self.placed(inputs);
-        let mut block = Block::new(&self.robot, self.coefficient_count(), differentiate);
         block.hold(self.held_columns());
         for start in starts {
             block.load(inputs, start);

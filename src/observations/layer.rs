@@ -6,13 +6,16 @@
 //! Rows are in units of their noise times that of the layer (`unit_mm`), so that what is a number of
 //! mm to an estimator of points is one here too.
 
+use std::borrow::Cow;
+
+use crate::effects::block::Block;
 use crate::effects::{FixedMask, Inputs, JointValues, Place, PlaceKind};
 use crate::lanes::{LANES, Lanes3, dot, minus, scaled};
 use crate::model::Model;
 use crate::sessions::Session;
-use crate::wide::{Loop, wide};
 
 use super::block::RowBlock;
+use super::follows::Follows;
 use super::streams::{Item, POINTS, Stream, UPRIGHT, attitude, stream, turn};
 use super::{KINDS, Kind, Observable, Residual, Seen, Unit};
 use crate::effects::place::MOST;
@@ -80,66 +83,6 @@ impl Placing {
         let at = self.own.binary_search_by(|own| own.0.cmp(&place)).ok()?;
         let (_, values, first, held) = &self.own[at];
         Some((values, *first, *held))
-    }
-}
-
-/// How the rows of a block follow what their targets do: known for all lanes, a column of them is made at once.
-struct Follows {
-    /// Of each row by x, y and z.
-    by: [Lanes3; 3],
-    /// What belongs to places: lane, first coefficient, which of them are held.
-    places: Vec<(usize, usize, FixedMask, Residual)>,
-}
-
-impl Follows {
-    fn new() -> Self {
-        Self {
-            by: [[[0.0; LANES]; 3]; 3],
-            places: Vec::with_capacity(LANES),
-        }
-    }
-
-    /// A column of the rows where one coefficient moves, or turns, what they look at by so much.
-    fn put(&self, rows: &mut RowBlock, column: usize, moved: &Lanes3, unit: f64) {
-        wide(Following {
-            by: &self.by,
-            moved,
-            there: &rows.rows,
-            unit,
-            to: &mut rows.columns[column],
-        });
-    }
-
-    /// What the places' own coefficients do.
-    fn put_places(&self, rows: &mut RowBlock, unit: f64) {
-        for (lane, first, held, residual) in &self.places {
-            rows.add_place(*lane, *first, *held, residual, unit);
-        }
-    }
-}
-
-struct Following<'r> {
-    by: &'r [Lanes3; 3],
-    moved: &'r Lanes3,
-    there: &'r [[bool; LANES]; 3],
-    unit: f64,
-    to: &'r mut Lanes3,
-}
-
-impl Loop for Following<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    #[allow(clippy::inline_always, reason = "see Loop")]
-    fn run(self) {
-        let [x, y, z] = self.moved;
-        for ((to, [by_x, by_y, by_z]), there) in self.to.iter_mut().zip(self.by).zip(self.there) {
-            for lane in 0..LANES {
-                let by = [by_x[lane], by_y[lane], by_z[lane]];
-                let value = dot(by, [x[lane], y[lane], z[lane]]) * self.unit;
-                to[lane] = if there[lane] { value } else { 0.0 };
-            }
-        }
     }
 }
 
@@ -264,53 +207,53 @@ impl<'a> Layer<'a> {
             }
         }
         rows.live.retain(|column| !held[*column]);
-        let mut follows = Follows::new();
-        model.visit(&self.points.inputs, differentiate, |start, block| {
+        let mut follows = Follows::new(model.robot.joints.len(), self.unit_mm);
+        send(model, &self.points.inputs, differentiate, |start, block| {
             rows.clear();
-            follows.places.clear();
+            follows.clear();
             for lane in 0..block.len {
                 let item = self.points.items[start + lane];
                 let point = [0, 1, 2].map(|axis| block.point[axis][lane]);
                 self.put(&mut rows, &mut follows, item, &placing, (point, UPRIGHT));
             }
-            for place in 0..rows.live.len() {
-                let column = rows.live[place];
-                follows.put(&mut rows, column, &block.columns[column], self.unit_mm);
-            }
-            follows.put_places(&mut rows, self.unit_mm);
+            follows.put_all(&mut rows, block, 1, Cow::Borrowed);
             see(&mut rows);
         });
-        model.visit(&self.attitudes.inputs, differentiate, |start, block| {
-            rows.clear();
-            follows.places.clear();
-            let count = block.len / POINTS;
-            let mut edges = [[[0.0; 3]; 3]; LANES / POINTS];
-            for own in 0..count {
-                let item = self.attitudes.items[start / POINTS + own];
-                let (attitude, of_own) = attitude(block, own * POINTS);
-                edges[own] = of_own;
-                self.put(
-                    &mut rows,
-                    &mut follows,
-                    item,
-                    &placing,
-                    ([0.0; 3], attitude),
-                );
-            }
-            let mut turns = [[0.0; LANES]; 3];
-            for place in 0..rows.live.len() {
-                let column = rows.live[place];
-                for (own, edges) in edges[..count].iter().enumerate() {
-                    let turn = turn(&block.columns[column], own * POINTS, edges);
-                    for (lanes, turn) in turns.iter_mut().zip(turn) {
-                        lanes[own] = turn;
-                    }
+        send(
+            model,
+            &self.attitudes.inputs,
+            differentiate,
+            |start, block| {
+                rows.clear();
+                follows.clear();
+                let count = block.len / POINTS;
+                let mut edges = [[[0.0; 3]; 3]; LANES / POINTS];
+                for own in 0..count {
+                    let item = self.attitudes.items[start / POINTS + own];
+                    let (attitude, of_own) = attitude(block, own * POINTS);
+                    edges[own] = of_own;
+                    self.put(
+                        &mut rows,
+                        &mut follows,
+                        item,
+                        &placing,
+                        ([0.0; 3], attitude),
+                    );
                 }
-                follows.put(&mut rows, column, &turns, self.unit_mm);
-            }
-            follows.put_places(&mut rows, self.unit_mm);
-            see(&mut rows);
-        });
+                let turns = |column: &Lanes3| {
+                    let mut turns = [[0.0; LANES]; 3];
+                    for (own, edges) in edges[..count].iter().enumerate() {
+                        let turn = turn(column, own * POINTS, edges);
+                        for (lanes, turn) in turns.iter_mut().zip(turn) {
+                            lanes[own] = turn;
+                        }
+                    }
+                    Cow::Owned(turns)
+                };
+                follows.put_all(&mut rows, block, POINTS, turns);
+                see(&mut rows);
+            },
+        );
         self.known_distances(&placing, &mut rows);
         if !rows.items.is_empty() {
             see(&mut rows);
@@ -530,6 +473,15 @@ impl<'a> Layer<'a> {
     }
 }
 
+/// Sends inputs through a model, with the columns of every coefficient where they are asked for.
+fn send(model: &Model, inputs: &Inputs, differentiate: bool, see: impl FnMut(usize, &Block)) {
+    if differentiate {
+        model.visit_apart(inputs, see);
+    } else {
+        model.visit(inputs, false, see);
+    }
+}
+
 /// A kind's number of rows in a sample.
 fn rows_of(kind: &dyn Kind, session: &Session, sample: usize) -> usize {
     let seen = Seen {
@@ -538,35 +490,4 @@ fn rows_of(kind: &dyn Kind, session: &Session, sample: usize) -> usize {
         place: &[1.0; MOST],
     };
     kind.residual(session, sample, &seen).rows
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_column_has_the_bits_of_its_lanes_one_by_one() {
-        let wild = |k: usize| -> Lanes3 {
-            std::array::from_fn(|axis| {
-                std::array::from_fn(|lane| ((lane * 7 + (3 * k + axis) * 13) as f64 * 0.37).sin())
-            })
-        };
-        let mut follows = Follows::new();
-        follows.by = [wild(0), wild(1), wild(2)];
-        let (moved, unit) = (wild(3), 1.7);
-        let mut rows = RowBlock::new(1);
-        rows.rows[0] = [true; LANES];
-        rows.rows[1] = std::array::from_fn(|lane| lane % 3 == 0);
-        // What was there is forgotten.
-        rows.columns[0] = wild(4);
-        follows.put(&mut rows, 0, &moved, unit);
-        for row in 0..3 {
-            for lane in 0..LANES {
-                let of = |v: &Lanes3| v.map(|axis| axis[lane]);
-                let value = dot(of(&follows.by[row]), of(&moved)) * unit;
-                let expected = if rows.rows[row][lane] { value } else { 0.0 };
-                assert_eq!(rows.columns[0][row][lane], expected);
-            }
-        }
-    }
 }

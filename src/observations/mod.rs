@@ -15,7 +15,7 @@
 //! - `crate::effects::places`: anchors, stations, planes and sockets that are not known are fitted beside the
 //!   robot, and reported like everything that is fitted.
 //! - `layer`: the observations of a session, `block` by block, as rows for the normal equations;
-//!   `streams`: how they flow through the model.
+//!   `streams`: how they flow through the model; `follows`: how rows follow its columns.
 //! - `rows`: the same as rows of a regression, for the search of names.
 //! - `gauge`: what no kind at hand can show: where the base stands, how large everything is.
 //! - `start`: from where the fit begins.
@@ -30,6 +30,7 @@ pub(crate) mod block;
 pub(crate) mod compared;
 pub(crate) mod constrained;
 pub(crate) mod figures;
+mod follows;
 pub(crate) mod gauge;
 pub(crate) mod layer;
 pub(crate) mod outliers;

@@ -29,21 +29,14 @@ const STEPS: usize = 8;
 /// A step whose square is at most this share of what is left leaves the columns what they are.
 const SMALL: f64 = 1e-5;
 
-/// Where a step was taken from.
-struct Place {
-    /// The columns of the model, and those of the shapes.
-    columns: DMatrix<f64>,
-    basis: Arc<Basis>,
-}
-
 impl Regression<'_> {
     /// Fits a model and shapes, starting from their coefficients.
     pub(crate) fn fit(&self, start: &Model, shapes: &[Placed]) -> Fit {
         let key = start_of(start, shapes);
         let (fit, products) = if let Some(mut known) = self.fits.of(&key) {
             if !known.has_basis {
-                let (_, here) = self.place(&known.at, &known.fit.shapes);
-                known.fit.basis = here.basis;
+                let (_, basis) = self.place(&known.at, &known.fit.shapes);
+                known.fit.basis = basis;
                 self.fits.keep_again(&key, &known.fit.basis);
             }
             (known.fit, known.products)
@@ -64,7 +57,7 @@ impl Regression<'_> {
         let more = (own + shapes.len()).saturating_sub(self.base.coefficient_count());
         let of_a_step = (self.height() * own) as f64 * (OF_A_FIT + 4.0 * (1 + more) as f64);
         let mut products = 0.0;
-        let mut place: Option<Place> = None;
+        let mut place: Option<Arc<Basis>> = None;
         let mut at = TakenAt {
             model: model.clone(),
             with_the_bases_own: true,
@@ -87,17 +80,20 @@ impl Regression<'_> {
                 self.place(&at, &shapes)
             };
             // The shapes are linear: they are solved for afresh, the model by steps.
-            let step = here.basis.solve(&residual);
-            left = here.basis.reject(&residual);
+            let step = here.solve(&residual);
+            left = here.reject(&residual);
             rss = left.norm_squared();
-            let moved = (here.columns.columns(0, own) * step.rows(0, own)).norm_squared();
+            // What the columns explain of the residual is what the step moves, but for the shapes.
+            let mut moves = residual - &left;
             model = model.stepped(&step.as_slice()[..own]);
             let mut first = own;
             for shape in &mut shapes {
                 let size = shape.white.ncols();
                 shape.coefficients = step.rows(first, size).into_owned();
+                moves.gemv(-1.0, &shape.white, &shape.coefficients, 1.0);
                 first += size;
             }
+            let moved = moves.norm_squared();
             place = Some(here);
             last = moved / rss.max(f64::MIN_POSITIVE);
             // A step of a hundredth of the noise changes nothing to second order.
@@ -105,10 +101,8 @@ impl Regression<'_> {
                 break;
             }
         }
-        let basis = place.map_or_else(
-            || Arc::new(Basis::new(&DMatrix::zeros(self.height(), 0))),
-            |place| place.basis,
-        );
+        let basis =
+            place.unwrap_or_else(|| Arc::new(Basis::new(&DMatrix::zeros(self.height(), 0))));
         let ln_evidence = self.ln_evidence(&model, &shapes, rss, basis.rank())
             + self.subset_selection_credit(&model, &basis, rss);
         let fit = Fit {
@@ -122,13 +116,21 @@ impl Regression<'_> {
         (fit, at, products)
     }
 
-    /// What is left of the rows, with all columns and their basis.
-    fn place(&self, at: &TakenAt, shapes: &[Placed]) -> (DVector<f64>, Place) {
+    /// What is left of the rows, with a basis of all columns. Where the base's own are good enough they are not made
+    /// again.
+    fn place(&self, at: &TakenAt, shapes: &[Placed]) -> (DVector<f64>, Arc<Basis>) {
         let TakenAt {
             model,
             with_the_bases_own,
         } = at;
-        let (raw, columns) = self.raw(model);
+        let near = with_the_bases_own
+            .then(|| self.base_columns_of(model))
+            .flatten();
+        let (raw, columns) = if near.is_some() {
+            self.raw(&self.holding(model, true))
+        } else {
+            self.raw(model)
+        };
         let (residual, mut all) = self.whitened(model, &raw, columns);
         if !shapes.is_empty() {
             let own = all.ncols();
@@ -140,14 +142,13 @@ impl Regression<'_> {
             }
             all = DMatrix::from_vec(all.nrows(), width, numbers);
         }
-        let extended = with_the_bases_own
-            .then(|| self.base_basis().extended(&self.base, model, &all))
-            .flatten();
-        let basis = Arc::new(extended.unwrap_or_else(|| Basis::new(&all)));
-        let here = Place {
-            columns: all,
-            basis,
+        let base_basis = self.base_basis();
+        let basis = match near {
+            Some(own) => Some(base_basis.extended_by(&own, &all)),
+            None if *with_the_bases_own => base_basis.extended(&self.base, model, &all),
+            None => None,
         };
-        (residual, here)
+        let basis = basis.unwrap_or_else(|| Basis::new(&all));
+        (residual, Arc::new(basis))
     }
 }

@@ -7,7 +7,7 @@ use std::rc::Rc;
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::effects::Term;
+use crate::effects::{FixedMask, Term};
 use crate::fit::problem::Problem;
 use crate::model::Model;
 
@@ -31,6 +31,8 @@ use crate::side_by_side::Threads;
 pub(crate) struct Regression<'a> {
     pub(crate) problem: Rc<Problem<'a>>,
     pub(crate) rows: Rc<Rows<'a>>,
+    /// A few of the samples, spread over all.
+    pub(super) few: Rc<Rows<'a>>,
     pub(crate) noise: Noise,
     pub(crate) table: Rc<Table>,
     pub(crate) filter: Filter,
@@ -70,6 +72,8 @@ fn choice_of_axes(rows: &Rows, rms_mm: [f64; 3]) -> f64 {
     }
 }
 
+/// So many samples tell whether the base's columns are what they were.
+const FEW_SAMPLES: usize = 32;
 /// Lists of scores and of rivals that are kept for fits that a search comes to again.
 const SCORES_KEPT: usize = 16;
 /// The last fits, of which one that comes again counts as no work: so many numbers of the base's columns in them, and no
@@ -86,6 +90,18 @@ impl<'a> Regression<'a> {
     pub(crate) fn new(
         problem: Rc<Problem<'a>>,
         rows: Rc<Rows<'a>>,
+        noise: Noise,
+        table: Rc<Table>,
+        base: Model,
+        (seed, threads): (u64, Threads),
+    ) -> Self {
+        let few = Rc::new(rows.spread(FEW_SAMPLES));
+        Self::of(problem, (rows, few), noise, table, base, (seed, threads))
+    }
+
+    fn of(
+        problem: Rc<Problem<'a>>,
+        (rows, few): (Rc<Rows<'a>>, Rc<Rows<'a>>),
         noise: Noise,
         table: Rc<Table>,
         base: Model,
@@ -109,6 +125,7 @@ impl<'a> Regression<'a> {
             work: Work::new(rows.samples.len()),
             problem,
             rows,
+            few,
             noise,
             table,
             filter,
@@ -132,9 +149,9 @@ impl<'a> Regression<'a> {
 
     /// The same samples and candidates with another noise.
     pub(crate) fn with_noise(&self, noise: Noise) -> Self {
-        let other = Self::new(
+        let other = Self::of(
             Rc::clone(&self.problem),
-            Rc::clone(&self.rows),
+            (Rc::clone(&self.rows), Rc::clone(&self.few)),
             noise,
             Rc::clone(&self.table),
             self.base.clone(),
@@ -237,7 +254,26 @@ impl<'a> Regression<'a> {
     pub(crate) fn base_basis(&self) -> &BaseBasis {
         self.base_basis.get_or_init(|| {
             let (raw, columns) = self.raw(&self.base);
-            BaseBasis::new(self.whitened(&self.base, &raw, columns).1)
+            let white = self.whitened(&self.base, &raw, columns).1;
+            BaseBasis::new(white, self.few.extract(&self.base).1)
+        })
+    }
+
+    /// Where the base's columns are among those of a model, if a few samples show that they are nearly what they are at
+    /// the base. Of plain points, whose columns cost little, it is not asked: all samples show it.
+    pub(super) fn base_columns_of(&self, model: &Model) -> Option<Vec<usize>> {
+        self.rows.observed()?;
+        let in_few = || self.few.extract(&self.holding(model, false)).1;
+        self.base_basis().near(&self.base, model, in_few)
+    }
+
+    /// A model of which no column is asked for of the base's terms, or of the others.
+    pub(super) fn holding(&self, model: &Model, of_base: bool) -> Model {
+        let is_base = |term: &Term| self.base.terms().iter().any(|own| own.same_column(term));
+        model.with_each(|_, term| {
+            if is_base(term) == of_base {
+                term.held = FixedMask::ALL;
+            }
         })
     }
 

@@ -1,7 +1,7 @@
 //! Motions of all points and columns of a block at once, by loops for wide vectors: of a joint, of a
 //! rigid body, and of points by the derivative of each.
 
-use super::{Block, Columns, JointTangent, Placed};
+use super::{Block, JointTangent, Placed};
 use crate::kinematics::JointKind;
 use crate::lanes::{LANES, add_scaled, cross, minus, times, turned};
 use crate::sincos::sin_cos_small as sin_cos;
@@ -15,6 +15,7 @@ impl Block<'_> {
         by: &RigidMotion<N>,
     ) {
         wide(MovingRigidly {
+            asked: self.asks_for::<N>(me),
             block: self,
             first_column: me.first_column,
             by,
@@ -61,6 +62,11 @@ impl Block<'_> {
             for k in 0..3 {
                 direction[k][i] = along[k];
             }
+        }
+        if let Some(first) = self.apart {
+            self.columns[first + index] = direction;
+            self.live[first + index] = true;
+            return;
         }
         for tangent in self.tangents.iter().filter(moves) {
             let column = &mut self.columns[tangent.column];
@@ -111,6 +117,8 @@ pub(in crate::effects) struct RigidMotion<const N: usize> {
 struct MovingRigidly<'b, 'a, const N: usize> {
     block: &'b mut Block<'a>,
     first_column: usize,
+    /// Whether its own columns are.
+    asked: bool,
     by: &'b RigidMotion<N>,
 }
 
@@ -146,7 +154,7 @@ impl<const N: usize> Loop for MovingRigidly<'_, '_, N> {
                 [cx[i], cy[i], cz[i]] = times(rotation, [cx[i], cy[i], cz[i]]);
             }
         }
-        if self.block.by != Columns::Coefficients {
+        if !self.asked {
             return;
         }
         for (k, (turn, shift)) in by.into_iter().enumerate() {
