@@ -22,15 +22,15 @@ pub(crate) static IMPORTER: Importer = Importer {
 };
 
 /// Reads a trajectory.
-fn read(case: &mut ReadContext<'_>) -> Option<Columns> {
-    let grid = case.grid()?;
+fn read(context: &mut ReadContext<'_>) -> Option<Columns> {
+    let grid = context.grid()?;
     if grid.width < 8 {
         let found = text!(one "{count} column", "{count} columns", count = grid.width);
         let expected = text!("8: timestamp, p_x, p_y, p_z, q_w, q_x, q_y, q_z");
-        case.refuse(found, expected);
+        context.refuse(found, expected);
         return None;
     }
-    let unit = case.reading.unit.unwrap_or(LengthUnit::Metres);
+    let unit = context.reading.unit.unwrap_or(LengthUnit::Metres);
     let position = |quantity| fixed(quantity, unit.unit());
     let part = |part| fixed(Quantity::Orientation(part), Unit::Fixed);
     let mut roles = vec![
@@ -44,10 +44,10 @@ fn read(case: &mut ReadContext<'_>) -> Option<Columns> {
         part(3),
     ];
     roles.resize(grid.width, Role::Kept);
-    let columns = case.columns(&grid, roles);
-    for column in &mut case.found.columns {
+    let columns = context.columns(&grid, roles);
+    for column in &mut context.found.columns {
         column.known = Known::Certain;
     }
-    case.found.unit = format!("{}, as the format has it", unit.symbol());
+    context.found.unit = text!("{unit}, as the format has it", unit = unit.symbol());
     columns
 }

@@ -16,6 +16,7 @@ pub(crate) struct Height;
 
 static ABOUT: AboutKind = AboutKind {
     name: "height",
+    title: phrase!("height"),
     looks: Observable::AtPoint,
     unit: Unit::Millimetre,
     usual_sigma: 0.02,

@@ -389,8 +389,8 @@ mod tests {
         assert_eq!(after(&[(7, 2)]), []);
         assert_eq!(after(&[(3, -1), (9, 0)]), [(3, -1)]);
         assert_eq!(
-            after(&[(2, -1), (3, 3), (6, -1)]),
-            [(2, -1), (3, 3), (6, -1)]
+            after(&[(1, -1), (4, 2), (7, -1)]),
+            [(1, -1), (4, 2), (7, -1)]
         );
         // A row or two are bad by themselves.
         assert_eq!(after(&[(2, -1), (5, 3), (6, -1)]), [(2, -1)]);
