@@ -564,7 +564,7 @@ impl<'a> Block<'a> {
     }
 
     /// Clears the columns that nothing has touched, so that they can be read as zero. Where columns stay apart,
-    /// [`is_live`](Self::is_live) says so of each.
+    /// `is_live` says so of each.
     pub fn settle(&mut self) {
         if self.apart.is_some() {
             return;

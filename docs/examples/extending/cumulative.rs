@@ -36,7 +36,12 @@ impl ChartKind for Cumulative {
 
     fn work(&self, _: &Scene) -> Option<Work> {
         Some(Work::new(self.about().id, Vec::new(), |given| {
-            let usable = given.loaded_session.overview.usable.iter().map(|i| *i as usize);
+            let usable = given
+                .loaded_session
+                .overview
+                .usable
+                .iter()
+                .map(|i| *i as usize);
             let (before, after) = given.values(&usable.collect::<Vec<_>>());
             Sorted::of(after.unwrap_or(before))
         }))
