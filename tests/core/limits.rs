@@ -672,7 +672,8 @@ fn a_signal_ends_a_command_before_its_work_is_done_and_leaves_nothing() {
     let folder = tempfile::tempdir().unwrap();
     let made = simulated(folder.path(), 1.0, "s.json", 400_000);
     assert_eq!(made.code, Some(0), "{}", made.stderr);
-    let mut signals = vec![("INT", 2), ("TERM", 15), ("KILL", 9)];
+    // The last is sent first; what SIGKILL leaves is seen by none of the others.
+    let mut signals = vec![("KILL", 9), ("TERM", 15), ("INT", 2)];
     let mut too_late = 0;
     while let Some((signal, number)) = signals.pop() {
         let mut command = crate::program::truepose();
