@@ -287,17 +287,6 @@ fn the_table_of_an_arms_joint_takes_the_part_along_its_motion() {
         "samples":{"columns":{"q1_deg":[-60,0,60,20],"q2_deg":[-60,60,0,10],"q3_deg":[30,60,-60,5],
         "x_mm":[0,0,0,0],"y_mm":[0,0,0,0],"z_mm":[0,0,0,0]}}}"#;
     let mut session = parse(text.as_bytes()).unwrap().session;
-    // A robot that is as it was drawn.
-    let commands = Inputs::new(&session, JointValues::Commanded);
-    let points = Model::new(session.robot.clone(), Vec::new()).predict(&commands);
-    drop(commands);
-    let samples = &mut session.samples;
-    (samples.x_mm, samples.y_mm) = (points.x_mm, points.y_mm);
-    samples.z_mm = Some(points.z_mm);
-    let inputs = Inputs::new(&session, JointValues::Commanded);
-    let nothing: [String; 0] = [];
-    let identified = identify_exact(&session, &nothing, JointValues::Commanded).unwrap();
-    let mut calibration = identified.calibration(&session, &inputs);
     let knots = Knots {
         from: -1.0,
         to: 1.0,
@@ -311,6 +300,18 @@ fn the_table_of_an_arms_joint_takes_the_part_along_its_motion() {
         .collect();
     let values = [wave.clone(), vec![0.3; 11], vec![-0.2; 11]];
     let curve = Curve::new(knots, values, [0; 3].map(|_| vec![0.0; 11])).unwrap();
+    // A robot that has the wave and nothing else.
+    let commands = Inputs::new(&session, JointValues::Commanded);
+    let wave = Term::unexplained(1, curve.clone());
+    let points = Model::new(session.robot.clone(), vec![wave]).predict(&commands);
+    drop(commands);
+    let samples = &mut session.samples;
+    (samples.x_mm, samples.y_mm) = (points.x_mm, points.y_mm);
+    samples.z_mm = Some(points.z_mm);
+    let inputs = Inputs::new(&session, JointValues::Commanded);
+    let nothing: [String; 0] = [];
+    let identified = identify_exact(&session, &nothing, JointValues::Commanded).unwrap();
+    let mut calibration = identified.calibration(&session, &inputs);
     calibration.model = calibration
         .model
         .with_term(Term::unexplained(1, curve.clone()));
