@@ -1,19 +1,16 @@
-//! An orthonormal basis by Gram–Schmidt, done twice ("twice is enough", Giraud, Langou & Rozložník 2005) for
-//! columns of which the first time leaves little (Daniel, Gragg, Kaufman & Stewart 1976), which drops columns that the
-//! ones before them already explain.
+//! An orthonormal basis by Gram–Schmidt, done twice ("twice is
+//! enough", Giraud, Langou & Rozložník 2005), which drops columns that the ones before them already
+//! explain.
 
 use std::sync::Arc;
 
 use nalgebra::{DMatrix, DVector};
 
 use super::products::{along, norm, products};
-use super::subtraction::{Sums, reject_all, subtract, subtract_with_products};
+use super::subtraction::{Sums, subtract, subtract_with_products};
 
 /// A column of which less than this share is left after projection is a copy of the others.
 const DEPENDENT: f64 = 1e-6;
-/// A column of which at least this share is left is orthogonal to the others but for ten times the rounding of a
-/// number: once is enough.
-const ONCE: f64 = 0.1;
 
 /// `A = Q R` on the columns that are independent.
 #[derive(Debug, Clone)]
@@ -29,18 +26,6 @@ pub(crate) struct Basis {
     pub(crate) extends: Option<Arc<Self>>,
 }
 
-/// Columns that a basis has to take.
-struct More<'c> {
-    /// Without what the basis had of them before.
-    columns: &'c DMatrix<f64>,
-    /// How much that was.
-    known: DMatrix<f64>,
-    /// How long they were.
-    before: Vec<f64>,
-    /// Which they are of a matrix.
-    which: Vec<usize>,
-}
-
 /// A basis that still grows.
 struct Growing {
     /// Orthonormal columns, one after the other.
@@ -50,53 +35,45 @@ struct Growing {
 }
 
 impl Growing {
-    /// Takes columns more. The products of the next one come with the step of the one before it, while the orthonormal
-    /// columns are near the processor.
-    fn orthogonalize(&mut self, some: &More) {
-        let m = some.columns.nrows();
-        let free_of = some.known.nrows();
-        let column = |k: usize| &some.columns.as_slice()[k * m..(k + 1) * m];
-        let count = some.columns.ncols();
-        let (mut parts, mut of_next) = (vec![0.0; count], vec![0.0; count]);
-        let mut again = vec![0.0; free_of + count];
-        let mut sums = Sums::new(count);
-        for k in 0..count {
+    /// Takes some columns of a matrix more. The products of the next column come with the last step of the one
+    /// before it, while the orthonormal columns are near the processor.
+    fn orthogonalize(&mut self, a: &DMatrix<f64>, which: impl Iterator<Item = usize>) {
+        let (m, p) = a.shape();
+        let column = |k: usize| &a.as_slice()[k * m..(k + 1) * m];
+        let (mut parts, mut again) = (vec![0.0; p], vec![0.0; p]);
+        let mut sums = Sums::new(p);
+        let mut which = which.peekable();
+        if let (Some(first), false) = (which.peek(), self.kept.is_empty()) {
+            products(column(*first), &self.q, &mut parts[..self.kept.len()]);
+        }
+        while let Some(own) = which.next() {
             let rank = self.kept.len();
             if rank >= m {
                 return;
             }
-            let more = rank - free_of;
-            let next = (k + 1 < count).then(|| column(k + 1));
-            self.q.extend_from_slice(column(k));
+            let next = which.peek().map(|next| column(*next));
+            let before = norm(column(own));
+            self.q.extend_from_slice(column(own));
             let (q, v) = self.q.split_at_mut(rank * m);
-            let own = &q[free_of * m..];
-            if let Some(next) = next {
-                subtract_with_products(own, &parts[..more], v, next, &mut of_next, &mut sums);
+            subtract_with_products(q, &parts[..rank], v, None, &mut again, &mut sums);
+            for (k, (first, second)) in parts.iter().zip(&again).take(rank).enumerate() {
+                self.r[(k, rank)] = first + second;
+            }
+            if next.is_some() {
+                subtract_with_products(q, &again[..rank], v, next, &mut parts, &mut sums);
             } else {
-                subtract(own, &parts[..more], v);
-            }
-            let mut r = self.r.column_mut(rank);
-            r.rows_mut(0, free_of).copy_from(&some.known.column(k));
-            r.rows_mut(free_of, more).copy_from_slice(&parts[..more]);
-            let mut left = norm(v);
-            if left < ONCE * some.before[k] {
-                products(v, q, &mut again[..rank]);
                 subtract(q, &again[..rank], v);
-                for (r, more) in r.iter_mut().zip(&again[..rank]) {
-                    *r += more;
-                }
-                left = norm(v);
             }
-            std::mem::swap(&mut parts, &mut of_next);
-            if left > DEPENDENT * some.before[k] && left > 0.0 {
+            let norm = norm(v);
+            if norm > DEPENDENT * before && norm > 0.0 {
                 for value in v.iter_mut() {
-                    *value /= left;
+                    *value /= norm;
                 }
                 if let Some(next) = next {
-                    products(next, v, &mut parts[more..=more]);
+                    products(next, v, &mut parts[rank..=rank]);
                 }
-                r[rank] = left;
-                self.kept.push(some.which[k]);
+                self.r[(rank, rank)] = norm;
+                self.kept.push(own);
             } else {
                 self.q.truncate(rank * m);
             }
@@ -126,12 +103,7 @@ impl Basis {
             r: DMatrix::zeros(p, p),
             kept: Vec::new(),
         };
-        growing.orthogonalize(&More {
-            columns: a,
-            known: DMatrix::zeros(0, p),
-            before: lengths(a),
-            which: (0..p).collect(),
-        });
+        growing.orthogonalize(a, 0..p);
         growing.end(a, None)
     }
 
@@ -146,21 +118,7 @@ impl Basis {
         };
         growing.q.extend_from_slice(known.q.as_slice());
         growing.r.view_mut((0, 0), (rank, rank)).copy_from(&known.r);
-        // What is known is taken from all the others at once.
-        let which: Vec<usize> = (0..p).filter(|k| !own.contains(k)).collect();
-        let mut columns = Vec::with_capacity(m * which.len());
-        for k in &which {
-            columns.extend_from_slice(&a.as_slice()[k * m..(k + 1) * m]);
-        }
-        let mut columns = DMatrix::from_vec(m, which.len(), columns);
-        let before = lengths(&columns);
-        let parts = reject_all(&known.q, &mut columns);
-        growing.orthogonalize(&More {
-            columns: &columns,
-            known: parts,
-            before,
-            which,
-        });
+        growing.orthogonalize(a, (0..p).filter(|k| !own.contains(k)));
         growing.end(a, Some(Arc::clone(known)))
     }
 
@@ -266,12 +224,6 @@ impl Basis {
     }
 }
 
-/// The length of each column.
-fn lengths(a: &DMatrix<f64>) -> Vec<f64> {
-    let columns = a.as_slice().chunks_exact(a.nrows().max(1));
-    columns.map(norm).collect()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -293,8 +245,7 @@ mod tests {
         assert_eq!(Basis::extending(&known, &own, &twice).kept, [1, 2, 5, 3, 4]);
     }
 
-    /// One column after the other, each by products with all before it and taking these from it, twice where little
-    /// is left.
+    /// One column after the other, each by products with all before it and taking these from it, twice.
     #[test]
     fn it_has_the_bits_of_gram_schmidt_step_by_step() {
         for (m, p) in [(203, 9), (32, 5), (70, 70), (5, 9), (0, 3)] {
@@ -308,10 +259,7 @@ mod tests {
             for (k, column) in a.column_iter().enumerate() {
                 let mut v = column.into_owned();
                 let mut r = vec![0.0; q.len()];
-                for time in 0..2 {
-                    if time == 1 && v.norm() >= ONCE * column.norm() {
-                        break;
-                    }
+                for _ in 0..2 {
                     let parts: Vec<f64> = q.iter().map(|q| q.dot(&v)).collect();
                     for ((q, part), r) in q.iter().zip(parts).zip(&mut r) {
                         v.axpy(-part, q, 1.0);

@@ -30,13 +30,13 @@ impl Sums {
     }
 }
 
-/// Takes from `v` columns times their coefficients, one after the other, and says what products they have with
-/// another vector: the bits of [`subtract`] and [`products`], with each column read once.
+/// Takes from `v` columns times their coefficients, one after the other, and says what products they then have with
+/// it, or with another vector: the bits of [`subtract`] and [`products`], with each column read once.
 pub(crate) fn subtract_with_products(
     columns: &[f64],
     coefficients: &[f64],
     v: &mut [f64],
-    other: &[f64],
+    other: Option<&[f64]>,
     out: &mut [f64],
     sums: &mut Sums,
 ) {
@@ -50,19 +50,18 @@ pub(crate) fn subtract_with_products(
     });
 }
 
-/// Takes from columns what orthonormal ones span of them, and says how much that was of each.
-pub(crate) fn reject_all(q: &DMatrix<f64>, columns: &mut DMatrix<f64>) -> DMatrix<f64> {
+/// Takes from columns what orthonormal ones span of them.
+pub(crate) fn reject_all(q: &DMatrix<f64>, columns: &mut DMatrix<f64>) {
     let parts = cross(q, columns);
     if columns.ncols() > FEW {
         columns.gemm(-1.0, q, &parts, 1.0);
-        return parts;
+        return;
     }
     let height = q.nrows().max(1);
     let own = columns.as_mut_slice().chunks_exact_mut(height);
     for (own, parts) in own.zip(parts.column_iter()) {
         subtract(q.as_slice(), parts.as_slice(), own);
     }
-    parts
 }
 
 /// A product of matrices puts all numbers of both in another order first: for so few columns that is most of it.
@@ -75,7 +74,7 @@ struct SubtractingWithProducts<'a> {
     columns: &'a [f64],
     coefficients: &'a [f64],
     v: &'a mut [f64],
-    other: &'a [f64],
+    other: Option<&'a [f64]>,
     out: &'a mut [f64],
     sums: &'a mut [[f64; 8]],
 }
@@ -117,9 +116,11 @@ impl Loop for SubtractingWithProducts<'_> {
             own[8..16].copy_from_slice(&v1);
             own[16..24].copy_from_slice(&v2);
             own[24..].copy_from_slice(&v3);
-            let of = &other[at..at + ROWS];
-            (v0, v1) = (eight(&of[..8]), eight(&of[8..16]));
-            (v2, v3) = (eight(&of[16..24]), eight(&of[24..]));
+            if let Some(other) = other {
+                let other = &other[at..at + ROWS];
+                (v0, v1) = (eight(&other[..8]), eight(&other[8..16]));
+                (v2, v3) = (eight(&other[16..24]), eight(&other[24..]));
+            }
             for (column, sums) in columns.chunks_exact(height).zip(sums.iter_mut()) {
                 let q = &column[at..at + ROWS];
                 let mut own = *sums;
@@ -136,7 +137,10 @@ impl Loop for SubtractingWithProducts<'_> {
                 *v -= q * by;
             }
         }
-        let rest = &other[at..height];
+        let rest = match other {
+            Some(other) => &other[at..height],
+            None => &v[at..],
+        };
         let columns = columns.chunks_exact(height);
         for ((column, sums), out) in columns.zip(sums.iter_mut()).zip(out) {
             let mut k = 0;
@@ -276,27 +280,35 @@ mod tests {
         }
     }
 
+    /// Of the vector itself and of another one.
     #[test]
     fn taking_columns_and_their_products_at_once_has_the_bits_of_one_after_the_other() {
         let a = DMatrix::from_fn(203, 5, |i, j| ((i * 7 + j * 13) as f64 * 0.37).sin());
         let five = [0.3, -0.7, 0.01, 0.2, 1.1];
+        // Both at once, of the vector itself and of another one.
         for height in [0, 5, 32, 203] {
             let own = a.rows(0, height).into_owned();
             let (column, other) = (own.column(1).into_owned(), own.column(3).into_owned());
-            let (mut expected, mut v) = (column.clone(), column.clone());
-            subtract(own.as_slice(), &five, expected.as_mut_slice());
-            let (mut parts, mut out) = ([0.0; 5], [0.0; 5]);
-            products(other.as_slice(), own.as_slice(), &mut parts);
-            let sums = &mut Sums::new(5);
-            subtract_with_products(
-                own.as_slice(),
-                &five,
-                v.as_mut_slice(),
-                other.as_slice(),
-                &mut out,
-                sums,
-            );
-            assert_eq!((v, out), (expected, parts));
+            for other in [None, Some(other.as_slice())] {
+                let (mut expected, mut v) = (column.clone(), column.clone());
+                subtract(own.as_slice(), &five, expected.as_mut_slice());
+                let (mut parts, mut out) = ([0.0; 5], [0.0; 5]);
+                products(
+                    other.unwrap_or(expected.as_slice()),
+                    own.as_slice(),
+                    &mut parts,
+                );
+                let sums = &mut Sums::new(5);
+                subtract_with_products(
+                    own.as_slice(),
+                    &five,
+                    v.as_mut_slice(),
+                    other,
+                    &mut out,
+                    sums,
+                );
+                assert_eq!((v, out), (expected, parts));
+            }
         }
     }
 }

@@ -268,10 +268,7 @@ fn best_pairs(
     if hopeless(2.0 * MORE * best, 2.0 * EFFECT_PRIOR_PENALTY) {
         return Vec::new();
     }
-    // … nor of those that even the best of all would not make a pair with.
-    let with_best = |s: &&&Score| !hopeless(MORE * (best + s.gain), 2.0 * EFFECT_PRIOR_PENALTY);
-    let some = scores.iter().filter(with_best);
-    let list: Vec<usize> = some.map(|s| s.candidate).collect();
+    let list: Vec<usize> = scores.iter().map(|s| s.candidate).collect();
     // Each candidate made orthonormal by itself. The better one of a pair does half of it at least:
     // products with those that may be the better one are all that is needed.
     let mut pieces: Vec<Piece> = Vec::new();
