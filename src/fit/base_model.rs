@@ -32,7 +32,7 @@ use super::priors::{Priors, of_one_target};
 use super::problem::Problem;
 use super::solver::{Solution, Stopped, solve};
 use super::target_places::{
-    Agreement, SeenTarget, across_mm, agreement, seen_targets, sigma_between,
+    Agreement, SeenTarget, across_mm, agreement, last_axis, seen_targets, sigma_between,
 };
 use super::usual_noise::{USUAL_NOISE_MM, stated_variance};
 use crate::answers::identification::NotIdentifiable;
@@ -232,7 +232,7 @@ fn doubt_targets(problem: &mut Problem, start: &Model) -> Text {
     let place = |(k, target): (usize, &Target)| holds(k).then_some(target.position_mm.coords);
     let places: Vec<_> = session.targets.iter().enumerate().map(place).collect();
     problem.priors.targets_mm = Some(stated);
-    let off: Vec<usize> = match agreement(&seen, &places) {
+    let off: Vec<usize> = match agreement(&seen, &places, last_axis(&session.robot)) {
         Agreement::Settled { at, .. } => {
             let own = numbers.iter().zip(at);
             own.filter(|(own, at)| Some(**own) != *at)

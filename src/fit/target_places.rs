@@ -1,15 +1,17 @@
 //! Which targets are where the session says, as far as a fit in which all places are free tells.
 //!
-//! Such a fit shows the targets in the tool but for a shift that all share, which is the tool's. That shift is the
-//! one that explains most with least: a target that is at its own stated place needs nothing, one at the stated place
-//! of another a wrong name, any other three numbers of its own. Where two shifts explain the targets equally well,
-//! as of two targets that disagree, nothing tells where the tool is, and no answer may look as if something did.
+//! Such a fit shows the targets in the tool but for a shift, which is the tool's, and a turn about the last joint's
+//! axis, which is its zero offset. Those are meant that explain most with least: a target that is at its own stated
+//! place needs nothing, one at the stated place of another a wrong name, any other three numbers of its own. Where
+//! several motions explain the targets equally well, as of two targets that disagree, nothing tells where the tool is,
+//! and no answer may look as if something did.
 
-use nalgebra::Vector3;
+use nalgebra::{Rotation3, Unit, Vector3};
 
 use super::gap::lengths_mm;
 use super::problem::Problem;
 use crate::effects::TOOL_POSITION;
+use crate::kinematics::{JointKind, Robot};
 use crate::model::Model;
 
 /// A target is off beyond so many standard deviations of what is known of it and of what the fit shows.
@@ -19,7 +21,11 @@ const WRONG_NAME: usize = 1;
 /// … and one that is elsewhere: three numbers.
 const ELSEWHERE: usize = 3;
 /// Of more targets than these no wrong names are looked for.
-const MOST_NAMES: usize = 64;
+const MOST_NAMES: usize = 12;
+/// A turn is made of two targets: of each with so many others.
+const MOST_OTHERS: usize = 16;
+/// A zero offset is no larger: four times what is known of it, rad.
+const LARGEST_TURN: f64 = 0.2;
 
 /// A target as a fit with free places shows it.
 #[derive(Debug, Clone)]
@@ -35,10 +41,10 @@ pub(crate) struct SeenTarget {
 /// What targets say together.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Agreement {
-    /// One shift of the tool explains them best.
+    /// One motion of the tool explains them best.
     Settled {
-        /// What all share, mm.
-        shift_mm: Vector3<f64>,
+        /// Where each is in the tool as the session has it, mm.
+        places_mm: Vec<Vector3<f64>>,
         /// At whose stated place each is; `None`: at none.
         at: Vec<Option<usize>>,
     },
@@ -62,43 +68,157 @@ pub(crate) fn sigma_between(across_mm: f64, targets: usize) -> f64 {
     0.6 * across_mm * (targets as f64).sqrt()
 }
 
-/// Where the tool and its targets are; `stated` is `None` for a target of which nothing is stated.
-pub(crate) fn agreement(seen: &[SeenTarget], stated: &[Option<Vector3<f64>>]) -> Agreement {
-    let mut best: Vec<(usize, Vec<Option<usize>>, Vector3<f64>)> = Vec::new();
-    let names = stated.len() <= MOST_NAMES;
-    for one in seen {
-        for (target, place) in stated.iter().enumerate() {
-            let Some(place) = place.filter(|_| names || target == one.of) else {
-                continue;
-            };
-            let around = |other: &SeenTarget| other.within_mm.hypot(one.within_mm);
-            let (_, at) = explained(seen, stated, one.at_mm - place, around);
-            // As many as agree say together where the tool is.
-            let own = seen.iter().zip(&at);
-            let shifts: Vec<Vector3<f64>> = own
-                .filter_map(|(seen, at)| Some(seen.at_mm - stated[(*at)?]?))
-                .collect();
-            let shift = shifts.iter().sum::<Vector3<f64>>() / shifts.len().max(1) as f64;
-            let (cost, at) = explained(seen, stated, shift, |other| other.within_mm);
-            let least = best.first().map_or(usize::MAX, |b| b.0);
-            if cost < least {
-                best.clear();
+/// The axis in the tool's frame about which the last joint turns the targets.
+pub(crate) fn last_axis(robot: &Robot) -> Option<Unit<Vector3<f64>>> {
+    let last = robot.joints.last()?;
+    let turns = last.kind == JointKind::Revolute;
+    turns.then(|| robot.base_from_tool.rotation.inverse() * last.axis.direction)
+}
+
+/// A motion that all targets share.
+#[derive(Debug, Clone, Copy)]
+struct Motion {
+    turn: Rotation3<f64>,
+    shift_mm: Vector3<f64>,
+}
+
+impl Motion {
+    /// Where a target is without it.
+    fn undone(&self, seen: &SeenTarget) -> Vector3<f64> {
+        self.turn.inverse() * (seen.at_mm - self.shift_mm)
+    }
+
+    /// The best one that takes stated places to where targets are seen.
+    fn of(pairs: &[(Vector3<f64>, Vector3<f64>)], about: Option<Unit<Vector3<f64>>>) -> Self {
+        let many = pairs.len().max(1) as f64;
+        let from = pairs.iter().map(|p| p.0).sum::<Vector3<f64>>() / many;
+        let to = pairs.iter().map(|p| p.1).sum::<Vector3<f64>>() / many;
+        let turn = about.map_or_else(Rotation3::identity, |about| {
+            let across = |v: Vector3<f64>| v - about.into_inner() * about.dot(&v);
+            let (mut along, mut around) = (0.0, 0.0);
+            for pair in pairs {
+                let [a, b] = [across(pair.0 - from), across(pair.1 - to)];
+                along += a.dot(&b);
+                around += about.dot(&a.cross(&b));
             }
-            if cost <= least && best.iter().all(|b| b.1 != at) {
-                best.push((cost, at, shift));
-            }
+            Rotation3::from_axis_angle(&about, f64::atan2(around, along))
+        });
+        Self {
+            turn,
+            shift_mm: to - turn * from,
         }
     }
-    if let [(_, at, shift)] = &mut best[..] {
+}
+
+/// Where the tool and its targets are; `stated` is `None` for a target of which nothing is stated, `about` the axis
+/// about which all may be turned.
+pub(crate) fn agreement(
+    seen: &[SeenTarget],
+    stated: &[Option<Vector3<f64>>],
+    about: Option<Unit<Vector3<f64>>>,
+) -> Agreement {
+    let mut best: Vec<(usize, Explained, Motion)> = Vec::new();
+    for (motion, around) in motions(seen, stated, about) {
+        let (_, first) = explained(seen, stated, &motion, |one| one.within_mm.hypot(around));
+        // As many as agree say together where the tool is.
+        let own = seen.iter().zip(&first);
+        let pairs: Vec<_> = own
+            .filter_map(|(seen, at)| Some((stated[(*at)?]?, seen.at_mm)))
+            .collect();
+        let motion = Motion::of(&pairs, about);
+        let (cost, at) = explained(seen, stated, &motion, |one| one.within_mm);
+        let least = best.first().map_or(usize::MAX, |b| b.0);
+        if cost < least {
+            best.clear();
+        }
+        if cost <= least && best.iter().all(|b| b.1 != at) {
+            best.push((cost, at, motion));
+        }
+    }
+    if let [(_, at, motion)] = &mut best[..] {
         return Agreement::Settled {
-            shift_mm: *shift,
+            places_mm: seen.iter().map(|one| motion.undone(one)).collect(),
             at: std::mem::take(at),
         };
     }
-    let shifts: Vec<Vector3<f64>> = best.iter().map(|b| b.2).collect();
+    let shifts: Vec<Vector3<f64>> = best.iter().map(|b| b.2.shift_mm).collect();
     Agreement::Open {
         across_mm: largest_distance(&shifts),
     }
+}
+
+/// Motions that take the stated places of one or two targets to where they, or others, are seen; and how far off the
+/// targets may be that they are made of, mm.
+fn motions(
+    seen: &[SeenTarget],
+    stated: &[Option<Vector3<f64>>],
+    about: Option<Unit<Vector3<f64>>>,
+) -> Vec<(Motion, f64)> {
+    let places = |one: &SeenTarget| {
+        let of = one.of;
+        let all = stated.iter().enumerate();
+        all.filter(move |(target, _)| stated.len() <= MOST_NAMES || *target == of)
+            .filter_map(|(target, place)| Some((target, (*place)?)))
+            .collect::<Vec<_>>()
+    };
+    let mut all = Vec::new();
+    for (k, one) in seen.iter().enumerate() {
+        for (target, place) in places(one) {
+            let first = (place, one.at_mm);
+            all.push((Motion::of(&[first], None), one.within_mm));
+            let others = if about.is_some() { MOST_OTHERS } else { 0 };
+            for other in seen[k + 1..].iter().take(others) {
+                for (_, place) in places(other).into_iter().filter(|p| p.0 != target) {
+                    let second = (place, other.at_mm);
+                    let motion = Motion::of(&[first, second], about);
+                    let around = one.within_mm.hypot(other.within_mm);
+                    let apart = |seen: &SeenTarget, place: Vector3<f64>| {
+                        (motion.undone(seen) - place).norm()
+                    };
+                    let fits = apart(one, first.0).max(apart(other, second.0)) <= around;
+                    if fits && motion.turn.angle() <= LARGEST_TURN {
+                        all.push((motion, around));
+                    }
+                }
+            }
+        }
+    }
+    all
+}
+
+/// At whose stated place each target is, if at any.
+type Explained = Vec<Option<usize>>;
+
+/// What targets cost beside a motion, and at whose stated place each is.
+fn explained(
+    seen: &[SeenTarget],
+    stated: &[Option<Vector3<f64>>],
+    motion: &Motion,
+    within: impl Fn(&SeenTarget) -> f64,
+) -> (usize, Explained) {
+    let mut cost = 0;
+    let mut at = Vec::with_capacity(seen.len());
+    for one in seen {
+        let here = motion.undone(one);
+        let is_at = |target: &usize| {
+            let place = stated.get(*target).copied().flatten();
+            place.is_some_and(|place| (here - place).norm() <= within(one))
+        };
+        let own = Some(one.of).filter(is_at);
+        let others = if stated.len() <= MOST_NAMES {
+            stated.len()
+        } else {
+            0
+        };
+        let place = own.or_else(|| (0..others).find(is_at));
+        cost += match place {
+            Some(target) if target == one.of => 0,
+            Some(_) => WRONG_NAME,
+            None => ELSEWHERE,
+        };
+        at.push(place);
+    }
+    (cost, at)
 }
 
 /// How far the shifts are from one another that the targets show, each beside its own stated place, mm.
@@ -116,38 +236,6 @@ fn largest_distance(all: &[Vector3<f64>]) -> f64 {
         }
     }
     across
-}
-
-/// What targets cost beside a shift, and at whose stated place each is.
-fn explained(
-    seen: &[SeenTarget],
-    stated: &[Option<Vector3<f64>>],
-    shift: Vector3<f64>,
-    within: impl Fn(&SeenTarget) -> f64,
-) -> (usize, Vec<Option<usize>>) {
-    let mut cost = 0;
-    let mut at = Vec::with_capacity(seen.len());
-    for one in seen {
-        let away = |place: &Vector3<f64>| (one.at_mm - shift - place).norm();
-        let is_at = |target: &usize| {
-            let place = stated.get(*target).copied().flatten();
-            place.is_some_and(|place| away(&place) <= within(one))
-        };
-        let own = Some(one.of).filter(is_at);
-        let others = if stated.len() <= MOST_NAMES {
-            stated.len()
-        } else {
-            0
-        };
-        let place = own.or_else(|| (0..others).find(is_at));
-        cost += match place {
-            Some(target) if target == one.of => 0,
-            Some(_) => WRONG_NAME,
-            None => ELSEWHERE,
-        };
-        at.push(place);
-    }
-    (cost, at)
 }
 
 /// Each target's own part in a model, mm, with its number, counted from 0.
@@ -218,6 +306,34 @@ mod tests {
         }
     }
 
+    fn axis() -> Option<Unit<Vector3<f64>>> {
+        Some(Vector3::z_axis())
+    }
+
+    #[test]
+    fn the_last_zero_offset_turns_all_targets() {
+        let stated = places();
+        let turn = Rotation3::from_axis_angle(&Vector3::z_axis(), 0.03);
+        let at = |k: usize| turn * stated[k].unwrap() + tool();
+        let off = Vector3::new(1.0, -0.4, 0.8);
+        let all = [
+            seen(0, at(1)),
+            seen(1, at(0)),
+            seen(2, at(2)),
+            seen(2, at(2) + off),
+        ];
+        let Agreement::Settled {
+            places_mm,
+            at: found,
+        } = agreement(&all, &stated, axis())
+        else {
+            panic!("one motion explains all but one");
+        };
+        assert_eq!(found, [Some(1), Some(0), Some(2), None]);
+        let by = places_mm[3] - stated[2].unwrap();
+        assert!((by - turn.inverse() * off).norm() < 1e-9, "{by}");
+    }
+
     fn tool() -> Vector3<f64> {
         Vector3::new(1.2, -3.4, 0.5)
     }
@@ -229,17 +345,17 @@ mod tests {
         let off = Vector3::new(0.0, 140.0, 0.0);
         let all = [seen(0, at(0)), seen(1, at(1) + off), seen(2, at(2))];
         let Agreement::Settled {
-            shift_mm,
+            places_mm,
             at: found,
-        } = agreement(&all, &stated)
+        } = agreement(&all, &stated, axis())
         else {
             panic!("two of three agree");
         };
-        assert!((shift_mm - tool()).norm() < 1e-9);
+        assert!((places_mm[1] - stated[1].unwrap() - off).norm() < 1e-9);
         assert_eq!(found, [Some(0), None, Some(2)]);
         // One that moved later is one more, and does not outvote the two.
         let two = [seen(0, at(0)), seen(1, at(1)), seen(1, at(1) + off)];
-        let Agreement::Settled { at: found, .. } = agreement(&two, &stated) else {
+        let Agreement::Settled { at: found, .. } = agreement(&two, &stated, axis()) else {
             panic!("two of three agree");
         };
         assert_eq!(found, [Some(0), Some(1), None]);
@@ -251,16 +367,16 @@ mod tests {
         let at = |k: usize| stated[k].unwrap() + tool();
         let all = [seen(0, at(1)), seen(1, at(0)), seen(2, at(2))];
         let Agreement::Settled {
-            shift_mm,
+            places_mm,
             at: found,
-        } = agreement(&all, &stated)
+        } = agreement(&all, &stated, axis())
         else {
             panic!("one shift explains all");
         };
-        assert!((shift_mm - tool()).norm() < 1e-9);
+        assert!((places_mm[0] - stated[1].unwrap()).norm() < 1e-9);
         assert_eq!(found, [Some(1), Some(0), Some(2)]);
         let turned = [seen(0, at(1)), seen(1, at(2)), seen(2, at(0))];
-        let Agreement::Settled { at: found, .. } = agreement(&turned, &stated) else {
+        let Agreement::Settled { at: found, .. } = agreement(&turned, &stated, axis()) else {
             panic!("one shift explains all");
         };
         assert_eq!(found, [Some(1), Some(2), Some(0)]);
@@ -280,13 +396,14 @@ mod tests {
         };
         assert!(close(agreement(
             &[seen(0, at(0)), seen(1, at(1) + off)],
-            &stated
+            &stated,
+            axis()
         )));
         // All moved by the same halfway: before or after, nothing tells.
         let all = [0, 1, 2, 0, 1, 2].map(|k| seen(k, at(k)));
         let mut moved = all.to_vec();
         moved[3..].iter_mut().for_each(|one| one.at_mm += off);
-        assert!(close(agreement(&moved, &stated)));
+        assert!(close(agreement(&moved, &stated, axis())));
         // The mean of the targets is known so that its interval holds both.
         let sigma = sigma_between(5.0, 2);
         assert!(1.96 * sigma / 2.0_f64.sqrt() > 5.0);

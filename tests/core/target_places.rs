@@ -8,7 +8,7 @@ use std::path::PathBuf;
 use nalgebra::Vector3;
 use truepose::effects::{Inputs, JointValues};
 use truepose::fit::{DEFAULT_EFFECTS, Identification, identify_exact};
-use truepose::sessions::{Session, load};
+use truepose::sessions::{Session, SessionCorrection, load};
 use truepose::set_up_errors::corrected_session;
 
 const KINDS: [&str; 2] = ["six-200", "seven-200"];
@@ -138,8 +138,8 @@ fn of_two_targets_that_disagree_none_says_where_the_tool_is() {
     for kind in KINDS {
         let mut session = session(kind);
         let own = session.samples.target.clone().unwrap();
-        let kept: Vec<Option<usize>> = (0..own.len()).filter(|k| own[*k] < 2).map(Some).collect();
-        session.samples.select(&kept);
+        let third = (0..own.len()).filter(|row| own[*row] == 2).collect();
+        SessionCorrection::Remove(third).apply(&mut session);
         session.targets.truncate(2);
         let right = tool(&identified(&session));
         for by_mm in [[3.0, 0.0, 0.0], [0.0, -20.0, 10.0]] {

@@ -12,7 +12,7 @@ use crate::answers::diagnosis::DataProblem;
 use crate::effects::JointValues;
 use crate::fit::problem::Problem;
 use crate::fit::target_places::{
-    Agreement, SeenTarget, across_mm, agreement, seen_targets, sigma_between,
+    Agreement, SeenTarget, across_mm, agreement, last_axis, seen_targets, sigma_between,
 };
 use crate::model::Model;
 use crate::sessions::{Group, Session, SessionCorrection};
@@ -119,7 +119,8 @@ impl<'a> Shown<'a> {
             placed.then_some(own.position_mm.coords)
         };
         let stated: Vec<_> = (0..self.session.targets.len()).map(place).collect();
-        let Agreement::Settled { shift_mm, at } = agreement(&seen, &stated) else {
+        let about = last_axis(&self.session.robot);
+        let Agreement::Settled { places_mm, at } = agreement(&seen, &stated, about) else {
             return Some(self.open(&seen, &stated));
         };
         let wrong = seen.iter().zip(&at).zip(&numbers);
@@ -132,11 +133,12 @@ impl<'a> Shown<'a> {
             return Some(renamed);
         }
         let mut problems = self.problems.clone();
-        for ((one, at), number) in seen.iter().zip(&at).zip(&numbers) {
-            let own = self.session.targets.get(*number);
+        for (k, (one, at)) in seen.iter().zip(&at).enumerate() {
+            let number = numbers[k];
+            let own = self.session.targets.get(number);
             if let Some(own) = own.filter(|_| *at != Some(one.of)) {
-                let by = one.at_mm - shift_mm - own.position_mm.coords;
-                problems.push(self.elsewhere(*number, by));
+                let by = places_mm[k] - own.position_mm.coords;
+                problems.push(self.elsewhere(number, by));
             }
         }
         if problems.is_empty() {
