@@ -24,8 +24,11 @@ const ELSEWHERE: usize = 3;
 const MOST_NAMES: usize = 12;
 /// A turn is made of two targets: of each with so many others.
 const MOST_OTHERS: usize = 16;
-/// A zero offset is no larger: four times what is known of it, rad.
-const LARGEST_TURN: f64 = 0.2;
+/// What is known of a zero offset, rad.
+const ZERO: f64 = 0.05;
+/// Beside a motion that explains the targets so many times better, as a logarithm, another with as many at their places
+/// is none.
+const BETTER: f64 = 7.0;
 
 /// A target as a fit with free places shows it.
 #[derive(Debug, Clone)]
@@ -117,25 +120,32 @@ pub(crate) fn agreement(
     stated: &[Option<Vector3<f64>>],
     about: Option<Unit<Vector3<f64>>>,
 ) -> Agreement {
-    let mut best: Vec<(usize, Explained, Motion)> = Vec::new();
+    let mut best: Vec<(usize, Explained, Motion, f64)> = Vec::new();
     for (motion, around) in motions(seen, stated, about) {
-        let (_, first) = explained(seen, stated, &motion, |one| one.within_mm.hypot(around));
+        let (_, first, _) = explained(seen, stated, &motion, |one| one.within_mm.hypot(around));
         // As many as agree say together where the tool is.
         let own = seen.iter().zip(&first);
         let pairs: Vec<_> = own
             .filter_map(|(seen, at)| Some((stated[(*at)?]?, seen.at_mm)))
             .collect();
         let motion = Motion::of(&pairs, about);
-        let (cost, at) = explained(seen, stated, &motion, |one| one.within_mm);
+        let (cost, at, missed) = explained(seen, stated, &motion, |one| one.within_mm);
         let least = best.first().map_or(usize::MAX, |b| b.0);
         if cost < least {
             best.clear();
         }
         if cost <= least && best.iter().all(|b| b.1 != at) {
-            best.push((cost, at, motion));
+            best.push((
+                cost,
+                at,
+                motion,
+                missed + (motion.turn.angle() / ZERO).powi(2),
+            ));
         }
     }
-    if let [(_, at, motion)] = &mut best[..] {
+    let least = best.iter().map(|b| b.3).fold(f64::INFINITY, f64::min);
+    best.retain(|b| b.3 <= least + 2.0 * BETTER);
+    if let [(_, at, motion, _)] = &mut best[..] {
         return Agreement::Settled {
             places_mm: seen.iter().map(|one| motion.undone(one)).collect(),
             at: std::mem::take(at),
@@ -176,7 +186,7 @@ fn motions(
                         (motion.undone(seen) - place).norm()
                     };
                     let fits = apart(one, first.0).max(apart(other, second.0)) <= around;
-                    if fits && motion.turn.angle() <= LARGEST_TURN {
+                    if fits && motion.turn.angle() <= OFF * ZERO {
                         all.push((motion, around));
                     }
                 }
@@ -189,14 +199,15 @@ fn motions(
 /// At whose stated place each target is, if at any.
 type Explained = Vec<Option<usize>>;
 
-/// What targets cost beside a motion, and at whose stated place each is.
+/// What targets cost beside a motion, at whose stated place each is, and the squares by which they miss it, in units of
+/// what is known of them.
 fn explained(
     seen: &[SeenTarget],
     stated: &[Option<Vector3<f64>>],
     motion: &Motion,
     within: impl Fn(&SeenTarget) -> f64,
-) -> (usize, Explained) {
-    let mut cost = 0;
+) -> (usize, Explained, f64) {
+    let (mut cost, mut missed) = (0, 0.0);
     let mut at = Vec::with_capacity(seen.len());
     for one in seen {
         let here = motion.undone(one);
@@ -216,9 +227,12 @@ fn explained(
             Some(_) => WRONG_NAME,
             None => ELSEWHERE,
         };
+        if let Some(place) = place.and_then(|target| stated[target]) {
+            missed += (OFF * (here - place).norm() / one.within_mm).powi(2);
+        }
         at.push(place);
     }
-    (cost, at)
+    (cost, at, missed)
 }
 
 /// How far the shifts are from one another that the targets show, each beside its own stated place, mm.
@@ -332,6 +346,25 @@ mod tests {
         assert_eq!(found, [Some(1), Some(0), Some(2), None]);
         let by = places_mm[3] - stated[2].unwrap();
         assert!((by - turn.inverse() * off).norm() < 1e-9, "{by}");
+    }
+
+    #[test]
+    fn a_turn_that_hardly_fits_is_none() {
+        // About x the second would nearly be where it is seen, were the third elsewhere.
+        let of = |x, y, z| Some(Vector3::new(x, y, z));
+        let stated = [
+            of(10.0, 5.0, 70.0),
+            of(75.0, -20.0, 35.0),
+            of(-45.0, 60.0, 50.0),
+        ];
+        let at = |k: usize| stated[k].unwrap() + tool();
+        let off = Vector3::new(0.0, 2.0, -1.0);
+        let all = [seen(0, at(0)), seen(1, at(1) + off), seen(2, at(2))];
+        let about = Some(Vector3::x_axis());
+        let Agreement::Settled { at: found, .. } = agreement(&all, &stated, about) else {
+            panic!("two of three agree");
+        };
+        assert_eq!(found, [Some(0), None, Some(2)]);
     }
 
     fn tool() -> Vector3<f64> {

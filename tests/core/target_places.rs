@@ -109,11 +109,7 @@ fn exchanged_names_are_put_right() {
         let session = session(kind);
         let right = identified(&session);
         let n = session.samples.len();
-        for (rows, end) in [
-            (2 * n / 3..n, "on"),
-            (0..n, "exchanged"),
-            (n / 3..2 * n / 3, "to "),
-        ] {
+        for (rows, end) in [(2 * n / 3..n, "on"), (0..n, "exchanged")] {
             let wrong = exchanged(&session, rows.clone());
             let (answer, said) = identified_when_mended(&wrong);
             let name = format!("{kind} {rows:?}: {said:?}");
