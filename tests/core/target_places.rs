@@ -93,7 +93,7 @@ fn a_target_that_moved_leaves_the_tool_where_the_others_say() {
             same_tool(&name, &right, &answer);
         }
         // Throughout, also by so much that it could be taken for a wrong unit.
-        for by_mm in [[0.0, 2.0, -1.0], [-150.0, 0.0, 0.0]] {
+        for by_mm in [[-1.5, 2.0, -1.0], [-150.0, 0.0, 0.0]] {
             let (answer, said) = identified_when_mended(&moved(&session, 1, by_mm, 0));
             let name = format!("{kind} {by_mm:?}: {said:?}");
             assert_eq!(said.len(), 1, "{name}");
