@@ -21,7 +21,7 @@ use crate::effects::{
 };
 use crate::kinematics::{JointKind, Robot};
 use crate::model::Model;
-use crate::sessions::Session;
+use crate::sessions::{Session, Target};
 use crate::text::{Text, angle, length};
 
 use super::estimator::fit_without_outliers;
@@ -31,6 +31,9 @@ use super::observed;
 use super::priors::{Priors, of_one_target};
 use super::problem::Problem;
 use super::solver::{Solution, Stopped, solve};
+use super::target_places::{
+    Agreement, SeenTarget, across_mm, agreement, last_axis, seen_targets, sigma_between,
+};
 use super::usual_noise::{USUAL_NOISE_MM, stated_variance};
 use crate::answers::identification::NotIdentifiable;
 use crate::model::names::coefficient_names;
@@ -179,8 +182,7 @@ pub fn fit(problem: &mut Problem, start: &Model, weak: bool) -> Fitted {
         if !of_targets.is_empty() {
             // A tool that is mounted turned moves every target; only then are their places in doubt.
             let start = if is_turned(&model) || !may_turn(problem, start) {
-                problem.priors.targets_mm = None;
-                notes.push(text!("the targets do not sit where the session says, within their stated uncertainty: their places are fitted freely"));
+                notes.push(doubt_targets(problem, start));
                 Cow::Borrowed(start)
             } else {
                 let turned = Term::absent(&TOOL_ORIENTATION, 0, 0.0);
@@ -212,6 +214,51 @@ pub fn fit(problem: &mut Problem, start: &Model, weak: bool) -> Fitted {
     }
 }
 
+/// Frees the targets that are not where the session says. Where nothing tells which those are, all are known no
+/// better than they agree: were they free, the one that the gauge holds would say where the tool is.
+fn doubt_targets(problem: &mut Problem, start: &Model) -> Text {
+    let Some(stated) = problem.priors.targets_mm.take() else {
+        return Text::default();
+    };
+    let (model, _) = with_gauge(problem, start);
+    let near = solve(problem, &links_held(&model)).model;
+    let free = fit_without_outliers(problem, &with_held_of(&near, &model)).model;
+    let session = problem.session;
+    let holds = |target: usize| problem.priors.holds_target(target);
+    let seen = seen_targets(problem, &free, stated, |target| {
+        holds(target).then_some(target)
+    });
+    let (numbers, seen): (Vec<usize>, Vec<SeenTarget>) = seen.into_iter().unzip();
+    let place = |(k, target): (usize, &Target)| holds(k).then_some(target.position_mm.coords);
+    let places: Vec<_> = session.targets.iter().enumerate().map(place).collect();
+    problem.priors.targets_mm = Some(stated);
+    let off: Vec<usize> = match agreement(&seen, &places, last_axis(&session.robot)) {
+        Agreement::Settled { at, .. } => {
+            let own = numbers.iter().zip(at);
+            own.filter(|(own, at)| Some(**own) != *at)
+                .map(|o| *o.0)
+                .collect()
+        }
+        Agreement::Open { .. } => Vec::new(),
+    };
+    if off.is_empty() {
+        let wide = sigma_between(across_mm(&seen, &places), seen.len());
+        problem.priors.targets_mm = Some(wide.max(2.0 * stated));
+        return text!(
+            "the targets do not sit where the session says, within their stated uncertainty: their places are fitted freely"
+        );
+    }
+    let names = off.iter().map(|target| {
+        problem.priors.free_target(*target);
+        Text::verbatim(session.targets[*target].name.clone())
+    });
+    let names: Vec<Text> = names.collect();
+    text!(
+        "not where the session says, and their places fitted freely: {targets}",
+        targets = Text::listed(&names, ", ")
+    )
+}
+
 /// What is known beforehand.
 fn priors(problem: &Problem, start: &Model, weak: bool, notes: &mut Vec<Text>) -> Priors {
     let session = problem.session;
@@ -230,13 +277,18 @@ fn priors(problem: &Problem, start: &Model, weak: bool, notes: &mut Vec<Text>) -
             ));
         }
     }
-    Priors {
+    let mut priors = Priors {
         weak,
         aligned,
         targets_mm: session.instrument.targets_sigma_mm,
         variance: stated_variance(problem).unwrap_or(USUAL_NOISE_MM * USUAL_NOISE_MM),
         ..Priors::default()
+    };
+    if priors.targets_mm.is_some() {
+        let free = (0..session.targets.len()).filter(|target| !session.has_placed(*target));
+        free.for_each(|target| priors.free_target(target));
     }
+    priors
 }
 
 /// The same as the residuals show it: where something is missing they weigh less beside the priors.
@@ -263,7 +315,8 @@ fn is_turned(model: &Model) -> bool {
 
 /// Whether targets of known arrangement could show the tool's orientation.
 fn may_turn(problem: &Problem, start: &Model) -> bool {
-    let targets = start.terms().iter().filter(|t| of_one_target(t)).count();
+    let placed = |t: &&Term| of_one_target(t) && problem.priors.holds(t, 0);
+    let targets = start.terms().iter().filter(placed).count();
     targets >= 3 && problem.priors.targets_mm.is_some()
 }
 

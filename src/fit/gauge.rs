@@ -43,6 +43,8 @@ use super::usual_noise::{USUAL_NOISE_MM, stated_variance};
 /// A column of which less than this share is left beside others is a copy of them. Rounded axes
 /// (1.5708 for a right angle) leave some 4e-6.
 const COPY: f64 = 1e-4;
+/// What is stated makes a column no copy by so many times that share.
+const TOLD: f64 = 10.0;
 /// Of what is a copy of one another the last is held, of those of its kind that have so large a part
 /// in it, as moves of the tool; and those with so large a part are named.
 const GOOD_PART: f64 = 0.3;
@@ -239,12 +241,18 @@ fn add_targets(problem: &Problem, model: &Model, rows: &mut DMatrix<f64>) {
     let own: Vec<usize> = in_order(problem, model)
         .iter()
         .filter(|place| place.class == Class::Target)
+        .filter(|place| {
+            let term = &model.terms()[place.term];
+            problem.priors.holds(term, place.coefficient)
+        })
         .map(|place| place.column)
         .collect();
     let first = rows.nrows();
     let wider = std::mem::replace(rows, DMatrix::zeros(0, 0));
     *rows = wider.insert_rows(first, own.len(), 0.0);
+    // However little is stated, it tells what the targets share from what each has for itself.
+    let least = TOLD * COPY * (first as f64).sqrt();
     for (row, column) in own.into_iter().enumerate() {
-        rows[(first + row, column)] = noise / sigma;
+        rows[(first + row, column)] = (noise / sigma).max(least);
     }
 }

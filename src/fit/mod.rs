@@ -27,6 +27,7 @@ pub(crate) mod plane;
 mod prior_rows;
 mod regional;
 pub(crate) mod spread;
+pub(crate) mod target_places;
 mod unidentifiable;
 mod usual_noise;
 

@@ -14,7 +14,7 @@
 //! Source: Tarantola, *Inverse Problem Theory*, 2005, ch. 3; for robots Hollerbach & Wampler, *The
 //! calibration index and taxonomy for robot kinematic calibration methods*, 1996.
 
-use crate::effects::{Setting, Term};
+use crate::effects::{Setting, TOOL_POSITION, Term};
 use crate::kinematics::JointKind;
 use crate::model::Model;
 
@@ -57,7 +57,7 @@ impl Priors {
 
     /// Standard deviation of a coefficient, inner units; `None` where nothing is known of it.
     pub fn sigma(&self, model: &Model, term: &Term, coefficient: usize) -> Option<f64> {
-        if self.freed.contains(&key(term, coefficient)) {
+        if !self.holds(term, coefficient) {
             return None;
         }
         let about = term.effect.about();
@@ -73,6 +73,29 @@ impl Priors {
             JointKind::Revolute => prior.sigma,
             JointKind::Prismatic => prior.sigma_on_slide,
         })
+    }
+
+    /// Whether nothing of a coefficient was let go.
+    pub(super) fn holds(&self, term: &Term, coefficient: usize) -> bool {
+        !self.freed.contains(&key(term, coefficient))
+    }
+
+    /// The same of the place of this target, counted from 0.
+    pub(super) fn holds_target(&self, target: usize) -> bool {
+        let own = (
+            TOOL_POSITION.about().id,
+            0,
+            (target as f64 + 1.0).to_bits(),
+            0,
+        );
+        !self.freed.contains(&own)
+    }
+
+    /// Lets go of what the session states of the place of this target, counted from 0.
+    pub(super) fn free_target(&mut self, target: usize) {
+        let setting = (target as f64 + 1.0).to_bits();
+        let own = (0..3).map(|k| (TOOL_POSITION.about().id, 0, setting, k));
+        self.freed.extend(own);
     }
 
     /// The weights of the size beside the coefficients of a model; nothing of what is held.
@@ -99,7 +122,11 @@ impl Priors {
         };
         model
             .columns()
-            .map(|(term, k)| all.sigma(model, term, k).filter(|_| !term.held.contains(k)))
+            .map(|(term, k)| {
+                let placed = !of_one_target(term) || self.holds(term, k);
+                let free = placed && !term.held.contains(k);
+                all.sigma(model, term, k).filter(|_| free)
+            })
             .collect()
     }
 

@@ -80,7 +80,8 @@ pub(crate) fn open(layer: &Layer) -> Open {
     let mut targets: Vec<u32> = session.samples.target.clone().unwrap_or_default();
     targets.sort_unstable();
     targets.dedup();
-    let arranged = targets.len() > 1 && session.instrument.targets_sigma_mm.is_some();
+    targets.retain(|target| session.has_placed(*target as usize));
+    let arranged = targets.len() > 1;
     let lengths = !references.socket_distances.is_empty() || known_places.len() > 1;
     Open {
         base,

@@ -1,7 +1,7 @@
 //! How a correction changes a session.
 
 use crate::kinematics::JointKind;
-use crate::text::Text;
+use crate::text::{Text, length};
 
 use super::correction::{DAY_S, SessionCorrection};
 use super::{Samples, Session, Setups};
@@ -105,6 +105,15 @@ impl SessionCorrection {
                 text!("Move target {target}", target = target + 1)
             }
             Self::FreeTargets => text!("Fit the places of the targets"),
+            Self::TargetsWithin(sigma) => text!(
+                "Take the places of the targets as known to {sigma}",
+                sigma = length(*sigma, 2)
+            ),
+            Self::RenameTargets(rows) => text!(
+                one "Correct the target of {count} sample",
+                "Correct the targets of {count} samples",
+                count = rows.len()
+            ),
             Self::Split { group, index, from } => text!(
                 "Take {thing} as a new one from sample {sample} on",
                 thing = group.called(index + 1),
@@ -203,6 +212,24 @@ impl SessionCorrection {
                 }
             }
             Self::FreeTargets => session.instrument.targets_sigma_mm = None,
+            Self::TargetsWithin(sigma) => {
+                let own = &mut session.instrument.targets_sigma_mm;
+                *own = own.map(|known| known.max(*sigma));
+            }
+            Self::RenameTargets(rows) => {
+                let targets = session.targets.len();
+                if let Some(column) = &mut samples.target {
+                    for (row, target) in rows
+                        .iter()
+                        .filter(|(_, target)| (*target as usize) < targets)
+                    {
+                        column
+                            .get_mut(*row)
+                            .into_iter()
+                            .for_each(|own| *own = *target);
+                    }
+                }
+            }
             Self::Split { group, index, from } => group.split(session, *index, *from),
             Self::Free { group, index } => group.free(session, *index),
         }
@@ -213,7 +240,11 @@ impl SessionCorrection {
     pub fn is_of_rows(&self) -> bool {
         matches!(
             self,
-            Self::Remove(_) | Self::PairRows(_) | Self::Split { .. } | Self::Free { .. }
+            Self::Remove(_)
+                | Self::PairRows(_)
+                | Self::RenameTargets(_)
+                | Self::Split { .. }
+                | Self::Free { .. }
         )
     }
 }

@@ -100,6 +100,10 @@ pub enum SessionCorrection {
     },
     /// Where the targets sit in the tool is not known: their places are fitted.
     FreeTargets,
+    /// How well the targets' own places are known at most, mm.
+    TargetsWithin(f64),
+    /// The samples of these rows, in ascending order, are those of these targets; all counted from 0.
+    RenameTargets(Vec<(usize, u32)>),
     /// From this row on the samples of a socket, a target, a setup… are those of another one, whose place is not
     /// known: it was moved.
     Split {
@@ -110,7 +114,7 @@ pub enum SessionCorrection {
         /// The first row of the new one, counted from 0.
         from: usize,
     },
-    /// A socket, a station, a plane or an anchor is not where the session says: its place is fitted.
+    /// A target, a socket, a station, a plane or an anchor is not where the session says: its place is fitted.
     Free {
         /// What it is.
         group: Group,

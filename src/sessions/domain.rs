@@ -54,6 +54,8 @@ pub struct Instrument {
     pub sigma_mm: Option<Sigma>,
     /// How well the targets' own places in the tool frame are known, mm; `None`: not at all.
     pub targets_sigma_mm: Option<f64>,
+    /// Names of the targets of which the place is not known, however well those of the others are.
+    pub free_targets: Vec<String>,
     /// What a tracker's points come from, where it is known: then it replaces `sigma_mm`.
     pub tracker: Option<Tracker>,
     /// Noise of a measured orientation about each axis, rad.
@@ -88,6 +90,7 @@ impl Default for Instrument {
             name: String::new(),
             sigma_mm: None,
             targets_sigma_mm: Some(TARGETS_SIGMA_MM),
+            free_targets: Vec::new(),
             tracker: None,
             sigma_orientation: None,
             sigma_distance_mm: None,

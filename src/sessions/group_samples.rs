@@ -4,6 +4,18 @@ use super::group::Group;
 use super::references::{Anchor, Plane, Socket, Station};
 use super::{Samples, Session, Target};
 
+impl Session {
+    /// Whether it is known where a target sits in the tool.
+    pub fn has_placed(&self, target: usize) -> bool {
+        let free = &self.instrument.free_targets;
+        self.instrument.targets_sigma_mm.is_some()
+            && self
+                .targets
+                .get(target)
+                .is_some_and(|own| !free.contains(&own.name))
+    }
+}
+
 impl Group {
     /// The kind of this name.
     pub fn of_name(name: &str) -> Option<Self> {
@@ -58,7 +70,7 @@ impl Group {
     }
 
     /// From this row on the samples of one of them are those of another one, whose place is not known. Where a
-    /// target moved, the places of all are free; an anchor keeps what its instrument adds.
+    /// target moved, the others keep theirs; an anchor keeps what its instrument adds.
     pub(super) fn split(self, session: &mut Session, index: usize, from: usize) {
         let count = self.count(session);
         let Ok(new) = u32::try_from(count) else {
@@ -72,8 +84,8 @@ impl Group {
         match self {
             Self::Target => {
                 let position_mm = session.targets[index].position_mm;
+                session.instrument.free_targets.push(name.clone());
                 session.targets.push(Target { name, position_mm });
-                session.instrument.targets_sigma_mm = None;
             }
             Self::Setup => session
                 .samples
@@ -133,11 +145,18 @@ impl Group {
         }
     }
 
-    /// Where one of them is is not known, whatever the session states. Targets and setups are free by other means.
+    /// Where one of them is is not known, whatever the session states. Setups are free by other means.
     pub(super) fn free(self, session: &mut Session, index: usize) {
         let references = &mut session.instrument.references;
         match self {
-            Self::Target | Self::Setup => {}
+            Self::Setup => {}
+            Self::Target => {
+                if session.has_placed(index)
+                    && let Some(target) = session.targets.get(index)
+                {
+                    session.instrument.free_targets.push(target.name.clone());
+                }
+            }
             Self::Socket => {
                 if let Some(socket) = references.sockets.get_mut(index) {
                     socket.position_mm = None;
@@ -165,7 +184,7 @@ impl Group {
     pub fn is_stated(self, session: &Session, index: usize) -> bool {
         let references = &session.instrument.references;
         match self {
-            Self::Target => true,
+            Self::Target => session.has_placed(index),
             Self::Setup => false,
             Self::Socket => references
                 .sockets

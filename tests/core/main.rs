@@ -70,5 +70,6 @@ mod sessions_on_disk;
 mod simulated_geometry;
 mod standards;
 mod streams;
+mod target_places;
 mod unexplained;
 mod unnamed;

@@ -36,6 +36,13 @@ pub(super) fn numbers_of(correction: &SessionCorrection) -> Option<(&'static str
             ("move-target", numbers.collect())
         }
         SessionCorrection::FreeTargets => ("free-targets", Vec::new()),
+        SessionCorrection::TargetsWithin(sigma) => ("targets-within", vec![*sigma]),
+        SessionCorrection::RenameTargets(rows) => {
+            let pairs = rows
+                .iter()
+                .flat_map(|(row, target)| [place(*row), f64::from(*target) + 1.0]);
+            ("rename-targets", pairs.collect())
+        }
         SessionCorrection::Split { group, index, from } => {
             (split_of(*group), vec![place(*index), place(*from)])
         }
@@ -73,6 +80,13 @@ pub(super) fn of_numbers(name: &str, numbers: &[f64]) -> Option<SessionCorrectio
             by_mm: [*x, *y, *z],
         },
         ("free-targets", []) => SessionCorrection::FreeTargets,
+        ("targets-within", [sigma]) => SessionCorrection::TargetsWithin(*sigma),
+        ("rename-targets", pairs) if pairs.len() % 2 == 0 => {
+            let pair = |pair: &[f64]| Some((index(pair[0])?, u32::try_from(index(pair[1])?).ok()?));
+            SessionCorrection::RenameTargets(
+                pairs.chunks_exact(2).map(pair).collect::<Option<_>>()?,
+            )
+        }
         (name, [group, from]) if name.starts_with("split-") => SessionCorrection::Split {
             group: Group::of_name(name.strip_prefix("split-")?)?,
             index: index(*group)?,
@@ -151,6 +165,8 @@ mod tests {
                 by_mm: [1.0, -2.0, 0.5],
             },
             SessionCorrection::FreeTargets,
+            SessionCorrection::TargetsWithin(1.5),
+            SessionCorrection::RenameTargets(vec![(3, 1), (8, 0)]),
             SessionCorrection::Split {
                 group: Group::Socket,
                 index: 1,

@@ -14,6 +14,7 @@
 mod evidence;
 mod fitted;
 mod moved;
+mod placed;
 mod targets;
 
 use crate::effects::JointValues;
@@ -22,6 +23,9 @@ use crate::sessions::Session;
 use super::DataProblem;
 /// With fewer samples nothing is told.
 const FEWEST_SAMPLES: usize = 16;
+
+/// Names that are exchanged hide what else is elsewhere: so often the search begins anew with the right ones.
+const MOST_RENAMED: usize = 3;
 
 /// The session with those places free that are elsewhere; `None` where none is.
 pub(super) fn freed(
@@ -32,8 +36,19 @@ pub(super) fn freed(
     if session.samples.len() < FEWEST_SAMPLES {
         return None;
     }
-    let moved = moved::moved(session, values, problems);
-    let session = moved.as_ref().unwrap_or(session);
-    let elsewhere = targets::elsewhere(session, values, problems);
-    elsewhere.or(moved)
+    let mut now: Option<Session> = None;
+    for _ in 0..=MOST_RENAMED {
+        let here = now.as_ref().unwrap_or(session);
+        let Some(placed) = placed::placed(here, values) else {
+            break;
+        };
+        problems.extend(placed.problems);
+        now = Some(placed.session);
+        if !placed.is_renamed {
+            break;
+        }
+    }
+    let here = now.as_ref().unwrap_or(session);
+    let elsewhere = targets::elsewhere(here, values, problems);
+    elsewhere.or(now)
 }

@@ -56,16 +56,29 @@ impl Suspicion {
     fn trial(&self, session: &Session) -> Session {
         let mut trial = session.clone();
         self.correction().apply(&mut trial);
+        if self.group == Group::Target {
+            // Which of them is where it is stated is asked later.
+            SessionCorrection::FreeTargets.apply(&mut trial);
+        }
         trial
     }
 }
 
-/// The session with the groups that moved taken as two each, and with those free that are elsewhere.
-pub(super) fn moved(
-    session: &Session,
-    values: JointValues,
-    problems: &mut Vec<DataProblem>,
-) -> Option<Session> {
+/// What moved.
+pub(super) struct Moved {
+    /// The session with the groups that moved taken as two each, and with those free that are elsewhere; all targets
+    /// are free where one of them moved.
+    pub(super) session: Session,
+    /// What it fits, and what that leaves and left before, mm.
+    pub(super) model: Model,
+    pub(super) before_mm: f64,
+    pub(super) left_mm: f64,
+    /// What there is to say, in the order in which the corrections are made.
+    pub(super) problems: Vec<DataProblem>,
+}
+
+/// What moved in a session.
+pub(super) fn moved(session: &Session, values: JointValues) -> Option<Moved> {
     let several = |group: &Group| (2..=MOST_PLACES).contains(&group.count(session));
     let arm = base_model::is_arm(session);
     let groups: Vec<Group> = Group::ALL
@@ -77,6 +90,8 @@ pub(super) fn moved(
         return None;
     }
     let (mut model, mut before) = fitted(session, values)?;
+    let before_mm = before;
+    let mut problems = Vec::new();
     let mut now: Option<Session> = None;
     for _ in 0..MOST_MOVED {
         let here = now.as_ref().unwrap_or(session);
@@ -88,10 +103,16 @@ pub(super) fn moved(
             break;
         };
         let numbers = in_numbers(before, best.left_mm);
-        problems.push(problem(session, &best.suspicion, numbers));
+        problems.push(problem(here, &best.suspicion, numbers));
         (now, model, before) = (Some(best.session), best.model, best.left_mm);
     }
-    now
+    Some(Moved {
+        session: now?,
+        model,
+        before_mm,
+        left_mm: before,
+        problems,
+    })
 }
 
 /// A suspicion that was fitted and is believed.

@@ -3,10 +3,11 @@
 use nalgebra::{DMatrix, DVector, Vector3};
 
 use crate::answers::diagnosis::DataProblem;
-use crate::effects::{JointValues, Setting, TOOL_ORIENTATION, TOOL_POSITION, Term};
+use crate::effects::{JointValues, Setting, TOOL_ORIENTATION, Term};
 use crate::fit::base_model;
 use crate::fit::problem::Problem;
 use crate::fit::regression::Rows;
+use crate::fit::target_places::own_parts;
 use crate::model::Model;
 use crate::sessions::{Session, SessionCorrection};
 use crate::text::{Text, components, length};
@@ -14,12 +15,10 @@ use crate::text::{Text, components, length};
 use super::super::as_it_stands::reach_mm;
 use super::evidence::{LEAVES, evidence, in_numbers, is_believed};
 use super::fitted::{MOST_PLACES, fitted, start_of, thinned, trimmed_rms_mm};
-use crate::set_up_errors::thresholds::GROSS_SHARE;
+use crate::set_up_errors::thresholds::{GROSS_SHARE, MENDED_SHARE};
 
 /// A place is off beyond so many standard deviations of what is known of it.
 const OFF: f64 = 4.0;
-/// Beside one that is far off the others are off by no more than their fit is sure of.
-const BESIDE_THE_FARTHEST: f64 = 0.3;
 /// How often the weights are made anew that leave as many targets as possible where they are said to be.
 const ROUNDS: usize = 12;
 /// Below this a target is where it is said to be, for those weights, mm.
@@ -27,101 +26,71 @@ const STILL_MM: f64 = 0.02;
 /// How much more the first target is held than the others.
 const FIRST: f64 = 3.0;
 /// A turned tool that leaves no more than so many times as much as free targets explains them.
-const AS_WELL: f64 = 1.15;
+pub(super) const AS_WELL: f64 = 1.15;
 
-/// The session with its targets free, or moved, where they are elsewhere.
+/// A session of an arm with its targets free, where they contradict what it states of them.
+pub(super) struct Contradicted {
+    pub(super) session: Session,
+    /// What it fits, and what that leaves and the session as it stands, mm.
+    pub(super) model: Model,
+    pub(super) before_mm: f64,
+    pub(super) left_mm: f64,
+}
+
+/// The session with its targets moved, where they are elsewhere on a single axis.
 pub(super) fn elsewhere(
     session: &Session,
     values: JointValues,
     problems: &mut Vec<DataProblem>,
 ) -> Option<Session> {
+    let sigma = stated_sigma(session)?;
+    if base_model::is_arm(session) || !session.has_plain_points() {
+        return None;
+    }
+    of_one_axis(session, &thinned(session), values, sigma, problems)
+}
+
+/// How well the places of several targets are stated that a session has.
+fn stated_sigma(session: &Session) -> Option<f64> {
     let sigma = session.instrument.targets_sigma_mm?;
     let targets = session.samples.target.as_deref()?;
     let first = *targets.first()?;
-    let several = 2..=MOST_PLACES;
-    if !several.contains(&session.targets.len()) || targets.iter().all(|target| *target == first) {
-        return None;
-    }
-    let part = thinned(session);
-    if base_model::is_arm(session) {
-        of_an_arm(session, &part, values, sigma, problems)
-    } else if session.has_plain_points() {
-        of_one_axis(session, &part, values, sigma, problems)
-    } else {
-        None
-    }
+    let several = (2..=MOST_PLACES).contains(&session.targets.len());
+    (several && targets.iter().any(|target| *target != first)).then_some(sigma)
 }
 
-fn of_an_arm(
-    session: &Session,
-    part: &Session,
-    values: JointValues,
-    sigma: f64,
-    problems: &mut Vec<DataProblem>,
-) -> Option<Session> {
-    let before = as_stated_mm(part, values)?;
-    // A robot that is this far off is not one with a target elsewhere: free places would only hide a wrong unit.
-    if before > GROSS_SHARE * reach_mm(part) {
+/// Whether the samples of an arm are likelier by far with its targets free, and leave clearly less.
+pub(super) fn contradicted(session: &Session, values: JointValues) -> Option<Contradicted> {
+    stated_sigma(session)?;
+    if !base_model::is_arm(session) {
         return None;
     }
-    let mut free = part.clone();
-    SessionCorrection::FreeTargets.apply(&mut free);
-    let (model, after) = fitted(&free, values)?;
-    let own = |t: &&Term| t.effect.about().id == TOOL_POSITION.about().id && t.setting > 0.0;
-    let mut places: Vec<(usize, Vector3<f64>)> = model
-        .terms()
-        .iter()
-        .filter(own)
-        .filter(|t| t.effect.about().setting == Setting::Target)
-        .map(|t| {
-            (
-                t.setting as usize - 1,
-                Vector3::from_column_slice(&t.coefficients[..3]),
-            )
-        })
-        .collect();
-    let common = median_of(&places);
-    for (_, by) in &mut places {
-        *by -= common;
-    }
-    let farthest = places.iter().map(|p| p.1.norm()).fold(0.0, f64::max);
+    let mut part = thinned(session);
+    let before = as_stated_mm(&part, values)?;
+    let stated = part.clone();
+    SessionCorrection::FreeTargets.apply(&mut part);
+    let (model, after) = fitted(&part, values)?;
     let axes = part.samples.axes();
-    let evidence = evidence(part.samples.len(), axes, before, after, axes * places.len());
-    let off: Vec<(usize, Vector3<f64>)> = places
-        .into_iter()
-        .filter(|(_, by)| by.norm() > (OFF * sigma).max(BESIDE_THE_FARTHEST * farthest))
-        .collect();
-    if off.is_empty() || !is_believed(evidence, before, after, LEAVES) {
+    let places = own_parts(&model).len();
+    let evidence = evidence(part.samples.len(), axes, before, after, axes * places);
+    // A robot that is this far off is one with a wrong unit that free places would only hide, unless next to
+    // nothing is left with them.
+    let gross = GROSS_SHARE * reach_mm(&part);
+    let leaves = if before > gross { MENDED_SHARE } else { LEAVES };
+    if !is_believed(evidence, before, after, leaves) || after > gross {
         return None;
     }
-    if turned_mm(part, values).is_some_and(|turned| turned < AS_WELL * after) {
+    if turned_mm(&stated, values).is_some_and(|turned| turned < AS_WELL * after) {
         return None;
     }
-    for (target, by) in off {
-        problems.push(problem(
-            session,
-            target,
-            by,
-            in_numbers(before, after),
-            SessionCorrection::FreeTargets,
-        ));
-    }
-    let mut freed = session.clone();
-    SessionCorrection::FreeTargets.apply(&mut freed);
-    Some(freed)
-}
-
-/// What targets share belongs to the tool: the point from which the sum of their distances is least, so that
-/// as few as possible are off (Weiszfeld 1937).
-fn median_of(places: &[(usize, Vector3<f64>)]) -> Vector3<f64> {
-    let mut at = Vector3::zeros();
-    for _ in 0..ROUNDS * 10 {
-        let weight = |by: &Vector3<f64>| 1.0 / (by - at).norm().max(1e-3);
-        let sum: f64 = places.iter().map(|p| weight(&p.1)).sum();
-        let to: Vector3<f64> = places.iter().map(|p| p.1 * weight(&p.1)).sum();
-        at = to / sum.max(1e-12);
-    }
-    at
+    let mut free = session.clone();
+    SessionCorrection::FreeTargets.apply(&mut free);
+    Some(Contradicted {
+        session: free,
+        model,
+        before_mm: before,
+        left_mm: after,
+    })
 }
 
 /// What the base model leaves with every target where the session says, mm.
@@ -264,7 +233,7 @@ fn offsets(part: &Session, values: JointValues, model: &Model) -> Option<Vec<Vec
     Some(by)
 }
 
-fn problem(
+pub(super) fn problem(
     session: &Session,
     target: usize,
     by: Vector3<f64>,

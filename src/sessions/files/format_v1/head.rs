@@ -166,6 +166,9 @@ fn instrument(o: &mut Object<'_, '_>, own: &mut Instrument) {
         let kind = positive(phrase!("a length above 0 mm, or null"));
         o.usual_or_null("targets_sigma_mm", &mut own.targets_sigma_mm, &kind);
     }
+    if o.is_read() || !own.free_targets.is_empty() {
+        o.usual("free_targets", &mut own.free_targets, &NAMES);
+    }
     tracker(o, &mut own.tracker);
     o.optional("sigma_mrad", &mut own.sigma_orientation, &MILLI);
     o.optional("sigma_distance_mm", &mut own.sigma_distance_mm, &ABOVE_0);
@@ -200,6 +203,12 @@ fn tracker(o: &mut Object<'_, '_>, own: &mut Option<Tracker>) {
         });
     }
 }
+
+const NAMES: Kind<Vec<String>> = Kind {
+    expected: phrase!("an array of names"),
+    read: |at| at.list(&TEXT),
+    write: |all| all.iter().map(TEXT.write).collect(),
+};
 
 const SIGMA: Kind<Sigma> = Kind {
     expected: phrase!("a positive number, or an array of 3 positive numbers"),
