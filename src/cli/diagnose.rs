@@ -7,7 +7,6 @@ use clap::Args;
 
 use crate::diagnosis::{Allowed, DiagnoseError, Diagnosis, Options, Progress};
 use crate::paper::RegionalStart;
-use crate::pipeline;
 use crate::present::diagnosis_v1::document;
 use crate::sessions::Session;
 
@@ -125,17 +124,8 @@ impl Diagnose {
         let loaded = output::session(one)?;
         let session = &loaded.session;
         let (answer, start) = answer_of(&asked, session)?;
-        let mut not_handed_out = None;
-        if let Some(out) = &self.out {
-            match pipeline::hand_out(&answer.calibration(session), session) {
-                Ok(verified) => {
-                    let text = pipeline::write_model(&verified);
-                    output::document(out, text.as_bytes(), self.force, &loaded.files)?;
-                }
-                // The answer says all the same what was found.
-                Err(why) => not_handed_out = Some(why),
-            }
-        }
+        let calibration = || answer.calibration(session);
+        let not_handed_out = output::model(self.out.as_deref(), calibration, &loaded, self.force)?;
         if self.json {
             output::json(&document(&answer, session, start.as_ref()))?;
         } else if !to_stdout {

@@ -109,17 +109,8 @@ impl Identify {
             calibration,
             data_problems,
         } = pipeline::identify_checked(session, &method, values)?;
-        let mut not_handed_out = None;
-        if let Some(out) = &self.out {
-            match pipeline::hand_out(&calibration, session) {
-                Ok(verified) => {
-                    let text = pipeline::write_model(&verified);
-                    output::document(out, text.as_bytes(), self.force, &loaded.files)?;
-                }
-                // The answer says all the same what was found.
-                Err(why) => not_handed_out = Some(why),
-            }
-        }
+        let calibration = || calibration;
+        let not_handed_out = output::model(self.out.as_deref(), calibration, &loaded, self.force)?;
         if self.json {
             output::json(&document(&answer, &data_problems))?;
         } else if !to_stdout {

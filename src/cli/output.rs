@@ -6,10 +6,12 @@ use std::path::{Path, PathBuf};
 use serde::Serialize;
 
 use crate::atomic::WriteError;
+use crate::compensation::NotHandedOut;
 use crate::diagnostic::Diagnostic;
 use crate::kinematics::Robot;
 use crate::language::finding;
-use crate::pipeline::{load, load_robot};
+use crate::model::Calibration;
+use crate::pipeline::{self, load, load_robot};
 use crate::robots::{LibraryRobot, named};
 use crate::sessions::Loaded;
 
@@ -161,6 +163,27 @@ pub(crate) fn document(
     Ok(crate::atomic::write_atomically(out, force, |file| {
         file.write_all(bytes)
     })?)
+}
+
+/// Writes the model of an answer, where one is asked for. What is handed back is why it is not handed out: the answer
+/// says all the same what was found, and is printed before that.
+pub(crate) fn model(
+    out: Option<&Path>,
+    calibration: impl FnOnce() -> Calibration,
+    loaded: &Loaded,
+    force: bool,
+) -> Result<Option<NotHandedOut>, Failure> {
+    let Some(out) = out else {
+        return Ok(None);
+    };
+    match pipeline::hand_out(&calibration(), &loaded.session) {
+        Ok(verified) => {
+            let text = pipeline::write_model(&verified);
+            document(out, text.as_bytes(), force, &loaded.files)?;
+            Ok(None)
+        }
+        Err(why) => Ok(Some(why)),
+    }
 }
 
 /// Paths by reference.

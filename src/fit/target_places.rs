@@ -10,7 +10,7 @@ use nalgebra::{Rotation3, Unit, Vector3};
 
 use super::gap::lengths_mm;
 use super::problem::Problem;
-use crate::effects::TOOL_POSITION;
+use crate::effects::{TOOL_POSITION, joint_zero};
 use crate::kinematics::{JointKind, Robot};
 use crate::model::Model;
 
@@ -24,8 +24,6 @@ const ELSEWHERE: usize = 3;
 const MOST_NAMES: usize = 12;
 /// A turn is made of two targets: of each with so many others.
 const MOST_OTHERS: usize = 16;
-/// What is known of a zero offset, rad.
-const ZERO: f64 = 0.05;
 /// Beside a motion that explains the targets so many times better, as a logarithm, another with as many at their places
 /// is none.
 const BETTER: f64 = 7.0;
@@ -76,6 +74,12 @@ pub(crate) fn last_axis(robot: &Robot) -> Option<Unit<Vector3<f64>>> {
     let last = robot.joints.last()?;
     let turns = last.kind == JointKind::Revolute;
     turns.then(|| robot.base_from_tool.rotation.inverse() * last.axis.direction)
+}
+
+/// What is known of a zero offset, rad.
+fn zero_sigma() -> f64 {
+    let priors = joint_zero().about().priors;
+    priors.first().map_or(f64::INFINITY, |prior| prior.sigma)
 }
 
 /// A motion that all targets share.
@@ -139,7 +143,7 @@ pub(crate) fn agreement(
                 cost,
                 at,
                 motion,
-                missed + (motion.turn.angle() / ZERO).powi(2),
+                missed + (motion.turn.angle() / zero_sigma()).powi(2),
             ));
         }
     }
@@ -186,7 +190,7 @@ fn motions(
                         (motion.undone(seen) - place).norm()
                     };
                     let fits = apart(one, first.0).max(apart(other, second.0)) <= around;
-                    if fits && motion.turn.angle() <= OFF * ZERO {
+                    if fits && motion.turn.angle() <= OFF * zero_sigma() {
                         all.push((motion, around));
                     }
                 }
@@ -320,9 +324,7 @@ mod tests {
         }
     }
 
-    fn axis() -> Option<Unit<Vector3<f64>>> {
-        Some(Vector3::z_axis())
-    }
+    const AXIS: Option<Unit<Vector3<f64>>> = Some(Unit::new_unchecked(Vector3::new(0.0, 0.0, 1.0)));
 
     #[test]
     fn the_last_zero_offset_turns_all_targets() {
@@ -339,7 +341,7 @@ mod tests {
         let Agreement::Settled {
             places_mm,
             at: found,
-        } = agreement(&all, &stated, axis())
+        } = agreement(&all, &stated, AXIS)
         else {
             panic!("one motion explains all but one");
         };
@@ -380,7 +382,7 @@ mod tests {
         let Agreement::Settled {
             places_mm,
             at: found,
-        } = agreement(&all, &stated, axis())
+        } = agreement(&all, &stated, AXIS)
         else {
             panic!("two of three agree");
         };
@@ -388,7 +390,7 @@ mod tests {
         assert_eq!(found, [Some(0), None, Some(2)]);
         // One that moved later is one more, and does not outvote the two.
         let two = [seen(0, at(0)), seen(1, at(1)), seen(1, at(1) + off)];
-        let Agreement::Settled { at: found, .. } = agreement(&two, &stated, axis()) else {
+        let Agreement::Settled { at: found, .. } = agreement(&two, &stated, AXIS) else {
             panic!("two of three agree");
         };
         assert_eq!(found, [Some(0), Some(1), None]);
@@ -402,14 +404,14 @@ mod tests {
         let Agreement::Settled {
             places_mm,
             at: found,
-        } = agreement(&all, &stated, axis())
+        } = agreement(&all, &stated, AXIS)
         else {
             panic!("one shift explains all");
         };
         assert!((places_mm[0] - stated[1].unwrap()).norm() < 1e-9);
         assert_eq!(found, [Some(1), Some(0), Some(2)]);
         let turned = [seen(0, at(1)), seen(1, at(2)), seen(2, at(0))];
-        let Agreement::Settled { at: found, .. } = agreement(&turned, &stated, axis()) else {
+        let Agreement::Settled { at: found, .. } = agreement(&turned, &stated, AXIS) else {
             panic!("one shift explains all");
         };
         assert_eq!(found, [Some(1), Some(2), Some(0)]);
@@ -430,13 +432,13 @@ mod tests {
         assert!(close(agreement(
             &[seen(0, at(0)), seen(1, at(1) + off)],
             &stated,
-            axis()
+            AXIS
         )));
         // All moved by the same halfway: before or after, nothing tells.
         let all = [0, 1, 2, 0, 1, 2].map(|k| seen(k, at(k)));
         let mut moved = all.to_vec();
         moved[3..].iter_mut().for_each(|one| one.at_mm += off);
-        assert!(close(agreement(&moved, &stated, axis())));
+        assert!(close(agreement(&moved, &stated, AXIS)));
         // The mean of the targets is known so that its interval holds both.
         let sigma = sigma_between(5.0, 2);
         assert!(1.96 * sigma / 2.0_f64.sqrt() > 5.0);

@@ -380,6 +380,15 @@ impl Robot {
         let far = points.map(|p| p.norm().max((tool - p).norm()));
         far.fold(tool.norm(), f64::max).max(1.0)
     }
+
+    /// How far the tool is from the first axis along all links at home, and no less than from the base, mm.
+    pub(crate) fn length_along_links_mm(&self) -> f64 {
+        let tool = self.base_from_tool.translation.vector;
+        let points = self.joints.iter().map(|joint| joint.axis.point_mm.coords);
+        let points: Vec<_> = points.chain([tool]).collect();
+        let links = points.windows(2).map(|pair| (pair[1] - pair[0]).norm());
+        links.sum::<f64>().max(tool.norm())
+    }
 }
 
 #[cfg(test)]

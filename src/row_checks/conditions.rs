@@ -29,7 +29,7 @@ pub(super) fn in_other_units(session: &Session, _: JointValues) -> Vec<DataProbl
 
 fn load(session: &Session) -> Option<DataProblem> {
     let (least, most) = range(session.samples.load_kg.as_deref()?, |v| v.abs() > 0.0)?;
-    let reach_m = reach_mm(session) / 1000.0;
+    let reach_m = session.robot.length_along_links_mm() / 1000.0;
     let payload = LEAST_PAYLOAD_KG + PAYLOAD_KG_PER_M2 * reach_m * reach_m;
     if most <= payload || least * 0.001 < LEAST_LOAD_KG || most * 0.001 > payload {
         return None;
@@ -105,23 +105,6 @@ fn range(column: &[f64], counts: impl Fn(f64) -> bool) -> Option<(f64, f64)> {
         (low.min(v), high.max(v))
     });
     (low <= high).then_some((low, high))
-}
-
-/// How far the tool is from the first axis along all links, mm.
-fn reach_mm(session: &Session) -> f64 {
-    let robot = &session.robot;
-    let tool = robot.base_from_tool.translation.vector;
-    let mut points: Vec<_> = robot
-        .joints
-        .iter()
-        .map(|j| j.axis.point_mm.coords)
-        .collect();
-    points.push(tool);
-    let along: f64 = points
-        .windows(2)
-        .map(|pair| (pair[1] - pair[0]).norm())
-        .sum();
-    along.max(tool.norm())
 }
 
 #[cfg(test)]

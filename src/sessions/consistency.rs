@@ -41,6 +41,7 @@ pub(super) fn findings(session: &Session) -> Vec<Diagnostic> {
     let mut findings = inconsistent(session);
     findings.extend(session.robot.out_of_range(&Place::default()));
     validation::sizes(session, &Place::default(), &mut findings);
+    validation::free_targets(session, &Place::default(), &mut findings);
     if findings.is_empty() {
         findings = out_of_range(session);
     }

@@ -166,11 +166,8 @@ impl SessionCorrection {
             }
             Self::ScaleLengths(factor) => {
                 let columns = [&mut samples.x_mm, &mut samples.y_mm];
-                for column in columns.into_iter().chain(samples.z_mm.as_mut()) {
-                    for value in column.iter_mut() {
-                        *value *= factor;
-                    }
-                }
+                let columns = columns.into_iter().chain(samples.z_mm.as_mut());
+                columns.for_each(|column| scale(column, *factor));
             }
             Self::Reorder(order) => reorder(samples, *order),
             Self::FreeFrame => {
@@ -194,13 +191,7 @@ impl SessionCorrection {
                     }
                 }
             }
-            Self::ContinueClock(days) => {
-                let times = samples.time_s.iter_mut().flatten().enumerate();
-                for (sample, time) in times {
-                    let days = days.iter().filter(|first| **first <= sample).count();
-                    *time += DAY_S * days as f64;
-                }
-            }
+            Self::ContinueClock(days) => continue_clock(samples, days),
             Self::WidenNoise(by_mm) => {
                 let axes = samples.axes();
                 let own = &mut session.instrument.sigma_mm;
@@ -216,20 +207,7 @@ impl SessionCorrection {
                 let own = &mut session.instrument.targets_sigma_mm;
                 *own = own.map(|known| known.max(*sigma));
             }
-            Self::RenameTargets(rows) => {
-                let targets = session.targets.len();
-                if let Some(column) = &mut samples.target {
-                    for (row, target) in rows
-                        .iter()
-                        .filter(|(_, target)| (*target as usize) < targets)
-                    {
-                        column
-                            .get_mut(*row)
-                            .into_iter()
-                            .for_each(|own| *own = *target);
-                    }
-                }
-            }
+            Self::RenameTargets(rows) => rename_targets(session, rows),
             Self::Split { group, index, from } => group.split(session, *index, *from),
             Self::Free { group, index } => group.free(session, *index),
         }
@@ -310,6 +288,27 @@ fn scale_joint(samples: &mut Samples, joint: usize, factor: f64) {
         samples.dir[joint].iter_mut().for_each(scale);
         let torque = samples.torque_nm.get_mut(joint);
         torque.into_iter().flatten().for_each(turn);
+    }
+}
+
+/// See [`SessionCorrection::ContinueClock`].
+fn continue_clock(samples: &mut Samples, days: &[usize]) {
+    for (sample, time) in samples.time_s.iter_mut().flatten().enumerate() {
+        let days = days.iter().filter(|first| **first <= sample).count();
+        *time += DAY_S * days as f64;
+    }
+}
+
+/// See [`SessionCorrection::RenameTargets`].
+fn rename_targets(session: &mut Session, rows: &[(usize, u32)]) {
+    let targets = session.targets.len();
+    let is_one = |(_, target): &&(usize, u32)| (*target as usize) < targets;
+    if let Some(column) = &mut session.samples.target {
+        for (row, target) in rows.iter().filter(is_one) {
+            if let Some(own) = column.get_mut(*row) {
+                *own = *target;
+            }
+        }
     }
 }
 

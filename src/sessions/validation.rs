@@ -24,6 +24,7 @@ pub(crate) fn findings(session: &Session, file: &Place) -> Vec<Diagnostic> {
     regions(session, file, &mut findings);
     instrument(session, file, &mut findings);
     targets(session, file, &mut findings);
+    free_targets(session, file, &mut findings);
     completeness(&session.samples, file, &mut findings);
     kinds(session, file, &mut findings);
     limits(session, file, &mut findings);
@@ -253,6 +254,19 @@ fn targets(session: &Session, file: &Place, findings: &mut Vec<Diagnostic>) {
             place,
             text!("no sample shows this target"),
         ));
+    }
+}
+
+/// Targets of unknown place that there are not: the one that was meant would be taken for known.
+pub(super) fn free_targets(session: &Session, file: &Place, findings: &mut Vec<Diagnostic>) {
+    let is_known = |name: &String| session.targets.iter().any(|own| own.name == *name);
+    let free = session.instrument.free_targets.iter();
+    for name in free.filter(|name| !is_known(name)) {
+        let place = file.clone().in_field("instrument.free_targets");
+        let found = text!("target '{unknown}' is not declared", unknown = name.clone());
+        let names = session.targets.iter().map(|own| quoted(&own.name));
+        let expected = Text::verbatim(names.collect::<Vec<_>>().join(", "));
+        findings.push(Diagnostic::error(place, found, expected));
     }
 }
 

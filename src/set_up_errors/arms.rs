@@ -90,7 +90,8 @@ fn mistakes(part: &Session, values: JointValues) -> Vec<DataProblem> {
     }
     // A trial that ran away on poses that show little is no reason to doubt the samples.
     let before = adjusted.min(as_it_stands::least_mm(part, values, true));
-    if before < GROSS_SHARE * spread || before < GROSS_OF_ROBOT * as_it_stands::reach_mm(part) {
+    if before < GROSS_SHARE * spread || before < GROSS_OF_ROBOT * part.robot.length_along_links_mm()
+    {
         return Vec::new();
     }
     let most = (MENDED_SHARE * before).min(PLAUSIBLE_SHARE * spread);

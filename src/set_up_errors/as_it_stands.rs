@@ -72,25 +72,11 @@ fn with_priors_mm(part: &Session, values: JointValues, free_frame: bool) -> f64 
     }
 }
 
-/// How far the tool is from the first axis along all links, mm.
-pub(super) fn reach_mm(session: &Session) -> f64 {
-    let robot = &session.robot;
-    let tool = robot.base_from_tool.translation.vector;
-    let mut points: Vec<Vector3<f64>> = robot
-        .joints
-        .iter()
-        .map(|joint| joint.axis.point_mm.coords)
-        .collect();
-    points.push(tool);
-    let links = points.windows(2).map(|pair| (pair[1] - pair[0]).norm());
-    links.sum::<f64>().max(tool.norm())
-}
-
 /// Whether the zero offsets and the tool of a model are those of a robot that was set up.
 pub(super) fn is_plausible(session: &Session, model: &Model) -> bool {
     let zero = joint_zero().about().id;
     let tool = TOOL_POSITION.about().id;
-    let most = LARGEST_TOOL_MM.max(TOOL_SHARE * reach_mm(session));
+    let most = LARGEST_TOOL_MM.max(TOOL_SHARE * session.robot.length_along_links_mm());
     model.terms().iter().all(|term| {
         let id = term.effect.about().id;
         if id == zero && session.robot.joints[term.joint].kind == JointKind::Revolute {

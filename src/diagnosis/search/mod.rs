@@ -17,7 +17,7 @@ mod floor;
 mod forward;
 mod found;
 mod free_curve;
-mod gross_error;
+pub(crate) mod gross_error;
 mod orders;
 pub(crate) mod other_settings;
 mod own_evidence;

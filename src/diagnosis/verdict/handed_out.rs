@@ -38,12 +38,11 @@ use super::divergent_terms::runs_away;
 use super::unseen::{self, Procedure};
 use super::values::{Values, corrected_for_selection};
 use crate::diagnosis::evidence::Fit;
+use crate::diagnosis::search::gross_error::GROSS_SHARE;
 use crate::diagnosis::search::prepare::PreparedSearch;
 
 /// The median deviation of what is handed out may be so many times that of `identify`: more is no scatter.
 const MOST_TIMES_MEDIAN: f64 = 1.25;
-/// No name is handed out while more than this share of the robot's reach is left.
-const GROSS_SHARE: f64 = 0.01;
 /// Where nothing was found the identification without what was set aside takes its place if the median deviation is
 /// below this share of that with it: the others had bent it.
 const GAINS_OF_MEDIAN: f64 = 0.9;

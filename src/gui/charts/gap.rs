@@ -81,9 +81,12 @@ impl ChartKind for Gap {
     }
 
     fn numbers(&self, scene: &Scene) -> Table {
-        let mut table = Table::headed("step | gap, mm");
-        for step in steps(scene).iter().chain(proposed(scene)) {
-            table.row([Cell::from(in_words(&step.what)), step.gap_mm.into()]);
+        let mut table = Table::headed("step | gap, mm | in the model");
+        for (steps, in_model) in [(steps(scene), 1_usize), (proposed(scene), 0)] {
+            for step in steps {
+                let what = Cell::from(in_words(&step.what));
+                table.row([what, step.gap_mm.into(), Cell::from(in_model)]);
+            }
         }
         table
     }

@@ -31,23 +31,23 @@ pub(crate) fn title(ui: &mut Ui, section: &Section, look: Title) -> Response {
 /// What belongs to it.
 pub(crate) fn show(ui: &mut Ui, blocks: &[Block]) {
     for (index, block) in blocks.iter().enumerate() {
-        match &block.clone().with_minus_signs() {
+        match block {
             Block::Heading(text) => {
                 ui.label(RichText::new(text).font(strong(size::SMALL)));
             }
-            Block::Text(text) => widgets::hint(ui, text),
+            Block::Text(text) => widgets::hint(ui, with_minus_signs(text)),
             Block::Warning(text) => {
-                let text = RichText::new(text).color(Palette::of(ui).warning);
+                let text = RichText::new(with_minus_signs(text)).color(Palette::of(ui).warning);
                 ui.add(egui::Label::new(text).wrap());
             }
             Block::List(points) => {
                 for point in points {
-                    widgets::hint(ui, point);
+                    widgets::hint(ui, with_minus_signs(point));
                 }
             }
             Block::Facts(facts) => {
                 for (name, value) in facts {
-                    widgets::fact(ui, name, value);
+                    widgets::fact(ui, name, with_minus_signs(value));
                 }
             }
             Block::Table(own) => table(ui, index, own),
@@ -99,7 +99,7 @@ fn table(ui: &mut Ui, index: usize, table: &Table) {
         ui.end_row();
         for row in &table.rows {
             for (cell, column) in row.iter().zip(&table.columns) {
-                let cell = RichText::new(&cell.shown).size(letters);
+                let cell = RichText::new(with_minus_signs(&cell.shown)).size(letters);
                 if column.right {
                     widgets::cell_right(ui, cell);
                 } else {
@@ -125,7 +125,7 @@ fn width_of(ui: &Ui, table: &Table, letters: f32, apart: f32) -> f32 {
     };
     let columns = table.columns.iter().enumerate().map(|(k, column)| {
         let cells = table.rows.iter().filter_map(|row| row.get(k));
-        let cells = cells.map(|cell| width(&cell.shown, letters));
+        let cells = cells.map(|cell| width(&with_minus_signs(&cell.shown), letters));
         cells.fold(width(&column.heading, size::SMALL), f32::max) + apart
     });
     columns.sum::<f32>() - apart
@@ -133,7 +133,7 @@ fn width_of(ui: &Ui, table: &Table, letters: f32, apart: f32) -> f32 {
 
 /// Each row: what it is, and below it what its other columns hold.
 fn one_below_the_other(ui: &mut Ui, table: &Table) {
-    let in_a_line = |text: &str| text.replace('\n', " ");
+    let in_a_line = |text: &str| with_minus_signs(text).replace('\n', " ");
     for row in &table.rows {
         let mut cells = row.iter().zip(&table.columns);
         if let Some((first, column)) = cells.next() {

@@ -12,7 +12,6 @@ use crate::model::Model;
 use crate::sessions::{Session, SessionCorrection};
 use crate::text::{Text, components, length};
 
-use super::super::as_it_stands::reach_mm;
 use super::evidence::{LEAVES, evidence, in_numbers, is_believed};
 use super::fitted::{MOST_PLACES, fitted, start_of, thinned, trimmed_rms_mm};
 use crate::set_up_errors::thresholds::{GROSS_SHARE, MENDED_SHARE};
@@ -75,7 +74,7 @@ pub(super) fn contradicted(session: &Session, values: JointValues) -> Option<Con
     let evidence = evidence(part.samples.len(), axes, before, after, axes * places);
     // A robot that is this far off is one with a wrong unit that free places would only hide, unless next to
     // nothing is left with them.
-    let gross = GROSS_SHARE * reach_mm(&part);
+    let gross = GROSS_SHARE * part.robot.length_along_links_mm();
     let leaves = if before > gross { MENDED_SHARE } else { LEAVES };
     if !is_believed(evidence, before, after, leaves) || after > gross {
         return None;
