@@ -196,10 +196,12 @@ pub fn identify_checked(
         },
     };
     let (identification, calibration) = identify(&checked.session, method, values)?;
+    let mut data_problems = checked.problems;
+    data_problems.extend(identification.many_set_aside());
     Ok(Identified {
         identification,
         calibration,
-        data_problems: checked.problems,
+        data_problems,
     })
 }
 

@@ -244,8 +244,8 @@ impl Identification {
         let n = excluded.len();
         (n > 0).then(|| {
             say!(
-                one "{count} sample excluded by hand, in no figure: {numbers}",
-                "{count} samples excluded by hand, in no figure: {numbers}",
+                one "{count} sample excluded, in no figure: {numbers}",
+                "{count} samples excluded, in no figure: {numbers}",
                 count = n,
                 numbers = format!("{numbers}{more}")
             )

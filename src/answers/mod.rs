@@ -6,6 +6,7 @@ pub(crate) mod diagnosis;
 pub(crate) mod errors;
 pub(crate) mod identification;
 pub(crate) mod limits;
+mod many_set_aside;
 pub(crate) mod noise;
 pub(crate) mod pose;
 pub(crate) mod rms_error;

@@ -50,6 +50,16 @@ impl Noise {
         }
     }
 
+    /// Its white part alone.
+    #[must_use]
+    pub fn without_slow(&self) -> Self {
+        Self {
+            slow: None,
+            alternatives: Vec::new(),
+            ..self.clone()
+        }
+    }
+
     /// The same noise so many times as large.
     #[must_use]
     pub fn scaled(&self, factor: f64) -> Self {

@@ -29,8 +29,8 @@ fn block(block: &Block, indent: usize) -> String {
     let blanks = " ".repeat(indent);
     let mut text = String::new();
     match block {
-        Block::Heading(said) | Block::Text(said) | Block::Warning(said) => {
-            line(&mut text, format!("{blanks}{said}"));
+        Block::Heading(own) | Block::Text(own) | Block::Warning(own) => {
+            line(&mut text, format!("{blanks}{own}"));
         }
         Block::List(points) => {
             for point in points {

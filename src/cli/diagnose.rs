@@ -110,8 +110,8 @@ impl Diagnose {
         let one = match &self.sessions[..] {
             [session] if !self.json_lines && !session.is_dir() => session,
             sessions => {
-                for (given, option) in [(self.json, "--json"), (self.out.is_some(), "--out")] {
-                    if given {
+                for (is_given, option) in [(self.json, "--json"), (self.out.is_some(), "--out")] {
+                    if is_given {
                         return Err(Failure::WrongInput(text!(
                             "{option} is for one session; expected --json-lines, or nothing for a table",
                             option = option

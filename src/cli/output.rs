@@ -99,8 +99,8 @@ pub(crate) fn is_a_robots_name(path: &Path) -> bool {
 
 /// Tells the user what was noticed in an input.
 pub(crate) fn findings(findings: &[Diagnostic]) {
-    let said: Vec<String> = findings.iter().map(finding).collect();
-    messages(&said);
+    let sentences: Vec<String> = findings.iter().map(finding).collect();
+    messages(&sentences);
 }
 
 /// Tells the user something beside the answer.

@@ -134,11 +134,11 @@ impl Requested {
     }
 }
 
-fn wrong(option: &str, given: &str, expected: Text) -> Failure {
+fn wrong(option: &str, found: &str, expected: Text) -> Failure {
     Failure::WrongInput(text!(
         "{option} {given}: expected {expected}",
         option = option,
-        given = given,
+        given = found,
         expected = expected
     ))
 }

@@ -106,7 +106,7 @@ fn described(robot: &LibraryRobot) -> String {
                 [limits.from, limits.to].map(|end| figure(Some(joint.kind.to_display(end))));
             format!("{from} … {to}{}", joint.kind.sign())
         });
-        let mut said = say!(
+        let mut sentence = say!(
             "joint {joint} {name}: {range}",
             joint = k + 1,
             name = joint.name,
@@ -114,9 +114,9 @@ fn described(robot: &LibraryRobot) -> String {
         );
         if let Some(ratio) = robot.gear_ratios.get(k) {
             let gear = say!("gear {ratio}", ratio = figure(Some(*ratio)));
-            said += &format!(", {gear}");
+            sentence += &format!(", {gear}");
         }
-        line(&mut text, said);
+        line(&mut text, sentence);
     }
     let references = [
         (say!("geometry and ranges"), Some(&robot.geometry)),

@@ -46,8 +46,8 @@ pub(super) fn parameter(name: &str) -> Cow<'_, str> {
 }
 
 /// Adds a line.
-pub(super) fn line(text: &mut String, said: impl AsRef<str>) {
-    text.push_str(said.as_ref());
+pub(super) fn line(text: &mut String, sentence: impl AsRef<str>) {
+    text.push_str(sentence.as_ref());
     text.push('\n');
 }
 

@@ -58,13 +58,13 @@ pub(super) fn findings(
         });
     };
     let groups = groups(session, &all);
-    let mut told = false;
+    let mut is_explained = false;
     for (name, members) in &groups {
         let inside: Vec<usize> = members.iter().copied().filter(|i| suspected[*i]).collect();
         let whole = members.len() < all.len();
         let share = inside.len() as f64 / members.len().max(1) as f64;
         if whole && inside.len() >= FEWEST_TOGETHER && share >= SHARE_OF_A_GROUP {
-            told = true;
+            is_explained = true;
             problem(
                 text!("{thing} is not where the model has it", thing = name),
                 text!(
@@ -79,9 +79,9 @@ pub(super) fn findings(
     }
     if let Some(run) = longest_run(&in_order(session, &all), suspected)
         && run.len() >= FEWEST_TOGETHER
-        && (!told || run.len() * 2 > set_aside.len())
+        && (!is_explained || run.len() * 2 > set_aside.len())
     {
-        told = true;
+        is_explained = true;
         let (first, last) = (run[0] + 1, run[run.len() - 1] + 1);
         problem(
             text!(
@@ -94,7 +94,7 @@ pub(super) fn findings(
             run,
         );
     }
-    if !told && set_aside.len() as f64 > MOST_SHARE * all.len() as f64 {
+    if !is_explained && set_aside.len() as f64 > MOST_SHARE * all.len() as f64 {
         let evidence = text!(
             "their RMS error is {error}, more than {share} % of the samples are among them",
             error = length(far(&set_aside), 3),

@@ -45,12 +45,12 @@ impl Arm {
         let mut problem = Problem::observing(&whole, JointValues::Commanded);
         problem.priors = self.priors.clone();
         let model = model.unwrap_or_else(|| gauge::gauged(&problem, &self.base));
-        let (columns, known) = self.known(&model);
+        let (columns, known) = self.measured_information(&model);
         let mut shown = shown(&whole, &model, &columns);
         let information = shown.information(before, known);
-        shown.beside += self.stated(&model, &columns);
+        shown.information_of_priors += self.stated(&model, &columns);
         let mut workspace = Workspace::new(&problem, &model, &columns);
-        workspace.can_show(&(shown.rows.tr_mul(&shown.rows) + &shown.beside));
+        workspace.can_show(&(shown.rows.tr_mul(&shown.rows) + &shown.information_of_priors));
         CandidateSet {
             candidates,
             information,
@@ -76,7 +76,7 @@ impl Arm {
     }
 
     /// The coefficients that are not held, and what is known of them beforehand.
-    pub(crate) fn known(&self, model: &Model) -> (Vec<usize>, DMatrix<f64>) {
+    pub(crate) fn measured_information(&self, model: &Model) -> (Vec<usize>, DMatrix<f64>) {
         let free = model.columns().enumerate();
         let free = free.filter(|(_, (term, k))| !term.held.contains(*k));
         let (columns, precision) = free
@@ -112,7 +112,7 @@ impl Arm {
             .map(|k| bench.candidates[*k].clone())
             .collect();
         for (round, near) in NEAR.into_iter().enumerate() {
-            let next = self.beside(&own, near, round, bench);
+            let next = self.refined(&own, near, round, bench);
             let mut order: Vec<usize> = (0..own.len()).collect();
             let mut information = next.information.clone();
             for k in &order {
@@ -125,7 +125,7 @@ impl Arm {
     }
 
     /// What was chosen, and poses around it.
-    fn beside(
+    fn refined(
         &self,
         own: &[Candidate],
         near: f64,
@@ -166,7 +166,7 @@ impl CandidateSet {
         }
         let count = self.before + of.len();
         let measured = self.shown.rows.rows(0, self.shown.first[self.before]);
-        let mut gram = measured.tr_mul(&measured) + &self.shown.beside;
+        let mut gram = measured.tr_mul(&measured) + &self.shown.information_of_priors;
         for k in of {
             let (from, to) = (
                 self.shown.first[self.before + k],

@@ -87,7 +87,7 @@ struct ConditionedPoses {
     stretch: Vec<usize>,
     information: Information,
     used: Vec<bool>,
-    room: Vec<usize>,
+    free_in_stretch: Vec<usize>,
 }
 
 impl ConditionedPoses {
@@ -126,7 +126,7 @@ impl ConditionedPoses {
         Self {
             information: information(arm, &candidates, varied, &stretch, [n, stretches]),
             used: vec![false; n],
-            room: (0..stretches)
+            free_in_stretch: (0..stretches)
                 .map(|s| (s + 1) * n / stretches - s * n / stretches)
                 .collect(),
             candidates,
@@ -155,7 +155,7 @@ fn possible(arm: &Arm, q: &[f64], dir: &[f64]) -> Vec<f64> {
 impl Criterion for ConditionedPoses {
     fn worths(&self) -> Vec<f64> {
         let of = |k: usize| {
-            let free = !self.used[self.pose[k]] && self.room[self.stretch[k]] > 0;
+            let free = !self.used[self.pose[k]] && self.free_in_stretch[self.stretch[k]] > 0;
             // Where nothing is to be told any more the pose is measured all the same.
             if free {
                 self.information.gain(k).max(1e-6)
@@ -169,7 +169,7 @@ impl Criterion for ConditionedPoses {
     fn take(&mut self, candidate: usize) {
         self.information.take(candidate);
         self.used[self.pose[candidate]] = true;
-        self.room[self.stretch[candidate]] -= 1;
+        self.free_in_stretch[self.stretch[candidate]] -= 1;
     }
 }
 
@@ -202,7 +202,7 @@ fn information(
     });
     let all = arm.base.terms().iter().chain(effects).cloned().collect();
     let model = Model::new(arm.session.robot.clone(), all);
-    let (columns, mut precision) = arm.known(&model);
+    let (columns, mut precision) = arm.measured_information(&model);
     let shown = shown(&whole, &model, &columns);
     let owner: Vec<bool> = model.columns().map(|(term, _)| of_base(term)).collect();
     for (to, _) in columns.iter().enumerate().filter(|own| !owner[*own.1]) {

@@ -212,11 +212,11 @@ fn needs_of(wanted: &[&Untestable], matters: impl Fn(&Need) -> bool) -> Vec<Need
 /// Each effect against the model and what is enabled with it, which has to be told apart as well.
 fn comparisons(
     prepared: &PreparedSearch,
-    offer: &CandidatePoses,
+    candidates: &CandidatePoses,
     model: &Model,
     wanted: &[&Untestable],
 ) -> Vec<Comparison> {
-    let field = Field::new(prepared, offer);
+    let field = Field::new(prepared, candidates);
     let samples = &prepared.problem.session.samples;
     let term = |one: &&Untestable| {
         let effect = find(one.effect)?;

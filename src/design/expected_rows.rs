@@ -280,7 +280,7 @@ pub(crate) struct ExpectedRows {
     /// The first row of each sample, and the end.
     pub(crate) first: Vec<usize>,
     /// The information of what is known beside the samples: distances between sockets.
-    pub(crate) beside: DMatrix<f64>,
+    pub(crate) information_of_priors: DMatrix<f64>,
 }
 
 impl ExpectedRows {
@@ -292,7 +292,7 @@ impl ExpectedRows {
             self.rows.rows(from, self.rows.nrows() - from),
         );
         known.gemm_tr(1.0, &measured, &measured, 1.0);
-        known += &self.beside;
+        known += &self.information_of_priors;
         let first = self.first[before..].iter().map(|f| f - from).collect();
         Information::new(&new.into_owned(), first, inverse(&known))
     }
@@ -313,7 +313,7 @@ pub(crate) fn shown(session: &Session, model: &Model, columns: &[usize]) -> Expe
     let mut all = ExpectedRows {
         rows: DMatrix::zeros(first.last().copied().unwrap_or(0), p),
         first,
-        beside: DMatrix::zeros(p, p),
+        information_of_priors: DMatrix::zeros(p, p),
     };
     layer.visit(model, true, |block| {
         for (lane, item) in block.items.iter().enumerate() {
@@ -321,7 +321,7 @@ pub(crate) fn shown(session: &Session, model: &Model, columns: &[usize]) -> Expe
                 let of = |k: usize| block.columns[columns[k]][axis][lane] / layer.unit_mm;
                 let Some(item) = *item else {
                     let row = nalgebra::RowDVector::from_fn(p, |_, k| of(k));
-                    all.beside.gemm_tr(1.0, &row, &row, 1.0);
+                    all.information_of_priors.gemm_tr(1.0, &row, &row, 1.0);
                     continue;
                 };
                 let sample = layer.items[item].sample;

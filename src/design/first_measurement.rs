@@ -54,12 +54,12 @@ pub(crate) fn design(
     mounted: usize,
     ranges: &[Range],
     request: &Request,
-    known: Known,
+    prior_information: Known,
 ) -> Vec<NextPose> {
     let n = request.poses;
     let mut random = ChaCha8Rng::seed_from_u64(request.seed ^ 0x5eed);
     let columns = Columns::new(robot, targets, ranges, n, &mut random);
-    let covariance = columns.known(&known(&columns.model));
+    let covariance = columns.measured_information(&prior_information(&columns.model));
     let nothing = Information::new(&DMatrix::zeros(0, covariance.ncols()), vec![0], covariance);
     let mut slots = Slots {
         schedule: schedule(robot, targets.len(), request, &mut random),
@@ -71,7 +71,7 @@ pub(crate) fn design(
         columns,
         random,
     };
-    slots.offer();
+    slots.refill();
     choose(&mut slots, n);
     let writing = Writing {
         targets,
@@ -99,7 +99,7 @@ struct Slots<'r> {
 
 impl Slots<'_> {
     /// Candidates for the next slot.
-    fn offer(&mut self) {
+    fn refill(&mut self) {
         let Some(like) = self.schedule.get(self.planned.len()).cloned() else {
             return;
         };
@@ -125,7 +125,7 @@ impl Criterion for Slots<'_> {
     fn take(&mut self, candidate: usize) {
         self.information.take(candidate);
         self.planned.push(self.candidates[candidate].clone());
-        self.offer();
+        self.refill();
     }
 }
 

@@ -79,7 +79,7 @@ impl Columns {
     }
 
     /// What is known of the scaled coefficients once these were measured, and nothing before.
-    pub(crate) fn known(&self, measured: &[Prediction]) -> DMatrix<f64> {
+    pub(crate) fn measured_information(&self, measured: &[Prediction]) -> DMatrix<f64> {
         let p = self.scale.len();
         let mut precision = DMatrix::identity(p, p);
         if measured.is_empty() {

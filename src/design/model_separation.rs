@@ -90,7 +90,7 @@ impl Criterion for ModelSeparation {
 
 /// Poses for one set of reflectors.
 pub(crate) struct Attempt {
-    pub(crate) offer: CandidatePoses,
+    pub(crate) candidates: CandidatePoses,
     /// The candidates that were chosen.
     pub(crate) order: Vec<usize>,
     /// Pairs of models that none of the candidates part.
@@ -114,14 +114,18 @@ impl Attempt {
             JointKind::Prismatic => format!("{q:.1} mm"),
         };
         let poses = self.order.iter().flat_map(|k| {
-            let places = self.offer.candidates[*k].q.iter().zip(joints).map(place);
+            let places = self.candidates.candidates[*k]
+                .q
+                .iter()
+                .zip(joints)
+                .map(place);
             let places = places.collect::<Vec<String>>().join(", ");
             let why = text!(
                 "{why}: they differ most at {places}",
                 why = why,
                 places = places
             );
-            self.offer.poses(prepared, *k, &why)
+            self.candidates.poses(prepared, *k, &why)
         });
         poses.take(most).collect()
     }

@@ -167,17 +167,17 @@ fn same_terms(one: &Fit, other: &Fit) -> bool {
 /// Poses one after the other until they decide often enough, or `most` are chosen.
 fn attempt(
     prepared: &PreparedSearch,
-    offer: CandidatePoses,
+    candidates: CandidatePoses,
     all: &[Explanation],
     most: usize,
 ) -> Attempt {
-    let field = Field::new(prepared, &offer);
+    let field = Field::new(prepared, &candidates);
     let decision = Decision::new(&field, all, UNDECIDED);
     let comparisons = decision.comparisons(|truth, other| {
         let lead = all[truth].fit.ln_evidence - all[other].fit.ln_evidence;
         enough_for(UNDECIDED, lead)
     });
-    let mut parting = ModelSeparation::new(comparisons, offer.candidates.len(), REPEATS);
+    let mut parting = ModelSeparation::new(comparisons, candidates.candidates.len(), REPEATS);
     let enough: Vec<f64> = parting.distances().map(|c| c.enough.max(1.0)).collect();
     parting.decision = Some(decision);
     let mut order = choose(&mut parting, most);
@@ -194,7 +194,7 @@ fn attempt(
         decides: unparted == 0 && probability >= SURE,
         unparted,
         order,
-        offer,
+        candidates,
     }
 }
 

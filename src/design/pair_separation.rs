@@ -116,12 +116,12 @@ struct Shares {
 
 fn attempt(
     prepared: &PreparedSearch,
-    offer: CandidatePoses,
+    candidates: CandidatePoses,
     base: &Model,
     terms: &[Vec<Term>; 2],
     most: usize,
 ) -> (Attempt, Shares) {
-    let field = Field::new(prepared, &offer);
+    let field = Field::new(prepared, &candidates);
     let mut shares = Shares {
         possible: 1.0,
         left: [[1.0; 2]; 2],
@@ -144,10 +144,10 @@ fn attempt(
             pairs.push((k, posed));
         }
     }
-    let mut parting = ModelSeparation::new(comparisons, offer.candidates.len(), 2);
+    let mut parting = ModelSeparation::new(comparisons, candidates.candidates.len(), 2);
     let order = choose(&mut parting, most);
     for (k, posed) in &pairs {
-        let mut all = posed.known.clone();
+        let mut all = posed.prior_information.clone();
         for taken in &order {
             all += over(std::slice::from_ref(&posed.seen[*taken]));
         }
@@ -161,7 +161,7 @@ fn attempt(
             .fold(1.0, f64::min),
         unparted: 0,
         order,
-        offer,
+        candidates,
     };
     (attempt, shares)
 }
@@ -200,7 +200,7 @@ fn terms_of(prepared: &PreparedSearch, fit: &Fit, named: Named) -> Vec<Term> {
 struct PosedPair {
     pair: Pair,
     seen: Vec<Prediction>,
-    known: DMatrix<f64>,
+    prior_information: DMatrix<f64>,
     everywhere: DMatrix<f64>,
     /// Share of the one that is left beside the other with all candidates.
     possible: f64,
@@ -214,7 +214,7 @@ impl PosedPair {
             possible: pair.worst(&(&known + &everywhere)).0,
             pair,
             seen,
-            known,
+            prior_information: known,
             everywhere,
         }
     }
@@ -222,7 +222,7 @@ impl PosedPair {
     /// The share that is left in the samples, and the one there in the shape that the other imitates
     /// best, at the size at which it is just seen, against the other.
     fn comparison(&self, field: &Field, base: &Model) -> (f64, Comparison) {
-        let (pair, known) = (&self.pair, &self.known);
+        let (pair, known) = (&self.pair, &self.prior_information);
         let weak = &self.everywhere * (AS_MANY_POSES / self.seen.len().max(1) as f64);
         let (before, mut direction) = pair.worst(known);
         let mut strength = pair.strength(known, &direction);

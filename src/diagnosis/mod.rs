@@ -70,8 +70,8 @@ pub(crate) fn diagnose(
     let watch: Watch = &asked;
     let mended = checked(session, options, watch)?;
     let (prepared, found) = searched(&mended.session, options, watch)?;
-    let told = until_stopped(&prepared.regression.work, options, watch);
-    verdict::answer(&mended, &prepared, &found, planner, &told)
+    let keep_going = until_stopped(&prepared.regression.work, options, watch);
+    verdict::answer(&mended, &prepared, &found, planner, &keep_going)
 }
 
 #[cfg(test)]

@@ -174,10 +174,10 @@ impl<'a> Fields<'a> {
         &self,
         members: &[Member],
         path: &Path<'_>,
-        known: &[&str],
+        accepted: &[&str],
     ) -> Vec<Diagnostic> {
         const NAMED: usize = 20;
-        let is_unknown = |member: &&Member| !known.contains(&member.key.as_str());
+        let is_unknown = |member: &&Member| !accepted.contains(&member.key.as_str());
         let unknown = members.iter().filter(is_unknown);
         let mut notes: Vec<Diagnostic> = unknown
             .clone()

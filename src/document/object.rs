@@ -46,7 +46,7 @@ enum Side<'o, 'a> {
         fields: &'o mut Fields<'a>,
         members: &'o [Member],
         at: usize,
-        known: Vec<&'static str>,
+        accepted_keys: Vec<&'static str>,
     },
     Writing(Vec<Member>),
 }
@@ -78,7 +78,7 @@ impl<'o, 'a> Object<'o, 'a> {
             fields,
             members,
             at,
-            known: Vec::new(),
+            accepted_keys: Vec::new(),
         };
         Self {
             side,
@@ -210,7 +210,11 @@ impl Object<'_, '_> {
 
     /// A key that is known, whatever stands there.
     pub(crate) fn know(&mut self, key: &'static str) {
-        if let Side::Reading { known, .. } = &mut self.side {
+        if let Side::Reading {
+            accepted_keys: known,
+            ..
+        } = &mut self.side
+        {
             known.push(key);
         }
     }
@@ -291,7 +295,7 @@ impl Object<'_, '_> {
         if let Side::Reading {
             fields,
             members,
-            known,
+            accepted_keys: known,
             ..
         } = self.side
         {

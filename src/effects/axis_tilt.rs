@@ -60,12 +60,12 @@ fn act(me: &Placed, block: &mut Block) {
     let rotated = |x| turned(turned(x, u, sin_a, cos_a), v, sin_b, cos_b);
     let unit = |k: usize| std::array::from_fn(|row| f64::from(u8::from(row == k)));
     let images: [[f64; 3]; 3] = std::array::from_fn(|k| rotated(unit(k)));
-    let carry = std::array::from_fn(|row| std::array::from_fn(|column| images[column][row]));
+    let jacobian = std::array::from_fn(|row| std::array::from_fn(|column| images[column][row]));
     block.transform(me, |x, _| {
         let about_u = turned(minus(x, foot), u, sin_a, cos_a);
         let to = turned(about_u, v, sin_b, cos_b);
         let by_alpha = turned(cross(u, about_u), v, sin_b, cos_b);
         let by_beta = cross(v, to);
-        (add_scaled(to, foot, 1.0), carry, [by_alpha, by_beta])
+        (add_scaled(to, foot, 1.0), jacobian, [by_alpha, by_beta])
     });
 }

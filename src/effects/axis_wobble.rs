@@ -44,13 +44,13 @@ fn act(me: &Placed, block: &mut Block) {
         let wave = a * c - b * s;
         // On the axis the radius has no direction and the effect no lever.
         let outward = scaled(across, 1.0 / radius.max(1e-300));
-        let carry: [[f64; 3]; 3] = std::array::from_fn(|row| {
+        let jacobian: [[f64; 3]; 3] = std::array::from_fn(|row| {
             std::array::from_fn(|column| {
                 f64::from(u8::from(row == column)) + wave * along[row] * outward[column]
             })
         });
         let columns = [scaled(along, radius * c), scaled(along, -radius * s)];
-        (add_scaled(x, along, radius * wave), carry, columns)
+        (add_scaled(x, along, radius * wave), jacobian, columns)
     });
     block.shift_by_command(me, |x, at| {
         let (s, c) = sin_cos(order * at.q);

@@ -493,14 +493,14 @@ impl<'a> Block<'a> {
         let asked = self.asks_for::<N>(me);
         for i in 0..LANES {
             let before = [self.point[0][i], self.point[1][i], self.point[2][i]];
-            let (to, carry, columns) = f(before, self.lane(me.joint, i));
+            let (to, jacobian, columns) = f(before, self.lane(me.joint, i));
             for axis in 0..3 {
                 self.point[axis][i] = to[axis];
             }
             if self.by == Columns::None {
                 continue;
             }
-            for (lanes, carry) in carried.iter_mut().flatten().zip(carry.as_flattened()) {
+            for (lanes, carry) in carried.iter_mut().flatten().zip(jacobian.as_flattened()) {
                 lanes[i] = *carry;
             }
             if !asked {

@@ -26,7 +26,7 @@ pub enum TermError {
         /// What was given.
         name: String,
         /// What there is.
-        known: String,
+        accepted: String,
     },
     /// A parameter without which the effect has no meaning.
     Missing {
@@ -64,7 +64,7 @@ impl TermError {
             Self::UnknownParameter {
                 effect,
                 name,
-                known,
+                accepted: known,
             } => text!(
                 "'{effect}' has no parameter '{name}'; it has {known}",
                 effect = effect,
@@ -128,7 +128,7 @@ impl Term {
             return Err(TermError::UnknownParameter {
                 effect: about.id,
                 name: (*name).to_owned(),
-                known: known[0].join(", "),
+                accepted: known[0].join(", "),
             });
         }
         // A quantity of a sliding joint goes by its own name.

@@ -27,6 +27,6 @@ pub(super) static INSTRUMENT_SCALE: Effect = Effect::new(ABOUT, act);
 
 fn act(me: &Placed, block: &mut Block) {
     let factor = 1.0 + me.coefficients[0];
-    let carry = super::base_offset::AXES.map(|row| scaled(row, factor));
-    block.transform(me, |x, _| (scaled(x, factor), carry, [x]));
+    let jacobian = super::base_offset::AXES.map(|row| scaled(row, factor));
+    block.transform(me, |x, _| (scaled(x, factor), jacobian, [x]));
 }

@@ -47,10 +47,10 @@ fn act(me: &Placed, block: &mut Block) {
         let arm = minus(x, origin);
         let radius = add_scaled(arm, along, -dot(arm, along));
         let growth = alpha * at.above_20_c;
-        let carry = identity_plus_across(along, growth);
+        let jacobian = identity_plus_across(along, growth);
         (
             add_scaled(x, radius, growth),
-            carry,
+            jacobian,
             [scaled(radius, at.above_20_c)],
         )
     });

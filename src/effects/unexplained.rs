@@ -87,8 +87,8 @@ pub(super) fn carried(
                 let origin = me.frame.origin_mm;
                 let to = add_scaled(about(minus(moved, origin)), origin, 1.0);
                 let columns = AXES.map(about);
-                let carry = std::array::from_fn(|row| columns.map(|column| column[row]));
-                (to, carry, [])
+                let jacobian = std::array::from_fn(|row| columns.map(|column| column[row]));
+                (to, jacobian, [])
             }
             JointKind::Prismatic => {
                 let moved = add_scaled(add_scaled(x, out, radial), me.frame.across_2, axial);

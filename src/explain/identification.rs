@@ -73,13 +73,13 @@ fn errors(answer: &Identification, detail: Detail) -> Vec<Fact> {
         fact(say!("RMS error, identified"), error(&gap.after)),
     ];
     if let Some(unseen) = &answer.held_out {
-        let said = say!(
+        let sentence = say!(
             "{nominal} nominal, {model} with the model, of {samples} samples apart",
             nominal = to_the_nanometre(unseen.before.rms_mm, detail),
             model = to_the_nanometre(unseen.after.rms_mm, detail),
             samples = unseen.samples
         );
-        facts.push(fact(say!("held-out samples"), said));
+        facts.push(fact(say!("held-out samples"), sentence));
     }
     facts
 }

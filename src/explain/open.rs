@@ -151,7 +151,7 @@ pub(super) fn next_poses(d: &Diagnosis, detail: Detail) -> Option<Section> {
     Some(Section::of(Topic::NextPoses, title, blocks))
 }
 
-/// Samples that do not count: suspected ones, and those that were excluded by hand.
+/// Samples that do not count: suspected ones, and those that are excluded: by hand, or by a correction.
 pub(super) fn outliers(answer: &Identification, detail: Detail) -> Option<Section> {
     let outliers = answer.outliers.iter().map(|outlier| {
         fact(
@@ -165,7 +165,7 @@ pub(super) fn outliers(answer: &Identification, detail: Detail) -> Option<Sectio
         return None;
     }
     let title = if outliers.is_empty() {
-        say!("Samples excluded by hand").to_owned()
+        say!("Excluded samples").to_owned()
     } else {
         say!(
             "Excluded outliers: {excluded} of {all} samples",

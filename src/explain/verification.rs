@@ -43,22 +43,22 @@ fn errors(v: &Verification, detail: Detail) -> Vec<Fact> {
         fact(say!("RMS error, model"), error(model.rms_mm, model.max_mm)),
     ];
     if let Some(trimmed) = &v.trimmed {
-        let said = say!(
+        let sentence = say!(
             "{model} with the model, {excluded} of {all} samples set aside",
             model = length(trimmed.model_mm),
             excluded = trimmed.set_aside,
             all = v.samples
         );
-        facts.push(fact(say!("without suspected ones"), said));
+        facts.push(fact(say!("without suspected ones"), sentence));
     }
     if let Some(unseen) = &v.held_out {
-        let said = say!(
+        let sentence = say!(
             "{nominal} nominal, {model} with the model, of {samples} samples apart",
             nominal = length(unseen.nominal_mm),
             model = length(unseen.model_mm),
             samples = unseen.samples
         );
-        facts.push(fact(say!("held-out samples"), said));
+        facts.push(fact(say!("held-out samples"), sentence));
     }
     facts
 }
@@ -66,22 +66,22 @@ fn errors(v: &Verification, detail: Detail) -> Vec<Fact> {
 fn corrected(v: &Verification, detail: Detail) -> Vec<Fact> {
     let mut facts = Vec::new();
     if let Some(within) = &v.within_tolerance {
-        let said = say!(
+        let sentence = say!(
             "{before} of {all} before, {after} with the model",
             before = within.before,
             all = within.of,
             after = within.after
         );
-        facts.push(fact(say!("within the tolerance"), said));
+        facts.push(fact(say!("within the tolerance"), sentence));
     }
     if let Some(compensated) = &v.compensated {
-        let said = say!(
+        let sentence = say!(
             "{rms} (largest {largest}); not correctable by joint commands {left}",
             rms = length(compensated.gap.rms_mm, detail),
             largest = length(compensated.gap.max_mm, detail),
             left = length(compensated.cannot_be_removed_by_joints_mm, detail)
         );
-        facts.push(fact(say!("with corrected commands"), said));
+        facts.push(fact(say!("with corrected commands"), sentence));
     }
     facts
 }

@@ -68,9 +68,9 @@ impl Exporter for TableFile {
         if self.read_back(&sheet, &text)? != reads_as {
             return Err(ExportError::ReadBack("comments change it".to_owned()));
         }
-        let beside = sidecar.to_json(text.as_bytes());
+        let sidecar_document = sidecar.to_json(text.as_bytes());
         Ok(Export {
-            documents: Document::with_sidecar(job.file_name, text.into_bytes(), beside),
+            documents: Document::with_sidecar(job.file_name, text.into_bytes(), sidecar_document),
             reads_as: Some(reads_as),
             robot: None,
             meaning: sidecar.meaning(),

@@ -43,8 +43,8 @@ pub(crate) fn fit_without_outliers(problem: &mut Problem, start: &Model) -> Solu
         let used: Vec<bool> = kept.collect();
         let same = used == problem.used;
         problem.used = used;
-        let noise =
-            (round < MOST_NOISE).then(|| noise_beside(problem, &solution.model, &solution.beside));
+        let noise = (round < MOST_NOISE)
+            .then(|| noise_beside(problem, &solution.model, &solution.extra_coefficients));
         let before = problem.noise.clone();
         let known = |n: &Noise| before.as_ref().is_some_and(|b| b.whitens_like(n));
         if same && noise.as_ref().is_none_or(known) {
@@ -134,24 +134,24 @@ fn without_negative_sizes(problem: &Problem, solution: Solution) -> Solution {
     Solution {
         model,
         cost: rest.cost,
-        beside: rest.beside,
+        extra_coefficients: rest.extra_coefficients,
         ..solution
     }
 }
 
 /// The noise that a model leaves in the samples that count.
-pub(crate) fn noise_beside(problem: &Problem, model: &Model, beside: &[f64]) -> Noise {
+pub(crate) fn noise_beside(problem: &Problem, model: &Model, extra_coefficients: &[f64]) -> Noise {
     let rows = match stretches(problem) {
         Some(samples) => Rows::of_samples(problem, samples),
         None => Rows::of(problem),
     };
     let (mut residual, columns) = rows.extract(model);
     let shapes: Vec<DVector<f64>> = problem
-        .beside
+        .extra_columns
         .iter()
         .map(|column| rows.column(|k, axis| column[axis][rows.samples[k]]))
         .collect();
-    for (shape, coefficient) in shapes.iter().zip(beside) {
+    for (shape, coefficient) in shapes.iter().zip(extra_coefficients) {
         residual.axpy(-coefficient, shape, 1.0);
     }
     let own = columns.ncols();

@@ -54,13 +54,13 @@ pub fn identify_exact(
 pub fn identify_watched(
     session: &Session,
     effects: &[String],
-    known: &[Term],
+    initial_terms: &[Term],
     priors: bool,
     values: JointValues,
     go_on: &dyn Fn() -> bool,
 ) -> Result<Identification, IdentifyError> {
     let session = &*session.whole()?;
-    let mut prepared = prepare(session, effects, known, values, go_on)?;
+    let mut prepared = prepare(session, effects, initial_terms, values, go_on)?;
     prepared.base = prepared.base.map(|weak| weak && priors);
     Ok(Fresh::fitted(prepared, go_on)?.report(session))
 }
@@ -151,7 +151,7 @@ pub(super) struct FitStart<'a> {
 pub(super) fn prepare<'a>(
     session: &'a Session,
     effects: &[String],
-    known: &[Term],
+    initial_terms: &[Term],
     values: JointValues,
     go_on: &'a dyn Fn() -> bool,
 ) -> Result<FitStart<'a>, IdentifyError> {
@@ -170,7 +170,7 @@ pub(super) fn prepare<'a>(
         }
         let effect = find(id).ok_or_else(|| IdentifyError::UnknownEffect(id.clone()))?;
         let places = places(effect, &survey);
-        let is_known = known.iter().any(|t| t.effect.about().id == id);
+        let is_known = initial_terms.iter().any(|t| t.effect.about().id == id);
         if let Some(because) = same_everywhere(&places).filter(|_| !is_known) {
             not_identifiable.push(NotIdentifiable {
                 combination: called(id),
@@ -181,7 +181,7 @@ pub(super) fn prepare<'a>(
         for (joint, obstacle) in places {
             let there = |t: &Term| t.effect.about().id == id && t.joint == joint;
             match obstacle {
-                _ if known.iter().any(there) => {}
+                _ if initial_terms.iter().any(there) => {}
                 Some(because) => not_identifiable.push(NotIdentifiable {
                     combination: name_on_joint(effect, joint, &session.robot),
                     because,
@@ -204,7 +204,7 @@ pub(super) fn prepare<'a>(
     let placed = Model::new(session.robot.clone(), terms.clone());
     let placed = observed::nominal_of(session, problem.observed.as_ref(), &placed);
     let start = scan::with_best_settings(&problem, &nominal, terms);
-    let start = known
+    let start = initial_terms
         .iter()
         .fold(start, |model, term| model.with_term(term.clone()));
     Ok(FitStart {

@@ -189,7 +189,7 @@ pub(super) struct Whitening {
     tau: f64,
     before: f64,
     /// The last time between two samples, and what it carries: most are alike.
-    carry: (f64, f64),
+    decay_at_step: (f64, f64),
     variance: [f64; 3],
     /// One for each axis and column, the residual last.
     state: [Vec<f64>; 3],
@@ -204,7 +204,7 @@ pub(super) struct Whitening {
 /// A step with the carry and the variance that it was made of: along equal steps of time both settle.
 #[derive(Clone, Copy)]
 struct LastStep {
-    carry: f64,
+    decay: f64,
     variance: f64,
     step: Step,
     variance_after: f64,
@@ -216,7 +216,7 @@ impl Whitening {
         let noise = noise?;
         let slow = noise.slow?;
         let none = LastStep {
-            carry: f64::NAN,
+            decay: f64::NAN,
             variance: f64::NAN,
             step: Step::default(),
             variance_after: f64::NAN,
@@ -226,7 +226,7 @@ impl Whitening {
             slow: slow.rms_mm,
             tau: slow.time_constant_s,
             before: f64::NAN,
-            carry: (f64::NAN, f64::NAN),
+            decay_at_step: (f64::NAN, f64::NAN),
             variance: slow.rms_mm.map(|s| s * s),
             state: std::array::from_fn(|_| vec![0.0; columns + 1]),
             step: [[Step::default(); LANES]; 3],
@@ -245,18 +245,18 @@ impl Whitening {
             }
             let time = problem.time(start + i);
             let apart = time - self.before;
-            if apart != self.carry.0 {
-                self.carry = (apart, carried(apart, self.tau));
+            if apart != self.decay_at_step.0 {
+                self.decay_at_step = (apart, carried(apart, self.tau));
             }
-            let carry = self.carry.1;
+            let decay = self.decay_at_step.1;
             self.before = time;
             for axis in 0..3 {
                 let (variance, last) = (&mut self.variance[axis], &mut self.last[axis]);
-                if carry != last.carry || *variance != last.variance {
+                if decay != last.decay || *variance != last.variance {
                     let mut after = *variance;
-                    let step = Step::after(carry, self.sigma[axis], self.slow[axis], &mut after);
+                    let step = Step::after(decay, self.sigma[axis], self.slow[axis], &mut after);
                     *last = LastStep {
-                        carry,
+                        decay,
                         variance: *variance,
                         step,
                         variance_after: after,
@@ -290,7 +290,7 @@ impl Whitening {
             for i in (0..len).filter(|i| self.counts[*i]) {
                 let step = &self.step[axis][i];
                 for c in 0..TOGETHER {
-                    let carried = step.carry * state[c];
+                    let carried = step.decay * state[c];
                     let new = own[c][i] - carried;
                     state[c] = carried + step.gain * new;
                     white[c][i] = new * step.inverse_spread;

@@ -78,7 +78,7 @@ pub(super) fn open(problem: &Problem) -> Open {
 pub(super) fn hold_size(
     problem: &mut Problem,
     model: &Model,
-    said: &mut Vec<NotIdentifiable>,
+    not_identifiable: &mut Vec<NotIdentifiable>,
 ) -> Model {
     let Some(layer) = problem.observed.as_ref().filter(|_| open(problem).size) else {
         return model.clone();
@@ -90,7 +90,7 @@ pub(super) fn hold_size(
     };
     let usual = problem.priors.usual(&model, !open(problem).base);
     let size = gauge::size(layer, &model, &usual);
-    said.push(NotIdentifiable {
+    not_identifiable.push(NotIdentifiable {
         combination: text!("overall size: all lengths of the robot and of the places together"),
         because: match &size {
             Some(size) => text!(
@@ -112,7 +112,7 @@ pub(super) fn hold_size(
 pub(super) fn with_base_held(
     problem: &Problem,
     model: Model,
-    said: &mut Vec<NotIdentifiable>,
+    not_identifiable: &mut Vec<NotIdentifiable>,
 ) -> Model {
     if !open(problem).base {
         return model;
@@ -132,7 +132,7 @@ pub(super) fn with_base_held(
             }
             term.coefficients[k] = 0.0;
             term.held = term.held.with(k);
-            said.push(NotIdentifiable {
+            not_identifiable.push(NotIdentifiable {
                 combination: name.clone(),
                 because: text!("the base is open: what was measured refers to places that are not known, and does not say where the robot stands; it is held where it is, and the places carry it"),
             });

@@ -30,7 +30,7 @@ pub struct Problem<'a> {
     pub axis_weights: [f64; 3],
     /// Columns that are fitted beside the model's: what no name explains. One value for each
     /// sample along x, y, z, mm per unit.
-    pub beside: Vec<[Vec<f64>; 3]>,
+    pub extra_columns: Vec<[Vec<f64>; 3]>,
     /// Whether the session has times, and not the same for every sample.
     has_clock: bool,
     /// Whether the rows of the file are not in the order of that clock.
@@ -154,7 +154,7 @@ impl<'a> Problem<'a> {
             session,
             inputs,
             axis_weights,
-            beside: Vec::new(),
+            extra_columns: Vec::new(),
             has_clock,
             is_sorted,
             digits_mm,
@@ -247,7 +247,7 @@ impl<'a> Problem<'a> {
             fit: marks(&self.fit),
             used: marks(&self.used),
             axis_weights: self.axis_weights,
-            beside: self.beside.iter().map(beside).collect(),
+            extra_columns: self.extra_columns.iter().map(beside).collect(),
             has_clock: self.has_clock,
             is_sorted: self.is_sorted,
             digits_mm: self.digits_mm,
@@ -467,7 +467,7 @@ mod tests {
             }
         }
         let mut problem = Problem::new(&session, JointValues::Commanded);
-        problem.beside = vec![wave.clone()];
+        problem.extra_columns = vec![wave.clone()];
         let zero = Term::absent(joint_zero(), 0, 0.0);
         let start = Model::new(session.robot.clone(), vec![zero]);
         let found = solve(&problem, &start);
@@ -477,15 +477,16 @@ mod tests {
             let z = session.samples.z_mm.as_ref().unwrap()[i];
             let measured = [session.samples.x_mm[i], session.samples.y_mm[i], z];
             for axis in 0..3 {
-                let left =
-                    measured[axis] - predicted.get(i)[axis] - found.beside[0] * wave[axis][i];
+                let left = measured[axis]
+                    - predicted.get(i)[axis]
+                    - found.extra_coefficients[0] * wave[axis][i];
                 along += left * wave[axis][i];
                 square += wave[axis][i].powi(2);
             }
         }
         assert!(along.abs() < 1e-6 * square, "{along}");
         // Noise of 0.03 mm.
-        let off = (found.beside[0] - SIZE).abs();
+        let off = (found.extra_coefficients[0] - SIZE).abs();
         assert!(off < 4.0 * 0.03 / square.sqrt(), "{off}");
     }
 }

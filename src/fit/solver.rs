@@ -246,7 +246,7 @@ pub struct Solution {
     /// The model with the coefficients found.
     pub model: Model,
     /// Coefficients of the columns beside the model.
-    pub beside: Vec<f64>,
+    pub extra_coefficients: Vec<f64>,
     /// The Gram matrix there, taken apart.
     pub spectrum: Spectrum,
     /// `rᵀ W r` there.
@@ -273,7 +273,7 @@ const COARSE_BLOCKS: usize = 192;
 pub fn solve(problem: &Problem, start: &Model) -> Solution {
     let start = &State {
         model: start.clone(),
-        beside: vec![0.0; problem.beside.len()],
+        extra_coefficients: vec![0.0; problem.extra_columns.len()],
     };
     let blocks: Vec<usize> = (0..problem.inputs.len()).step_by(LANES).collect();
     let few = blocks.len() <= 2 * COARSE_BLOCKS || problem.observed.is_some();
@@ -329,7 +329,7 @@ fn descend(problem: &Problem, start: &State, blocks: &[usize]) -> (Solution, Sta
     };
     let solution = Solution {
         model: model.model.clone(),
-        beside: model.beside.clone(),
+        extra_coefficients: model.extra_coefficients.clone(),
         spectrum,
         cost: normal.cost,
         stopped,
@@ -343,12 +343,12 @@ fn descend(problem: &Problem, start: &State, blocks: &[usize]) -> (Solution, Sta
 struct State {
     model: Model,
     /// Coefficients of the columns beside the model.
-    beside: Vec<f64>,
+    extra_coefficients: Vec<f64>,
 }
 
 impl State {
     fn count(&self) -> usize {
-        self.model.coefficient_count() + self.beside.len()
+        self.model.coefficient_count() + self.extra_coefficients.len()
     }
 }
 
@@ -371,7 +371,7 @@ fn polish(problem: &Problem, near: &State, blocks: &[usize], passes: usize) -> S
     let model = moved(&model, &correction);
     Solution {
         model: model.model,
-        beside: model.beside,
+        extra_coefficients: model.extra_coefficients,
         spectrum,
         cost: last.cost - correction.dot(&last.gradient),
         stopped: Stopped::Converged,
@@ -397,7 +397,7 @@ fn sum(problem: &Problem, state: &State, blocks: &[usize], sums: Sums) -> Normal
         .model
         .visit_blocks(&problem.inputs, true, starts, |start, block| {
             let mut joined: Block;
-            let block = if problem.beside.is_empty() {
+            let block = if problem.extra_columns.is_empty() {
                 block
             } else {
                 joined = block.clone();
@@ -426,7 +426,7 @@ const ROUNDING_MM: f64 = 1e-6;
 pub(super) fn spectrum_at(problem: &Problem, solution: &Solution) -> (Spectrum, f64, DVector<f64>) {
     let state = State {
         model: solution.model.clone(),
-        beside: solution.beside.clone(),
+        extra_coefficients: solution.extra_coefficients.clone(),
     };
     let blocks: Vec<usize> = (0..problem.inputs.len()).step_by(LANES).collect();
     let normal = sum(problem, &state, &blocks, Sums::All);
@@ -436,7 +436,7 @@ pub(super) fn spectrum_at(problem: &Problem, solution: &Solution) -> (Spectrum, 
 }
 
 fn spectrum_of(problem: &Problem, normal: &Normal, state: &State) -> Spectrum {
-    let shapes = std::iter::repeat_n(f64::INFINITY, state.beside.len());
+    let shapes = std::iter::repeat_n(f64::INFINITY, state.extra_coefficients.len());
     let reaches: Vec<f64> = state
         .model
         .terms()
@@ -454,7 +454,7 @@ fn spectrum_of(problem: &Problem, normal: &Normal, state: &State) -> Spectrum {
 
 /// Puts the columns beside the model behind its own, and what they do into the points.
 fn join(block: &mut Block, problem: &Problem, state: &State, start: usize) {
-    for (column, coefficient) in problem.beside.iter().zip(&state.beside) {
+    for (column, coefficient) in problem.extra_columns.iter().zip(&state.extra_coefficients) {
         let mut own = [[0.0; LANES]; 3];
         for (axis, values) in column.iter().enumerate() {
             own[axis][..block.len].copy_from_slice(&values[start..start + block.len]);
@@ -505,7 +505,12 @@ fn moved(state: &State, step: &DVector<f64>) -> State {
     let (own, rest) = step.as_slice().split_at(state.model.coefficient_count());
     State {
         model: state.model.stepped(own),
-        beside: state.beside.iter().zip(rest).map(|(c, s)| c + s).collect(),
+        extra_coefficients: state
+            .extra_coefficients
+            .iter()
+            .zip(rest)
+            .map(|(c, s)| c + s)
+            .collect(),
     }
 }
 

@@ -12,7 +12,10 @@ const UNNAMED: Template = phrase!("what no name explains");
 /// Every combination of coefficients that the samples leave open.
 pub(super) fn undetermined_combinations(solution: &Solution) -> Vec<NotIdentifiable> {
     let mut names = coefficient_names(&solution.model);
-    names.resize(names.len() + solution.beside.len(), UNNAMED.into());
+    names.resize(
+        names.len() + solution.extra_coefficients.len(),
+        UNNAMED.into(),
+    );
     let directions = solution.spectrum.null_directions();
     let directions = directions.iter().map(|direction| {
         let size = |k: usize| direction.components[k].abs();

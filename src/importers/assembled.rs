@@ -83,12 +83,12 @@ impl Job<'_> {
                 joint = joint + 1
             ));
         }
-        let said = text!(
+        let sentence = text!(
             "only the position of joint {joint} was measured: x, y, z are where the nominal robot carries its tool at that position, so that the radius is nominal",
             joint = joint + 1
         );
-        self.note(said.clone());
-        self.sentences.push(said);
+        self.note(sentence.clone());
+        self.sentences.push(sentence);
         Ok(())
     }
 

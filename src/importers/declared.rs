@@ -106,13 +106,13 @@ impl Job<'_> {
         &mut self,
         columns: &Columns,
         quantity: Quantity,
-        known: &BTreeMap<String, Point3<f64>>,
+        points: &BTreeMap<String, Point3<f64>>,
     ) -> BTreeSet<String> {
         let names = names_in(columns, quantity);
         if names.is_empty() {
             return names;
         }
-        let unknown = names.iter().filter(|name| !known.contains_key(*name));
+        let unknown = names.iter().filter(|name| !points.contains_key(*name));
         let unknown: Vec<String> = unknown.map(|name| quoted(name)).collect();
         let count = names.len();
         let said = match quantity {
@@ -136,7 +136,7 @@ impl Job<'_> {
     fn stations(
         &mut self,
         columns: &mut Columns,
-        known: &BTreeMap<String, Point3<f64>>,
+        points: &BTreeMap<String, Point3<f64>>,
     ) -> Vec<Station> {
         if columns.find(Quantity::Azimuth).is_none() {
             return Vec::new();
@@ -156,9 +156,9 @@ impl Job<'_> {
         let azimuth = columns
             .directions
             .map_or(Azimuth::Counterclockwise, |directions| directions.azimuth);
-        let names = self.declared(columns, Quantity::Station, known);
+        let names = self.declared(columns, Quantity::Station, points);
         let stations = names.into_iter().map(|name| Station {
-            position_mm: known.get(&name).copied(),
+            position_mm: points.get(&name).copied(),
             name,
             attitude: None,
             azimuth,

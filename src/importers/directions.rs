@@ -61,12 +61,12 @@ impl Job<'_> {
                 columns.put(Column::made(quantity, Unit::Fixed, sides(&values)));
             }
         }
-        let said = text!(
+        let sentence = text!(
             "the side of approach ({joints}) is that of the motion since the row before: the rows are in measuring order, as stated",
             joints = joints
         );
-        self.note(said.clone());
-        self.sentences.push(said);
+        self.note(sentence.clone());
+        self.sentences.push(sentence);
     }
 }
 

@@ -43,7 +43,7 @@ impl Job<'_> {
     pub(crate) fn anchors(
         &mut self,
         columns: &mut Columns,
-        known: &BTreeMap<String, Point3<f64>>,
+        points: &BTreeMap<String, Point3<f64>>,
     ) -> Result<Vec<Anchor>, Rejected> {
         if columns.find(Quantity::Distance).is_none() {
             return Ok(Vec::new());
@@ -53,7 +53,7 @@ impl Job<'_> {
         let anchors: Vec<Anchor> = names
             .into_iter()
             .map(|name| Anchor {
-                position_mm: known.get(&name).copied(),
+                position_mm: points.get(&name).copied(),
                 name,
                 offset_mm,
             })
@@ -63,12 +63,12 @@ impl Job<'_> {
             .filter(|anchor| anchor.position_mm.is_none())
             .map(|anchor| quoted(&anchor.name))
             .collect();
-        let said = text!(
+        let sentence = text!(
             one "distances from {count} anchor",
             "distances from {count} anchors",
             count = anchors.len()
         );
-        let mut said = with_unknown(said, &unknown);
+        let mut said = with_unknown(sentence, &unknown);
         if offset_mm.is_none() {
             said = text!(
                 "{said}; a constant offset of the distances is to be fitted",

@@ -298,7 +298,7 @@ mod tests {
         nalgebra::Matrix3::from_row_slice(&m)
     }
 
-    fn known(answer: &str) -> Convention {
+    fn convention_of(answer: &str) -> Convention {
         match read(answer) {
             Answer::Known(convention) => convention,
             other => panic!("{answer}: {other:?}"),
@@ -341,11 +341,11 @@ mod tests {
                 matrix(2, c) * matrix(1, b) * matrix(2, a),
             ),
         ] {
-            let q = known(answer).orientation([a, b, c], by_axis);
+            let q = convention_of(answer).orientation([a, b, c], by_axis);
             let off = (q.to_rotation_matrix().into_inner() - product).norm();
             assert!(off < 1e-14, "{answer}: {off}");
         }
-        let turned = known("rotvec").orientation([0.0, 0.0, 0.5], true);
+        let turned = convention_of("rotvec").orientation([0.0, 0.0, 0.5], true);
         assert!((turned.to_rotation_matrix().into_inner() - matrix(2, 0.5)).norm() < 1e-14);
     }
 

@@ -5,7 +5,7 @@
 //! nominal or a deviation is no measurement. A heading that fits nothing is kept and ignored, as in
 //! a session.
 
-use super::role::{Role, known};
+use super::role::{Role, of_quantity};
 use crate::importers::units::{self, Word};
 use crate::sessions::columns::{Heading, Quantity, Unit};
 
@@ -15,7 +15,7 @@ pub(crate) fn understand(heading: &str) -> Role {
     if let Heading::Known(quantity, unit) = Heading::read(&plain)
         && !quantity.needs_a_reference()
     {
-        return known(quantity, Some(unit));
+        return of_quantity(quantity, Some(unit));
     }
     if let Some(role) = super::role::role_of_word(&plain) {
         return role;

@@ -185,7 +185,7 @@ impl<'a> ReadContext<'a> {
             .map(|(index, role)| ColumnGuess {
                 heading: heading(index).to_owned(),
                 meaning: role.to_string(),
-                known: match words.get(index) {
+                confidence: match words.get(index) {
                     Some(word) if word.trim() != AUTO => Known::Said,
                     None if !words.is_empty() => Known::Said,
                     _ if joint_names::is_one(heading(index), &self.reading.joints) => {

@@ -68,7 +68,7 @@ impl Role {
             _ => {}
         }
         if let Heading::Known(quantity, unit) = Heading::read(word) {
-            return Some(known(quantity, Some(unit)));
+            return Some(of_quantity(quantity, Some(unit)));
         }
         if let Some(role) = role_of_word(word) {
             return Some(role);
@@ -88,7 +88,7 @@ impl Role {
     }
 }
 
-pub(super) fn known(quantity: Quantity, unit: Option<Unit>) -> Role {
+pub(super) fn of_quantity(quantity: Quantity, unit: Option<Unit>) -> Role {
     match quantity {
         Quantity::Time => Role::Time(1.0),
         _ => Role::Known(quantity, unit),

@@ -186,13 +186,13 @@ pub struct ColumnGuess {
     /// What it is taken for, in the words of [`Reading::columns`].
     pub meaning: String,
     /// How that is known.
-    pub known: Known,
+    pub confidence: Known,
 }
 
 impl ColumnGuess {
     /// Whether it is used, and only a guess.
     pub fn is_guess(&self) -> bool {
-        self.known.is_guess() && !matches!(self.meaning.as_str(), "" | "-")
+        self.confidence.is_guess() && !matches!(self.meaning.as_str(), "" | "-")
     }
 }
 

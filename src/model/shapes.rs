@@ -38,11 +38,13 @@ pub enum Direction {
     Radial,
     /// Along the axis of the single joint.
     Axial,
+    /// Across the motion of the single joint that slides, in one of two directions.
+    Across(usize),
     /// x, y, z of the measuring frame: three columns.
     Frame,
     /// One of the measured axes of the measuring frame.
     Along(usize),
-    /// Tangential, radial and axial: three columns.
+    /// Along the motion of the single joint and in both directions across it: three columns.
     Body,
 }
 
@@ -274,6 +276,7 @@ impl Shape {
             Direction::Tangential(j) => text!("along the motion of joint {joint}", joint = j + 1),
             Direction::Radial => text!("along the radius"),
             Direction::Axial => text!("along the axis"),
+            Direction::Across(_) => text!("across the guide"),
             Direction::Frame | Direction::Along(_) => text!("in the measuring frame"),
             Direction::Body => text!("with the moving body"),
         };

@@ -19,7 +19,7 @@ pub struct ObservedRows<'a> {
     /// Rows of the observation that has most.
     pub width: usize,
     /// Inner units of the kind of one unit of each row.
-    inner: Vec<f64>,
+    base_units: Vec<f64>,
     /// mm of one unit of each row; zero where another observation of the sample is its length.
     mm: Vec<f64>,
     /// Number of samples.
@@ -32,7 +32,7 @@ impl<'a> ObservedRows<'a> {
         let layer = layer.only(counted);
         let width = layer.items.iter().map(|item| item.rows).max().unwrap_or(1);
         Self {
-            inner: vec![0.0; layer.items.len() * width],
+            base_units: vec![0.0; layer.items.len() * width],
             mm: vec![0.0; layer.items.len() * width],
             samples: 0,
             width,
@@ -59,7 +59,7 @@ impl<'a> ObservedRows<'a> {
             let kind = KINDS[item.kind];
             let sigma = layer.sigma[item.kind];
             for (row, unit) in units(kind, layer, item.sample, sigma, item.rows) {
-                self.inner[row * n + k] = unit / layer.unit_mm;
+                self.base_units[row * n + k] = unit / layer.unit_mm;
                 if is_length[k] {
                     self.mm[row * n + k] = levers[k] * unit / layer.unit_mm;
                 }
@@ -98,7 +98,8 @@ impl<'a> ObservedRows<'a> {
             let squares: Vec<f64> = own
                 .map(|k| {
                     let rows = (0..self.width).map(|row| row * n + k);
-                    rows.map(|row| (self.inner[row] * e[row]).powi(2)).sum()
+                    rows.map(|row| (self.base_units[row] * e[row]).powi(2))
+                        .sum()
                 })
                 .collect();
             let mean = squares.iter().sum::<f64>() / squares.len() as f64;

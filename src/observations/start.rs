@@ -77,23 +77,23 @@ fn located(
     place: Place,
     items: &[usize],
     seen: &[Prediction],
-    known: &[Option<f64>; MOST],
+    values: &[Option<f64>; MOST],
 ) -> [f64; MOST] {
     let items = thinned(items);
     let guesses = match place.kind {
         PlaceKind::Anchor => anchor_guesses(layer, &items, seen),
-        PlaceKind::Station => station_guesses(layer, &items, seen, known),
+        PlaceKind::Station => station_guesses(layer, &items, seen, values),
         PlaceKind::Plane => vec![plane_guess(&items, seen)],
         PlaceKind::Socket => {
             let centre = centre_of(&items, seen);
             vec![[centre.x, centre.y, centre.z, 0.0, 0.0, 0.0]]
         }
     };
-    let free: Vec<usize> = (0..MOST).filter(|k| known[*k].is_none()).collect();
+    let free: Vec<usize> = (0..MOST).filter(|k| values[*k].is_none()).collect();
     let best = guesses
         .into_iter()
         .map(|guess| {
-            let whole = std::array::from_fn(|k| known[k].unwrap_or(guess[k]));
+            let whole = std::array::from_fn(|k| values[k].unwrap_or(guess[k]));
             polished(layer, &items, seen, whole, &free)
         })
         .min_by(|a, b| a.1.total_cmp(&b.1));
@@ -272,7 +272,7 @@ fn station_guesses(
     layer: &Layer,
     items: &[usize],
     seen: &[Prediction],
-    known: &[Option<f64>; MOST],
+    values: &[Option<f64>; MOST],
 ) -> Vec<[f64; MOST]> {
     let centre = centre_of(items, seen);
     let from = |at: Vector3<f64>| {
@@ -283,9 +283,9 @@ fn station_guesses(
         let turn = turned_onto(&pairs).map_or(Vector3::zeros(), |r| r.scaled_axis());
         [turn.x, turn.y, turn.z, at.x, at.y, at.z]
     };
-    let here = |k: usize| known[k].unwrap_or(0.0);
+    let here = |k: usize| values[k].unwrap_or(0.0);
     let position = Vector3::new(here(3), here(4), here(5));
-    if known[3].is_some() || attitude_only(layer, items) {
+    if values[3].is_some() || attitude_only(layer, items) {
         return vec![from(position)];
     }
     // As far away as the spread of the targets and that of the directions make it.

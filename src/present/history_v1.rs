@@ -6,15 +6,15 @@ use super::parts::which;
 use crate::history::{Change, Entry, History};
 
 /// The document of a history.
-pub fn document(told: &History) -> Json {
+pub fn document(history: &History) -> Json {
     object! {
         "format": "truepose-history/1",
-        "robots": list(&told.robots, |robot| object! {
+        "robots": list(&history.robots, |robot| object! {
             "robot": &robot.robot,
             "ordered_by": robot.ordered_by.in_words(),
             "entries": list(&robot.entries, row),
         }),
-        "not_read": list(&told.not_read, |file| {
+        "not_read": list(&history.not_read, |file| {
             object! { "file": &file.file, "because": &file.because }
         }),
     }

@@ -99,11 +99,11 @@ impl ExportedTable {
             })
         };
         let bytes = read(path)?;
-        let beside = sidecar_of(path);
-        let text = read(&beside)?;
+        let sidecar_path = sidecar_of(path);
+        let text = read(&sidecar_path)?;
         let text = text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&text);
         let refuse = |line: usize, column: usize, what: Text| TableFileError::NoSidecar {
-            path: beside.clone(),
+            path: sidecar_path.clone(),
             line,
             column,
             what,

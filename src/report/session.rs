@@ -139,11 +139,11 @@ fn difference(model: &Calibration, found: &Calibration) -> Option<String> {
     };
     let less = lacks(&has, &had).map(|names| say!("without {names}", names = names));
     let more = lacks(&had, &has).map(|names| say!("with {effect}", effect = names));
-    let said: Vec<String> = [less, more].into_iter().flatten().collect();
-    Some(if said.is_empty() {
+    let sentences: Vec<String> = [less, more].into_iter().flatten().collect();
+    Some(if sentences.is_empty() {
         say!("the same effects with other values").to_owned()
     } else {
-        said.join(", ")
+        sentences.join(", ")
     })
 }
 

@@ -18,6 +18,7 @@ mod copies;
 mod digits;
 pub mod equal_steps;
 mod midnight;
+mod missing_values;
 mod order;
 mod problem;
 pub(crate) mod returns;
@@ -43,8 +44,9 @@ pub struct CheckedRows<'a> {
 type RowCheck = fn(&Session, JointValues) -> Vec<DataProblem>;
 
 /// Every check, in the order in which they are made: what others would stumble over comes first.
-const CHECKS: [RowCheck; 8] = [
+const CHECKS: [RowCheck; 9] = [
     midnight::passed,
+    missing_values::coded,
     copies::copied,
     returns::far_apart,
     order::out_of_order,

@@ -3,10 +3,10 @@
 
 use std::collections::BTreeMap;
 
-use super::problem::without_correction;
+use super::problem::{listed, without_correction};
 use crate::answers::diagnosis::DataProblem;
 use crate::effects::JointValues;
-use crate::sessions::Session;
+use crate::sessions::{Session, SessionCorrection};
 use crate::text::length;
 
 /// No robot that can be calibrated repeats worse than this share of its reach.
@@ -14,41 +14,101 @@ pub(crate) const WORST_REPEATABILITY: f64 = 0.01;
 /// So many returns are no accident, and as large a share of the samples.
 const FEWEST: usize = 8;
 const LEAST_SHARE: f64 = 0.25;
+/// No frame, target or load moves a point by this share of the reach: the command was another.
+const ELSEWHERE: f64 = 0.1;
+/// Where no more than this share of the samples contradicts others at the same command, the others tell what is true.
+const MOST_SHARE: f64 = 0.35;
+
+/// Samples that repeat a command, each with its distance from the middle of its returns, mm.
+struct Return {
+    sample: usize,
+    from_middle_mm: f64,
+    /// Whether most of the returns are elsewhere, or none agrees with another.
+    is_contradicted: bool,
+}
 
 pub(super) fn far_apart(session: &Session, values: JointValues) -> Vec<DataProblem> {
-    let samples = &session.samples;
-    let mut groups: BTreeMap<Vec<u64>, Vec<usize>> = BTreeMap::new();
-    for i in (0..samples.len()).filter(|i| samples.x_mm[*i].is_finite()) {
-        groups
-            .entry(command(session, values, i))
-            .or_default()
-            .push(i);
-    }
-    let mut distances: Vec<f64> = groups
-        .values()
-        .filter(|group| group.len() > 1)
-        .flat_map(|group| from_the_middle(session, group))
+    let mut returns = returns(session, values);
+    let mut contradicted: Vec<usize> = returns
+        .iter()
+        .filter(|one| one.is_contradicted)
+        .map(|one| one.sample)
         .collect();
-    let returns = distances.len();
-    if returns < FEWEST || (returns as f64) < LEAST_SHARE * samples.len() as f64 {
+    let what = text!("returns: the same command led to places that are far apart");
+    let samples = session.samples.len() as f64;
+    if !contradicted.is_empty() && contradicted.len() as f64 <= MOST_SHARE * samples {
+        contradicted.sort_unstable();
+        return vec![DataProblem {
+            what,
+            evidence: text!(
+                one "{count} sample is far from others at the same command: {rows}",
+                "{count} samples are far from others at the same command: {rows}",
+                count = contradicted.len(),
+                rows = listed(&contradicted)
+            ),
+            proposal: text!(
+                "leave these samples out: no robot repeats as badly, and a joint value may be missing"
+            ),
+            mend: Some(SessionCorrection::Remove(contradicted.clone())),
+            samples: contradicted,
+        }];
+    }
+    if returns.len() < FEWEST || (returns.len() as f64) < LEAST_SHARE * samples {
         return Vec::new();
     }
-    distances.sort_by(f64::total_cmp);
-    let median_mm = distances[returns / 2];
+    returns.sort_by(|a, b| a.from_middle_mm.total_cmp(&b.from_middle_mm));
+    let median_mm = returns[returns.len() / 2].from_middle_mm;
     if median_mm <= WORST_REPEATABILITY * session.robot.reach_mm() {
         return Vec::new();
     }
     vec![without_correction(
-        text!("returns: the same command led to places that are far apart"),
+        what,
         text!(
             "{returns} samples repeat a command and are {median} from the middle of their returns (median)",
-            returns = returns,
+            returns = returns.len(),
             median = length(median_mm, 3)
         ),
         text!(
             "no robot repeats as badly: check that the columns of the joints changed while the robot moved"
         ),
     )]
+}
+
+/// Every sample whose command is repeated.
+fn returns(session: &Session, values: JointValues) -> Vec<Return> {
+    let samples = &session.samples;
+    let mut groups: BTreeMap<Vec<u64>, Vec<usize>> = BTreeMap::new();
+    let z = samples.z_mm.as_ref();
+    let is_measured = |i: usize| {
+        let coordinates = [Some(&samples.x_mm), Some(&samples.y_mm), z];
+        let mut coordinates = coordinates.into_iter().flatten();
+        coordinates.all(|column| column[i].is_finite()) && !samples.is_excluded(i)
+    };
+    for i in (0..samples.len()).filter(|i| is_measured(*i)) {
+        groups
+            .entry(command(session, values, i))
+            .or_default()
+            .push(i);
+    }
+    let elsewhere_mm = ELSEWHERE * session.robot.reach_mm();
+    let groups = groups.into_values().filter(|group| group.len() > 1);
+    let returns = groups.flat_map(|group| {
+        let from_middle = from_the_middle(session, &group);
+        let far = from_middle.iter().filter(|mm| **mm > elsewhere_mm).count();
+        // Most of them tell where the command leads; without a majority none does.
+        let none_agree = far > 0 && 2 * far >= group.len();
+        let one = move |(sample, from_middle_mm): (usize, f64)| Return {
+            sample,
+            from_middle_mm,
+            is_contradicted: none_agree || from_middle_mm > elsewhere_mm,
+        };
+        group
+            .into_iter()
+            .zip(from_middle)
+            .map(one)
+            .collect::<Vec<_>>()
+    });
+    returns.collect()
 }
 
 /// What was told to the robot at a sample.
@@ -85,8 +145,7 @@ fn from_the_middle(session: &Session, group: &[usize]) -> Vec<f64> {
             *square += (column[*i] - middle).powi(2);
         }
     }
-    let distances = squares.into_iter().map(f64::sqrt);
-    distances.filter(|mm| mm.is_finite()).collect()
+    squares.into_iter().map(f64::sqrt).collect()
 }
 
 #[cfg(test)]
@@ -103,6 +162,19 @@ mod tests {
             .iter_mut()
             .for_each(|dir| dir.fill(1.0));
         assert_eq!(far_apart(&session, JointValues::Commanded).len(), 1);
+    }
+
+    #[test]
+    fn samples_that_lost_their_joint_value_are_left_out() {
+        let mut session = axis(60);
+        for row in [4, 17, 40] {
+            session.samples.q[0][row] = 0.0;
+            session.samples.dir[0].as_mut().unwrap()[row] = 1.0;
+            session.samples.target.as_mut().unwrap()[row] = 0;
+        }
+        let problems = far_apart(&session, JointValues::Commanded);
+        assert_eq!(problems.len(), 1);
+        assert_eq!(problems[0].samples, [4, 17, 40]);
     }
 
     #[test]

@@ -304,7 +304,7 @@ impl Heading {
 
     /// Reads a heading by itself, without knowing the robot.
     pub(crate) fn read(heading: &str) -> Self {
-        known(heading).map_or_else(
+        recognized(heading).map_or_else(
             || Self::Unknown {
                 hint: hint(heading),
             },
@@ -313,7 +313,7 @@ impl Heading {
     }
 }
 
-fn known(heading: &str) -> Option<(Quantity, Unit)> {
+fn recognized(heading: &str) -> Option<(Quantity, Unit)> {
     COLUMNS.iter().find_map(|column| column.read(heading))
 }
 
@@ -332,7 +332,7 @@ fn joint_index(number: &str) -> Option<usize> {
 /// What an unknown heading may have been meant to be.
 fn hint(heading: &str) -> Option<String> {
     let plain = heading.trim().to_ascii_lowercase().replace(' ', "_");
-    if plain != heading && known(&plain).is_some() {
+    if plain != heading && recognized(&plain).is_some() {
         return Some(format!("'{plain}'"));
     }
     let name = plain.split(['_', '[', '(']).next().unwrap_or_default();

@@ -1,7 +1,7 @@
 //! How a correction changes a session.
 
 use crate::kinematics::JointKind;
-use crate::text::{Text, length};
+use crate::text::{Template, Text, length};
 
 use super::correction::{DAY_S, SessionCorrection};
 use super::{Samples, Session, Setups};
@@ -31,14 +31,14 @@ impl SessionCorrection {
             Self::ScaleJoint { joint, factor } if *factor < 0.0 => {
                 text!("Reverse joint {joint}", joint = joint + 1)
             }
-            Self::ScaleJoint { joint, factor } if *factor < 1.0 => {
-                text!("Read joint {joint} as degrees", joint = joint + 1)
+            Self::ScaleJoint { joint, factor } => text!(
+                "Read joint {joint} as {unit}",
+                joint = joint + 1,
+                unit = unit_of_joint(*factor)
+            ),
+            Self::ScaleJoints { factor } => {
+                text!("Read all joints as {unit}", unit = unit_of_joint(*factor))
             }
-            Self::ScaleJoint { joint, .. } => {
-                text!("Read joint {joint} as radians", joint = joint + 1)
-            }
-            Self::ScaleJoints { factor } if *factor < 1.0 => text!("Read all joints as degrees"),
-            Self::ScaleJoints { .. } => text!("Read all joints as radians"),
             Self::ExchangeJoints { first, second } => text!(
                 "Exchange joints {first} and {second}",
                 first = first + 1,
@@ -224,6 +224,19 @@ impl SessionCorrection {
                 | Self::Split { .. }
                 | Self::Free { .. }
         )
+    }
+}
+
+/// In which unit a joint's values are that have to be multiplied by so much.
+fn unit_of_joint(factor: f64) -> Template {
+    match factor {
+        0.9 => phrase!("gradians"),
+        10.0 => phrase!("centimetres"),
+        1000.0 => phrase!("metres"),
+        25.4 => phrase!("inches"),
+        0.001 => phrase!("micrometres"),
+        factor if factor < 1.0 => phrase!("degrees"),
+        _ => phrase!("radians"),
     }
 }
 

@@ -6,7 +6,9 @@ use crate::sessions::SessionCorrection;
 use crate::text::Text;
 use crate::units::rad_from_deg;
 
-use super::hypotheses::{mistaken_angles, mistaken_lengths, other_way_round};
+use super::hypotheses::{
+    correct_heading, mistaken_angles_of_all, mistaken_lengths, mistaken_units, other_way_round,
+};
 
 /// A change of the samples: what is wrong, what to do, and what takes it back.
 pub(super) struct Change {
@@ -189,36 +191,23 @@ fn homes(session: &Session) -> Vec<Change> {
 
 fn units(session: &Session) -> Vec<Change> {
     let joints = &session.robot.joints;
-    let turning: Vec<usize> = (0..joints.len())
-        .filter(|j| joints[*j].kind == JointKind::Revolute)
-        .collect();
+    let turning = joints.iter().filter(|j| j.kind == JointKind::Revolute);
     let mut all = Vec::new();
-    let of_all = [
-        text!("the values of all joints are in degrees but were read as radians"),
-        text!("the values of all joints are in radians but were read as degrees"),
-    ];
-    for (which, of_all) in of_all.into_iter().enumerate() {
-        if turning.len() > 1 {
-            let (factor, _) = mistaken_angles(0)[which];
+    if turning.count() > 1 {
+        for (factor, what) in mistaken_angles_of_all() {
             all.push(one(
-                of_all,
+                what,
                 text!("correct the unit in the headings of the joints"),
                 SessionCorrection::ScaleJoints { factor },
             ));
         }
-        for joint in &turning {
-            let number = joint + 1;
-            let (factor, what) = mistaken_angles(number)[which].clone();
+    }
+    for (joint, own) in joints.iter().enumerate() {
+        for (factor, what) in mistaken_units(own.kind, joint + 1) {
             all.push(one(
                 what,
-                text!(
-                    "correct the unit in the heading of {column}",
-                    column = format!("q{number}")
-                ),
-                SessionCorrection::ScaleJoint {
-                    joint: *joint,
-                    factor,
-                },
+                correct_heading(joint + 1),
+                SessionCorrection::ScaleJoint { joint, factor },
             ));
         }
     }

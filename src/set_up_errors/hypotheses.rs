@@ -1,6 +1,6 @@
 //! What may have gone wrong in setting up, as changes of the session.
 
-use crate::text::Text;
+use crate::text::{Template, Text};
 use nalgebra::Isometry3;
 
 use crate::effects::{JointValues, Term, joint_zero};
@@ -33,8 +33,34 @@ pub(super) fn other_way_round(joint: usize) -> (Text, Text, SessionCorrection) {
     )
 }
 
+/// Of a gradian, degrees: a full turn has 400.
+const GRADIAN_DEG: f64 = 0.9;
+
 /// Units of a joint's values that were mistaken: a factor, and what is said of it.
-pub(super) fn mistaken_angles(joint: usize) -> [(f64, Text); 2] {
+pub(super) fn mistaken_units(kind: JointKind, joint: usize) -> Vec<(f64, Text)> {
+    match kind {
+        JointKind::Revolute => mistaken_angles(joint).into(),
+        JointKind::Prismatic => mistaken_travels(joint).into(),
+    }
+}
+
+fn mistaken_travels(joint: usize) -> [(f64, Text); 4] {
+    let in_unit = |unit: Template| {
+        text!(
+            "the values of joint {joint} are in {unit} but were read as millimetres",
+            joint = joint,
+            unit = unit
+        )
+    };
+    [
+        (10.0, in_unit(phrase!("centimetres"))),
+        (1000.0, in_unit(phrase!("metres"))),
+        (25.4, in_unit(phrase!("inches"))),
+        (0.001, in_unit(phrase!("micrometres"))),
+    ]
+}
+
+fn mistaken_angles(joint: usize) -> [(f64, Text); 3] {
     [
         (
             rad_from_deg(1.0),
@@ -49,6 +75,31 @@ pub(super) fn mistaken_angles(joint: usize) -> [(f64, Text); 2] {
                 "the values of joint {joint} are in radians but were read as degrees",
                 joint = joint
             ),
+        ),
+        (
+            GRADIAN_DEG,
+            text!(
+                "the values of joint {joint} are in gradians but were read as degrees",
+                joint = joint
+            ),
+        ),
+    ]
+}
+
+/// The same of all joints that turn.
+pub(super) fn mistaken_angles_of_all() -> [(f64, Text); 3] {
+    [
+        (
+            rad_from_deg(1.0),
+            text!("the values of all joints are in degrees but were read as radians"),
+        ),
+        (
+            deg_from_rad(1.0),
+            text!("the values of all joints are in radians but were read as degrees"),
+        ),
+        (
+            GRADIAN_DEG,
+            text!("the values of all joints are in gradians but were read as degrees"),
         ),
     ]
 }
@@ -75,6 +126,14 @@ pub(super) fn mistaken_lengths() -> [(f64, Text); 4] {
     ]
 }
 
+/// What to do where a joint's values have another unit.
+pub(super) fn correct_heading(joint: usize) -> Text {
+    text!(
+        "correct the unit in the heading of {column}",
+        column = format!("q{joint}")
+    )
+}
+
 #[allow(
     clippy::too_many_lines,
     reason = "a list of hypotheses reads best in one piece"
@@ -92,18 +151,16 @@ pub(super) fn hypotheses(session: &Session) -> Vec<Hypothesis> {
         let number = joint + 1;
         let (what, proposal, mend) = other_way_round(joint);
         push(what, proposal, mend);
-        if session.robot.joints[joint].kind != JointKind::Revolute {
-            continue;
-        }
-        for (factor, what) in mistaken_angles(number) {
+        let kind = session.robot.joints[joint].kind;
+        for (factor, what) in mistaken_units(kind, number) {
             push(
                 what,
-                text!(
-                    "correct the unit in the heading of {column}",
-                    column = format!("q{number}")
-                ),
+                correct_heading(number),
                 SessionCorrection::ScaleJoint { joint, factor },
             );
+        }
+        if kind != JointKind::Revolute {
+            continue;
         }
         for turn in [90.0, -90.0, 180.0] {
             push(

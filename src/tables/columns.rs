@@ -20,7 +20,7 @@ pub(crate) struct Names {
     /// Index into `list`, one per row.
     pub(crate) index: Vec<u32>,
     /// Where each name is in `list`; only kept when a linear search would be slow.
-    known: BTreeMap<String, u32>,
+    index_of: BTreeMap<String, u32>,
 }
 
 impl Names {
@@ -45,13 +45,13 @@ impl Names {
                 return index;
             }
         } else {
-            if self.known.is_empty() {
-                self.known = self.list.iter().cloned().zip(0..).collect();
+            if self.index_of.is_empty() {
+                self.index_of = self.list.iter().cloned().zip(0..).collect();
             }
-            if let Some(index) = self.known.get(name) {
+            if let Some(index) = self.index_of.get(name) {
                 return *index;
             }
-            self.known.insert(name.to_owned(), next);
+            self.index_of.insert(name.to_owned(), next);
         }
         self.list.push(name.to_owned());
         next

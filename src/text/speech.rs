@@ -85,19 +85,19 @@ pub(super) fn filled_in(
 fn filled_pattern(language: Language, pattern: &str, arguments: &[(&str, &dyn Display)]) -> String {
     let value = |name| arguments.iter().find(|(own, _)| *own == name);
     let marked = language == Language::Marked;
-    let mut said = String::with_capacity(pattern.len() + 16 * arguments.len());
+    let mut text = String::with_capacity(pattern.len() + 16 * arguments.len());
     for part in parts(pattern) {
         match part {
-            Ok(text) => said.push_str(text),
+            Ok(part) => text.push_str(part),
             Err(name) => {
                 let value = value(name).map_or_else(|| name.to_owned(), |(_, v)| v.to_string());
                 // What is filled in is not the sentence's: where sentences are marked, it stands outside of them.
                 let [before, behind] = if marked { ["⟧", "⟦"] } else { ["", ""] };
-                said.extend([before, &value, behind]);
+                text.extend([before, &value, behind]);
             }
         }
     }
-    shaped(language, said)
+    shaped(language, text)
 }
 
 fn in_language(language: Language, template: Template, one: bool) -> &'static str {

@@ -6,7 +6,7 @@
 use std::path::PathBuf;
 
 use truepose::diagnosis::{Diagnosis, FoundEffect, Options};
-use truepose::effects::JointValues;
+use truepose::effects::{Inputs, JointValues};
 use truepose::fit::{DEFAULT_EFFECTS, Estimate, identify_exact};
 use truepose::model::Model;
 use truepose::pipeline::{self, diagnose};
@@ -62,6 +62,32 @@ fn a_foundation_that_gives_way_is_named_with_both_its_springs() {
     assert_eq!((found.effect, found.joint), ("foundation-compliance", None));
     agrees(found, "about_x_urad_per_nm", 4.0);
     agrees(found, "about_y_urad_per_nm", 2.0);
+}
+
+/// The same deviations the other way round: a base that leans against its load is none.
+#[test]
+fn a_foundation_has_no_negative_springs() {
+    let mut session = session("foundation-compliance");
+    let effects = DEFAULT_EFFECTS.map(str::to_owned);
+    let identified = identify_exact(&session, &effects, JointValues::Commanded).unwrap();
+    let predicted = identified
+        .model
+        .predict(&Inputs::new(&session, JointValues::Commanded));
+    let samples = &mut session.samples;
+    let z = samples.z_mm.as_mut().unwrap();
+    for (i, z) in z.iter_mut().enumerate() {
+        let [x_mm, y_mm, z_mm] = predicted.get(i);
+        samples.x_mm[i] = 2.0 * x_mm - samples.x_mm[i];
+        samples.y_mm[i] = 2.0 * y_mm - samples.y_mm[i];
+        *z = 2.0 * z_mm - *z;
+    }
+    let answer = diagnosed(&session);
+    let mut names = answer.found.iter().map(|found| found.effect);
+    assert!(
+        names.all(|name| name != "foundation-compliance"),
+        "{:?}",
+        answer.found
+    );
 }
 
 #[test]

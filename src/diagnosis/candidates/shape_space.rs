@@ -23,8 +23,8 @@ pub(crate) struct ShapeSpace {
     frame: Vec<DVector<f64>>,
     pub(crate) variables: Vec<(Variable, Vec<f64>)>,
     pub(crate) tangential: Vec<DVector<f64>>,
-    pub(crate) radial: Option<DVector<f64>>,
-    pub(crate) axial: Option<DVector<f64>>,
+    /// Across the motion of a single joint, where the rows show it.
+    pub(crate) across: Vec<(Direction, DVector<f64>)>,
     angle: Vec<f64>,
     base: Model,
     survey: Survey,
@@ -46,16 +46,23 @@ impl ShapeSpace {
             .fold(start, |(a, b), v| (a.min(*v), b.max(*v)))
     }
 
+    /// A direction across the motion of the single joint.
+    fn along(&self, across: Direction) -> Option<&DVector<f64>> {
+        let found = self
+            .across
+            .iter()
+            .find(|(direction, _)| *direction == across);
+        found.map(|(_, direction)| direction)
+    }
+
     /// Number of a shape's columns.
     pub(crate) fn width(&self, shape: &Shape) -> usize {
-        let across = [&self.radial, &self.axial].map(|d| usize::from(d.is_some()));
         let directions = match shape.direction {
             Direction::Tangential(_) => 1,
-            Direction::Radial => across[0],
-            Direction::Axial => across[1],
             Direction::Frame => self.frame_axes(),
             Direction::Along(axis) => usize::from(axis < self.frame_axes()),
-            Direction::Body => usize::from(!self.tangential.is_empty()) + across[0] + across[1],
+            Direction::Body => usize::from(!self.tangential.is_empty()) + self.across.len(),
+            across => usize::from(self.along(across).is_some()),
         };
         shape.profile.count() * directions
     }
@@ -69,17 +76,18 @@ impl ShapeSpace {
     fn columns_in(&self, shape: &Shape, range: (f64, f64)) -> DMatrix<f64> {
         let directions: Vec<DVector<f64>> = match shape.direction {
             Direction::Tangential(j) => vec![self.tangential[j].clone()],
-            Direction::Radial => self.radial.iter().cloned().collect(),
-            Direction::Axial => self.axial.iter().cloned().collect(),
             Direction::Frame => (0..self.frame_axes()).map(|a| self.frame_axis(a)).collect(),
             Direction::Along(axis) => vec![self.frame_axis(axis)],
             Direction::Body => {
-                let across = [self.radial.as_ref(), self.axial.as_ref()];
-                let mut all: Vec<DVector<f64>> =
-                    self.tangential.first().into_iter().cloned().collect();
-                all.extend(across.into_iter().flatten().cloned());
-                all
+                let across = self.across.iter().map(|(_, direction)| direction);
+                self.tangential
+                    .iter()
+                    .take(1)
+                    .chain(across)
+                    .cloned()
+                    .collect()
             }
+            across => self.along(across).into_iter().cloned().collect(),
         };
         let origin = shape.variable.origin(range);
         let constant = vec![0.0; self.samples];
@@ -160,14 +168,12 @@ impl ShapeSpace {
 
     /// With the directions that another space has: a few samples may show nothing along one of them.
     fn with_directions_of(mut self, other: &Self) -> Self {
-        let rows = self.samples * self.axes.len();
-        let none = || DVector::zeros(rows);
-        for (own, other) in [
-            (&mut self.radial, &other.radial),
-            (&mut self.axial, &other.axial),
-        ] {
-            *own = other.is_some().then(|| own.take().unwrap_or_else(none));
-        }
+        let none = DVector::zeros(self.samples * self.axes.len());
+        let own = other.across.iter().map(|(direction, _)| {
+            let own = self.along(*direction).unwrap_or(&none);
+            (*direction, own.clone())
+        });
+        self.across = own.collect();
         self
     }
 
@@ -228,7 +234,6 @@ pub(crate) fn shape_space(
             variables.push((Variable::Target(one), of_sample.iter().map(is).collect()));
         }
     }
-    let (radial, axial) = across_the_axis(rows, base, survey);
     ShapeSpace {
         samples: rows.samples.len(),
         axes: rows.axes.clone(),
@@ -238,8 +243,7 @@ pub(crate) fn shape_space(
         tangential: Vec::new(),
         base: base.clone(),
         survey: survey.clone(),
-        radial,
-        axial,
+        across: across_the_motion(rows, base, survey),
     }
 }
 
@@ -267,30 +271,38 @@ pub(crate) fn tangential(rows: &Rows, base: &Model, joints: usize) -> Vec<DVecto
     (0..joints).map(one).collect()
 }
 
-/// Radial and axial unit directions of every row, for a robot with a single revolute joint.
-fn across_the_axis(
-    rows: &Rows,
-    base: &Model,
-    survey: &Survey,
-) -> (Option<DVector<f64>>, Option<DVector<f64>>) {
+/// Unit directions of every row across the motion of a robot's single joint: radial and axial where it turns, two
+/// across its guide where it slides. What the rows do not show is left out.
+fn across_the_motion(rows: &Rows, base: &Model, survey: &Survey) -> Vec<(Direction, DVector<f64>)> {
     let [joint] = survey.joints.as_slice() else {
-        return (None, None);
+        return Vec::new();
     };
-    if joint.kind != JointKind::Revolute {
-        return (None, None);
-    }
-    let points = rows.points(base);
     let (origin, along) = (joint.frame.origin_mm, joint.frame.along);
-    let outward = |p: &[f64; 3]| {
-        let arm: [f64; 3] = std::array::from_fn(|k| p[k] - origin[k]);
-        let height: f64 = (0..3).map(|k| arm[k] * along[k]).sum();
-        let across: [f64; 3] = std::array::from_fn(|k| arm[k] - height * along[k]);
-        let radius = across.iter().map(|v| v * v).sum::<f64>().sqrt();
-        across.map(|v| v / radius.max(1e-9))
+    let constant = |direction: [f64; 3]| rows.displaced(base, |_| direction);
+    let mut all = match joint.kind {
+        JointKind::Prismatic => vec![
+            (Direction::Across(0), constant(joint.frame.across_1)),
+            (Direction::Across(1), constant(joint.frame.across_2)),
+        ],
+        JointKind::Revolute => {
+            let points = rows.points(base);
+            let outward = |p: &[f64; 3]| {
+                let arm: [f64; 3] = std::array::from_fn(|k| p[k] - origin[k]);
+                let height: f64 = (0..3).map(|k| arm[k] * along[k]).sum();
+                let across: [f64; 3] = std::array::from_fn(|k| arm[k] - height * along[k]);
+                let radius = across.iter().map(|v| v * v).sum::<f64>().sqrt();
+                across.map(|v| v / radius.max(1e-9))
+            };
+            let outward: Vec<[f64; 3]> = points.iter().map(outward).collect();
+            vec![
+                (
+                    Direction::Radial,
+                    rows.displaced(base, |sample| outward[sample]),
+                ),
+                (Direction::Axial, constant(along)),
+            ]
+        }
     };
-    let outward: Vec<[f64; 3]> = points.iter().map(outward).collect();
-    let radial = rows.displaced(base, |sample| outward[sample]);
-    let axial = rows.displaced(base, |_| along);
-    let seen = |v: DVector<f64>| (v.norm() > 1e-9).then_some(v);
-    (seen(radial), seen(axial))
+    all.retain(|(_, direction)| direction.norm() > 1e-9);
+    all
 }

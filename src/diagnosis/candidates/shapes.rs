@@ -91,30 +91,24 @@ fn over_angle(space: &ShapeSpace, joint: usize, waves: bool, all: &mut Vec<Shape
         }));
     }
     let mut smooth = vec![(tangential, Profile::Ramp), (tangential, Profile::Square)];
-    let directions = [
-        Direction::Tangential(joint),
-        Direction::Radial,
-        Direction::Axial,
-    ];
-    for direction in directions {
-        let missing = match direction {
-            Direction::Radial => space.radial.is_none(),
-            Direction::Axial => space.axial.is_none(),
-            _ => false,
-        };
-        if missing {
-            continue;
-        }
-        let periodic = |cycles: f64| Profile::Periodic {
-            cycles,
+    let periodic = |direction, cycles: u32| {
+        let profile = Profile::Periodic {
+            cycles: f64::from(cycles),
             harmonics: 1,
         };
-        smooth.extend((1..=6).map(|k| (direction, periodic(f64::from(k)))));
-        if direction != tangential {
-            smooth.push((direction, Profile::Ramp));
-            bumps(space, variable, direction, 0.06 * span, 1.0, all);
-            plateaus(space, variable, direction, 8, false, all);
+        (direction, profile)
+    };
+    smooth.extend((1..=6).map(|k| periodic(tangential, k)));
+    for direction in space.across.iter().map(|(direction, _)| *direction) {
+        if matches!(direction, Direction::Across(_)) {
+            // Nothing turns: a guide is bent.
+            smooth.push((direction, Profile::Square));
+        } else {
+            smooth.extend((1..=6).map(|k| periodic(direction, k)));
         }
+        smooth.push((direction, Profile::Ramp));
+        bumps(space, variable, direction, 0.06 * span, 1.0, all);
+        plateaus(space, variable, direction, 8, false, all);
     }
     let tried = smooth.len() as f64;
     all.extend(smooth.into_iter().map(|(direction, profile)| Shape {
@@ -162,7 +156,12 @@ fn over_conditions(space: &ShapeSpace, survey: &Survey, all: &mut Vec<Shape>) {
         });
     };
     push(Variable::Joint(0), Direction::Frame, Profile::Constant);
-    if space.axial.is_some() {
+    // What follows a condition across a guide is along the measuring frame as well.
+    let across = space.across.iter().map(|(direction, _)| *direction);
+    let across: Vec<Direction> = across
+        .filter(|direction| matches!(direction, Direction::Radial | Direction::Axial))
+        .collect();
+    if across.contains(&Direction::Axial) {
         push(Variable::Joint(0), Direction::Body, Profile::Constant);
     }
     for (variable, values) in &space.variables {
@@ -189,22 +188,16 @@ fn over_conditions(space: &ShapeSpace, survey: &Survey, all: &mut Vec<Shape>) {
                 push(*variable, Direction::Tangential(joint), Profile::Absolute);
             }
         }
-        if space.radial.is_some() {
-            push(*variable, Direction::Radial, Profile::Ramp);
-        }
-        if space.axial.is_some() {
-            push(*variable, Direction::Axial, Profile::Ramp);
+        for direction in &across {
+            push(*variable, *direction, Profile::Ramp);
         }
         push(*variable, Direction::Frame, Profile::Ramp);
         // What a recorded condition does to the measuring frame and the body need not be straight, and along
         // one axis it is one number.
         if matches!(variable, Variable::Load | Variable::Warmth) {
             let bent = distinct.len() > 2;
-            if bent && space.radial.is_some() {
-                push(*variable, Direction::Radial, Profile::Square);
-            }
-            if bent && space.axial.is_some() {
-                push(*variable, Direction::Axial, Profile::Square);
+            for direction in across.iter().filter(|_| bent) {
+                push(*variable, *direction, Profile::Square);
             }
             for axis in 0..space.frame_axes() {
                 push(*variable, Direction::Along(axis), Profile::Ramp);

@@ -144,8 +144,7 @@ impl Table {
             })
             .collect();
         let directions: Vec<DVector<f64>> = {
-            let across = [&space.radial, &space.axial];
-            let across = across.into_iter().flatten();
+            let across = space.across.iter().map(|(_, direction)| direction);
             space.tangential.iter().chain(across).cloned().collect()
         };
         let mut gathering = ColumnBuilder::new(rows.len(), rows.samples.len(), &directions);

@@ -95,7 +95,7 @@ impl Regression<'_> {
         let mut pulls = around.pulls.clone();
         pulls.gemv_tr(1.0, &along, &rest.explained.column(0), 1.0);
         let factor = |c: &Candidate| around.factor(c, along.columns(c.first, c.size));
-        let beside = (rest.rank, rest.rss);
-        self.scores(beside, around.among, factor, pulls.as_slice())
+        let reduced = (rest.rank, rest.rss);
+        self.scores(reduced, around.among, factor, pulls.as_slice())
     }
 }

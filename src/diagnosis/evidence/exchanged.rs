@@ -95,7 +95,7 @@ impl FittedColumns {
     ) -> Option<(DVector<f64>, Vec<Exchanged>)> {
         let left_out = ReducedBasis::new(&self.basis, rows)?;
         let mut seen = RetainedRows {
-            told: self,
+            fitted: self,
             terms,
             left_out: &left_out,
             y: residual.clone(),
@@ -113,7 +113,7 @@ impl FittedColumns {
 
 /// The rows that stay, with the settings that were exchanged so far.
 struct RetainedRows<'s> {
-    told: &'s FittedColumns,
+    fitted: &'s FittedColumns,
     terms: &'s [Scanned],
     left_out: &'s ReducedBasis<'s>,
     /// What there is to explain: with what the terms whose setting was exchanged do.
@@ -160,7 +160,7 @@ impl RetainedRows<'_> {
 
     /// `W` of columns.
     fn along(&self, a: &DMatrix<f64>) -> DMatrix<f64> {
-        let along = cross(&self.told.basis.q, a);
+        let along = cross(&self.fitted.basis.q, a);
         let without = a.select_rows(self.left_out.rows());
         self.left_out.along(&along, &without)
     }
@@ -168,9 +168,11 @@ impl RetainedRows<'_> {
     /// With the terms that were exchanged, and this one, out.
     fn taken(&self, more: Option<usize>) -> Option<ExchangedColumns> {
         let out = self.exchanged.iter().map(|e| e.0).chain(more);
-        let out: Vec<&DMatrix<f64>> = out.map(|at| &self.told.of_terms[at].alone).collect();
-        let mut directions =
-            DMatrix::zeros(self.told.basis.rank(), out.iter().map(|d| d.ncols()).sum());
+        let out: Vec<&DMatrix<f64>> = out.map(|at| &self.fitted.of_terms[at].alone).collect();
+        let mut directions = DMatrix::zeros(
+            self.fitted.basis.rank(),
+            out.iter().map(|d| d.ncols()).sum(),
+        );
         let mut first = 0;
         for own in out {
             directions.columns_mut(first, own.ncols()).copy_from(own);
@@ -189,13 +191,13 @@ impl RetainedRows<'_> {
             return None;
         }
         let width = self.exchanged.iter().map(|e| self.terms[e.0].size).sum();
-        let basis = &self.told.basis;
+        let basis = &self.fitted.basis;
         let mut columns = DMatrix::zeros(basis.q.nrows(), width);
         let mut along = DMatrix::zeros(basis.rank(), width);
         let mut first = 0;
         for (at, setting) in &self.exchanged {
             let term = &self.terms[*at];
-            let own = self.told.of_terms[*at]
+            let own = self.fitted.of_terms[*at]
                 .along
                 .columns(setting * term.size, term.size);
             columns
@@ -226,7 +228,7 @@ impl RetainedRows<'_> {
     /// The best setting of a term beside everything else in the rows that stay, the fit's own being the last;
     /// `None` where they do not tell everything else.
     fn best(&self, at: usize) -> Option<usize> {
-        let (term, of_term) = (&self.terms[at], &self.told.of_terms[at]);
+        let (term, of_term) = (&self.terms[at], &self.fitted.of_terms[at]);
         let taken = self.taken(Some(at))?;
         let y = &self.y + self.terms[at].done();
         let y = DMatrix::from_column_slice(y.len(), 1, y.as_slice());
@@ -389,12 +391,12 @@ mod tests {
         let (a, y, terms) = fit();
         let basis = Basis::new(&a);
         let residual = basis.reject(&y);
-        let told = FittedColumns::new(basis, &terms);
+        let fitted = FittedColumns::new(basis, &terms);
         let mut others = 0;
         for fold in 0..5 {
             let out: Vec<usize> = (0..60).filter(|row| row / 4 % 5 == fold).collect();
             let stay: Vec<usize> = (0..60).filter(|row| row / 4 % 5 != fold).collect();
-            let (step, exchanged) = told.step(&terms, &residual, &out).expect("told");
+            let (step, exchanged) = fitted.step(&terms, &residual, &out).expect("told");
             // Anew: each term in turn at the setting that leaves least of the rows that stay.
             let mut now = a.clone();
             let mut settings = Vec::new();
@@ -441,9 +443,9 @@ mod tests {
         }
         let basis = Basis::new(&a);
         let residual = basis.reject(&y);
-        let told = FittedColumns::new(basis, &terms);
+        let fitted = FittedColumns::new(basis, &terms);
         let out: Vec<usize> = (0..10).collect();
-        assert!(told.step(&terms, &residual, &out).is_none());
+        assert!(fitted.step(&terms, &residual, &out).is_none());
         let stay: Vec<usize> = (10..60).collect();
         let seen = Basis::new(&a.select_rows(&stay));
         let terms = terms.into_iter().map(|term| Scanned {
@@ -452,8 +454,8 @@ mod tests {
         });
         let terms: Vec<Scanned> = terms.collect();
         let residual = residual.select_rows(&stay);
-        let told = FittedColumns::new(seen, &terms);
-        let step = told.step(&terms, &residual, &[]);
+        let fitted = FittedColumns::new(seen, &terms);
+        let step = fitted.step(&terms, &residual, &[]);
         let (step, _) = step.expect("of the rows alone");
         assert_eq!(step[0], 0.0);
     }

@@ -14,7 +14,7 @@ impl Regression<'_> {
     /// A shape ready to be fitted.
     pub(crate) fn placed(&self, shape: Shape) -> Placed {
         let mut raw = self.table.space.columns(&shape);
-        let mut white = pad_rows(self.noise.whitened(&self.rows, &raw), self.beside);
+        let mut white = pad_rows(self.noise.whitened(&self.rows, &raw), self.prior_rows);
         let several = self.base.robot.joints.len() > 1;
         if several && matches!(shape.profile, Profile::Curve { .. }) {
             self.take_out_the_geometry(&mut raw, &mut white);

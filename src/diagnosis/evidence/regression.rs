@@ -42,7 +42,7 @@ pub(crate) struct Regression<'a> {
     pub(crate) base: Model,
     priors: Vec<PriorRow>,
     /// Number of rows beside those of the samples.
-    pub(crate) beside: usize,
+    pub(crate) prior_rows: usize,
     pub(crate) seed: u64,
     /// On how many threads parts of it are done; the answer is the same.
     pub(crate) threads: Threads,
@@ -134,7 +134,7 @@ impl<'a> Regression<'a> {
             tests: Rc::default(),
             base,
             priors,
-            beside,
+            prior_rows: beside,
             seed,
             threads,
             familywise: RefCell::new(Familywise::default()),
@@ -172,7 +172,7 @@ impl<'a> Regression<'a> {
     /// Number of all rows: those of the samples, and one for each coefficient of the base of which
     /// something is known beforehand, and for what is known of places.
     pub(crate) fn height(&self) -> usize {
-        self.rows.len() + self.beside
+        self.rows.len() + self.prior_rows
     }
 
     /// Rows of what is known beforehand of the base's coefficients, behind those of the samples.
@@ -195,7 +195,7 @@ impl<'a> Regression<'a> {
     ) -> (DVector<f64>, DMatrix<f64>) {
         let m = self.rows.len();
         self.filter.whiten(columns.as_mut_slice());
-        let mut jacobian = pad_rows(columns, self.beside);
+        let mut jacobian = pad_rows(columns, self.prior_rows);
         let mut first = 0;
         for term in model.terms() {
             for (row, prior) in self.priors.iter().enumerate() {
@@ -205,7 +205,7 @@ impl<'a> Regression<'a> {
             }
             first += term.coefficients.len();
         }
-        if self.beside > self.priors.len() {
+        if self.prior_rows > self.priors.len() {
             let (left, columns) = self.rows.known(model, &self.problem.priors);
             let from = m + self.priors.len();
             jacobian.rows_mut(from, left.len()).copy_from(&columns);
@@ -215,7 +215,7 @@ impl<'a> Regression<'a> {
 
     /// Whitened residuals, with the rows of the priors.
     pub(super) fn whitened_residual(&self, model: &Model, raw: &DVector<f64>) -> DVector<f64> {
-        let (m, more) = (self.rows.len(), self.beside);
+        let (m, more) = (self.rows.len(), self.prior_rows);
         let mut residual = raw.clone();
         self.filter.whiten(residual.as_mut_slice());
         let mut residual = residual.resize_vertically(m + more, 0.0);

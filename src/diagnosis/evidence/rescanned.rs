@@ -88,7 +88,7 @@ pub(super) struct Rescanned<'f, 'a> {
     regression: &'f Regression<'a>,
     whole: Whole,
     terms: Vec<Scanned>,
-    told: FittedColumns,
+    fitted: FittedColumns,
     /// The same where no column is the base's.
     exact: OnceCell<FittedColumns>,
 }
@@ -137,7 +137,7 @@ impl<'f, 'a> Rescanned<'f, 'a> {
         let basis = base_basis.extended(&regression.base, &fit.model, &whole.white);
         let basis = basis.unwrap_or_else(|| Basis::new(&whole.white));
         Self {
-            told: FittedColumns::new(basis, &terms),
+            fitted: FittedColumns::new(basis, &terms),
             exact: OnceCell::new(),
             regression,
             whole,
@@ -181,13 +181,13 @@ impl<'f, 'a> Rescanned<'f, 'a> {
     /// The steps without each of these sets of rows, and the terms with another setting.
     fn steps(&self, folds: &[Vec<usize>]) -> Vec<(DVector<f64>, Vec<Exchanged>)> {
         let (terms, residual) = (&self.terms, &self.whole.residual);
-        let of = |told: &FittedColumns, which: &[usize]| {
-            let step = |k: usize| told.step(terms, residual, &folds[which[k]]);
+        let of = |fitted: &FittedColumns, which: &[usize]| {
+            let step = |k: usize| fitted.step(terms, residual, &folds[which[k]]);
             self.regression.threads.each(which.len(), step)
         };
         let all: Vec<usize> = (0..folds.len()).collect();
-        let mut steps = of(&self.told, &all);
-        if self.told.is_near() {
+        let mut steps = of(&self.fitted, &all);
+        if self.fitted.is_near() {
             let others = |k: &usize| steps[*k].as_ref().is_none_or(|step| !step.1.is_empty());
             let anew: Vec<usize> = all.into_iter().filter(others).collect();
             if !anew.is_empty() {
@@ -220,8 +220,8 @@ impl<'f, 'a> Rescanned<'f, 'a> {
         let terms: Vec<Scanned> = terms.collect();
         let white = self.whole.white.select_rows(&stay);
         let residual = self.whole.residual.select_rows(&stay);
-        let told = FittedColumns::new(Basis::new(&white), &terms);
-        let step = told.step(&terms, &residual, &[]);
+        let fitted = FittedColumns::new(Basis::new(&white), &terms);
+        let step = fitted.step(&terms, &residual, &[]);
         step.unwrap_or_else(|| (DVector::zeros(white.ncols()), Vec::new()))
     }
 }

@@ -49,8 +49,8 @@ impl Regression<'_> {
     fn scan_beside(&self, projected: &Projected, fit: &Fit) -> Vec<Score> {
         let pulls = projected.pulls(&fit.residual);
         let factor = |candidate: &Candidate| projected.factor(candidate);
-        let beside = (fit.basis.rank(), fit.rss);
-        self.scores(beside, projected.among(), factor, pulls.as_slice())
+        let whole = (fit.basis.rank(), fit.rss);
+        self.scores(whole, projected.among(), factor, pulls.as_slice())
     }
 
     /// Scores of candidates beside what has a rank and leaves a sum of squares, from the Cholesky factor of what it
@@ -165,7 +165,7 @@ impl Regression<'_> {
     pub(super) fn white_of(&self, raw: &DMatrix<f64>) -> DMatrix<f64> {
         let mut white = raw.clone();
         self.filter.whiten(white.as_mut_slice());
-        pad_rows(white, self.beside)
+        pad_rows(white, self.prior_rows)
     }
 
     /// Whitened columns of some candidates, with the rows of the priors.
@@ -179,7 +179,7 @@ impl Regression<'_> {
             at += candidate.size;
         }
         self.filter.whiten(raw.as_mut_slice());
-        pad_rows(raw, self.beside)
+        pad_rows(raw, self.prior_rows)
     }
 
     /// By how much a candidate lowers the sum of squares; `None` where nothing of it is left, or

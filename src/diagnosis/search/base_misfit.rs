@@ -1,6 +1,7 @@
 //! Names in place of what the description of a robot with several joints lacks. Where several are
 //! needed and much is left all the same, it is the base model that does not fit; where they predict
-//! unseen places no better than the geometry alone, they only follow the samples. Neither is said.
+//! unseen places no better than the geometry alone, they only follow the samples; one of a size that no machine has,
+//! beside much that is left, stands for something else. None of them is said.
 
 use crate::fit::base_model;
 
@@ -12,6 +13,7 @@ use super::{aliases, final_set};
 use crate::answers::diagnosis::FloorFrom;
 use crate::diagnosis::evidence::Fit;
 use crate::diagnosis::evidence::rival::Rival;
+use crate::effects::Term;
 
 /// So many names are several.
 const SEVERAL: usize = 2;
@@ -20,6 +22,10 @@ const MOST_OVER_THE_FLOOR: f64 = 1.5;
 
 /// So many likelier sets of names are held against what is said of them, likeliest first.
 const MOST_HELD_AGAINST: usize = 6;
+
+/// A size so many times as large as one that is implausible is no size of its effect: where much is left beside it,
+/// it stands for something else.
+const IMPOSSIBLE: f64 = 3.0;
 
 /// Withdraws the names of a robot with several joints whose base model does not fit.
 pub(crate) fn withdraw(prepared: &PreparedSearch, found: &mut SearchResult) {
@@ -39,8 +45,10 @@ pub(crate) fn withdraw(prepared: &PreparedSearch, found: &mut SearchResult) {
         found.fit = regression.fit(&regression.base, &shapes);
         return;
     }
+    let own = found.fit.model.terms().iter();
+    let several = names >= SEVERAL || own.into_iter().any(is_impossible);
     // A search that ended early leaves what it had no time for: that says nothing of the base.
-    if names < SEVERAL || regression.work.ended().is_some() {
+    if !several || regression.work.ended().is_some() {
         return;
     }
     let floor = floor(prepared, &found.fit);
@@ -49,6 +57,19 @@ pub(crate) fn withdraw(prepared: &PreparedSearch, found: &mut SearchResult) {
         found.named_effects_only = std::mem::replace(&mut found.fit, base);
         found.base_misfit = true;
     }
+}
+
+/// Whether a term has a size that its effect has on no machine.
+fn is_impossible(term: &Term) -> bool {
+    let about = term.effect.about();
+    let sizes = about.form.quantities();
+    let parameters = term.parameters();
+    about.implausible_above.is_some_and(|limit| {
+        parameters.iter().any(|own| {
+            let is_size = sizes.iter().any(|size| size.name == own.name);
+            is_size && own.value.abs() > IMPOSSIBLE * limit
+        })
+    })
 }
 
 /// The likeliest set of names that can be said of a robot with several joints: others take the place of those
@@ -66,7 +87,7 @@ fn likeliest(prepared: &PreparedSearch, mut fit: Fit) -> Fit {
         }
         let above = |r: &Rival| r.other_names() && final_set::is_above(&r.fit, &fit);
         let stands = |r: &Rival| {
-            let said = final_set::said(prepared, r.fit.clone())?;
+            let said = final_set::self_supporting(prepared, r.fit.clone())?;
             let fits = regression.added(&said).len() <= prepared.cap();
             (fits && final_set::is_above(&said, &fit)).then_some(said)
         };

@@ -176,7 +176,7 @@ fn denied_by_stretches(prepared: &PreparedSearch, fit: &Fit) -> Option<Fit> {
 
 /// What is said where a search ends with a fit: names that carry themselves, each likelier than another in its
 /// place.
-pub(crate) fn said(prepared: &PreparedSearch, fit: Fit) -> Option<Fit> {
+pub(crate) fn self_supporting(prepared: &PreparedSearch, fit: Fit) -> Option<Fit> {
     let watch: Watch = &|_| true;
     let mut found = SearchResult {
         named_effects_only: fit.clone(),

@@ -5,6 +5,8 @@
 //! ([`super::smooth`]); its likelihood, with the curve integrated out, stands beside that of the
 //! names. Where it is likelier, the names that only make it up are withdrawn.
 
+use std::collections::BTreeMap;
+
 use crate::effects::{Over, Term};
 
 use super::found::SearchResult;
@@ -66,10 +68,11 @@ pub(crate) fn rival(prepared: &PreparedSearch, found: &mut SearchResult) {
 pub(crate) fn instead_of_slow(
     white: &PreparedSearch,
     found: &SearchResult,
+    may_be_over: impl Fn(usize) -> bool,
 ) -> Option<SearchResult> {
     let regression = &white.regression;
     let mut best: Option<Fit> = None;
-    for joint in 0..white.survey.joints.len() {
+    for joint in (0..white.survey.joints.len()).filter(|joint| may_be_over(*joint)) {
         let made_up: Vec<Term> = regression
             .added(&found.fit)
             .into_iter()
@@ -99,6 +102,38 @@ pub(crate) fn instead_of_slow(
         other_ends: Vec::new(),
         base_misfit: false,
     })
+}
+
+/// Whether the values of a joint come back at other times: most samples are near others that were taken a fifth of
+/// the session or more before or after. A single sweep does not part what follows the joint from what follows time.
+pub(crate) fn comes_back(prepared: &PreparedSearch, joint: usize) -> bool {
+    const BINS: f64 = 50.0;
+    const LATER: f64 = 0.2;
+    let inputs = &prepared.regression.rows.inputs;
+    let Some(times) = inputs.time_s.as_deref() else {
+        return false;
+    };
+    let q = &inputs.q[joint];
+    let extent = |values: &[f64]| {
+        let start = (f64::INFINITY, f64::NEG_INFINITY);
+        values
+            .iter()
+            .fold(start, |(a, b), v| (a.min(*v), b.max(*v)))
+    };
+    let (low, high) = extent(q);
+    let (first, last) = extent(times);
+    let width = (high - low) / BINS;
+    let mut bins: BTreeMap<u64, (f64, f64, usize)> = BTreeMap::new();
+    for (q, time) in q.iter().zip(times) {
+        let bin = ((q - low) / width) as u64;
+        let own = bins.entry(bin).or_insert((*time, *time, 0));
+        *own = (own.0.min(*time), own.1.max(*time), own.2 + 1);
+    }
+    let far = bins
+        .values()
+        .filter(|(from, to, _)| to - from >= LATER * (last - first));
+    let back: usize = far.map(|(.., count)| count).sum();
+    2 * back > q.len()
 }
 
 /// Whether an effect is a function of this joint's value alone.

@@ -370,11 +370,11 @@ fn noise_of(regression: &Regression, fit: &Fit) -> Noise {
 fn estimated<'m>(
     regression: &Regression,
     model: &Model,
-    beside: impl Iterator<Item = &'m DMatrix<f64>>,
+    extra_columns: impl Iterator<Item = &'m DMatrix<f64>>,
 ) -> Noise {
     let priors = &regression.problem.priors;
     let (residual, mut columns) = regression.rows.extract_with_known(model, priors);
-    for more in beside {
+    for more in extra_columns {
         let at = columns.ncols();
         columns = columns.resize_horizontally(at + more.ncols(), 0.0);
         let (m, width) = more.shape();

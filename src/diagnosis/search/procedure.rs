@@ -55,8 +55,8 @@ pub(crate) fn searched<'a>(
     // 1. The samples that count, the robust fit of the base, its noise, and the candidates.
     let mut prepared = prepared(session, options, watch)?;
     let work = prepared.regression.work.clone();
-    let told = until_stopped(&work, options, watch);
-    let watch: Watch = &told;
+    let keep_going = until_stopped(&work, options, watch);
+    let watch: Watch = &keep_going;
     // 2. Forward, swaps, drops and pairs: what noise would not do family-wise and what predicts unseen samples.
     work.up_to(FIRST_SEARCH);
     let mut found = prepared.search(watch)?;
@@ -170,9 +170,16 @@ fn against_rivals<'a>(
         };
         others.push(loser.fit);
     }
-    if prepared.regression.noise.slow.is_some() {
-        let white = prepared.with_noise(prepared.regression.noise.made_white());
-        if let Some(curve) = free_curve::instead_of_slow(&white, &found) {
+    let noise = prepared.regression.noise.clone();
+    if noise.slow.is_some() {
+        // Of what the slow part holds a curve may explain some, or all: that shows where its values come back.
+        let white = prepared.with_noise(noise.made_white());
+        if let Some(curve) = free_curve::instead_of_slow(&white, &found, |_| true) {
+            (prepared, found) = (white, curve);
+        }
+        let white = prepared.with_noise(noise.without_slow());
+        let comes_back = |joint: usize| free_curve::comes_back(&white, joint);
+        if let Some(curve) = free_curve::instead_of_slow(&white, &found, comes_back) {
             (prepared, found) = (white, curve);
         }
     }

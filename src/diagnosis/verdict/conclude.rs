@@ -182,6 +182,7 @@ pub(crate) fn answer(
             &*mended.problems,
             prepared.incomplete.as_slice(),
             equal_steps.as_slice(),
+            identification.many_set_aside().as_slice(),
         ]
         .concat(),
         stopped: regression.work.ended(),

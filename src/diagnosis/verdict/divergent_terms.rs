@@ -85,3 +85,41 @@ impl TermDisplacements {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::effects::JointValues;
+    use crate::sessions::load;
+
+    fn gear(order: f64, amplitude_deg: f64, phase_deg: f64) -> Term {
+        let parameters = [
+            ("amplitude_deg", amplitude_deg),
+            ("order", order),
+            ("phase_deg", phase_deg),
+        ];
+        Term::from_parameters("gear-transmission-error", 1, &parameters, 6).unwrap()
+    }
+
+    /// Their columns say nothing of their orders: near one another they cancel at the samples however large they are.
+    #[test]
+    fn orders_that_cancel_each_other_run_away() {
+        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/sessions/arm/arm.json");
+        let session = load(std::path::Path::new(path)).unwrap().session;
+        let mut problem = Problem::new(&session, JointValues::Commanded);
+        // Measured near home only: over the ranges the difference of two orders grows.
+        for (used, q) in problem.used.iter_mut().zip(&session.samples.q[0]) {
+            *used &= q.to_degrees().abs() < 20.0;
+        }
+        let with = |terms: [Term; 2]| {
+            let base = Model::nominal(session.robot.clone());
+            terms
+                .into_iter()
+                .fold(base, |model, term| model.with_term(term))
+        };
+        let small = with([gear(9.0, 0.02, 10.0), gear(8.0, 0.03, 50.0)]);
+        assert_eq!(runs_away(&problem, &small), None);
+        let large = with([gear(9.0, 40.0, 0.0), gear(8.999, 40.0, 180.0)]);
+        assert!(runs_away(&problem, &large).is_some());
+    }
+}

@@ -72,9 +72,9 @@ pub(crate) fn judge(
             unexplained.description = text!(
                 "{withheld}, which this run leaves out, explains as much as {named}",
                 withheld = called(other.withheld),
-                named = called(&other.said)
+                named = called(&other.named)
             );
-            unexplained.resembles.push(other.said);
+            unexplained.resembles.push(other.named);
         } else if let Some(curve) = smooth_rival::as_likely(prepared, &found.fit) {
             let robot = &prepared.regression.base.robot;
             let names: Vec<String> = curve.names.iter().map(|t| t.name_on(robot)).collect();

@@ -59,7 +59,7 @@ impl<'a> Values<'a> {
         let mut problem = problem.clone();
         let width: usize = fit.shapes.iter().map(|s| s.raw.ncols()).sum();
         if width * problem.used.len() * 3 <= MOST_BESIDE {
-            problem.beside = prepared
+            problem.extra_columns = prepared
                 .regression
                 .table
                 .space
@@ -72,7 +72,7 @@ impl<'a> Values<'a> {
         let mut solution = solve(&problem, &fit.model);
         let rounds = if stopped || of_kinds { 0 } else { 2 };
         for _ in 0..rounds {
-            let noise = noise_beside(&problem, &solution.model, &solution.beside);
+            let noise = noise_beside(&problem, &solution.model, &solution.extra_coefficients);
             let known = problem.noise.as_ref();
             if known.is_some_and(|known| noise.whitens_like(known)) {
                 break;
@@ -153,7 +153,12 @@ impl<'a> Values<'a> {
     /// the samples that count, mm.
     pub(crate) fn rms_with_beside_mm(&self) -> f64 {
         let mut left = deviations(&self.problem, &self.model).axes_mm;
-        for (column, coefficient) in self.problem.beside.iter().zip(&self.solution.beside) {
+        for (column, coefficient) in self
+            .problem
+            .extra_columns
+            .iter()
+            .zip(&self.solution.extra_coefficients)
+        {
             for (left, values) in left.iter_mut().zip(column) {
                 for (e, value) in left.iter_mut().zip(values) {
                     *e -= coefficient * value;
@@ -168,7 +173,7 @@ impl<'a> Values<'a> {
 
     /// Whether shapes were fitted beside the model.
     pub(crate) fn is_beside_shapes(&self) -> bool {
-        !self.problem.beside.is_empty()
+        !self.problem.extra_columns.is_empty()
     }
 
     /// Whether a size was corrected for the selection.
@@ -290,7 +295,7 @@ impl<'a> Values<'a> {
     /// their values. What the geometry moves by moves its intervals.
     pub(crate) fn with_unnamed(&self, unnamed: &[Term]) -> Self {
         let mut now = self.clone();
-        now.problem.beside.clear();
+        now.problem.extra_columns.clear();
         let is_base = |t: &Term| base_model::belongs(t.effect.about().id);
         let held = self.model.terms().iter().map(|term| {
             let mut term = term.clone();

@@ -15,7 +15,7 @@ const AS_LIKELY: f64 = 1.0;
 /// A name that is said, and one that was left out and explains as much.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct StandIn {
-    pub(crate) said: String,
+    pub(crate) named: String,
     pub(crate) withheld: &'static str,
 }
 
@@ -35,7 +35,7 @@ pub(crate) fn stand_in(prepared: &PreparedSearch, fit: &Fit) -> Option<StandIn> 
         };
         let other = withheld().find(as_likely)?;
         Some(StandIn {
-            said: term.name_on(&regression.base.robot),
+            named: term.name_on(&regression.base.robot),
             withheld: other.about().id,
         })
     })

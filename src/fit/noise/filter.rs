@@ -5,7 +5,7 @@
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Step {
     /// How much of the state is left from the sample before.
-    pub carry: f64,
+    pub decay: f64,
     /// How much of what is new goes into the state.
     pub gain: f64,
     /// One over the standard deviation of what is new.
@@ -36,8 +36,8 @@ impl Filter {
             for (k, step) in steps.iter().enumerate() {
                 for (column, state) in columns.chunks_mut(at.1).zip(&mut state) {
                     let value = &mut column[at.0 + k];
-                    let new = *value - step.carry * *state;
-                    *state = step.carry * *state + step.gain * new;
+                    let new = *value - step.decay * *state;
+                    *state = step.decay * *state + step.gain * new;
                     *value = new * step.inverse_spread;
                 }
             }
@@ -56,7 +56,7 @@ impl Filter {
                 for (column, later) in columns.chunks_mut(at.1).zip(&mut later) {
                     let value = &mut column[at.0 + k];
                     *value = *value * step.inverse_spread + step.gain * *later;
-                    *later = step.carry * (*later - *value);
+                    *later = step.decay * (*later - *value);
                 }
             }
         });
@@ -101,9 +101,9 @@ pub(super) fn steps(times: &[f64], tau: f64, sigma: f64, rms: f64) -> Vec<Step> 
     let mut variance = rms * rms;
     let mut before = f64::NAN;
     let step = |time: &f64| {
-        let carry = carried(*time - before, tau);
+        let decay = carried(*time - before, tau);
         before = *time;
-        Step::after(carry, sigma, rms, &mut variance)
+        Step::after(decay, sigma, rms, &mut variance)
     };
     times.iter().map(step).collect()
 }
@@ -127,7 +127,7 @@ impl Step {
         let spread = predicted + white;
         *variance = predicted * white / spread;
         Self {
-            carry,
+            decay: carry,
             gain: predicted / spread,
             inverse_spread: 1.0 / spread.sqrt(),
         }

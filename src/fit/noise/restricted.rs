@@ -23,7 +23,7 @@ pub(super) struct Restricted<'r> {
     p: usize,
     /// The last sums: neighbouring noises differ along one axis only, and a second search for the slow
     /// part asks for those of the first.
-    known: RefCell<Vec<Known>>,
+    evaluated: RefCell<Vec<Known>>,
 }
 
 /// Axis, time constant and variance, and their sums.
@@ -46,7 +46,7 @@ impl<'r> Restricted<'r> {
             axes: rows.axes.clone(),
             parts: (0..rows.axes.len()).map(part).collect(),
             p,
-            known: RefCell::new(Vec::new()),
+            evaluated: RefCell::new(Vec::new()),
         }
     }
 
@@ -72,11 +72,11 @@ impl<'r> Restricted<'r> {
                 let ratio = ratio[*axis];
                 let tau = if ratio > 0.0 { tau } else { 0.0 };
                 let same = |known: &&Known| known.0 == (at, tau.to_bits(), ratio.to_bits());
-                if let Some((_, sums)) = self.known.borrow().iter().find(same) {
+                if let Some((_, sums)) = self.evaluated.borrow().iter().find(same) {
                     return Rc::clone(sums);
                 }
                 let sums = Rc::new(self.sums_along(*axis, part, tau, ratio));
-                let mut known = self.known.borrow_mut();
+                let mut known = self.evaluated.borrow_mut();
                 let full = (known.len() + 1) * sums.gram.len() > MOST_KNOWN;
                 if full && !known.is_empty() {
                     known.remove(0);

@@ -140,12 +140,12 @@ impl PartialEq for Last {
 
 impl Envelope {
     /// Sorts the samples of a session.
-    pub(crate) fn of(given: ChartInputs<'_>, over: Over) -> Self {
+    pub(crate) fn of(inputs: ChartInputs<'_>, over: Over) -> Self {
         let ChartInputs {
             loaded_session,
             answer,
             component,
-        } = given;
+        } = inputs;
         let usable = &loaded_session.overview.usable;
         let track = |side: f64| {
             let x = |sample: u32| over.of(loaded_session, sample as usize);

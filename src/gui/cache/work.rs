@@ -51,13 +51,13 @@ impl Work {
         key: Vec<usize>,
         make: impl Fn(ChartInputs<'_>) -> T + Send + Sync + 'static,
     ) -> Self {
-        let make = Arc::new(move |given: ChartInputs<'_>| Arc::new(make(given)) as ChartResult);
+        let make = Arc::new(move |inputs: ChartInputs<'_>| Arc::new(make(inputs)) as ChartResult);
         Self { chart, key, make }
     }
 
     /// Works it out. Takes its time with many samples.
-    pub(crate) fn done(&self, given: ChartInputs<'_>) -> ChartResult {
-        (self.make)(given)
+    pub(crate) fn done(&self, inputs: ChartInputs<'_>) -> ChartResult {
+        (self.make)(inputs)
     }
 }
 

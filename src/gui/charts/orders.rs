@@ -41,24 +41,24 @@ impl ChartKind for Orders {
     fn work(&self, scene: &Scene) -> Option<Work> {
         let (joint, gears) = (scene.joint(), gears(scene));
         let key = std::iter::once(joint).chain(gears.clone()).collect();
-        let make = move |given: ChartInputs<'_>| {
+        let make = move |inputs: ChartInputs<'_>| {
             let over = Over {
                 variable: Variable::Joint,
                 joint,
             };
-            let usable = given
+            let usable = inputs
                 .loaded_session
                 .overview
                 .usable
                 .iter()
                 .map(|i| *i as usize);
-            let placed = |i: &usize| over.of(given.loaded_session, *i).is_finite();
+            let placed = |i: &usize| over.of(inputs.loaded_session, *i).is_finite();
             let samples: Vec<usize> = usable.filter(placed).collect();
             let angles: Vec<f64> = samples
                 .iter()
-                .map(|i| over.of(given.loaded_session, *i))
+                .map(|i| over.of(inputs.loaded_session, *i))
                 .collect();
-            let (before, after) = given.values(&samples);
+            let (before, after) = inputs.values(&samples);
             Spectrum::new(&angles, &before, after.as_deref(), &gears)
         };
         Some(Work::new(self.about().id, key, make))

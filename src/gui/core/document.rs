@@ -144,9 +144,9 @@ impl Document {
     }
 
     /// The same with a model that was read from a file.
-    pub(crate) fn with_model(self, given: Arc<LoadedModel>) -> Self {
+    pub(crate) fn with_model(self, loaded_model: Arc<LoadedModel>) -> Self {
         let regions = if self.loaded_session.is_empty() {
-            given
+            loaded_model
                 .calibration
                 .regions
                 .iter()
@@ -157,7 +157,7 @@ impl Document {
         };
         Self {
             regions,
-            loaded_model: Some(given),
+            loaded_model: Some(loaded_model),
             identified: true,
             ..self
         }

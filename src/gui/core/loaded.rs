@@ -20,16 +20,16 @@ pub(crate) const METHOD: &str = "model";
 
 /// What the model says about a session.
 pub(crate) fn answer(
-    given: &LoadedModel,
+    loaded_model: &LoadedModel,
     loaded_session: &LoadedSession,
 ) -> Result<Answer, String> {
-    let calibration = Calibration::clone(&given.calibration);
+    let calibration = Calibration::clone(&loaded_model.calibration);
     let mut loaded = LoadedModelSummary {
-        file: given.file_name(),
+        file: loaded_model.file_name(),
         verification: None,
     };
     if loaded_session.is_empty() {
-        let identification = identification(given, loaded_session, None);
+        let identification = identification(loaded_model, loaded_session, None);
         return Ok(Answer {
             identification,
             calibration,
@@ -41,7 +41,7 @@ pub(crate) fn answer(
     }
     let verification =
         verify(&calibration, &loaded_session.session).map_err(|e| spoken(e.describe()))?;
-    let identification = identification(given, loaded_session, Some(&verification));
+    let identification = identification(loaded_model, loaded_session, Some(&verification));
     let mut suspected = vec![false; loaded_session.len()];
     for outlier in &verification.outliers {
         suspected[*outlier] = true;

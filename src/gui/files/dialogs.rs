@@ -8,8 +8,8 @@ use crate::gui::view::What;
 use crate::programs::LANGUAGES;
 
 /// Asks the user for a session, a model or measurements, beside this file.
-pub(crate) fn choose_to_open(beside: Option<&Path>) -> Option<PathBuf> {
-    let dialog = dialog_beside(beside)
+pub(crate) fn choose_to_open(near: Option<&Path>) -> Option<PathBuf> {
+    let dialog = dialog_beside(near)
         .set_title(say!("Open session, model or measurements"))
         .add_filter(say!("Sessions and models (*.json)"), &["json"])
         .add_filter(spoken(MEASUREMENTS), TABLES)
@@ -18,13 +18,13 @@ pub(crate) fn choose_to_open(beside: Option<&Path>) -> Option<PathBuf> {
 }
 
 /// Asks the user for a table of targets or a robot program.
-pub(crate) fn choose_targets(beside: Option<&Path>) -> Option<PathBuf> {
+pub(crate) fn choose_targets(near: Option<&Path>) -> Option<PathBuf> {
     let all: Vec<&str> = LANGUAGES
         .iter()
         .flat_map(|l| l.extensions)
         .copied()
         .collect();
-    let mut dialog = dialog_beside(beside)
+    let mut dialog = dialog_beside(near)
         .set_title(say!("Targets or program to correct"))
         .add_filter(say!("Targets and programs"), &all);
     for language in LANGUAGES {
@@ -34,22 +34,22 @@ pub(crate) fn choose_targets(beside: Option<&Path>) -> Option<PathBuf> {
 }
 
 /// Asks the user for a folder of sessions.
-pub(crate) fn choose_folder(beside: Option<&Path>) -> Option<PathBuf> {
-    let dialog = dialog_beside(beside).set_title(say!("Folder with the sessions of a machine"));
+pub(crate) fn choose_folder(near: Option<&Path>) -> Option<PathBuf> {
+    let dialog = dialog_beside(near).set_title(say!("Folder with the sessions of a machine"));
     dialog.pick_folder()
 }
 
 /// Asks the user for a picture for the head of a report.
-pub(crate) fn choose_logo(beside: Option<&Path>) -> Option<PathBuf> {
-    let dialog = dialog_beside(beside).set_title(say!("Logo of the report"));
+pub(crate) fn choose_logo(near: Option<&Path>) -> Option<PathBuf> {
+    let dialog = dialog_beside(near).set_title(say!("Logo of the report"));
     dialog
         .add_filter(say!("PNG pictures"), &["png"])
         .pick_file()
 }
 
 /// Asks the user for a file that an instrument wrote, beside this file.
-pub(crate) fn choose_to_import(beside: Option<&Path>) -> Option<PathBuf> {
-    let dialog = dialog_beside(beside)
+pub(crate) fn choose_to_import(near: Option<&Path>) -> Option<PathBuf> {
+    let dialog = dialog_beside(near)
         .set_title(say!("Import measurements"))
         .add_filter(spoken(MEASUREMENTS), TABLES)
         .add_filter(say!("All files"), &["*"]);

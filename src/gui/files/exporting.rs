@@ -109,8 +109,11 @@ pub(crate) fn write_targets(
     replace: bool,
     inputs: &[PathBuf],
 ) -> Message {
-    let beside = sidecar_of(path);
-    let name = beside.file_name().unwrap_or_default().to_string_lossy();
+    let sidecar_path = sidecar_of(path);
+    let name = sidecar_path
+        .file_name()
+        .unwrap_or_default()
+        .to_string_lossy();
     let written = match &compensated.result {
         Err(not_corrected) => Err(not_corrected.problems.join("\n")),
         Ok(corrected) => can_be_written(path, replace, inputs).and_then(|()| {

@@ -46,8 +46,8 @@ pub(crate) fn open(
             Err(rejected) => Err(not_opened(path.display(), &rejected.into())),
         };
     }
-    let told = watch.progress_callback();
-    let progress = Progress::new(&told);
+    let report_progress = watch.progress_callback();
+    let progress = Progress::new(&report_progress);
     let whole = progress.whole();
     match ImportDraft::of(path, whole) {
         None => {}

@@ -114,8 +114,8 @@ fn past(wanted: &ReportRequest, watch: &Watch) -> Result<Option<History>, String
     let Some((folder, robot)) = &wanted.past else {
         return Ok(None);
     };
-    let told = watch.progress_callback();
-    pipeline::history_of_robot(folder, robot, &told).map_err(|_| files::cancelled())
+    let report_progress = watch.progress_callback();
+    pipeline::history_of_robot(folder, robot, &report_progress).map_err(|_| files::cancelled())
 }
 
 /// The tables with their hashes; what cannot be named any more is said.

@@ -102,7 +102,7 @@ impl ImportDraft {
     }
 
     fn read(path: &Path, bytes: Vec<u8>, part: ProgressSpan<'_>) -> Result<Self, ReadError> {
-        let mut said = ImportAnswers {
+        let mut answers = ImportAnswers {
             name: path
                 .file_stem()
                 .unwrap_or_default()
@@ -117,15 +117,19 @@ impl ImportDraft {
         let neighbours = Neighbours::of(path);
         let mut taken = neighbours.named_alike(path);
         for (which, file) in &taken {
-            said.choose(*which, file);
+            answers.choose(*which, file);
         }
-        let first = if said.commands.is_empty() { 1.0 } else { 0.9 };
-        let mut seen = InspectedDraft::of(&bytes, path, &said, part.part(0.0, first))?;
+        let first = if answers.commands.is_empty() {
+            1.0
+        } else {
+            0.9
+        };
+        let mut seen = InspectedDraft::of(&bytes, path, &answers, part.part(0.0, first))?;
         // A file that has its commands itself needs no others.
-        if !said.commands.is_empty() && seen.inspection.columns.iter().any(is_command) {
+        if !answers.commands.is_empty() && seen.inspection.columns.iter().any(is_command) {
             taken.retain(|(which, _)| *which != Companion::Commands);
-            said.commands.clear();
-            seen = InspectedDraft::of(&bytes, path, &said, part.part(first, 1.0))?;
+            answers.commands.clear();
+            seen = InspectedDraft::of(&bytes, path, &answers, part.part(first, 1.0))?;
         }
         part.reached(1.0)?;
         if seen.inspection.kind.is_none() {
@@ -140,7 +144,7 @@ impl ImportDraft {
             bytes: Arc::new(bytes),
             neighbours: Arc::new(neighbours),
             taken,
-            answers: said,
+            answers,
             seen: Arc::new(seen),
             confirmed: None,
         })
@@ -151,8 +155,8 @@ impl ImportDraft {
     /// # Errors
     /// Cancelled.
     pub(crate) fn look(&self, watch: &Watch) -> Result<InspectedDraft, Cancelled> {
-        let told = watch.progress_callback();
-        let progress = Progress::new(&told);
+        let report_progress = watch.progress_callback();
+        let progress = Progress::new(&report_progress);
         InspectedDraft::of(&self.bytes, &self.path, &self.answers, progress.whole())
     }
 

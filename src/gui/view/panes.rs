@@ -120,8 +120,8 @@ impl Tile {
         }
     }
 
-    fn split(beside: bool, parts: Vec<SplitShare>) -> Self {
-        if beside {
+    fn split(side_by_side: bool, parts: Vec<SplitShare>) -> Self {
+        if side_by_side {
             Self::Beside(parts)
         } else {
             Self::Below(parts)
@@ -156,7 +156,7 @@ impl Tile {
     /// The same with every pane exchanged for what `of` makes of it, nothing that is empty or alone in
     /// a split, and no split within one of its own direction.
     fn map(self, depth: usize, of: &mut impl FnMut(Pane) -> Option<Self>) -> Option<Self> {
-        let (beside, parts) = match self.into_parts() {
+        let (side_by_side, parts) = match self.into_parts() {
             Err(Self::Pane(pane)) => return of(pane),
             Err(_) => return None,
             Ok(split) => split,
@@ -175,7 +175,7 @@ impl Tile {
                 1.0
             };
             match tile.into_parts() {
-                Ok((same, inner)) if same == beside => {
+                Ok((same, inner)) if same == side_by_side => {
                     let all: f32 = inner.iter().map(|part| part.share).sum();
                     kept.extend(inner.into_iter().map(|part| SplitShare {
                         share: share * part.share / all,
@@ -196,7 +196,7 @@ impl Tile {
         for part in &mut kept {
             part.share /= all;
         }
-        Some(Self::split(beside, kept))
+        Some(Self::split(side_by_side, kept))
     }
 }
 

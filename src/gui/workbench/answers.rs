@@ -26,12 +26,12 @@ use super::Workbench;
 impl Workbench {
     /// Whether a model can be held against the open session: both are of the same robot. The
     /// session that the window began with counts only where the model came from it.
-    pub(super) fn has_a_session_for(&self, given: &LoadedModel) -> bool {
+    pub(super) fn has_a_session_for(&self, loaded_model: &LoadedModel) -> bool {
         let loaded_session = self.loaded_session();
         if Arc::ptr_eq(loaded_session, &self.first) {
-            given.came_from(&loaded_session.session)
+            loaded_model.came_from(&loaded_session.session)
         } else {
-            !loaded_session.is_empty() && given.is_of(&loaded_session.session)
+            !loaded_session.is_empty() && loaded_model.is_of(&loaded_session.session)
         }
     }
 

@@ -252,11 +252,11 @@ impl Workbench {
 
     /// Asks for a file to open, beside the one in hand.
     pub(super) fn choose_file(&mut self, ask: fn(Option<&Path>) -> Option<PathBuf>) {
-        let beside = self.file().map(Path::to_path_buf);
-        let beside = beside.or_else(|| Some(self.recent().next()?.0.to_path_buf()));
+        let near = self.file().map(Path::to_path_buf);
+        let near = near.or_else(|| Some(self.recent().next()?.0.to_path_buf()));
         self.choose(
             say!("waiting for a file to be chosen"),
-            move || ask(beside.as_deref()),
+            move || ask(near.as_deref()),
             |bench, path| match path {
                 Some(path) => bench.execute(Command::OpenFile(path)),
                 // Cancelled, or there is no dialog on this system: the two look alike.

@@ -19,8 +19,8 @@ impl Workbench {
 
     /// Asks for a file of targets.
     pub(super) fn choose_targets(&mut self) {
-        let beside = self.file().map(Path::to_path_buf);
-        let ask = move || files::choose_targets(beside.as_deref());
+        let near = self.file().map(Path::to_path_buf);
+        let ask = move || files::choose_targets(near.as_deref());
         self.choose(
             say!("waiting for a file to be chosen"),
             ask,

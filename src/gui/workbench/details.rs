@@ -77,8 +77,8 @@ impl Workbench {
 
     /// Asks for a picture.
     pub(super) fn choose_logo(&mut self) {
-        let beside = self.file().map(Path::to_path_buf);
-        let ask = move || files::choose_logo(beside.as_deref());
+        let near = self.file().map(Path::to_path_buf);
+        let ask = move || files::choose_logo(near.as_deref());
         self.choose(
             say!("waiting for a file to be chosen"),
             ask,

@@ -20,9 +20,9 @@ impl Workbench {
     }
 
     /// Takes what was said, and looks at the file with it.
-    pub(super) fn say(&mut self, said: ImportAnswers) {
+    pub(super) fn say(&mut self, answers: ImportAnswers) {
         if let Some(foreign) = self.import_draft() {
-            foreign.answers = said;
+            foreign.answers = answers;
         }
         self.keep_looking();
     }

@@ -29,8 +29,8 @@ impl Workbench {
 
     /// Asks for a folder of sessions.
     pub(super) fn choose_folder(&mut self) {
-        let beside = self.file().map(Path::to_path_buf);
-        let ask = move || files::choose_folder(beside.as_deref());
+        let near = self.file().map(Path::to_path_buf);
+        let ask = move || files::choose_folder(near.as_deref());
         self.choose(
             say!("waiting for a folder to be chosen"),
             ask,

@@ -89,11 +89,8 @@ impl Workbench {
             .loaded_model
             .as_ref()
             .map(|given| &given.path);
-        let beside = self.file().or(came_from.or(given).map(PathBuf::as_path))?;
-        std::path::absolute(beside)
-            .ok()?
-            .parent()
-            .map(PathBuf::from)
+        let near = self.file().or(came_from.or(given).map(PathBuf::as_path))?;
+        std::path::absolute(near).ok()?.parent().map(PathBuf::from)
     }
 
     /// Where a file of this name is written, wherever the program was started.

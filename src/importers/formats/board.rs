@@ -101,7 +101,7 @@ fn read(context: &mut ReadContext<'_>) -> Option<Columns> {
             guess.meaning = format!("rvec_{}", ["x", "y", "z"][*at]);
         }
         if !matches!(part, BoardColumn::Other(_)) {
-            guess.known = Known::Certain;
+            guess.confidence = Known::Certain;
         }
     }
     let Some(camera) = context.reading.options.get(CAMERA).cloned() else {

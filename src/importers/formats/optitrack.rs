@@ -92,7 +92,7 @@ fn read(context: &mut ReadContext<'_>) -> Option<Columns> {
         .map(|column| ColumnGuess {
             heading: column.name.clone(),
             meaning: column.role.to_string(),
-            known: Known::Certain,
+            confidence: Known::Certain,
         })
         .collect();
     (!context.is_open()).then_some(columns)

@@ -201,7 +201,7 @@ fn columns(context: &mut ReadContext<'_>, values: [Vec<f64>; 5], lines: Lines) -
         .map(|column| ColumnGuess {
             heading: String::new(),
             meaning: column.role.to_string(),
-            known: Known::Certain,
+            confidence: Known::Certain,
         })
         .collect();
     let axis = match context

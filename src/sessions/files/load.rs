@@ -74,8 +74,8 @@ pub fn load_watched(
     let is_large = std::fs::metadata(path).is_ok_and(|document| document.len() > LARGE_DOCUMENT);
     let read = if is_large { 0.2 } else { 0.01 };
     let bytes = open::read_document_in(path, whole.part(0.0, read))?;
-    let beside = CompanionFile::Folder(folder_of(path));
-    let mut loaded = read_session(Some(path), &bytes, beside, whole.part(read, 1.0))?;
+    let companion = CompanionFile::Folder(folder_of(path));
+    let mut loaded = read_session(Some(path), &bytes, companion, whole.part(read, 1.0))?;
     loaded.session.path = Some(path.to_path_buf());
     loaded.files.insert(0, path.to_path_buf());
     whole.reached(1.0)?;

@@ -41,7 +41,7 @@ pub(super) struct Design<'a> {
     /// By fold.
     parts: Vec<Products>,
     /// Of what is known beforehand.
-    known: Option<Products>,
+    products: Option<Products>,
     total: Products,
     threads: Threads,
 }
@@ -161,7 +161,7 @@ impl<'a> Design<'a> {
         let mut design = Self {
             total: Products::of(&white, geometry, &[]),
             parts: Vec::new(),
-            known: None,
+            products: None,
             threads,
             orders: 0,
             noise: noise.clone(),
@@ -206,13 +206,13 @@ impl<'a> Design<'a> {
             let rows: Vec<usize> = self.rows_of(fold).collect();
             of(&rows, self.parts.get(fold))
         });
-        let known = of(&known, self.known.as_ref());
+        let known = of(&known, self.products.as_ref());
         // What was measured counts: an observation may have fewer rows than others.
         self.total = parts
             .iter()
             .fold(known.clone(), |sum, part| sum.and(part, 1.0));
         self.parts = parts;
-        self.known = Some(known);
+        self.products = Some(known);
     }
 
     /// Rows of the samples that are in a fold.
@@ -245,7 +245,7 @@ impl<'a> Design<'a> {
         let places = all(self.geometry);
         self.raw = self.raw.take().map(|raw| raw.select_columns(&places));
         self.white = self.white.select_columns(&places);
-        for part in self.parts.iter_mut().chain(&mut self.known) {
+        for part in self.parts.iter_mut().chain(&mut self.products) {
             *part = part.only(&columns);
         }
         self.total = self.total.only(&columns);

@@ -237,13 +237,13 @@ fn recovered(document: &Document, loaded_session: &Arc<LoadedSession>, kept: &Ch
 }
 
 /// A model beside the open session, or by itself.
-fn with_model(document: Document, given: &Arc<LoadedModel>, beside: bool) -> Document {
+fn with_model(document: Document, loaded_model: &Arc<LoadedModel>, beside: bool) -> Document {
     let beneath = if beside {
         document
     } else {
-        Document::new(Arc::new(given.alone()))
+        Document::new(Arc::new(loaded_model.alone()))
     };
-    beneath.with_model(Arc::clone(given))
+    beneath.with_model(Arc::clone(loaded_model))
 }
 
 /// What is added is wanted: the exact fit follows at once.

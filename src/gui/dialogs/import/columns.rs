@@ -86,7 +86,7 @@ fn how(guess: &ColumnGuess) -> &'static str {
     if matches!(guess.meaning.as_str(), "" | "-") {
         return "";
     }
-    match guess.known {
+    match guess.confidence {
         Known::Said => say!("as you said"),
         Known::Certain => say!("certain"),
         Known::FromHeading => say!("from header, please confirm"),
@@ -145,7 +145,8 @@ pub(super) fn show(
 fn in_words(kind: Option<&Importer>, columns: &[ColumnGuess], before: &[String]) -> Vec<String> {
     let columns_of = kind.map(|importer| importer.asks.columns);
     let own_words = matches!(columns_of, Some(Meanings::Own(_)));
-    let word = |(k, guess): (usize, &ColumnGuess)| match (guess.known, guess.heading.as_str()) {
+    let word = |(k, guess): (usize, &ColumnGuess)| match (guess.confidence, guess.heading.as_str())
+    {
         (Known::Said, _) => {
             let before = before.get(k).cloned();
             before.unwrap_or_else(|| guess.meaning.clone())
@@ -277,6 +278,6 @@ mod tests {
         assert_eq!(meant(&again)[..4], meant(&found)[..4]);
         assert_eq!(again.unit, found.unit);
         assert_eq!(again.columns[4].meaning, "load_kg");
-        assert_eq!(again.columns[4].known, Known::Said);
+        assert_eq!(again.columns[4].confidence, Known::Said);
     }
 }

@@ -38,9 +38,9 @@ fn parts(tile: &Tile) -> Option<(bool, &[SplitShare])> {
 fn least(tile: &Tile, axis: usize) -> f32 {
     match (tile, parts(tile)) {
         (Tile::Pane(pane), _) if pane.shows == Content::Workspace => WORKSPACE[axis],
-        (_, Some((beside, parts))) => {
+        (_, Some((side_by_side, parts))) => {
             let each = parts.iter().map(|part| least(&part.tile, axis));
-            if beside == (axis == 0) {
+            if side_by_side == (axis == 0) {
                 each.sum::<f32>() + GAP * (parts.len() as f32 - 1.0)
             } else {
                 each.fold(0.0, f32::max)
@@ -90,7 +90,7 @@ fn divided(parts: &[SplitShare], axis: usize, room: f32) -> Vec<f32> {
 
 /// A tile and what is in it, with shares as they are shown in so much room.
 fn laid_out(tile: &Tile, room: Vec2, tiles: &mut Tiles<Key>, splits: &mut u64) -> TileId {
-    let Some((beside, parts)) = parts(tile) else {
+    let Some((side_by_side, parts)) = parts(tile) else {
         let key = if let Tile::Pane(pane) = tile {
             pane.key
         } else {
@@ -102,16 +102,16 @@ fn laid_out(tile: &Tile, room: Vec2, tiles: &mut Tiles<Key>, splits: &mut u64) -
     };
     let id = TileId::from_u64(SPLITS + *splits);
     *splits += 1;
-    let axis = usize::from(!beside);
-    let along = if beside { room.x } else { room.y };
-    let dir = if beside {
+    let axis = usize::from(!side_by_side);
+    let along = if side_by_side { room.x } else { room.y };
+    let dir = if side_by_side {
         LinearDir::Horizontal
     } else {
         LinearDir::Vertical
     };
     let mut linear = Linear::new(dir, Vec::new());
     for (part, size) in parts.iter().zip(divided(parts, axis, along)) {
-        let inner = if beside {
+        let inner = if side_by_side {
             Vec2::new(size, room.y)
         } else {
             Vec2::new(room.x, size)
@@ -133,11 +133,11 @@ fn taken_over(tiles: &Tiles<Key>, id: TileId, panes: &Panes) -> Option<Tile> {
         egui_tiles::Tile::Pane(key) => return Some(Tile::Pane(panes.pane(*key)?.clone())),
         egui_tiles::Tile::Container(container) => container,
     };
-    let (beside, share): (bool, Box<dyn Fn(TileId) -> f32>) = match container {
+    let (side_by_side, share): (bool, Box<dyn Fn(TileId) -> f32>) = match container {
         Container::Linear(linear) => {
             let shares = linear.shares.clone();
-            let beside = linear.dir == LinearDir::Horizontal;
-            (beside, Box::new(move |id| shares[id]))
+            let side_by_side = linear.dir == LinearDir::Horizontal;
+            (side_by_side, Box::new(move |id| shares[id]))
         }
         // None can come about.
         Container::Tabs(_) | Container::Grid(_) => (true, Box::new(|_| 1.0)),
@@ -150,7 +150,7 @@ fn taken_over(tiles: &Tiles<Key>, id: TileId, panes: &Panes) -> Option<Tile> {
         })
     });
     let parts = parts.collect();
-    Some(if beside {
+    Some(if side_by_side {
         Tile::Beside(parts)
     } else {
         Tile::Below(parts)
@@ -197,10 +197,10 @@ fn pulled(
     way: &mut Vec<usize>,
     commands: &mut Vec<Command>,
 ) {
-    let Some((beside, parts)) = parts(tile) else {
+    let Some((side_by_side, parts)) = parts(tile) else {
         return;
     };
-    let axis = usize::from(!beside);
+    let axis = usize::from(!side_by_side);
     let sizes = divided(parts, axis, area.size()[axis]);
     let mut from = area.min[axis];
     for (k, part) in parts.iter().enumerate() {
@@ -215,13 +215,13 @@ fn pulled(
             (gap.min[axis], gap.max[axis]) = (to, to + GAP);
             let name = first(&part.tile).map(|pane| name_of(workbench, pane));
             let name = name.unwrap_or_default();
-            let says = if beside {
+            let says = if side_by_side {
                 say!("width of {name}", name = name)
             } else {
                 say!("height of {name}", name = name)
             };
             let id = Id::unique("between panes").with((&*way, k));
-            let Some(gripped) = widgets::grip_between(ui, id, &says, gap, beside) else {
+            let Some(gripped) = widgets::grip_between(ui, id, &says, gap, side_by_side) else {
                 from = to + GAP;
                 continue;
             };

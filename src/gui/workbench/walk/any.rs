@@ -226,9 +226,9 @@ fn any_instrument_file(
 }
 
 fn any_answers(random: &mut ChaCha8Rng, files: &Files, workbench: &Workbench) -> ImportAnswers {
-    let mut said = ImportAnswers::default();
+    let mut answers = ImportAnswers::default();
     let path = |random: &mut ChaCha8Rng| files.any(random).display().to_string();
-    said.robot = match random.random_range(0..5) {
+    answers.robot = match random.random_range(0..5) {
         0 => RobotFrom::default().of_file(path(random)),
         1 => RobotFrom::Here(Box::new(workbench.loaded_session().session.robot.clone())),
         2 => RobotFrom::Typed(TypedAxis::default()),
@@ -236,17 +236,17 @@ fn any_answers(random: &mut ChaCha8Rng, files: &Files, workbench: &Workbench) ->
         _ => RobotFrom::Open,
     };
     if random.random_range(0..3) == 0 {
-        said.reading.columns = vec!["q1_deg".to_owned(), "x_mm".to_owned(), "y_mm".to_owned()];
+        answers.reading.columns = vec!["q1_deg".to_owned(), "x_mm".to_owned(), "y_mm".to_owned()];
     }
     if random.random_range(0..6) == 0 {
-        said.commands = path(random);
-        said.clock_offset_s = Some(angle(random));
+        answers.commands = path(random);
+        answers.clock_offset_s = Some(angle(random));
     }
     if random.random_range(0..6) == 0 {
-        said.reference = path(random);
-        said.targets = path(random);
+        answers.reference = path(random);
+        answers.targets = path(random);
     }
-    said
+    answers
 }
 
 fn what(random: &mut ChaCha8Rng) -> (What, &'static str) {

@@ -90,7 +90,7 @@ fn walk(seed: u64) -> (BTreeSet<&'static str>, BTreeSet<&'static str>) {
     let mut files = prepared(folder.path());
     let mut app = App::on(workbench_at_home(folder.path()));
     let ctx = egui::Context::default();
-    let mut told = WalkReport {
+    let mut report = WalkReport {
         seed,
         tail: VecDeque::new(),
     };
@@ -103,9 +103,9 @@ fn walk(seed: u64) -> (BTreeSet<&'static str>, BTreeSet<&'static str>) {
         let mut says = format!("{command:?}");
         // A session in full is too much to be read.
         says.truncate(says.floor_char_boundary(160));
-        told.tail.push_back(says);
-        if told.tail.len() > TAIL {
-            told.tail.pop_front();
+        report.tail.push_back(says);
+        if report.tail.len() > TAIL {
+            report.tail.pop_front();
         }
         if let Command::SaveAs { path, .. }
         | Command::ExportTo {
@@ -125,11 +125,13 @@ fn walk(seed: u64) -> (BTreeSet<&'static str>, BTreeSet<&'static str>) {
             back_and_forth(bench);
         }
         if random.random_range(0..60) == 0 {
-            told.tail.push_back("save, read again, compare".to_owned());
+            report
+                .tail
+                .push_back("save, read again, compare".to_owned());
             saved_is_read_again(bench, folder.path(), step);
         }
         if random.random_range(0..9) == 0 {
-            told.tail.push_back("a frame".to_owned());
+            report.tail.push_back("a frame".to_owned());
             frame(&ctx, &mut app, &mut random);
             consistent(app.bench());
         }

@@ -72,7 +72,7 @@ fn read(context: &mut ReadContext<'_>) -> Option<Columns> {
         .enumerate()
         .map(|(k, (heading, part))| ColumnGuess {
             heading: heading.clone(),
-            known: match (said.get(k), heading.as_str()) {
+            confidence: match (said.get(k), heading.as_str()) {
                 (Some(word), heading) if word != heading => Known::Said,
                 (_, "") => Known::FromContent,
                 _ => Known::FromHeading,

@@ -106,7 +106,7 @@ fn read(context: &mut ReadContext<'_>) -> Option<Columns> {
         .map(|column| ColumnGuess {
             heading: column.name.clone(),
             meaning: column.role.to_string(),
-            known: Known::Certain,
+            confidence: Known::Certain,
         })
         .collect();
     context.found.rows = columns.rows();
