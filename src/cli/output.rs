@@ -190,3 +190,42 @@ pub(crate) fn model(
 pub(crate) fn paths(owned: &[PathBuf]) -> Vec<&Path> {
     owned.iter().map(PathBuf::as_path).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::effects::JointValues;
+    use crate::pipeline::Method;
+
+    /// The caller prints the answer before the refusal, so that this is no failure.
+    #[test]
+    fn a_model_that_is_not_handed_out_leaves_no_file_and_no_failure() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let bundled = |name: &str| {
+            let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("sessions");
+            load(&root.join(name)).expect("bundled")
+        };
+        let own = bundled("paper-30.json");
+        let identified = |loaded: &Loaded| {
+            let (method, values) = (Method::default(), JointValues::Commanded);
+            pipeline::identify(&loaded.session, &method, values)
+                .expect("identified")
+                .1
+        };
+        let calibration = identified(&own);
+        let out = folder.path().join("m.json");
+        let written = model(Some(&out), || calibration.clone(), &own, false);
+        assert!(matches!(written, Ok(None)) && out.exists());
+        // Of another robot than the session's: what was said of it does not hold.
+        let mut other = bundled("paper-30.json");
+        other
+            .session
+            .samples
+            .x_mm
+            .iter_mut()
+            .for_each(|x| *x += 5.0);
+        let out = folder.path().join("n.json");
+        let written = model(Some(&out), || calibration, &other, false);
+        assert!(matches!(written, Ok(Some(_))) && !out.exists());
+    }
+}

@@ -73,6 +73,16 @@ const BAD_DOCUMENTS: &[BadDocument] = &[
         &["format", "'gltf'", "truepose-session/1"],
     ),
     (
+        "a free target that there is not",
+        "\"sigma_mm\":0.03",
+        "\"sigma_mm\":0.03,\"free_targets\":[\"T7\"]",
+        &[
+            "instrument.free_targets",
+            "target 'T7' is not declared",
+            "T1",
+        ],
+    ),
+    (
         "no format",
         "\"format\"",
         "\"fromat\"",

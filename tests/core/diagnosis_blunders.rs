@@ -114,6 +114,63 @@ fn joint_values_in_the_wrong_unit() {
         .iter_mut()
         .for_each(|q| *q = q.to_radians());
     reported(&diagnosed(&wrong), "in radians but were read as degrees");
+
+    let mut wrong = with_backlash();
+    wrong.samples.q[0]
+        .iter_mut()
+        .for_each(|q| *q *= 400.0 / 360.0);
+    let answer = diagnosed(&wrong);
+    reported(&answer, "in gradians but were read as degrees");
+    assert_eq!(names(&answer), ["backlash"]);
+}
+
+/// A slide of 2 m, out and back, seen with 0.02 mm; its guide is bent by `bent_mm` at its ends, and its values are in
+/// a unit of so many mm.
+fn slide(bent_mm: f64, unit_mm: f64) -> Session {
+    let mut random = Random(5);
+    let way = (0..60).map(|k| 20.0 + 32.0 * f64::from(k));
+    let columns = way.clone().chain(way.rev()).map(|q| {
+        let u = (q - 1000.0) / 1000.0;
+        let point = [
+            q + 0.4,
+            50.0 + bent_mm * u * u,
+            80.0 - 0.5 * bent_mm * u.powi(3),
+        ];
+        (q / unit_mm, point.map(|v| v + 0.02 * random.normal()))
+    });
+    let (q, points): (Vec<f64>, Vec<[f64; 3]>) = columns.unzip();
+    let column = |k: usize| -> Vec<f64> { points.iter().map(|p| p[k]).collect() };
+    let time: Vec<f64> = (0..q.len()).map(|k| 8.0 * k as f64).collect();
+    let document = serde_json::json!({
+        "format": "truepose-session/1", "name": "slide",
+        "robot": { "name": "slide", "joints": [ { "name": "x", "kind": "prismatic", "axis": [1, 0, 0],
+            "point_mm": [0, 0, 0], "limits": [0, 2000] } ],
+            "tool": { "position_mm": [0, 50, 80], "quaternion_wxyz": [1, 0, 0, 0] } },
+        "targets": { "A": [0, 0, 0] }, "instrument": { "name": "t", "sigma_mm": 0.02 },
+        "samples": { "columns": { "q1_mm": q, "x_mm": column(0), "y_mm": column(1), "z_mm": column(2),
+            "time_s": time } } });
+    parse(document.to_string().as_bytes())
+        .expect("a good session")
+        .session
+}
+
+#[test]
+fn the_values_of_a_slide_in_the_wrong_unit() {
+    for (unit_mm, unit) in [(10.0, "centimetres"), (25.4, "inches"), (1000.0, "metres")] {
+        let answer = diagnosed(&slide(0.0, unit_mm));
+        reported(&answer, &format!("in {unit} but were read as millimetres"));
+        assert_eq!(answer.verdict, Verdict::Noise, "{unit}");
+    }
+}
+
+/// What comes back at the same place of a guide is no frame that wanders, though it changes as slowly.
+#[test]
+fn a_bent_guide_is_no_noise() {
+    assert_eq!(diagnosed(&slide(0.0, 1.0)).verdict, Verdict::Noise);
+    for bent_mm in [0.1, 0.3] {
+        let answer = diagnosed(&slide(bent_mm, 1.0));
+        assert_eq!(answer.verdict, Verdict::Unexplained, "{bent_mm}");
+    }
 }
 
 #[test]

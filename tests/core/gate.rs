@@ -521,35 +521,34 @@ fn a_model_that_is_not_what_was_said_or_makes_its_session_worse_is_not_handed_ou
     );
 }
 
-/// A joint value that is missing and was written as zero is far off, wherever it was; points of the nominal robot
-/// among measured ones are near. Both bend whatever is fitted to them.
+/// A joint value that is missing and was written as zero is far off, wherever it was, and bends whatever is fitted to
+/// it; so do points of the nominal robot among measured ones, which are near.
 #[test]
 fn rows_that_are_none_of_the_robot_do_not_bend_what_is_handed_out() {
-    let is_wrong = |q: f64, share: u64| q.to_bits() % share == 0;
-    let mut worst: [f64; 2] = [0.0; 2];
-    for seed in 1..=8 {
-        for (share, count) in [(4, 60), (6, 130), (12, 40), (25, 130)] {
+    let is_wrong = |q: f64, share: f64| (q.abs() * 1e4).floor() % share < 0.5;
+    for seed in 1..=6 {
+        for (share, count) in [(4.0, 60), (6.0, 130), (12.0, 40)] {
             let lost = move |q: f64| if is_wrong(q, share) { 0.0 } else { q };
             let pasted = move |q: f64| if is_wrong(q, share) { -0.3 } else { 0.0 };
             let unseen = one_axis(seed + 100, 80, NOTHING, as_it_is, |q| q);
-            let sessions = [
-                one_axis(seed, count, NOTHING, as_it_is, lost),
-                one_axis(seed, count, pasted, as_it_is, |q| q),
-            ];
-            for (session, worst) in sessions.iter().zip(&mut worst) {
+            let left_mm = |session: &Session| {
                 let calibration = diagnosed(session).calibration(session);
-                if hand_out(&calibration, session).is_ok() {
-                    let left_mm = verify(&calibration, &unseen).unwrap().model.rms_mm;
-                    println!("{seed} {share} {count} {left_mm}");
-                    *worst = worst.max(left_mm);
-                }
-            }
+                let checked = verify(&calibration, &unseen).unwrap();
+                [checked.nominal.rms_mm, checked.model.rms_mm]
+            };
+            let what = format!("{seed}: one in {share} of {count}");
+            let session = one_axis(seed, count, NOTHING, as_it_is, lost);
+            let [_, left] = left_mm(&session);
+            assert!(left < 0.05, "{what}, lost: {left}");
+            let session = one_axis(seed, count, pasted, as_it_is, |q| q);
+            let [nominal, left] = left_mm(&session);
+            let most = if share < 6.0 { 0.5 * nominal } else { 0.1 };
+            assert!(left < most, "{what}, pasted: {nominal} → {left}");
         }
     }
-    assert!(worst[0] < 0.05 && worst[1] < 0.05, "{worst:?}");
 }
 
-/// The same of one joint of an arm.
+/// The same of one joint of an arm, with a code in place of what is missing.
 #[test]
 fn rows_of_an_arm_that_lost_a_joint_value_do_not_bend_what_is_handed_out() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/arms");
@@ -562,11 +561,8 @@ fn rows_of_an_arm_that_lost_a_joint_value_do_not_bend_what_is_handed_out() {
             }
             let what = format!("{name}: one in {share} at {code_deg}°");
             let calibration = diagnosed(&wrong).calibration(&wrong);
-            if hand_out(&calibration, &wrong).is_ok() {
-                let left_mm = verify(&calibration, &right).unwrap().model.rms_mm;
-                println!("{what} {left_mm}");
-                assert!(left_mm < 0.3, "{what}: {left_mm}");
-            }
+            let left_mm = verify(&calibration, &right).unwrap().model.rms_mm;
+            assert!(left_mm < 0.1, "{what}: {left_mm}");
         }
     }
 }

@@ -146,3 +146,24 @@ fn commands_that_stood_still_are_said_and_are_no_noise() {
     assert!(what.iter().any(|w| w.contains("returns")), "{what:?}");
     assert_ne!(answer.verdict, Verdict::Noise);
 }
+
+#[test]
+fn a_code_for_a_missing_joint_value_is_no_value() {
+    let mut session = with_backlash();
+    for row in [3, 12, 27] {
+        session.samples.q[0][row] = -999.0_f64.to_radians();
+    }
+    said(&session, "missing values: q1_deg is -999 in 3 samples");
+}
+
+/// A third of the points is from a reflector that was knocked aside, here one way and there another.
+#[test]
+fn samples_that_are_set_aside_are_said_where_they_are_many() {
+    let mut session = with_backlash();
+    for (k, row) in (0..session.samples.len()).step_by(4).enumerate() {
+        for column in points(&mut session.samples) {
+            column[row] += if k.is_multiple_of(2) { 3.0 } else { -4.0 };
+        }
+    }
+    said(&session, "samples do not follow the model");
+}
