@@ -203,7 +203,7 @@ mod tests {
         let folder = tempfile::tempdir().expect("a folder");
         let bundled = |name: &str| {
             let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("sessions");
-            load(&root.join(name)).expect("bundled")
+            load(root.join(name)).expect("bundled")
         };
         let own = bundled("paper-30.json");
         let identified = |loaded: &Loaded| {

@@ -87,6 +87,7 @@ SIX = Arm(
     [535, 0, 885],
 )
 AXIS = Arm([[0, 0, 1]], [[0, 0, 0]], [320, 0, 210])
+SLIDE = Arm([[1, 0, 0]], [[0, 0, 0]], [0, 50, 80])
 
 
 class Session:
@@ -105,7 +106,13 @@ class Session:
 
     def document(self):
         joints = [
-            {"name": f"j{k + 1}", "kind": "revolute", "axis": list(a), "point_mm": list(p), "limits": [-180, 180]}
+            {
+                "name": f"j{k + 1}",
+                "kind": "prismatic" if self.robot is SLIDE else "revolute",
+                "axis": list(a),
+                "point_mm": list(p),
+                "limits": [0, 2000] if self.robot is SLIDE else [-180, 180],
+            }
             for k, (a, p) in enumerate(zip(self.robot.axes, self.robot.points))
         ]
         tool = {"position_mm": list(self.robot.tool), "quaternion_wxyz": [1, 0, 0, 0]}
@@ -157,6 +164,24 @@ def axis_session(rng, n=80, design="random", sigma=0.02, both=True, places=None)
         "time_s": [8.0 * k for k in range(len(q))],
         "target": names,
     }
+    return s
+
+
+def slide_session(rng, n=80, design="random", sigma=0.02, bent=0.0, unit=1.0):
+    """A slide of 2 m along x; its guide is bent across by `bent` mm, as a parabola or as a double bow."""
+    s = Session(SLIDE, {"A": np.zeros(3)}, sigma)
+    if design == "random":
+        q = rng.uniform(20, 1980, n)
+    else:
+        half = np.linspace(20, 1980, n // 2) + rng.uniform(-5, 5, n // 2)
+        q = np.concatenate([half, half[::-1]])
+    u = (q - 1000) / 1000
+    across = bent * np.array([u**2 if rng.random() < 0.5 else u**3 - u for _ in range(2)])
+    points = np.array([q + rng.normal(0, 0.4), 50 + across[0], 80 + across[1]]).T + rng.normal(0, sigma, (len(q), 3))
+    s.columns = {"q1_mm": list(np.round(q / unit, 7))}
+    for k, axis in enumerate("xyz"):
+        s.columns[f"{axis}_mm"] = list(np.round(points[:, k], 6))
+    s.columns["time_s"] = [8.0 * k for k in range(len(q))]
     return s
 
 
@@ -225,6 +250,10 @@ def make(kind, index):
     what, _, robot = kind.partition("-")
     design = ["random", "sweep"][index % 2]
     arm = robot == "arm"
+    if robot == "slide":
+        bent = rng.uniform(0.08, 0.4) if what == "guide" else 0.0
+        s = slide_session(rng, design=design, bent=bent, unit=25.4 if what == "inches" else 1.0)
+        return s, "in inches" if what == "inches" else None
     session = (lambda **k: arm_session(rng, design=design, **k)) if arm else (lambda **k: axis_session(rng, design=design, **k))
     if what == "clean":
         n = [30, 60, 120, 200][index % 4]
@@ -272,6 +301,34 @@ def make(kind, index):
         by = rng.normal(0, 1, 3)
         by *= rng.uniform(1.5, 2.3) / np.linalg.norm(by)
         return session(places={name: by}), f"target {name}"
+    if what in ("code", "lost"):
+        # What is missing is written as −999, or as 0.
+        s, column = session(), "q2_deg" if arm else "q1_deg"
+        rows = rng.choice(s.rows(), int(rng.integers(3, 3 + s.rows() // 8)), replace=False)
+        for row in rows:
+            s.columns[column][row] = -999.0 if what == "code" else 0.0
+            if what == "lost" and not arm:
+                # Whatever the clock and the load say, the joint column repeats.
+                for name, value in (("dir1", 1.0), ("speed1_deg_s", 0.0), ("load_kg", 0.0)):
+                    s.columns[name][row] = value
+        return s, "missing values" if what == "code" else None if arm else "returns"
+    if what == "warmth":
+        s = session()
+        for row in rng.choice(s.rows(), int(rng.integers(3, 10)), replace=False):
+            s.columns["temperature_c"][row] = 0.0
+        return s, "missing values"
+    if what == "gradians":
+        s = session()
+        for column in s.columns:
+            if column.startswith("q"):
+                s.columns[column] = [v / 0.9 for v in s.columns[column]]
+        return s, "in gradians"
+    if what == "aside":
+        s, by = session(), rng.uniform(1, 4)
+        for row in rng.choice(s.rows(), int(rng.uniform(0.13, 0.25) * s.rows()), replace=False):
+            for axis in ("x_mm", "y_mm", "z_mm"):
+                s.columns[axis][row] += by * rng.normal()
+        return s, "do not follow the model"
     if what == "poor":
         return s, None
     raise SystemExit(f"no kind is called {kind}")
@@ -279,7 +336,9 @@ def make(kind, index):
 
 KINDS = [
     "clean-axis", "clean-arm", "poor-arm", "slip-axis", "slip-arm", "copies-axis", "copies-arm", "sorted-axis",
-    "rounded-axis", "rounded-arm", "speed-axis", "grams-axis", "target-axis", "target-arm",
+    "rounded-axis", "rounded-arm", "speed-axis", "grams-axis", "target-axis", "target-arm", "code-axis", "code-arm",
+    "lost-axis", "lost-arm", "warmth-axis", "gradians-axis", "gradians-arm", "aside-axis", "aside-arm",
+    "guide-slide", "straight-slide", "inches-slide",
 ]
 
 

@@ -302,13 +302,13 @@ impl<'a> Shown<'a> {
             what
         } else if own.last() == Some(&last.0) {
             text!(
-                "{what} from sample {sample} on",
+                "{what}, from sample {sample} on",
                 what = what,
                 sample = first.0 + 1
             )
         } else {
             text!(
-                "{what} from sample {sample} to {last}",
+                "{what}, from sample {sample} to {last}",
                 what = what,
                 sample = first.0 + 1,
                 last = last.0 + 1
