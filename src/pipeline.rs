@@ -174,7 +174,7 @@ pub struct Identified {
     pub identification: Identification,
     /// The model, to be saved.
     pub calibration: Calibration,
-    /// Set-up errors. A robot with several joints is identified without them, one joint as it stands.
+    /// Problems of the data; what is mechanical was corrected before the fit.
     pub data_problems: Vec<DataProblem>,
 }
 

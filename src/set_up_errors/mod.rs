@@ -87,15 +87,8 @@ pub(crate) fn mended(raw: &Session, joint_values: JointValues) -> CorrectedSessi
             if let Some(better) = arms::corrected(&session, joint_values, &mut problems) {
                 session = Cow::Owned(better);
             }
-        } else {
-            // One error may hide another: at most two in a row.
-            for _ in 0..2 {
-                let Some((better, problem)) = gross_error(&session, joint_values) else {
-                    break;
-                };
-                problems.push(problem);
-                session = Cow::Owned(better);
-            }
+        } else if let Some(better) = of_one_joint(&session, joint_values, &mut problems) {
+            session = Cow::Owned(better);
         }
     }
     if let Some(freed) = groups::freed(&session, joint_values, &mut problems) {
@@ -113,25 +106,41 @@ pub(crate) fn mended(raw: &Session, joint_values: JointValues) -> CorrectedSessi
     CorrectedSession::new(raw, session, problems, made)
 }
 
-/// The rows and the gross mistakes alone, for an identification: rows are corrected, a robot with several
-/// joints is identified without set-up errors, one joint as it is.
+/// The rows and the gross mistakes alone, for an identification.
 pub(crate) fn noticed(raw: &Session, joint_values: JointValues) -> CorrectedSession<'_> {
     let checked = row_checks::checked(raw, joint_values);
     let (mut session, mut problems) = (checked.session, checked.problems);
-    let of_one_joint = if base_model::is_arm(&session) {
-        if let Some(better) = arms::corrected(&session, joint_values, &mut problems) {
-            session = Cow::Owned(better);
-        }
-        None
+    let corrected = if base_model::is_arm(&session) {
+        arms::corrected(&session, joint_values, &mut problems)
     } else {
-        gross_error(&session, joint_values)
+        of_one_joint(&session, joint_values, &mut problems)
     };
+    if let Some(better) = corrected {
+        session = Cow::Owned(better);
+    }
     if let Some(freed) = groups::freed(&session, joint_values, &mut problems) {
         session = Cow::Owned(freed);
     }
     let made = made_for(&problems).collect();
-    let mut mended = CorrectedSession::new(raw, session, problems, made);
-    mended.problems.extend(of_one_joint.map(|found| found.1));
+    CorrectedSession::new(raw, session, problems, made)
+}
+
+/// The session of a single joint without its mistakes; `None` where there is none. One error may hide another: at
+/// most two in a row.
+fn of_one_joint(
+    session: &Session,
+    joint_values: JointValues,
+    problems: &mut Vec<DataProblem>,
+) -> Option<Session> {
+    let mut mended: Option<Session> = None;
+    for _ in 0..2 {
+        let now = mended.as_ref().unwrap_or(session);
+        let Some((better, problem)) = gross_error(now, joint_values) else {
+            break;
+        };
+        problems.push(problem);
+        mended = Some(better);
+    }
     mended
 }
 

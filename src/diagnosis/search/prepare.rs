@@ -5,7 +5,7 @@
 //! gaps then come from all of them.
 
 use crate::effects::{Over, Survey, Term, find};
-use crate::fit::gap::{Deviations, deviations, suspects_beside};
+use crate::fit::gap::{Deviations, deviations, lengths_mm, suspects_beside};
 use crate::fit::noise::{Noise, SMALLEST_SIGMA_MM};
 use crate::fit::problem::Problem;
 use crate::fit::regression::Rows;
@@ -23,6 +23,7 @@ use nalgebra::DMatrix;
 use std::rc::Rc;
 
 use super::found::SearchResult;
+use super::gross_error::GROSS_SHARE;
 use crate::diagnosis::candidates::Placed;
 use crate::diagnosis::candidates::incomplete;
 use crate::diagnosis::candidates::table::Table;
@@ -158,7 +159,7 @@ impl<'a> PreparedSearch<'a> {
             now.used = kept.map(|(fit, suspected)| *fit && !suspected).collect();
         }
         if found.fit.shapes.is_empty() {
-            keep_clusters(&mut now);
+            keep_clusters(&mut now, &self.base);
         }
         let same = !weighed && now.counted() == self.problem.counted();
         if !same {
@@ -311,7 +312,7 @@ fn regression<'a>(
     survey: &Survey,
     options: &Options,
 ) -> Regression<'a> {
-    keep_clusters(problem);
+    keep_clusters(problem, base);
     let mut regression = bare_regression(problem, base, survey, options);
     for _ in 0..2 {
         let suspected = super::robust::suspected_beside_many(problem, &regression, MOST_SAMPLES);
@@ -321,7 +322,7 @@ fn regression<'a>(
             now[index] = problem.to_fit()[index] && !suspected;
         }
         problem.set_counted(now);
-        keep_clusters(problem);
+        keep_clusters(problem, base);
         if problem.counted() == before {
             break;
         }
@@ -426,8 +427,9 @@ fn locked(problem: &Problem, share: Option<f64>) -> Vec<bool> {
 }
 
 /// Suspects that stand together over a joint's angle are evidence of something local, not
-/// accidents: they are put back.
-fn keep_clusters(problem: &mut Problem) {
+/// accidents: they are put back. Not where they are gross: no machine has such an error, and rows of which the joint's
+/// value is missing stand together as well.
+fn keep_clusters(problem: &mut Problem, base: &Model) {
     let fit = problem.to_fit().to_vec();
     let counted = problem.counted().iter();
     let suspected: Vec<bool> = fit.iter().zip(counted).map(|(f, c)| *f && !c).collect();
@@ -445,7 +447,7 @@ fn keep_clusters(problem: &mut Problem) {
         for run in runs(&fit, &suspected, of) {
             // So many in a row by accident: n·share^run.
             let accident = fitted as f64 * share.powi(i32::try_from(run.len()).unwrap_or(64));
-            if run.len() >= RUN && accident < 0.01 {
+            if run.len() >= RUN && accident < 0.01 && !is_gross(problem, base, &run) {
                 for index in run {
                     back[index] = true;
                 }
@@ -453,6 +455,14 @@ fn keep_clusters(problem: &mut Problem) {
         }
     }
     problem.set_counted(back);
+}
+
+/// Whether most of what is counted here is off by more than any effect.
+fn is_gross(problem: &Problem, base: &Model, run: &[usize]) -> bool {
+    let left_mm = lengths_mm(problem, base);
+    let mut run: Vec<f64> = run.iter().map(|i| left_mm[problem.sample_of(*i)]).collect();
+    run.sort_by(f64::total_cmp);
+    run[run.len() / 2] > GROSS_SHARE * problem.session.robot.reach_mm()
 }
 
 /// The suspects between whose values no other has its own. Of many samples few are suspects: they are put in order,
