@@ -293,8 +293,8 @@ impl<'a> Shown<'a> {
         let within = own.iter().filter(|row| (first.0..=last.0).contains(row));
         if within.count() > rows.len() {
             text!(
-                one "{what} in {count} sample",
-                "{what} in {count} samples",
+                one "{what}, in {count} sample",
+                "{what}, in {count} samples",
                 what = what,
                 count = rows.len()
             )
