@@ -11,6 +11,10 @@ use crate::observations::outliers::{as_if_seen, suspected};
 
 use super::problem::Problem;
 
+/// An error above this share of the robot's size is gross: effects leave less, so that it is of the rows, the set-up
+/// or the description. (Derived: a set-up error moves the tool by more than a hundredth of the robot's size.)
+pub(crate) const GROSS_SHARE: f64 = 0.01;
+
 /// With fewer samples the axes are taken as stated.
 const FEWEST_TO_BALANCE: usize = 30;
 

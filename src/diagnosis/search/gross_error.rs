@@ -5,9 +5,7 @@
 use super::base_misfit::left_mm;
 use super::found::SearchResult;
 use super::prepare::PreparedSearch;
-
-/// The share of the robot's size from which on an error is gross: no name is handed out while more is left.
-pub(crate) const GROSS_SHARE: f64 = 0.01;
+use crate::fit::gap::GROSS_SHARE;
 
 /// Withdraws every name where the error with them is gross.
 pub(crate) fn withdraw(prepared: &PreparedSearch, found: &mut SearchResult) {

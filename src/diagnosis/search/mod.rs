@@ -17,7 +17,7 @@ mod floor;
 mod forward;
 mod found;
 mod free_curve;
-pub(crate) mod gross_error;
+mod gross_error;
 mod orders;
 pub(crate) mod other_settings;
 mod own_evidence;

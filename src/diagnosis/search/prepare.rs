@@ -5,7 +5,7 @@
 //! gaps then come from all of them.
 
 use crate::effects::{Over, Survey, Term, find};
-use crate::fit::gap::{Deviations, deviations, lengths_mm, suspects_beside};
+use crate::fit::gap::{Deviations, GROSS_SHARE, deviations, lengths_mm, suspects_beside};
 use crate::fit::noise::{Noise, SMALLEST_SIGMA_MM};
 use crate::fit::problem::Problem;
 use crate::fit::regression::Rows;
@@ -23,7 +23,6 @@ use nalgebra::DMatrix;
 use std::rc::Rc;
 
 use super::found::SearchResult;
-use super::gross_error::GROSS_SHARE;
 use crate::diagnosis::candidates::Placed;
 use crate::diagnosis::candidates::incomplete;
 use crate::diagnosis::candidates::table::Table;

@@ -29,7 +29,7 @@
 //! shapes where it may be used at all, and hold the value that is handed out.
 
 use crate::effects::Term;
-use crate::fit::gap::{Spread, lengths_mm};
+use crate::fit::gap::{GROSS_SHARE, Spread, lengths_mm};
 use crate::fit::problem::Problem;
 use crate::fit::solver::solve;
 use crate::model::Model;
@@ -38,7 +38,6 @@ use super::divergent_terms::runs_away;
 use super::unseen::{self, Procedure};
 use super::values::{Values, corrected_for_selection};
 use crate::diagnosis::evidence::Fit;
-use crate::diagnosis::search::gross_error::GROSS_SHARE;
 use crate::diagnosis::search::prepare::PreparedSearch;
 
 /// The median deviation of what is handed out may be so many times that of `identify`: more is no scatter.

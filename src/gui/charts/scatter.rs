@@ -80,7 +80,8 @@ struct Points {
 impl Cloud {
     fn of(inputs: ChartInputs<'_>, axes: [Quantity; 2]) -> Self {
         Self([0, 1].map(|when| {
-            let place = |sample: usize| at(inputs.loaded_session, inputs.answer, axes, when, sample);
+            let place =
+                |sample: usize| at(inputs.loaded_session, inputs.answer, axes, when, sample);
             let known = when == 0 || inputs.answer.is_some() && axes.iter().any(|a| a.changes());
             let usable = inputs
                 .loaded_session
