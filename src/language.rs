@@ -4,7 +4,7 @@
 use crate::diagnostic::Diagnostic;
 use crate::text::{Text, by_titles, current};
 #[cfg(feature = "gui")]
-use crate::text::{known, known_in};
+use crate::text::{known_in, phrases_in};
 
 /// A sentence of the core, in the language of this thread.
 pub(crate) fn spoken(text: impl Into<Text>) -> String {
@@ -21,6 +21,6 @@ pub(crate) fn finding(finding: &Diagnostic) -> String {
 #[cfg(feature = "gui")]
 pub(crate) fn known_words(kind: &str, english: &str) -> Option<String> {
     let as_written = |one: &&str| one.eq_ignore_ascii_case(english);
-    let english = known(kind).find(as_written).unwrap_or(english);
+    let english = phrases_in(kind).find(as_written).unwrap_or(english);
     known_in(current(), kind, english, &[])
 }

@@ -121,7 +121,7 @@ pub fn identify_unless(
     session: &Session,
     method: &Method,
     values: JointValues,
-    go_on: &dyn Fn() -> bool,
+    keep_going: &dyn Fn() -> bool,
 ) -> Result<(Identification, Calibration), IdentifyError> {
     let session = &*session.whole()?;
     let identification = match method {
@@ -129,7 +129,7 @@ pub fn identify_unless(
             effects,
             with,
             priors,
-        } => identify_watched(session, effects, with, *priors, values, go_on)?,
+        } => identify_watched(session, effects, with, *priors, values, keep_going)?,
         Method::Regional(choice) => identify_regional(session, choice, values)?,
     };
     let mut calibration = identification.calibration(session, &Inputs::new(session, values));
@@ -151,7 +151,7 @@ pub fn identify_unless(
                 identification.gap.after.rms_mm
             } else {
                 let without =
-                    identify_watched(session, effects, &with[..n], *priors, values, go_on)?;
+                    identify_watched(session, effects, &with[..n], *priors, values, keep_going)?;
                 without.gap.after.rms_mm
             };
             calibration.history.push(ResidualStep {

@@ -197,13 +197,13 @@ pub(super) fn counted(problem: &Problem, apart: &[bool]) -> Vec<bool> {
 
 /// Errors of the samples that are held out.
 pub(super) fn held_out(
-    apart: &[bool],
+    is_held_out: &[bool],
     before: &Deviations,
     after: &Deviations,
 ) -> Option<HeldOutErrors> {
-    let rms = |d: &Deviations| Spread::of(&d.length_mm, |i| apart[i], |_| false);
+    let rms = |d: &Deviations| Spread::of(&d.length_mm, |i| is_held_out[i], |_| false);
     Some(HeldOutErrors {
-        samples: apart.iter().filter(|apart| **apart).count(),
+        samples: is_held_out.iter().filter(|apart| **apart).count(),
         nominal_mm: rms(before)?.rms_mm,
         model_mm: rms(after)?.rms_mm,
     })

@@ -193,7 +193,7 @@ impl<'p> Field<'p> {
         let at_first = &comparison.information.covariance * &pull;
         let explained = at_first.dot(&pull);
         let shown = comparison.information.shown(&at_first);
-        let apart = &mut comparison.apart[0];
+        let apart = &mut comparison.distances[0];
         apart.delta = (difference.norm_squared() * weight - explained).max(0.0);
         apart.left -= shown;
         comparison
@@ -301,7 +301,7 @@ impl Refit {
 pub(crate) struct Comparison {
     /// What is known of the one that is refitted.
     information: Information,
-    pub(crate) apart: Vec<ModelDistance>,
+    pub(crate) distances: Vec<ModelDistance>,
     /// Poses that were measured since it was decided; that they make it no less so is all that is known.
     since: Vec<usize>,
 }
@@ -350,11 +350,11 @@ impl Comparison {
     fn of(
         candidates: Arc<CandidateRows>,
         covariance: DMatrix<f64>,
-        apart: Vec<ModelDistance>,
+        distances: Vec<ModelDistance>,
     ) -> Self {
         Self {
             information: Information::over(candidates, covariance),
-            apart,
+            distances,
             since: Vec::new(),
         }
     }
@@ -376,7 +376,7 @@ impl Comparison {
             let left = &one.left.as_slice()[first..first + size];
             worth(one, whitened_square(&root, left, &mut white))
         };
-        let others = self.apart.iter().filter(|one| counts(one));
+        let others = self.distances.iter().filter(|one| counts(one));
         others.map(&mut of).sum()
     }
 
@@ -391,7 +391,7 @@ impl Comparison {
 
     /// Asks that all models are further apart.
     pub(crate) fn ask_for_more(&mut self, factor: f64) {
-        for apart in &mut self.apart {
+        for apart in &mut self.distances {
             apart.enough = factor * apart.enough.max(1.0);
         }
         if !self.decided() {
@@ -405,7 +405,7 @@ impl Comparison {
         let (first, size) = self.information.place(candidate);
         let update = self.information.update(candidate, 1.0);
         let Some((root, moved)) = update else { return };
-        for one in &mut self.apart {
+        for one in &mut self.distances {
             let white = root.solve_lower_triangular(&one.left.rows(first, size));
             let Some(white) = white else { continue };
             one.delta += white.norm_squared();
@@ -415,7 +415,7 @@ impl Comparison {
 
     /// Whether the odds will do.
     pub(crate) fn decided(&self) -> bool {
-        self.apart.iter().all(ModelDistance::decided)
+        self.distances.iter().all(ModelDistance::decided)
     }
 }
 
@@ -499,9 +499,9 @@ mod tests {
         let mut refit = Refit::new(predictions_of(&rows), &known, 2);
         for k in 0..3 {
             let gain = comparison.worth(k, |_| true, |_, gain| gain);
-            let before = comparison.apart[0].delta;
+            let before = comparison.distances[0].delta;
             comparison.take(k);
-            assert!((comparison.apart[0].delta - before - gain).abs() < 1e-9);
+            assert!((comparison.distances[0].delta - before - gain).abs() < 1e-9);
             // In the second draw twice the difference is measured.
             let measured = DMatrix::from_row_slice(1, 2, &[0.0, rows[k].0]);
             refit.take(k, Some(&measured));
@@ -509,7 +509,7 @@ mod tests {
         // min over β of Σ (d − jβ)² + 4 β²: Σ d² − (Σ jd)² / (4 + Σ j²).
         let expected = 14.0 - 4.0 / 7.0;
         let [once, twice] = [refit.risen[0], refit.risen[1]];
-        assert!((comparison.apart[0].delta - expected).abs() < 1e-6);
+        assert!((comparison.distances[0].delta - expected).abs() < 1e-6);
         assert!((once - expected).abs() < 1e-6, "{once}");
         assert!((twice - 4.0 * expected).abs() < 1e-6, "{twice}");
     }
@@ -526,7 +526,7 @@ mod tests {
         let (mut quick, whole) = (of(5.0), of(100.0));
         assert!(quick.decided() && !whole.decided());
         quick.ask_for_more(20.0);
-        let [quick, whole] = [quick, whole].map(|c| c.apart[0].clone());
+        let [quick, whole] = [quick, whole].map(|c| c.distances[0].clone());
         assert!((quick.delta - whole.delta).abs() < 1e-12);
         assert!((quick.left - whole.left).norm() < 1e-12);
     }
@@ -537,7 +537,7 @@ mod tests {
         let comparison = Comparison::new(predictions_of(&rows), &DMatrix::zeros(1, 1), 10.0);
         let mut parting = ModelSeparation::new(vec![comparison], 2, 2);
         let order = choose(&mut parting, 5);
-        let delta = parting.comparisons[0].apart[0].delta;
+        let delta = parting.comparisons[0].distances[0].delta;
         assert!(delta < 1e-6, "{order:?}: {delta}");
     }
 

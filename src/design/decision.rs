@@ -140,7 +140,7 @@ impl Decision {
             self.refits[other].comparison(truths.map(pair))
         };
         let mut all: Vec<Comparison> = (0..self.refits.len()).map(of).collect();
-        all.retain(|comparison| !comparison.apart.is_empty());
+        all.retain(|comparison| !comparison.distances.is_empty());
         all
     }
 

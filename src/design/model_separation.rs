@@ -39,7 +39,7 @@ impl ModelSeparation {
 
     /// Each pair of models.
     pub(crate) fn distances(&self) -> impl Iterator<Item = &ModelDistance> {
-        self.comparisons.iter().flat_map(|c| &c.apart)
+        self.comparisons.iter().flat_map(|c| &c.distances)
     }
 
     pub(crate) fn parted(&self) -> bool {

@@ -155,7 +155,7 @@ pub struct Block<'a> {
     held: Vec<bool>,
     by: Columns,
     /// From which column on the derivatives by the joints' values are, where they stay apart.
-    apart: Option<usize>,
+    by_joints_from: Option<usize>,
     /// Samples of this block; the lanes behind them repeat the last one.
     pub len: usize,
 }
@@ -186,7 +186,7 @@ impl<'a> Block<'a> {
     pub(crate) fn apart(robot: &'a Robot, coefficients: usize) -> Self {
         let all = coefficients + robot.joints.len();
         Self {
-            apart: Some(coefficients),
+            by_joints_from: Some(coefficients),
             ..Self::with_columns(robot, Columns::Coefficients, all)
         }
     }
@@ -212,7 +212,7 @@ impl<'a> Block<'a> {
             live: vec![false; columns],
             held: vec![false; columns],
             by,
-            apart: None,
+            by_joints_from: None,
             len: 0,
         }
     }
@@ -552,7 +552,7 @@ impl<'a> Block<'a> {
 
     /// What a joint's value does, where that [stays apart](Self::apart); `None` of one that no coefficient turns.
     pub(crate) fn by_value(&self, joint: usize) -> Option<&Lanes3> {
-        let column = self.apart? + joint;
+        let column = self.by_joints_from? + joint;
         self.live[column].then(|| &self.columns[column])
     }
 
@@ -566,7 +566,7 @@ impl<'a> Block<'a> {
     /// Clears the columns that nothing has touched, so that they can be read as zero. Where columns stay apart,
     /// `is_live` says so of each.
     pub fn settle(&mut self) {
-        if self.apart.is_some() {
+        if self.by_joints_from.is_some() {
             return;
         }
         for (column, _) in self.columns.iter_mut().zip(&self.live).filter(|c| !*c.1) {

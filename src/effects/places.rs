@@ -52,7 +52,7 @@ pub(crate) fn stated(references: &References, place: Place) -> [Option<f64>; MOS
             }
         }
         PlaceKind::Plane => {
-            let Plane { known, .. } = &references.planes[place.index];
+            let Plane { stated: known, .. } = &references.planes[place.index];
             if let Some((normal, distance)) = known {
                 put(0, normal.as_slice());
                 put(3, &[*distance]);

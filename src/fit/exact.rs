@@ -57,12 +57,12 @@ pub fn identify_watched(
     initial_terms: &[Term],
     priors: bool,
     values: JointValues,
-    go_on: &dyn Fn() -> bool,
+    keep_going: &dyn Fn() -> bool,
 ) -> Result<Identification, IdentifyError> {
     let session = &*session.whole()?;
-    let mut prepared = prepare(session, effects, initial_terms, values, go_on)?;
+    let mut prepared = prepare(session, effects, initial_terms, values, keep_going)?;
     prepared.base = prepared.base.map(|weak| weak && priors);
-    Ok(Fresh::fitted(prepared, go_on)?.report(session))
+    Ok(Fresh::fitted(prepared, keep_going)?.report(session))
 }
 
 /// A fit from all samples, with what it was made of.
@@ -83,7 +83,7 @@ pub(super) struct Fresh<'a> {
 impl<'a> Fresh<'a> {
     pub(super) fn fitted(
         prepared: FitStart<'a>,
-        go_on: &dyn Fn() -> bool,
+        keep_going: &dyn Fn() -> bool,
     ) -> Result<Self, IdentifyError> {
         let FitStart {
             mut problem,
@@ -100,7 +100,7 @@ impl<'a> Fresh<'a> {
                 (of_base.solution, of_base.notes)
             }
         };
-        if fitted.stopped == Stopped::Cancelled || !go_on() {
+        if fitted.stopped == Stopped::Cancelled || !keep_going() {
             return Err(IdentifyError::Cancelled);
         }
         Ok(Self {
@@ -153,10 +153,10 @@ pub(super) fn prepare<'a>(
     effects: &[String],
     initial_terms: &[Term],
     values: JointValues,
-    go_on: &'a dyn Fn() -> bool,
+    keep_going: &'a dyn Fn() -> bool,
 ) -> Result<FitStart<'a>, IdentifyError> {
     let mut problem = Problem::observing(session, values);
-    problem.watch = Watch::by(go_on);
+    problem.watch = Watch::by(keep_going);
     if problem.samples() == 0 {
         return Err(IdentifyError::NothingToFit);
     }

@@ -165,7 +165,7 @@ impl<'a> Rows<'a> {
 
     /// What is known of the places and sizes of a model besides, in units of σ: distances between
     /// sockets, and an overall size that no measurement shows.
-    pub fn known(&self, model: &Model, priors: &Priors) -> (DVector<f64>, DMatrix<f64>) {
+    pub fn prior_rows(&self, model: &Model, priors: &Priors) -> (DVector<f64>, DMatrix<f64>) {
         let Some(rows) = &self.observed else {
             return (DVector::zeros(0), DMatrix::zeros(0, 0));
         };
@@ -193,7 +193,7 @@ impl<'a> Rows<'a> {
             return (residual, columns);
         };
         let unit = rows.layer().unit_mm;
-        let (left, known) = self.known(model, priors);
+        let (left, known) = self.prior_rows(model, priors);
         let (m, more) = (self.len(), left.len());
         let mut residual = residual.resize_vertically(m + more, 0.0);
         let mut columns = columns.resize_vertically(m + more, 0.0);

@@ -78,7 +78,7 @@ impl Job<'_> {
                 Some(Landmark {
                     name: (*name).to_owned(),
                     measured: *point,
-                    known: *known,
+                    in_base: *known,
                 })
             })
             .collect();

@@ -55,7 +55,7 @@ impl Job<'_> {
         let planes = self
             .declared(columns, Quantity::Plane, &BTreeMap::new())
             .into_iter()
-            .map(|name| Plane { name, known: None })
+            .map(|name| Plane { name, stated: None })
             .collect();
         let stations = self.stations(columns, &known);
         let socket_distances = self.socket_distances(&sockets)?;

@@ -32,7 +32,7 @@ pub struct Landmark {
     /// Where it was measured, mm.
     pub measured: Point3<f64>,
     /// Where it is in the base frame, mm.
-    pub known: Point3<f64>,
+    pub in_base: Point3<f64>,
 }
 
 /// How far a point is off after the alignment.
@@ -119,11 +119,11 @@ pub fn align(landmarks: &[Landmark], with_scale: bool) -> Result<Alignment, Alig
     let near = |point: &Point3<f64>| point.coords.amax() < FARTHEST_MM;
     if !landmarks
         .iter()
-        .all(|l| near(&l.known) && near(&l.measured))
+        .all(|l| near(&l.in_base) && near(&l.measured))
     {
         return Err(AlignError::TooFar);
     }
-    if on_a_line(landmarks.iter().map(|l| l.known))
+    if on_a_line(landmarks.iter().map(|l| l.in_base))
         || on_a_line(landmarks.iter().map(|l| l.measured))
     {
         return Err(AlignError::OnALine);
@@ -131,7 +131,7 @@ pub fn align(landmarks: &[Landmark], with_scale: bool) -> Result<Alignment, Alig
     let inside = majority(landmarks, with_scale).ok_or(AlignError::NoMajority)?;
     let inside = grown(landmarks, inside, with_scale).ok_or(AlignError::NoMajority)?;
     let chosen: Vec<&Landmark> = chosen(landmarks, &inside);
-    if on_a_line(chosen.iter().map(|l| l.known)) {
+    if on_a_line(chosen.iter().map(|l| l.in_base)) {
         return Err(AlignError::OnALine);
     }
     let fit = Fit::of(&chosen, with_scale).ok_or(AlignError::NoMajority)?;
@@ -196,7 +196,7 @@ impl Fit {
             // The scale is that of the extents along the best rotation, which it does not change.
             let pairs: Vec<_> = landmarks
                 .iter()
-                .map(|l| (l.measured.coords, l.known.coords))
+                .map(|l| (l.measured.coords, l.in_base.coords))
                 .collect();
             let motion = rigid_motion(&pairs)?;
             let count = landmarks.len() as f64;
@@ -215,7 +215,7 @@ impl Fit {
         }
         let pairs: Vec<_> = landmarks
             .iter()
-            .map(|l| (l.measured.coords * scale, l.known.coords))
+            .map(|l| (l.measured.coords * scale, l.in_base.coords))
             .collect();
         let motion = rigid_motion(&pairs)?;
         Some(Self { motion, scale })
@@ -223,7 +223,7 @@ impl Fit {
 
     fn residual(&self, landmark: &Landmark) -> Vector3<f64> {
         let measured = Point3::from(landmark.measured.coords * self.scale);
-        self.motion * measured - landmark.known
+        self.motion * measured - landmark.in_base
     }
 }
 
@@ -236,7 +236,8 @@ fn majority(landmarks: &[Landmark], with_scale: bool) -> Option<Vec<bool>> {
     let mut best: Option<(f64, Vec<bool>)> = None;
     let mut try_triple = |triple: [usize; 3]| {
         let three = triple.map(|index| &landmarks[index]);
-        if on_a_line(three.iter().map(|l| l.known)) || on_a_line(three.iter().map(|l| l.measured)) {
+        if on_a_line(three.iter().map(|l| l.in_base)) || on_a_line(three.iter().map(|l| l.measured))
+        {
             return;
         }
         let Some(fit) = Fit::of(&three, with_scale) else {
@@ -286,7 +287,7 @@ fn grown(landmarks: &[Landmark], mut inside: Vec<bool>, with_scale: bool) -> Opt
     let parameters = if with_scale { 7.0 } else { 6.0 };
     let size = landmarks
         .iter()
-        .map(|l| l.known.coords.amax())
+        .map(|l| l.in_base.coords.amax())
         .fold(0.0, f64::max);
     // Files are rounded: a millionth of the extent is no outlier.
     let rounding = 1e-6 * size;
@@ -343,7 +344,7 @@ mod tests {
                 Landmark {
                     name: format!("R{i}"),
                     measured: measured.into(),
-                    known,
+                    in_base: known,
                 }
             })
             .collect()
@@ -397,11 +398,11 @@ mod tests {
         let mut points = landmarks(5, 0.0, 1.0);
         assert_eq!(align(&points[..2], false), Err(AlignError::TooFew(2)));
         for (i, point) in points.iter_mut().enumerate() {
-            point.known = Point3::new(100.0 * i as f64, 20.0 * i as f64, 0.0);
+            point.in_base = Point3::new(100.0 * i as f64, 20.0 * i as f64, 0.0);
         }
         assert_eq!(align(&points, false), Err(AlignError::OnALine));
         for point in &mut points {
-            point.known = Point3::origin();
+            point.in_base = Point3::origin();
         }
         assert_eq!(align(&points, false), Err(AlignError::OnALine));
     }

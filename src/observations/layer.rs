@@ -329,12 +329,12 @@ impl<'a> Layer<'a> {
         rows: &mut RowBlock,
         follows: &mut Follows,
         item: usize,
-        placing: &Placing,
+        placement: &Placing,
         (point, attitude): ([f64; 3], [[f64; 3]; 3]),
     ) {
         let Item { kind, sample, .. } = self.items[item];
         let own = KINDS[kind];
-        let (raw, weighed, lever_mm) = self.residual_of(item, placing, point, attitude);
+        let (raw, weighed, lever_mm) = self.residual_of(item, placement, point, attitude);
         let lane = rows.items.len();
         rows.items.push(Some(item));
         rows.length[lane] = raw.length();
@@ -356,7 +356,7 @@ impl<'a> Layer<'a> {
             }
         }
         let at = own.place(self.session, sample);
-        if let Some((_, Some(first), held)) = at.and_then(|place| placing.get(place)) {
+        if let Some((_, Some(first), held)) = at.and_then(|place| placement.get(place)) {
             follows.places.push((lane, first, held, weighed));
         }
     }
@@ -396,7 +396,7 @@ impl<'a> Layer<'a> {
     fn residual_of(
         &self,
         item: usize,
-        placing: &Placing,
+        placement: &Placing,
         point: [f64; 3],
         attitude: [[f64; 3]; 3],
     ) -> (Residual, Residual, f64) {
@@ -404,7 +404,7 @@ impl<'a> Layer<'a> {
         let Item { kind, sample, .. } = self.items[item];
         let own = KINDS[kind];
         let at = own.place(self.session, sample);
-        let place = at.and_then(|place| placing.get(place));
+        let place = at.and_then(|place| placement.get(place));
         let seen = Seen {
             point,
             attitude,

@@ -125,7 +125,7 @@ pub struct Target {
     /// Its numbers.
     pub shape: Shape,
     posture: Option<Box<Posture>>,
-    known: Option<Box<Circumstances>>,
+    circumstances: Option<Box<Circumstances>>,
     /// Why it cannot be corrected, whatever its numbers.
     pub left: Option<Box<SkippedTarget>>,
     /// In which frames and with which tools motions go to it.
@@ -141,7 +141,7 @@ impl Target {
             at,
             shape,
             posture: None,
-            known: None,
+            circumstances: None,
             left: None,
             ways: UsedPairs::default(),
             placed: Placed::default(),
@@ -156,11 +156,11 @@ impl Target {
             dir: Vec::new(),
             speed: Vec::new(),
         };
-        self.known.as_deref().unwrap_or(NOTHING)
+        self.circumstances.as_deref().unwrap_or(NOTHING)
     }
 
     pub(super) fn set_circumstances(&mut self, known: Circumstances) {
-        self.known = (known != Circumstances::default()).then(|| Box::new(known));
+        self.circumstances = (known != Circumstances::default()).then(|| Box::new(known));
     }
 
     /// What the file says about how the arm stands there.

@@ -417,7 +417,7 @@ fn references_out_of_range(session: &Session) -> Vec<Diagnostic> {
         attitude.is_none_or(|turn| (turn.coords.norm() - 1.0).abs() <= 1e-6)
     });
     let planes = references.planes.iter().all(|plane| {
-        let known = plane.known.as_ref();
+        let known = plane.stated.as_ref();
         known.is_none_or(|(normal, mm)| is_direction(normal) && is_length(*mm))
     });
     let mut distances = references.socket_distances.iter();

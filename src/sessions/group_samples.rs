@@ -105,7 +105,7 @@ impl Group {
                     azimuth,
                 });
             }
-            Self::Plane => references.planes.push(Plane { name, known: None }),
+            Self::Plane => references.planes.push(Plane { name, stated: None }),
             Self::Anchor => {
                 let offset_mm = references.anchors[index].offset_mm;
                 references.anchors.push(Anchor {
@@ -169,7 +169,7 @@ impl Group {
             }
             Self::Plane => {
                 if let Some(plane) = references.planes.get_mut(index) {
-                    plane.known = None;
+                    plane.stated = None;
                 }
             }
             Self::Anchor => {
@@ -197,7 +197,7 @@ impl Group {
             Self::Plane => references
                 .planes
                 .get(index)
-                .is_some_and(|p| p.known.is_some()),
+                .is_some_and(|p| p.stated.is_some()),
             Self::Anchor => references
                 .anchors
                 .get(index)

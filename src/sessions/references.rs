@@ -61,7 +61,7 @@ pub struct Plane {
     /// Its name in the file.
     pub name: String,
     /// Normal and distance from the origin along it, mm; `None`: unknown.
-    pub known: Option<(Unit<Vector3<f64>>, f64)>,
+    pub stated: Option<(Unit<Vector3<f64>>, f64)>,
 }
 
 /// A cup that holds a target in one place.

@@ -186,7 +186,7 @@ fn brought(
     let mut own = Inputs::new(session, JointValues::Commanded).select(&[sample]);
     let missing = |at: [f64; 3]| -> Option<Missing> {
         if kind == PlaceKind::Plane {
-            let (normal, distance) = references.planes[index].known?;
+            let (normal, distance) = references.planes[index].stated?;
             let n: [f64; 3] = normal.into_inner().into();
             return Some((vec![distance + off[0] - dot(n, at)], vec![n]));
         }
@@ -232,7 +232,7 @@ fn hide(references: &mut References, unknown: &[PlaceKind]) {
         .iter_mut()
         .filter(|_| hidden(PlaceKind::Plane))
     {
-        plane.known = None;
+        plane.stated = None;
     }
     for socket in references
         .sockets

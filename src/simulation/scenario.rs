@@ -493,7 +493,7 @@ impl Scenario {
                 ),
                 Measure::Touch => wrong(
                     "planes",
-                    !all.planes.is_empty() && all.planes.iter().all(|p| p.known.is_some()),
+                    !all.planes.is_empty() && all.planes.iter().all(|p| p.stated.is_some()),
                     phrase!("planes with normal and distance_mm; \"unknown\" hides them"),
                 ),
             }

@@ -120,7 +120,7 @@ pub(crate) use sentence::{angle, components, entered, length, lengths, small_ang
 #[cfg(any(test, feature = "cli", feature = "gui"))]
 pub(crate) use speech::choose;
 #[cfg(feature = "gui")]
-pub(crate) use speech::known;
+pub(crate) use speech::phrases_in;
 pub(crate) use speech::{ByTitles, by_titles};
 #[cfg(feature = "gui")]
 pub(crate) use speech::{characters, name_by_titles, stretch};

@@ -143,7 +143,7 @@ pub(crate) fn known_in(
     match language {
         Language::English => None,
         Language::Marked | Language::Long => {
-            known(context).find(|known| *known == english)?;
+            phrases_in(context).find(|known| *known == english)?;
             Some(filled_pattern(language, english, arguments))
         }
         language => {
@@ -154,7 +154,7 @@ pub(crate) fn known_in(
 }
 
 /// What the catalogues have in this context, in English.
-pub(crate) fn known(context: &str) -> impl Iterator<Item = &'static str> {
+pub(crate) fn phrases_in(context: &str) -> impl Iterator<Item = &'static str> {
     let all = catalogue(Language::German).all();
     all.filter(move |(own, ..)| *own == context)
         .map(|(_, english, _)| english)

@@ -204,7 +204,7 @@ const MISTAKES: [Mistake; 28] = [
     }),
     ("a plane elsewhere than stated", |s, _| {
         let mut stated = s.instrument.references.planes.iter_mut();
-        let known = stated.find_map(|plane| plane.known.as_mut());
+        let known = stated.find_map(|plane| plane.stated.as_mut());
         known.map(|(_, distance)| *distance += 3.0).is_some()
     }),
     ("a joint's sign and metres", |s, pick| {

@@ -10,7 +10,7 @@ use crate::model::Model;
 /// The last answers, each with the fit that it is for.
 pub(crate) struct Memo<T> {
     most: usize,
-    known: RefCell<Vec<(Vec<u64>, T)>>,
+    computed: RefCell<Vec<(Vec<u64>, T)>>,
 }
 
 impl<T: Clone> Memo<T> {
@@ -18,7 +18,7 @@ impl<T: Clone> Memo<T> {
     pub(crate) fn new(most: usize) -> Self {
         Self {
             most: most.max(1),
-            known: RefCell::new(Vec::new()),
+            computed: RefCell::new(Vec::new()),
         }
     }
 
@@ -31,16 +31,16 @@ impl<T: Clone> Memo<T> {
 
     /// Drops all of them.
     pub(crate) fn clear(&self) {
-        self.known.borrow_mut().clear();
+        self.computed.borrow_mut().clear();
     }
 
     fn of_key(&self, key: Vec<u64>, work: impl FnOnce() -> T) -> T {
-        let known = self.known.borrow().iter().find(|k| k.0 == key).cloned();
+        let known = self.computed.borrow().iter().find(|k| k.0 == key).cloned();
         if let Some((_, answer)) = known {
             return answer;
         }
         let answer = work();
-        let mut known = self.known.borrow_mut();
+        let mut known = self.computed.borrow_mut();
         if known.len() >= self.most {
             known.remove(0);
         }

@@ -108,7 +108,7 @@ impl<'a> Regression<'a> {
         (seed, threads): (u64, Threads),
     ) -> Self {
         let priors = prior_rows(&problem, &base);
-        let beside = priors.len() + rows.known(&base, &problem.priors).0.len();
+        let beside = priors.len() + rows.prior_rows(&base, &problem.priors).0.len();
         let filter = noise.filter(&rows);
         let numbers = noise.slow.map_or(0.0, |slow| {
             1.0 + slow.rms_mm.iter().filter(|s| **s > 0.0).count() as f64
@@ -206,7 +206,7 @@ impl<'a> Regression<'a> {
             first += term.coefficients.len();
         }
         if self.prior_rows > self.priors.len() {
-            let (left, columns) = self.rows.known(model, &self.problem.priors);
+            let (left, columns) = self.rows.prior_rows(model, &self.problem.priors);
             let from = m + self.priors.len();
             jacobian.rows_mut(from, left.len()).copy_from(&columns);
         }
@@ -227,7 +227,7 @@ impl<'a> Regression<'a> {
             }
         }
         if more > self.priors.len() {
-            let (left, _) = self.rows.known(model, &self.problem.priors);
+            let (left, _) = self.rows.prior_rows(model, &self.problem.priors);
             let from = m + self.priors.len();
             residual.rows_mut(from, left.len()).copy_from(&left);
         }

@@ -177,8 +177,10 @@ fn against_rivals<'a>(
         if let Some(curve) = free_curve::instead_of_slow(&white, &found, |_| true) {
             (prepared, found) = (white, curve);
         }
+        // Of several joints one has values that come back by accident.
         let white = prepared.with_noise(noise.without_slow());
-        let comes_back = |joint: usize| free_curve::comes_back(&white, joint);
+        let single = white.survey.joints.len() == 1;
+        let comes_back = |joint: usize| single && free_curve::comes_back(&white, joint);
         if let Some(curve) = free_curve::instead_of_slow(&white, &found, comes_back) {
             (prepared, found) = (white, curve);
         }

@@ -63,7 +63,7 @@ impl Block<'_> {
                 direction[k][i] = along[k];
             }
         }
-        if let Some(first) = self.apart {
+        if let Some(first) = self.by_joints_from {
             self.columns[first + index] = direction;
             self.live[first + index] = true;
             return;

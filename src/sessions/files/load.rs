@@ -240,12 +240,12 @@ struct TableRequest<'a> {
 fn samples_file(
     name: &str,
     place: &Place,
-    beside: CompanionFile<'_>,
+    companion: CompanionFile<'_>,
     wanted: &TableRequest<'_>,
     fields: &mut Fields<'_>,
 ) -> Option<Samples> {
     let findings = &mut fields.findings;
-    let opened = match beside {
+    let opened = match companion {
         CompanionFile::Csv(bytes) => {
             let file = Place::file(name);
             return samples_from(bytes, None, &file, place, wanted, findings);

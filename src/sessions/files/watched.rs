@@ -20,7 +20,7 @@ fn cell(row: usize, column: usize) -> String {
     format!("{}.{:05}", column * 100, row % 99_991)
 }
 
-fn beside(folder: &Path) -> PathBuf {
+fn sibling_of(folder: &Path) -> PathBuf {
     let mut csv = "q1_deg,x_mm,y_mm\n".to_owned();
     for row in 0..ROWS {
         let cells = [0, 1, 2].map(|column| cell(row, column));
@@ -62,7 +62,7 @@ fn on_disk(folder: &Path) -> Vec<(PathBuf, Vec<u8>)> {
 #[test]
 fn what_is_read_tells_how_far_it_is_and_can_be_cancelled_wherever_it_does() {
     let folder = tempfile::tempdir().unwrap();
-    for path in [beside(folder.path()), inline(folder.path())] {
+    for path in [sibling_of(folder.path()), inline(folder.path())] {
         let (shares, loaded) = report_to(|watch| load_watched(&path, watch));
         let loaded = loaded.unwrap();
         assert_grows(&shares);
@@ -102,7 +102,7 @@ fn a_document_that_is_wrong_is_refused_as_if_nobody_watched() {
 #[test]
 fn a_session_that_is_saved_tells_how_far_it_is_and_a_cancelled_one_leaves_the_disk_as_it_was() {
     let source = tempfile::tempdir().unwrap();
-    let session = load(beside(source.path())).unwrap().session;
+    let session = load(sibling_of(source.path())).unwrap().session;
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("saved.json");
     let replacing = Replacing {

@@ -110,7 +110,7 @@ impl<'a> Design<'a> {
             .enumerate()
             .filter_map(|(c, o)| Some((c, sigma(o)?, o.1.coefficients[o.2])))
             .collect();
-        let (left, columns) = rows.known(model, &problem.priors);
+        let (left, columns) = rows.prior_rows(model, &problem.priors);
         let m = rows.len();
         let height = m + known.len() + left.len();
         let mut white = noise

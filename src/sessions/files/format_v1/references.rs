@@ -175,18 +175,18 @@ const STATION: Entry<Station> = Entry {
 };
 
 const PLANE: Entry<Plane> = Entry {
-    blank: |name| Plane { name, known: None },
+    blank: |name| Plane { name, stated: None },
     name: |plane| &plane.name,
-    is_known: |plane| plane.known.is_some(),
+    is_known: |plane| plane.stated.is_some(),
     expected: phrase!("an object with normal, distance_mm, or null"),
     declare: |o, plane| {
-        let (mut normal, mut distance) = plane.known.unwrap_or((Vector3::z_axis(), 0.0));
+        let (mut normal, mut distance) = plane.stated.unwrap_or((Vector3::z_axis(), 0.0));
         if o.needs("normal", phrase!("a direction across the plane")) {
             o.field("normal", &mut normal, &DIRECTION);
         }
         o.required("distance_mm", &mut distance, &NUMBER);
         if o.has_read_well() {
-            plane.known = Some((normal, distance));
+            plane.stated = Some((normal, distance));
         }
     },
 };
