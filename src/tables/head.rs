@@ -8,7 +8,7 @@ use super::rows::{OpenQuote, TextRow, TextRows};
 /// Lines that are looked at for the separator and the start of the table.
 pub(super) const LOOKED_AT: usize = 400;
 
-/// Words that whoever reads the table knows.
+/// Words that the reader of the table knows.
 pub(crate) struct Words {
     /// Of a heading.
     pub(crate) is_heading: fn(&str) -> bool,

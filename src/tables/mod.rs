@@ -11,7 +11,7 @@
 //!   [`decimals`] the decimal sign.
 //! - Targets are changed in place: [`Rows`] says where their cells are, whatever the encoding.
 //!
-//! What headings mean is the affair of whoever reads; so is the sentence about what is wrong, for which there are
+//! What headings mean is the affair of the reader; so is the sentence about what is wrong, for which there are
 //! [`Complaints`].
 
 mod cell;

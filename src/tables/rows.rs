@@ -1,7 +1,7 @@
 //! Rows of a table, one after the other: where their cells are, or what they say.
 //!
 //! Blank lines, comments and rows of separators only are passed over. Whoever changes a file in place asks
-//! [`Rows`] where its cells are, in any encoding with ASCII in it; whoever reads it asks [`TextRows`] for their text.
+//! [`Rows`] where its cells are, in any encoding with ASCII in it; a reader asks [`TextRows`] for their text.
 
 use std::borrow::Cow;
 
