@@ -46,7 +46,7 @@ fn read(context: &mut ReadContext<'_>) -> Option<Columns> {
     roles.resize(grid.width, Role::Kept);
     let columns = context.columns(&grid, roles);
     for column in &mut context.found.columns {
-        column.known = Known::Certain;
+        column.confidence = Known::Certain;
     }
     context.found.unit = text!("{unit}, as the format has it", unit = unit.symbol());
     columns
