@@ -33,7 +33,7 @@ impl Identification {
                 left = length(self.gap.after.rms_mm, 3)
             ),
             proposal: text!(
-                "look at them before the model is used: it is fitted to the other samples, and its errors are theirs"
+                "check them before the model is used: it is fitted to the other samples, and the errors stated are of those"
             ),
             mend: None,
             samples,

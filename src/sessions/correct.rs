@@ -3,7 +3,7 @@
 use crate::kinematics::JointKind;
 use crate::text::{Template, Text, length};
 
-use super::correction::{DAY_S, SessionCorrection};
+use super::correction::{DAY_S, GRADIAN_DEG, SessionCorrection, TRAVEL_UNITS_MM};
 use super::{Samples, Session, Setups};
 
 impl SessionCorrection {
@@ -229,14 +229,12 @@ impl SessionCorrection {
 
 /// In which unit a joint's values are that have to be multiplied by so much.
 fn unit_of_joint(factor: f64) -> Template {
-    match factor {
-        0.9 => phrase!("gradians"),
-        10.0 => phrase!("centimetres"),
-        1000.0 => phrase!("metres"),
-        25.4 => phrase!("inches"),
-        0.001 => phrase!("micrometres"),
-        factor if factor < 1.0 => phrase!("degrees"),
-        _ => phrase!("radians"),
+    let travel = TRAVEL_UNITS_MM.iter().find(|(mm, _)| *mm == factor);
+    match travel {
+        Some((_, unit)) => *unit,
+        None if factor == GRADIAN_DEG => phrase!("gradians"),
+        None if factor < 1.0 => phrase!("degrees"),
+        None => phrase!("radians"),
     }
 }
 

@@ -4,9 +4,21 @@
 //! made. The diagnosis tries them as hypotheses, and the window offers the one that it believed.
 
 use super::Group;
+use crate::text::Template;
 
 /// A day, s.
 pub(crate) const DAY_S: f64 = 86_400.0;
+
+/// A gradian, degrees: a full turn has 400.
+pub(crate) const GRADIAN_DEG: f64 = 0.9;
+
+/// Units in which the values of a joint that slides may be written, mm.
+pub(crate) const TRAVEL_UNITS_MM: [(f64, Template); 4] = [
+    (10.0, phrase!("centimetres")),
+    (1000.0, phrase!("metres")),
+    (25.4, phrase!("inches")),
+    (0.001, phrase!("micrometres")),
+];
 
 /// What was done to samples in memory since they were read.
 #[derive(Debug, Clone, PartialEq)]

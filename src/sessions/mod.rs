@@ -14,7 +14,7 @@ pub(crate) mod cells;
 pub(crate) mod columns;
 mod consistency;
 mod correct;
-mod correction;
+pub(crate) mod correction;
 pub(crate) mod division;
 mod domain;
 pub(crate) mod files;

@@ -1,6 +1,6 @@
 //! What may have gone wrong in setting up, as changes of the session.
 
-use crate::text::{Template, Text};
+use crate::text::Text;
 use nalgebra::Isometry3;
 
 use crate::effects::{JointValues, Term, joint_zero};
@@ -11,6 +11,7 @@ use crate::model::Model;
 use crate::model::rigid_motion::best_rigid_motion;
 use crate::sessions::Session;
 use crate::sessions::SessionCorrection;
+use crate::sessions::correction::{GRADIAN_DEG, TRAVEL_UNITS_MM};
 use crate::units::{deg_from_rad, rad_from_deg};
 
 /// A hypothesis: what is wrong, what to do, and how the data would read without it.
@@ -33,9 +34,6 @@ pub(super) fn other_way_round(joint: usize) -> (Text, Text, SessionCorrection) {
     )
 }
 
-/// Of a gradian, degrees: a full turn has 400.
-const GRADIAN_DEG: f64 = 0.9;
-
 /// Units of a joint's values that were mistaken: a factor, and what is said of it.
 pub(super) fn mistaken_units(kind: JointKind, joint: usize) -> Vec<(f64, Text)> {
     match kind {
@@ -45,19 +43,14 @@ pub(super) fn mistaken_units(kind: JointKind, joint: usize) -> Vec<(f64, Text)> 
 }
 
 fn mistaken_travels(joint: usize) -> [(f64, Text); 4] {
-    let in_unit = |unit: Template| {
-        text!(
+    TRAVEL_UNITS_MM.map(|(factor, unit)| {
+        let what = text!(
             "the values of joint {joint} are in {unit} but were read as millimetres",
             joint = joint,
             unit = unit
-        )
-    };
-    [
-        (10.0, in_unit(phrase!("centimetres"))),
-        (1000.0, in_unit(phrase!("metres"))),
-        (25.4, in_unit(phrase!("inches"))),
-        (0.001, in_unit(phrase!("micrometres"))),
-    ]
+        );
+        (factor, what)
+    })
 }
 
 fn mistaken_angles(joint: usize) -> [(f64, Text); 3] {

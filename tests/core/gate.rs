@@ -269,12 +269,21 @@ fn a_table_makes_the_robot_better_and_with_the_sign_turned_it_doubles_the_error(
     let reversed: fn(f64) -> f64 = |q| -q;
     let quarter: fn(f64) -> f64 = |q| q - 90.0;
     let back: fn(f64) -> f64 = |q| q + 90.0;
+    let half: fn(f64) -> f64 = |q| q + 180.0;
+    let half_back: fn(f64) -> f64 = |q| q - 180.0;
     for (what, raw, from_raw) in [
         ("plain", same, same),
         ("reversed", reversed, reversed),
         ("home", quarter, back),
+        ("half a turn", half, half_back),
     ] {
         let session = one_axis(3, 130, eccentric, as_it_is, raw);
+        // What `identify` says corrects the same mistakes.
+        let method = Method::default();
+        let identified = identify_checked(&session, &method, JointValues::Commanded).unwrap();
+        let by = table(&hand_out(&identified.calibration, &session).unwrap());
+        let error = |sign: f64| driven(eccentric, raw, from_raw, &by, sign);
+        assert!(error(1.0) < 0.2 * error(0.0), "{what}: {}", error(1.0));
         let found = diagnosed(&session);
         assert_no_worse(&found, what);
         assert_eq!(

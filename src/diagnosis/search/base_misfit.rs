@@ -14,6 +14,7 @@ use crate::answers::diagnosis::FloorFrom;
 use crate::diagnosis::evidence::Fit;
 use crate::diagnosis::evidence::rival::Rival;
 use crate::effects::Term;
+use crate::kinematics::{JointKind, Robot};
 
 /// So many names are several.
 const SEVERAL: usize = 2;
@@ -45,8 +46,9 @@ pub(crate) fn withdraw(prepared: &PreparedSearch, found: &mut SearchResult) {
         found.fit = regression.fit(&regression.base, &shapes);
         return;
     }
-    let own = found.fit.model.terms().iter();
-    let several = names >= SEVERAL || own.into_iter().any(is_impossible);
+    let model = &found.fit.model;
+    let impossible = |term: &Term| is_impossible(&model.robot, term);
+    let several = names >= SEVERAL || model.terms().iter().any(impossible);
     // A search that ended early leaves what it had no time for: that says nothing of the base.
     if !several || regression.work.ended().is_some() {
         return;
@@ -59,11 +61,13 @@ pub(crate) fn withdraw(prepared: &PreparedSearch, found: &mut SearchResult) {
     }
 }
 
-/// Whether a term has a size that its effect has on no machine.
-fn is_impossible(term: &Term) -> bool {
+/// Whether a term has a size that its effect has on no machine. No limit is known for what slides: its sizes have
+/// other units, and other names.
+fn is_impossible(robot: &Robot, term: &Term) -> bool {
     let about = term.effect.about();
     let sizes = about.form.quantities();
-    let parameters = term.parameters();
+    let kind = robot.joints.get(term.joint).map(|joint| joint.kind);
+    let parameters = term.parameters_on(kind.unwrap_or(JointKind::Revolute));
     about.implausible_above.is_some_and(|limit| {
         parameters.iter().any(|own| {
             let is_size = sizes.iter().any(|size| size.name == own.name);
@@ -112,4 +116,25 @@ pub(crate) fn left_mm(prepared: &PreparedSearch, fit: &Fit) -> f64 {
     }
     let axes = regression.rows.axes.len() as f64;
     regression.scale(fit) * mean_sigma_mm(regression) * axes.sqrt()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sessions::load;
+
+    #[test]
+    fn a_size_of_no_machine_is_impossible_on_a_joint_that_turns() {
+        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/sessions/arm/arm.json");
+        let mut robot = load(std::path::Path::new(path)).unwrap().session.robot;
+        robot.joints[2].kind = JointKind::Prismatic;
+        let impossible = |id: &str, joint, name: &str, value: f64| {
+            let term = Term::from_parameters(id, joint, &[(name, value)], 6).unwrap();
+            is_impossible(&robot, &term)
+        };
+        assert!(impossible("thermal-growth", 6, "ppm_per_degc", 17_728.0));
+        assert!(!impossible("thermal-growth", 6, "ppm_per_degc", 60.0));
+        assert!(impossible("backlash", 2, "width_deg", 4.0));
+        assert!(!impossible("backlash", 3, "width_mm", 0.4));
+    }
 }

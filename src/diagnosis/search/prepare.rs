@@ -20,6 +20,7 @@ use crate::sessions::cells::cells;
 use crate::set_up_errors::DataProblem;
 use crate::side_by_side::Threads;
 use nalgebra::DMatrix;
+use std::cell::LazyCell;
 use std::rc::Rc;
 
 use super::found::SearchResult;
@@ -440,13 +441,14 @@ fn keep_clusters(problem: &mut Problem, base: &Model) {
     super::classes::keep(problem, &suspected);
     let share = count as f64 / fitted.max(1) as f64;
     let mut back = problem.counted().to_vec();
+    let left_mm = LazyCell::new(|| lengths_mm(problem, base));
     for joint in 0..problem.inputs.q.len() {
         let q = &problem.inputs.q[joint];
         let of = |i: usize| q[problem.sample_of(i)];
         for run in runs(&fit, &suspected, of) {
             // So many in a row by accident: n·share^run.
             let accident = fitted as f64 * share.powi(i32::try_from(run.len()).unwrap_or(64));
-            if run.len() >= RUN && accident < 0.01 && !is_gross(problem, base, &run) {
+            if run.len() >= RUN && accident < 0.01 && !is_gross(problem, &left_mm, &run) {
                 for index in run {
                     back[index] = true;
                 }
@@ -457,8 +459,7 @@ fn keep_clusters(problem: &mut Problem, base: &Model) {
 }
 
 /// Whether most of what is counted here is off by more than any effect.
-fn is_gross(problem: &Problem, base: &Model, run: &[usize]) -> bool {
-    let left_mm = lengths_mm(problem, base);
+fn is_gross(problem: &Problem, left_mm: &[f64], run: &[usize]) -> bool {
     let mut run: Vec<f64> = run.iter().map(|i| left_mm[problem.sample_of(*i)]).collect();
     run.sort_by(f64::total_cmp);
     run[run.len() / 2] > GROSS_SHARE * problem.session.robot.reach_mm()
