@@ -187,6 +187,19 @@ pub fn identify_checked(
     method: &Method,
     values: JointValues,
 ) -> Result<Identified, IdentifyError> {
+    identify_checked_unless(session, method, values, &|| true)
+}
+
+/// Like [`identify_checked`], asking before every pass over the samples whether to go on.
+///
+/// # Errors
+/// See [`IdentifyError`].
+pub fn identify_checked_unless(
+    session: &Session,
+    method: &Method,
+    values: JointValues,
+    keep_going: &dyn Fn() -> bool,
+) -> Result<Identified, IdentifyError> {
     let session = &*session.whole()?;
     let checked = match method {
         Method::Exact { .. } => noticed(session, values),
@@ -195,7 +208,8 @@ pub fn identify_checked(
             problems: Vec::new(),
         },
     };
-    let (identification, calibration) = identify(&checked.session, method, values)?;
+    let (identification, calibration) =
+        identify_unless(&checked.session, method, values, keep_going)?;
     let mut data_problems = checked.problems;
     data_problems.extend(identification.many_set_aside());
     Ok(Identified {

@@ -20,7 +20,7 @@ use crate::present::kinds;
 #[cfg(feature = "cli")]
 use crate::present::table::Table;
 use crate::sessions::Session;
-#[cfg(feature = "cli")]
+#[cfg(any(feature = "cli", feature = "gui"))]
 use crate::set_up_errors::DataProblem;
 
 /// The whole answer, in the order in which it is read.
@@ -126,6 +126,13 @@ fn regions(results: &[RegionResult]) -> Table {
         ]);
     }
     table
+}
+
+#[cfg(feature = "gui")]
+/// What was wrong in the session, with evidence and proposal.
+pub(crate) fn problems_of_data(problems: &[DataProblem], detail: Detail) -> Vec<Section> {
+    let _speaking = detail.speaking();
+    open::data_problems(problems)
 }
 
 /// What the samples do not determine, the noise, notes, and samples that do not count.

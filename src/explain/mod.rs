@@ -34,7 +34,7 @@ pub(crate) use history::history;
 #[cfg(feature = "cli")]
 pub(crate) use identification::identification;
 #[cfg(feature = "gui")]
-pub(crate) use identification::remarks_on_fit;
+pub(crate) use identification::{problems_of_data, remarks_on_fit};
 #[cfg(any(feature = "cli", feature = "gui"))]
 pub(crate) use imported::imported;
 pub(crate) use parameters::values;

@@ -60,7 +60,7 @@ pub fn stages(
         });
     }
     more.push(Stage {
-        name: say!(in "chart-word", "Against the model").to_owned(),
+        name: say!(in "chart-word", "Model residuals").to_owned(),
         role: ColourRole::After,
         deviations: verification.after.clone(),
     });

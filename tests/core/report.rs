@@ -457,11 +457,7 @@ fn the_plots_are_files_of_their_own_too() {
     let names: Vec<&str> = stages.stages.iter().map(|s| &*s.name).collect();
     assert_eq!(
         names,
-        [
-            "As measured",
-            "With corrected commands",
-            "Against the model"
-        ]
+        ["As measured", "With corrected commands", "Model residuals"]
     );
     let drawings = [
         plots::workspace(&stages).0,

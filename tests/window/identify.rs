@@ -3,6 +3,8 @@
 
 use crate::window::{Window, gaps, keys, press, says, window};
 use egui::{Key, Modifiers};
+use std::fs;
+use std::path::{Path, PathBuf};
 
 /// The bundled session, identified exactly.
 fn identified() -> Window {
@@ -47,4 +49,41 @@ fn what_the_session_cannot_show_is_said_with_the_reason() {
     let mut window = identified();
     press(&mut window, "1 that this session cannot show");
     assert!(says(&window, "gravity is along the axis"));
+}
+
+/// The lamp's session with commands of a controller whose zero is half a turn off.
+fn half_a_turn_off(folder: &Path) -> PathBuf {
+    let bundled = Path::new(env!("CARGO_MANIFEST_DIR")).join("sessions");
+    let samples = fs::read_to_string(bundled.join("lamp-commissioning.csv")).unwrap();
+    let mut rows = samples.lines();
+    let mut turned = format!("{}\n", rows.next().unwrap());
+    for row in rows {
+        let (command, rest) = row.split_once(',').unwrap();
+        let command: f64 = command.parse().unwrap();
+        turned.push_str(&format!("{},{rest}\n", command + 180.0));
+    }
+    fs::write(folder.join("turned.csv"), turned).unwrap();
+    let session = fs::read(bundled.join("lamp-commissioning.json")).unwrap();
+    let mut session: serde_json::Value = serde_json::from_slice(&session).unwrap();
+    session["samples"] = serde_json::json!({ "file": "turned.csv" });
+    session["robot"]["joints"][0]["limits"] = serde_json::json!([0, 360]);
+    let path = folder.join("turned.json");
+    fs::write(&path, session.to_string()).unwrap();
+    path
+}
+
+#[test]
+fn a_set_up_error_is_out_of_the_model_before_any_diagnosis() {
+    let left = after(&identified());
+    let folder = tempfile::tempdir().unwrap();
+    let mut window = window(Some(half_a_turn_off(folder.path())));
+    press(&mut window, "3 Identify");
+    press(&mut window, "Identify");
+    // What is fitted, what each sample keeps of it, and what the card says are one answer.
+    let corrected = after(&window);
+    assert!(
+        (corrected - left).abs() < 0.01 * left,
+        "{corrected} after {left}"
+    );
+    assert!(says(&window, "Data: "), "the mistake is said");
 }

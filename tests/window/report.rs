@@ -187,7 +187,7 @@ fn every_plot_is_saved_as_svg() {
             "{svg}"
         );
         assert!(
-            !svg.contains("Against the model") && !svg.contains(">after<"),
+            !svg.contains("Model residuals") && !svg.contains(">after<"),
             "nothing is identified yet"
         );
     }
@@ -205,7 +205,7 @@ fn every_plot_is_saved_as_svg() {
             "gap by step" => ">full model<",
             // The plane as it is seen, with its legend.
             "workspace" => ">after<",
-            _ => "Against the model",
+            _ => "Model residuals",
         };
         assert!(svg.contains(says), "{plot}: {svg}");
     }

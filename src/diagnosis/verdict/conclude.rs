@@ -381,7 +381,7 @@ fn tell_dropped(unexplained: &mut Unexplained, dropped: &[Term], session: &Sessi
         .map(|term| term.name_on(&session.robot))
         .collect();
     let says = text!(
-        "the RMS error of the samples, or that of unseen ones, is no smaller with {effects}, or what it does runs away over the joint ranges: not handed out",
+        "the RMS error of the samples, fitted or cross-validated, is no smaller with {effects}, or what it does runs away over the joint ranges: not handed out",
         effects = Text::listed(names.iter().map(|name| called(name)), ", ")
     );
     unexplained.description = behind(says, std::mem::take(&mut unexplained.description));

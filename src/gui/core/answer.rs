@@ -2,6 +2,7 @@
 
 use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
 
+use crate::answers::diagnosis::DataProblem;
 use crate::compensation::Verification;
 use crate::effects::Role;
 use crate::fit::Identification;
@@ -13,6 +14,8 @@ pub(crate) struct Answer {
     pub(crate) identification: Identification,
     /// The model that goes with it, to be saved and exported.
     pub(crate) calibration: Calibration,
+    /// Problems of the data; what is mechanical was corrected before the fit.
+    pub(crate) data_problems: Vec<DataProblem>,
     /// Where the model was read from, if it was.
     pub(crate) loaded: Option<LoadedModelSummary>,
     /// What is left of the deviations, mm; NaN for samples that cannot be used.

@@ -9,8 +9,7 @@ use crate::effects::{Inputs, JointValues, Term};
 use crate::fit::Identification;
 use crate::fit::gap::{Spread, deviations};
 use crate::fit::problem::Problem;
-use crate::model::Calibration;
-use crate::pipeline::{Method, identify, identify_unless};
+use crate::pipeline::{Identified, Method, identify_checked, identify_checked_unless, verify};
 use crate::sessions::Session;
 use crate::sessions::division::RegionChoice;
 
@@ -26,7 +25,11 @@ pub(crate) fn answer(question: &Question, watch: &Watch) -> Result<Answer, Strin
     let loaded_session = &*question.loaded_session;
     let session = &loaded_session.session;
     let values = JointValues::Commanded;
-    let (identification, calibration) = match &question.asks {
+    let Identified {
+        identification,
+        calibration,
+        data_problems,
+    } = match &question.asks {
         QuestionDetails::Given(given) => return loaded::answer(given, loaded_session),
         QuestionDetails::Exact {
             effects,
@@ -41,11 +44,15 @@ pub(crate) fn answer(question: &Question, watch: &Watch) -> Result<Answer, Strin
         }
         QuestionDetails::Regional(regions) => {
             let method = Method::Regional(RegionChoice::Given(regions.to_vec()));
-            identify(session, &method, values).map_err(|e| spoken(e.describe()))?
+            identify_checked(session, &method, values).map_err(|e| spoken(e.describe()))?
         }
     };
     let after_mm = if let QuestionDetails::Regional(_) = &question.asks {
         after_regional(loaded_session, &identification)
+    } else if data_problems.iter().any(|problem| problem.mend.is_some()) {
+        // The model reads the samples as they were corrected.
+        let verification = verify(&calibration, session).map_err(|e| spoken(e.describe()))?;
+        verification.after.axes_mm
     } else {
         deviations(&Problem::new(session, values), &identification.model).axes_mm
     };
@@ -55,6 +62,7 @@ pub(crate) fn answer(question: &Question, watch: &Watch) -> Result<Answer, Strin
     Ok(Answer {
         identification,
         calibration,
+        data_problems,
         loaded: None,
         after_mm,
         lengths_mm,
@@ -72,7 +80,7 @@ fn suspected(identification: &Identification, samples: usize) -> Vec<bool> {
 
 /// What a search says, where all that it found is asked for: its own fit, and the smooth correction
 /// where that is asked for too.
-fn of_search(session: &Session, diagnosis: &Diagnosis) -> (Identification, Calibration) {
+fn of_search(session: &Session, diagnosis: &Diagnosis) -> Identified {
     let calibration = diagnosis.calibration(session);
     let mut identification = diagnosis.identification.clone();
     if diagnosis.unexplained.corrected().is_some() {
@@ -84,16 +92,20 @@ fn of_search(session: &Session, diagnosis: &Diagnosis) -> (Identification, Calib
         identification.gap.after = after.unwrap_or(identification.gap.after);
         identification.model = calibration.model.clone();
     }
-    (identification, calibration)
+    Identified {
+        identification,
+        calibration,
+        data_problems: Vec::new(),
+    }
 }
 
-/// A fit of these effects, with some of what a search found.
+/// A fit of these effects, with some of what a search found, of the session without its set-up errors.
 fn fitted(
     session: &Session,
     effects: &[&'static str],
     with: &[Term],
     watch: &Watch,
-) -> Result<(Identification, Calibration), String> {
+) -> Result<Identified, String> {
     // The number of passes is not known; each takes a part of what is left.
     let left = Cell::new(1.0_f64);
     let go_on = || {
@@ -106,7 +118,7 @@ fn fitted(
         with: with.to_vec(),
         priors: true,
     };
-    identify_unless(session, &method, JointValues::Commanded, &go_on)
+    identify_checked_unless(session, &method, JointValues::Commanded, &go_on)
         .map_err(|e| spoken(e.describe()))
 }
 

@@ -33,6 +33,7 @@ pub(crate) fn answer(
         return Ok(Answer {
             identification,
             calibration,
+            data_problems: Vec::new(),
             loaded: Some(loaded),
             after_mm: Default::default(),
             lengths_mm: Vec::new(),
@@ -51,6 +52,7 @@ pub(crate) fn answer(
     Ok(Answer {
         identification,
         calibration,
+        data_problems: Vec::new(),
         loaded: Some(loaded),
         after_mm: after.axes_mm,
         lengths_mm: after.length_mm,

@@ -17,6 +17,7 @@ mod names;
 pub(super) mod notices;
 pub(super) mod panes;
 pub(super) mod pictures;
+mod problems;
 mod regions;
 pub(super) mod results;
 mod samples;

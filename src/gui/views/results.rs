@@ -21,7 +21,7 @@ use crate::units::deg_from_rad;
 
 use super::blocks::{self, Title};
 use super::names::{implausible, title};
-use super::{copies, model, samples};
+use super::{copies, model, problems, samples};
 
 pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, room: Layout, commands: &mut Vec<Command>) {
     // Samples that stand beside the results are not shown in their place as well.
@@ -66,7 +66,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, room: Layout, commands: &
     match side {
         Side::Samples => samples::show(ui, workbench, commands),
         Side::Results => {
-            widgets::scroll(ui, "results", |ui| summary(ui, workbench));
+            widgets::scroll(ui, "results", |ui| summary(ui, workbench, commands));
         }
     }
 }
@@ -78,7 +78,7 @@ pub(crate) fn samples(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Com
     samples::show(ui, workbench, commands);
 }
 
-fn summary(ui: &mut Ui, workbench: &Workbench) {
+fn summary(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     ui.spacing_mut().item_spacing.y = space::ROW;
     match workbench.identified().map(|o| &o.answer) {
         None => super::coverage::show(ui, workbench),
@@ -88,7 +88,11 @@ fn summary(ui: &mut Ui, workbench: &Workbench) {
             ui.label(title.font(strong(size::BODY)).color(color));
             ui.label(because);
         }),
-        Some(Ok(answer)) => identified(ui, workbench, answer),
+        Some(Ok(answer)) => {
+            let detail = Detail::window(workbench.units());
+            problems::show(ui, &answer.data_problems, detail, commands);
+            identified(ui, workbench, answer);
+        }
     }
 }
 

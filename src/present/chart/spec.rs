@@ -172,7 +172,7 @@ impl Entry {
             ColourRole::After,
             true,
         )
-        .on_paper(say!(in "chart-word", "Against the model"))
+        .on_paper(say!(in "chart-word", "Model residuals"))
     }
 
     /// The same with another name on paper.

@@ -1,15 +1,13 @@
-//! What the window can do about a section of a diagnosis: add an effect to the model, show its curve, correct the data.
+//! What the window can do about a section of a diagnosis: add an effect to the model, show its curve.
 
 use egui::Ui;
 
-use crate::diagnosis::{Diagnosis, SessionCorrection};
+use crate::diagnosis::Diagnosis;
 use crate::gui::core::edit::Edit;
 use crate::gui::core::search::term_of;
 use crate::gui::views::names::curve_link;
 use crate::gui::widgets;
-use crate::gui::workbench::{Command, ViewChange, Workbench};
-use crate::language::spoken;
-use crate::set_up_errors::DataProblem;
+use crate::gui::workbench::{Command, Workbench};
 
 /// An effect that was found: whether it is in the model, and its curve.
 pub(super) fn of_effect(
@@ -49,47 +47,4 @@ fn in_the_model(
             }
         }
     }
-}
-
-/// A problem of the data: the samples that it is about, and its correction.
-pub(super) fn of_problem(ui: &mut Ui, problem: &DataProblem, commands: &mut Vec<Command>) {
-    if !problem.samples.is_empty() && ui.link(say!("Show these samples")).clicked() {
-        commands.push(Command::View(ViewChange::Mark(problem.samples.clone())));
-    }
-    let Some(mend) = &problem.mend else {
-        return;
-    };
-    if widgets::secondary(ui, &spoken(mend.describe())).clicked() {
-        commands.push(Command::Edit(Edit::Correct(vec![mend.clone()])));
-    }
-}
-
-/// All of them at once, where there are several.
-pub(super) fn mend_all(ui: &mut Ui, d: &Diagnosis, commands: &mut Vec<Command>) {
-    let problems = d.data_problems.iter();
-    let mends: Vec<_> = problems.filter_map(|p| p.mend.clone()).collect();
-    if mends.len() > 1 {
-        let text = say!("Correct all {mends}", mends = mends.len());
-        if widgets::secondary(ui, &text).clicked() {
-            commands.push(Command::Edit(Edit::Correct(in_order(mends))));
-        }
-    }
-}
-
-/// Samples are removed last, all at once: until then they have their numbers.
-fn in_order(mends: Vec<SessionCorrection>) -> Vec<SessionCorrection> {
-    let mut rows = Vec::new();
-    let mut ordered = Vec::new();
-    for mend in mends {
-        match mend {
-            SessionCorrection::Remove(some) => rows.extend(some),
-            other => ordered.push(other),
-        }
-    }
-    rows.sort_unstable();
-    rows.dedup();
-    if !rows.is_empty() {
-        ordered.push(SessionCorrection::Remove(rows));
-    }
-    ordered
 }

@@ -13,7 +13,7 @@ use crate::gui::jobs::Running;
 use crate::gui::style::tokens::{Palette, size, space};
 use crate::gui::views::blocks::{self, Title};
 use crate::gui::views::names::title;
-use crate::gui::views::{copies, unexplained};
+use crate::gui::views::{copies, problems, unexplained};
 use crate::gui::widgets;
 use crate::gui::workbench::{Command, Workbench};
 use crate::present::names::title_of;
@@ -103,7 +103,7 @@ fn all(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis, commands: &mut Vec<Com
         match section.topic {
             Topic::Answer => hidden::show(ui, workbench, d),
             Topic::DataProblem(index) if index + 1 == d.data_problems.len() => {
-                actions::mend_all(ui, d, commands);
+                problems::mend_all(ui, &d.data_problems, commands);
             }
             Topic::Found(index) if index + 1 == d.found.len() => {
                 copies::button(ui, say!("found effects"), || copies::found(d));
@@ -141,7 +141,7 @@ fn actions(
     commands: &mut Vec<Command>,
 ) {
     match section.topic {
-        Topic::DataProblem(index) => actions::of_problem(ui, &d.data_problems[index], commands),
+        Topic::DataProblem(index) => problems::of_problem(ui, &d.data_problems[index], commands),
         Topic::Found(index) => actions::of_effect(ui, workbench, d, index, commands),
         Topic::Unexplained => unexplained::actions(ui, workbench, d, commands),
         _ => {}
