@@ -54,28 +54,29 @@ fn what_the_session_cannot_show_is_said_with_the_reason() {
 /// The lamp's session with commands of a controller whose zero is half a turn off.
 fn half_a_turn_off(folder: &Path) -> PathBuf {
     let bundled = Path::new(env!("CARGO_MANIFEST_DIR")).join("sessions");
-    let samples = fs::read_to_string(bundled.join("lamp-commissioning.csv")).unwrap();
+    let samples =
+        fs::read_to_string(bundled.join("lamp-commissioning.csv")).expect("it is bundled");
     let mut rows = samples.lines();
-    let mut turned = format!("{}\n", rows.next().unwrap());
+    let mut turned = format!("{}\n", rows.next().expect("headings"));
     for row in rows {
-        let (command, rest) = row.split_once(',').unwrap();
-        let command: f64 = command.parse().unwrap();
+        let (command, rest) = row.split_once(',').expect("several columns");
+        let command: f64 = command.parse().expect("a number");
         turned.push_str(&format!("{},{rest}\n", command + 180.0));
     }
-    fs::write(folder.join("turned.csv"), turned).unwrap();
-    let session = fs::read(bundled.join("lamp-commissioning.json")).unwrap();
-    let mut session: serde_json::Value = serde_json::from_slice(&session).unwrap();
+    fs::write(folder.join("turned.csv"), turned).expect("a folder to write in");
+    let session = fs::read(bundled.join("lamp-commissioning.json")).expect("it is bundled");
+    let mut session: serde_json::Value = serde_json::from_slice(&session).expect("a document");
     session["samples"] = serde_json::json!({ "file": "turned.csv" });
     session["robot"]["joints"][0]["limits"] = serde_json::json!([0, 360]);
     let path = folder.join("turned.json");
-    fs::write(&path, session.to_string()).unwrap();
+    fs::write(&path, session.to_string()).expect("a folder to write in");
     path
 }
 
 #[test]
 fn a_set_up_error_is_out_of_the_model_before_any_diagnosis() {
     let left = after(&identified());
-    let folder = tempfile::tempdir().unwrap();
+    let folder = tempfile::tempdir().expect("a folder");
     let mut window = window(Some(half_a_turn_off(folder.path())));
     press(&mut window, "3 Identify");
     press(&mut window, "Identify");
