@@ -212,6 +212,7 @@ pub fn identify_checked_unless(
         identify_unless(&checked.session, method, values, keep_going)?;
     let mut data_problems = checked.problems;
     data_problems.extend(identification.many_set_aside());
+    data_problems.extend(identification.far_tool());
     Ok(Identified {
         identification,
         calibration,

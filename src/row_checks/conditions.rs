@@ -15,8 +15,10 @@ const PAYLOAD_KG_PER_M2: f64 = 300.0;
 const LEAST_LOAD_KG: f64 = 0.005;
 /// Temperatures of a machine in kelvin …
 const KELVIN: std::ops::Range<f64> = 230.0..390.0;
-/// … and in degrees Fahrenheit, where no air is as hot in degrees Celsius.
+/// … in degrees Fahrenheit, where no air is as hot in degrees Celsius …
 const FAHRENHEIT: std::ops::Range<f64> = 58.0..120.0;
+/// … and where it is that of a workshop: 15 to 32 °C.
+const WORKSHOP_FAHRENHEIT: std::ops::Range<f64> = 59.0..90.0;
 /// 0 °C in kelvin.
 const ZERO_KELVIN: f64 = 273.15;
 
@@ -74,9 +76,32 @@ fn temperature(session: &Session) -> Option<DataProblem> {
             samples: Vec::new(),
         });
     }
-    // A warm gear is as hot: it is asked, not changed.
     let celsius = |f: f64| (f - 32.0) / 1.8;
-    (FAHRENHEIT.contains(&least) && FAHRENHEIT.contains(&most)).then(|| {
+    let within = |range: &std::ops::Range<f64>| range.contains(&least) && range.contains(&most);
+    if within(&WORKSHOP_FAHRENHEIT) {
+        return Some(DataProblem {
+            what: text!(
+                "temperature in degrees Fahrenheit: temperature_c runs from {least} to {most}",
+                least = format!("{least:.1}"),
+                most = format!("{most:.1}")
+            ),
+            evidence: text!(
+                "as degrees Fahrenheit it is {least} to {most} °C",
+                least = format!("{:.1}", celsius(least)),
+                most = format!("{:.1}", celsius(most))
+            ),
+            proposal: text!(
+                "the temperatures are read as degrees Fahrenheit: what depends on temperature refers to 20 °C, far from where anything was measured otherwise"
+            ),
+            mend: Some(SessionCorrection::ConvertTemperature {
+                factor: 1.0 / 1.8,
+                offset: -32.0 / 1.8,
+            }),
+            samples: Vec::new(),
+        });
+    }
+    // A warm gear is as hot: it is asked, not changed.
+    within(&FAHRENHEIT).then(|| {
         without_correction(
             text!(
                 "temperature may be in degrees Fahrenheit: {least} to {most}",
@@ -131,14 +156,22 @@ mod tests {
     }
 
     #[test]
-    fn temperatures_in_kelvin_are_converted_and_fahrenheit_is_asked() {
+    fn temperatures_in_other_units_are_converted_or_asked() {
         let mut session = axis(40);
         let warm = |from: f64| Some((0..40).map(|k| from + 0.1 * f64::from(k)).collect());
         session.samples.temperature_c = warm(35.0);
         assert!(in_other_units(&session, JointValues::Commanded).is_empty());
-        session.samples.temperature_c = warm(68.0);
+        session.samples.temperature_c = warm(95.0);
         let asked = in_other_units(&session, JointValues::Commanded);
         assert!(asked[0].what.contains("Fahrenheit") && asked[0].mend.is_none());
+        session.samples.temperature_c = warm(68.0);
+        let workshop = in_other_units(&session, JointValues::Commanded);
+        workshop[0]
+            .mend
+            .as_ref()
+            .expect("known")
+            .apply(&mut session);
+        assert!((session.samples.temperature_c.as_ref().expect("there")[0] - 20.0).abs() < 1e-9);
         session.samples.temperature_c = warm(293.15);
         let kelvin = in_other_units(&session, JointValues::Commanded);
         assert!(kelvin[0].what.contains("kelvin"));

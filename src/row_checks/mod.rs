@@ -16,6 +16,7 @@
 mod conditions;
 mod copies;
 mod digits;
+mod directions;
 pub mod equal_steps;
 mod midnight;
 mod missing_values;
@@ -44,13 +45,14 @@ pub struct CheckedRows<'a> {
 type RowCheck = fn(&Session, JointValues) -> Vec<DataProblem>;
 
 /// Every check, in the order in which they are made: what others would stumble over comes first.
-const CHECKS: [RowCheck; 9] = [
+const CHECKS: [RowCheck; 10] = [
     midnight::passed,
     missing_values::coded,
     copies::copied,
     returns::far_apart,
     order::out_of_order,
     conditions::in_other_units,
+    directions::exchanged,
     speeds::turned_or_scaled,
     digits::coarse,
     shifted::shifted,

@@ -12,9 +12,9 @@ use crate::text::Template;
 use crate::units::{deg_from_rad, rad_from_deg};
 
 /// With fewer samples that move nothing is said.
-const FEWEST: usize = 8;
+pub(super) const FEWEST: usize = 8;
 /// So large a share has to say the same.
-const NEARLY_ALL: f64 = 0.95;
+pub(super) const NEARLY_ALL: f64 = 0.95;
 /// A unit explains the way in time within this, as a ratio.
 const CLOSE: f64 = 0.05;
 /// Half of the ratios have to be as near to their median as this.
@@ -85,7 +85,7 @@ fn sign(session: &Session, joint: usize, speed: &[f64]) -> Option<DataProblem> {
 }
 
 /// In how many rows the joint has come from the side that is recorded, and of how many.
-fn agreement(session: &Session, joint: usize, side: &[f64]) -> (usize, usize) {
+pub(super) fn agreement(session: &Session, joint: usize, side: &[f64]) -> (usize, usize) {
     let samples = &session.samples;
     let order = measuring_order(samples.time_s.as_deref());
     let order = order.unwrap_or_else(|| (0..samples.len()).collect());

@@ -3,7 +3,7 @@
 use crate::kinematics::JointKind;
 use crate::text::{Template, Text, length};
 
-use super::correction::{DAY_S, GRADIAN_DEG, SessionCorrection, TRAVEL_UNITS_MM};
+use super::correction::{DAY_S, GRADIAN_DEG, SessionCorrection, TRAVEL_UNITS_MM, TURN_DEG};
 use super::{Samples, Session, Setups};
 
 impl SessionCorrection {
@@ -105,6 +105,14 @@ impl SessionCorrection {
                 text!("Move target {target}", target = target + 1)
             }
             Self::FreeTargets => text!("Fit the places of the targets"),
+            Self::TargetsFromBase => {
+                text!("Read the targets as places in the base frame")
+            }
+            Self::ExchangeDirections { first, second } => text!(
+                "Exchange the directions of joints {first} and {second}",
+                first = first + 1,
+                second = second + 1
+            ),
             Self::TargetsWithin(sigma) => text!(
                 "Take the places of the targets as known to {sigma}",
                 sigma = length(*sigma, 2)
@@ -203,6 +211,18 @@ impl SessionCorrection {
                 }
             }
             Self::FreeTargets => session.instrument.targets_sigma_mm = None,
+            Self::TargetsFromBase => {
+                let tool_from_base = session.robot.base_from_tool.inverse();
+                for target in &mut session.targets {
+                    target.position_mm = tool_from_base * target.position_mm;
+                }
+            }
+            Self::ExchangeDirections { first, second } => {
+                let joints = samples.dir.len();
+                if *first < joints && *second < joints {
+                    samples.dir.swap(*first, *second);
+                }
+            }
             Self::TargetsWithin(sigma) => {
                 let own = &mut session.instrument.targets_sigma_mm;
                 *own = own.map(|known| known.max(*sigma));
@@ -233,6 +253,7 @@ fn unit_of_joint(factor: f64) -> Template {
     match travel {
         Some((_, unit)) => *unit,
         None if factor == GRADIAN_DEG => phrase!("gradians"),
+        None if factor == TURN_DEG => phrase!("turns"),
         None if factor < 1.0 => phrase!("degrees"),
         None => phrase!("radians"),
     }

@@ -12,6 +12,9 @@ pub(crate) const DAY_S: f64 = 86_400.0;
 /// A gradian, degrees: a full turn has 400.
 pub(crate) const GRADIAN_DEG: f64 = 0.9;
 
+/// A full turn, degrees.
+pub(crate) const TURN_DEG: f64 = 360.0;
+
 /// Units in which the values of a joint that slides may be written, mm.
 pub(crate) const TRAVEL_UNITS_MM: [(f64, Template); 4] = [
     (10.0, phrase!("centimetres")),
@@ -112,6 +115,15 @@ pub enum SessionCorrection {
     },
     /// Where the targets sit in the tool is not known: their places are fitted.
     FreeTargets,
+    /// The targets' places are those at home in the base frame: they are turned into the tool's.
+    TargetsFromBase,
+    /// The directions of approach of two joints (counted from 0) change places.
+    ExchangeDirections {
+        /// One.
+        first: usize,
+        /// The other.
+        second: usize,
+    },
     /// How well the targets' own places are known at most, mm.
     TargetsWithin(f64),
     /// The samples of these rows, in ascending order, are those of these targets; all counted from 0.

@@ -1,6 +1,6 @@
 //! What may have gone wrong in setting up a robot with several joints, simplest first.
 
-use crate::kinematics::JointKind;
+use crate::kinematics::{JointKind, Robot};
 use crate::sessions::Session;
 use crate::sessions::SessionCorrection;
 use crate::text::Text;
@@ -41,9 +41,48 @@ fn one(what: Text, proposal: Text, mend: SessionCorrection) -> Change {
 }
 
 fn signs(session: &Session) -> Vec<Change> {
-    let joints = 0..session.robot.joints.len();
-    let sign = |(what, proposal, mend)| one(what, proposal, mend);
-    joints.map(other_way_round).map(sign).collect()
+    (0..session.robot.joints.len()).map(sign).collect()
+}
+
+/// A joint counts the other way round.
+pub(super) fn sign(joint: usize) -> Change {
+    let (what, proposal, mend) = other_way_round(joint);
+    one(what, proposal, mend)
+}
+
+/// Two joints are exchanged.
+pub(super) fn exchange(first: usize, second: usize) -> Change {
+    let (a, b) = (first + 1, second + 1);
+    one(
+        text!("joints {a} and {b} are exchanged", a = a, b = b),
+        text!("exchange the columns of joints {a} and {b}", a = a, b = b),
+        SessionCorrection::ExchangeJoints { first, second },
+    )
+}
+
+/// The home position of a joint is off by so many degrees.
+pub(super) fn home(joint: usize, degrees: f64) -> Change {
+    let number = joint + 1;
+    one(
+        text!(
+            "the home position of joint {joint} is off by {turn}",
+            joint = number,
+            turn = format!("{degrees}°")
+        ),
+        text!(
+            "add {turn} to joint {joint} at home, or home the joint again",
+            turn = format!("{degrees}°"),
+            joint = number
+        ),
+        turned(joint, degrees),
+    )
+}
+
+fn turned(joint: usize, degrees: f64) -> SessionCorrection {
+    SessionCorrection::TurnHome {
+        joint,
+        by_rad: rad_from_deg(degrees),
+    }
 }
 
 fn exchanged(session: &Session) -> Vec<Change> {
@@ -55,12 +94,7 @@ fn exchanged(session: &Session) -> Vec<Change> {
             if joints[first].kind != joints[second].kind {
                 continue;
             }
-            let (a, b) = (first + 1, second + 1);
-            all.push(one(
-                text!("joints {a} and {b} are exchanged", a = a, b = b),
-                text!("exchange the columns of joints {a} and {b}", a = a, b = b),
-                SessionCorrection::ExchangeJoints { first, second },
-            ));
+            all.push(exchange(first, second));
         }
     }
     let read = &session.samples.q_read;
@@ -76,40 +110,53 @@ fn exchanged(session: &Session) -> Vec<Change> {
 
 /// A parallelogram drives an arm's joint 3 from the base: its value holds that of joint 2.
 fn coupled(session: &Session) -> Vec<Change> {
-    let joints = &session.robot.joints;
-    let mut all = Vec::new();
-    for joint in 1..joints.len() {
-        let pair = [&joints[joint - 1], &joints[joint]];
-        let [a, b] = pair.map(|j| j.axis.direction.into_inner());
-        let turning = pair.iter().all(|j| j.kind == JointKind::Revolute);
-        if !turning || a.dot(&b).abs() < PARALLEL {
-            continue;
-        }
-        let (before, number) = (joint, joint + 1);
-        let coupled = text!(
+    let robot = &session.robot;
+    let joints = 1..robot.joints.len();
+    let parallel = joints.filter(|joint| is_parallel_to_the_one_before(robot, *joint));
+    let coupled = parallel.flat_map(|joint| {
+        let along = directions(robot, joint).signum();
+        [-along, along].map(|factor| parallelogram(robot, joint, factor))
+    });
+    coupled.collect()
+}
+
+/// Whether a joint turns about an axis parallel to that of the joint before.
+pub(super) fn is_parallel_to_the_one_before(robot: &Robot, joint: usize) -> bool {
+    let turns = |joint: usize| robot.joints[joint].kind == JointKind::Revolute;
+    joint > 0 && turns(joint - 1) && turns(joint) && directions(robot, joint).abs() >= PARALLEL
+}
+
+/// Cosine between a joint's axis and the one before.
+fn directions(robot: &Robot, joint: usize) -> f64 {
+    let direction = |joint: usize| robot.joints[joint].axis.direction.into_inner();
+    direction(joint - 1).dot(&direction(joint))
+}
+
+/// The value of the joint before, times ±1, is missing in the value of a joint.
+pub(super) fn parallelogram(robot: &Robot, joint: usize, factor: f64) -> Change {
+    let (before, number) = (joint, joint + 1);
+    let what = if factor * directions(robot, joint) < 0.0 {
+        text!(
             "joints {a} and {b} are coupled (parallelogram) but were taken for uncoupled",
             a = before,
             b = number
-        );
-        let uncoupled = text!(
+        )
+    } else {
+        text!(
             "joints {a} and {b} are uncoupled but were taken for coupled (parallelogram)",
             a = before,
             b = number
-        );
-        for (factor, what) in [(-1.0, coupled), (1.0, uncoupled)] {
-            let factor = factor * a.dot(&b).signum();
-            all.push(one(
-                what,
-                in_the_value(factor, before, number),
-                SessionCorrection::CoupleJoint {
-                    joint,
-                    from: joint - 1,
-                    factor,
-                },
-            ));
-        }
-    }
-    all
+        )
+    };
+    one(
+        what,
+        in_the_value(factor, before, number),
+        SessionCorrection::CoupleJoint {
+            joint,
+            from: joint - 1,
+            factor,
+        },
+    )
 }
 
 /// Gears and belts of a wrist, or of a joint whose motor stands in the base, drive a joint by the value of any
@@ -118,8 +165,7 @@ fn driven(session: &Session) -> Vec<Change> {
     let joints = &session.robot.joints;
     let turning = |j: usize| joints[j].kind == JointKind::Revolute;
     let is_parallelogram = |from: usize, joint: usize| {
-        let [a, b] = [from, joint].map(|j| joints[j].axis.direction.into_inner());
-        from + 1 == joint && a.dot(&b).abs() >= PARALLEL
+        from + 1 == joint && is_parallel_to_the_one_before(&session.robot, joint)
     };
     let mut all = Vec::new();
     for joint in (1..joints.len()).filter(|j| turning(*j)) {
@@ -148,28 +194,9 @@ fn driven(session: &Session) -> Vec<Change> {
 fn homes(session: &Session) -> Vec<Change> {
     let joints = &session.robot.joints;
     let turning = |j: usize| joints[j].kind == JointKind::Revolute;
-    let turned = |joint: usize, degrees: f64| SessionCorrection::TurnHome {
-        joint,
-        by_rad: rad_from_deg(degrees),
-    };
     let mut all = Vec::new();
     for joint in (1..joints.len()).filter(|j| turning(*j)) {
-        let number = joint + 1;
-        for turn in [90.0, -90.0, 180.0] {
-            all.push(one(
-                text!(
-                    "the home position of joint {joint} is off by {turn}",
-                    joint = number,
-                    turn = format!("{turn}°")
-                ),
-                text!(
-                    "add {turn} to joint {joint} at home, or home the joint again",
-                    turn = format!("{turn}°"),
-                    joint = number
-                ),
-                turned(joint, turn),
-            ));
-        }
+        all.extend([90.0, -90.0, 180.0].map(|turn| home(joint, turn)));
     }
     // The home of joint 1 is the frame, so its neighbour's twin is a home alone.
     for joint in 2..joints.len().saturating_sub(1) {
@@ -240,7 +267,13 @@ fn measured(session: &Session) -> Vec<Change> {
             SessionCorrection::ScaleLengths(factor),
         ));
     }
-    // Two pairs exchanged are a turn of the frame: what is left is one exchange, or a sign.
+    all.push(axes_exchanged(session));
+    all
+}
+
+/// Two of the measured axes are exchanged. Two pairs exchanged are a turn of the frame: what is left is one exchange,
+/// or a sign.
+pub(super) fn axes_exchanged(session: &Session) -> Change {
     let free = session.samples.z_mm.is_some();
     let what = if free {
         text!("two of the measured axes are swapped (such as x and y), or one of them is reversed")
@@ -250,10 +283,9 @@ fn measured(session: &Session) -> Vec<Change> {
             axes = phrase!("x and y")
         )
     };
-    all.push(one(
+    one(
         what,
         text!("exchange the headings of the measured columns, or reverse one of them"),
         SessionCorrection::Reorder([1, 0, 2]),
-    ));
-    all
+    )
 }

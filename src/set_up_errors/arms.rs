@@ -18,6 +18,7 @@ use crate::units::{deg_from_rad, rad_from_deg};
 
 use super::arm_hypotheses::{Change, changes};
 use super::hypotheses::{LEAST_MOVE_MM, LEAST_TURN_DEG};
+use super::several::several;
 use super::thinned::thinned_to;
 use super::thresholds::{FEWEST_SAMPLES, MENDED_SHARE};
 use super::trial::trial;
@@ -120,7 +121,56 @@ fn mistakes(part: &Session, values: JointValues) -> Vec<DataProblem> {
             best = Some((left, [of_first, second]));
         }
     }
-    best.map_or_else(Vec::new, |b| b.1.into())
+    match best {
+        Some((_, two)) => two.into(),
+        None => many(part, values, before, most),
+    }
+}
+
+/// Conventions that differ in many joints at once, each as a mistake of its own.
+fn many(part: &Session, values: JointValues, before: f64, most: f64) -> Vec<DataProblem> {
+    let changes = several(part, values, most);
+    let mends: Vec<SessionCorrection> = changes
+        .iter()
+        .flat_map(|change| change.mends.iter().cloned())
+        .collect();
+    let mut corrected = part.clone();
+    for mend in &mends {
+        mend.apply(&mut corrected);
+    }
+    let Some(end) = trial(&corrected, values, true).filter(|_| !changes.is_empty()) else {
+        return Vec::new();
+    };
+    let after = end.median_mm;
+    let believed = after <= most
+        && as_it_stands::is_plausible(&corrected, &end.model)
+        && as_it_stands::predicts(part, values, &mends, most);
+    if !believed {
+        return Vec::new();
+    }
+    let count = changes.len();
+    let problem = |change: Change| DataProblem {
+        what: change.what,
+        evidence: text!(
+            "with the frame, the tool and the zero offsets fitted the median error is {before} as it stands and {after} with all {count} set-up errors corrected",
+            before = median(before),
+            after = length(after, 3),
+            count = count
+        ),
+        proposal: change.proposal,
+        mend: change.mends.into_iter().next(),
+        samples: Vec::new(),
+    };
+    changes.into_iter().map(problem).collect()
+}
+
+/// A median error in words; it is infinite where nothing fits.
+fn median(left_mm: f64) -> Text {
+    if left_mm.is_finite() {
+        length(left_mm, 3)
+    } else {
+        text!("far beyond what a fit could explain")
+    }
 }
 
 /// Every change that ends where a robot may be.
@@ -183,16 +233,11 @@ fn problem_of(change: &Change, twins: &[&Text], before: f64, after: f64) -> Data
             others = Text::listed(twins.iter().copied(), "; ")
         )
     };
-    let as_it_stands = if before.is_finite() {
-        length(before, 3)
-    } else {
-        text!("far beyond what a fit could explain")
-    };
     DataProblem {
         what,
         evidence: text!(
             "with the frame, the tool and the zero offsets fitted the median error is {before} as it stands and {after} with the set-up error corrected",
-            before = as_it_stands,
+            before = median(before),
             after = length(after, 3)
         ),
         proposal: change.proposal.clone(),

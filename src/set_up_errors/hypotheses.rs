@@ -11,7 +11,7 @@ use crate::model::Model;
 use crate::model::rigid_motion::best_rigid_motion;
 use crate::sessions::Session;
 use crate::sessions::SessionCorrection;
-use crate::sessions::correction::{GRADIAN_DEG, TRAVEL_UNITS_MM};
+use crate::sessions::correction::{GRADIAN_DEG, TRAVEL_UNITS_MM, TURN_DEG};
 use crate::units::{deg_from_rad, rad_from_deg};
 
 /// A hypothesis: what is wrong, what to do, and how the data would read without it.
@@ -53,7 +53,7 @@ fn mistaken_travels(joint: usize) -> [(f64, Text); 4] {
     })
 }
 
-fn mistaken_angles(joint: usize) -> [(f64, Text); 3] {
+fn mistaken_angles(joint: usize) -> [(f64, Text); 4] {
     [
         (
             rad_from_deg(1.0),
@@ -76,11 +76,18 @@ fn mistaken_angles(joint: usize) -> [(f64, Text); 3] {
                 joint = joint
             ),
         ),
+        (
+            TURN_DEG,
+            text!(
+                "the values of joint {joint} are in turns but were read as degrees",
+                joint = joint
+            ),
+        ),
     ]
 }
 
 /// The same of all joints that turn.
-pub(super) fn mistaken_angles_of_all() -> [(f64, Text); 3] {
+pub(super) fn mistaken_angles_of_all() -> [(f64, Text); 4] {
     [
         (
             rad_from_deg(1.0),
@@ -93,6 +100,10 @@ pub(super) fn mistaken_angles_of_all() -> [(f64, Text); 3] {
         (
             GRADIAN_DEG,
             text!("the values of all joints are in gradians but were read as degrees"),
+        ),
+        (
+            TURN_DEG,
+            text!("the values of all joints are in turns but were read as degrees"),
         ),
     ]
 }

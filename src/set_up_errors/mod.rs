@@ -13,6 +13,8 @@ mod groups;
 mod hypotheses;
 mod losses;
 mod read_back;
+mod several;
+mod targets_in_base;
 mod thinned;
 mod thresholds;
 mod trial;
@@ -76,6 +78,9 @@ pub fn corrected_session(raw: &Session, joint_values: JointValues) -> CorrectedS
 pub(crate) fn mended(raw: &Session, joint_values: JointValues) -> CorrectedSession<'_> {
     let checked = row_checks::checked(raw, joint_values);
     let (mut session, mut problems) = (checked.session, checked.problems);
+    if let Some(placed) = targets_in_base::corrected(&session, joint_values, &mut problems) {
+        session = Cow::Owned(placed);
+    }
     let mut made: Vec<SessionCorrection> = made_for(&problems).collect();
     // What is only said from here on was not made.
     let mut known = problems.len();
@@ -110,6 +115,9 @@ pub(crate) fn mended(raw: &Session, joint_values: JointValues) -> CorrectedSessi
 pub(crate) fn noticed(raw: &Session, joint_values: JointValues) -> CorrectedSession<'_> {
     let checked = row_checks::checked(raw, joint_values);
     let (mut session, mut problems) = (checked.session, checked.problems);
+    if let Some(placed) = targets_in_base::corrected(&session, joint_values, &mut problems) {
+        session = Cow::Owned(placed);
+    }
     let corrected = if base_model::is_arm(&session) {
         arms::corrected(&session, joint_values, &mut problems)
     } else {

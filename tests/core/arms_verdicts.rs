@@ -120,6 +120,46 @@ fn other_mistakes_are_said_with_their_joints() {
     assert_eq!(identified(&right).data_problems, []);
 }
 
+/// As a maker counts: three signs, two homes and a parallelogram otherwise than in the description.
+#[test]
+fn conventions_that_differ_in_many_joints_are_said_joint_by_joint() {
+    let mut session = session("joint-4-reversed");
+    let quarter = f64::to_radians(90.0);
+    let q = &mut session.samples.q;
+    q[1].iter_mut().for_each(|q| *q += quarter);
+    for k in 0..q[2].len() {
+        q[2][k] += quarter + q[1][k];
+    }
+    for joint in [0, 5] {
+        q[joint].iter_mut().for_each(|q| *q = -*q);
+    }
+    let found = identified(&session);
+    let said: Vec<String> = found
+        .data_problems
+        .iter()
+        .map(|p| p.what.to_string())
+        .collect();
+    let expected = [
+        "joints 2 and 3 are coupled (parallelogram) but were taken for uncoupled",
+        "joint 1 counts the other way round",
+        "the home position of joint 2 is off by -90°",
+        "the home position of joint 3 is off by -90°",
+        "joint 4 counts the other way round",
+        "joint 6 counts the other way round",
+    ];
+    assert_eq!(said, expected);
+    assert!(found.identification.gap.after.rms_mm < 0.055);
+    let mut at_random = session.clone();
+    for (k, x) in at_random.samples.x_mm.iter_mut().enumerate() {
+        *x = 800.0 * (k as f64 * 1.7).sin();
+    }
+    assert_eq!(
+        identified(&at_random).data_problems,
+        [],
+        "nothing explains it"
+    );
+}
+
 /// Robots that are farther off than priors take them to be, in 24 and 36 poses (`poor-arm` of
 /// `tests/reference/wild_rows.py`, sessions 89 and 72): a name would only take up what the priors hold back.
 #[test]

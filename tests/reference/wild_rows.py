@@ -42,6 +42,7 @@ The kinds below came later; "before" is again of 25 sessions of the program befo
 | a joint value of 0 that was none, axis / arm (on an arm they are outliers) | 0 | 100 | 0 / 32 | 0 / 0 | 0 / 1 | 7 / 0 of 25 | 99 / 95 | 4136 / 1483 | 0.99 / 0.94 |
 | temperatures of 0 that were none | 0 | 100 | 0 | 0 | 0 | 25 of 25 | 100 | 0.99 | 0.99 |
 | gradians, axis / arm | 0 / 0 | 100 / 100 | 0 / 0 | 25 / 20 of 25 | 0 / 1 | 0 / 0 | 100 / 98 | 0.97 / 0.97 | 0.99 / 0.95 |
+| two to six signs and homes, some with a parallelogram or the columns reversed, arm | 0 | 100 | 0 | 1 of 25 | 0 | 2 of 25 | 99 | 4175 | 0.95 |
 | 13 to 25 % of the points off by millimetres, axis / arm | 0 / 0 | 100 / 100 | 0 / 0 | 0 / 0 | 0 / 0 | 25 / 24 of 25 | 99 / 98 | 0.98 / 0.95 | 0.99 / 0.94 |
 | a slide in inches | 0 | 100 | 0 | 22 of 25 | 0 | 3 of 25 | 100 | 0.99 | 1.00 |
 | a bent guide (to be unexplained) | – | – | 0 | 1 of 25 | 0 | 7 of 25 | 0 | 3.71 | 3.71 |
@@ -336,6 +337,30 @@ def make(kind, index):
             if column.startswith("q"):
                 s.columns[column] = [v / 0.9 for v in s.columns[column]]
         return s, "in gradians"
+    if what == "turns":
+        s, column = session(), "q2_deg" if arm else "q1_deg"
+        s.columns[column] = [v / 360 for v in s.columns[column]]
+        return s, "in turns"
+    if what == "placed":
+        # Targets as places at home in the base frame.
+        s = session()
+        s.targets = {name: place + s.robot.tool for name, place in s.targets.items()}
+        return s, "places in the base frame"
+    if what == "conventions":
+        # Signs, homes, a parallelogram and columns as the maker has them, not as the description does.
+        s, wrong = session(), rng.permutation(12)[: int(rng.integers(2, 7))]
+        q = np.array([s.columns[f"q{k + 1}_deg"] for k in range(6)])
+        for k in wrong[wrong < 6]:
+            q[k] -= rng.choice([90.0, -90.0, 180.0])
+        for k in wrong[wrong >= 6] - 6:
+            q[k] = -q[k]
+        if index % 3 == 1:
+            q[2] -= rng.choice([-1, 1]) * q[1]
+        if index % 5 == 2:
+            q = q[::-1]
+        for k in range(6):
+            s.columns[f"q{k + 1}_deg"] = list(q[k])
+        return s, ("counts the other way round", "home position", "coupled", "exchanged")
     if what == "aside":
         s, by = session(), rng.uniform(1, 4)
         for row in rng.choice(s.rows(), int(rng.uniform(0.13, 0.25) * s.rows()), replace=False):
@@ -350,7 +375,8 @@ def make(kind, index):
 KINDS = [
     "clean-axis", "clean-arm", "poor-arm", "slip-axis", "slip-arm", "copies-axis", "copies-arm", "sorted-axis",
     "rounded-axis", "rounded-arm", "speed-axis", "grams-axis", "target-axis", "target-arm", "code-axis", "code-arm",
-    "lost-axis", "lost-arm", "warmth-axis", "gradians-axis", "gradians-arm", "aside-axis", "aside-arm",
+    "lost-axis", "lost-arm", "warmth-axis", "gradians-axis", "gradians-arm", "conventions-arm", "turns-axis", "turns-arm",
+    "placed-axis", "placed-arm", "aside-axis", "aside-arm",
     "guide-slide", "straight-slide", "inches-slide",
 ]
 
@@ -365,8 +391,9 @@ def run(binary, kind, index, folder):
         return {"failed": done.stderr.strip().splitlines()[-1:], "index": index}
     answer = json.loads(done.stdout)
     what = [p["what"] for p in answer["data_problems"]]
-    said = bool(word) and any(word in w for w in what)
-    other = [w for w in what if not (word and word in w)]
+    words = word if isinstance(word, tuple) else (word,) if word else ()
+    said = any(word in w for w in what for word in words)
+    other = [w for w in what if not any(word in w for word in words)]
     return {
         "index": index,
         "said": said,

@@ -27,11 +27,23 @@ const MOST_HELD_AGAINST: usize = 6;
 /// A size so many times as large as one that is implausible is no size of its effect: where much is left beside it,
 /// it stands for something else.
 const IMPOSSIBLE: f64 = 3.0;
+/// One so many times as large stands for something else whatever is left beside it: a joint whose values are in
+/// another unit passes for an encoder that errs by half a turn.
+const ABSURD: f64 = 20.0;
 
 /// Withdraws the names of a robot with several joints whose base model does not fit.
 pub(crate) fn withdraw(prepared: &PreparedSearch, found: &mut SearchResult) {
     let regression = &prepared.regression;
     found.fit = likeliest(prepared, found.fit.clone());
+    let model = &found.fit.model;
+    let absurd = |term: &Term| is_beyond(&model.robot, term, ABSURD);
+    if model.terms().iter().any(absurd) {
+        let base = regression.fit(&regression.base, &[]);
+        found.named_effects_only = std::mem::replace(&mut found.fit, base);
+        found.base_misfit = true;
+        found.other_ends.clear();
+        return;
+    }
     let names = regression.added(&found.fit).len();
     if names == 0 || !base_model::is_arm(prepared.problem.session) {
         return;
@@ -47,7 +59,7 @@ pub(crate) fn withdraw(prepared: &PreparedSearch, found: &mut SearchResult) {
         return;
     }
     let model = &found.fit.model;
-    let impossible = |term: &Term| is_impossible(&model.robot, term);
+    let impossible = |term: &Term| is_beyond(&model.robot, term, IMPOSSIBLE);
     let several = names >= SEVERAL || model.terms().iter().any(impossible);
     // A search that ended early leaves what it had no time for: that says nothing of the base.
     if !several || regression.work.ended().is_some() {
@@ -61,9 +73,9 @@ pub(crate) fn withdraw(prepared: &PreparedSearch, found: &mut SearchResult) {
     }
 }
 
-/// Whether a term has a size that its effect has on no machine. No limit is known for what slides: its sizes have
-/// other units, and other names.
-fn is_impossible(robot: &Robot, term: &Term) -> bool {
+/// Whether a term has a size so many times as large as what is implausible. No limit is known for what slides: its
+/// sizes have other units, and other names.
+fn is_beyond(robot: &Robot, term: &Term, times: f64) -> bool {
     let about = term.effect.about();
     let sizes = about.form.quantities();
     let kind = robot.joints.get(term.joint).map(|joint| joint.kind);
@@ -71,7 +83,7 @@ fn is_impossible(robot: &Robot, term: &Term) -> bool {
     about.implausible_above.is_some_and(|limit| {
         parameters.iter().any(|own| {
             let is_size = sizes.iter().any(|size| size.name == own.name);
-            is_size && own.value.abs() > IMPOSSIBLE * limit
+            is_size && own.value.abs() > times * limit
         })
     })
 }
@@ -130,7 +142,7 @@ mod tests {
         robot.joints[2].kind = JointKind::Prismatic;
         let impossible = |id: &str, joint, name: &str, value: f64| {
             let term = Term::from_parameters(id, joint, &[(name, value)], 6).unwrap();
-            is_impossible(&robot, &term)
+            is_beyond(&robot, &term, IMPOSSIBLE)
         };
         assert!(impossible("thermal-growth", 6, "ppm_per_degc", 17_728.0));
         assert!(!impossible("thermal-growth", 6, "ppm_per_degc", 60.0));

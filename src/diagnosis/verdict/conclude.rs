@@ -183,6 +183,7 @@ pub(crate) fn answer(
             prepared.incomplete.as_slice(),
             equal_steps.as_slice(),
             identification.many_set_aside().as_slice(),
+            identification.far_tool().as_slice(),
         ]
         .concat(),
         stopped: regression.work.ended(),

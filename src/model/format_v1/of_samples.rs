@@ -36,6 +36,10 @@ pub(super) fn numbers_of(correction: &SessionCorrection) -> Option<(&'static str
             ("move-target", numbers.collect())
         }
         SessionCorrection::FreeTargets => ("free-targets", Vec::new()),
+        SessionCorrection::TargetsFromBase => ("targets-from-base", Vec::new()),
+        SessionCorrection::ExchangeDirections { first, second } => {
+            ("exchange-directions", vec![place(*first), place(*second)])
+        }
         SessionCorrection::TargetsWithin(sigma) => ("targets-within", vec![*sigma]),
         SessionCorrection::RenameTargets(rows) => {
             let pairs = rows
@@ -80,6 +84,11 @@ pub(super) fn of_numbers(name: &str, numbers: &[f64]) -> Option<SessionCorrectio
             by_mm: [*x, *y, *z],
         },
         ("free-targets", []) => SessionCorrection::FreeTargets,
+        ("targets-from-base", []) => SessionCorrection::TargetsFromBase,
+        ("exchange-directions", [first, second]) => SessionCorrection::ExchangeDirections {
+            first: index(*first)?,
+            second: index(*second)?,
+        },
         ("targets-within", [sigma]) => SessionCorrection::TargetsWithin(*sigma),
         ("rename-targets", pairs) if pairs.len() % 2 == 0 => {
             let pair = |pair: &[f64]| Some((index(pair[0])?, u32::try_from(index(pair[1])?).ok()?));
@@ -165,6 +174,11 @@ mod tests {
                 by_mm: [1.0, -2.0, 0.5],
             },
             SessionCorrection::FreeTargets,
+            SessionCorrection::TargetsFromBase,
+            SessionCorrection::ExchangeDirections {
+                first: 0,
+                second: 2,
+            },
             SessionCorrection::TargetsWithin(1.5),
             SessionCorrection::RenameTargets(vec![(3, 1), (8, 0)]),
             SessionCorrection::Split {

@@ -1,0 +1,363 @@
+//! More mistakes of setting up an arm than are tried one by one and in pairs: conventions that differ in many joints
+//! at once, as those of a maker and of a description do.
+//!
+//! ```text
+//! q_k = s_k (c_π(k) + d_k c_π(k−1)) + h_k,   s_k = ±1,   h_k a multiple of 90°,
+//! d_k = ±1 or 0, along parallel axes (a parallelogram),   π: which column is whose
+//! ```
+//!
+//! with the measured points as they are or as in a mirror. The nominal robot with the best rigid motion says how far
+//! off a choice is; a descent over two joints at a time, from several starts, finds the choice. What is as good with
+//! fewer mistakes is taken. Only a trial as of every other mistake makes it believed.
+
+use std::borrow::Cow;
+use std::f64::consts::FRAC_PI_2;
+
+use nalgebra::{Point3, Vector3};
+
+use crate::effects::{Inputs, JointValues};
+use crate::kinematics::{JointKind, Robot};
+use crate::model::Model;
+use crate::model::rigid_motion::rigid_motion;
+use crate::sessions::Session;
+
+use super::arm_hypotheses::{
+    Change, axes_exchanged, exchange, home, is_parallel_to_the_one_before, parallelogram, sign,
+};
+use super::thinned::thinned_to;
+
+/// Samples that a choice is judged by.
+const MOST_SAMPLES: usize = 60;
+/// The share of the samples, farthest off, that may be wrong in themselves.
+const MOST_WRONG: f64 = 0.1;
+/// Descents from choices that chance makes, beside those from the columns as they are and reversed.
+const RANDOM_STARTS: usize = 32;
+/// What differs by less than this is equal.
+const EQUAL: f64 = 1.02;
+
+/// What is taken to be wrong with one joint.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+struct JointChoice {
+    reversed: bool,
+    /// Of its home.
+    quarter_turns: u8,
+    /// How often the joint before is in its value.
+    coupled: i8,
+}
+
+impl JointChoice {
+    /// What may be wrong with each joint of a robot, nothing first.
+    fn of_each(robot: &Robot) -> Vec<Vec<Self>> {
+        let choices = |joint: usize| {
+            let turns = robot.joints[joint].kind == JointKind::Revolute;
+            // The home of the first joint is the frame.
+            let homes = if joint > 0 && turns { 0..4 } else { 0..1 };
+            let couplings: &[i8] = if is_parallel_to_the_one_before(robot, joint) {
+                &[0, 1, -1]
+            } else {
+                &[0]
+            };
+            let of = |reversed: bool, quarter_turns: u8| {
+                couplings.iter().map(move |&coupled| Self {
+                    reversed,
+                    quarter_turns,
+                    coupled,
+                })
+            };
+            let of = homes
+                .flat_map(|home| [(false, home), (true, home)])
+                .flat_map(|c| of(c.0, c.1));
+            of.collect()
+        };
+        (0..robot.joints.len()).map(choices).collect()
+    }
+
+    fn mistakes(self) -> usize {
+        usize::from(self.reversed)
+            + usize::from(self.quarter_turns != 0)
+            + usize::from(self.coupled != 0)
+    }
+}
+
+/// What is taken to be wrong with a session.
+#[derive(Debug, Clone, PartialEq, Eq)]
+struct Choice {
+    joints: Vec<JointChoice>,
+    /// Of each joint.
+    columns: Vec<usize>,
+    mirrored: bool,
+}
+
+impl Choice {
+    fn mistakes(&self) -> usize {
+        let joints: usize = self.joints.iter().map(|joint| joint.mistakes()).sum();
+        joints + self.exchanges().len() + usize::from(self.mirrored)
+    }
+
+    /// Joints that are exchanged, two at a time, so that each has its own column.
+    fn exchanges(&self) -> Vec<(usize, usize)> {
+        let mut here: Vec<usize> = (0..self.columns.len()).collect();
+        let mut all = Vec::new();
+        for (joint, column) in self.columns.iter().enumerate() {
+            let at = here.iter().position(|own| own == column);
+            if let Some(at) = at.filter(|at| *at != joint) {
+                here.swap(joint, at);
+                all.push((joint, at));
+            }
+        }
+        all
+    }
+
+    /// The changes of the samples that take it back, in the order in which they are made.
+    fn changes(&self, session: &Session) -> Vec<Change> {
+        let pairs = self.exchanges().into_iter();
+        let mut all: Vec<Change> = pairs
+            .map(|(first, second)| exchange(first, second))
+            .collect();
+        // Values are taken apart before any of them is turned.
+        let joints = || self.joints.iter().enumerate();
+        for (joint, choice) in joints().rev().filter(|(_, choice)| choice.coupled != 0) {
+            let factor = f64::from(choice.coupled);
+            all.push(parallelogram(&session.robot, joint, factor));
+        }
+        for (joint, choice) in joints() {
+            all.extend(choice.reversed.then(|| sign(joint)));
+            let turn = [0.0, 90.0, 180.0, -90.0][usize::from(choice.quarter_turns)];
+            all.extend((turn != 0.0).then(|| home(joint, turn)));
+        }
+        all.extend(self.mirrored.then(|| axes_exchanged(session)));
+        all
+    }
+}
+
+/// The robot as it was drawn, beside the samples of a session.
+struct Judge<'a> {
+    nominal: Model,
+    choices: Vec<Vec<JointChoice>>,
+    inputs: Inputs<'a>,
+    measured: Vec<Vector3<f64>>,
+    /// Of each sample, where there are several setups.
+    setups: Option<&'a [u32]>,
+    setup_count: usize,
+}
+
+impl<'a> Judge<'a> {
+    fn new(session: &'a Session, values: JointValues) -> Option<Self> {
+        let samples = &session.samples;
+        let z_mm = samples.z_mm.as_ref()?;
+        let points = samples.x_mm.iter().zip(&samples.y_mm).zip(z_mm);
+        let setups = samples.setups.as_ref();
+        Some(Self {
+            choices: JointChoice::of_each(&session.robot),
+            nominal: Model::nominal(session.robot.clone()),
+            inputs: Inputs::new(session, values),
+            measured: points.map(|((x, y), z)| Vector3::new(*x, *y, *z)).collect(),
+            setups: setups.map(|setups| setups.index.as_slice()),
+            setup_count: setups.map_or(1, |setups| setups.names.len()),
+        })
+    }
+
+    /// Root mean square of what a choice leaves, mm, without the samples that are farthest off.
+    fn left_mm(&self, choice: &Choice) -> f64 {
+        let mut inputs = self.inputs.clone();
+        let raw = |joint: usize| &self.inputs.q[choice.columns[joint]];
+        for (joint, own) in choice.joints.iter().enumerate() {
+            let factor = if own.reversed { -1.0 } else { 1.0 };
+            let turn = f64::from(own.quarter_turns) * FRAC_PI_2;
+            let share = f64::from(own.coupled);
+            let before = raw(joint.saturating_sub(1)).iter();
+            let values = raw(joint).iter().zip(before);
+            let values = values.map(|(q, before)| factor * (q + share * before) + turn);
+            inputs.q[joint] = Cow::Owned(values.collect());
+        }
+        let predicted = self.nominal.predict(&inputs);
+        let mut squares = Vec::new();
+        for setup in 0..self.setup_count {
+            let here = |i: &usize| self.setups.is_none_or(|own| own[*i] as usize == setup);
+            let pair = |i: usize| {
+                let mut to = self.measured[i];
+                if choice.mirrored {
+                    to.swap_rows(0, 1);
+                }
+                (Vector3::from(predicted.get(i)), to)
+            };
+            let pairs = (0..self.measured.len()).filter(here).map(pair);
+            let finite =
+                |p: &(Vector3<f64>, Vector3<f64>)| (p.0 + p.1).iter().all(|v| v.is_finite());
+            let pairs: Vec<_> = pairs.filter(finite).collect();
+            let Some(motion) = rigid_motion(&pairs) else {
+                continue;
+            };
+            squares.extend(pairs.into_iter().map(|(from, to)| {
+                let moved = motion * Point3::from(from);
+                (moved.coords - to).norm_squared()
+            }));
+        }
+        squares.sort_by(f64::total_cmp);
+        #[allow(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "a share of a length"
+        )]
+        let kept = squares.len() - (MOST_WRONG * squares.len() as f64) as usize;
+        if kept == 0 {
+            return f64::INFINITY;
+        }
+        (squares[..kept].iter().sum::<f64>() / kept as f64).sqrt()
+    }
+
+    /// What is chosen with every choice of these joints.
+    fn every(&self, start: &Choice, joints: &[usize]) -> Vec<Choice> {
+        let mut all = vec![start.clone()];
+        for &joint in joints {
+            let each = |choice: &Choice| {
+                let of = choice.clone();
+                self.choices[joint].iter().map(move |own| {
+                    let mut choice = of.clone();
+                    choice.joints[joint] = *own;
+                    choice
+                })
+            };
+            all = all.iter().flat_map(each).collect();
+        }
+        all
+    }
+
+    /// What is chosen with the columns of two joints exchanged, either way round.
+    fn exchanged(&self, start: &Choice, first: usize, second: usize) -> Vec<Choice> {
+        if self.nominal.robot.joints[first].kind != self.nominal.robot.joints[second].kind {
+            return Vec::new();
+        }
+        let mut swapped = start.clone();
+        swapped.columns.swap(first, second);
+        let signs = [(false, false), (true, false), (false, true), (true, true)];
+        let with = |(of_first, of_second)| {
+            let mut choice = swapped.clone();
+            choice.joints[first].reversed ^= of_first;
+            choice.joints[second].reversed ^= of_second;
+            choice
+        };
+        signs.map(with).into()
+    }
+
+    /// The choice in which no two joints can be changed for the better.
+    fn descended(&self, start: Choice) -> (Choice, f64) {
+        let n = start.joints.len();
+        let mut best = (self.left_mm(&start), start);
+        loop {
+            let before = best.0;
+            for first in 0..n {
+                for second in first + 1..n {
+                    let mut tried = self.every(&best.1, &[first, second]);
+                    tried.extend(self.exchanged(&best.1, first, second));
+                    for choice in tried {
+                        let left = self.left_mm(&choice);
+                        if left < best.0 {
+                            best = (left, choice);
+                        }
+                    }
+                }
+            }
+            // Steps that gain next to nothing lead nowhere.
+            if best.0 * EQUAL > before {
+                return (best.1, best.0);
+            }
+        }
+    }
+
+    /// The same with as few mistakes as explain the samples as well: a wrist's middle joint that counts the other
+    /// way round is both neighbours' homes by 180°.
+    fn simplest(&self, choice: Choice, left_mm: f64) -> Choice {
+        let n = choice.joints.len();
+        let mut now = choice;
+        for first in 0..n.saturating_sub(2) {
+            for other in self.every(&now, &[first, first + 1, first + 2]) {
+                if other.mistakes() < now.mistakes() && self.left_mm(&other) <= EQUAL * left_mm {
+                    now = other;
+                }
+            }
+        }
+        now
+    }
+}
+
+/// What the nominal robot leaves of a session, root mean square in mm, where it fits best; `None` for a planar one.
+pub(super) fn nominal_mm(session: &Session, values: JointValues) -> Option<f64> {
+    let judge = Judge::new(session, values)?;
+    let n = session.robot.joints.len();
+    let as_it_stands = Choice {
+        joints: vec![JointChoice::default(); n],
+        columns: (0..n).collect(),
+        mirrored: false,
+    };
+    Some(judge.left_mm(&as_it_stands))
+}
+
+/// The changes of an arm's samples that together explain them; none where no choice leaves less than `most_mm`.
+pub(super) fn several(part: &Session, values: JointValues, most_mm: f64) -> Vec<Change> {
+    let few = thinned_to(part, MOST_SAMPLES);
+    let Some(judge) = Judge::new(&few, values) else {
+        return Vec::new();
+    };
+    let n = part.robot.joints.len();
+    let kind = |joint: &usize| part.robot.joints[*joint].kind;
+    let forth: Vec<usize> = (0..n).collect();
+    let back: Vec<usize> = (0..n).rev().collect();
+    let plain = vec![JointChoice::default(); n];
+    let may_be_reversed = forth.iter().map(kind).eq(back.iter().map(kind));
+    let orders = if may_be_reversed {
+        vec![forth, back]
+    } else {
+        vec![forth]
+    };
+    let with = |columns: &Vec<usize>, mirrored: bool| Choice {
+        joints: plain.clone(),
+        columns: columns.clone(),
+        mirrored,
+    };
+    let of_order = |columns| [with(columns, false), with(columns, true)];
+    let mut starts: Vec<Choice> = orders.iter().flat_map(of_order).collect();
+    let mut chance: u32 = 1;
+    for k in 0..RANDOM_STARTS {
+        let mut start = with(&orders[k % orders.len()], k % 8 >= 6);
+        for (own, choices) in start.joints.iter_mut().zip(&judge.choices) {
+            // The constants of Numerical Recipes' generator.
+            chance = chance.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            *own = choices[(chance >> 16) as usize % choices.len()];
+        }
+        starts.push(start);
+    }
+    for start in starts {
+        let (choice, left) = judge.descended(start);
+        if left < most_mm {
+            return judge.simplest(choice, left).changes(part);
+        }
+    }
+    Vec::new()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn columns_get_to_their_joints_two_at_a_time() {
+        for columns in [
+            vec![0, 1, 2],
+            vec![2, 1, 0],
+            vec![1, 2, 0],
+            vec![3, 2, 0, 1, 4],
+        ] {
+            let mut here: Vec<usize> = (0..columns.len()).collect();
+            let choice = Choice {
+                joints: vec![JointChoice::default(); columns.len()],
+                columns,
+                mirrored: false,
+            };
+            for (first, second) in choice.exchanges() {
+                here.swap(first, second);
+            }
+            assert_eq!(here, choice.columns);
+        }
+    }
+}
