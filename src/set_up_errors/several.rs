@@ -259,7 +259,7 @@ impl<'a> Judge<'a> {
                 }
             }
             // Steps that gain next to nothing lead nowhere.
-            if best.0 * EQUAL > before {
+            if best.0 * EQUAL >= before {
                 return (best.1, best.0);
             }
         }
@@ -299,6 +299,13 @@ pub(super) fn several(part: &Session, values: JointValues, most_mm: f64) -> Vec<
     let Some(judge) = Judge::new(&few, values) else {
         return Vec::new();
     };
+    if judge
+        .measured
+        .iter()
+        .all(|point| !point.iter().all(|v| v.is_finite()))
+    {
+        return Vec::new();
+    }
     let n = part.robot.joints.len();
     let kind = |joint: &usize| part.robot.joints[*joint].kind;
     let forth: Vec<usize> = (0..n).collect();

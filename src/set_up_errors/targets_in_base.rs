@@ -32,7 +32,7 @@ pub(super) fn corrected(
     }
     let part = thinned_to(session, MOST_SAMPLES);
     let before = nominal_mm(&part, values)?;
-    if before < GROSS_SHARE * session.robot.length_along_links_mm() {
+    if !before.is_finite() || before < GROSS_SHARE * session.robot.length_along_links_mm() {
         return None;
     }
     let mend = SessionCorrection::TargetsFromBase;

@@ -120,7 +120,7 @@ fn other_mistakes_are_said_with_their_joints() {
     assert_eq!(identified(&right).data_problems, []);
 }
 
-/// As a maker counts: three signs, two homes and a parallelogram otherwise than in the description.
+/// As a maker counts: two signs, two homes and a parallelogram otherwise than in the description.
 #[test]
 fn conventions_that_differ_in_many_joints_are_said_joint_by_joint() {
     let mut session = session("joint-4-reversed");
@@ -130,9 +130,7 @@ fn conventions_that_differ_in_many_joints_are_said_joint_by_joint() {
     for k in 0..q[2].len() {
         q[2][k] += quarter + q[1][k];
     }
-    for joint in [0, 5] {
-        q[joint].iter_mut().for_each(|q| *q = -*q);
-    }
+    q[5].iter_mut().for_each(|q| *q = -*q);
     let found = identified(&session);
     let said: Vec<String> = found
         .data_problems
@@ -141,7 +139,6 @@ fn conventions_that_differ_in_many_joints_are_said_joint_by_joint() {
         .collect();
     let expected = [
         "joints 2 and 3 are coupled (parallelogram) but were taken for uncoupled",
-        "joint 1 counts the other way round",
         "the home position of joint 2 is off by -90°",
         "the home position of joint 3 is off by -90°",
         "joint 4 counts the other way round",
