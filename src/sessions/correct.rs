@@ -64,15 +64,7 @@ impl SessionCorrection {
                 joint = joint + 1,
                 angle = format!("{:.0}", by_rad.to_degrees())
             ),
-            Self::ScaleLengths(factor) => match *factor {
-                1000.0 => text!("Read the coordinates as metres"),
-                25.4 => text!("Read the coordinates as inches"),
-                0.001 => text!("Read the coordinates as micrometres"),
-                factor => text!(
-                    "Multiply the coordinates by {factor}",
-                    factor = format!("{factor:.6}")
-                ),
-            },
+            Self::ScaleLengths(factor) => scaled_lengths(*factor),
             Self::Reorder([1, 0, 2]) => text!("Exchange x and y"),
             Self::Reorder(order) => {
                 let [a, b, c] = order.map(|k| ["x", "y", "z"][k % 3]);
@@ -244,6 +236,19 @@ impl SessionCorrection {
                 | Self::Split { .. }
                 | Self::Free { .. }
         )
+    }
+}
+
+/// What multiplying the measured coordinates does, in words.
+fn scaled_lengths(factor: f64) -> Text {
+    match factor {
+        1000.0 => text!("Read the coordinates as metres"),
+        25.4 => text!("Read the coordinates as inches"),
+        0.001 => text!("Read the coordinates as micrometres"),
+        factor => text!(
+            "Multiply the coordinates by {factor}",
+            factor = format!("{factor:.6}")
+        ),
     }
 }
 
