@@ -61,7 +61,11 @@ fn a_joint_that_counts_the_other_way_is_mended_by_a_button_and_undone() {
     assert!(after.expect("identified") < 0.1);
     assert!(says(&window, "not saved"));
     keys(&mut window, Modifiers::COMMAND, Key::Z);
-    assert_eq!(gaps(&window).0, before);
+    // The mistake is in the samples again, and out of what is identified.
+    keys(&mut window, Modifiers::COMMAND, Key::Num3);
+    window.run_steps(6);
+    assert!(says(&window, "counts the other way round"));
+    assert!(gaps(&window).1.expect("identified") < 0.1);
 }
 
 #[test]
