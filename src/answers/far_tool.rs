@@ -3,6 +3,7 @@
 use super::diagnosis::DataProblem;
 use super::identification::Identification;
 use crate::effects::{TOOL_POSITION, tool_radius};
+use crate::kinematics::Robot;
 use crate::text::length;
 
 /// A tool is mounted no farther off than this share of the reach …
@@ -11,6 +12,11 @@ const MOST_SHARE: f64 = 0.15;
 const MOST_MM: f64 = 120.0;
 /// The nominal robot is off by this share of it, or nothing is wrong.
 const SEEN_SHARE: f64 = 0.1;
+
+/// How far off a tool may be mounted, mm.
+pub(crate) fn farthest_tool_mm(robot: &Robot) -> f64 {
+    MOST_MM.max(MOST_SHARE * robot.length_along_links_mm())
+}
 
 impl Identification {
     /// What there is to say where the tool is far from where the session states. Which of the tool and the targets is
@@ -21,7 +27,7 @@ impl Identification {
             of_all || own.effect == tool_radius().about().id
         });
         let moved_mm = moved.map(|own| own.value * own.value).sum::<f64>().sqrt();
-        let most = MOST_MM.max(MOST_SHARE * self.model.robot.length_along_links_mm());
+        let most = farthest_tool_mm(&self.model.robot);
         // Where the frame takes a part of it back, the tool's place is little known and no mistake.
         let is_seen = self.gap.before.rms_mm > SEEN_SHARE * moved_mm;
         (moved_mm > most && is_seen).then(|| DataProblem {

@@ -4,7 +4,7 @@
 
 pub(crate) mod diagnosis;
 pub(crate) mod errors;
-mod far_tool;
+pub(crate) mod far_tool;
 pub(crate) mod identification;
 pub(crate) mod limits;
 mod many_set_aside;

@@ -128,8 +128,8 @@ fn regions(results: &[RegionResult]) -> Table {
     table
 }
 
-#[cfg(feature = "gui")]
 /// What was wrong in the session, with evidence and proposal.
+#[cfg(feature = "gui")]
 pub(crate) fn problems_of_data(problems: &[DataProblem], detail: Detail) -> Vec<Section> {
     let _speaking = detail.speaking();
     open::data_problems(problems)

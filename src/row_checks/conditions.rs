@@ -77,46 +77,52 @@ fn temperature(session: &Session) -> Option<DataProblem> {
         });
     }
     let celsius = |f: f64| (f - 32.0) / 1.8;
-    let within = |range: &std::ops::Range<f64>| range.contains(&least) && range.contains(&most);
-    if within(&WORKSHOP_FAHRENHEIT) {
-        return Some(DataProblem {
-            what: text!(
-                "temperature in degrees Fahrenheit: temperature_c runs from {least} to {most}",
-                least = format!("{least:.1}"),
-                most = format!("{most:.1}")
-            ),
-            evidence: text!(
-                "as degrees Fahrenheit it is {least} to {most} °C",
-                least = format!("{:.1}", celsius(least)),
-                most = format!("{:.1}", celsius(most))
-            ),
-            proposal: text!(
-                "the temperatures are read as degrees Fahrenheit: what depends on temperature refers to 20 °C, far from where anything was measured otherwise"
-            ),
-            mend: Some(SessionCorrection::ConvertTemperature {
-                factor: 1.0 / 1.8,
-                offset: -32.0 / 1.8,
-            }),
-            samples: Vec::new(),
-        });
+    let within = |range: &std::ops::Range<f64>, of: (f64, f64)| {
+        range.contains(&of.0) && range.contains(&of.1)
+    };
+    if !within(&FAHRENHEIT, (least, most)) {
+        return None;
     }
-    // A warm gear is as hot: it is asked, not changed.
-    within(&FAHRENHEIT).then(|| {
-        without_correction(
+    let evidence = text!(
+        "as degrees Fahrenheit it is {least} to {most} °C",
+        least = format!("{:.1}", celsius(least)),
+        most = format!("{:.1}", celsius(most))
+    );
+    // The correction is of all columns of temperature.
+    let mut joints = session.samples.joint_temperature_c.iter().flatten();
+    let alike = joints.all(|column| {
+        let of = range(column, |_| true);
+        of.is_none_or(|of| within(&FAHRENHEIT, of))
+    });
+    if !alike || !within(&WORKSHOP_FAHRENHEIT, (least, most)) {
+        // A warm gear is as hot: it is asked, not changed.
+        return Some(without_correction(
             text!(
                 "temperature may be in degrees Fahrenheit: {least} to {most}",
                 least = format!("{least:.1}"),
                 most = format!("{most:.1}")
             ),
-            text!(
-                "as degrees Fahrenheit it is {least} to {most} °C",
-                least = format!("{:.1}", celsius(least)),
-                most = format!("{:.1}", celsius(most))
-            ),
+            evidence,
             text!(
                 "check the unit of temperature_c; everything that depends on temperature refers to 20 °C"
             ),
-        )
+        ));
+    }
+    Some(DataProblem {
+        what: text!(
+            "temperature in degrees Fahrenheit: temperature_c runs from {least} to {most}",
+            least = format!("{least:.1}"),
+            most = format!("{most:.1}")
+        ),
+        evidence,
+        proposal: text!(
+            "the temperatures are read as degrees Fahrenheit: what depends on temperature refers to 20 °C, far from where anything was measured otherwise"
+        ),
+        mend: Some(SessionCorrection::ConvertTemperature {
+            factor: 1.0 / 1.8,
+            offset: -32.0 / 1.8,
+        }),
+        samples: Vec::new(),
     })
 }
 
@@ -165,6 +171,13 @@ mod tests {
         let asked = in_other_units(&session, JointValues::Commanded);
         assert!(asked[0].what.contains("Fahrenheit") && asked[0].mend.is_none());
         session.samples.temperature_c = warm(68.0);
+        session.samples.joint_temperature_c = vec![warm(40.0)];
+        let with_a_gear = in_other_units(&session, JointValues::Commanded);
+        assert!(
+            with_a_gear[0].mend.is_none(),
+            "the gear's are no Fahrenheit"
+        );
+        session.samples.joint_temperature_c = vec![None];
         let workshop = in_other_units(&session, JointValues::Commanded);
         workshop[0]
             .mend

@@ -4,10 +4,10 @@ use crate::kinematics::{JointKind, Robot};
 use crate::sessions::Session;
 use crate::sessions::SessionCorrection;
 use crate::text::Text;
-use crate::units::rad_from_deg;
 
 use super::hypotheses::{
-    correct_heading, mistaken_angles_of_all, mistaken_lengths, mistaken_units, other_way_round,
+    correct_heading, home_off_by, mistaken_angles_of_all, mistaken_lengths, mistaken_units,
+    other_way_round, turned_home,
 };
 
 /// A change of the samples: what is wrong, what to do, and what takes it back.
@@ -62,27 +62,8 @@ pub(super) fn exchange(first: usize, second: usize) -> Change {
 
 /// The home position of a joint is off by so many degrees.
 pub(super) fn home(joint: usize, degrees: f64) -> Change {
-    let number = joint + 1;
-    one(
-        text!(
-            "the home position of joint {joint} is off by {turn}",
-            joint = number,
-            turn = format!("{degrees}°")
-        ),
-        text!(
-            "add {turn} to joint {joint} at home, or home the joint again",
-            turn = format!("{degrees}°"),
-            joint = number
-        ),
-        turned(joint, degrees),
-    )
-}
-
-fn turned(joint: usize, degrees: f64) -> SessionCorrection {
-    SessionCorrection::TurnHome {
-        joint,
-        by_rad: rad_from_deg(degrees),
-    }
+    let (what, proposal, mend) = home_off_by(joint, degrees);
+    one(what, proposal, mend)
 }
 
 fn exchanged(session: &Session) -> Vec<Change> {
@@ -209,7 +190,7 @@ fn homes(session: &Session) -> Vec<Change> {
                     b = after + 1
                 ),
                 proposal: Text::default(),
-                mends: vec![turned(before, 180.0), turned(after, 180.0)],
+                mends: vec![turned_home(before, 180.0), turned_home(after, 180.0)],
             });
         }
     }

@@ -8,6 +8,7 @@
 
 use nalgebra::Vector3;
 
+use crate::answers::far_tool::farthest_tool_mm;
 use crate::effects::{JointValues, MEASURING_FRAME, TOOL_POSITION, joint_zero};
 use crate::fit::base_model;
 use crate::fit::gap::lengths_mm;
@@ -20,10 +21,6 @@ use crate::units::rad_from_deg;
 use super::thresholds::LARGEST_OFFSET_DEG;
 use super::trial::trial;
 
-/// A tool is never mounted farther off than this share of the reach …
-const TOOL_SHARE: f64 = 0.15;
-/// … or this, mm, whichever is more.
-const LARGEST_TOOL_MM: f64 = 120.0;
 /// The spread of the points agrees with that of the robot within this, as a ratio.
 const TO_SCALE: f64 = 2.0;
 /// With fewer samples none can be kept back.
@@ -45,7 +42,7 @@ fn median_mm(problem: &Problem, model: &Model) -> f64 {
 }
 
 /// The nominal robot, where the best rigid motion puts it.
-fn nominal_mm(part: &Session, values: JointValues, free_frame: bool) -> f64 {
+pub(super) fn nominal_mm(part: &Session, values: JointValues, free_frame: bool) -> f64 {
     let problem = Problem::new(part, values);
     let frame = MEASURING_FRAME.about().id;
     let frames = free_frame || part.samples.setups.is_some();
@@ -76,7 +73,7 @@ fn with_priors_mm(part: &Session, values: JointValues, free_frame: bool) -> f64 
 pub(super) fn is_plausible(session: &Session, model: &Model) -> bool {
     let zero = joint_zero().about().id;
     let tool = TOOL_POSITION.about().id;
-    let most = LARGEST_TOOL_MM.max(TOOL_SHARE * session.robot.length_along_links_mm());
+    let most = farthest_tool_mm(&session.robot);
     model.terms().iter().all(|term| {
         let id = term.effect.about().id;
         if id == zero && session.robot.joints[term.joint].kind == JointKind::Revolute {

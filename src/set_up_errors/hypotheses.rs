@@ -34,6 +34,31 @@ pub(super) fn other_way_round(joint: usize) -> (Text, Text, SessionCorrection) {
     )
 }
 
+/// The home position of a joint is off by so many degrees.
+pub(super) fn home_off_by(joint: usize, degrees: f64) -> (Text, Text, SessionCorrection) {
+    let (number, turn) = (joint + 1, format!("{degrees}°"));
+    (
+        text!(
+            "the home position of joint {joint} is off by {turn}",
+            joint = number,
+            turn = turn.clone()
+        ),
+        text!(
+            "add {turn} to joint {joint} at home, or home the joint again",
+            turn = turn,
+            joint = number
+        ),
+        turned_home(joint, degrees),
+    )
+}
+
+pub(super) fn turned_home(joint: usize, degrees: f64) -> SessionCorrection {
+    SessionCorrection::TurnHome {
+        joint,
+        by_rad: rad_from_deg(degrees),
+    }
+}
+
 /// Units of a joint's values that were mistaken: a factor, and what is said of it.
 pub(super) fn mistaken_units(kind: JointKind, joint: usize) -> Vec<(f64, Text)> {
     match kind {
@@ -167,22 +192,8 @@ pub(super) fn hypotheses(session: &Session) -> Vec<Hypothesis> {
             continue;
         }
         for turn in [90.0, -90.0, 180.0] {
-            push(
-                text!(
-                    "the home position of joint {joint} is off by {turn}",
-                    joint = number,
-                    turn = format!("{turn}°")
-                ),
-                text!(
-                    "add {turn} to joint {joint} at home, or home the joint again",
-                    turn = format!("{turn}°"),
-                    joint = number
-                ),
-                SessionCorrection::TurnHome {
-                    joint,
-                    by_rad: rad_from_deg(turn),
-                },
-            );
+            let (what, proposal, mend) = home_off_by(joint, turn);
+            push(what, proposal, mend);
         }
     }
     for (factor, what) in mistaken_lengths() {

@@ -76,60 +76,57 @@ pub fn corrected_session(raw: &Session, joint_values: JointValues) -> CorrectedS
 
 /// The same of a session that is whole.
 pub(crate) fn mended(raw: &Session, joint_values: JointValues) -> CorrectedSession<'_> {
+    without_mistakes(raw, joint_values, true)
+}
+
+/// The rows and the gross mistakes alone, for an identification.
+pub(crate) fn noticed(raw: &Session, joint_values: JointValues) -> CorrectedSession<'_> {
+    without_mistakes(raw, joint_values, false)
+}
+
+/// `small_ones`: samples that the instrument lost or took of another target, and values that were read back late, too.
+fn without_mistakes(
+    raw: &Session,
+    joint_values: JointValues,
+    small_ones: bool,
+) -> CorrectedSession<'_> {
     let checked = row_checks::checked(raw, joint_values);
     let (mut session, mut problems) = (checked.session, checked.problems);
-    if let Some(placed) = targets_in_base::corrected(&session, joint_values, &mut problems) {
+    let whole_points = has_enough_points(raw, joint_values);
+    if whole_points
+        && let Some(placed) = targets_in_base::corrected(&session, joint_values, &mut problems)
+    {
         session = Cow::Owned(placed);
     }
     let mut made: Vec<SessionCorrection> = made_for(&problems).collect();
-    // What is only said from here on was not made.
-    let mut known = problems.len();
-    let whole_points = has_enough_points(raw, joint_values);
-    if whole_points {
+    let small_ones = whole_points && small_ones;
+    if small_ones {
         losses(raw, &mut problems);
-        known = problems.len();
-        if base_model::is_arm(raw) {
-            if let Some(better) = arms::corrected(&session, joint_values, &mut problems) {
-                session = Cow::Owned(better);
-            }
-        } else if let Some(better) = of_one_joint(&session, joint_values, &mut problems) {
+    }
+    // What was only said until here was not made.
+    let known = problems.len();
+    if whole_points {
+        let corrected = if base_model::is_arm(raw) {
+            arms::corrected(&session, joint_values, &mut problems)
+        } else {
+            of_one_joint(&session, joint_values, &mut problems)
+        };
+        if let Some(better) = corrected {
             session = Cow::Owned(better);
         }
     }
     if let Some(freed) = groups::freed(&session, joint_values, &mut problems) {
         session = Cow::Owned(freed);
     }
-    if whole_points
+    if small_ones
         && let Some(brought_up) = read_back::lagging(&session, joint_values, &mut problems)
     {
         session = Cow::Owned(brought_up);
     }
     made.extend(made_for(&problems[known..]));
-    if whole_points {
+    if small_ones {
         mislocked(&session, joint_values, &mut problems);
     }
-    CorrectedSession::new(raw, session, problems, made)
-}
-
-/// The rows and the gross mistakes alone, for an identification.
-pub(crate) fn noticed(raw: &Session, joint_values: JointValues) -> CorrectedSession<'_> {
-    let checked = row_checks::checked(raw, joint_values);
-    let (mut session, mut problems) = (checked.session, checked.problems);
-    if let Some(placed) = targets_in_base::corrected(&session, joint_values, &mut problems) {
-        session = Cow::Owned(placed);
-    }
-    let corrected = if base_model::is_arm(&session) {
-        arms::corrected(&session, joint_values, &mut problems)
-    } else {
-        of_one_joint(&session, joint_values, &mut problems)
-    };
-    if let Some(better) = corrected {
-        session = Cow::Owned(better);
-    }
-    if let Some(freed) = groups::freed(&session, joint_values, &mut problems) {
-        session = Cow::Owned(freed);
-    }
-    let made = made_for(&problems).collect();
     CorrectedSession::new(raw, session, problems, made)
 }
 

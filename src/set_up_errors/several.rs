@@ -281,31 +281,12 @@ impl<'a> Judge<'a> {
     }
 }
 
-/// What the nominal robot leaves of a session, root mean square in mm, where it fits best; `None` for a planar one.
-pub(super) fn nominal_mm(session: &Session, values: JointValues) -> Option<f64> {
-    let judge = Judge::new(session, values)?;
-    let n = session.robot.joints.len();
-    let as_it_stands = Choice {
-        joints: vec![JointChoice::default(); n],
-        columns: (0..n).collect(),
-        mirrored: false,
-    };
-    Some(judge.left_mm(&as_it_stands))
-}
-
 /// The changes of an arm's samples that together explain them; none where no choice leaves less than `most_mm`.
 pub(super) fn several(part: &Session, values: JointValues, most_mm: f64) -> Vec<Change> {
     let few = thinned_to(part, MOST_SAMPLES);
     let Some(judge) = Judge::new(&few, values) else {
         return Vec::new();
     };
-    if judge
-        .measured
-        .iter()
-        .all(|point| !point.iter().all(|v| v.is_finite()))
-    {
-        return Vec::new();
-    }
     let n = part.robot.joints.len();
     let kind = |joint: &usize| part.robot.joints[*joint].kind;
     let forth: Vec<usize> = (0..n).collect();

@@ -6,7 +6,7 @@ use crate::effects::JointValues;
 use crate::sessions::{Session, SessionCorrection};
 use crate::text::length;
 
-use super::several::nominal_mm;
+use super::as_it_stands::nominal_mm;
 use super::thinned::thinned_to;
 use super::thresholds::GROSS_SHARE;
 
@@ -23,22 +23,22 @@ pub(super) fn corrected(
     values: JointValues,
     problems: &mut Vec<DataProblem>,
 ) -> Option<Session> {
-    let here = session
+    let stated = session
         .targets
         .iter()
         .any(|target| target.position_mm.coords.norm() > 0.0);
-    if !here {
+    if !stated {
         return None;
     }
     let part = thinned_to(session, MOST_SAMPLES);
-    let before = nominal_mm(&part, values)?;
+    let before = nominal_mm(&part, values, true);
     if !before.is_finite() || before < GROSS_SHARE * session.robot.length_along_links_mm() {
         return None;
     }
     let mend = SessionCorrection::TargetsFromBase;
     let mut as_places = part.clone();
     mend.apply(&mut as_places);
-    let after = nominal_mm(&as_places, values)?;
+    let after = nominal_mm(&as_places, values, true);
     if after > (MENDED * before).min(PLAUSIBLE_SHARE * part.samples.spread_mm()) {
         return None;
     }
@@ -47,7 +47,7 @@ pub(super) fn corrected(
     problems.push(DataProblem {
         what: text!("the targets are places in the base frame, not in the tool"),
         evidence: text!(
-            "where it fits best the nominal robot leaves {before} with places in the tool and {after} with places at home in the base frame",
+            "where it fits best the nominal robot leaves a median error of {before} with places in the tool and {after} with places at home in the base frame",
             before = length(before, 3),
             after = length(after, 3)
         ),

@@ -9,7 +9,7 @@ use std::path::PathBuf;
 use crate::rig::Random;
 use truepose::diagnosis::{Diagnosis, Options, Verdict};
 use truepose::effects::JointValues;
-use truepose::pipeline::{Identified, Method, diagnose, identify_checked};
+use truepose::pipeline::{Identified, Method, diagnose, hand_out, identify_checked, verify};
 use truepose::sessions::{Session, load, parse};
 
 fn session(name: &str) -> Session {
@@ -145,7 +145,11 @@ fn conventions_that_differ_in_many_joints_are_said_joint_by_joint() {
         "joint 6 counts the other way round",
     ];
     assert_eq!(said, expected);
-    assert!(found.identification.gap.after.rms_mm < 0.055);
+    let left = found.identification.gap.after.rms_mm;
+    assert!(left < 0.055);
+    let model = hand_out(&found.calibration, &session).unwrap();
+    let verified = verify(&model, &session).unwrap();
+    assert!((verified.model.rms_mm / left - 1.0).abs() < 0.01, "{left}");
     let mut at_random = session.clone();
     for (k, x) in at_random.samples.x_mm.iter_mut().enumerate() {
         *x = 800.0 * (k as f64 * 1.7).sin();
@@ -155,6 +159,23 @@ fn conventions_that_differ_in_many_joints_are_said_joint_by_joint() {
         [],
         "nothing explains it"
     );
+}
+
+#[test]
+fn a_tool_or_its_targets_that_are_elsewhere_are_said() {
+    let right = {
+        let mut session = session("joint-4-reversed");
+        session.samples.q[3].iter_mut().for_each(|q| *q = -*q);
+        session
+    };
+    let mut placed = right.clone();
+    for target in &mut placed.targets {
+        target.position_mm = right.robot.base_from_tool * target.position_mm;
+    }
+    is_noise_but_for(&placed, Some("places in the base frame, not in the tool"));
+    let mut forgotten = right.clone();
+    forgotten.robot.base_from_tool.translation.vector.x -= 300.0;
+    is_noise_but_for(&forgotten, Some("from where the session states"));
 }
 
 /// Robots that are farther off than priors take them to be, in 24 and 36 poses (`poor-arm` of

@@ -124,6 +124,43 @@ fn joint_values_in_the_wrong_unit() {
     assert_eq!(names(&answer), ["backlash"]);
 }
 
+#[test]
+fn joint_values_in_turns() {
+    let mut wrong = with_backlash();
+    wrong.samples.q[0].iter_mut().for_each(|q| *q /= 360.0);
+    let answer = diagnosed(&wrong);
+    reported(&answer, "in turns but were read as degrees");
+    assert_eq!(names(&answer), ["backlash"]);
+}
+
+/// Values that are half of what they should be have no unit of that size, and are no scale of a joint either.
+#[test]
+fn an_error_of_no_machine_is_no_name() {
+    let mut wrong = with_backlash();
+    wrong.samples.q[0].iter_mut().for_each(|q| *q *= 0.5);
+    let answer = diagnosed(&wrong);
+    assert_eq!(names(&answer), [] as [&str; 0]);
+    assert_eq!(answer.verdict, Verdict::Unexplained);
+}
+
+#[test]
+fn targets_as_places_in_the_base_frame() {
+    let right = with_backlash();
+    let mut wrong = right.clone();
+    for target in &mut wrong.targets {
+        target.position_mm = right.robot.base_from_tool * target.position_mm;
+    }
+    let answer = diagnosed(&wrong);
+    reported(&answer, "places in the base frame");
+    assert_eq!(answer.data_problems.len(), 1);
+    assert_eq!(names(&answer), ["backlash"]);
+    let left = diagnosed(&right).gap.end_mm;
+    assert!(
+        (answer.gap.end_mm - left).abs() < 1e-9 * left,
+        "as if nothing had been"
+    );
+}
+
 /// A slide of 2 m, out and back, seen with 0.02 mm; its guide is bent by `bent_mm` at its ends, and its values are in
 /// a unit of so many mm.
 fn slide(bent_mm: f64, unit_mm: f64) -> Session {

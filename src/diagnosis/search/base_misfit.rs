@@ -27,8 +27,8 @@ const MOST_HELD_AGAINST: usize = 6;
 /// A size so many times as large as one that is implausible is no size of its effect: where much is left beside it,
 /// it stands for something else.
 const IMPOSSIBLE: f64 = 3.0;
-/// One so many times as large stands for something else whatever is left beside it: a joint whose values are in
-/// another unit passes for an encoder that errs by half a turn.
+/// One of a joint, so many times as large, stands for something else whatever is left beside it: a joint whose values
+/// are in another unit passes for an encoder that errs by half a turn.
 const ABSURD: f64 = 20.0;
 
 /// Withdraws the names of a robot with several joints whose base model does not fit.
@@ -36,7 +36,8 @@ pub(crate) fn withdraw(prepared: &PreparedSearch, found: &mut SearchResult) {
     let regression = &prepared.regression;
     found.fit = likeliest(prepared, found.fit.clone());
     let model = &found.fit.model;
-    let absurd = |term: &Term| is_beyond(&model.robot, term, ABSURD);
+    let absurd =
+        |term: &Term| term.effect.about().per_joint && is_beyond(&model.robot, term, ABSURD);
     if model.terms().iter().any(absurd) {
         let base = regression.fit(&regression.base, &[]);
         found.named_effects_only = std::mem::replace(&mut found.fit, base);
