@@ -20,6 +20,8 @@ pub(super) fn show(
     detail: Detail,
     commands: &mut Vec<Command>,
 ) {
+    // Before the cards: of many the last is out of sight.
+    mend_all(ui, problems, commands);
     let sections = problems_of_data(problems, detail);
     for (section, problem) in sections.iter().zip(problems) {
         widgets::card(ui, |ui| {
@@ -28,7 +30,6 @@ pub(super) fn show(
             of_problem(ui, problem, commands);
         });
     }
-    mend_all(ui, problems, commands);
 }
 
 /// A problem of the data: the samples that it is about, and its correction.
