@@ -31,10 +31,8 @@ use crate::sessions::Session;
 
 use super::candidates::CandidatePoses;
 use super::exchange::{CandidateRows, Information};
-use super::inverse::inverse;
-
-/// Information that every direction has at least, as a share of what the columns could bring.
-const LEAST_INFORMATION: f64 = 1e-9;
+use super::inverse::{LEAST_INFORMATION, inverse};
+use super::untouched::Known;
 
 /// Axes that are measured and their noise, mm.
 #[derive(Debug, Clone, PartialEq)]
@@ -186,12 +184,15 @@ impl<'p> Field<'p> {
         let (with, _) = rows.extract(truth);
         let difference = noise.whitened_vector(rows, &(without - with));
         let white = noise.whitened(rows, &columns);
-        let known = white.tr_mul(&white) * weight;
-        let seen = self.predictions(truth, other);
-        let mut comparison = Comparison::new(seen, &known, enough);
+        let products = white.tr_mul(&white) * weight;
         let pull = white.tr_mul(&difference) * weight;
-        let at_first = &comparison.information.covariance * &pull;
-        let explained = at_first.dot(&pull);
+        drop(white);
+        let mut seen = self.predictions(truth, other);
+        let columns = seen.iter_mut().map(|one| &mut one.columns).collect();
+        let known = Known::without_untouched(products, pull, columns);
+        let mut comparison = Comparison::new(seen, &known.gram, enough);
+        let at_first = &comparison.information.covariance * &known.pull;
+        let explained = at_first.dot(&known.pull) + known.explained;
         let shown = comparison.information.shown(&at_first);
         let apart = &mut comparison.distances[0];
         apart.delta = (difference.norm_squared() * weight - explained).max(0.0);

@@ -2,6 +2,9 @@
 
 use nalgebra::DMatrix;
 
+/// Information that every direction has at least, as a share of what the columns could bring.
+pub(super) const LEAST_INFORMATION: f64 = 1e-9;
+
 /// Inverse of an information matrix, well scaled or not.
 pub(crate) fn inverse(information: &DMatrix<f64>) -> DMatrix<f64> {
     let p = information.nrows();

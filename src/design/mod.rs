@@ -48,6 +48,7 @@ mod named;
 mod path;
 mod plan_options;
 mod typed;
+mod untouched;
 mod varied;
 
 pub use expected_information::{Alike, ExpectedInformation};

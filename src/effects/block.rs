@@ -410,6 +410,11 @@ impl<'a> Block<'a> {
         self.load_kg[lane]
     }
 
+    /// Whether a sample of the block was measured in this setup.
+    pub(super) fn is_of_setup(&self, setup: f64) -> bool {
+        self.setup[..self.len].contains(&setup)
+    }
+
     /// The same in all lanes.
     pub(super) fn loads_kg(&self) -> &Lanes {
         &self.load_kg

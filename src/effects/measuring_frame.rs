@@ -53,6 +53,9 @@ const ABOUT: About = About {
 pub static MEASURING_FRAME: Effect = Effect::new(ABOUT, act);
 
 fn act(me: &Placed, block: &mut Block) {
+    if !block.is_of_setup(me.setting) {
+        return;
+    }
     let omega = [me.coefficients[0], me.coefficients[1], me.coefficients[2]];
     let shift = [me.coefficients[3], me.coefficients[4], me.coefficients[5]];
     let rotation = rotation(omega);

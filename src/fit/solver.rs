@@ -11,11 +11,14 @@
 //! A long session is solved on evenly spaced blocks first. One pass over all samples from there
 //! is as good as many from afar, and a last pass with the same Gram matrix polishes it.
 
-use nalgebra::{DMatrix, DVector};
+use std::borrow::Cow;
+
+use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
 use crate::effects::Role;
 use crate::effects::block::Block;
 use crate::lanes::LANES;
+use crate::linear::{cholesky, inverse_of_lower};
 use crate::model::Model;
 use crate::text::Template;
 
@@ -80,13 +83,7 @@ const RANK_TOLERANCE: f64 = 1e-11;
 impl Spectrum {
     /// Takes a Gram matrix apart.
     pub fn new(gram: &DMatrix<f64>) -> Self {
-        let scale = gram
-            .diagonal()
-            .map(|d| if d > 0.0 { d.sqrt() } else { 0.0 });
-        let inverse = scale.map(|s| if s > 0.0 { 1.0 / s } else { 0.0 });
-        let scaled = DMatrix::from_fn(gram.nrows(), gram.ncols(), |i, j| {
-            gram[(i, j)] * inverse[i] * inverse[j]
-        });
+        let (scale, scaled) = scaled(gram);
         if gram.is_empty() {
             // Nothing to take apart; the decomposition takes no empty matrix.
             return Self {
@@ -140,19 +137,7 @@ impl Spectrum {
 
     /// Takes the Gram matrix of a model's coefficients apart, apart from those that it holds.
     fn of_model(gram: &DMatrix<f64>, model: &Model) -> Self {
-        let columns = model.columns().enumerate();
-        let held: Vec<usize> = columns
-            .filter(|(_, (term, k))| term.held.contains(*k))
-            .map(|(column, _)| column)
-            .collect();
-        if held.is_empty() {
-            return Self::new(gram);
-        }
-        // Each a direction of its own, which takes no step as its gradient is zero.
-        let mut apart = gram.clone();
-        for k in &held {
-            apart[(*k, *k)] = 1.0;
-        }
+        let (apart, held) = without_held(gram, model);
         let mut spectrum = Self::new(&apart);
         for k in &held {
             spectrum.scale[*k] = 0.0;
@@ -240,6 +225,32 @@ impl Spectrum {
     }
 }
 
+/// The roots of a Gram matrix's diagonal, and the matrix in units of them.
+fn scaled(gram: &DMatrix<f64>) -> (DVector<f64>, DMatrix<f64>) {
+    let root = |d: f64| if d > 0.0 { d.sqrt() } else { 0.0 };
+    let scale = gram.diagonal().map(root);
+    let inverse = scale.map(|s| if s > 0.0 { 1.0 / s } else { 0.0 });
+    let scaled = DMatrix::from_fn(gram.nrows(), gram.ncols(), |i, j| {
+        gram[(i, j)] * inverse[i] * inverse[j]
+    });
+    (scale, scaled)
+}
+
+/// A Gram matrix in which each coefficient that a model holds is a direction of its own, which takes no step as its
+/// gradient is zero; and which these are.
+fn without_held<'g>(gram: &'g DMatrix<f64>, model: &Model) -> (Cow<'g, DMatrix<f64>>, Vec<usize>) {
+    let columns = model.columns().enumerate();
+    let held: Vec<usize> = columns
+        .filter(|(_, (term, k))| term.held.contains(*k))
+        .map(|(column, _)| column)
+        .collect();
+    let mut apart = Cow::Borrowed(gram);
+    for k in &held {
+        apart.to_mut()[(*k, *k)] = 1.0;
+    }
+    (apart, held)
+}
+
 /// The answer of the solver.
 #[derive(Debug, Clone)]
 pub struct Solution {
@@ -293,7 +304,7 @@ pub fn solve(problem: &Problem, start: &Model) -> Solution {
 fn descend(problem: &Problem, start: &State, blocks: &[usize]) -> (Solution, State) {
     let mut model = start.clone();
     let mut normal = sum(problem, &model, blocks, Sums::All);
-    let mut spectrum = spectrum_of(problem, &normal, &model);
+    let mut directions = Directions::of(problem, &normal, &model);
     let mut damping = 0.0;
     let mut passes = 1;
     let stopped = loop {
@@ -306,7 +317,7 @@ fn descend(problem: &Problem, start: &State, blocks: &[usize]) -> (Solution, Sta
         if !problem.watch.goes_on() {
             break Stopped::Cancelled;
         }
-        let step = spectrum.step(&normal.gradient, damping);
+        let step = directions.step(&normal.gradient, damping);
         let step = bounded(&model.model, step);
         let trial = moved(&model, &step);
         if negligible(&step, &normal) {
@@ -318,7 +329,7 @@ fn descend(problem: &Problem, start: &State, blocks: &[usize]) -> (Solution, Sta
         if next.cost.is_finite() && next.cost <= normal.cost * (1.0 + 1e-12) {
             model = trial;
             normal = next;
-            spectrum = spectrum_of(problem, &normal, &model);
+            directions = Directions::of(problem, &normal, &model);
             damping = if damping > 1e-9 { damping / 10.0 } else { 0.0 };
         } else {
             damping = if damping > 0.0 { damping * 10.0 } else { 1e-6 };
@@ -330,12 +341,100 @@ fn descend(problem: &Problem, start: &State, blocks: &[usize]) -> (Solution, Sta
     let solution = Solution {
         model: model.model.clone(),
         extra_coefficients: model.extra_coefficients.clone(),
-        spectrum,
+        spectrum: directions.taken_apart(problem, &normal),
         cost: normal.cost,
         stopped,
         passes,
     };
     (solution, model)
+}
+
+/// What a step is taken with: the eigenvectors, or of many coefficients, all determined beyond doubt, a factor that is
+/// found many times faster.
+enum Directions {
+    Apart(Spectrum),
+    Factored(Factored),
+}
+
+/// Scales of the coefficients and the scaled Gram matrix with its factor.
+struct Factored {
+    inverse_scale: DVector<f64>,
+    scaled: DMatrix<f64>,
+    factor: Cholesky<f64, Dyn>,
+    /// Where this is.
+    state: State,
+}
+
+/// Of fewer coefficients the eigenvectors take no time.
+const MANY_COEFFICIENTS: usize = 128;
+
+impl Directions {
+    fn of(problem: &Problem, normal: &Normal, state: &State) -> Self {
+        let factored = (state.count() >= MANY_COEFFICIENTS)
+            .then(|| Factored::of(problem, normal, state))
+            .flatten();
+        factored.map_or_else(
+            || Self::Apart(spectrum_of(problem, normal, state)),
+            Self::Factored,
+        )
+    }
+
+    fn step(&self, gradient: &DVector<f64>, damping: f64) -> DVector<f64> {
+        match self {
+            Self::Apart(spectrum) => spectrum.step(gradient, damping),
+            Self::Factored(factored) => factored.step(gradient, damping),
+        }
+    }
+
+    /// The spectrum of the sums that these directions are of.
+    fn taken_apart(self, problem: &Problem, normal: &Normal) -> Spectrum {
+        match self {
+            Self::Apart(spectrum) => spectrum,
+            Self::Factored(factored) => spectrum_of(problem, normal, &factored.state),
+        }
+    }
+}
+
+impl Factored {
+    /// `None` where a direction may be undetermined, as [`Spectrum::within`] has it.
+    fn of(problem: &Problem, normal: &Normal, state: &State) -> Option<Self> {
+        let (gram, held) = without_held(&normal.gram, &state.model);
+        let (scale, scaled) = scaled(&gram);
+        let factor = cholesky(scaled.clone())?;
+        // λ ≥ 1/‖L⁻¹‖², and a direction has no component above 1.
+        let smallest = 1.0 / inverse_of_lower(&factor.l()).norm_squared();
+        let (reaches, least) = told(problem, normal, state);
+        let reach = |k: usize| reaches[k] * scale[k];
+        let shortest = (0..reaches.len())
+            .filter(|k| !held.contains(k))
+            .map(reach)
+            .fold(f64::INFINITY, f64::min);
+        let all = smallest > RANK_TOLERANCE && smallest * shortest * shortest >= least;
+        let mut inverse_scale = scale.map(|s| if s > 0.0 { 1.0 / s } else { 0.0 });
+        for k in held {
+            inverse_scale[k] = 0.0;
+        }
+        all.then(|| Self {
+            inverse_scale,
+            scaled,
+            factor,
+            state: state.clone(),
+        })
+    }
+
+    fn step(&self, gradient: &DVector<f64>, damping: f64) -> DVector<f64> {
+        let scaled = gradient.component_mul(&self.inverse_scale);
+        let damped = (damping > 0.0).then(|| {
+            let mut damped = self.scaled.clone();
+            for k in 0..damped.nrows() {
+                damped[(k, k)] += damping;
+            }
+            cholesky(damped)
+        });
+        let factor = damped.flatten();
+        let step = factor.as_ref().unwrap_or(&self.factor).solve(&scaled);
+        step.component_mul(&self.inverse_scale)
+    }
 }
 
 /// Where the solver is.
@@ -436,6 +535,12 @@ pub(super) fn spectrum_at(problem: &Problem, solution: &Solution) -> (Spectrum, 
 }
 
 fn spectrum_of(problem: &Problem, normal: &Normal, state: &State) -> Spectrum {
+    let (reaches, least) = told(problem, normal, state);
+    Spectrum::of_model(&normal.gram, &state.model).within(&reaches, least)
+}
+
+/// How far it makes sense to go along each coefficient, and by how much the cost has to rise there.
+fn told(problem: &Problem, normal: &Normal, state: &State) -> (Vec<f64>, f64) {
     let shapes = std::iter::repeat_n(f64::INFINITY, state.extra_coefficients.len());
     let reaches: Vec<f64> = state
         .model
@@ -449,7 +554,7 @@ fn spectrum_of(problem: &Problem, normal: &Normal, state: &State) -> Spectrum {
     } else {
         normal.weight * ROUNDING_MM * ROUNDING_MM
     };
-    Spectrum::of_model(&normal.gram, &state.model).within(&reaches, least)
+    (reaches, least)
 }
 
 /// Puts the columns beside the model behind its own, and what they do into the points.

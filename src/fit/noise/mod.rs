@@ -21,15 +21,13 @@
 //! (Patterson & Thompson 1971): restricted, so that what the fit swallows is not held against the
 //! noise.
 
-use std::rc::Rc;
-
 use nalgebra::{DMatrix, DVector};
 
 use crate::sessions::Sigma;
 
 use super::regression::Rows;
 use filter::{Axis, steps};
-use restricted::{AxisSums, Restricted};
+use restricted::{Restricted, Shape};
 
 mod filter;
 mod restricted;
@@ -97,12 +95,12 @@ impl Noise {
             return noise;
         }
         let restricted = Restricted::new(rows, residual, columns);
-        let mut sums = restricted.sums(0.0, [0.0; 3]);
+        let mut slow = Shape::white(noise.sigma_mm);
         let enough = rows.samples.len() >= FEWEST_SAMPLES;
         if enough {
             let alike = noise.clone();
-            noise.balance_axes(&restricted, &sums);
-            let white = restricted.likelihood(&sums, &noise.sigma_mm);
+            noise.balance_axes(&restricted, slow);
+            let white = restricted.likelihood(Shape::white(noise.sigma_mm));
             let mut best = noise.slowest(&restricted, white);
             // What wanders along some axes only makes them look unequal as well.
             if noise.unequal && !alike.unequal {
@@ -119,8 +117,12 @@ impl Noise {
             if let Some((likelihood, tau, ratio)) = best {
                 noise.slow_evidence = 2.0 * (likelihood - white);
                 if noise.slow_evidence > SLOW_EVIDENCE {
-                    sums = restricted.sums(tau, ratio);
-                    noise.balance_axes(&restricted, &sums);
+                    slow = Shape {
+                        tau,
+                        ratio,
+                        sigma: noise.sigma_mm,
+                    };
+                    noise.balance_axes(&restricted, slow);
                     let rms = |a: usize| ratio[a].sqrt() * noise.sigma_mm[a];
                     noise.slow = Some(Slow {
                         rms_mm: [rms(0), rms(1), rms(2)],
@@ -129,18 +131,20 @@ impl Noise {
                 }
             }
         }
+        let sigma = noise.sigma_mm;
         let scale = restricted
-            .scale(&sums, &noise.sigma_mm)
+            .scale(Shape { sigma, ..slow })
             .max(SMALLEST_SIGMA_MM);
         // What was rounded away is noise, whatever the residuals of few digits look like.
         noise.scaled(scale).at_least(rows.digits_mm)
     }
 
-    /// Sizes of the axes relative to each other, where they clearly differ.
-    fn balance_axes(&mut self, restricted: &Restricted, sums: &[Rc<AxisSums>]) {
+    /// Sizes of the axes relative to each other, where they clearly differ beside a slow part.
+    fn balance_axes(&mut self, restricted: &Restricted, slow: Shape) {
         let mut stated = self.unequal;
         for _ in 0..2 {
-            let spread = restricted.spread(sums, &self.sigma_mm);
+            let sigma = self.sigma_mm;
+            let spread = restricted.spread(Shape { sigma, ..slow });
             let freedom: f64 = spread.iter().map(|s| s.1).sum();
             let pooled = spread.iter().map(|s| s.0 * s.1).sum::<f64>() / freedom.max(1.0);
             if pooled.sqrt() < SMALLEST_SIGMA_MM {

@@ -1,7 +1,7 @@
 //! The likeliest slow part, and what else it may be: the likelihood over time constants and
 //! variances, on a grid and closer around its maximum.
 
-use super::restricted::Restricted;
+use super::restricted::{Restricted, Shape};
 use super::{Noise, PRICE_OF_A_VARIANCE};
 use crate::answers::noise::Trial;
 
@@ -98,8 +98,11 @@ impl Noise {
     }
 
     fn likelihood_of(&self, restricted: &Restricted, tau: f64, ratio: [f64; 3]) -> f64 {
-        let sums = restricted.sums(tau, ratio);
-        restricted.likelihood(&sums, &self.sigma_mm)
+        restricted.likelihood(Shape {
+            tau,
+            ratio,
+            sigma: self.sigma_mm,
+        })
     }
 
     /// The posterior over cells of ln τ and ln r, even to begin with: white noise against all of them

@@ -1,0 +1,194 @@
+//! The restricted likelihood of a noise beside the columns of a fit (Patterson & Thompson 1971).
+//!
+//! The frame of a setup, and whatever else touches a stretch of the samples only, has columns that are zero everywhere
+//! else. Where there are many stretches their columns are taken out one stretch after the other
+//! ([`stretches`]), so that a session of many setups costs what its samples cost; otherwise all columns are carried
+//! through the filter ([`whole`]).
+
+mod stretches;
+mod summed;
+mod whole;
+
+use crate::fit::regression::Rows;
+use nalgebra::{DMatrix, DVector};
+
+use stretches::Stretches;
+pub(super) use summed::Shape;
+use summed::Summed;
+use whole::Whole;
+
+/// The restricted likelihood of noise beside the columns of a fit.
+pub(super) struct Restricted<'r> {
+    rows: &'r Rows<'r>,
+    pub(super) axes: Vec<usize>,
+    columns: Columns,
+}
+
+enum Columns {
+    Whole(Whole),
+    Stretches(Stretches),
+}
+
+impl<'r> Restricted<'r> {
+    pub(super) fn new(rows: &'r Rows<'r>, residual: &DVector<f64>, columns: &DMatrix<f64>) -> Self {
+        let by_stretch = Stretches::of(rows, residual, columns).map(Columns::Stretches);
+        Self {
+            rows,
+            axes: rows.axes.clone(),
+            columns: by_stretch
+                .unwrap_or_else(|| Columns::Whole(Whole::new(rows, residual, columns))),
+        }
+    }
+
+    /// Shortest and longest time constant that the samples can tell. What does not come back
+    /// within the session cannot be told from an offset and a drift of the frame, which are effects.
+    pub(super) fn times(&self) -> (f64, f64) {
+        let times = &self.rows.times;
+        let mut apart: Vec<f64> = times.windows(2).map(|w| w[1] - w[0]).collect();
+        apart.retain(|d| *d > 0.0);
+        apart.sort_by(f64::total_cmp);
+        let Some(middle) = apart.get(apart.len() / 2).copied() else {
+            return (1.0, 1.0);
+        };
+        let total: f64 = apart.iter().sum();
+        (middle, total.max(middle))
+    }
+
+    fn summed(&self, shape: Shape) -> Summed {
+        match &self.columns {
+            Columns::Whole(whole) => whole.summed(self.rows, shape),
+            Columns::Stretches(stretches) => stretches.summed(self.rows, shape),
+        }
+    }
+
+    fn rank(&self) -> usize {
+        match &self.columns {
+            Columns::Whole(whole) => whole.rank(),
+            Columns::Stretches(stretches) => stretches.rank(),
+        }
+    }
+
+    fn freedom(&self) -> f64 {
+        ((self.rows.len() as f64) - self.rank() as f64).max(1.0)
+    }
+
+    /// Standard deviation that is left, in units of σ.
+    pub(super) fn scale(&self, shape: Shape) -> f64 {
+        let solved = self.summed(shape).solved();
+        solved.map_or(0.0, |solved| (solved.left / self.freedom()).sqrt())
+    }
+
+    /// Variance along each axis in units of σ², with its degrees of freedom.
+    pub(super) fn spread(&self, shape: Shape) -> Vec<(f64, f64)> {
+        let spread = match &self.columns {
+            Columns::Whole(whole) => whole.spread(self.rows, shape),
+            Columns::Stretches(stretches) => stretches.spread(self.rows, shape),
+        };
+        let n = self.rows.samples.len() as f64;
+        spread.unwrap_or_else(|| vec![(1.0, n); self.axes.len()])
+    }
+
+    /// Logarithm, up to a constant, with the common size profiled out.
+    pub(super) fn likelihood(&self, shape: Shape) -> f64 {
+        let summed = self.summed(shape);
+        let Some(solved) = summed.solved() else {
+            return f64::NEG_INFINITY;
+        };
+        let freedom = self.freedom();
+        let variance = (solved.left / freedom).max(SMALLEST_SIGMA_MM * SMALLEST_SIGMA_MM);
+        let ln_determinant = solved.ln_determinant() + summed.ln_determinant;
+        -0.5 * (freedom * variance.ln() + ln_determinant)
+    }
+}
+
+/// Below this noise is rounding, mm.
+pub(crate) const SMALLEST_SIGMA_MM: f64 = 1e-6;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::effects::JointValues;
+    use crate::fit::example::sweep;
+    use crate::fit::problem::Problem;
+
+    const TAU: f64 = 40.0;
+    const RATIO: [f64; 3] = [2.0, 0.0, 0.5];
+    const SIGMA: [f64; 3] = [0.05, 0.02, 0.11];
+    const SHAPE: Shape = Shape {
+        tau: TAU,
+        ratio: RATIO,
+        sigma: SIGMA,
+    };
+
+    fn ln_determinant(a: &DMatrix<f64>) -> f64 {
+        let root = a.clone().cholesky().unwrap().l();
+        2.0 * root.diagonal().iter().map(|d| d.ln()).sum::<f64>()
+    }
+
+    /// What it knows of the noise beside three columns in samples at irregular times, and the same from dense
+    /// matrices: ν, V⁻¹, P = V⁻¹ − V⁻¹X(XᵀV⁻¹X)⁻¹XᵀV⁻¹, the restricted likelihood and P y.
+    fn compared(look: impl Fn(&Restricted, &DMatrix<f64>, &DMatrix<f64>, &DVector<f64>, f64)) {
+        let session = sweep([0.0, 0.0, 1.0]);
+        let problem = Problem::new(&session, JointValues::Commanded);
+        let rows = Rows::of(&problem);
+        let n = rows.samples.len();
+        let wild = |i: usize, j: usize| (((i + 3) * (2 * j + 5)) as f64 * 0.37).sin();
+        let columns = DMatrix::from_fn(3 * n, 3, wild);
+        let residual = DVector::from_fn(3 * n, |i, _| 0.1 * wild(i, 9));
+        let restricted = Restricted::new(&rows, &residual, &columns);
+        let covariance = DMatrix::from_fn(3 * n, 3 * n, |i, j| {
+            let (axis, apart) = (i / n, rows.times[i % n] - rows.times[j % n]);
+            let white = f64::from(u8::from(i == j));
+            let slow = RATIO[axis] * (-apart.abs() / TAU).exp();
+            f64::from(u8::from(axis == j / n)) * SIGMA[axis].powi(2) * (white + slow)
+        });
+        let inverse = covariance.clone().try_inverse().unwrap();
+        let x = columns.qr().q();
+        let carried = &inverse * &x;
+        let information = x.transpose() * &carried;
+        let known = information.clone().try_inverse().unwrap();
+        let projection = &inverse - &carried * known * carried.transpose();
+        let freedom = 3.0 * n as f64 - 3.0;
+        let variance = residual.dot(&(&projection * &residual)) / freedom;
+        let ln = ln_determinant(&covariance) + ln_determinant(&information);
+        let likelihood = -0.5 * (freedom * variance.ln() + ln);
+        look(&restricted, &covariance, &projection, &residual, likelihood);
+    }
+
+    #[test]
+    fn the_likelihood_is_that_of_dense_matrices() {
+        compared(|restricted, _, projection, residual, expected| {
+            let likelihood = restricted.likelihood(SHAPE);
+            assert!(
+                (likelihood - expected).abs() < 1e-8,
+                "{likelihood} {expected}"
+            );
+            let freedom = residual.len() as f64 - 3.0;
+            let scale = (residual.dot(&(projection * residual)) / freedom).sqrt();
+            assert!((restricted.scale(SHAPE) / scale - 1.0).abs() < 1e-9);
+        });
+    }
+
+    #[test]
+    fn each_axis_has_its_variance_with_what_the_columns_take_of_it() {
+        compared(|restricted, covariance, projection, residual, _| {
+            let spread = restricted.spread(SHAPE);
+            let n = residual.len() / 3;
+            // V P y is what the fit leaves, V P what it leaves of the rows.
+            let left = covariance * (projection * residual);
+            let kept = covariance * projection;
+            for (axis, (variance, freedom)) in spread.into_iter().enumerate() {
+                let own = covariance.view((axis * n, axis * n), (n, n)).into_owned();
+                let of_axis = left.rows(axis * n, n).into_owned();
+                let square = of_axis.dot(&(own.try_inverse().unwrap() * &of_axis));
+                let rest: f64 = (axis * n..(axis + 1) * n).map(|k| kept[(k, k)]).sum();
+                assert!((freedom - rest).abs() < 1e-8, "{freedom} {rest}");
+                let expected = square / rest;
+                assert!(
+                    (variance / expected - 1.0).abs() < 1e-8,
+                    "{axis} {variance} {expected}"
+                );
+            }
+        });
+    }
+}

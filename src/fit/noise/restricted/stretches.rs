@@ -1,0 +1,440 @@
+//! Columns that touch a stretch of the samples only, taken out one stretch after the other: an information filter over
+//! the state of the slow noise.
+//!
+//! Of a stretch the unknowns are the state `z` of the slow noise before it, its own columns' coefficients `f` and the
+//! state `e` at its end; the coefficients `β` of the columns that it shares with the others are carried along. Filtered
+//! from a state that is known, its samples and its end say
+//!
+//! ```text
+//! G z + F f + C β = y,   (e − H z + A f + B β − b)/√P = 0
+//! ```
+//!
+//! with white noise of 1. To the products of these rows come those of `z` and `β` that the stretches before it left;
+//! with `z` and `f` eliminated, those of `e` and `β` are left for the next one. The determinant gains that of what was
+//! eliminated: both are integrated out.
+
+use std::collections::BTreeMap;
+use std::ops::Range;
+
+use nalgebra::{DMatrix, DVector};
+
+use crate::fit::noise::filter::{Step, carried};
+use crate::fit::regression::Rows;
+use crate::linear::{Basis, cholesky, gram};
+
+use super::summed::{Shape, Summed};
+
+/// With fewer stretches all columns at once are as fast.
+const FEWEST_STRETCHES: usize = 4;
+/// Columns that touch the same samples, at least, so that these are a stretch.
+const FEWEST_COLUMNS: usize = 3;
+/// A column of which less than this share is left beside those of the stretches is one of theirs.
+const DEPENDENT: f64 = 1e-6;
+/// Step of the derivatives by differences, of the logarithm of σ.
+const DIFFERENCE: f64 = 1e-4;
+
+/// The columns of a fit by the stretches of samples that they touch.
+pub(super) struct Stretches {
+    stretches: Vec<Stretch>,
+    /// Columns of the stretches, independent.
+    own: usize,
+    /// Columns that all share, with the residual, which is the last.
+    shared: usize,
+}
+
+struct Stretch {
+    samples: Range<usize>,
+    /// Rows of its samples, axis after axis: its own columns, orthonormal, then those that all share.
+    columns: DMatrix<f64>,
+    own: usize,
+}
+
+impl Stretches {
+    /// `None` where few columns are those of a stretch.
+    pub(super) fn of(rows: &Rows, residual: &DVector<f64>, columns: &DMatrix<f64>) -> Option<Self> {
+        let n = rows.samples.len();
+        if columns.nrows() != n * rows.axes.len() {
+            return None;
+        }
+        let touched = touched(columns, n);
+        let found = disjoint(&touched, n);
+        if found.len() < FEWEST_STRETCHES {
+            return None;
+        }
+        let of_stretch = |k: &usize, samples: &Range<usize>| {
+            let touched = &touched[*k];
+            samples.start <= touched.start && touched.end <= samples.end && !touched.is_empty()
+        };
+        let is_shared = |k: &usize| !found.iter().any(|samples| of_stretch(k, samples));
+        let all = 0..columns.ncols();
+        let shared: Vec<usize> = all.clone().filter(is_shared).collect();
+        let mut common = columns.select_columns(&shared);
+        let at = |a: usize, samples: &Range<usize>| (a * n + samples.start, samples.len());
+        // The same span, well conditioned, whatever the noise is.
+        let mut bases = Vec::new();
+        for samples in &found {
+            let own: Vec<usize> = all.clone().filter(|k| of_stretch(k, samples)).collect();
+            let q = Basis::new(&picked(&columns.select_columns(&own), n, samples)).q;
+            for _ in 0..2 {
+                let here = picked(&common, n, samples);
+                let left = &here - &q * q.tr_mul(&here);
+                for a in 0..rows.axes.len() {
+                    let (first, len) = at(a, samples);
+                    common
+                        .rows_mut(first, len)
+                        .copy_from(&left.rows(a * len, len));
+                }
+            }
+            bases.push(q);
+        }
+        let before = columns.select_columns(&shared);
+        let common = independent(&common, &before);
+        let width = common.ncols();
+        let mut common = common.insert_column(width, 0.0);
+        common.set_column(width, residual);
+        let mut stretches = Vec::new();
+        let mut from = 0;
+        let mut add = |samples: Range<usize>, q: Option<&DMatrix<f64>>| {
+            if samples.is_empty() {
+                return;
+            }
+            let shared = picked(&common, n, &samples);
+            let own = q.map_or(0, DMatrix::ncols);
+            let mut columns = DMatrix::zeros(shared.nrows(), own + width + 1);
+            if let Some(q) = q {
+                columns.columns_mut(0, own).copy_from(q);
+            }
+            columns.columns_mut(own, width + 1).copy_from(&shared);
+            stretches.push(Stretch {
+                samples,
+                columns,
+                own,
+            });
+        };
+        for (samples, q) in found.iter().zip(&bases) {
+            add(from..samples.start, None);
+            add(samples.clone(), Some(q));
+            from = samples.end;
+        }
+        add(from..n, None);
+        Some(Self {
+            own: bases.iter().map(DMatrix::ncols).sum(),
+            shared: width + 1,
+            stretches,
+        })
+    }
+
+    pub(super) fn rank(&self) -> usize {
+        self.own + self.shared - 1
+    }
+
+    pub(super) fn summed(&self, rows: &Rows, shape: Shape) -> Summed {
+        let slow: Vec<usize> = (0..rows.axes.len())
+            .filter(|a| shape.ratio[rows.axes[*a]] > 0.0)
+            .collect();
+        let mut ln_determinant = 0.0;
+        // Products of the state and the shared columns.
+        let mut known = DMatrix::zeros(self.shared, self.shared);
+        for (k, stretch) in self.stretches.iter().enumerate() {
+            let before = known.ncols() - self.shared;
+            let goes_on = k + 1 < self.stretches.len();
+            let after = if goes_on { slow.len() } else { 0 };
+            let mut system = System::new(stretch, self.shared, before, after);
+            ln_determinant += system.fill(stretch, rows, shape, &slow);
+            let reduced = system.reduced(&known);
+            let Some((left, ln)) = reduced else {
+                // Of no noise are its own columns dependent.
+                return Summed {
+                    gram: DMatrix::zeros(self.shared, self.shared),
+                    ln_determinant,
+                };
+            };
+            ln_determinant += ln;
+            known = left;
+        }
+        Summed {
+            gram: known,
+            ln_determinant,
+        }
+    }
+
+    /// Variance along each axis in units of σ², with its degrees of freedom, by differences: where `σ` along an axis
+    /// grows, the square that is left falls by twice that of the axis, and the determinant grows by twice the freedom.
+    pub(super) fn spread(&self, rows: &Rows, shape: Shape) -> Option<Vec<(f64, f64)>> {
+        let at = |axis: usize, by: f64| {
+            let mut shape = shape;
+            shape.sigma[axis] *= by.exp();
+            let summed = self.summed(rows, shape);
+            let solved = summed.solved()?;
+            let ln_determinant = solved.ln_determinant() + summed.ln_determinant;
+            Some((solved.left, ln_determinant))
+        };
+        let one = |axis: &usize| {
+            let (more, less) = (at(*axis, DIFFERENCE)?, at(*axis, -DIFFERENCE)?);
+            let by = 4.0 * DIFFERENCE;
+            let freedom = ((more.1 - less.1) / by).max(1.0);
+            let square = ((less.0 - more.0) / by).max(0.0);
+            Some((square / freedom, freedom))
+        };
+        rows.axes.iter().map(one).collect()
+    }
+}
+
+/// The samples from the first to the last that each column touches.
+fn touched(columns: &DMatrix<f64>, n: usize) -> Vec<Range<usize>> {
+    let of = |column: nalgebra::DVectorView<f64>| {
+        let (mut first, mut end) = (n, 0);
+        for axis in column.as_slice().chunks(n) {
+            let own = axis.iter().position(|v| *v != 0.0);
+            first = first.min(own.unwrap_or(n));
+            end = end.max(axis.iter().rposition(|v| *v != 0.0).map_or(0, |k| k + 1));
+        }
+        first.min(end)..end
+    };
+    columns.column_iter().map(of).collect()
+}
+
+/// Stretches that several columns touch and nothing else, none within another, in order.
+fn disjoint(touched: &[Range<usize>], n: usize) -> Vec<Range<usize>> {
+    let mut count: BTreeMap<(usize, usize, usize), usize> = BTreeMap::new();
+    for range in touched.iter().filter(|range| 2 * range.len() <= n) {
+        // The shortest come first.
+        *count
+            .entry((range.len(), range.start, range.end))
+            .or_default() += 1;
+    }
+    let mut found: Vec<Range<usize>> = Vec::new();
+    for ((len, start, end), columns) in count {
+        let apart = |other: &Range<usize>| other.end <= start || end <= other.start;
+        if len > 0 && columns >= FEWEST_COLUMNS && found.iter().all(apart) {
+            found.push(start..end);
+        }
+    }
+    found.sort_by_key(|range| range.start);
+    found
+}
+
+/// The rows of some samples, axis after axis.
+fn picked(columns: &DMatrix<f64>, n: usize, samples: &Range<usize>) -> DMatrix<f64> {
+    let (axes, len) = (columns.nrows() / n, samples.len());
+    let mut own = DMatrix::zeros(axes * len, columns.ncols());
+    for a in 0..axes {
+        let rows = columns.rows(a * n + samples.start, len);
+        own.rows_mut(a * len, len).copy_from(&rows);
+    }
+    own
+}
+
+/// A basis of columns of which a part was taken out; those of which nothing is left are none.
+fn independent(left: &DMatrix<f64>, before: &DMatrix<f64>) -> DMatrix<f64> {
+    let mut left = left.clone();
+    for (mut column, before) in left.column_iter_mut().zip(before.column_iter()) {
+        if column.norm() <= DEPENDENT * before.norm() {
+            column.fill(0.0);
+        }
+    }
+    Basis::new(&left).q
+}
+
+/// The rows of a stretch: columns of the state before it, its own, of the state after it, and the shared ones.
+struct System {
+    rows: DMatrix<f64>,
+    /// Numbers of the state before, of its own columns, of the state after.
+    before: usize,
+    own: usize,
+    after: usize,
+}
+
+impl System {
+    fn new(stretch: &Stretch, shared: usize, before: usize, after: usize) -> Self {
+        let height = stretch.columns.nrows() + after;
+        Self {
+            rows: DMatrix::zeros(height, before + stretch.own + after + shared),
+            before,
+            own: stretch.own,
+            after,
+        }
+    }
+
+    /// Where a column of the stretch stands.
+    fn place(&self, column: usize) -> usize {
+        let beside = if column < self.own { 0 } else { self.after };
+        self.before + column + beside
+    }
+
+    /// Its samples, whitened, and the state at its end. Gives the logarithm of the variances of what is new in them.
+    fn fill(&mut self, stretch: &Stretch, rows: &Rows, shape: Shape, slow: &[usize]) -> f64 {
+        let len = stretch.samples.len();
+        let mut ln = 0.0;
+        for (a, axis) in rows.axes.iter().enumerate() {
+            let sigma = shape.sigma[*axis];
+            let first = a * len;
+            let Some(state) = slow.iter().position(|own| *own == a) else {
+                for (k, column) in stretch.columns.column_iter().enumerate() {
+                    let place = self.place(k);
+                    let column = column.rows(a * len, len) / sigma;
+                    self.rows
+                        .view_mut((first, place), (len, 1))
+                        .copy_from(&column);
+                }
+                ln += 2.0 * len as f64 * sigma.ln();
+                continue;
+            };
+            let rms = shape.ratio[*axis].sqrt() * sigma;
+            let (steps, variance) = self.steps(stretch, &rows.times, shape.tau, sigma, rms);
+            ln -= steps
+                .iter()
+                .map(|s| 2.0 * s.inverse_spread.ln())
+                .sum::<f64>();
+            let end = stretch.columns.nrows() + state;
+            let of_end = 1.0 / variance.sqrt();
+            for (k, column) in stretch.columns.column_iter().enumerate() {
+                let place = self.place(k);
+                let mut now = 0.0;
+                for (i, step) in steps.iter().enumerate() {
+                    let new = column[a * len + i] - step.decay * now;
+                    now = step.decay * now + step.gain * new;
+                    self.rows[(first + i, place)] = new * step.inverse_spread;
+                }
+                if self.after > 0 {
+                    self.rows[(end, place)] = now * of_end;
+                }
+            }
+            let mut now = 1.0;
+            if self.before > 0 {
+                for (i, step) in steps.iter().enumerate() {
+                    self.rows[(first + i, state)] = step.decay * now * step.inverse_spread;
+                    now *= step.decay * (1.0 - step.gain);
+                }
+            }
+            if self.after > 0 {
+                if self.before > 0 {
+                    self.rows[(end, state)] = -now * of_end;
+                }
+                self.rows[(end, self.before + self.own + state)] = of_end;
+                ln += variance.ln();
+            }
+        }
+        ln
+    }
+
+    /// The steps from a state before it that is known, and the variance of the state at its end.
+    fn steps(
+        &self,
+        stretch: &Stretch,
+        times: &[f64],
+        tau: f64,
+        sigma: f64,
+        rms: f64,
+    ) -> (Vec<Step>, f64) {
+        let samples = stretch.samples.clone();
+        let (mut before, mut variance) = if self.before > 0 {
+            (times[samples.start - 1], 0.0)
+        } else {
+            (f64::NAN, rms * rms)
+        };
+        let step = |time: &f64| {
+            let carry = carried(*time - before, tau);
+            before = *time;
+            Step::after(carry, sigma, rms, &mut variance)
+        };
+        let steps = times[samples].iter().map(step).collect();
+        (steps, variance)
+    }
+
+    /// Products of the state after it and the shared columns, and the logarithm of the determinant of what was
+    /// eliminated. `known` has those of the state before it.
+    fn reduced(self, known: &DMatrix<f64>) -> Option<(DMatrix<f64>, f64)> {
+        let mut all = gram(&self.rows);
+        let out = self.before + self.own;
+        let (before, first) = (self.before, out + self.after);
+        let shared = all.ncols() - first;
+        for (at, from, (height, width)) in [
+            ((0, 0), (0, 0), (before, before)),
+            ((0, first), (0, before), (before, shared)),
+            ((first, first), (before, before), (shared, shared)),
+        ] {
+            let mut own = all.view_mut(at, (height, width));
+            own += known.view(from, (height, width));
+        }
+        let rest = all.ncols() - out;
+        let mut left = all.view((out, out), (rest, rest)).into_owned();
+        if out == 0 {
+            return Some((left, 0.0));
+        }
+        let factor = cholesky(all.view((0, 0), (out, out)).into_owned())?;
+        let l = factor.l_dirty();
+        let mut between = all.view((0, out), (out, rest)).into_owned();
+        l.solve_lower_triangular_mut(&mut between);
+        left -= gram(&between);
+        let ln = (0..out).map(|k| 2.0 * l[(k, k)].ln()).sum();
+        Some((left, ln))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::effects::JointValues;
+    use crate::fit::example::sweep;
+    use crate::fit::noise::restricted::{Columns, Restricted};
+    use crate::fit::problem::Problem;
+
+    const SIGMA: [f64; 3] = [0.05, 0.02, 0.11];
+
+    /// Seven stretches of samples with five columns each and some samples between, three columns that all share and
+    /// one that is the sum of a stretch's: as stretches and as a whole they know the same of every noise, up to a
+    /// constant.
+    #[test]
+    fn columns_of_stretches_are_as_all_columns_at_once() {
+        let session = sweep([0.0, 0.0, 1.0]);
+        let problem = Problem::new(&session, JointValues::Commanded);
+        let mut rows = Rows::of(&problem);
+        let n = rows.samples.len();
+        // A clock that is set back within a stretch.
+        for time in rows.times.iter_mut().skip(n / 2) {
+            *time -= 1000.0;
+        }
+        let wild = |i: usize, j: usize| (((i + 3) * (2 * j + 5)) as f64 * 0.37).sin();
+        let long = n / 8;
+        let mut columns = DMatrix::from_fn(3 * n, 3 + 7 * 5 + 1, |i, j| {
+            let own = (j >= 3).then(|| 1 + (j - 3) / 5);
+            let here = (i % n) / long == own.unwrap_or(0);
+            if here || j < 3 { wild(i, j) } else { 0.0 }
+        });
+        let all: DVector<f64> =
+            columns.columns(8, 5).column_sum() + columns.columns(18, 5).column_sum();
+        columns.set_column(38, &all);
+        let residual = DVector::from_fn(3 * n, |i, _| 0.1 * wild(i, 50));
+        let apart = Restricted::new(&rows, &residual, &columns);
+        assert!(matches!(apart.columns, Columns::Stretches(_)));
+        let whole = Restricted {
+            rows: &rows,
+            axes: rows.axes.clone(),
+            columns: Columns::Whole(super::super::whole::Whole::new(&rows, &residual, &columns)),
+        };
+        assert_eq!(apart.rank(), whole.rank());
+        let shape = |tau: f64, ratio: [f64; 3]| Shape {
+            tau,
+            ratio,
+            sigma: SIGMA,
+        };
+        let mut constant = None;
+        for shape in [
+            Shape::white([1.0; 3]),
+            Shape::white(SIGMA),
+            shape(40.0, [2.0, 0.0, 0.5]),
+            shape(3.0, [0.1, 4.0, 60.0]),
+            shape(900.0, [1000.0; 3]),
+        ] {
+            let differs = apart.likelihood(shape) - whole.likelihood(shape);
+            let constant = *constant.get_or_insert(differs);
+            assert!((differs - constant).abs() < 1e-7, "{differs} {constant}");
+            assert!((apart.scale(shape) / whole.scale(shape) - 1.0).abs() < 1e-8);
+            for (a, b) in apart.spread(shape).iter().zip(whole.spread(shape)) {
+                assert!((a.1 - b.1).abs() < 1e-5 * n as f64, "{a:?} {b:?}");
+                assert!((a.0 / b.0 - 1.0).abs() < 1e-5, "{a:?} {b:?}");
+            }
+        }
+    }
+}
