@@ -68,3 +68,30 @@ fn eliminated(
         explained: of_pull.norm_squared(),
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_known_of_the_others_is_the_same() {
+        let (shown, all) = (5, 5 + FEWEST);
+        let wild = |i: usize, j: usize| (((i + 3) * (2 * j + 5)) as f64 * 0.37).sin();
+        let columns = DMatrix::from_fn(3 * all, all, wild);
+        let difference = DVector::from_fn(3 * all, |i, _| wild(i, 99));
+        let (products, pull) = (columns.tr_mul(&columns), columns.tr_mul(&difference));
+        let of = |k: usize| {
+            DMatrix::from_fn(2, all, |i, j| if j < shown { wild(i + k, j) } else { 0.0 })
+        };
+        let (mut one, mut two) = (of(1), of(2));
+        let whole = products.clone().try_inverse().unwrap();
+        let explained = pull.dot(&(&whole * &pull));
+        let known = Known::without_untouched(products, pull, vec![&mut one, &mut two]);
+        assert_eq!((one.ncols(), two.ncols()), (shown, shown));
+        let covariance = known.gram.try_inverse().unwrap();
+        let own = whole.view((0, 0), (shown, shown));
+        assert!((&covariance - own).norm() < 1e-6 * covariance.norm());
+        let left = known.pull.dot(&(&covariance * &known.pull));
+        assert!((left + known.explained - explained).abs() < 1e-6 * explained);
+    }
+}

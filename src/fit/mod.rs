@@ -13,6 +13,7 @@ pub(crate) mod problem;
 pub(crate) mod regression;
 pub(crate) mod scan;
 pub(crate) mod solver;
+pub(crate) mod spectrum;
 pub(crate) mod uncertainty;
 
 mod adaptive;

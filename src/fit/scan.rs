@@ -15,7 +15,8 @@ use crate::model::Model;
 
 use super::normal::{Normal, Sums};
 use super::problem::Problem;
-use super::solver::{Spectrum, solve};
+use super::solver::solve;
+use super::spectrum::Spectrum;
 
 /// Candidates that are scored in one pass over the samples.
 const AT_ONCE: usize = 16;

@@ -20,7 +20,7 @@
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
 use crate::effects::curve::DIRECTIONS;
-use crate::fit::solver::Spectrum;
+use crate::fit::spectrum::Spectrum;
 use crate::linear::Basis;
 
 /// A name whose column has less than this in common with the curve's is orthogonal to it anyway.
