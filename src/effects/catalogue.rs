@@ -108,6 +108,11 @@ pub fn joint_zero() -> &'static Effect {
     &super::joint_zero_offset::JOINT_ZERO_OFFSET
 }
 
+/// The scale of a joint.
+pub fn joint_scale() -> &'static Effect {
+    &super::joint_scale::JOINT_SCALE
+}
+
 /// The length from a single axis to the tool.
 pub fn tool_radius() -> &'static Effect {
     &super::link_length::LINK_LENGTH

@@ -77,7 +77,7 @@ pub use about::{
 pub use block::{Block, Lane, Turned};
 pub use catalogue::{
     BESIDE_THE_CATALOGUE, CATALOGUE, OF_A_FIRST_SIMULATION, OF_A_SINGLE_AXIS, called, find,
-    form_in, form_with, joint_zero, rank, role, tool_radius,
+    form_in, form_with, joint_scale, joint_zero, rank, role, tool_radius,
 };
 pub use curve::{Curve, CurveError, Knots};
 pub use from_parameters::TermError;

@@ -16,13 +16,17 @@ pub(super) const MOST_COMBINATIONS: usize = 2;
 /// Set-up errors and mistakes of rows: each with its evidence and what to do.
 pub(crate) fn data_problems(problems: &[DataProblem]) -> Vec<Section> {
     let _by_titles = ByTitles::begin();
-    let problems = problems.iter().enumerate();
-    let sections = problems.map(|(index, problem)| {
+    let sections = problems.iter().enumerate().map(|(index, problem)| {
         let title = say!("Data: {problem}", problem = cleaned(&problem.what));
-        let facts = vec![
-            fact(say!("Evidence"), cleaned(&problem.evidence)),
-            fact(say!("Proposal"), cleaned(&problem.proposal)),
-        ];
+        let mut facts = Vec::new();
+        // Of several that were found together the first has it.
+        let before = index
+            .checked_sub(1)
+            .map(|before| &problems[before].evidence);
+        if before != Some(&problem.evidence) {
+            facts.push(fact(say!("Evidence"), cleaned(&problem.evidence)));
+        }
+        facts.push(fact(say!("Proposal"), cleaned(&problem.proposal)));
         Section::of(Topic::DataProblem(index), title, vec![Block::Facts(facts)])
     });
     sections.collect()

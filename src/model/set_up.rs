@@ -64,6 +64,7 @@ fn is_a_convention(correction: &SessionCorrection) -> bool {
             | SessionCorrection::TakeReadBack
             | SessionCorrection::TurnHome { .. }
             | SessionCorrection::ScaleLengths(_)
+            | SessionCorrection::ScaleCoordinate { .. }
             | SessionCorrection::Reorder(_)
             | SessionCorrection::FreeFrame
     )
@@ -145,6 +146,7 @@ impl SetUp {
                 c,
                 SessionCorrection::TakeReadBack
                     | SessionCorrection::ScaleLengths(_)
+                    | SessionCorrection::ScaleCoordinate { .. }
                     | SessionCorrection::Reorder(_)
                     | SessionCorrection::FreeFrame
             )

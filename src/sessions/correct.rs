@@ -2,6 +2,7 @@
 
 use crate::kinematics::JointKind;
 use crate::text::{Template, Text, length};
+use crate::units::{deg_from_rad, rad_from_deg};
 
 use super::correction::{DAY_S, GRADIAN_DEG, SessionCorrection, TRAVEL_UNITS_MM, TURN_DEG};
 use super::{Samples, Session, Setups};
@@ -28,17 +29,25 @@ impl SessionCorrection {
     /// What it does, as a button says it.
     pub fn describe(&self) -> Text {
         match self {
-            Self::ScaleJoint { joint, factor } if *factor < 0.0 => {
+            Self::ScaleJoint { joint, factor } if *factor == -1.0 => {
                 text!("Reverse joint {joint}", joint = joint + 1)
             }
-            Self::ScaleJoint { joint, factor } => text!(
-                "Read joint {joint} as {unit}",
-                joint = joint + 1,
-                unit = unit_of_joint(*factor)
-            ),
-            Self::ScaleJoints { factor } => {
-                text!("Read all joints as {unit}", unit = unit_of_joint(*factor))
-            }
+            Self::ScaleJoint { joint, factor } => match unit_of_joint(*factor) {
+                Some(unit) => text!(
+                    "Read joint {joint} as {unit}",
+                    joint = joint + 1,
+                    unit = unit
+                ),
+                None => text!(
+                    "Divide joint {joint} by {ratio}",
+                    joint = joint + 1,
+                    ratio = divisor(*factor)
+                ),
+            },
+            Self::ScaleJoints { factor } => match unit_of_joint(*factor) {
+                Some(unit) => text!("Read all joints as {unit}", unit = unit),
+                None => text!("Divide all joints by {ratio}", ratio = divisor(*factor)),
+            },
             Self::ExchangeJoints { first, second } => text!(
                 "Exchange joints {first} and {second}",
                 first = first + 1,
@@ -65,6 +74,7 @@ impl SessionCorrection {
                 angle = format!("{:.0}", by_rad.to_degrees())
             ),
             Self::ScaleLengths(factor) => scaled_lengths(*factor),
+            Self::ScaleCoordinate { axis, factor } => scaled_coordinate(*axis, *factor),
             Self::Reorder([1, 0, 2]) => text!("Exchange x and y"),
             Self::Reorder(order) => {
                 let [a, b, c] = order.map(|k| ["x", "y", "z"][k % 3]);
@@ -169,6 +179,14 @@ impl SessionCorrection {
                 let columns = columns.into_iter().chain(samples.z_mm.as_mut());
                 columns.for_each(|column| scale(column, *factor));
             }
+            Self::ScaleCoordinate { axis, factor } => {
+                let column = match axis {
+                    0 => Some(&mut samples.x_mm),
+                    1 => Some(&mut samples.y_mm),
+                    _ => samples.z_mm.as_mut(),
+                };
+                column.into_iter().for_each(|column| scale(column, *factor));
+            }
             Self::Reorder(order) => reorder(samples, *order),
             Self::FreeFrame => {
                 samples.setups = Some(Setups {
@@ -252,15 +270,44 @@ fn scaled_lengths(factor: f64) -> Text {
     }
 }
 
-/// In which unit a joint's values are that have to be multiplied by so much.
-fn unit_of_joint(factor: f64) -> Template {
+/// What multiplying one of them does, in words.
+fn scaled_coordinate(axis: usize, factor: f64) -> Text {
+    let axis = ["x", "y", "z"][axis.min(2)];
+    let unit = match factor {
+        1000.0 => phrase!("metres"),
+        25.4 => phrase!("inches"),
+        0.001 => phrase!("micrometres"),
+        factor => {
+            return text!(
+                "Multiply {axis} by {factor}",
+                axis = axis,
+                factor = format!("{factor:.6}")
+            );
+        }
+    };
+    text!("Read {axis} as {unit}", axis = axis, unit = unit)
+}
+
+/// In which unit a joint's values are that have to be multiplied by so much, if it is one.
+fn unit_of_joint(factor: f64) -> Option<Template> {
     let travel = TRAVEL_UNITS_MM.iter().find(|(mm, _)| *mm == factor);
-    match travel {
-        Some((_, unit)) => *unit,
-        None if factor == GRADIAN_DEG => phrase!("gradians"),
-        None if factor == TURN_DEG => phrase!("turns"),
-        None if factor < 1.0 => phrase!("degrees"),
-        None => phrase!("radians"),
+    let angles = [
+        (GRADIAN_DEG, phrase!("gradians")),
+        (TURN_DEG, phrase!("turns")),
+        (rad_from_deg(1.0), phrase!("degrees")),
+        (deg_from_rad(1.0), phrase!("radians")),
+    ];
+    let angle = angles.iter().find(|(degrees, _)| *degrees == factor);
+    travel.or(angle).map(|(_, unit)| *unit)
+}
+
+/// What values are divided by that are multiplied by so much.
+pub(crate) fn divisor(factor: f64) -> String {
+    let ratio = 1.0 / factor;
+    if (ratio - ratio.round()).abs() < 1e-9 * ratio.abs() {
+        format!("{ratio:.0}")
+    } else {
+        format!("{ratio:.4}")
     }
 }
 

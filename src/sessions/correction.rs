@@ -74,6 +74,13 @@ pub enum SessionCorrection {
     },
     /// The measured coordinates times this.
     ScaleLengths(f64),
+    /// One of the measured coordinates times this: 1000 for metres.
+    ScaleCoordinate {
+        /// Which of x, y, z, counted from 0.
+        axis: usize,
+        /// What it is multiplied by.
+        factor: f64,
+    },
     /// The measured column that now stands at place `order[k]` becomes the k-th of x, y, z.
     Reorder([usize; 3]),
     /// The measuring frame is free: all samples in one setup.

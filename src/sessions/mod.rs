@@ -13,7 +13,7 @@ mod built;
 pub(crate) mod cells;
 pub(crate) mod columns;
 mod consistency;
-mod correct;
+pub(crate) mod correct;
 pub(crate) mod correction;
 pub(crate) mod division;
 mod domain;

@@ -1,14 +1,17 @@
 //! What may have gone wrong in setting up a robot with several joints, simplest first.
 
+use crate::effects::JointValues;
 use crate::kinematics::{JointKind, Robot};
 use crate::sessions::Session;
 use crate::sessions::SessionCorrection;
 use crate::text::Text;
 
 use super::hypotheses::{
-    correct_heading, home_off_by, mistaken_angles_of_all, mistaken_lengths, mistaken_units,
-    other_way_round, turned_home,
+    correct_coordinate, correct_heading, home_off_by, mistaken_angles_of_all, mistaken_coordinates,
+    mistaken_lengths, mistaken_units, other_way_round, turned_home, values_of_a_motor,
 };
+use super::motor_values::likely_ratios;
+use super::trial::trial;
 
 /// A change of the samples: what is wrong, what to do, and what takes it back.
 pub(super) struct Change {
@@ -21,7 +24,7 @@ pub(super) struct Change {
 const PARALLEL: f64 = 0.99;
 
 /// Every change that makes sense for a robot.
-pub(super) fn changes(session: &Session) -> Vec<Change> {
+pub(super) fn changes(session: &Session, values: JointValues) -> Vec<Change> {
     let mut all = signs(session);
     all.extend(exchanged(session));
     all.extend(coupled(session));
@@ -29,6 +32,13 @@ pub(super) fn changes(session: &Session) -> Vec<Change> {
     all.extend(units(session));
     all.extend(measured(session));
     all.extend(driven(session));
+    let motors = likely_ratios(session, values, |scaled| {
+        trial(scaled, values, true).map(|end| end.median_mm)
+    });
+    let motors = motors
+        .into_iter()
+        .map(|(joint, ratio)| values_of_a_motor(joint, ratio));
+    all.extend(motors.map(|(what, proposal, mend)| one(what, proposal, mend)));
     all
 }
 
@@ -246,6 +256,13 @@ fn measured(session: &Session) -> Vec<Change> {
             what,
             text!("correct the unit in the headings of x, y and z"),
             SessionCorrection::ScaleLengths(factor),
+        ));
+    }
+    for (axis, factor, what) in mistaken_coordinates(session) {
+        all.push(one(
+            what,
+            correct_coordinate(axis),
+            SessionCorrection::ScaleCoordinate { axis, factor },
         ));
     }
     all.push(axes_exchanged(session));

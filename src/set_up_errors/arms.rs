@@ -17,7 +17,7 @@ use crate::text::length;
 use crate::units::{deg_from_rad, rad_from_deg};
 
 use super::arm_hypotheses::{Change, changes};
-use super::hypotheses::{LEAST_MOVE_MM, LEAST_TURN_DEG};
+use super::hypotheses::{LEAST_MOVE_MM, LEAST_TURN_DEG, is_of_one_coordinate};
 use super::several::several;
 use super::thinned::thinned_to;
 use super::thresholds::{FEWEST_SAMPLES, MENDED_SHARE};
@@ -176,12 +176,14 @@ fn median(left_mm: f64) -> Text {
 /// Every change that ends where a robot may be.
 fn all_tried(part: &Session, values: JointValues) -> Vec<TriedChange> {
     let spread = spread_mm(part);
-    let all = changes(part).into_iter().filter_map(|change| {
+    let all = changes(part, values).into_iter().filter_map(|change| {
         let mut trial_of = part.clone();
         for mend in &change.mends {
             mend.apply(&mut trial_of);
         }
-        if !as_it_stands::is_to_scale(part, &trial_of, values) {
+        // One coordinate that is too small leaves the others as they are: no robot follows it.
+        let of_one = change.mends.iter().any(is_of_one_coordinate);
+        if !of_one && !as_it_stands::is_to_scale(part, &trial_of, values) {
             return None;
         }
         let end = trial(&trial_of, values, true)?;
@@ -190,7 +192,8 @@ fn all_tried(part: &Session, values: JointValues) -> Vec<TriedChange> {
             return None;
         }
         // A change of unit changes the measure as well.
-        let scale = (spread / spread_mm(&trial_of).max(1e-12)).min(1.0);
+        let scale = spread / spread_mm(&trial_of).max(1e-12);
+        let scale = if of_one { scale } else { scale.min(1.0) };
         Some(TriedChange {
             change,
             left_mm: left * scale,

@@ -11,8 +11,26 @@ use crate::model::Model;
 use crate::model::rigid_motion::best_rigid_motion;
 use crate::sessions::Session;
 use crate::sessions::SessionCorrection;
+use crate::sessions::correct::divisor;
 use crate::sessions::correction::{GRADIAN_DEG, TRAVEL_UNITS_MM, TURN_DEG};
 use crate::units::{deg_from_rad, rad_from_deg};
+
+use super::motor_values::likely_ratios;
+
+/// The values of a joint are so many times too large.
+pub(super) fn values_of_a_motor(joint: usize, ratio: f64) -> (Text, Text, SessionCorrection) {
+    let factor = 1.0 / ratio;
+    let correction = SessionCorrection::ScaleJoint { joint, factor };
+    (
+        text!(
+            "the values of joint {joint} are {ratio} times too large: those of its motor, or counts of an encoder",
+            joint = joint + 1,
+            ratio = divisor(factor)
+        ),
+        correct_heading(joint + 1),
+        correction,
+    )
+}
 
 /// A hypothesis: what is wrong, what to do, and how the data would read without it.
 pub(super) struct Hypothesis {
@@ -163,11 +181,48 @@ pub(super) fn correct_heading(joint: usize) -> Text {
     )
 }
 
+/// The same of one of them: which, the factor, and what is said of it.
+pub(super) fn mistaken_coordinates(session: &Session) -> Vec<(usize, f64, Text)> {
+    let axes = ["x", "y", "z"].into_iter().enumerate();
+    let units = [
+        (1000.0, phrase!("metres")),
+        (0.001, phrase!("micrometres")),
+        (25.4, phrase!("inches")),
+    ];
+    let of = |(axis, name): (usize, &'static str)| {
+        units.map(|(factor, unit)| {
+            let what = text!(
+                "the measured {axis} is in {unit} but was read as millimetres",
+                axis = name,
+                unit = unit
+            );
+            (axis, factor, what)
+        })
+    };
+    axes.take(session.samples.axes()).flat_map(of).collect()
+}
+
+/// Whether a correction changes the unit of one coordinate. What it leaves counts in units of all of them: a slide
+/// along an axis whose coordinate shrinks to nothing is explained by anything.
+pub(super) fn is_of_one_coordinate(mend: &SessionCorrection) -> bool {
+    matches!(mend, SessionCorrection::ScaleCoordinate { .. })
+}
+
+/// What to do where one of the measured coordinates has another unit.
+pub(super) fn correct_coordinate(axis: usize) -> Text {
+    let name = ["x", "y", "z"][axis.min(2)];
+    text!("correct the unit in the heading of {column}", column = name)
+}
+
 #[allow(
     clippy::too_many_lines,
     reason = "a list of hypotheses reads best in one piece"
 )]
-pub(super) fn hypotheses(session: &Session) -> Vec<Hypothesis> {
+pub(super) fn hypotheses(
+    session: &Session,
+    values: JointValues,
+    left: impl Fn(&Session) -> Option<f64>,
+) -> Vec<Hypothesis> {
     let mut all = Vec::new();
     let mut push = |what: Text, proposal: Text, mend: SessionCorrection| {
         all.push(Hypothesis {
@@ -196,11 +251,22 @@ pub(super) fn hypotheses(session: &Session) -> Vec<Hypothesis> {
             push(what, proposal, mend);
         }
     }
+    for (joint, ratio) in likely_ratios(session, values, left) {
+        let (what, proposal, mend) = values_of_a_motor(joint, ratio);
+        push(what, proposal, mend);
+    }
     for (factor, what) in mistaken_lengths() {
         push(
             what,
             text!("correct the unit in the headings of x, y and z"),
             SessionCorrection::ScaleLengths(factor),
+        );
+    }
+    for (axis, factor, what) in mistaken_coordinates(session) {
+        push(
+            what,
+            correct_coordinate(axis),
+            SessionCorrection::ScaleCoordinate { axis, factor },
         );
     }
     if session.samples.z_mm.is_some() {

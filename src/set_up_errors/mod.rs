@@ -12,6 +12,8 @@ mod corrected;
 mod groups;
 mod hypotheses;
 mod losses;
+mod measured_points;
+mod motor_values;
 mod read_back;
 mod several;
 mod targets_in_base;
@@ -37,7 +39,7 @@ pub use corrected::CorrectedSession;
 use crate::fit::base_model;
 
 use corrected::made_for;
-use hypotheses::{Hypothesis, hypotheses};
+use hypotheses::{Hypothesis, hypotheses, is_of_one_coordinate};
 use losses::{losses, mislocked};
 use thinned::thinned;
 use thresholds::{FEWEST_SAMPLES, GROSS_SHARE, LARGEST_OFFSET_DEG, MENDED_SHARE};
@@ -84,8 +86,49 @@ pub(crate) fn noticed(raw: &Session, joint_values: JointValues) -> CorrectedSess
     without_mistakes(raw, joint_values, false)
 }
 
-/// `small_ones`: samples that the instrument lost or took of another target, and values that were read back late, too.
+/// Where coordinates have another unit, the rows are checked again with the right one: their digits are of another size.
 fn without_mistakes(
+    raw: &Session,
+    joint_values: JointValues,
+    small_ones: bool,
+) -> CorrectedSession<'_> {
+    let first = without_mistakes_of(raw, joint_values, small_ones);
+    let of_digits =
+        |problem: &DataProblem| matches!(problem.mend, Some(SessionCorrection::WidenNoise(_)));
+    let of_lengths = |problem: &&DataProblem| {
+        matches!(
+            problem.mend,
+            Some(SessionCorrection::ScaleLengths(_) | SessionCorrection::ScaleCoordinate { .. })
+        )
+    };
+    let lengths: Vec<DataProblem> = first.problems.iter().filter(of_lengths).cloned().collect();
+    if lengths.is_empty() || !first.problems.iter().any(of_digits) {
+        return first;
+    }
+    let mut scaled = raw.clone();
+    for mend in made_for(&lengths) {
+        mend.apply(&mut scaled);
+    }
+    let again = without_mistakes_of(&scaled, joint_values, small_ones);
+    let CorrectedSession { session, problems } = again;
+    let mut session = session.into_owned();
+    let mut made: Vec<SessionCorrection> = made_for(&lengths).collect();
+    if raw.samples.corrected.is_none() {
+        made.extend(
+            session
+                .samples
+                .corrected
+                .take()
+                .into_iter()
+                .flat_map(|c| c.by),
+        );
+    }
+    let problems = lengths.into_iter().chain(problems).collect();
+    CorrectedSession::new(raw, Cow::Owned(session), problems, made)
+}
+
+/// `small_ones`: samples that the instrument lost or took of another target, and values that were read back late, too.
+fn without_mistakes_of(
     raw: &Session,
     joint_values: JointValues,
     small_ones: bool,
@@ -160,14 +203,16 @@ fn gross_error(session: &Session, joint_values: JointValues) -> Option<(Session,
         return None;
     }
     let mut best: Option<(f64, Hypothesis)> = None;
-    for hypothesis in hypotheses(&sample) {
+    for hypothesis in hypotheses(&sample, joint_values, |trial| base_gap(trial, joint_values)) {
         let mut trial = sample.clone();
         hypothesis.mend.apply(&mut trial);
         let Some(after) = base_gap(&trial, joint_values) else {
             continue;
         };
         // A change of unit changes the measure as well.
-        let after = after * (size / size_mm(&trial).max(1e-12)).min(1.0);
+        let scale = size / size_mm(&trial).max(1e-12);
+        let of_one = is_of_one_coordinate(&hypothesis.mend);
+        let after = after * if of_one { scale } else { scale.min(1.0) };
         if after < MENDED_SHARE * gap && best.as_ref().is_none_or(|b| after < 0.8 * b.0) {
             best = Some((after, hypothesis));
         }

@@ -13,25 +13,21 @@
 use std::borrow::Cow;
 use std::f64::consts::FRAC_PI_2;
 
-use nalgebra::{Point3, Vector3};
-
 use crate::effects::{Inputs, JointValues};
 use crate::kinematics::{JointKind, Robot};
 use crate::model::Model;
-use crate::model::rigid_motion::rigid_motion;
 use crate::sessions::Session;
 
 use super::arm_hypotheses::{
     Change, axes_exchanged, exchange, home, is_parallel_to_the_one_before, parallelogram, sign,
 };
+use super::measured_points::MeasuredPoints;
 use super::thinned::thinned_to;
 
 /// Samples that a choice is judged by.
 const MOST_SAMPLES: usize = 60;
-/// The share of the samples, farthest off, that may be wrong in themselves.
-const MOST_WRONG: f64 = 0.1;
 /// Descents from choices that chance makes, beside those from the columns as they are and reversed.
-const RANDOM_STARTS: usize = 32;
+const RANDOM_STARTS: usize = 48;
 /// What differs by less than this is equal.
 const EQUAL: f64 = 1.02;
 
@@ -135,25 +131,16 @@ struct Judge<'a> {
     nominal: Model,
     choices: Vec<Vec<JointChoice>>,
     inputs: Inputs<'a>,
-    measured: Vec<Vector3<f64>>,
-    /// Of each sample, where there are several setups.
-    setups: Option<&'a [u32]>,
-    setup_count: usize,
+    points: MeasuredPoints<'a>,
 }
 
 impl<'a> Judge<'a> {
     fn new(session: &'a Session, values: JointValues) -> Option<Self> {
-        let samples = &session.samples;
-        let z_mm = samples.z_mm.as_ref()?;
-        let points = samples.x_mm.iter().zip(&samples.y_mm).zip(z_mm);
-        let setups = samples.setups.as_ref();
         Some(Self {
+            points: MeasuredPoints::of(session)?,
             choices: JointChoice::of_each(&session.robot),
             nominal: Model::nominal(session.robot.clone()),
             inputs: Inputs::new(session, values),
-            measured: points.map(|((x, y), z)| Vector3::new(*x, *y, *z)).collect(),
-            setups: setups.map(|setups| setups.index.as_slice()),
-            setup_count: setups.map_or(1, |setups| setups.names.len()),
         })
     }
 
@@ -171,39 +158,7 @@ impl<'a> Judge<'a> {
             inputs.q[joint] = Cow::Owned(values.collect());
         }
         let predicted = self.nominal.predict(&inputs);
-        let mut squares = Vec::new();
-        for setup in 0..self.setup_count {
-            let here = |i: &usize| self.setups.is_none_or(|own| own[*i] as usize == setup);
-            let pair = |i: usize| {
-                let mut to = self.measured[i];
-                if choice.mirrored {
-                    to.swap_rows(0, 1);
-                }
-                (Vector3::from(predicted.get(i)), to)
-            };
-            let pairs = (0..self.measured.len()).filter(here).map(pair);
-            let finite =
-                |p: &(Vector3<f64>, Vector3<f64>)| (p.0 + p.1).iter().all(|v| v.is_finite());
-            let pairs: Vec<_> = pairs.filter(finite).collect();
-            let Some(motion) = rigid_motion(&pairs) else {
-                continue;
-            };
-            squares.extend(pairs.into_iter().map(|(from, to)| {
-                let moved = motion * Point3::from(from);
-                (moved.coords - to).norm_squared()
-            }));
-        }
-        squares.sort_by(f64::total_cmp);
-        #[allow(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "a share of a length"
-        )]
-        let kept = squares.len() - (MOST_WRONG * squares.len() as f64) as usize;
-        if kept == 0 {
-            return f64::INFINITY;
-        }
-        (squares[..kept].iter().sum::<f64>() / kept as f64).sqrt()
+        self.points.left_mm(&predicted, choice.mirrored)
     }
 
     /// What is chosen with every choice of these joints.
@@ -307,7 +262,7 @@ pub(super) fn several(part: &Session, values: JointValues, most_mm: f64) -> Vec<
     let mut starts: Vec<Choice> = orders.iter().flat_map(of_order).collect();
     let mut chance: u32 = 1;
     for k in 0..RANDOM_STARTS {
-        let mut start = with(&orders[k % orders.len()], k % 8 >= 6);
+        let mut start = with(&orders[k % orders.len()], k / 2 % 2 == 1);
         for (own, choices) in start.joints.iter_mut().zip(&judge.choices) {
             // The constants of Numerical Recipes' generator.
             chance = chance.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);

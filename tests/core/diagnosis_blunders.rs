@@ -96,6 +96,44 @@ fn coordinates_of_an_arm_in_the_wrong_unit() {
     }
 }
 
+#[test]
+fn one_coordinate_in_the_wrong_unit() {
+    let axis = with_backlash();
+    let arm = load("tests/data/arms/six-60.json")
+        .expect("a session of the repository")
+        .session;
+    for (factor, unit) in [
+        (1e-3, "metres"),
+        (1.0 / 25.4, "inches"),
+        (1e3, "micrometres"),
+    ] {
+        let mut wrong = axis.clone();
+        moved(&mut wrong, |[x, y, z]| [x * factor, y, z]);
+        let answer = diagnosed(&wrong);
+        reported(&answer, &format!("the measured x is in {unit}"));
+        assert_eq!(answer.data_problems.len(), 1, "{:?}", answer.data_problems);
+        assert_eq!(names(&answer), ["backlash"], "{unit}");
+        let mut wrong = arm.clone();
+        moved(&mut wrong, |[x, y, z]| [x, y, z * factor]);
+        let answer = diagnosed(&wrong);
+        reported(&answer, &format!("the measured z is in {unit}"));
+        let ratio = answer.gap.identified_mm / identified_mm(&arm);
+        assert!((ratio - 1.0).abs() < 0.01, "{unit}: {ratio}");
+    }
+}
+
+/// Three digits of a micrometre that was read as a millimetre are no resolution of 0.1 mm.
+#[test]
+fn digits_are_those_of_the_right_unit() {
+    let rounded = |v: f64| (v * 1e4).round() / 10.0;
+    let mut wrong = with_backlash();
+    moved(&mut wrong, |p| p.map(rounded));
+    let answer = diagnosed(&wrong);
+    reported(&answer, "micrometres");
+    assert_eq!(answer.data_problems.len(), 1, "{:?}", answer.data_problems);
+    assert_eq!(names(&answer), ["backlash"]);
+}
+
 fn identified_mm(session: &Session) -> f64 {
     let found = diagnosed(session);
     assert!(
@@ -131,6 +169,39 @@ fn joint_values_in_turns() {
     let answer = diagnosed(&wrong);
     reported(&answer, "in turns but were read as degrees");
     assert_eq!(names(&answer), ["backlash"]);
+}
+
+/// Of a motor before its gear, or the counts of an encoder: whole numbers and powers of two are told beside links and
+/// homes that are off.
+#[test]
+fn joint_values_of_a_motor() {
+    for (ratio, said) in [
+        (81.0, "81"),
+        (-160.0, "-160"),
+        (65536.0 / 360.0, "182.0444"),
+    ] {
+        let mut wrong = with_backlash();
+        wrong.samples.q[0].iter_mut().for_each(|q| *q *= ratio);
+        for column in [&mut wrong.samples.dir[0], &mut wrong.samples.speed[0]] {
+            let by = if ratio < 0.0 { -1.0 } else { 1.0 };
+            column.iter_mut().flatten().for_each(|v| *v *= by);
+        }
+        let answer = diagnosed(&wrong);
+        reported(&answer, &format!("are {said} times too large"));
+        assert_eq!(names(&answer), ["backlash"], "{ratio}");
+    }
+    let right = load("tests/data/arms/six-60.json")
+        .expect("a session of the repository")
+        .session;
+    let found = identified_mm(&right);
+    for (joint, ratio, said) in [(1, 101.0, "101"), (4, 16384.0 / 360.0, "45.5111")] {
+        let mut wrong = right.clone();
+        wrong.samples.q[joint].iter_mut().for_each(|q| *q *= ratio);
+        let answer = diagnosed(&wrong);
+        reported(&answer, &format!("are {said} times too large"));
+        let ratio = answer.gap.identified_mm / found;
+        assert!((ratio - 1.0).abs() < 0.01, "joint {joint}: {ratio}");
+    }
 }
 
 /// Values that are half of what they should be have no unit of that size, and are no scale of a joint either.

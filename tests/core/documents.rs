@@ -514,7 +514,7 @@ fn every_constant_that_decides_is_listed_with_its_reason() {
     for (name, value) in [
         ("diagnosis::search::forward::CHANCE", "0.002"),
         ("diagnosis::verdict::excess::MOST_OVER_THE_FLOOR", "1.15"),
-        ("fit::solver::RANK_TOLERANCE", "1e-11"),
+        ("fit::spectrum::RANK_TOLERANCE", "1e-11"),
         ("compensation::set_aside::MOST_SHARE", "0.02"),
         ("set_up_errors::thresholds::LARGEST_OFFSET_DEG", "45.0"),
     ] {

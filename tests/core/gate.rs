@@ -577,7 +577,7 @@ fn rows_of_an_arm_that_lost_a_joint_value_do_not_bend_what_is_handed_out() {
     }
 }
 
-/// Units that change on the way and a coordinate in another one leave errors of the robot's size: the values that
+/// Units that change on the way and a coordinate in one that nobody knows leave errors of the robot's size: the values that
 /// are fitted to them are no robot's.
 #[test]
 fn nothing_is_made_of_a_model_that_leaves_a_gross_error() {
@@ -587,7 +587,7 @@ fn nothing_is_made_of_a_model_that_leaves_a_gross_error() {
         ("from the middle on in inches", |i, p| {
             if i < 65 { p } else { p.map(|v| v / INCH_MM) }
         }),
-        ("x in inches", |_, [x, y, z]| [x / INCH_MM, y, z]),
+        ("x in a unit of 1.7 mm", |_, [x, y, z]| [x / 1.7, y, z]),
     ];
     for (what, seen) in mistakes {
         let session = one_axis(5, 130, NOTHING, seen, |q| q);

@@ -87,7 +87,7 @@ fn moved<T: Copy + Into<Option<u32>>>(
     any
 }
 
-const MISTAKES: [Mistake; 28] = [
+const MISTAKES: [Mistake; 30] = [
     ("inches", |s, _| scaled(s, 1.0 / 25.4)),
     ("metres", |s, _| scaled(s, 1e-3)),
     ("x and y exchanged", |s, _| {
@@ -218,6 +218,19 @@ const MISTAKES: [Mistake; 28] = [
             s.samples.q[joint].iter_mut().for_each(|q| *q += 90.0 * DEG);
         }
         n > 1
+    }),
+    ("the values of a motor", |s, pick| {
+        let one = joint(s, pick);
+        s.samples.q[one].iter_mut().for_each(|q| *q *= 101.0);
+        true
+    }),
+    ("one coordinate in metres", |s, pick| {
+        let samples = &mut s.samples;
+        let columns = [&mut samples.x_mm, &mut samples.y_mm];
+        let mut columns: Vec<_> = columns.into_iter().chain(&mut samples.z_mm).collect();
+        let one = pick % columns.len();
+        columns[one].iter_mut().for_each(|v| *v *= 0.001);
+        true
     }),
     ("the tool of another robot", |s, _| {
         s.robot.base_from_tool.translation.vector.x += 80.0;

@@ -43,6 +43,8 @@ The kinds below came later; "before" is again of 25 sessions of the program befo
 | temperatures of 0 that were none | 0 | 100 | 0 | 0 | 0 | 25 of 25 | 100 | 0.99 | 0.99 |
 | gradians, axis / arm | 0 / 0 | 100 / 100 | 0 / 0 | 25 / 20 of 25 | 0 / 1 | 0 / 0 | 100 / 98 | 0.97 / 0.97 | 0.99 / 0.95 |
 | a joint in turns, axis / arm | 0 / 0 | 100 / 100 | 0 / 1 | 19 / 14 of 25 | 1 / 1 | 0 / 0 | 99 / 99 | 1.01 / 3.30 | 1.00 / 0.95 |
+| values of a motor or counts of an encoder, axis / arm | 0 / 0 | 100 / 100 | 0 / 0 | 0 / 0 | 0 / 0 | 0 / 0 | 98 / 100 | 10502 / 6223 | 0.99 / 0.95 |
+| one coordinate in metres, inches or micrometres, axis / arm | 0 / 0 | 100 / 100 | 0 / 0 | 0 / 0 | 0 / 0 | 0 / 0 | 100 / 100 | 5857 / 6320 | 0.99 / 0.96 |
 | targets as places in the base frame, axis / arm (the tool takes it up; what is corrected is off) | 0 / 0 | 100 / 100 | 0 / 0 | 0 / 0 | 0 / 0 | 25 / 24 of 25 | 100 / 97 | 0.95 / 0.94 | 0.98 / 0.95 |
 | two to six signs and homes, some with a parallelogram or the columns reversed, arm | 0 | 100 | 0 | 1 of 25 | 0 | 2 of 25 | 99 | 4175 | 0.95 |
 | 13 to 25 % of the points off by millimetres, axis / arm | 0 / 0 | 100 / 100 | 0 / 0 | 0 / 0 | 0 / 0 | 25 / 24 of 25 | 99 / 98 | 0.98 / 0.95 | 0.99 / 0.94 |
@@ -343,6 +345,19 @@ def make(kind, index):
         s, column = session(), "q2_deg" if arm else "q1_deg"
         s.columns[column] = [v / 360 for v in s.columns[column]]
         return s, "in turns"
+    if what == "motor":
+        # What the controller shows of a motor, or of an encoder, through a gear that nobody stated.
+        s, joint = session(), int(rng.integers(1, 7)) if arm else 1
+        ratio = float(rng.choice([50, 80, 101, -121, 157, 4096 / 360, 65536 / 360]))
+        for column, by in ((f"q{joint}_deg", ratio), (f"dir{joint}", np.sign(ratio)), (f"speed{joint}_deg_s", ratio)):
+            if column in s.columns:
+                s.columns[column] = [v if v is None or v == "" else v * by for v in s.columns[column]]
+        return s, "times too large"
+    if what == "coordinate":
+        s, axis = session(), str(rng.choice(["x", "y", "z"] if arm else ["x", "y"]))
+        unit, name = [(0.001, "metres"), (1 / 25.4, "inches"), (1000.0, "micrometres")][int(rng.integers(3))]
+        s.columns[f"{axis}_mm"] = [v * unit for v in s.columns[f"{axis}_mm"]]
+        return s, f"measured {axis} is in {name}"
     if what == "placed":
         # Targets as places at home in the base frame.
         s = session()
@@ -378,7 +393,8 @@ KINDS = [
     "clean-axis", "clean-arm", "poor-arm", "slip-axis", "slip-arm", "copies-axis", "copies-arm", "sorted-axis",
     "rounded-axis", "rounded-arm", "speed-axis", "grams-axis", "target-axis", "target-arm", "code-axis", "code-arm",
     "lost-axis", "lost-arm", "warmth-axis", "gradians-axis", "gradians-arm", "conventions-arm", "turns-axis", "turns-arm",
-    "placed-axis", "placed-arm", "aside-axis", "aside-arm",
+    "motor-axis", "motor-arm", "coordinate-axis", "coordinate-arm", "placed-axis", "placed-arm", "aside-axis",
+    "aside-arm",
     "guide-slide", "straight-slide", "inches-slide",
 ]
 

@@ -10,7 +10,7 @@ use crate::text::Template;
 use super::of_samples::{numbers_of, of_numbers};
 
 const EXPECTED: Template = phrase!(
-    "an object with the key correction: scale-joint, scale-joints, exchange-joints, couple-joint, take-read-back, turn-home, scale-lengths, reorder or free-frame, or a correction of samples with its values"
+    "an object with the key correction: scale-joint, scale-joints, exchange-joints, couple-joint, take-read-back, turn-home, scale-lengths, scale-coordinate, reorder or free-frame, or a correction of samples with its values"
 );
 
 pub(super) const SET_UP: Kind<SetUp> = Kind {
@@ -23,12 +23,14 @@ pub(super) const SET_UP: Kind<SetUp> = Kind {
 };
 
 const JOINT: Kind<usize> = count(phrase!("a joint, counted from 1"));
+const AXIS: Kind<usize> = count(phrase!("the place of x, y or z: 1, 2 or 3"));
 
 /// Everything that any of them may have.
 struct Parts {
     correction: String,
     joint: usize,
     other: usize,
+    axis: usize,
     factor: f64,
     by_rad: f64,
     order: [f64; 3],
@@ -41,6 +43,7 @@ fn correction(at: &mut Cursor<'_, '_>) -> Option<SessionCorrection> {
         correction: String::new(),
         joint: 1,
         other: 1,
+        axis: 1,
         factor: 1.0,
         by_rad: 0.0,
         order: [1.0, 2.0, 3.0],
@@ -50,6 +53,7 @@ fn correction(at: &mut Cursor<'_, '_>) -> Option<SessionCorrection> {
         o.required("correction", &mut own.correction, &TEXT);
         o.usual("joint", &mut own.joint, &JOINT);
         o.usual("other_joint", &mut own.other, &JOINT);
+        o.usual("axis", &mut own.axis, &AXIS);
         o.usual("factor", &mut own.factor, &NUMBER);
         o.usual("by_rad", &mut own.by_rad, &NUMBER);
         o.usual("order", &mut own.order, &THREE);
@@ -62,7 +66,7 @@ fn correction(at: &mut Cursor<'_, '_>) -> Option<SessionCorrection> {
     let factor = parts.factor;
     let needs_a_factor = matches!(
         parts.correction.as_str(),
-        "scale-joint" | "scale-joints" | "couple-joint" | "scale-lengths"
+        "scale-joint" | "scale-joints" | "couple-joint" | "scale-lengths" | "scale-coordinate"
     );
     if needs_a_factor && factor == 0.0 {
         return at.wrong();
@@ -85,6 +89,13 @@ fn correction(at: &mut Cursor<'_, '_>) -> Option<SessionCorrection> {
             by_rad: parts.by_rad,
         },
         "scale-lengths" => SessionCorrection::ScaleLengths(factor),
+        "scale-coordinate" => {
+            let axis = parts.axis.checked_sub(1).filter(|axis| *axis < 3);
+            let Some(axis) = axis else {
+                return at.wrong();
+            };
+            SessionCorrection::ScaleCoordinate { axis, factor }
+        }
         "reorder" => {
             let mut order = [0; 3];
             for (to, from) in order.iter_mut().zip(parts.order) {
@@ -160,6 +171,10 @@ fn correction_written(correction: &SessionCorrection) -> Value {
         SessionCorrection::ScaleLengths(factor) => {
             object("scale-lengths", vec![number("factor", *factor)])
         }
+        SessionCorrection::ScaleCoordinate { axis, factor } => object(
+            "scale-coordinate",
+            vec![Member::new("axis", axis + 1), number("factor", *factor)],
+        ),
         SessionCorrection::Reorder(order) => {
             let places = order.map(|k| k as f64 + 1.0);
             object("reorder", vec![Member::new("order", places)])

@@ -134,6 +134,10 @@ fn any_calibration() -> impl Strategy<Value = Calibration> {
                         by_rad: number,
                     },
                     SessionCorrection::Reorder([1, 0, 2]),
+                    SessionCorrection::ScaleCoordinate {
+                        axis: 2,
+                        factor: 1000.0,
+                    },
                 ])
             } else {
                 SetUp::default()

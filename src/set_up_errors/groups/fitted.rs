@@ -53,7 +53,8 @@ pub(super) fn trimmed_rms_mm(problem: &Problem, model: &Model) -> f64 {
     square.sqrt()
 }
 
-pub(super) fn start_of(session: &Session, problem: &Problem) -> Model {
+/// The base model of a session, absent.
+pub(in crate::set_up_errors) fn start_of(session: &Session, problem: &Problem) -> Model {
     if base_model::is_arm(session) {
         return base_model::start(session, problem, |_| true);
     }

@@ -20,6 +20,8 @@ mod targets;
 use crate::effects::JointValues;
 use crate::sessions::Session;
 
+pub(super) use fitted::start_of;
+
 use super::DataProblem;
 /// With fewer samples nothing is told.
 const FEWEST_SAMPLES: usize = 16;

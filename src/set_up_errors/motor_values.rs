@@ -1,0 +1,170 @@
+//! Values of a joint that are those of its motor, before the gear, or the counts of an encoder: so many times too large,
+//! by a ratio that nobody stated.
+//!
+//! Where a joint's values reach far beyond its limits, ratios that bring them within are tried on the nominal robot with
+//! the best rigid motion. The best is refined on fits; it is a whole number, or that of an encoder with a power of two of
+//! counts a turn, where one of these is near.
+
+use std::borrow::Cow;
+
+use crate::effects::{Inputs, JointValues, Term, joint_scale};
+use crate::fit::problem::Problem;
+use crate::fit::{base_model, fit_without_outliers};
+use crate::kinematics::JointKind;
+use crate::model::Model;
+use crate::sessions::{Session, SessionCorrection};
+
+use super::groups::start_of;
+use super::measured_points::MeasuredPoints;
+use super::thinned::thinned_to;
+
+/// Samples that a ratio is judged by.
+const MOST_SAMPLES: usize = 60;
+/// Values within so many times the limits are out of them for another reason.
+const BEYOND: f64 = 2.0;
+/// Of a joint without limits, the turns that none makes.
+const MOST_TURNS: f64 = 2.0;
+/// A gear of motors and joints has no more, nor has an encoder more counts a degree.
+const LARGEST_RATIO: f64 = 1000.0;
+/// From one ratio to the next: a joint at its limit is then off by less than 4°.
+const STEP: f64 = 1.02;
+/// Steps of the refinement, each to a third of the one before.
+const REFINED: usize = 8;
+/// The best ratio of the nominal robot is off by no more than this share.
+const COARSE: f64 = 0.02;
+/// A plain ratio is taken within this share: a scale error of a joint is smaller.
+const PLAIN: f64 = 0.002;
+/// Counts that an encoder may have in a turn, as powers of two.
+const BITS: std::ops::RangeInclusive<u32> = 8..=24;
+
+/// Joints (counted from 0) whose values are likely those of a motor or an encoder, each with the ratio.
+/// `left` says what a fit leaves of samples.
+pub(super) fn likely_ratios(
+    session: &Session,
+    values: JointValues,
+    left: impl Fn(&Session) -> Option<f64>,
+) -> Vec<(usize, f64)> {
+    let few = thinned_to(session, MOST_SAMPLES);
+    let Some(points) = MeasuredPoints::of(&few) else {
+        return Vec::new();
+    };
+    let inputs = Inputs::new(&few, values);
+    let nominal = Model::nominal(few.robot.clone());
+    let of_joint = |joint: usize| {
+        let least = least_ratio(&few, &inputs, joint)?;
+        // A motor may turn the other way, and a circle that turns over is the same circle.
+        let both = [1.0, -1.0].map(|sign| {
+            let ratio = likeliest(&nominal, &inputs, &points, joint, sign * least)?;
+            let left = |ratio| left(&by_ratio(session, joint, ratio)).unwrap_or(f64::INFINITY);
+            let ratio = refined(ratio, left);
+            Some((
+                joint,
+                plain(beside_everything(session, values, joint, ratio)),
+            ))
+        });
+        Some(both.into_iter().flatten())
+    };
+    let joints = 0..few.robot.joints.len();
+    joints.filter_map(of_joint).flatten().collect()
+}
+
+/// The least ratio that brings the values of a joint within its limits; `None` where they are not far beyond them.
+fn least_ratio(session: &Session, inputs: &Inputs, joint: usize) -> Option<f64> {
+    let own = &session.robot.joints[joint];
+    if own.kind != JointKind::Revolute {
+        return None;
+    }
+    let finite = inputs.q[joint].iter().filter(|q| q.is_finite());
+    let (low, high) = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), q| {
+        (low.min(*q), high.max(*q))
+    });
+    let span = own
+        .limits
+        .map_or(MOST_TURNS * std::f64::consts::TAU, |limits| {
+            limits.to - limits.from
+        });
+    let times = (high - low) / span;
+    (times.is_finite() && span > 0.0 && times > BEYOND).then_some(times)
+}
+
+/// The ratio of the sign of `least` with which the nominal robot is nearest to the points.
+fn likeliest(
+    nominal: &Model,
+    inputs: &Inputs,
+    points: &MeasuredPoints,
+    joint: usize,
+    least: f64,
+) -> Option<f64> {
+    let left = |ratio: f64| {
+        let mut inputs = inputs.clone();
+        let own = inputs.q[joint].iter().map(|q| q / ratio).collect();
+        inputs.q[joint] = Cow::Owned(own);
+        points.left_mm(&nominal.predict(&inputs), false)
+    };
+    let mut best: Option<(f64, f64)> = None;
+    let mut keep = |ratio: f64| {
+        let left = left(ratio);
+        let better = best.is_none_or(|best| left < best.0);
+        if better && left.is_finite() {
+            best = Some((left, ratio));
+        }
+    };
+    let mut ratio = least;
+    while ratio.abs() <= LARGEST_RATIO * least.abs().max(1.0) {
+        keep(ratio);
+        ratio *= STEP;
+    }
+    best.map(|best| best.1)
+}
+
+/// The ratio near another that leaves least.
+fn refined(ratio: f64, left: impl Fn(f64) -> f64) -> f64 {
+    let mut best = (left(ratio), ratio);
+    let mut step = COARSE;
+    for _ in 0..REFINED {
+        step /= 3.0;
+        for by in [1.0 - 2.0 * step, 1.0 - step, 1.0 + step, 1.0 + 2.0 * step] {
+            let trial = best.1 * by;
+            let value = left(trial);
+            if value < best.0 {
+                best = (value, trial);
+            }
+        }
+    }
+    best.1
+}
+
+/// The ratio beside everything else of the base model, which a trial takes for a part of it.
+fn beside_everything(session: &Session, values: JointValues, joint: usize, ratio: f64) -> f64 {
+    let scaled = by_ratio(session, joint, ratio);
+    let mut problem = Problem::new(&scaled, values);
+    let effect = joint_scale();
+    let start = start_of(&scaled, &problem).with_term(Term::absent(effect, joint, 0.0));
+    let fitted = if base_model::is_arm(&scaled) {
+        base_model::fit(&mut problem, &start, true).solution.model
+    } else {
+        fit_without_outliers(&mut problem, &start).model
+    };
+    let mut terms = fitted.terms().iter();
+    let own = terms.find(|term| term.effect.about().id == effect.about().id);
+    let scale = own.and_then(|term| term.coefficients.first().copied());
+    ratio / (1.0 + scale.filter(|k| k.abs() < COARSE).unwrap_or(0.0))
+}
+
+/// A whole number, or the counts of an encoder in a degree, where one of them is near.
+fn plain(ratio: f64) -> f64 {
+    let counts = BITS.map(|bits| f64::from(1 << bits) / 360.0 * ratio.signum());
+    let off = |plain: f64| (plain / ratio - 1.0).abs();
+    let nearest = counts
+        .chain([ratio.round()])
+        .min_by(|a, b| off(*a).total_cmp(&off(*b)));
+    nearest.filter(|plain| off(*plain) < PLAIN).unwrap_or(ratio)
+}
+
+/// A session with the values of a joint divided.
+fn by_ratio(session: &Session, joint: usize, ratio: f64) -> Session {
+    let mut scaled = session.clone();
+    let factor = 1.0 / ratio;
+    SessionCorrection::ScaleJoint { joint, factor }.apply(&mut scaled);
+    scaled
+}
