@@ -242,7 +242,7 @@ impl Factored {
         for k in held {
             inverse_scale[k] = 0.0;
         }
-        all.then(|| Self {
+        all.then_some(Self {
             inverse_scale,
             scaled,
             factor,

@@ -29,25 +29,8 @@ impl SessionCorrection {
     /// What it does, as a button says it.
     pub fn describe(&self) -> Text {
         match self {
-            Self::ScaleJoint { joint, factor } if *factor == -1.0 => {
-                text!("Reverse joint {joint}", joint = joint + 1)
-            }
-            Self::ScaleJoint { joint, factor } => match unit_of_joint(*factor) {
-                Some(unit) => text!(
-                    "Read joint {joint} as {unit}",
-                    joint = joint + 1,
-                    unit = unit
-                ),
-                None => text!(
-                    "Divide joint {joint} by {ratio}",
-                    joint = joint + 1,
-                    ratio = divisor(*factor)
-                ),
-            },
-            Self::ScaleJoints { factor } => match unit_of_joint(*factor) {
-                Some(unit) => text!("Read all joints as {unit}", unit = unit),
-                None => text!("Divide all joints by {ratio}", ratio = divisor(*factor)),
-            },
+            Self::ScaleJoint { joint, factor } => scaled_joint(*joint, *factor),
+            Self::ScaleJoints { factor } => scaled_joints(*factor),
             Self::ExchangeJoints { first, second } => text!(
                 "Exchange joints {first} and {second}",
                 first = first + 1,
@@ -179,14 +162,7 @@ impl SessionCorrection {
                 let columns = columns.into_iter().chain(samples.z_mm.as_mut());
                 columns.for_each(|column| scale(column, *factor));
             }
-            Self::ScaleCoordinate { axis, factor } => {
-                let column = match axis {
-                    0 => Some(&mut samples.x_mm),
-                    1 => Some(&mut samples.y_mm),
-                    _ => samples.z_mm.as_mut(),
-                };
-                column.into_iter().for_each(|column| scale(column, *factor));
-            }
+            Self::ScaleCoordinate { axis, factor } => scale_coordinate(samples, *axis, *factor),
             Self::Reorder(order) => reorder(samples, *order),
             Self::FreeFrame => {
                 samples.setups = Some(Setups {
@@ -257,6 +233,30 @@ impl SessionCorrection {
     }
 }
 
+/// What multiplying the values of a joint does, in words.
+fn scaled_joint(joint: usize, factor: f64) -> Text {
+    let joint = joint + 1;
+    if factor == -1.0 {
+        return text!("Reverse joint {joint}", joint = joint);
+    }
+    match unit_of_joint(factor) {
+        Some(unit) => text!("Read joint {joint} as {unit}", joint = joint, unit = unit),
+        None => text!(
+            "Divide joint {joint} by {ratio}",
+            joint = joint,
+            ratio = divisor(factor)
+        ),
+    }
+}
+
+/// What multiplying those of all joints does, in words.
+fn scaled_joints(factor: f64) -> Text {
+    match unit_of_joint(factor) {
+        Some(unit) => text!("Read all joints as {unit}", unit = unit),
+        None => text!("Divide all joints by {ratio}", ratio = divisor(factor)),
+    }
+}
+
 /// What multiplying the measured coordinates does, in words.
 fn scaled_lengths(factor: f64) -> Text {
     match factor {
@@ -308,6 +308,17 @@ pub(crate) fn divisor(factor: f64) -> String {
         format!("{ratio:.0}")
     } else {
         format!("{ratio:.4}")
+    }
+}
+
+fn scale_coordinate(samples: &mut Samples, axis: usize, factor: f64) {
+    let column = match axis {
+        0 => Some(&mut samples.x_mm),
+        1 => Some(&mut samples.y_mm),
+        _ => samples.z_mm.as_mut(),
+    };
+    if let Some(column) = column {
+        scale(column, factor);
     }
 }
 
