@@ -32,7 +32,7 @@ use crate::sessions::Session;
 use super::candidates::CandidatePoses;
 use super::exchange::{CandidateRows, Information};
 use super::inverse::{LEAST_INFORMATION, inverse};
-use super::untouched::Known;
+use super::untouched::ReducedInformation;
 
 /// Axes that are measured and their noise, mm.
 #[derive(Debug, Clone, PartialEq)]
@@ -186,10 +186,11 @@ impl<'p> Field<'p> {
         let white = noise.whitened(rows, &columns);
         let products = white.tr_mul(&white) * weight;
         let pull = white.tr_mul(&difference) * weight;
+        // Of many parameters these columns and those of all candidates need not have room at once.
         drop(white);
         let mut seen = self.predictions(truth, other);
         let columns = seen.iter_mut().map(|one| &mut one.columns).collect();
-        let known = Known::without_untouched(products, pull, columns);
+        let known = ReducedInformation::without_untouched(products, pull, columns);
         let mut comparison = Comparison::new(seen, &known.gram, enough);
         let at_first = &comparison.information.covariance * &known.pull;
         let explained = at_first.dot(&known.pull) + known.explained;

@@ -12,14 +12,14 @@ const FEWEST: usize = 48;
 
 /// Products of a model's columns over what was measured, with each other and with a difference, for the parameters that
 /// candidates show.
-pub(super) struct Known {
+pub(super) struct ReducedInformation {
     pub(super) gram: DMatrix<f64>,
     pub(super) pull: DVector<f64>,
     /// The part of the difference's square that the eliminated ones explain.
     pub(super) explained: f64,
 }
 
-impl Known {
+impl ReducedInformation {
     /// Eliminates what the columns of the candidates do not touch; these keep the others.
     pub(super) fn without_untouched(
         gram: DMatrix<f64>,
@@ -53,7 +53,7 @@ fn eliminated(
     pull: &DVector<f64>,
     kept: &[usize],
     gone: &[usize],
-) -> Option<Known> {
+) -> Option<ReducedInformation> {
     let mut own = products.select_columns(gone).select_rows(gone);
     for k in 0..own.nrows() {
         own[(k, k)] += LEAST_INFORMATION * own[(k, k)].max(1e-300);
@@ -62,7 +62,7 @@ fn eliminated(
     let rest = products.select_columns(kept);
     let along = l.solve_lower_triangular(&rest.select_rows(gone))?;
     let of_pull = l.solve_lower_triangular(&pull.select_rows(gone))?;
-    Some(Known {
+    Some(ReducedInformation {
         gram: rest.select_rows(kept) - gram(&along),
         pull: pull.select_rows(kept) - along.tr_mul(&of_pull),
         explained: of_pull.norm_squared(),
@@ -86,7 +86,7 @@ mod tests {
         let (mut one, mut two) = (of(1), of(2));
         let whole = products.clone().try_inverse().unwrap();
         let explained = pull.dot(&(&whole * &pull));
-        let known = Known::without_untouched(products, pull, vec![&mut one, &mut two]);
+        let known = ReducedInformation::without_untouched(products, pull, vec![&mut one, &mut two]);
         assert_eq!((one.ncols(), two.ncols()), (shown, shown));
         let covariance = known.gram.try_inverse().unwrap();
         let own = whole.view((0, 0), (shown, shown));

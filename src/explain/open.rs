@@ -213,3 +213,28 @@ pub(super) fn not_identifiable(
     let title = say!("Not identifiable");
     Some(Section::of(Topic::NotIdentifiable, title, blocks))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::text::Text;
+
+    #[test]
+    fn the_evidence_of_problems_found_together_is_shown_once() {
+        let problem = |evidence: &str| DataProblem {
+            what: Text::verbatim("w"),
+            evidence: Text::verbatim(evidence),
+            proposal: Text::verbatim("p"),
+            mend: None,
+            samples: Vec::new(),
+        };
+        let sections = data_problems(&[problem("a"), problem("a"), problem("b"), problem("a")]);
+        let facts = sections
+            .iter()
+            .map(|section| match section.blocks.as_slice() {
+                [Block::Facts(facts)] => facts.len(),
+                _ => 0,
+            });
+        assert_eq!(facts.collect::<Vec<_>>(), [2, 1, 2, 2]);
+    }
+}

@@ -21,7 +21,7 @@ use crate::text::Template;
 
 use super::normal::{Normal, Sums, Whitening};
 use super::problem::Problem;
-use super::spectrum::{Directions, Spectrum};
+use super::spectrum::{Spectrum, StepSolver};
 
 /// Why the solver stopped.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -108,7 +108,7 @@ pub fn solve(problem: &Problem, start: &Model) -> Solution {
 fn descend(problem: &Problem, start: &State, blocks: &[usize]) -> (Solution, State) {
     let mut model = start.clone();
     let mut normal = sum(problem, &model, blocks, Sums::All);
-    let mut directions = directions_at(problem, &normal, &model);
+    let mut steps = steps_at(problem, &normal, &model);
     let mut damping = 0.0;
     let mut passes = 1;
     let stopped = loop {
@@ -121,7 +121,7 @@ fn descend(problem: &Problem, start: &State, blocks: &[usize]) -> (Solution, Sta
         if !problem.watch.goes_on() {
             break Stopped::Cancelled;
         }
-        let step = directions.step(&normal.gradient, damping);
+        let step = steps.step(&normal.gradient, damping);
         let step = bounded(&model.model, step);
         let trial = moved(&model, &step);
         if negligible(&step, &normal) {
@@ -133,7 +133,7 @@ fn descend(problem: &Problem, start: &State, blocks: &[usize]) -> (Solution, Sta
         if next.cost.is_finite() && next.cost <= normal.cost * (1.0 + 1e-12) {
             model = trial;
             normal = next;
-            directions = directions_at(problem, &normal, &model);
+            steps = steps_at(problem, &normal, &model);
             damping = if damping > 1e-9 { damping / 10.0 } else { 0.0 };
         } else {
             damping = if damping > 0.0 { damping * 10.0 } else { 1e-6 };
@@ -145,7 +145,7 @@ fn descend(problem: &Problem, start: &State, blocks: &[usize]) -> (Solution, Sta
     let solution = Solution {
         model: model.model.clone(),
         extra_coefficients: model.extra_coefficients.clone(),
-        spectrum: directions.taken_apart(|| spectrum_of(problem, &normal, &model)),
+        spectrum: steps.into_spectrum(|| spectrum_of(problem, &normal, &model)),
         cost: normal.cost,
         stopped,
         passes,
@@ -251,18 +251,18 @@ pub(super) fn spectrum_at(problem: &Problem, solution: &Solution) -> (Spectrum, 
 }
 
 fn spectrum_of(problem: &Problem, normal: &Normal, state: &State) -> Spectrum {
-    let (reaches, least) = told(problem, normal, state);
+    let (reaches, least) = limits_of_determinacy(problem, normal, state);
     Spectrum::of_model(&normal.gram, &state.model).within(&reaches, least)
 }
 
-/// What steps from a state are taken with.
-fn directions_at(problem: &Problem, normal: &Normal, state: &State) -> Directions {
-    let (reaches, least) = told(problem, normal, state);
-    Directions::of(&normal.gram, &state.model, &reaches, least)
+/// What solves for the steps from a state.
+fn steps_at(problem: &Problem, normal: &Normal, state: &State) -> StepSolver {
+    let (reaches, least) = limits_of_determinacy(problem, normal, state);
+    StepSolver::of(&normal.gram, &state.model, &reaches, least)
 }
 
 /// How far it makes sense to go along each coefficient, and by how much the cost has to rise there.
-fn told(problem: &Problem, normal: &Normal, state: &State) -> (Vec<f64>, f64) {
+fn limits_of_determinacy(problem: &Problem, normal: &Normal, state: &State) -> (Vec<f64>, f64) {
     let shapes = std::iter::repeat_n(f64::INFINITY, state.extra_coefficients.len());
     let reaches: Vec<f64> = state
         .model

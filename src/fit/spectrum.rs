@@ -182,8 +182,8 @@ impl Spectrum {
 
 /// What a step is taken with: the eigenvectors, or of many coefficients, all determined beyond doubt, a factor that is
 /// found many times faster.
-pub(super) enum Directions {
-    Apart(Spectrum),
+pub(super) enum StepSolver {
+    Spectrum(Spectrum),
     Factored(Factored),
 }
 
@@ -197,28 +197,28 @@ pub(super) struct Factored {
 /// Of fewer coefficients the eigenvectors take no time.
 const MANY_COEFFICIENTS: usize = 128;
 
-impl Directions {
+impl StepSolver {
     /// Of the Gram matrix of a model's columns and columns beside it, with what counts as determined
     /// ([`Spectrum::within`]).
     pub(super) fn of(gram: &DMatrix<f64>, model: &Model, reaches: &[f64], least: f64) -> Self {
         let factored = (gram.nrows() >= MANY_COEFFICIENTS)
             .then(|| Factored::of(gram, model, reaches, least))
             .flatten();
-        let apart = || Self::Apart(Spectrum::of_model(gram, model).within(reaches, least));
+        let apart = || Self::Spectrum(Spectrum::of_model(gram, model).within(reaches, least));
         factored.map_or_else(apart, Self::Factored)
     }
 
     pub(super) fn step(&self, gradient: &DVector<f64>, damping: f64) -> DVector<f64> {
         match self {
-            Self::Apart(spectrum) => spectrum.step(gradient, damping),
+            Self::Spectrum(spectrum) => spectrum.step(gradient, damping),
             Self::Factored(factored) => factored.step(gradient, damping),
         }
     }
 
     /// The spectrum, which is asked for where it is not known.
-    pub(super) fn taken_apart(self, spectrum: impl FnOnce() -> Spectrum) -> Spectrum {
+    pub(super) fn into_spectrum(self, spectrum: impl FnOnce() -> Spectrum) -> Spectrum {
         match self {
-            Self::Apart(spectrum) => spectrum,
+            Self::Spectrum(spectrum) => spectrum,
             Self::Factored(_) => spectrum(),
         }
     }
@@ -310,8 +310,8 @@ mod tests {
         let model = Model::new(sweep([0.0, 0.0, 1.0]).robot, Vec::new());
         let gram = gram_of(MANY_COEFFICIENTS);
         let reaches = vec![f64::INFINITY; MANY_COEFFICIENTS];
-        let quick = Directions::of(&gram, &model, &reaches, 4.0);
-        assert!(matches!(quick, Directions::Factored(_)));
+        let quick = StepSolver::of(&gram, &model, &reaches, 4.0);
+        assert!(matches!(quick, StepSolver::Factored(_)));
         let apart = Spectrum::new(&gram).within(&reaches, 4.0);
         let gradient = DVector::from_fn(MANY_COEFFICIENTS, |k, _| (k as f64).cos());
         for damping in [0.0, 1e-6, 0.1] {
@@ -330,15 +330,15 @@ mod tests {
         let mut reaches = vec![f64::INFINITY; MANY_COEFFICIENTS];
         // Over all of its range the first column may show nothing.
         reaches[0] = 1e-6;
-        let short = Directions::of(&gram, &model, &reaches, 4.0);
-        assert!(matches!(short, Directions::Apart(_)));
+        let short = StepSolver::of(&gram, &model, &reaches, 4.0);
+        assert!(matches!(short, StepSolver::Spectrum(_)));
         let mut twice = gram.clone();
         let copy = gram.column(0).into_owned();
         twice.set_column(1, &copy);
         twice.set_row(1, &copy.transpose());
         twice[(1, 1)] = gram[(0, 0)];
         let reaches = vec![f64::INFINITY; MANY_COEFFICIENTS];
-        let copies = Directions::of(&twice, &model, &reaches, 0.0);
-        assert!(matches!(copies, Directions::Apart(_)));
+        let copies = StepSolver::of(&twice, &model, &reaches, 0.0);
+        assert!(matches!(copies, StepSolver::Spectrum(_)));
     }
 }

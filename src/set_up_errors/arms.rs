@@ -17,7 +17,7 @@ use crate::text::length;
 use crate::units::{deg_from_rad, rad_from_deg};
 
 use super::arm_hypotheses::{Change, changes};
-use super::hypotheses::{LEAST_MOVE_MM, LEAST_TURN_DEG, is_of_one_coordinate};
+use super::hypotheses::{LEAST_MOVE_MM, LEAST_TURN_DEG, change_of_measure, is_of_one_coordinate};
 use super::several::several;
 use super::thinned::thinned_to;
 use super::thresholds::{FEWEST_SAMPLES, MENDED_SHARE};
@@ -191,9 +191,7 @@ fn all_tried(part: &Session, values: JointValues) -> Vec<TriedChange> {
         if !as_it_stands::is_plausible(&trial_of, &end.model) {
             return None;
         }
-        // A change of unit changes the measure as well.
-        let scale = spread / spread_mm(&trial_of).max(1e-12);
-        let scale = if of_one { scale } else { scale.min(1.0) };
+        let scale = change_of_measure(&change.mends, spread, spread_mm(&trial_of));
         Some(TriedChange {
             change,
             left_mm: left * scale,

@@ -27,7 +27,11 @@ pub(super) fn values_of_a_motor(joint: usize, ratio: f64) -> (Text, Text, Sessio
             joint = joint + 1,
             ratio = divisor(factor)
         ),
-        correct_heading(joint + 1),
+        text!(
+            "write the angle of the joint itself to {column}, or divide its values by {ratio}",
+            column = format!("q{}", joint + 1),
+            ratio = divisor(factor)
+        ),
         correction,
     )
 }
@@ -202,10 +206,21 @@ pub(super) fn mistaken_coordinates(session: &Session) -> Vec<(usize, f64, Text)>
     axes.take(session.samples.axes()).flat_map(of).collect()
 }
 
-/// Whether a correction changes the unit of one coordinate. What it leaves counts in units of all of them: a slide
-/// along an axis whose coordinate shrinks to nothing is explained by anything.
+/// Whether a correction changes the unit of one coordinate.
 pub(super) fn is_of_one_coordinate(mend: &SessionCorrection) -> bool {
     matches!(mend, SessionCorrection::ScaleCoordinate { .. })
+}
+
+/// By how much what corrections leave is multiplied before it is compared with what there was: where the points become
+/// larger, the measure does. One coordinate counts in units of all also where it becomes smaller: a slide along an axis
+/// whose coordinate shrinks to nothing is explained by anything.
+pub(super) fn change_of_measure(mends: &[SessionCorrection], before_mm: f64, after_mm: f64) -> f64 {
+    let ratio = before_mm / after_mm.max(1e-12);
+    if mends.iter().any(is_of_one_coordinate) {
+        ratio
+    } else {
+        ratio.min(1.0)
+    }
 }
 
 /// What to do where one of the measured coordinates has another unit.

@@ -39,7 +39,7 @@ pub use corrected::CorrectedSession;
 use crate::fit::base_model;
 
 use corrected::made_for;
-use hypotheses::{Hypothesis, hypotheses, is_of_one_coordinate};
+use hypotheses::{Hypothesis, change_of_measure, hypotheses};
 use losses::{losses, mislocked};
 use thinned::thinned;
 use thresholds::{FEWEST_SAMPLES, GROSS_SHARE, LARGEST_OFFSET_DEG, MENDED_SHARE};
@@ -209,10 +209,8 @@ fn gross_error(session: &Session, joint_values: JointValues) -> Option<(Session,
         let Some(after) = base_gap(&trial, joint_values) else {
             continue;
         };
-        // A change of unit changes the measure as well.
-        let scale = size / size_mm(&trial).max(1e-12);
-        let of_one = is_of_one_coordinate(&hypothesis.mend);
-        let after = after * if of_one { scale } else { scale.min(1.0) };
+        let mends = std::slice::from_ref(&hypothesis.mend);
+        let after = after * change_of_measure(mends, size, size_mm(&trial));
         if after < MENDED_SHARE * gap && best.as_ref().is_none_or(|b| after < 0.8 * b.0) {
             best = Some((after, hypothesis));
         }

@@ -1,5 +1,5 @@
-//! Values of a joint that are those of its motor, before the gear, or the counts of an encoder: so many times too large,
-//! by a ratio that nobody stated.
+//! Values of a joint that are those of its motor, before the gear, or the counts of an encoder: too large by an unknown
+//! ratio.
 //!
 //! Where a joint's values reach far beyond its limits, ratios that bring them within are tried on the nominal robot with
 //! the best rigid motion. The best is refined on fits; it is a whole number, or that of an encoder with a power of two of
@@ -57,10 +57,7 @@ pub(super) fn likely_ratios(
             let ratio = likeliest(&nominal, &inputs, &points, joint, sign * least)?;
             let left = |ratio| left(&by_ratio(session, joint, ratio)).unwrap_or(f64::INFINITY);
             let ratio = refined(ratio, left);
-            Some((
-                joint,
-                plain(beside_everything(session, values, joint, ratio)),
-            ))
+            Some((joint, plain(with_base_model(session, values, joint, ratio))))
         });
         Some(both.into_iter().flatten())
     };
@@ -134,8 +131,8 @@ fn refined(ratio: f64, left: impl Fn(f64) -> f64) -> f64 {
     best.1
 }
 
-/// The ratio beside everything else of the base model, which a trial takes for a part of it.
-fn beside_everything(session: &Session, values: JointValues, joint: usize, ratio: f64) -> f64 {
+/// The ratio fitted with the whole base model: links and homes that are off pass for a part of it in a trial.
+fn with_base_model(session: &Session, values: JointValues, joint: usize, ratio: f64) -> f64 {
     let scaled = by_ratio(session, joint, ratio);
     let mut problem = Problem::new(&scaled, values);
     let effect = joint_scale();

@@ -577,7 +577,7 @@ fn rows_of_an_arm_that_lost_a_joint_value_do_not_bend_what_is_handed_out() {
     }
 }
 
-/// Units that change on the way and a coordinate in one that nobody knows leave errors of the robot's size: the values that
+/// Units that change on the way and a coordinate in an unknown one leave errors of the robot's size: the values that
 /// are fitted to them are no robot's.
 #[test]
 fn nothing_is_made_of_a_model_that_leaves_a_gross_error() {

@@ -346,7 +346,7 @@ def make(kind, index):
         s.columns[column] = [v / 360 for v in s.columns[column]]
         return s, "in turns"
     if what == "motor":
-        # What the controller shows of a motor, or of an encoder, through a gear that nobody stated.
+        # What the controller shows of a motor, or of an encoder, through a gear whose ratio the session does not state.
         s, joint = session(), int(rng.integers(1, 7)) if arm else 1
         ratio = float(rng.choice([50, 80, 101, -121, 157, 4096 / 360, 65536 / 360]))
         for column, by in ((f"q{joint}_deg", ratio), (f"dir{joint}", np.sign(ratio)), (f"speed{joint}_deg_s", ratio)):

@@ -27,7 +27,7 @@ use crate::sessions::Sigma;
 
 use super::regression::Rows;
 use filter::{Axis, steps};
-use restricted::{Restricted, Shape};
+use restricted::{NoiseShape, Restricted};
 
 mod filter;
 mod restricted;
@@ -95,12 +95,12 @@ impl Noise {
             return noise;
         }
         let restricted = Restricted::new(rows, residual, columns);
-        let mut slow = Shape::white(noise.sigma_mm);
+        let mut slow = NoiseShape::white(noise.sigma_mm);
         let enough = rows.samples.len() >= FEWEST_SAMPLES;
         if enough {
             let alike = noise.clone();
             noise.balance_axes(&restricted, slow);
-            let white = restricted.likelihood(Shape::white(noise.sigma_mm));
+            let white = restricted.likelihood(NoiseShape::white(noise.sigma_mm));
             let mut best = noise.slowest(&restricted, white);
             // What wanders along some axes only makes them look unequal as well.
             if noise.unequal && !alike.unequal {
@@ -117,7 +117,7 @@ impl Noise {
             if let Some((likelihood, tau, ratio)) = best {
                 noise.slow_evidence = 2.0 * (likelihood - white);
                 if noise.slow_evidence > SLOW_EVIDENCE {
-                    slow = Shape {
+                    slow = NoiseShape {
                         tau,
                         ratio,
                         sigma: noise.sigma_mm,
@@ -133,18 +133,18 @@ impl Noise {
         }
         let sigma = noise.sigma_mm;
         let scale = restricted
-            .scale(Shape { sigma, ..slow })
+            .scale(NoiseShape { sigma, ..slow })
             .max(SMALLEST_SIGMA_MM);
         // What was rounded away is noise, whatever the residuals of few digits look like.
         noise.scaled(scale).at_least(rows.digits_mm)
     }
 
     /// Sizes of the axes relative to each other, where they clearly differ beside a slow part.
-    fn balance_axes(&mut self, restricted: &Restricted, slow: Shape) {
+    fn balance_axes(&mut self, restricted: &Restricted, slow: NoiseShape) {
         let mut stated = self.unequal;
         for _ in 0..2 {
             let sigma = self.sigma_mm;
-            let spread = restricted.spread(Shape { sigma, ..slow });
+            let spread = restricted.spread(NoiseShape { sigma, ..slow });
             let freedom: f64 = spread.iter().map(|s| s.1).sum();
             let pooled = spread.iter().map(|s| s.0 * s.1).sum::<f64>() / freedom.max(1.0);
             if pooled.sqrt() < SMALLEST_SIGMA_MM {

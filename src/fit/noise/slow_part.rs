@@ -1,7 +1,7 @@
 //! The likeliest slow part, and what else it may be: the likelihood over time constants and
 //! variances, on a grid and closer around its maximum.
 
-use super::restricted::{Restricted, Shape};
+use super::restricted::{NoiseShape, Restricted};
 use super::{Noise, PRICE_OF_A_VARIANCE};
 use crate::answers::noise::Trial;
 
@@ -98,7 +98,7 @@ impl Noise {
     }
 
     fn likelihood_of(&self, restricted: &Restricted, tau: f64, ratio: [f64; 3]) -> f64 {
-        restricted.likelihood(Shape {
+        restricted.likelihood(NoiseShape {
             tau,
             ratio,
             sigma: self.sigma_mm,

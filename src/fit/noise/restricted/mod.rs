@@ -13,7 +13,7 @@ use crate::fit::regression::Rows;
 use nalgebra::{DMatrix, DVector};
 
 use stretches::Stretches;
-pub(super) use summed::Shape;
+pub(super) use summed::NoiseShape;
 use summed::Summed;
 use whole::Whole;
 
@@ -54,9 +54,9 @@ impl<'r> Restricted<'r> {
         (middle, total.max(middle))
     }
 
-    fn summed(&self, shape: Shape) -> Summed {
+    fn summed(&self, shape: NoiseShape) -> Option<Summed> {
         match &self.columns {
-            Columns::Whole(whole) => whole.summed(self.rows, shape),
+            Columns::Whole(whole) => Some(whole.summed(self.rows, shape)),
             Columns::Stretches(stretches) => stretches.summed(self.rows, shape),
         }
     }
@@ -73,13 +73,13 @@ impl<'r> Restricted<'r> {
     }
 
     /// Standard deviation that is left, in units of σ.
-    pub(super) fn scale(&self, shape: Shape) -> f64 {
-        let solved = self.summed(shape).solved();
+    pub(super) fn scale(&self, shape: NoiseShape) -> f64 {
+        let solved = self.summed(shape).and_then(|summed| summed.solved());
         solved.map_or(0.0, |solved| (solved.left / self.freedom()).sqrt())
     }
 
     /// Variance along each axis in units of σ², with its degrees of freedom.
-    pub(super) fn spread(&self, shape: Shape) -> Vec<(f64, f64)> {
+    pub(super) fn spread(&self, shape: NoiseShape) -> Vec<(f64, f64)> {
         let spread = match &self.columns {
             Columns::Whole(whole) => whole.spread(self.rows, shape),
             Columns::Stretches(stretches) => stretches.spread(self.rows, shape),
@@ -89,14 +89,15 @@ impl<'r> Restricted<'r> {
     }
 
     /// Logarithm, up to a constant, with the common size profiled out.
-    pub(super) fn likelihood(&self, shape: Shape) -> f64 {
-        let summed = self.summed(shape);
-        let Some(solved) = summed.solved() else {
+    pub(super) fn likelihood(&self, shape: NoiseShape) -> f64 {
+        let known = self.summed(shape);
+        let solved = known.and_then(|summed| Some((summed.solved()?, summed.ln_determinant)));
+        let Some((solved, ln_determinant)) = solved else {
             return f64::NEG_INFINITY;
         };
         let freedom = self.freedom();
         let variance = (solved.left / freedom).max(SMALLEST_SIGMA_MM * SMALLEST_SIGMA_MM);
-        let ln_determinant = solved.ln_determinant() + summed.ln_determinant;
+        let ln_determinant = solved.ln_determinant() + ln_determinant;
         -0.5 * (freedom * variance.ln() + ln_determinant)
     }
 }
@@ -114,7 +115,7 @@ mod tests {
     const TAU: f64 = 40.0;
     const RATIO: [f64; 3] = [2.0, 0.0, 0.5];
     const SIGMA: [f64; 3] = [0.05, 0.02, 0.11];
-    const SHAPE: Shape = Shape {
+    const SHAPE: NoiseShape = NoiseShape {
         tau: TAU,
         ratio: RATIO,
         sigma: SIGMA,

@@ -1,28 +1,29 @@
 //! Columns that touch a stretch of the samples only, taken out one stretch after the other: an information filter over
 //! the state of the slow noise.
 //!
-//! Of a stretch the unknowns are the state `z` of the slow noise before it, its own columns' coefficients `f` and the
-//! state `e` at its end; the coefficients `β` of the columns that it shares with the others are carried along. Filtered
-//! from a state that is known, its samples and its end say
+//! Of a stretch the unknowns are the state `z` of the slow noise before it, the coefficients `f` of its own columns and
+//! the state `e` at its end; the coefficients `β` of the shared columns are carried along. Filtered from a known state,
+//! with white noise of 1, its samples and its end give
 //!
 //! ```text
 //! G z + F f + C β = y,   (e − H z + A f + B β − b)/√P = 0
 //! ```
 //!
-//! with white noise of 1. To the products of these rows come those of `z` and `β` that the stretches before it left;
-//! with `z` and `f` eliminated, those of `e` and `β` are left for the next one. The determinant gains that of what was
-//! eliminated: both are integrated out.
+//! To the products of these rows come those of `z` and `β` from the stretches before; `z` and `f` are eliminated, and
+//! the products of `e` and `β` go on to the next one. The determinant gains that of the eliminated block, as `z` and
+//! `f` are integrated out. The filter itself makes all of it from two rows more: one before the samples that sets the
+//! state, one behind them that reads it (both states with the opposite sign).
 
 use std::collections::BTreeMap;
 use std::ops::Range;
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::fit::noise::filter::{Step, carried};
+use crate::fit::noise::filter::{Axis, Filter, Step, carried};
 use crate::fit::regression::Rows;
 use crate::linear::{Basis, cholesky, gram};
 
-use super::summed::{Shape, Summed};
+use super::summed::{NoiseShape, Summed};
 
 /// With fewer stretches all columns at once are as fast.
 const FEWEST_STRETCHES: usize = 4;
@@ -128,43 +129,39 @@ impl Stretches {
         self.own + self.shared - 1
     }
 
-    pub(super) fn summed(&self, rows: &Rows, shape: Shape) -> Summed {
+    /// `None` where rounding leaves columns dependent.
+    pub(super) fn summed(&self, rows: &Rows, shape: NoiseShape) -> Option<Summed> {
         let slow: Vec<usize> = (0..rows.axes.len())
             .filter(|a| shape.ratio[rows.axes[*a]] > 0.0)
             .collect();
         let mut ln_determinant = 0.0;
         // Products of the state and the shared columns.
-        let mut known = DMatrix::zeros(self.shared, self.shared);
+        let mut products = DMatrix::zeros(self.shared, self.shared);
         for (k, stretch) in self.stretches.iter().enumerate() {
-            let before = known.ncols() - self.shared;
             let goes_on = k + 1 < self.stretches.len();
-            let after = if goes_on { slow.len() } else { 0 };
-            let mut system = System::new(stretch, self.shared, before, after);
-            ln_determinant += system.fill(stretch, rows, shape, &slow);
-            let reduced = system.reduced(&known);
-            let Some((left, ln)) = reduced else {
-                // Of no noise are its own columns dependent.
-                return Summed {
-                    gram: DMatrix::zeros(self.shared, self.shared),
-                    ln_determinant,
-                };
+            let layout = Layout {
+                before: products.ncols() - self.shared,
+                own: stretch.own,
+                after: if goes_on { slow.len() } else { 0 },
             };
-            ln_determinant += ln;
-            known = left;
+            let (white, ln_of_noise) = stretch.whitened(rows, shape, &slow, layout);
+            let (left, ln_eliminated) = layout.eliminated(&white, &products)?;
+            ln_determinant += ln_of_noise + ln_eliminated;
+            products = left;
         }
-        Summed {
-            gram: known,
+        Some(Summed {
+            gram: products,
             ln_determinant,
-        }
+        })
     }
 
     /// Variance along each axis in units of σ², with its degrees of freedom, by differences: where `σ` along an axis
     /// grows, the square that is left falls by twice that of the axis, and the determinant grows by twice the freedom.
-    pub(super) fn spread(&self, rows: &Rows, shape: Shape) -> Option<Vec<(f64, f64)>> {
+    pub(super) fn spread(&self, rows: &Rows, shape: NoiseShape) -> Option<Vec<(f64, f64)>> {
         let at = |axis: usize, by: f64| {
             let mut shape = shape;
             shape.sigma[axis] *= by.exp();
-            let summed = self.summed(rows, shape);
+            let summed = self.summed(rows, shape)?;
             let solved = summed.solved()?;
             let ln_determinant = solved.ln_determinant() + summed.ln_determinant;
             Some((solved.left, ln_determinant))
@@ -236,118 +233,117 @@ fn independent(left: &DMatrix<f64>, before: &DMatrix<f64>) -> DMatrix<f64> {
     Basis::new(&left).q
 }
 
-/// The rows of a stretch: columns of the state before it, its own, of the state after it, and the shared ones.
-struct System {
-    rows: DMatrix<f64>,
-    /// Numbers of the state before, of its own columns, of the state after.
+/// How many columns of a stretch's rows are of the state before it, its own, and of the state at its end; those that
+/// all share follow.
+#[derive(Clone, Copy)]
+struct Layout {
     before: usize,
     own: usize,
     after: usize,
 }
 
-impl System {
-    fn new(stretch: &Stretch, shared: usize, before: usize, after: usize) -> Self {
-        let height = stretch.columns.nrows() + after;
-        Self {
-            rows: DMatrix::zeros(height, before + stretch.own + after + shared),
-            before,
-            own: stretch.own,
-            after,
+impl Stretch {
+    /// Its rows, whitened, between one that sets the state and one that reads it, and the logarithm of the
+    /// determinant of the noise in them.
+    fn whitened(
+        &self,
+        rows: &Rows,
+        shape: NoiseShape,
+        slow: &[usize],
+        layout: Layout,
+    ) -> (DMatrix<f64>, f64) {
+        let Layout { before, own, after } = layout;
+        let (len, axes) = (self.samples.len(), rows.axes.len());
+        let height = len + 2;
+        let shared = self.columns.ncols() - own;
+        let mut white = DMatrix::zeros(axes * height, before + own + after + shared);
+        for a in 0..axes {
+            let here = self.columns.rows(a * len, len);
+            for (place, from, count) in [(before, 0, own), (before + own + after, own, shared)] {
+                let mut part = white.view_mut((a * height + 1, place), (len, count));
+                part.copy_from(&here.columns(from, count));
+            }
         }
-    }
-
-    /// Where a column of the stretch stands.
-    fn place(&self, column: usize) -> usize {
-        let beside = if column < self.own { 0 } else { self.after };
-        self.before + column + beside
-    }
-
-    /// Its samples, whitened, and the state at its end. Gives the logarithm of the variances of what is new in them.
-    fn fill(&mut self, stretch: &Stretch, rows: &Rows, shape: Shape, slow: &[usize]) -> f64 {
-        let len = stretch.samples.len();
+        for (state, a) in slow.iter().enumerate().take(before) {
+            white[(a * height, state)] = 1.0;
+        }
         let mut ln = 0.0;
-        for (a, axis) in rows.axes.iter().enumerate() {
+        let mut of_ends = Vec::new();
+        let filters = rows.axes.iter().map(|axis| {
             let sigma = shape.sigma[*axis];
-            let first = a * len;
-            let Some(state) = slow.iter().position(|own| *own == a) else {
-                for (k, column) in stretch.columns.column_iter().enumerate() {
-                    let place = self.place(k);
-                    let column = column.rows(a * len, len) / sigma;
-                    self.rows
-                        .view_mut((first, place), (len, 1))
-                        .copy_from(&column);
-                }
-                ln += 2.0 * len as f64 * sigma.ln();
-                continue;
-            };
             let rms = shape.ratio[*axis].sqrt() * sigma;
-            let (steps, variance) = self.steps(stretch, &rows.times, shape.tau, sigma, rms);
-            ln -= steps
-                .iter()
-                .map(|s| 2.0 * s.inverse_spread.ln())
-                .sum::<f64>();
-            let end = stretch.columns.nrows() + state;
-            let of_end = 1.0 / variance.sqrt();
-            for (k, column) in stretch.columns.column_iter().enumerate() {
-                let place = self.place(k);
-                let mut now = 0.0;
-                for (i, step) in steps.iter().enumerate() {
-                    let new = column[a * len + i] - step.decay * now;
-                    now = step.decay * now + step.gain * new;
-                    self.rows[(first + i, place)] = new * step.inverse_spread;
-                }
-                if self.after > 0 {
-                    self.rows[(end, place)] = now * of_end;
-                }
+            if rms > 0.0 {
+                let steps = self.steps(&rows.times, shape.tau, [sigma, rms], before > 0, after > 0);
+                of_ends.push(steps[len + 1].inverse_spread);
+                let spreads = steps.iter().map(|step| step.inverse_spread);
+                ln -= spreads
+                    .filter(|s| *s > 0.0)
+                    .map(|s| 2.0 * s.ln())
+                    .sum::<f64>();
+                Axis::Slow(steps)
+            } else {
+                ln += 2.0 * len as f64 * sigma.ln();
+                Axis::White(1.0 / sigma)
             }
-            let mut now = 1.0;
-            if self.before > 0 {
-                for (i, step) in steps.iter().enumerate() {
-                    self.rows[(first + i, state)] = step.decay * now * step.inverse_spread;
-                    now *= step.decay * (1.0 - step.gain);
-                }
-            }
-            if self.after > 0 {
-                if self.before > 0 {
-                    self.rows[(end, state)] = -now * of_end;
-                }
-                self.rows[(end, self.before + self.own + state)] = of_end;
-                ln += variance.ln();
-            }
+        });
+        let filter = Filter {
+            axes: filters.collect(),
+            samples: height,
+        };
+        filter.whiten(white.as_mut_slice());
+        for (state, (a, of_end)) in slow.iter().zip(of_ends).enumerate().take(after) {
+            white[(a * height + len + 1, before + own + state)] = of_end;
         }
-        ln
+        (white, ln)
     }
 
-    /// The steps from a state before it that is known, and the variance of the state at its end.
+    /// The steps of the filter along an axis with a white and a slow part: from a known state, where there is one
+    /// before, to the end, where that is asked for.
     fn steps(
         &self,
-        stretch: &Stretch,
         times: &[f64],
         tau: f64,
-        sigma: f64,
-        rms: f64,
-    ) -> (Vec<Step>, f64) {
-        let samples = stretch.samples.clone();
-        let (mut before, mut variance) = if self.before > 0 {
+        [sigma, rms]: [f64; 2],
+        goes_on: bool,
+        is_read: bool,
+    ) -> Vec<Step> {
+        let samples = self.samples.clone();
+        let sets = Step {
+            decay: 0.0,
+            gain: 1.0,
+            inverse_spread: 0.0,
+        };
+        let (mut before, mut variance) = if goes_on {
             (times[samples.start - 1], 0.0)
         } else {
             (f64::NAN, rms * rms)
         };
-        let step = |time: &f64| {
+        let mut steps = vec![sets];
+        steps.extend(times[samples].iter().map(|time| {
             let carry = carried(*time - before, tau);
             before = *time;
             Step::after(carry, sigma, rms, &mut variance)
-        };
-        let steps = times[samples].iter().map(step).collect();
-        (steps, variance)
+        }));
+        steps.push(Step {
+            decay: 1.0,
+            gain: 0.0,
+            inverse_spread: if is_read { 1.0 / variance.sqrt() } else { 0.0 },
+        });
+        steps
     }
+}
 
-    /// Products of the state after it and the shared columns, and the logarithm of the determinant of what was
-    /// eliminated. `known` has those of the state before it.
-    fn reduced(self, known: &DMatrix<f64>) -> Option<(DMatrix<f64>, f64)> {
-        let mut all = gram(&self.rows);
-        let out = self.before + self.own;
-        let (before, first) = (self.before, out + self.after);
+impl Layout {
+    /// Products of the state at the end and the shared columns, and the logarithm of the determinant of the
+    /// eliminated block. `products` has those of the state before and the shared columns.
+    fn eliminated(
+        self,
+        white: &DMatrix<f64>,
+        products: &DMatrix<f64>,
+    ) -> Option<(DMatrix<f64>, f64)> {
+        let mut all = gram(white);
+        let (before, out) = (self.before, self.before + self.own);
+        let first = out + self.after;
         let shared = all.ncols() - first;
         for (at, from, (height, width)) in [
             ((0, 0), (0, 0), (before, before)),
@@ -355,7 +351,7 @@ impl System {
             ((first, first), (before, before), (shared, shared)),
         ] {
             let mut own = all.view_mut(at, (height, width));
-            own += known.view(from, (height, width));
+            own += products.view(from, (height, width));
         }
         let rest = all.ncols() - out;
         let mut left = all.view((out, out), (rest, rest)).into_owned();
@@ -414,15 +410,15 @@ mod tests {
             columns: Columns::Whole(super::super::whole::Whole::new(&rows, &residual, &columns)),
         };
         assert_eq!(apart.rank(), whole.rank());
-        let shape = |tau: f64, ratio: [f64; 3]| Shape {
+        let shape = |tau: f64, ratio: [f64; 3]| NoiseShape {
             tau,
             ratio,
             sigma: SIGMA,
         };
         let mut constant = None;
         for shape in [
-            Shape::white([1.0; 3]),
-            Shape::white(SIGMA),
+            NoiseShape::white([1.0; 3]),
+            NoiseShape::white(SIGMA),
             shape(40.0, [2.0, 0.0, 0.5]),
             shape(3.0, [0.1, 4.0, 60.0]),
             shape(900.0, [1000.0; 3]),

@@ -6,7 +6,7 @@ use crate::linear::cholesky;
 
 /// White part, slow part in units of it.
 #[derive(Clone, Copy)]
-pub(in crate::fit::noise) struct Shape {
+pub(in crate::fit::noise) struct NoiseShape {
     pub(in crate::fit::noise) tau: f64,
     /// Variances of the slow part along the axes.
     pub(in crate::fit::noise) ratio: [f64; 3],
@@ -14,7 +14,7 @@ pub(in crate::fit::noise) struct Shape {
     pub(in crate::fit::noise) sigma: [f64; 3],
 }
 
-impl Shape {
+impl NoiseShape {
     pub(in crate::fit::noise) fn white(sigma: [f64; 3]) -> Self {
         Self {
             tau: 0.0,

@@ -9,7 +9,7 @@ use crate::fit::noise::{Noise, Slow};
 use crate::fit::regression::Rows;
 use crate::linear::{Basis, gram};
 
-use super::summed::{Shape, Summed};
+use super::summed::{NoiseShape, Summed};
 
 /// Products of whitened columns along one axis.
 struct AxisSums {
@@ -53,7 +53,7 @@ impl Whole {
     }
 
     /// Sums along every axis, with a white part of 1.
-    fn sums(&self, rows: &Rows, shape: Shape) -> Vec<Rc<AxisSums>> {
+    fn sums(&self, rows: &Rows, shape: NoiseShape) -> Vec<Rc<AxisSums>> {
         let parts = self.parts.iter().zip(&rows.axes).enumerate();
         parts
             .map(|(at, (part, axis))| {
@@ -76,11 +76,11 @@ impl Whole {
             .collect()
     }
 
-    pub(super) fn summed(&self, rows: &Rows, shape: Shape) -> Summed {
+    pub(super) fn summed(&self, rows: &Rows, shape: NoiseShape) -> Summed {
         self.together(rows, &self.sums(rows, shape), shape)
     }
 
-    fn together(&self, rows: &Rows, sums: &[Rc<AxisSums>], shape: Shape) -> Summed {
+    fn together(&self, rows: &Rows, sums: &[Rc<AxisSums>], shape: NoiseShape) -> Summed {
         let mut gram = DMatrix::zeros(self.p + 1, self.p + 1);
         for (own, axis) in sums.iter().zip(&rows.axes) {
             gram += &own.gram / shape.sigma[*axis].powi(2);
@@ -98,7 +98,7 @@ impl Whole {
     }
 
     /// Variance along each axis in units of σ², with its degrees of freedom.
-    pub(super) fn spread(&self, rows: &Rows, shape: Shape) -> Option<Vec<(f64, f64)>> {
+    pub(super) fn spread(&self, rows: &Rows, shape: NoiseShape) -> Option<Vec<(f64, f64)>> {
         let p = self.p;
         let n = rows.samples.len() as f64;
         let sums = self.sums(rows, shape);
