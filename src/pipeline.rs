@@ -31,12 +31,10 @@ use crate::diagnosis::{DiagnoseError, Diagnosis, Options, Watch};
 use crate::diagnostic::Rejected;
 use crate::effects::{Inputs, JointValues, Term};
 use crate::export::{Export, ExportError, Job, find, gaps_of_export};
-use crate::fit::base_model;
 use crate::fit::gap::{Spread, deviations};
 use crate::fit::problem::Problem;
-use crate::fit::{
-    DEFAULT_EFFECTS, Identification, IdentifyError, identify_regional, identify_watched,
-};
+use crate::fit::{self, base_model};
+use crate::fit::{DEFAULT_EFFECTS, Identification, IdentifyError, identify_regional};
 use crate::fonts::Library;
 use crate::model::{Calibration, ResidualStep, SetUp};
 use crate::report::{Evidence, Extras, Kind, PdfError, Report, ReportError, Written};
@@ -110,14 +108,14 @@ pub fn identify(
     method: &Method,
     values: JointValues,
 ) -> Result<(Identification, Calibration), IdentifyError> {
-    identify_unless(session, method, values, &|| true)
+    identify_watched(session, method, values, &|| true)
 }
 
 /// Like [`identify`], asking before every pass over the samples whether to go on.
 ///
 /// # Errors
 /// See [`IdentifyError`].
-pub fn identify_unless(
+pub fn identify_watched(
     session: &Session,
     method: &Method,
     values: JointValues,
@@ -129,7 +127,7 @@ pub fn identify_unless(
             effects,
             with,
             priors,
-        } => identify_watched(session, effects, with, *priors, values, keep_going)?,
+        } => fit::identify_watched(session, effects, with, *priors, values, keep_going)?,
         Method::Regional(choice) => identify_regional(session, choice, values)?,
     };
     let mut calibration = identification.calibration(session, &Inputs::new(session, values));
@@ -146,25 +144,40 @@ pub fn identify_unless(
         && !with.is_empty()
     {
         calibration.history.truncate(1);
-        for n in 0..=with.len() {
-            let gap_mm = if n == with.len() {
-                identification.gap.after.rms_mm
-            } else {
-                let without =
-                    identify_watched(session, effects, &with[..n], *priors, values, keep_going)?;
-                without.gap.after.rms_mm
-            };
-            calibration.history.push(ResidualStep {
-                what: match n.checked_sub(1) {
-                    None => FULL_MODEL.to_owned(),
-                    Some(last) => format!("with {}", with[last].effect.about().id),
-                },
-                gap_mm,
-                held_out_mm: None,
-            });
-        }
+        let fitted_with = |with: &[Term]| {
+            let fitted =
+                fit::identify_watched(session, effects, with, *priors, values, keep_going)?;
+            Ok(fitted.gap.after.rms_mm)
+        };
+        let last_mm = identification.gap.after.rms_mm;
+        calibration
+            .history
+            .extend(history_of_steps(with, last_mm, fitted_with)?);
     }
     Ok((identification, calibration))
+}
+
+/// What is left before and after each of the terms that were found, in their order; with all of them `last_mm`.
+fn history_of_steps(
+    terms: &[Term],
+    last_mm: f64,
+    fitted_with: impl Fn(&[Term]) -> Result<f64, IdentifyError>,
+) -> Result<Vec<ResidualStep>, IdentifyError> {
+    let step = |n: usize| {
+        Ok(ResidualStep {
+            what: match n.checked_sub(1) {
+                None => FULL_MODEL.to_owned(),
+                Some(last) => format!("with {}", terms[last].effect.about().id),
+            },
+            gap_mm: if n == terms.len() {
+                last_mm
+            } else {
+                fitted_with(&terms[..n])?
+            },
+            held_out_mm: None,
+        })
+    };
+    (0..=terms.len()).map(step).collect()
 }
 
 /// What an identification answers, with the set-up errors that it noticed.
@@ -209,7 +222,7 @@ pub fn identify_checked_unless(
         },
     };
     let (identification, calibration) =
-        identify_unless(&checked.session, method, values, keep_going)?;
+        identify_watched(&checked.session, method, values, keep_going)?;
     let mut data_problems = checked.problems;
     data_problems.extend(identification.many_set_aside());
     data_problems.extend(identification.far_tool());

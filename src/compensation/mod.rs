@@ -41,6 +41,7 @@ pub(crate) mod regional;
 pub(crate) mod remainder;
 mod set_aside;
 pub(crate) mod table;
+mod table_error;
 pub(crate) mod verification;
 pub(crate) mod verify;
 
@@ -50,7 +51,8 @@ pub(crate) use interpolation::SortedTable;
 pub use plan::Compensation;
 pub use regional::Regional;
 pub use remainder::{Remainder, Share};
-pub use table::{JointTable, TableError};
+pub use table::JointTable;
+pub use table_error::TableError;
 pub use verification::{
     Compensated, HeldOutErrors, Trimmed, Verification, VerifyError, WithinTolerance,
 };

@@ -15,7 +15,7 @@ use crate::effects::{JointFrame, Stage, Term};
 use crate::kinematics::{JointKind, Range};
 use crate::lanes::add_scaled;
 use crate::model::{Calibration, Model, RawJoint};
-use crate::text::{Text, length};
+use crate::text::Text;
 use crate::units::deg_from_rad;
 
 use super::conditions::{Conditions, Side};
@@ -23,97 +23,12 @@ use super::hand_out::VerifiedCalibration;
 use super::interpolation::UniformTable;
 use super::inverse::{closest_commands, places};
 use super::plan::Compensation;
+use super::table_error::TableError;
 
 /// More entries than this are a slip of the keyboard.
 pub(crate) const MOST_ENTRIES: usize = 1_000_000;
 /// Lever of the point that stands for the angle of a joint of an arm, mm.
 const LEVER_MM: f64 = 1000.0;
-
-/// Why there is no table.
-#[derive(Debug, Clone, PartialEq)]
-pub enum TableError {
-    /// The model says what another table leaves.
-    AlreadyCompensated(String),
-    /// The model leaves an error of the robot's size.
-    Gross {
-        /// RMS error, mm.
-        left_mm: f64,
-        /// How far the robot reaches, mm.
-        size_mm: f64,
-    },
-    /// The controller counts the joint in a way that a table cannot.
-    Conventions {
-        /// The joint, counted from 1.
-        joint: usize,
-        /// What was corrected.
-        why: Text,
-    },
-    /// A joint that the robot does not have.
-    NoSuchJoint {
-        /// The joint, counted from 1.
-        joint: usize,
-        /// How many there are.
-        joints: usize,
-    },
-    /// A step that is not a positive number.
-    Step(f64),
-    /// A step so small that the table gets too long.
-    TooMany {
-        /// The step as it was given.
-        step: f64,
-        /// How many entries it makes.
-        entries: f64,
-        /// How many there may be.
-        most: usize,
-    },
-    /// No limits, and all samples at one place.
-    NoRange,
-}
-
-impl TableError {
-    /// In words.
-    pub fn describe(&self) -> Text {
-        match self {
-            Self::AlreadyCompensated(model) => text!(
-                "the model comes from a session that was measured with the table of model {model} active: it says what is left, and a table made from it would lack what that one does; measure without a table",
-                model = model
-            ),
-            Self::Gross { left_mm, size_mm } => text!(
-                "the model leaves an RMS error of {left_mm} on a robot that reaches {size_mm}: the session is not as it says (a unit, a sign, rows of other rows), and nothing is corrected with it",
-                left_mm = length(*left_mm, 3),
-                size_mm = length(*size_mm, 0)
-            ),
-            Self::Conventions { joint, why } => text!(
-                "no table for joint {joint}: {why}, and the model corrected that; correct it in the controller or in the session, identify again and make the table from that model",
-                joint = joint,
-                why = why
-            ),
-            Self::NoSuchJoint { joint, joints } => text!(
-                "joint {joint}: the robot has {joints}",
-                joint = joint,
-                joints = joints
-            ),
-            Self::Step(step) => text!("a step of {step}; expected a positive number", step = step),
-            Self::TooMany {
-                step,
-                entries,
-                most,
-            } => text!(
-                "a step of {step} makes {entries} entries; expected at most {most}",
-                step = step,
-                entries = entries,
-                most = most
-            ),
-            Self::NoRange => text!(
-                "the joint has no limits and was measured at a single value: there is no range for a table"
-            ),
-        }
-    }
-}
-
-displays_what_it_says!(TableError);
-
-impl std::error::Error for TableError {}
 
 /// See the module. Values are in inner units; [`JointTable::to_display`] gives those of the user.
 #[derive(Debug, Clone, PartialEq)]
@@ -154,7 +69,7 @@ impl JointTable {
         calibration.may_correct()?;
         let robot = &calibration.model.robot;
         let joints = robot.joints.len();
-        let Some(axis) = robot.joints.get(joint) else {
+        let Some(own) = robot.joints.get(joint) else {
             return Err(TableError::NoSuchJoint {
                 joint: joint.saturating_add(1),
                 joints,
@@ -164,16 +79,16 @@ impl JointTable {
         let raw = raw_joint(calibration, joint)?;
         let measured = *calibration.measured.get(joint).ok_or(TableError::NoRange)?;
         let measured = in_raw_values(measured, raw);
-        let travel = axis.limits.unwrap_or(measured);
-        if axis.limits.is_none() {
+        let travel = own.limits.unwrap_or(measured);
+        if own.limits.is_none() {
             notes.push(text!(
                 "the joint has no limits: the table covers the measured range"
             ));
         }
-        let grid = Grid::new(axis.kind, travel, step_outer)?;
+        let grid = EqualSteps::new(own.kind, travel, step_outer)?;
         notes.extend(grid.note(step_outer));
         let held: Vec<f64> = grid
-            .to_base_units(axis.kind)
+            .to_base_units(own.kind)
             .iter()
             .map(|q| raw.to_model(q.max(measured.from).min(measured.to)))
             .collect();
@@ -192,8 +107,8 @@ impl JointTable {
             signed.collect::<Vec<f64>>()
         };
         if !raw.is_plain() {
-            let outer = axis.kind.to_display(raw.at_zero);
-            let value = format!("{outer:.3}{}", axis.kind.sign());
+            let outer = own.kind.to_display(raw.at_zero);
+            let value = format!("{outer:.3}{}", own.kind.sign());
             notes.push(if raw.sign < 0.0 {
                 text!(
                     "commands and corrections are the controller's: it counts joint {joint} the other way as the model, whose value is {value} where the controller's is 0",
@@ -211,8 +126,8 @@ impl JointTable {
         let (forward, reverse) = (column(Side::Forward), column(Side::Reverse));
         let mut table = Self {
             joint,
-            name: axis.name.clone(),
-            kind: axis.kind,
+            name: own.name.clone(),
+            kind: own.kind,
             commanded_outer: grid.commanded,
             step_outer: grid.step,
             forward,
@@ -221,7 +136,7 @@ impl JointTable {
             conditions,
             notes,
         };
-        table.describe(calibration, travel);
+        table.add_notes(calibration, travel);
         Ok(table)
     }
 
@@ -250,7 +165,8 @@ impl JointTable {
         UniformTable::new(from, step, &values)
     }
 
-    fn describe(&mut self, calibration: &Calibration, travel: Range) {
+    /// What there is to know about it beside its numbers.
+    fn add_notes(&mut self, calibration: &Calibration, travel: Range) {
         let (unit, outer) = (self.unit(), |v: f64| self.to_display(v));
         let mut notes = Vec::new();
         let measured = self.measured;
@@ -344,12 +260,12 @@ fn unexplained_part(calibration: &Calibration, joint: usize) -> Vec<Text> {
 }
 
 /// Equal steps over the travel, in the user's unit.
-struct Grid {
+struct EqualSteps {
     commanded: Vec<f64>,
     step: f64,
 }
 
-impl Grid {
+impl EqualSteps {
     fn new(kind: JointKind, travel: Range, step: f64) -> Result<Self, TableError> {
         if !(step.is_finite() && step > 0.0) {
             return Err(TableError::Step(step));

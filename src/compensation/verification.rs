@@ -26,6 +26,7 @@ use crate::effects::{Inputs, JointValues, MEASURING_FRAME, Owner, Role, Term, ca
 use crate::fit::gap::{Deviations, Spread};
 use crate::fit::problem::Problem;
 use crate::kinematics::JointKind;
+use crate::kinematics::quaternion::log;
 use crate::lanes::{add_scaled, minus};
 use crate::model::rigid_motion::best_rigid_motion;
 use crate::model::{Calibration, Model, Positions};
@@ -450,7 +451,7 @@ pub(super) fn model_for(
         let inside = |i: usize| problem.usable[i] && setups.index[i] as usize == setup;
         if let Some(frame) = best_rigid_motion(session, &predicted, inside) {
             let mut term = Term::absent(&MEASURING_FRAME, 0, setup as f64);
-            let turn = frame.rotation.scaled_axis();
+            let turn = log(&frame.rotation);
             let shift = frame.translation.vector;
             term.coefficients = [turn.as_slice(), shift.as_slice()].concat();
             model = model.with_term(term);

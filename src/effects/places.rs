@@ -13,6 +13,7 @@ use nalgebra::{Point3, Vector3};
 
 use super::Term;
 use super::place::{MOST, Place, PlaceKind};
+use crate::kinematics::quaternion::log;
 use crate::sessions::{Anchor, Plane, References, Socket, Station};
 
 /// What a session says of a place, coefficient by coefficient; `None` where it does not.
@@ -45,7 +46,7 @@ pub(crate) fn stated(references: &References, place: Place) -> [Option<f64>; MOS
                 ..
             } = &references.stations[place.index];
             if let Some(attitude) = attitude {
-                put(0, attitude.scaled_axis().as_slice());
+                put(0, log(&attitude).as_slice());
             }
             if let Some(position) = position_mm {
                 put(3, &point(position));

@@ -72,7 +72,7 @@ fn implausible(one: &Estimate) -> Option<Block> {
     Some(Block::Warning(format!("{name}: {says} ({usual})")))
 }
 
-/// Detail often noise alone looks like this.
+/// How often noise alone looks like this.
 fn chance(found: &FoundEffect) -> String {
     say!(
         "p {sign} {p} (chance that noise alone looks like this)",
@@ -81,7 +81,7 @@ fn chance(found: &FoundEffect) -> String {
     )
 }
 
-/// Detail much likelier it is than the next name.
+/// How much likelier it is than the next name.
 fn odds(found: &FoundEffect) -> String {
     match found.next.as_ref().map(|next| title_of(next)) {
         None => say!("no other effect was a candidate").to_owned(),

@@ -5,7 +5,7 @@ use super::{Block, Detail, Section, Topic, clean, cleaned, fact};
 use crate::diagnosis::{Correction, Diagnosis};
 use crate::fit::{Identification, NotIdentifiable};
 use crate::present::names::title_of;
-use crate::present::numbers::grouped;
+use crate::present::numbers::{grouped, significant};
 use crate::present::poses::{new_reflectors, table};
 use crate::set_up_errors::DataProblem;
 use crate::text::{ByTitles, within};
@@ -42,7 +42,7 @@ pub(super) fn rivals(d: &Diagnosis, detail: Detail) -> Option<Section> {
             "{other} instead of {explanation} (odds {odds} : 1 against it): {separate_by}",
             other = says(&rival.instead),
             explanation = within(&says(&rival.explanation)),
-            odds = format!("{:.1}", rival.odds),
+            odds = significant(rival.odds, 2),
             separate_by = cleaned(&rival.separate_by)
         )
     });

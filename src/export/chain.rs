@@ -18,6 +18,7 @@ use super::poses::poses;
 use super::{ExportError, Job};
 use crate::compensation::{Compensation, Side};
 use crate::effects::{Stage, Term};
+use crate::kinematics::quaternion::log;
 use crate::kinematics::{JointKind, Pose, Robot, RobotSource};
 use crate::lanes::dot;
 use crate::model::Model;
@@ -151,7 +152,7 @@ fn zero_offsets(job: &Job, corrected: &Corrected) -> Vec<f64> {
         };
         let axis = &nominal.joints[joint].axis.direction;
         match nominal.joints[joint].kind {
-            JointKind::Revolute => motion.rotation.scaled_axis().dot(axis),
+            JointKind::Revolute => log(&motion.rotation).dot(axis),
             JointKind::Prismatic => motion.translation.vector.dot(axis),
         }
     };

@@ -5,7 +5,7 @@
 //! correction c = −e,   deviation e = where the joint stands − where it was sent
 //! ```
 //!
-//! Half of all controllers want c and half of them want e; [`Says`] is the one place that knows.
+//! Half of all controllers want c and half of them want e; [`EntryMeaning`] is the one place that knows.
 
 use crate::kinematics::JointKind;
 use crate::text::Template;

@@ -5,7 +5,8 @@ use crate::compensation::{Conditions, JointTable};
 use crate::kinematics::{JointKind, Range};
 use crate::text::Text;
 
-/// Corrections (what to add), in degrees or mm.
+/// Corrections, always: what is to be added to a command, in degrees or mm. A format's `write` gives them its own sign and
+/// unit; its `read` takes the unit off again, and `TableFile` the sign.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sheet {
     /// Joint, counted from 0.

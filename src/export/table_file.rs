@@ -3,7 +3,7 @@
 //! 1. the exact correction, closely spaced; formats for one direction refuse a backlash here;
 //! 2. the entries ([`grid`](super::grid));
 //! 3. written, and read back by the format's own reader, which has to give the same;
-//! 4. what the controller will make of it ([`left`](super::left)), and the sidecar that says so.
+//! 4. what the controller will make of it ([`residual_error`](super::residual_error)), and the sidecar that says so.
 
 use super::exporter::any_robot;
 use super::residual_error::{Allowance, Exact, ResidualError};

@@ -4,29 +4,22 @@
 //! it until nothing changes. Where the instrument's noise is given as one number the ratio
 //! between the axes is taken from the residuals.
 
-use nalgebra::DMatrix;
-
+use crate::answers::identification::{Identification, NotIdentifiable};
 use crate::effects::{
-    Effect, JointValues, OF_A_SINGLE_AXIS, PlaceKind, Role, Setting, Survey, Term, called, find,
-    form_in, role,
+    Effect, JointValues, OF_A_SINGLE_AXIS, Role, Survey, Term, called, find, form_in, role,
 };
 use crate::model::Model;
-use crate::sessions::{Session, Sigma};
+use crate::model::names::name_on_joint;
+use crate::sessions::Session;
 use crate::text::Text;
 
+use super::answer::report;
 use super::estimator::fit_without_outliers;
 use super::expected::expected_error;
-use super::gap::{Deviations, Spread, deviations, lengths_mm, suspects};
 use super::levels::levels;
-use super::problem::{Problem, Watch, unusable};
-use super::solver::{Solution, Stopped, spectrum_at};
-use super::uncertainty::{estimates, half_width_factor};
-use super::unidentifiable::undetermined_combinations;
+use super::problem::{Problem, Watch};
+use super::solver::{Solution, Stopped};
 use super::{IdentifyError, base_model, observed, scan};
-use crate::answers::identification::{
-    Estimate, Gap, Identification, LeftOut, NotIdentifiable, Outlier, Quality,
-};
-use crate::model::names::name_on_joint;
 
 /// The effects that every calibration identifies.
 pub const DEFAULT_EFFECTS: [&str; 2] = OF_A_SINGLE_AXIS;
@@ -50,7 +43,7 @@ pub fn identify_exact(
 /// samples whether to go on.
 ///
 /// # Errors
-/// As [`identify_exact`], and [`IdentifyError::Cancelled`] where `go_on` said no.
+/// As [`identify_exact`], and [`IdentifyError::Cancelled`] where `keep_going` said no.
 pub fn identify_watched(
     session: &Session,
     effects: &[String],
@@ -61,7 +54,9 @@ pub fn identify_watched(
 ) -> Result<Identification, IdentifyError> {
     let session = &*session.whole()?;
     let mut prepared = prepare(session, effects, initial_terms, values, keep_going)?;
-    prepared.base = prepared.base.map(|weak| weak && priors);
+    if !priors {
+        prepared.base = prepared.base.without_priors();
+    }
     Ok(Fresh::fitted(prepared, keep_going)?.report(session))
 }
 
@@ -76,8 +71,7 @@ pub(super) struct Fresh<'a> {
     pub(super) not_identifiable: Vec<NotIdentifiable>,
     /// What else there is to say.
     notes: Vec<Text>,
-    /// Whether it holds the base model of several joints.
-    arm: bool,
+    base: BaseModel,
 }
 
 impl<'a> Fresh<'a> {
@@ -92,13 +86,13 @@ impl<'a> Fresh<'a> {
             mut not_identifiable,
             base,
         } = prepared;
-        let (fitted, notes) = match base {
-            None => (fit_without_outliers(&mut problem, &start), Vec::new()),
-            Some(weak) => {
-                let of_base = base_model::fit(&mut problem, &start, weak);
-                not_identifiable.extend(of_base.held);
-                (of_base.solution, of_base.notes)
-            }
+        let (fitted, notes) = if base == BaseModel::Absent {
+            (fit_without_outliers(&mut problem, &start), Vec::new())
+        } else {
+            let priors = base == BaseModel::WithPriors;
+            let of_base = base_model::fit(&mut problem, &start, priors);
+            not_identifiable.extend(of_base.held);
+            (of_base.solution, of_base.notes)
         };
         if fitted.stopped == Stopped::Cancelled || !keep_going() {
             return Err(IdentifyError::Cancelled);
@@ -109,7 +103,7 @@ impl<'a> Fresh<'a> {
             nominal,
             not_identifiable,
             notes,
-            arm: base.is_some(),
+            base,
         })
     }
 
@@ -120,11 +114,11 @@ impl<'a> Fresh<'a> {
             nominal,
             not_identifiable,
             notes,
-            arm,
+            base,
         } = self;
         let mut answer = report(session, &problem, fitted, &nominal, not_identifiable);
         answer.notes.extend(notes);
-        if arm && base_model::is_arm(session) {
+        if base != BaseModel::Absent && base_model::is_arm(session) {
             answer.levels = levels(&problem, &answer.model);
             let covariance = answer.covariance.as_ref();
             answer.expected = covariance.and_then(|c| expected_error(&problem, &answer.model, c));
@@ -143,8 +137,27 @@ pub(super) struct FitStart<'a> {
     pub(super) nominal: Model,
     /// What was asked for and cannot be fitted.
     pub(super) not_identifiable: Vec<NotIdentifiable>,
-    /// Whether the terms hold the base model of several joints, and its weak priors hold.
-    base: Option<bool>,
+    base: BaseModel,
+}
+
+/// Whether the terms hold what is fitted beside every name where joint values alone do not tell it: the geometry of
+/// several joints, and the unknown places of other measurements than points.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum BaseModel {
+    Absent,
+    /// Nothing holds what few poses show.
+    WithoutPriors,
+    /// Weak priors on the geometry do.
+    WithPriors,
+}
+
+impl BaseModel {
+    fn without_priors(self) -> Self {
+        match self {
+            Self::Absent => Self::Absent,
+            Self::WithoutPriors | Self::WithPriors => Self::WithoutPriors,
+        }
+    }
 }
 
 /// Looks which of the effects the session can show, and scans those with a setting.
@@ -212,7 +225,11 @@ pub(super) fn prepare<'a>(
         start,
         nominal: placed,
         not_identifiable,
-        base: base.then_some(true),
+        base: if base {
+            BaseModel::WithPriors
+        } else {
+            BaseModel::Absent
+        },
     })
 }
 
@@ -221,55 +238,6 @@ pub(super) fn prepare<'a>(
 fn asks_for_base(effects: &[String]) -> bool {
     let named = |id: &str| effects.iter().any(|e| e == id);
     DEFAULT_EFFECTS.iter().all(|id| named(id))
-}
-
-/// The answer for a model that was fitted elsewhere (the diagnosis does), on a problem whose
-/// suspected outliers are already left out.
-pub(crate) fn report(
-    session: &Session,
-    problem: &Problem,
-    solution: Solution,
-    nominal: &Model,
-    mut not_identifiable: Vec<NotIdentifiable>,
-) -> Identification {
-    let before_mm = lengths_mm(problem, nominal);
-    let after = deviations(problem, &solution.model);
-    let suspected = suspects(problem, &after);
-    let held_out = session.samples.held_out.as_deref();
-    let gap_over =
-        |counts: &dyn Fn(usize) -> bool| gap(&before_mm, &after.length_mm, counts, &suspected);
-    let rank = solution.spectrum.rank();
-    let covariance = covariance_of(problem, &solution);
-    let own = solution.model.coefficient_count();
-    not_identifiable.extend(undetermined_combinations(&solution));
-    Identification {
-        session: session.name.clone(),
-        method: "exact",
-        samples: session.samples.len(),
-        parameters: parameters_of(problem, &solution, covariance.as_ref()).concat(),
-        regions: Vec::new(),
-        not_identifiable,
-        gap: gap_over(&|i| problem.fit[i]).unwrap_or_default(),
-        held_out: held_out.and_then(|h| gap_over(&|i| problem.usable[i] && h[i])),
-        levels: Vec::new(),
-        expected: None,
-        outliers: outliers(&after.length_mm, suspected.iter().copied()),
-        left_out: left_out(problem),
-        noise_mm: noise_by_axis(problem, &after, rank),
-        kinds: observed::figures(problem, nominal, &solution.model),
-        noise: problem.noise.clone(),
-        quality: Quality {
-            stopped: solution.stopped.describe(),
-            converged: matches!(solution.stopped, Stopped::Converged | Stopped::NothingToDo),
-            passes: solution.passes,
-            coefficients: solution.model.coefficient_count(),
-            rank,
-            condition: solution.spectrum.condition(),
-        },
-        notes: Vec::new(),
-        model: solution.model,
-        covariance: covariance.map(|c| c.view((0, 0), (own, own)).into_owned()),
-    }
 }
 
 fn places(effect: &Effect, survey: &Survey) -> Vec<(usize, Option<Text>)> {
@@ -290,188 +258,4 @@ fn same_everywhere(places: &[(usize, Option<Text>)]) -> Option<Text> {
         .iter()
         .all(|(_, obstacle)| obstacle.as_ref() == Some(&first))
         .then_some(first)
-}
-
-fn noise_by_axis(problem: &Problem, after: &Deviations, rank: usize) -> Option<[f64; 3]> {
-    if problem.observed.is_some() {
-        return None;
-    }
-    let n = problem.samples();
-    let lost = rank as f64 / problem.axes().max(1) as f64;
-    let freedom = n as f64 - lost;
-    (freedom >= 1.0).then(|| {
-        std::array::from_fn(|axis| {
-            let used = (0..problem.used.len()).filter(|i| problem.used[*i]);
-            let sum: f64 = used.map(|i| after.axes_mm[axis][i].powi(2)).sum();
-            (sum / freedom).sqrt()
-        })
-    })
-}
-
-/// Covariance of all coefficients of a solution, those of columns beside the model last; `None`
-/// where as many coordinates as coefficients were measured and the noise is not stated.
-pub(crate) fn covariance_of(problem: &Problem, solution: &Solution) -> Option<DMatrix<f64>> {
-    let freedom = freedom(problem, solution);
-    let variance = if freedom > 0 {
-        solution.cost.max(0.0) / freedom as f64
-    } else if let Some(layer) = &problem.observed {
-        layer.unit_mm * layer.unit_mm
-    } else {
-        // The weights are those of the noise as it was estimated, or of none.
-        let unit = match problem.session.instrument.sigma_mm? {
-            Sigma::Overall(sigma) => sigma * sigma,
-            Sigma::PerAxis(sigma) => sigma[0] * sigma[0],
-        };
-        unit * problem.axis_weights[0]
-    };
-    let own = solution.spectrum.inverse() * variance;
-    Some(averaged(problem, solution, freedom).unwrap_or(own))
-}
-
-/// With more samples the noise is known well enough to take it as known.
-const MOST_TO_AVERAGE: usize = 5000;
-
-/// The covariance averaged over the noises that the residuals allow, each with the size and the
-/// solution that it leaves (Draper 1995): an interval that takes an estimated noise for the true one
-/// is too narrow.
-///
-/// ```text
-/// C = Σ_j w_j (C_j + δ_j δ_jᵀ),   δ_j the step from the solution to that under noise j
-/// ```
-fn averaged(problem: &Problem, solution: &Solution, freedom: usize) -> Option<DMatrix<f64>> {
-    let known = problem.noise.as_ref()?;
-    let possible = known.possible();
-    let alone = possible.len() < 2 && known.slow.is_none();
-    if alone || possible.is_empty() || problem.samples() > MOST_TO_AVERAGE || freedom == 0 {
-        return None;
-    }
-    let mut sum: Option<DMatrix<f64>> = None;
-    for (share, noise) in possible {
-        let mut other = problem.clone();
-        other.set_noise(&noise);
-        let (spectrum, cost, step) = spectrum_at(&other, solution);
-        let variance = cost.max(0.0) / freedom as f64;
-        let own = (spectrum.inverse() * variance + &step * step.transpose()) * share;
-        sum = Some(sum.map_or(own.clone(), |sum| sum + own));
-    }
-    sum
-}
-
-/// Measured coordinates beyond what the fit follows.
-fn freedom(problem: &Problem, solution: &Solution) -> usize {
-    problem.rows().saturating_sub(solution.spectrum.rank())
-}
-
-/// The parameters of every term of a solution, term by term.
-pub(crate) fn parameters_of(
-    problem: &Problem,
-    solution: &Solution,
-    covariance: Option<&DMatrix<f64>>,
-) -> Vec<Vec<Estimate>> {
-    let factor = match freedom(problem, solution) {
-        0 => 1.96,
-        freedom => half_width_factor(freedom),
-    };
-    let mut first = 0;
-    let mut all = Vec::new();
-    for term in solution.model.terms() {
-        let size = term.coefficients.len();
-        let own = covariance.map(|c| c.view((first, first), (size, size)).into_owned());
-        let undetermined: Vec<bool> = (0..size)
-            .map(|k| {
-                let open = solution.spectrum.undetermined_share(first + k) > 1e-6;
-                open || term.held.contains(k)
-            })
-            .collect();
-        let kind = solution.model.robot.joints[term.joint].kind;
-        let mut own = estimates(term, own.as_ref(), factor, &undetermined, kind);
-        if PlaceKind::of(term).is_some_and(|kind| kind != PlaceKind::Plane) {
-            // What the session states of a place is no answer.
-            let mut k = 0..size;
-            own.retain(|_| !k.next().is_some_and(|k| term.held.contains(k)));
-        }
-        for estimate in &mut own {
-            if term.effect.about().setting == Setting::Time && estimate.name == "time_s" {
-                estimate.ci95 = times_around(problem, term.setting);
-            }
-        }
-        all.push(own);
-        first += size;
-    }
-    all
-}
-
-/// The times of the samples around a step: it can have been anywhere between them.
-fn times_around(problem: &Problem, step_s: f64) -> Option<[f64; 2]> {
-    let time_s = problem.inputs.time_s.as_deref()?;
-    let before = time_s.iter().copied().filter(|t| *t < step_s);
-    let after = time_s.iter().copied().filter(|t| *t >= step_s);
-    Some([
-        before.max_by(f64::total_cmp)?,
-        after.min_by(f64::total_cmp)?,
-    ])
-}
-
-fn gap(
-    before_mm: &[f64],
-    after_mm: &[f64],
-    counts: &dyn Fn(usize) -> bool,
-    suspected: &[bool],
-) -> Option<Gap> {
-    let outlier = |i: usize| suspected[i];
-    Some(Gap {
-        before: Spread::of(before_mm, counts, outlier)?,
-        after: Spread::of(after_mm, counts, outlier)?,
-        samples: (0..suspected.len()).filter(|i| counts(*i)).count(),
-    })
-}
-
-/// The samples that stand out, the farthest first.
-pub(crate) fn outliers(after_mm: &[f64], stands_out: impl Iterator<Item = bool>) -> Vec<Outlier> {
-    let mut outliers: Vec<Outlier> = stands_out
-        .enumerate()
-        .filter_map(|(sample, stands_out)| stands_out.then_some(sample))
-        .map(|sample| Outlier {
-            sample,
-            deviation_mm: after_mm[sample],
-        })
-        .collect();
-    outliers.sort_by(|a, b| b.deviation_mm.total_cmp(&a.deviation_mm));
-    outliers
-}
-
-pub(super) fn left_out(problem: &Problem) -> Vec<LeftOut> {
-    let samples = (0..problem.session.samples.len()).filter(|sample| {
-        // Of other measurements than points a sample may have no coordinate at all.
-        problem.observed.is_none() || !problem.usable[*sample]
-    });
-    let left_out = samples.filter_map(|sample| {
-        let because = unusable(problem.session, sample)?;
-        Some(LeftOut { sample, because })
-    });
-    left_out.collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::fit::example::sweep;
-
-    #[test]
-    fn the_noise_of_the_axes_is_what_is_left_over_what_the_coefficients_leave_free() {
-        let session = sweep([0.0, 0.0, 1.0]);
-        let problem = Problem::new(&session, JointValues::Commanded);
-        let n = session.samples.len();
-        let after = Deviations {
-            axes_mm: std::array::from_fn(|axis| vec![0.1 * (axis + 1) as f64; n]),
-            length_mm: vec![1.0; n],
-        };
-        // Nine coefficients take three of each axis.
-        let noise = noise_by_axis(&problem, &after, 9).unwrap();
-        let share = (n as f64 / (n as f64 - 3.0)).sqrt();
-        for (axis, sigma) in noise.into_iter().enumerate() {
-            assert!((sigma / (0.1 * (axis + 1) as f64 * share) - 1.0).abs() < 1e-12);
-        }
-        assert_eq!(noise_by_axis(&problem, &after, 3 * n), None);
-    }
 }

@@ -1,6 +1,7 @@
 //! Measuring frames of the setups of a session, to begin with.
 
 use crate::effects::{MEASURING_FRAME, Term};
+use crate::kinematics::quaternion::log;
 use crate::sessions::Session;
 use nalgebra::Isometry3;
 
@@ -16,7 +17,7 @@ pub(super) fn frames_from(
         term.label = setups.map(|s| s.names[setup].as_str().into());
         let inside = |i: usize| setups.is_none_or(|s| s.index[i] as usize == setup);
         if let Some(motion) = motion(&inside) {
-            let turn = motion.rotation.scaled_axis();
+            let turn = log(&motion.rotation);
             let shift = motion.translation.vector;
             term.coefficients = [turn.as_slice(), shift.as_slice()].concat();
         }

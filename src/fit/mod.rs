@@ -17,6 +17,7 @@ pub(crate) mod spectrum;
 pub(crate) mod uncertainty;
 
 mod adaptive;
+mod answer;
 mod error;
 mod estimator;
 mod exact;
@@ -38,9 +39,9 @@ pub use crate::answers::identification::{
     measured_ranges,
 };
 pub use crate::answers::noise::{Noise, Slow, StatedNoise};
+pub(crate) use answer::{covariance_of, outliers, parameters_of, report};
 pub(crate) use base_model::free_frames;
 pub use error::IdentifyError;
 pub(crate) use estimator::{fit_without_outliers, noise_beside};
 pub use exact::{DEFAULT_EFFECTS, identify_exact, identify_watched};
-pub(crate) use exact::{covariance_of, outliers, parameters_of, report};
 pub use regional::identify_regional;

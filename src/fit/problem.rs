@@ -34,7 +34,7 @@ pub struct Problem<'a> {
     /// Whether the session has times, and not the same for every sample.
     has_clock: bool,
     /// Whether the rows of the file are not in the order of that clock.
-    is_sorted: bool,
+    out_of_time_order: bool,
     /// What the digits of the coordinates add to the noise of each axis, mm: d/√12.
     pub(super) digits_mm: [f64; 3],
     /// The noise, where it is known; its white part is in `axis_weights` as well.
@@ -131,7 +131,7 @@ impl<'a> Problem<'a> {
         let kept = |i: usize| !held_out.is_some_and(|held_out| held_out[i]);
         let fit: Vec<bool> = (0..usable.len()).map(|i| usable[i] && kept(i)).collect();
         let clock = inputs.time_s.as_deref();
-        let is_sorted = clock.is_some_and(|t| falls_of_the_clock(t).is_some());
+        let out_of_time_order = clock.is_some_and(|t| falls_of_the_clock(t).is_some());
         let has_clock = clock.is_some_and(|t| t.iter().any(|v| *v != t[0]));
         let spatial = f64::from(u8::from(session.samples.z_mm.is_some()));
         let axis_weights = match session.instrument.sigma_mm {
@@ -156,7 +156,7 @@ impl<'a> Problem<'a> {
             axis_weights,
             extra_columns: Vec::new(),
             has_clock,
-            is_sorted,
+            out_of_time_order,
             digits_mm,
             noise: None,
             priors: Priors::default(),
@@ -249,7 +249,7 @@ impl<'a> Problem<'a> {
             axis_weights: self.axis_weights,
             extra_columns: self.extra_columns.iter().map(beside).collect(),
             has_clock: self.has_clock,
-            is_sorted: self.is_sorted,
+            out_of_time_order: self.out_of_time_order,
             digits_mm: self.digits_mm,
             noise: None,
             priors: self.priors.clone(),
@@ -324,7 +324,7 @@ impl<'a> Problem<'a> {
 
     /// Puts samples into the order in which they were measured.
     pub(super) fn in_measuring_order(&self, samples: &mut [usize]) {
-        if self.is_sorted {
+        if self.out_of_time_order {
             samples.sort_by(|a, b| self.time(*a).total_cmp(&self.time(*b)).then(a.cmp(b)));
         }
     }

@@ -21,7 +21,7 @@ use crate::text::Text;
 use crate::text::length;
 
 use super::IdentifyError;
-use super::exact::{left_out, outliers};
+use super::answer::{left_out, outliers};
 use super::gap::suspects;
 use super::gap::{Deviations, Spread};
 use super::plane::{Plane, RegionSums, sum_by_region};

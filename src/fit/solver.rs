@@ -230,8 +230,8 @@ fn sum(problem: &Problem, state: &State, blocks: &[usize], sums: Sums) -> Normal
     normal
 }
 
-/// A move by two standard deviations is the least that samples can tell.
-/// What the samples leave open over the whole range that makes sense they do not determine.
+/// The least rise of the cost by which samples tell a coefficient: that of a move by two standard deviations, 2².
+/// What rises by less over the whole range that makes sense is not determined.
 const LEAST_TOLD: f64 = 4.0;
 /// Where the noise is not known yet: rounding of the coordinates, mm, in every sample.
 const ROUNDING_MM: f64 = 1e-6;

@@ -11,6 +11,7 @@ use nalgebra::{Rotation3, Unit, Vector3};
 use super::gap::lengths_mm;
 use super::problem::Problem;
 use crate::effects::{TOOL_POSITION, joint_zero};
+use crate::kinematics::quaternion::log_of_matrix;
 use crate::kinematics::{JointKind, Robot};
 use crate::model::Model;
 
@@ -143,7 +144,7 @@ pub(crate) fn agreement(
                 cost,
                 at,
                 motion,
-                missed + (motion.turn.angle() / zero_sigma()).powi(2),
+                missed + (log_of_matrix(&motion.turn).norm() / zero_sigma()).powi(2),
             ));
         }
     }
@@ -190,7 +191,7 @@ fn motions(
                         (motion.undone(seen) - place).norm()
                     };
                     let fits = apart(one, first.0).max(apart(other, second.0)) <= around;
-                    if fits && motion.turn.angle() <= OFF * zero_sigma() {
+                    if fits && log_of_matrix(&motion.turn).norm() <= OFF * zero_sigma() {
                         all.push((motion, around));
                     }
                 }

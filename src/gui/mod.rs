@@ -1,21 +1,22 @@
 //! The window.
 //!
-//! Data goes one way: panels and plots read the `commands::Workbench` and send
-//! `commands::Command`s; the workbench is the one place that changes anything.
+//! Data goes one way: panels and plots read the `workbench::Workbench` and send
+//! `workbench::Command`s; the workbench is the one place that changes anything.
 //!
-//! Each folder uses only what stands beneath it (`scripts/arrows` counts, a test in `tests/house.rs`
-//! holds it), from the top:
+//! Each folder uses only what stands beneath it (`scripts/arrows` counts, a test in
+//! `tests/core/house.rs` holds it), from the top:
 //!
 //! - `app`: the shell: takes what was done in the background, lays out the views, executes commands.
 //! - `dialogs`: sheets over the window; `views`: what stands around the plots; `workspace`: the plot of
 //!   the robot and its samples.
-//! - `plots`, `widgets`: what views are made of; `layers`: what is drawn for each sample.
+//! - `plots`, `widgets`: what views are made of; `scene`: what is seen of the workspace, for screen and
+//!   paper; `layers`: what is drawn for each sample.
 //! - `actions`: one table of what can be done: keys, menus, help.
 //! - `workbench`: what there is, and the commands that change it.
 //! - `charts`: what is charted below the workspace, one file and one line of a register each.
-//! - `files`, `keeping`: reading and writing; what outlives the window and what changes under it.
+//! - `files`, `file_state`: reading and writing; what outlives the window and what changes under it.
 //! - `cache`: what is worked out once, in the background, so that no frame looks at all samples.
-//! - `view`: how the document is looked at; `foreign`: a file that an instrument wrote, before it is a
+//! - `view`: how the document is looked at; `import_draft`: a file that an instrument wrote, before it is a
 //!   session.
 //! - `core`: the session and what follows from it, the document, its changes, undo: no view, nothing
 //!   that is drawn.

@@ -44,6 +44,10 @@ pub(crate) fn without_strays(rows: Vec<usize>, coordinates: &[&Vec<f64>]) -> Vec
     if kept.is_empty() { rows } else { kept }
 }
 
+/// The lengths whose readings are averaged.
+pub(super) const AVERAGED: [Quantity; 4] =
+    [Quantity::X, Quantity::Y, Quantity::Z, Quantity::Distance];
+
 /// Means of what was measured, one for each group.
 pub(crate) struct Means(Vec<Column>);
 
@@ -54,13 +58,7 @@ impl Means {
             let sum: f64 = group.rows.iter().map(|&row| values[row]).sum();
             sum / group.rows.len() as f64
         };
-        for quantity in [
-            Quantity::X,
-            Quantity::Y,
-            Quantity::Z,
-            Quantity::Distance,
-            Quantity::Time,
-        ] {
+        for quantity in AVERAGED.into_iter().chain([Quantity::Time]) {
             if let Some(values) = measured.numbers(quantity) {
                 let means = groups.iter().map(|group| mean(&values, group)).collect();
                 let unit = if quantity == Quantity::Time {

@@ -12,7 +12,7 @@ use std::ops::RangeInclusive;
 use nalgebra::Point3;
 
 use crate::diagnostic::{Diagnostic, Place};
-use crate::importers::averages::{Group, Means, without_strays};
+use crate::importers::averages::{AVERAGED, Group, Means, without_strays};
 use crate::importers::clock::{self, ClockOffset, Timed};
 use crate::importers::columns::{Column, Columns};
 use crate::importers::matching::{Pairs, join, listed_rows};
@@ -367,8 +367,7 @@ impl Joining<'_> {
 
     /// The rows of each stop and target that are averaged.
     fn groups(&self, stops: &[Stop], in_stop: &[Option<usize>], measured: &Columns) -> Vec<Group> {
-        let quantities = [Quantity::X, Quantity::Y, Quantity::Z, Quantity::Distance];
-        let values = quantities.map(|quantity| measured.numbers(quantity));
+        let values = AVERAGED.map(|quantity| measured.numbers(quantity));
         let coordinates: Vec<&Vec<f64>> = values.iter().flatten().collect();
         let is_there = |row: usize| coordinates.iter().all(|values| values[row].is_finite());
         let target = |row: usize| self.targets.get(row).copied().unwrap_or(0);

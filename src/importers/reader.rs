@@ -11,7 +11,7 @@ use crate::importers::settings::{About, ColumnGuess, Known, Question};
 use crate::importers::units::AngleUnit;
 use crate::importers::{clock_text, euler, headings, joint_names, units};
 use crate::sessions::Lines;
-use crate::sessions::columns::{Quantity, Unit};
+use crate::sessions::columns::{BESIDE_POINTS, Quantity, Unit};
 use crate::tables::decimals::{Decimal, value};
 use crate::tables::{Cells, Names};
 use crate::tables::{Complaints, Grid, Words};
@@ -362,22 +362,14 @@ impl<'a> ReadContext<'a> {
     /// measurement needs.
     pub(crate) fn require_position(&mut self, roles: &[Role], headings: &str) -> bool {
         let has = |wanted| roles.iter().any(|role| role.quantity() == Some(wanted));
-        let any = [
-            Quantity::X,
-            Quantity::Y,
-            Quantity::Z,
-            Quantity::Distance,
-            Quantity::Azimuth,
-            Quantity::Plane,
-            Quantity::Socket,
-            Quantity::Orientation(0),
-        ];
+        let coordinates = [Quantity::X, Quantity::Y, Quantity::Z];
+        let mut any = coordinates.into_iter().chain(BESIDE_POINTS);
         let turns = roles.iter().any(|role| matches!(role, Role::Turn(..)));
         // All rows may belong to one socket, or touch one plane.
         let named = [SOCKET, PLANE]
             .iter()
             .any(|name| self.reading.options.contains_key(name));
-        if turns || named || any.into_iter().any(has) {
+        if turns || named || any.any(has) {
             return true;
         }
         let says = if headings.is_empty() {

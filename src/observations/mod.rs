@@ -20,7 +20,7 @@
 //! - `gauge`: what no kind at hand can show: where the base stands, how large everything is.
 //! - `start`: from where the fit begins.
 //! - `figures`: σ of each kind, outliers, errors by kind.
-//! - `held`: joint values that bring a target to where it is held.
+//! - `constrained`: joint values that bring a target to where it is held.
 //!
 //! The orientation of the tool is found from four points of it that go through the same model as the
 //! target does (its origin and one along each axis), so that every effect turns the tool as it moves

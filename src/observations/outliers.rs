@@ -40,7 +40,7 @@ const MOST_IN_THE_BULK: usize = 20_000;
 const ROUNDING_MM: f64 = 1e-6;
 /// The share of outliers that is assumed where none is seen.
 const LEAST_SHARE: f64 = 0.002;
-/// More than this is no contamination any more: half the samples are the bulk.
+/// More than this is no contamination any more: the model lacks something, and nothing is suspected.
 const MOST_SHARE: f64 = 0.35;
 
 /// Marks what stands apart in deviations along some axes, mm, one value for each sample; `counts`
@@ -81,12 +81,16 @@ pub(crate) fn suspected(
             break;
         }
     }
-    (0..n)
-        .map(|i| {
-            let rounding = axes.iter().all(|e| e[i].abs() < ROUNDING_MM);
-            !rounding && lengths(&sigma, i) > limit
-        })
-        .collect()
+    let apart = |i: usize| {
+        let rounding = axes.iter().all(|e| e[i].abs() < ROUNDING_MM);
+        !rounding && lengths(&sigma, i) > limit
+    };
+    // A fit that has come down to few samples goes through these and leaves all others.
+    let of_the_bulk = bulk.iter().filter(|i| apart(**i)).count();
+    if of_the_bulk as f64 > MOST_SHARE * bulk.len() as f64 {
+        return vec![false; n];
+    }
+    (0..n).map(apart).collect()
 }
 
 /// What a sample that a fit has not seen deviates by, as if it had: with `h` coefficients for each row

@@ -10,6 +10,7 @@ use nalgebra::{
 
 use crate::decompose;
 use crate::effects::{Place, PlaceKind, Term, places};
+use crate::kinematics::quaternion::log_of_matrix;
 use crate::model::Model;
 use crate::sessions::Session;
 
@@ -280,7 +281,7 @@ fn station_guesses(
             .iter()
             .map(|i| (sight(layer, *i), line(layer, *i, seen, at)))
             .collect();
-        let turn = turned_onto(&pairs).map_or(Vector3::zeros(), |r| r.scaled_axis());
+        let turn = turned_onto(&pairs).map_or(Vector3::zeros(), |r| log_of_matrix(&r));
         [turn.x, turn.y, turn.z, at.x, at.y, at.z]
     };
     let here = |k: usize| values[k].unwrap_or(0.0);
@@ -491,5 +492,5 @@ pub(crate) fn tool_turn(layer: &Layer, model: &Model) -> [f64; 3] {
         }
     }
     let turn = (!pairs.is_empty()).then(|| turned_onto(&pairs)).flatten();
-    turn.map_or([0.0; 3], |turn| turn.scaled_axis().into())
+    turn.map_or([0.0; 3], |turn| log_of_matrix(&turn).into())
 }

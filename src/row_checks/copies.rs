@@ -186,24 +186,17 @@ fn each_bit(samples: &Samples, row: usize, take: &mut impl FnMut(u64)) {
         &samples.load_kg,
         &samples.temperature_c,
         &samples.time_s,
-        &observed.distance_mm,
-        &observed.azimuth,
-        &observed.elevation,
     ]
     .into_iter()
+    .chain(observed.numbers().map(|column| column.values))
     .flatten()
     {
         number(column[row]);
     }
     let turned = samples.orientation_wxyz.iter().flatten();
     turned.for_each(|part| number(part[row]));
-    for column in [
-        &observed.anchor,
-        &observed.station,
-        &observed.plane,
-        &observed.socket,
-    ] {
-        let place = column.as_ref().and_then(|column| column[row]);
+    for column in observed.names() {
+        let place = column.values.as_ref().and_then(|column| column[row]);
         take(place.map_or(u64::MAX, u64::from));
     }
     samples.target.iter().for_each(|t| take(u64::from(t[row])));

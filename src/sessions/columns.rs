@@ -42,6 +42,15 @@ pub(crate) enum Quantity {
     Use,
 }
 
+/// What a row may have in the place of a point.
+pub(crate) const BESIDE_POINTS: [Quantity; 5] = [
+    Quantity::Distance,
+    Quantity::Azimuth,
+    Quantity::Plane,
+    Quantity::Socket,
+    Quantity::Orientation(0),
+];
+
 /// A column of a session: what is read, written and kept as it stands here, in the order in which
 /// files have them.
 struct ColumnDeclaration {

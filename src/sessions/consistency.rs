@@ -241,11 +241,11 @@ fn lengths(samples: &Samples) -> Vec<(&'static str, usize)> {
         ("samples.load_kg", &samples.load_kg),
         ("samples.temperature_c", &samples.temperature_c),
         ("samples.time_s", &samples.time_s),
-        ("samples.observed.distance_mm", &observed.distance_mm),
-        ("samples.observed.azimuth", &observed.azimuth),
-        ("samples.observed.elevation", &observed.elevation),
     ] {
         add(field, column.as_ref());
+    }
+    for column in observed.numbers() {
+        add(column.field, column.values.as_ref());
     }
     for part in samples.orientation_wxyz.iter().flatten() {
         add("samples.orientation_wxyz", Some(part));

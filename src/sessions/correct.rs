@@ -360,13 +360,8 @@ fn pair_rows(samples: &mut Samples, shifts: &[(usize, isize)]) {
         .iter_mut()
         .flatten()
         .for_each(numbers);
-    let observed = &mut samples.observed;
-    for column in [
-        &mut observed.distance_mm,
-        &mut observed.azimuth,
-        &mut observed.elevation,
-    ] {
-        column.iter_mut().for_each(numbers);
+    for column in samples.observed.numbers_mut() {
+        column.values.iter_mut().for_each(numbers);
     }
 }
 

@@ -1,7 +1,7 @@
 //! The headings of a whole table, checked against the robot: every quantity once, units that suit its joints, and the
 //! columns that a session needs.
 
-use super::columns::{Heading, Quantity, Unit};
+use super::columns::{BESIDE_POINTS, Heading, Quantity, Unit};
 use crate::diagnostic::{Diagnostic, Place};
 use crate::document::number::quoted;
 use crate::kinematics::{Joint, JointKind};
@@ -153,16 +153,9 @@ fn require_columns(
         );
     }
     // Any kind of measurement will do; a session that has none is told of points.
-    let other = [
-        Quantity::Distance,
-        Quantity::Azimuth,
-        Quantity::Plane,
-        Quantity::Socket,
-        Quantity::Orientation(0),
-    ];
     // A height gauge needs no empty columns for x and y; of these two, one alone is a slip.
     let only_z = has(Quantity::Z) && !has(Quantity::X) && !has(Quantity::Y);
-    let has_other = only_z || other.into_iter().any(has);
+    let has_other = only_z || BESIDE_POINTS.into_iter().any(has);
     for (quantity, name) in [(Quantity::X, "x"), (Quantity::Y, "y")] {
         if !has(quantity) && !has_other {
             missing(

@@ -42,9 +42,8 @@ pub use domain::{
 };
 pub use files::growing::{Growing, Growth};
 pub use files::hash::hash_of_samples;
-pub use files::load::{
-    Loaded, LoadedRobot, load, load_robot, load_watched, parse, parse_robot, parse_with_csv,
-};
+pub use files::load::{Loaded, load, load_watched, parse, parse_with_csv};
+pub use files::load_robot::{LoadedRobot, load_robot, parse_robot};
 pub use files::open::read_document as read_whole;
 #[cfg(feature = "gui")]
 pub(crate) use files::save::save_document;

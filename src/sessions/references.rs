@@ -145,25 +145,97 @@ pub struct ObservedColumns {
     pub socket: Option<Vec<Option<u32>>>,
 }
 
+/// One of these columns.
+pub(crate) struct ObservedColumn<C> {
+    /// What it holds.
+    pub(crate) quantity: Quantity,
+    /// What it is called in the hash of a session's samples.
+    pub(crate) label: &'static str,
+    /// Its place in a session, as problems of a library's caller name it.
+    pub(crate) field: &'static str,
+    pub(crate) values: C,
+}
+
+/// Columns with what they hold, their label and their field.
+macro_rules! columns {
+    ($($quantity:ident $label:literal $column:ident,)*) => {
+        [$(ObservedColumn {
+            quantity: Quantity::$quantity,
+            label: $label,
+            field: concat!("samples.observed.", stringify!($column)),
+            values: $column,
+        }),*]
+    };
+}
+
 impl ObservedColumns {
+    /// The columns of numbers. Whatever is done to every column asks here, so that a new one is in two lines.
+    pub(crate) fn numbers(&self) -> [ObservedColumn<&Option<Vec<f64>>>; 3] {
+        #[rustfmt::skip]
+        let Self { distance_mm, azimuth, elevation, anchor: _, station: _, plane: _, socket: _ } = self;
+        columns![
+            Distance "distance" distance_mm,
+            Azimuth "azimuth" azimuth,
+            Elevation "elevation" elevation,
+        ]
+    }
+
+    /// The same, to be changed.
+    pub(crate) fn numbers_mut(&mut self) -> [ObservedColumn<&mut Option<Vec<f64>>>; 3] {
+        #[rustfmt::skip]
+        let Self { distance_mm, azimuth, elevation, anchor: _, station: _, plane: _, socket: _ } = self;
+        columns![
+            Distance "distance" distance_mm,
+            Azimuth "azimuth" azimuth,
+            Elevation "elevation" elevation,
+        ]
+    }
+
+    /// The columns of names, as indices.
+    pub(crate) fn names(&self) -> [ObservedColumn<&Option<Vec<Option<u32>>>>; 4] {
+        #[rustfmt::skip]
+        let Self { anchor, station, plane, socket, distance_mm: _, azimuth: _, elevation: _ } = self;
+        columns![
+            Anchor "anchor" anchor,
+            Station "station" station,
+            Plane "plane" plane,
+            Socket "socket" socket,
+        ]
+    }
+
+    /// The same, to be changed.
+    pub(crate) fn names_mut(&mut self) -> [ObservedColumn<&mut Option<Vec<Option<u32>>>>; 4] {
+        #[rustfmt::skip]
+        let Self { anchor, station, plane, socket, distance_mm: _, azimuth: _, elevation: _ } = self;
+        columns![
+            Anchor "anchor" anchor,
+            Station "station" station,
+            Plane "plane" plane,
+            Socket "socket" socket,
+        ]
+    }
+
     /// Whether no sample has anything here.
     pub fn is_empty(&self) -> bool {
-        let numbers = [&self.distance_mm, &self.azimuth, &self.elevation];
         let names = [&self.plane, &self.socket];
-        let number = |c: &&Option<Vec<f64>>| c.iter().flatten().any(|v| !v.is_nan());
+        let number =
+            |c: ObservedColumn<&Option<Vec<f64>>>| c.values.iter().flatten().any(|v| !v.is_nan());
         let name = |c: &&Option<Vec<Option<u32>>>| c.iter().flatten().any(Option::is_some);
-        !numbers.iter().any(number) && !names.iter().any(name)
+        !self.numbers().into_iter().any(number) && !names.iter().any(name)
+    }
+
+    /// The values that a column of numbers has.
+    pub(crate) fn values(&self, quantity: Quantity) -> Option<&[f64]> {
+        let mut columns = self.numbers().into_iter();
+        let column = columns.find(|column| column.quantity == quantity)?;
+        column.values.as_deref()
     }
 
     /// The indices that a column of names has.
     pub(crate) fn indices(&self, quantity: Quantity) -> Option<&Vec<Option<u32>>> {
-        match quantity {
-            Quantity::Anchor => self.anchor.as_ref(),
-            Quantity::Station => self.station.as_ref(),
-            Quantity::Plane => self.plane.as_ref(),
-            Quantity::Socket => self.socket.as_ref(),
-            _ => None,
-        }
+        let mut columns = self.names().into_iter();
+        let column = columns.find(|column| column.quantity == quantity)?;
+        column.values.as_ref()
     }
 
     /// Whether a sample has something here that can be used.
@@ -178,6 +250,13 @@ impl ObservedColumns {
             cell.is_some_and(Option::is_some)
         };
         let direction = number(&self.azimuth) && number(&self.elevation);
-        number(&self.distance_mm) || direction || name(&self.plane) || name(&self.socket)
+        // One angle alone is no direction.
+        let alone =
+            |c: &ObservedColumn<_>| !matches!(c.quantity, Quantity::Azimuth | Quantity::Elevation);
+        let mut others = self.numbers().into_iter().filter(alone);
+        direction
+            || others.any(|column| number(column.values))
+            || name(&self.plane)
+            || name(&self.socket)
     }
 }

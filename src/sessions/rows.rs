@@ -211,21 +211,17 @@ fn extend(column: &mut Option<Vec<f64>>, more: Option<Vec<f64>>, before: usize, 
     };
 }
 
-fn append_observed(here: &mut ObservedColumns, more: ObservedColumns, before: usize, added: usize) {
-    for (column, more) in [
-        (&mut here.distance_mm, more.distance_mm),
-        (&mut here.azimuth, more.azimuth),
-        (&mut here.elevation, more.elevation),
-    ] {
-        extend(column, more, before, added);
+fn append_observed(
+    here: &mut ObservedColumns,
+    mut more: ObservedColumns,
+    before: usize,
+    added: usize,
+) {
+    for (column, more) in here.numbers_mut().into_iter().zip(more.numbers_mut()) {
+        extend(column.values, more.values.take(), before, added);
     }
-    for (column, more) in [
-        (&mut here.anchor, more.anchor),
-        (&mut here.station, more.station),
-        (&mut here.plane, more.plane),
-        (&mut here.socket, more.socket),
-    ] {
-        *column = match (column.take(), more) {
+    for (column, more) in here.names_mut().into_iter().zip(more.names_mut()) {
+        *column.values = match (column.values.take(), more.values.take()) {
             (None, None) => None,
             (here, there) => {
                 let mut column = here.unwrap_or_else(|| vec![None; before]);

@@ -61,7 +61,20 @@ impl Catalogue {
         self.sentences.get(&key)?.forms.last().map(String::as_str)
     }
 
+    /// The English of every sentence in a context.
+    pub(super) fn in_context<'a>(
+        &'static self,
+        context: &'a str,
+    ) -> impl Iterator<Item = &'static str> + 'a {
+        let first = (context.to_owned(), String::new());
+        let those = self.sentences.range(first..).map(|(key, _)| key);
+        those
+            .take_while(move |(own, _)| own == context)
+            .map(|(_, english)| english.as_str())
+    }
+
     /// Every sentence: context, English, forms.
+    #[cfg(all(test, feature = "gui"))]
     pub(super) fn all(
         &'static self,
     ) -> impl Iterator<Item = (&'static str, &'static str, &'static [String])> {

@@ -155,9 +155,7 @@ pub(crate) fn known_in(
 
 /// What the catalogues have in this context, in English.
 pub(crate) fn phrases_in(context: &str) -> impl Iterator<Item = &'static str> {
-    let all = catalogue(Language::German).all();
-    all.filter(move |(own, ..)| *own == context)
-        .map(|(_, english, _)| english)
+    catalogue(Language::German).in_context(context)
 }
 
 /// How much wider than in English what stands in one row may be, at most.

@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -153,6 +154,52 @@ fn an_effect_is_named_in_a_file_or_folder_of_its_own() {
 }
 
 #[test]
+fn what_the_head_of_a_folder_lists_is_there() {
+    let src = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let all = files(&src);
+    let stem = |path: &Path| path.file_stem().unwrap().to_str().unwrap().to_owned();
+    let folders = all.iter().filter_map(|file| file.parent());
+    let modules: BTreeSet<String> = all
+        .iter()
+        .map(|file| stem(file))
+        .chain(folders.map(stem))
+        .collect();
+    let mut found = Vec::new();
+    let mut listed = 0;
+    for file in all.iter().filter(|file| file.ends_with("mod.rs")) {
+        for line in fs::read_to_string(file).unwrap().lines() {
+            let Some((names, _)) = line
+                .strip_prefix("//! - ")
+                .and_then(|item| item.split_once(": "))
+            else {
+                continue;
+            };
+            // What stands in a list besides names of files is in the form of a path, of a type or of a call.
+            let is_file = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_';
+            for name in names
+                .split('`')
+                .skip(1)
+                .step_by(2)
+                .filter(|name| name.chars().all(is_file))
+            {
+                listed += 1;
+                if !modules.contains(name) {
+                    found.push(format!(
+                        "{}: {name}",
+                        file.strip_prefix(&src).unwrap().display()
+                    ));
+                }
+            }
+        }
+    }
+    assert!(listed > 80, "the heads of folders list {listed} files");
+    report(
+        "the head of a folder names a file that is not there:",
+        &found,
+    );
+}
+
+#[test]
 fn matrices_are_decomposed_where_that_ends() {
     let own = [
         "SymmetricEigen::new(",
@@ -170,6 +217,19 @@ fn matrices_are_decomposed_where_that_ends() {
         .collect();
     report(
         "nalgebra's own may go on for ever, take crate::decompose:",
+        &found,
+    );
+}
+
+#[test]
+fn the_vector_of_a_rotation_is_taken_where_it_is_a_number() {
+    let found: Vec<String> = code()
+        .iter()
+        .filter(|line| line.text.contains(".scaled_axis("))
+        .map(|line| format!("src/{}:{}: {}", line.path, line.number, line.text.trim()))
+        .collect();
+    report(
+        "nalgebra's own is no number for some matrices, take crate::kinematics::quaternion:",
         &found,
     );
 }

@@ -302,6 +302,34 @@ fn an_instrument_that_was_never_aligned_is_brought_near_by_every_kind() {
     }
 }
 
+/// The frame then comes from the orientations, and what they leave of the tool's turn is nothing but rounding, of which
+/// an arc cosine is no number in one of ten sessions.
+#[test]
+fn orientations_alone_bring_an_instrument_near_whatever_rounding_leaves() {
+    let mut session = session("six-pose");
+    let samples = &mut session.samples;
+    let count = samples.x_mm.len();
+    for row in 2..count {
+        samples.x_mm[row] = f64::NAN;
+        samples.y_mm[row] = f64::NAN;
+        samples.z_mm.as_mut().unwrap()[row] = f64::NAN;
+    }
+    for left_out in 2..32 {
+        session.samples.held_out = Some((0..count).map(|row| row == left_out).collect());
+        let answer = identified(&session);
+        let turned = answer
+            .kinds
+            .iter()
+            .find(|kind| kind.kind == "orientation")
+            .unwrap();
+        assert!(
+            turned.found_sigma.is_some_and(|sigma| sigma < 2.0),
+            "without row {left_out}: {:?}",
+            turned.found_sigma
+        );
+    }
+}
+
 #[test]
 fn a_wild_measurement_is_left_out_whatever_its_kind() {
     for (name, sample) in [

@@ -40,7 +40,7 @@ def line(program, session, timeout, options):
         return [session.stem, f"{seconds:.1f}", "-", "-", "-", f"{why}", "-"]
     held_out = answer["held_out"]
     names = [
-        found["effect"] + (f" {found['joint']}" if found["joint"] else "") for found in answer["found"]
+        found["effect"] + (f" {found['joint']}" if found.get("joint") else "") for found in answer["found"]
     ]
     unnamed = answer.get("unnamed")
     rest = "-"

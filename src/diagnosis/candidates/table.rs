@@ -87,7 +87,7 @@ impl Allowed {
 
 /// The candidates and their raw columns, mm per unit of each coefficient.
 #[derive(Debug, Clone)]
-pub(crate) struct Table {
+pub(crate) struct CandidateTable {
     /// What is tried.
     pub candidates: Vec<Candidate>,
     /// Columns at the base model.
@@ -100,7 +100,7 @@ pub(crate) struct Table {
     pub space: ShapeSpace,
 }
 
-impl Table {
+impl CandidateTable {
     /// All candidates beside a base model. `base` names what the base already holds.
     pub(crate) fn new(
         problem: &Problem,
@@ -178,7 +178,7 @@ impl Table {
     }
 }
 
-impl Table {
+impl CandidateTable {
     /// The columns of the rich fit on other rows.
     pub(crate) fn rich_on(&self, rows: &Rows, base: &Model) -> DMatrix<f64> {
         let space = self.space.on(rows, base);
@@ -304,7 +304,7 @@ fn names(
 const MOST_RICH: usize = 120;
 
 /// Columns for a rich fit, the likeliest sources of structure first, at most a quarter of the rows.
-fn rich(table: &Table, rows: usize) -> Vec<usize> {
+fn rich(table: &CandidateTable, rows: usize) -> Vec<usize> {
     let low_order = |t: &Term| match t.effect.about().setting {
         Setting::None => true,
         Setting::Order { .. } => t.setting <= 8.0,

@@ -44,7 +44,7 @@ const _: () = assert!(FOLDS == 5, "the answer speaks of fifths");
 pub(crate) const FEWEST: usize = 6;
 
 impl Folds {
-    /// Folds over the samples of an regression, by the angle of the first joint that moves most.
+    /// Folds over the samples of a regression, by the angle of the first joint that moves most.
     pub(crate) fn new(regression: &Regression) -> Self {
         if regression.base.robot.joints.len() > 1 {
             return Self::over_cells(&regression.rows, &regression.base);

@@ -1,10 +1,10 @@
 //! What the samples say: a model fitted to them, what each candidate would do beside it, how likely that is, how often
 //! noise alone would look like it, and whether it predicts samples that no fit has seen. Nothing here chooses.
 //!
-//! - `regression`: the whitened rows and the table; `fit`, `fitting`, `refine`, `placing`: fits to them.
+//! - `regression`: the whitened rows and the table; `fit`, `fitting`, `refine`, `placement`: fits to them.
 //! - `score`, `scores`, `projected`, `surroundings`, `beside_fits`: what candidates would do beside a fit.
 //! - `likelihood`: how fits are compared; `significance`, `trials`, `noise_alone`, `familywise`: what noise does.
-//! - `held_out`, `left_out`, `exchanged`, `rescanned`: errors on samples that a fit has not seen.
+//! - `held_out`, `reduced_basis`, `exchanged`, `rescanned`: errors on samples that a fit has not seen.
 //! - `rival`: another explanation of the same samples.
 //! - `memo`, `known_fits`, `base_basis`: what was computed before; `work`: how much may be computed; `thinned`: on how
 //!   many samples.

@@ -23,7 +23,7 @@ use super::significance::Tests;
 use super::surroundings::Surroundings;
 use super::work::Work;
 use crate::diagnosis::candidates::columns::pad_rows;
-use crate::diagnosis::candidates::table::{CandidateKind, Table};
+use crate::diagnosis::candidates::table::{CandidateKind, CandidateTable};
 use crate::fit::noise::{Filter, Noise, PRICE_OF_A_VARIANCE};
 use crate::fit::regression::Rows;
 use crate::side_by_side::Threads;
@@ -34,7 +34,7 @@ pub(crate) struct Regression<'a> {
     /// A few of the samples, spread over all.
     pub(super) few: Rc<Rows<'a>>,
     pub(crate) noise: Noise,
-    pub(crate) table: Rc<Table>,
+    pub(crate) table: Rc<CandidateTable>,
     pub(crate) filter: Filter,
     pub(super) grams: OnceCell<Grams>,
     base_basis: OnceCell<BaseBasis>,
@@ -91,7 +91,7 @@ impl<'a> Regression<'a> {
         problem: Rc<Problem<'a>>,
         rows: Rc<Rows<'a>>,
         noise: Noise,
-        table: Rc<Table>,
+        table: Rc<CandidateTable>,
         base: Model,
         (seed, threads): (u64, Threads),
     ) -> Self {
@@ -103,7 +103,7 @@ impl<'a> Regression<'a> {
         problem: Rc<Problem<'a>>,
         (rows, few): (Rc<Rows<'a>>, Rc<Rows<'a>>),
         noise: Noise,
-        table: Rc<Table>,
+        table: Rc<CandidateTable>,
         base: Model,
         (seed, threads): (u64, Threads),
     ) -> Self {

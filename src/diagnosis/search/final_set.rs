@@ -3,7 +3,7 @@
 
 use crate::effects::{Over, Term};
 
-use super::forward::{CHANCE, mean_sigma_mm};
+use super::forward::{CHANCE_OF_A_STEP, mean_sigma_mm};
 use super::found::SearchResult;
 use super::prepare::PreparedSearch;
 use super::settle::needed;
@@ -52,7 +52,7 @@ pub(crate) fn tested(
         let worst = worths.into_iter().find_map(|(worth, term, useful)| {
             let useful = useful && worth.ln_odds > BEYOND_DOUBT;
             let unlikely = worth.ln_odds < needed(&fit, term).max(0.0);
-            let improbable = || regression.is_improbable(worth.minus_ln_p, CHANCE, &fit);
+            let improbable = || regression.is_improbable(worth.minus_ln_p, CHANCE_OF_A_STEP, &fit);
             let useless = || !useful && prepared.folds.rms(regression, &worth.rest) <= unseen;
             (unlikely || improbable() || useless()).then_some(worth.rest)
         });

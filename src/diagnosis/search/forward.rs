@@ -3,7 +3,7 @@
 //! and names are preferred: a shape has to be twenty times likelier than what names can do.
 //!
 //! A step is taken if noise alone would lead the whole search to as small a p in fewer than
-//! [`CHANCE`] of all sessions, if samples that the fit has not seen are predicted better, and if
+//! [`CHANCE_OF_A_STEP`] of all sessions, if samples that the fit has not seen are predicted better, and if
 //! the effect matters in practice.
 
 use crate::effects::Term;
@@ -25,9 +25,8 @@ use crate::diagnosis::{Cancelled, DiagnoseError, Progress, Watch};
 /// step for each effect that is there: with 1 in 500 a right answer gets a wrong addition in less
 /// than one session of a hundred with three effects, and most of the one in a hundred for false
 /// alarms is left for what a simulation does not know of (tails, drifts, correlation).
-pub(crate) const CHANCE: f64 = 0.002;
-/// An effect matters if its root mean square is above this share of the noise …
-/// What matters in practice: a tenth of the variance …
+pub(crate) const CHANCE_OF_A_STEP: f64 = 0.002;
+/// An effect matters if its root mean square is above this share of the noise, a tenth of its variance (0.3² ≈ 0.1), …
 const LEAST_OF_NOISE: f64 = 0.3;
 /// … or above this share of the tolerance.
 const LEAST_OF_TOLERANCE: f64 = 0.1;
@@ -93,12 +92,12 @@ impl Search<'_, '_> {
     }
 
     /// Goes on from where a search under nearly the same noise has ended.
-    pub(crate) fn continue_from(&self, from: &SearchResult) -> Result<SearchResult, Cancelled> {
-        let fit = self.on_from(&from.fit, Additions::Everything)?;
+    pub(crate) fn resume(&self, from: &SearchResult) -> Result<SearchResult, Cancelled> {
+        let fit = self.resume_fit(&from.fit, Additions::Everything)?;
         let named_effects_only = if fit.shapes.is_empty() {
             fit.clone()
         } else {
-            self.on_from(&from.named_effects_only, Additions::Names)?
+            self.resume_fit(&from.named_effects_only, Additions::Names)?
         };
         let likelier = named_effects_only.ln_evidence > fit.ln_evidence;
         Ok(SearchResult {
@@ -113,7 +112,7 @@ impl Search<'_, '_> {
         })
     }
 
-    fn on_from(&self, end: &Fit, allow: Additions) -> Result<Fit, Cancelled> {
+    fn resume_fit(&self, end: &Fit, allow: Additions) -> Result<Fit, Cancelled> {
         let fit = self.settle(end.clone(), allow);
         self.pairs(self.forward(fit, allow)?)
     }
@@ -170,7 +169,10 @@ impl Search<'_, '_> {
         // Nearly equal candidates: the first few are looked at closely.
         for (score, next) in self.possible(fit, mattering).take(4) {
             let found = score.minus_ln_p;
-            if self.regression.reached_by_noise(found, CHANCE, &next) {
+            if self
+                .regression
+                .reached_by_noise(found, CHANCE_OF_A_STEP, &next)
+            {
                 continue;
             }
             if self.unseen(&next) < unseen {
@@ -200,7 +202,7 @@ impl Search<'_, '_> {
                 .fold(fit.model.clone(), |m, t| m.with_term(t.clone()));
             Some(regression.fit(&model, &fit.shapes))
         });
-        let least = -CHANCE.ln();
+        let least = -CHANCE_OF_A_STEP.ln();
         let proven = fits.filter(|next| {
             next.ln_evidence > fit.ln_evidence + least
                 && self.matters(fit.rss - next.rss, fit)
@@ -215,7 +217,7 @@ impl Search<'_, '_> {
         if allow != Additions::Names || self.count(fit) + 2 > self.most {
             return None;
         }
-        let least = -CHANCE.ln();
+        let least = -CHANCE_OF_A_STEP.ln();
         let mut pairs = aliases::with_pairs(self.regression, fit, least);
         pairs.find(|next| {
             next.ln_evidence > fit.ln_evidence + least
@@ -290,7 +292,7 @@ impl<'a> PreparedSearch<'a> {
     }
 
     /// Goes on from the end of a search under nearly the same noise.
-    pub(crate) fn search_on(
+    pub(crate) fn resume(
         &self,
         from: &SearchResult,
         watch: Watch,
@@ -301,7 +303,7 @@ impl<'a> PreparedSearch<'a> {
             base_misfit: false,
             other_ends: Vec::new(),
         };
-        Ok(self.searcher(watch).continue_from(&from)?)
+        Ok(self.searcher(watch).resume(&from)?)
     }
 
     fn searcher<'s>(&'s self, watch: Watch<'s>) -> Search<'s, 'a> {

@@ -33,7 +33,7 @@ mod worth;
 pub(crate) use base_misfit::left_mm;
 pub(crate) use final_set::{is_above, stands_above};
 pub(crate) use floor::{PureError, floor, pure_error};
-pub(crate) use forward::{CHANCE, mean_sigma_mm};
+pub(crate) use forward::{CHANCE_OF_A_STEP, mean_sigma_mm};
 pub(crate) use found::SearchResult;
 pub(crate) use orders::OrderSpread;
 pub(crate) use procedure::{checked, searched, until_stopped};

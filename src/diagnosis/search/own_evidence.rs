@@ -7,7 +7,7 @@
 
 use nalgebra::DMatrix;
 
-use super::forward::CHANCE;
+use super::forward::CHANCE_OF_A_STEP;
 use super::prepare::PreparedSearch;
 use crate::diagnosis::evidence::Fit;
 use crate::diagnosis::evidence::Significance;
@@ -70,7 +70,7 @@ pub(super) fn least_proven(prepared: &PreparedSearch, fit: &Fit) -> Option<Term>
             if together.len() > 1 {
                 minus_ln_p = minus_ln_p.max(of(&places(fit, &together)));
             }
-            let unproven = regression.is_improbable(minus_ln_p, CHANCE, fit);
+            let unproven = regression.is_improbable(minus_ln_p, CHANCE_OF_A_STEP, fit);
             if unproven && least.as_ref().is_none_or(|least| minus_ln_p < least.0) {
                 least = Some((minus_ln_p, term.clone()));
             }

@@ -26,7 +26,7 @@ use std::rc::Rc;
 use super::found::SearchResult;
 use crate::diagnosis::candidates::Placed;
 use crate::diagnosis::candidates::incomplete;
-use crate::diagnosis::candidates::table::Table;
+use crate::diagnosis::candidates::table::CandidateTable;
 use crate::diagnosis::evidence::Fit;
 use crate::diagnosis::evidence::Folds;
 use crate::diagnosis::evidence::Regression;
@@ -183,7 +183,7 @@ impl<'a> PreparedSearch<'a> {
         true
     }
 
-    fn table(&self) -> &Table {
+    fn table(&self) -> &CandidateTable {
         &self.regression.table
     }
 
@@ -343,7 +343,7 @@ fn bare_regression<'a>(
 ) -> Regression<'a> {
     let problem = thinned(problem, MOST_SAMPLES);
     let rows = Rows::of(&problem).seen_by(base);
-    let table = Table::new(&problem, &rows, base, survey, &options.allowed);
+    let table = CandidateTable::new(&problem, &rows, base, survey, &options.allowed);
     Regression::new(
         Rc::new(problem),
         Rc::new(rows),

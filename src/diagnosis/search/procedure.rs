@@ -106,7 +106,7 @@ fn search_again(
     }
     prepared.regression.work.begin_again();
     if unfinished || prepared.may_go_on(&found) {
-        prepared.search_on(&found, watch)
+        prepared.resume(&found, watch)
     } else {
         prepared.search(watch)
     }
@@ -219,7 +219,7 @@ fn settled_search<'a>(
         if same || known {
             break;
         }
-        found = prepared.search_on(&found, watch)?;
+        found = prepared.resume(&found, watch)?;
     }
     free_curve::rival(&prepared, &mut found);
     smooth_rival::rival(&prepared, &mut found);

@@ -28,7 +28,7 @@ use crate::answers::pose::{NextPose, to_raw};
 use crate::diagnosis::candidates::table::NotTestable;
 use crate::diagnosis::evidence::Fit;
 use crate::diagnosis::evidence::Regression;
-use crate::diagnosis::search::CHANCE;
+use crate::diagnosis::search::CHANCE_OF_A_STEP;
 use crate::diagnosis::search::SearchResult as SearchEnd;
 use crate::diagnosis::search::floor;
 use crate::diagnosis::search::prepare::PreparedSearch;
@@ -387,7 +387,7 @@ fn tell_dropped(unexplained: &mut Unexplained, dropped: &[Term], session: &Sessi
     );
     unexplained.description = behind(says, std::mem::take(&mut unexplained.description));
     unexplained.present = true;
-    unexplained.p = unexplained.p.min(CHANCE);
+    unexplained.p = unexplained.p.min(CHANCE_OF_A_STEP);
     unexplained.resembles.extend(names);
 }
 

@@ -8,7 +8,7 @@ use crate::sessions::{Group, Session};
 /// With fewer samples a group shows nothing.
 const FEWEST: usize = 5;
 /// Chance of as much in any group, from noise alone.
-const CHANCE: f64 = 0.001;
+const CHANCE_OF_A_GROUP: f64 = 0.001;
 
 /// The group of which it is, from its first sample to its last (counted from 1), where it is of one. `lengths_mm` is
 /// what every sample leaves.
@@ -38,7 +38,7 @@ pub(crate) fn place(session: &Session, lengths_mm: &[f64]) -> Option<Where> {
             }
         }
     }
-    let (_, group, index) = best.filter(|best| best.0 * tried < CHANCE)?;
+    let (_, group, index) = best.filter(|best| best.0 * tried < CHANCE_OF_A_GROUP)?;
     let rows: Vec<usize> = known()
         .filter(|i| group.of(session, *i) == Some(index))
         .collect();

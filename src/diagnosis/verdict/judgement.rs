@@ -26,7 +26,7 @@ use super::group_excess;
 use super::values::Values;
 use super::withheld::stand_in;
 use crate::answers::diagnosis::{Floor, FloorFrom, HeldOut, Unexplained, Verdict};
-use crate::diagnosis::search::CHANCE;
+use crate::diagnosis::search::CHANCE_OF_A_STEP;
 use crate::diagnosis::search::SearchResult;
 use crate::diagnosis::search::prepare::PreparedSearch;
 use crate::diagnosis::search::smooth_rival;
@@ -49,7 +49,11 @@ pub(crate) fn judge(
             FloorFrom::Estimated => None,
         };
         let capped = prepared.is_capped(found);
-        let structure = if capped { CHANCE } else { CHANCE_OF_STRUCTURE };
+        let structure = if capped {
+            CHANCE_OF_A_STEP
+        } else {
+            CHANCE_OF_STRUCTURE
+        };
         if unexplained.p <= structure {
             unexplained.present = true;
             if prepared.is_full(found) {

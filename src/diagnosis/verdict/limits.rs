@@ -13,14 +13,14 @@ use crate::diagnosis::candidates::columns::CandidateSubset;
 use crate::diagnosis::evidence::Fit;
 use crate::diagnosis::evidence::Regression;
 use crate::diagnosis::evidence::weight_of;
-use crate::diagnosis::search::CHANCE;
+use crate::diagnosis::search::CHANCE_OF_A_STEP;
 
 /// Limits of every name that was tried and is not in the model.
 pub(crate) fn limits(regression: &Regression, fit: &Fit) -> Vec<Limit> {
     let projected = regression.projected(&fit.basis, CandidateSubset::Names);
     let freedom = regression.m() - fit.basis.rank() as f64;
     let scale = regression.scale(fit).max(1e-300);
-    let threshold = regression.minus_ln_p_for(CHANCE, fit);
+    let threshold = regression.minus_ln_p_for(CHANCE_OF_A_STEP, fit);
     let mut groups: Vec<(&'static str, usize, Vec<usize>)> = Vec::new();
     for (index, candidate) in regression.table.candidates.iter().enumerate() {
         let Some(term) = candidate.what.term() else {

@@ -20,7 +20,7 @@ use crate::observations::figures::{coordinate_mm, whitened};
 use super::selection::Selection;
 use crate::diagnosis::evidence::Fit;
 use crate::diagnosis::evidence::Significance;
-use crate::diagnosis::search::CHANCE;
+use crate::diagnosis::search::CHANCE_OF_A_STEP;
 use crate::diagnosis::search::OrderSpread;
 use crate::diagnosis::search::prepare::PreparedSearch;
 use crate::diagnosis::search::worth;
@@ -408,7 +408,7 @@ pub(crate) fn corrected_for_selection<'a>(
     mut values: Values<'a>,
 ) -> Values<'a> {
     let regression = &prepared.regression;
-    let threshold = regression.minus_ln_p_for(CHANCE, fit);
+    let threshold = regression.minus_ln_p_for(CHANCE_OF_A_STEP, fit);
     let before = (regression.base.robot.joints.len() > 1).then(|| values.clone());
     for term in regression.added(fit) {
         let rest = worth(prepared, fit, term).rest;

@@ -160,10 +160,9 @@ impl Canvas<'_> {
                     let edge = Stroke::new(1.2, color.gamma_multiply(0.75));
                     (Color32::TRANSPARENT, edge, 3.2)
                 };
-                let mark = |m: &crate::present::chart::Mark| {
-                    marks::mark(self.at(m.at), radius, m.form, fill, stroke)
-                };
-                shapes.extend(marks.iter().map(mark));
+                let places = marks.iter().map(|m| (self.at(m.at), m.form));
+                let ctx = self.painter.ctx();
+                shapes.push(marks::many(ctx, places, radius, fill, stroke));
             }
             Item::Word(word) => {
                 let font = FontId::proportional(size::SMALL);

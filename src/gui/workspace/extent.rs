@@ -1,9 +1,9 @@
 //! Over how many cells of a grid the samples are spread, for any size of the cells.
 
-use std::collections::BTreeSet;
-
 /// Cells along the longer side of where samples lie, in which they are counted.
-const CELLS: f64 = 32.0;
+const CELLS: usize = 32;
+/// The last of them lie on the edge of one cell more.
+const SIDE: usize = CELLS + 1;
 /// So many samples show where all of them lie.
 pub(super) const SOME: usize = 2_048;
 
@@ -33,15 +33,19 @@ impl Extent {
         if !(long_mm.is_finite() && long_mm > 0.0) {
             return None;
         }
-        let side_mm = long_mm / CELLS;
+        let side_mm = long_mm / CELLS as f64;
         let count = |side_mm: f64| {
-            let cell = |p: &[f64; 2]| {
-                #[allow(clippy::cast_possible_truncation, reason = "a place on a grid")]
-                let cell = [0, 1].map(|k| ((p[k] - low[k]) / side_mm) as i32);
-                cell
-            };
-            let cells: BTreeSet<[i32; 2]> = points_mm.iter().map(cell).collect();
-            cells.len() as f64
+            let mut seen = [false; SIDE * SIDE];
+            for p in points_mm {
+                #[allow(
+                    clippy::cast_possible_truncation,
+                    clippy::cast_sign_loss,
+                    reason = "a place on a grid that begins at the lowest of them"
+                )]
+                let [across, up] = [0, 1].map(|k| ((p[k] - low[k]) / side_mm) as usize);
+                seen[up.min(CELLS) * SIDE + across.min(CELLS)] = true;
+            }
+            seen.iter().filter(|seen| **seen).count() as f64
         };
         let cells = count(side_mm);
         let dimension = (cells / count(2.0 * side_mm)).log2().clamp(0.0, 2.0);

@@ -64,7 +64,7 @@ mod tests {
             if name != "mod" {
                 assert!(
                     find(&name).is_some(),
-                    "{name} is in no line of the register"
+                    "no format has the id {name}: it is the name of its file"
                 );
             }
         }

@@ -10,6 +10,7 @@
 
 use nalgebra::{Matrix3, Quaternion, Rotation3, UnitQuaternion};
 
+use crate::kinematics::quaternion::log_of_matrix;
 use crate::observations::{AboutKind, Kind, Observable, Residual, Seen, Unit};
 use crate::sessions::{Instrument, Session};
 
@@ -73,9 +74,7 @@ impl Kind for Orientation {
         let predicted = Matrix3::from_fn(|row, column| rows[row][column]);
         let predicted = Rotation3::from_matrix_unchecked(predicted);
         let measured = measured(session, sample).unwrap_or_default();
-        let left = (measured.to_rotation_matrix() * predicted.inverse()).scaled_axis();
-        // Rounding may take a trace beyond 3, of which there is no angle: nothing is left then.
-        let left = left.map(|v| if v.is_nan() { 0.0 } else { v });
+        let left = log_of_matrix(&(measured.to_rotation_matrix() * predicted.inverse()));
         let angle = left.norm();
         // (1/θ² − (1 + cos θ)/(2 θ sin θ)), by its series near zero; beyond a right angle nothing is
         // near, and a rough derivative is enough to get there.

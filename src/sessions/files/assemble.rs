@@ -232,10 +232,13 @@ impl Samples {
             Quantity::Load => (std::slice::from_mut(&mut self.load_kg), 0),
             Quantity::Temperature => (std::slice::from_mut(&mut self.temperature_c), 0),
             Quantity::Time => (std::slice::from_mut(&mut self.time_s), 0),
-            Quantity::Distance => (std::slice::from_mut(&mut observed.distance_mm), 0),
-            Quantity::Azimuth => (std::slice::from_mut(&mut observed.azimuth), 0),
-            Quantity::Elevation => (std::slice::from_mut(&mut observed.elevation), 0),
-            _ => return,
+            other => {
+                let mut columns = observed.numbers_mut().into_iter();
+                let Some(column) = columns.find(|column| column.quantity == other) else {
+                    return;
+                };
+                (std::slice::from_mut(column.values), 0)
+            }
         };
         if let Some(column) = of_joints.get_mut(joint) {
             *column = Some(values);

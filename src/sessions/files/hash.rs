@@ -103,24 +103,15 @@ fn samples(canonical: &mut Canonical, samples: &Samples) {
 }
 
 fn observed(canonical: &mut Canonical, observed: &ObservedColumns) {
-    for (name, column) in [
-        ("distance", &observed.distance_mm),
-        ("azimuth", &observed.azimuth),
-        ("elevation", &observed.elevation),
-    ] {
-        if let Some(column) = column {
-            canonical.numbers(name, column);
+    for column in observed.numbers() {
+        if let Some(values) = column.values {
+            canonical.numbers(column.label, values);
         }
     }
-    for (name, column) in [
-        ("anchor", &observed.anchor),
-        ("station", &observed.station),
-        ("plane", &observed.plane),
-        ("socket", &observed.socket),
-    ] {
-        if let Some(column) = column {
-            let index = column.iter().map(|i| i.map_or(0, |i| i + 1));
-            canonical.indices(name, Some(&index.collect::<Vec<u32>>()));
+    for column in observed.names() {
+        if let Some(values) = column.values {
+            let index = values.iter().map(|i| i.map_or(0, |i| i + 1));
+            canonical.indices(column.label, Some(&index.collect::<Vec<u32>>()));
         }
     }
 }

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use crate::atomic::folder_of;
 use crate::diagnostic::{Diagnostic, Place, Rejected, Severity, summarised, unreadable};
 use crate::document::{Fields, Path as JsonPath};
-use crate::kinematics::{Joint, Robot};
+use crate::kinematics::Joint;
 use crate::progress::{Progress, ProgressSpan, ReadError, unwatched};
 use crate::sessions::domain::{Samples, Session};
 use crate::sessions::files::assemble::Declared;
@@ -17,7 +17,6 @@ use crate::sessions::files::file_hash::HashedInput;
 use crate::sessions::files::format_v1::head;
 use crate::sessions::files::format_v1::head::SamplesAt;
 use crate::sessions::files::format_v1::inline;
-use crate::sessions::files::format_v1::robot::ROBOT;
 use crate::sessions::files::{assemble, open};
 use crate::sessions::validation;
 
@@ -31,15 +30,6 @@ pub struct Loaded {
     /// Every file that was read: the document, its samples, the robot's URDF. No output may replace
     /// them.
     pub files: Vec<PathBuf>,
-}
-
-/// A robot and the notes and warnings that came up on the way.
-#[derive(Debug, Clone, PartialEq)]
-pub struct LoadedRobot {
-    /// What the file says.
-    pub robot: Robot,
-    /// Notes and warnings, in the order of the input; no errors.
-    pub findings: Vec<Diagnostic>,
 }
 
 /// What lies beside a document.
@@ -105,43 +95,6 @@ pub fn parse_with_csv(document: &[u8], samples: &[u8]) -> Result<Loaded, Rejecte
     read_session(None, document, beside, progress.whole()).map_err(ReadError::rejected)
 }
 
-/// Reads a robot: the `robot` object of a session, in a file of its own.
-///
-/// # Errors
-/// As [`load`].
-pub fn load_robot(path: impl AsRef<Path>) -> Result<LoadedRobot, Rejected> {
-    let path = path.as_ref();
-    let bytes = open::read_document(path)?;
-    read_robot(Some(path), &bytes)
-}
-
-/// Reads a robot that needs no other file.
-///
-/// # Errors
-/// As [`load`].
-pub fn parse_robot(document: &[u8]) -> Result<LoadedRobot, Rejected> {
-    read_robot(None, document)
-}
-
-fn read_robot(path: Option<&Path>, bytes: &[u8]) -> Result<LoadedRobot, Rejected> {
-    let place = path.map(Place::file).unwrap_or_default();
-    let text = open::as_text(bytes, &place)?;
-    let (mut fields, root) = Fields::open(place, text)?;
-    let robot = ROBOT.read(&mut fields, &root, &JsonPath::Root);
-    if let Some(robot) = &robot {
-        validation::robot(
-            robot,
-            &fields.place(root.at, &JsonPath::Root),
-            &mut fields.findings,
-        );
-    }
-    let findings = accept(fields.findings)?;
-    match robot {
-        Some(robot) => Ok(LoadedRobot { robot, findings }),
-        None => Err(Rejected::of(findings)),
-    }
-}
-
 fn read_session(
     path: Option<&Path>,
     bytes: &[u8],
@@ -158,44 +111,17 @@ fn read_session(
         return refused(fields.findings);
     };
     let joints: Option<Vec<Joint>> = head.robot.as_ref().map(|robot| robot.joints.clone());
-    let samples = match samples {
-        None => None,
-        Some(SamplesAt::Inline(node)) => {
-            inline::read(&mut fields, node, joints.as_deref()).map(|inline| {
-                let whole = fields.source.place(0).in_field("samples.columns");
-                let source = fields.source.clone();
-                let locate = inline.locator(&source);
-                assemble::samples(
-                    inline.table,
-                    Declared {
-                        targets: &head.targets,
-                        references: &head.instrument.references,
-                    },
-                    &locate,
-                    &whole,
-                    &mut fields.findings,
-                )
-            })
-        }
-        Some(SamplesAt::File(name, at, sha256)) => {
-            let place = fields.place(at, &JsonPath::Root.key("samples").key("file"));
-            samples_file(
-                &name,
-                &place,
-                companion,
-                &TableRequest {
-                    joints: joints.as_deref(),
-                    declared: Declared {
-                        targets: &head.targets,
-                        references: &head.instrument.references,
-                    },
-                    part: part.part(parsed, 0.95),
-                    sha256,
-                },
-                &mut fields,
-            )
-        }
+    let declared = Declared {
+        targets: &head.targets,
+        references: &head.instrument.references,
     };
+    let wanted = TableRequest {
+        joints: joints.as_deref(),
+        declared,
+        part: part.part(parsed, 0.95),
+        sha256: None,
+    };
+    let samples = samples.and_then(|at| read_samples(at, companion, wanted, &mut fields));
     part.check()?;
     let (Some(robot), Some(mut samples)) = (head.robot, samples) else {
         return refused(fields.findings);
@@ -225,6 +151,36 @@ fn read_session(
         findings,
         files: fields.also_read,
     })
+}
+
+/// Reads the samples, from where the document has them.
+fn read_samples(
+    at: SamplesAt,
+    companion: CompanionFile<'_>,
+    wanted: TableRequest<'_>,
+    fields: &mut Fields<'_>,
+) -> Option<Samples> {
+    match at {
+        SamplesAt::Inline(node) => {
+            let inline = inline::read(fields, node, wanted.joints)?;
+            let whole = fields.source.place(0).in_field("samples.columns");
+            let source = fields.source.clone();
+            let locate = inline.locator(&source);
+            let findings = &mut fields.findings;
+            Some(assemble::samples(
+                inline.table,
+                wanted.declared,
+                &locate,
+                &whole,
+                findings,
+            ))
+        }
+        SamplesAt::File(name, at, sha256) => {
+            let place = fields.place(at, &JsonPath::Root.key("samples").key("file"));
+            let wanted = TableRequest { sha256, ..wanted };
+            samples_file(&name, &place, companion, &wanted, fields)
+        }
+    }
 }
 
 /// What the document says of the samples beside it, and which part of the work it is to read them.
@@ -325,7 +281,7 @@ fn others_samples(found: &str, own: &str, file: &Place, named_at: &Place) -> Dia
 }
 
 /// Lets notes and warnings pass; an error refuses everything.
-fn accept(findings: Vec<Diagnostic>) -> Result<Vec<Diagnostic>, Rejected> {
+pub(super) fn accept(findings: Vec<Diagnostic>) -> Result<Vec<Diagnostic>, Rejected> {
     if findings
         .iter()
         .any(|finding| finding.severity == Severity::Error)

@@ -15,6 +15,7 @@ pub(crate) mod format_v1;
 pub(crate) mod growing;
 pub(crate) mod hash;
 pub(crate) mod load;
+pub(crate) mod load_robot;
 pub(crate) mod open;
 pub(crate) mod save;
 mod saved_columns;

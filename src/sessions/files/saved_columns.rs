@@ -102,10 +102,7 @@ impl Samples {
             Quantity::Load => samples.load_kg.as_deref(),
             Quantity::Temperature => samples.temperature_c.as_deref(),
             Quantity::Time => samples.time_s.as_deref(),
-            Quantity::Distance => observed.distance_mm.as_deref(),
-            Quantity::Azimuth => observed.azimuth.as_deref(),
-            Quantity::Elevation => observed.elevation.as_deref(),
-            _ => None,
+            other => observed.values(other),
         }
     }
 }

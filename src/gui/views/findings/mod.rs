@@ -1,4 +1,4 @@
-//! What a search found: the verdict, names with their evidence, what cannot be translated apart, what no
+//! What a search found: the verdict, names with their evidence, what cannot be told apart, what no
 //! name explains, and what to measure next.
 
 mod actions;
@@ -96,7 +96,7 @@ fn all(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis, commands: &mut Vec<Com
                     } else {
                         blocks::show(ui, &section.blocks);
                     }
-                    actions(ui, workbench, d, section, commands);
+                    buttons(ui, workbench, d, section, commands);
                 });
             }
         }
@@ -133,7 +133,7 @@ fn heading(ui: &mut Ui, section: &Section, d: &Diagnosis) {
 }
 
 /// What the window can do about a section.
-fn actions(
+fn buttons(
     ui: &mut Ui,
     workbench: &Workbench,
     d: &Diagnosis,
