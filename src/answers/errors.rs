@@ -78,6 +78,8 @@ named! {
         MissingCell = phrase!("a joint value or a coordinate is missing"),
         /// The instrument lost the reflector: it wrote (0, 0, 0).
         LostReflector = phrase!("the instrument lost the reflector: it wrote 0, 0, 0"),
+        /// It is held out, and refers to a place or a setup of which the others say nothing.
+        Unplaced = phrase!("nothing that is fitted was measured at its place or in its setup"),
         /// A person took it out.
         Excluded = phrase!("by hand"),
     }

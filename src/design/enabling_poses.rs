@@ -4,6 +4,8 @@
 //! hide behind the model or behind another effect that is enabled with it (T-optimality, as for
 //! rivals).
 
+use std::cell::OnceCell;
+
 use crate::diagnosis::NextPose;
 use crate::diagnosis::candidates::compatible;
 use crate::diagnosis::candidates::table::NotTestable;
@@ -27,13 +29,14 @@ pub(crate) fn untestable(
     prepared: &PreparedSearch,
     not_testable: &[NotTestable],
 ) -> Vec<Untestable> {
+    let offers = GeometryOffers::new(prepared);
     let one = |n: &NotTestable| {
         let joint = n.joint.unwrap_or(0);
         let needs = find(n.effect).map_or_else(Vec::new, |effect| {
             if effect.obstacle(&prepared.survey, joint).is_some() {
                 lacks(effect, &prepared.survey, joint)
             } else {
-                lacks_geometry(prepared, effect, joint)
+                offers.lacks_geometry(effect, joint)
             }
         });
         Untestable {
@@ -46,27 +49,51 @@ pub(crate) fn untestable(
     not_testable.iter().map(one).collect()
 }
 
-/// An effect that the base model imitates wherever it was measured: more travel, or a second
-/// reflector.
-fn lacks_geometry(prepared: &PreparedSearch, effect: &'static Effect, joint: usize) -> Vec<Need> {
-    let base = &prepared.regression.base;
-    for need in [Need::Travel, Need::Reflector] {
-        let offer = offer_for(prepared, &[need]);
-        let field = Field::new(prepared, &offer);
-        let truth = base.with_term(small(&field, base, effect, joint));
-        let seen = field.predictions(&truth, base);
-        let all: f64 = seen.iter().map(|p| p.difference.norm_squared()).sum();
-        let p = base.coefficient_count();
-        let nothing = nalgebra::DMatrix::zeros(p, p);
-        let mut refit = Refit::new(seen, &nothing, 1);
-        for k in 0..offer.candidates.len() {
-            refit.take(k, None);
-        }
-        if refit.risen[0] > 1e-3 * all && all > 0.0 {
-            return vec![need];
+/// What would show more of the geometry. An offer is made once for all effects: where targets are held in places, each
+/// of its poses is brought there by a search.
+struct GeometryOffers<'p> {
+    prepared: &'p PreparedSearch<'p>,
+    fields: Vec<(Need, OnceCell<Field<'p>>)>,
+}
+
+impl<'p> GeometryOffers<'p> {
+    fn new(prepared: &'p PreparedSearch) -> Self {
+        // A second reflector is another offer only where reflectors alone are measured.
+        let all = [Need::Travel, Need::Reflector];
+        let needs = if prepared.problem.observed.is_none() {
+            &all[..]
+        } else {
+            &all[..1]
+        };
+        Self {
+            prepared,
+            fields: needs.iter().map(|need| (*need, OnceCell::new())).collect(),
         }
     }
-    Vec::new()
+
+    /// An effect that the base model imitates wherever it was measured: more travel, or a second
+    /// reflector.
+    fn lacks_geometry(&self, effect: &'static Effect, joint: usize) -> Vec<Need> {
+        let prepared = self.prepared;
+        let base = &prepared.regression.base;
+        for (need, field) in &self.fields {
+            let field = field.get_or_init(|| Field::new(prepared, &offer_for(prepared, &[*need])));
+            let truth = base.with_term(small(field, base, effect, joint));
+            let seen = field.predictions(&truth, base);
+            let all: f64 = seen.iter().map(|p| p.difference.norm_squared()).sum();
+            let p = base.coefficient_count();
+            let nothing = nalgebra::DMatrix::zeros(p, p);
+            let poses = seen.len();
+            let mut refit = Refit::new(seen, &nothing, 1);
+            for k in 0..poses {
+                refit.take(k, None);
+            }
+            if refit.risen[0] > 1e-3 * all && all > 0.0 {
+                return vec![*need];
+            }
+        }
+        Vec::new()
+    }
 }
 
 /// What is offered where these needs are to be met.

@@ -2,6 +2,7 @@
 
 use nalgebra::DMatrix;
 
+use crate::answers::errors::UnusableReason;
 use crate::answers::identification::{
     Estimate, Gap, Identification, LeftOut, NotIdentifiable, Outlier, Quality,
 };
@@ -219,7 +220,13 @@ pub(super) fn left_out(problem: &Problem) -> Vec<LeftOut> {
         problem.observed.is_none() || !problem.usable[*sample]
     });
     let left_out = samples.filter_map(|sample| {
-        let because = unusable(problem.session, sample)?;
+        let layer = problem.observed.as_ref();
+        let unplaced = layer.is_some_and(|layer| layer.unplaced.binary_search(&sample).is_ok());
+        let because = match unusable(problem.session, sample) {
+            Some(because) if !unplaced => because,
+            None if problem.usable[sample] => return None,
+            _ => UnusableReason::Unplaced,
+        };
         Some(LeftOut { sample, because })
     });
     left_out.collect()

@@ -125,11 +125,18 @@ impl<'a> Problem<'a> {
     pub fn new(session: &'a Session, values: JointValues) -> Self {
         let inputs = Inputs::new(session, values);
         let held_out = session.samples.held_out.as_deref();
-        let usable: Vec<bool> = (0..session.samples.len())
+        let mut usable: Vec<bool> = (0..session.samples.len())
             .map(|i| unusable(session, i).is_none())
             .collect();
         let kept = |i: usize| !held_out.is_some_and(|held_out| held_out[i]);
         let fit: Vec<bool> = (0..usable.len()).map(|i| usable[i] && kept(i)).collect();
+        if let (Some(_), Some(setups)) = (held_out, &session.samples.setups) {
+            // Of a setup that is held out as a whole nothing says where the instrument stood.
+            let seen = setups.seen_in((0..fit.len()).filter(|i| fit[*i]));
+            for (sample, usable) in usable.iter_mut().enumerate() {
+                *usable &= setups.is_seen(&seen, sample);
+            }
+        }
         let clock = inputs.time_s.as_deref();
         let out_of_time_order = clock.is_some_and(|t| falls_of_the_clock(t).is_some());
         let has_clock = clock.is_some_and(|t| t.iter().any(|v| *v != t[0]));

@@ -82,7 +82,7 @@ pub(crate) fn open(layer: &Layer) -> Open {
     targets.dedup();
     targets.retain(|target| session.has_placed(*target as usize));
     let arranged = targets.len() > 1;
-    let lengths = !references.socket_distances.is_empty() || known_places.len() > 1;
+    let lengths = layer.has_distances() || known_places.len() > 1;
     Open {
         base,
         size: size && any_point && !slides && !arranged && !lengths,

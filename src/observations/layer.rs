@@ -7,12 +7,13 @@
 //! mm to an estimator of points is one here too.
 
 use std::borrow::Cow;
+use std::collections::BTreeSet;
 
 use crate::effects::block::Block;
 use crate::effects::{FixedMask, Inputs, JointValues, Place, PlaceKind};
 use crate::lanes::{LANES, Lanes3, dot, minus, scaled};
 use crate::model::Model;
-use crate::sessions::Session;
+use crate::sessions::{Session, SocketDistance};
 
 use super::block::RowBlock;
 use super::follows::Follows;
@@ -38,12 +39,54 @@ pub struct Layer<'a> {
     pub sigma: Vec<f64>,
     /// What a row of a residual of one σ is, mm.
     pub unit_mm: f64,
+    /// Held-out samples at places that are not known, or in setups, where nothing that is fitted was measured: no
+    /// model says where they should be, and they are no observations.
+    pub unplaced: Vec<usize>,
+    /// Known distances between sockets that are both stated or fitted.
+    distances: Vec<SocketDistance>,
     points: Stream,
     attitudes: Stream,
 }
 
 /// σ of a known distance between two sockets, mm: what a calliper gives.
 const SOCKET_DISTANCE_MM: f64 = 0.02;
+
+/// The places and setups of which a fit learns where they are: those where something to be fitted was measured.
+struct Places<'a> {
+    session: &'a Session,
+    measured: BTreeSet<Place>,
+    setups: Vec<bool>,
+}
+
+impl<'a> Places<'a> {
+    fn of<'b>(session: &'a Session, fitted: impl Iterator<Item = &'b Item> + Clone) -> Self {
+        let place = |item: &Item| KINDS[item.kind].place(session, item.sample);
+        let samples = fitted.clone().map(|item| item.sample);
+        let setups = session.samples.setups.as_ref();
+        Self {
+            session,
+            measured: fitted.filter_map(place).collect(),
+            setups: setups.map_or(Vec::new(), |setups| setups.seen_in(samples)),
+        }
+    }
+
+    /// Whether the frame of a sample is known, or found with the fit.
+    fn frames(&self, sample: usize) -> bool {
+        let setups = self.session.samples.setups.as_ref();
+        setups.is_none_or(|setups| setups.is_seen(&self.setups, sample))
+    }
+
+    /// Whether a place is stated, or found with the fit.
+    fn has(&self, place: Place) -> bool {
+        let size = place.kind.effect().about().form.coefficients();
+        let stated = || {
+            stated(&self.session.instrument.references, place)[..size]
+                .iter()
+                .all(Option::is_some)
+        };
+        self.measured.contains(&place) || stated()
+    }
+}
 
 /// Where a model has the coefficients of every place.
 struct Placing {
@@ -122,7 +165,24 @@ impl<'a> Layer<'a> {
         }
         let is_held_out = |h: &[bool], sample: usize| h.get(sample).copied().unwrap_or(false);
         let kept = |item: &Item| !held_out.is_some_and(|h| is_held_out(h, item.sample));
+        let places = Places::of(session, items.iter().filter(|item| kept(item)));
+        let mut unplaced = Vec::new();
+        items.retain(|item| {
+            let place = KINDS[item.kind].place(session, item.sample);
+            let known = place.is_none_or(|place| places.has(place)) && places.frames(item.sample);
+            if !known {
+                unplaced.push(item.sample);
+            }
+            known
+        });
         let fit: Vec<bool> = items.iter().map(kept).collect();
+        let socket = |index: usize| Place {
+            kind: PlaceKind::Socket,
+            index,
+        };
+        let all = session.instrument.references.socket_distances.iter();
+        let both = all.filter(|d| d.between.iter().all(|own| places.has(socket(*own))));
+        let distances = both.copied().collect();
         let instrument = &session.instrument;
         let sigma: Vec<f64> = KINDS
             .iter()
@@ -137,10 +197,17 @@ impl<'a> Layer<'a> {
             used: fit.clone(),
             fit,
             sigma,
+            unplaced,
+            distances,
             points,
             attitudes,
             items,
         }
+    }
+
+    /// Whether a distance between two sockets is known that the fit can follow.
+    pub(super) fn has_distances(&self) -> bool {
+        !self.distances.is_empty()
     }
 
     /// Whether there is anything to fit.
@@ -180,7 +247,7 @@ impl<'a> Layer<'a> {
 
     /// Number of rows that a fit follows: of the items that count, and of known distances.
     pub fn used_rows(&self) -> usize {
-        self.rows(&self.used) + self.session.instrument.references.socket_distances.len()
+        self.rows(&self.used) + self.distances.len()
     }
 
     /// The items of each sample that are marked.
@@ -440,15 +507,16 @@ impl<'a> Layer<'a> {
             sigma: self.sigma.clone(),
             session: self.session,
             unit_mm: self.unit_mm,
+            unplaced: self.unplaced.clone(),
+            distances: self.distances.clone(),
         }
     }
 
     /// What is known of the distances between sockets.
     fn known_distances(&self, placing: &Placing, rows: &mut RowBlock) {
         rows.clear();
-        let all = &self.session.instrument.references.socket_distances;
         let weight = self.unit_mm / SOCKET_DISTANCE_MM;
-        for known in all.iter().take(LANES) {
+        for known in self.distances.iter().take(LANES) {
             let socket = |index: usize| {
                 let kind = PlaceKind::Socket;
                 placing.get(Place { kind, index })

@@ -130,6 +130,25 @@ pub struct Setups {
     pub index: Vec<u32>,
 }
 
+impl Setups {
+    /// Which setups have one of these samples.
+    pub(crate) fn seen_in(&self, samples: impl Iterator<Item = usize>) -> Vec<bool> {
+        let mut seen = vec![false; self.names.len()];
+        for setup in samples.filter_map(|sample| self.index.get(sample)) {
+            if let Some(seen) = seen.get_mut(*setup as usize) {
+                *seen = true;
+            }
+        }
+        seen
+    }
+
+    /// Whether the setup of a sample is among those that [`seen_in`](Self::seen_in) has found.
+    pub(crate) fn is_seen(&self, seen: &[bool], sample: usize) -> bool {
+        let setup = self.index.get(sample);
+        setup.is_some_and(|setup| seen.get(*setup as usize) == Some(&true))
+    }
+}
+
 /// The measured samples as columns, in measuring order. Every column has [`Samples::len`] values.
 /// A missing cell is NaN (`None` for a column that is not there at all); nothing else is NaN and
 /// nothing is infinite.

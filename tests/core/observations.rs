@@ -8,11 +8,13 @@ use std::path::PathBuf;
 
 use nalgebra::{Matrix3, Vector3};
 use truepose::effects::{Inputs, JointValues};
-use truepose::fit::{DEFAULT_EFFECTS, Identification, identify_exact, identify_watched};
+use truepose::fit::{
+    DEFAULT_EFFECTS, Identification, UnusableReason, identify_exact, identify_watched,
+};
 use truepose::model::Model;
 use truepose::model::read_model;
 use truepose::pipeline::hand_out;
-use truepose::sessions::{Session, Sigma, load, parse_with_csv, save};
+use truepose::sessions::{Session, Setups, Sigma, load, parse_with_csv, save};
 
 const CASES: [&str; 18] = [
     "six-partial",
@@ -327,6 +329,64 @@ fn orientations_alone_bring_an_instrument_near_whatever_rounding_leaves() {
             "without row {left_out}: {:?}",
             turned.found_sigma
         );
+    }
+}
+
+/// Nothing says where a socket is that only held-out samples were put into, not even its known distance from another.
+#[test]
+fn samples_at_a_place_that_is_not_fitted_are_no_errors_and_its_distance_moves_nothing() {
+    let mut session = session("six-socket-length");
+    let known = session.instrument.references.socket_distances[0];
+    let socket = session.samples.observed.socket.clone().unwrap();
+    let elsewhere: Vec<bool> = socket
+        .iter()
+        .map(|own| *own == u32::try_from(known.between[0]).ok())
+        .collect();
+    assert!(elsewhere.contains(&true) && elsewhere.contains(&false));
+    session.samples.held_out = Some(elsewhere.clone());
+    let answer = identified(&session);
+    let sockets = answer
+        .kinds
+        .iter()
+        .find(|kind| kind.kind == "socket")
+        .unwrap();
+    assert!(
+        sockets.found_sigma.is_some_and(|sigma| sigma < 0.05),
+        "{:?}",
+        sockets.found_sigma
+    );
+    assert!(sockets.held_out.is_none() && answer.held_out.is_none());
+    let unplaced = answer
+        .left_out
+        .iter()
+        .filter(|one| one.because == UnusableReason::Unplaced);
+    let unplaced: Vec<usize> = unplaced.map(|one| one.sample).collect();
+    assert_eq!(
+        unplaced,
+        (0..elsewhere.len())
+            .filter(|i| elsewhere[*i])
+            .collect::<Vec<_>>()
+    );
+}
+
+/// The same of a setup: where the instrument stood, nothing that is fitted says.
+#[test]
+fn samples_of_a_setup_that_is_held_out_as_a_whole_are_no_errors() {
+    for name in ["six-tracker", "six-pose"] {
+        let mut session = session(name);
+        let count = session.samples.x_mm.len();
+        let index: Vec<u32> = (0..count).map(|i| u32::from(i % 3 == 0)).collect();
+        let names = vec!["first".to_owned(), "second".to_owned()];
+        session.samples.held_out = Some(index.iter().map(|setup| *setup == 1).collect());
+        session.samples.setups = Some(Setups { names, index });
+        let answer = identified(&session);
+        assert!(answer.gap.after.rms_mm < 0.2, "{name}: {:?}", answer.gap);
+        assert!(answer.held_out.is_none(), "{name}: {:?}", answer.held_out);
+        let unplaced = answer
+            .left_out
+            .iter()
+            .filter(|one| one.because == UnusableReason::Unplaced);
+        assert_eq!(unplaced.count(), count.div_ceil(3), "{name}");
     }
 }
 

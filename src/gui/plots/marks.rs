@@ -37,11 +37,12 @@ pub(crate) fn mark(at: Pos2, radius: f32, form: Form, fill: Color32, stroke: Str
 /// wherever it stands, at a tenth of what as many paths cost.
 pub(crate) fn many(
     ctx: &Context,
-    places: impl Iterator<Item = (Pos2, Form)>,
+    places: impl ExactSizeIterator<Item = (Pos2, Form)>,
     radius: f32,
     fill: Color32,
     stroke: Stroke,
 ) -> Shape {
+    let following = places.len();
     let options = ctx.tessellation_options(|options| *options);
     // No text and no prepared disc is among them.
     let mut tessellator = Tessellator::new(ctx.pixels_per_point(), options, [1, 1], Vec::new());
@@ -53,6 +54,11 @@ pub(crate) fn many(
             let mut stamp = Mesh::default();
             let shape = mark(Pos2::ZERO, radius, form, fill, stroke);
             tessellator.tessellate_shape(shape, &mut stamp);
+            // Room for those that follow, as if all looked like this one.
+            if stamps.is_empty() {
+                mesh.vertices.reserve(following * stamp.vertices.len());
+                mesh.indices.reserve(following * stamp.indices.len());
+            }
             stamps.push((form, stamp));
             stamps.len() - 1
         });
