@@ -181,7 +181,9 @@ impl<'a> Layer<'a> {
             index,
         };
         let all = session.instrument.references.socket_distances.iter();
-        let both = all.filter(|d| d.between.iter().all(|own| places.has(socket(*own))));
+        let sockets = session.instrument.references.sockets.len();
+        let known = |own: &usize| *own < sockets && places.has(socket(*own));
+        let both = all.filter(|d| d.between.iter().all(known));
         let distances = both.copied().collect();
         let instrument = &session.instrument;
         let sigma: Vec<f64> = KINDS

@@ -278,6 +278,24 @@ mod tests {
         (e, bad)
     }
 
+    /// A fit that goes through some of the samples leaves all the others: these are no outliers of it.
+    #[test]
+    fn more_than_a_third_of_a_session_is_not_suspected_and_a_quarter_is() {
+        for (apart, is_suspected) in [(12, false), (7, true)] {
+            let far = |i: usize| i % 28 < apart;
+            let own = |i: usize, step: f64| {
+                ((i as f64 * step).fract() - 0.5) * if far(i) { 0.3 } else { 0.002 }
+            };
+            let e: Vec<Vec<f64>> = [0.618, 0.755, 0.57]
+                .map(|step| (0..28).map(|i| own(i, step)).collect())
+                .to_vec();
+            let axes: Vec<&[f64]> = e.iter().map(Vec::as_slice).collect();
+            let marked = suspected(&axes, &[true; 28], &[1.0; 3], false);
+            let marked = marked.iter().filter(|marked| **marked).count();
+            assert_eq!(marked > 0, is_suspected, "{marked} of 28");
+        }
+    }
+
     #[test]
     fn gross_outliers_are_caught_and_good_samples_are_not_accused() {
         for (tails, least, most) in [(false, 0.97, 0.004), (true, 0.0, 0.008)] {

@@ -15,6 +15,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+use crate::house;
+
 /// What the pages of `docs` may have together: who adds a paragraph shortens another.
 const MOST_WORDS: usize = 16_000;
 
@@ -406,6 +408,11 @@ fn named_file(code: &str) -> Option<&str> {
 
 #[test]
 fn every_file_that_a_page_names_is_there() {
+    let folders = ["src", "tests", "docs/examples/extending"].map(|folder| root().join(folder));
+    let sources: Vec<PathBuf> = folders
+        .iter()
+        .flat_map(|folder| house::files(folder))
+        .collect();
     let mut named = 0;
     for page in pages() {
         let text = fs::read_to_string(&page).expect("the page");
@@ -418,6 +425,11 @@ fn every_file_that_a_page_names_is_there() {
             }
             if let Some(file) = named_file(code) {
                 assert!(root().join(file).exists(), "{}: {file}", page.display());
+                named += 1;
+            } else if code.ends_with(".rs") {
+                // The end of its path, where the page has said in which folder.
+                let is_one = sources.iter().any(|source| source.ends_with(code));
+                assert!(is_one, "{}: {code}", page.display());
                 named += 1;
             }
         }
@@ -512,7 +524,7 @@ fn every_constant_that_decides_is_listed_with_its_reason() {
     let rows: Vec<&str> = listed.lines().filter(|l| l.starts_with("| `")).collect();
     assert!(rows.len() > 200, "{} constants", rows.len());
     for (name, value) in [
-        ("diagnosis::search::forward::CHANCE", "0.002"),
+        ("diagnosis::search::forward::CHANCE_OF_A_STEP", "0.002"),
         ("diagnosis::verdict::excess::MOST_OVER_THE_FLOOR", "1.15"),
         ("fit::spectrum::RANK_TOLERANCE", "1e-11"),
         ("compensation::set_aside::MOST_SHARE", "0.02"),
