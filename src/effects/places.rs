@@ -46,7 +46,7 @@ pub(crate) fn stated(references: &References, place: Place) -> [Option<f64>; MOS
                 ..
             } = &references.stations[place.index];
             if let Some(attitude) = attitude {
-                put(0, log(&attitude).as_slice());
+                put(0, log(attitude).as_slice());
             }
             if let Some(position) = position_mm {
                 put(3, &point(position));

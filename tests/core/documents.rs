@@ -426,7 +426,7 @@ fn every_file_that_a_page_names_is_there() {
             if let Some(file) = named_file(code) {
                 assert!(root().join(file).exists(), "{}: {file}", page.display());
                 named += 1;
-            } else if code.ends_with(".rs") {
+            } else if Path::new(code).extension().is_some_and(|e| e == "rs") {
                 // The end of its path, where the page has said in which folder.
                 let is_one = sources.iter().any(|source| source.ends_with(code));
                 assert!(is_one, "{}: {code}", page.display());

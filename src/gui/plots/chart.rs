@@ -162,7 +162,7 @@ impl Canvas<'_> {
                 };
                 let places = marks.iter().map(|m| (self.at(m.at), m.form));
                 let ctx = self.painter.ctx();
-                shapes.push(marks::many(ctx, places, radius, fill, stroke));
+                marks::many(ctx, places, (radius, fill, stroke), shapes);
             }
             Item::Word(word) => {
                 let font = FontId::proportional(size::SMALL);

@@ -33,15 +33,15 @@ pub(crate) fn mark(at: Pos2, radius: f32, form: Form, fill: Color32, stroke: Str
     Shape::convex_polygon(corners, fill, stroke)
 }
 
-/// Many marks that look alike but for their form, as one mesh: each form is tessellated once and then set down
-/// wherever it stands, at a tenth of what as many paths cost.
+/// Adds many marks that look alike but for their form. Paths are one mesh: each form is tessellated once and then
+/// set down wherever it stands, at a tenth of what as many paths cost. Filled discs stay shapes, since epaint has
+/// them in its atlas of glyphs, which may grow until the frame ends.
 pub(crate) fn many(
     ctx: &Context,
     places: impl ExactSizeIterator<Item = (Pos2, Form)>,
-    radius: f32,
-    fill: Color32,
-    stroke: Stroke,
-) -> Shape {
+    (radius, fill, stroke): (f32, Color32, Stroke),
+    shapes: &mut Vec<Shape>,
+) {
     let following = places.len();
     let options = ctx.tessellation_options(|options| *options);
     // No text and no prepared disc is among them.
@@ -49,6 +49,10 @@ pub(crate) fn many(
     let mut stamps: Vec<(Form, Mesh)> = Vec::new();
     let mut mesh = Mesh::default();
     for (at, form) in places {
+        if form == Form::Disc && fill != Color32::TRANSPARENT {
+            shapes.push(mark(at, radius, form, fill, stroke));
+            continue;
+        }
         let known = stamps.iter().position(|(of, _)| *of == form);
         let stamp = known.unwrap_or_else(|| {
             let mut stamp = Mesh::default();
@@ -64,7 +68,9 @@ pub(crate) fn many(
         });
         set_down(&mut mesh, &stamps[stamp].1, at);
     }
-    Shape::mesh(mesh)
+    if !mesh.is_empty() {
+        shapes.push(Shape::mesh(mesh));
+    }
 }
 
 /// Adds a mesh about the origin, moved to a place.
@@ -101,20 +107,24 @@ mod tests {
         let at = |k: usize| pos2(10.0 + 7.3 * k as f32, 20.0 - 3.1 * k as f32);
         let places = || forms.iter().enumerate().map(|(k, form)| (at(k), *form));
         let stroke = Stroke::new(1.2, Color32::RED);
-        let Shape::Mesh(all) = many(&ctx, places(), 3.2, Color32::BLUE, stroke) else {
-            panic!("it is one mesh");
-        };
-        let options = ctx.tessellation_options(|options| *options);
-        let mut tessellator = Tessellator::new(1.0, options, [1, 1], Vec::new());
-        let mut each = Mesh::default();
-        for (at, form) in places() {
-            let shape = mark(at, 3.2, form, Color32::BLUE, stroke);
-            tessellator.tessellate_shape(shape, &mut each);
-        }
-        assert_eq!(all.indices, each.indices);
-        assert_eq!(all.vertices.len(), each.vertices.len());
-        for (a, b) in all.vertices.iter().zip(&each.vertices) {
-            assert!(a.pos.distance(b.pos) < 1e-4 && a.color == b.color && a.uv == b.uv);
+        for (fill, apart) in [(Color32::TRANSPARENT, 0), (Color32::BLUE, 1)] {
+            let mut shapes = Vec::new();
+            many(&ctx, places(), (3.2, fill, stroke), &mut shapes);
+            let Some(Shape::Mesh(all)) = shapes.pop() else {
+                panic!("the last is the mesh");
+            };
+            assert_eq!(shapes.len(), apart, "discs");
+            let options = ctx.tessellation_options(|options| *options);
+            let mut tessellator = Tessellator::new(1.0, options, [1, 1], Vec::new());
+            let mut each = Mesh::default();
+            for (at, form) in places().filter(|(_, form)| apart == 0 || *form != Form::Disc) {
+                tessellator.tessellate_shape(mark(at, 3.2, form, fill, stroke), &mut each);
+            }
+            assert_eq!(all.indices, each.indices);
+            assert_eq!(all.vertices.len(), each.vertices.len());
+            for (a, b) in all.vertices.iter().zip(&each.vertices) {
+                assert!(a.pos.distance(b.pos) < 1e-4 && a.color == b.color && a.uv == b.uv);
+            }
         }
     }
 }

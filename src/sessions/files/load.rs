@@ -121,7 +121,7 @@ fn read_session(
         part: part.part(parsed, 0.95),
         sha256: None,
     };
-    let samples = samples.and_then(|at| read_samples(at, companion, wanted, &mut fields));
+    let samples = samples.and_then(|at| read_samples(at, companion, &wanted, &mut fields));
     part.check()?;
     let (Some(robot), Some(mut samples)) = (head.robot, samples) else {
         return refused(fields.findings);
@@ -157,7 +157,7 @@ fn read_session(
 fn read_samples(
     at: SamplesAt,
     companion: CompanionFile<'_>,
-    wanted: TableRequest<'_>,
+    wanted: &TableRequest<'_>,
     fields: &mut Fields<'_>,
 ) -> Option<Samples> {
     match at {
@@ -177,7 +177,7 @@ fn read_samples(
         }
         SamplesAt::File(name, at, sha256) => {
             let place = fields.place(at, &JsonPath::Root.key("samples").key("file"));
-            let wanted = TableRequest { sha256, ..wanted };
+            let wanted = TableRequest { sha256, ..*wanted };
             samples_file(&name, &place, companion, &wanted, fields)
         }
     }

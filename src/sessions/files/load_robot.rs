@@ -22,7 +22,7 @@ pub struct LoadedRobot {
 /// Reads a robot: the `robot` object of a session, in a file of its own.
 ///
 /// # Errors
-/// As [`load`].
+/// As [`load`](crate::sessions::load()).
 pub fn load_robot(path: impl AsRef<Path>) -> Result<LoadedRobot, Rejected> {
     let path = path.as_ref();
     let bytes = open::read_document(path)?;
@@ -32,7 +32,7 @@ pub fn load_robot(path: impl AsRef<Path>) -> Result<LoadedRobot, Rejected> {
 /// Reads a robot that needs no other file.
 ///
 /// # Errors
-/// As [`load`].
+/// As [`load`](crate::sessions::load()).
 pub fn parse_robot(document: &[u8]) -> Result<LoadedRobot, Rejected> {
     read_robot(None, document)
 }
