@@ -304,8 +304,8 @@ fn an_instrument_that_was_never_aligned_is_brought_near_by_every_kind() {
     }
 }
 
-/// The frame then comes from the orientations, and what they leave of the tool's turn is nothing but rounding, of which
-/// an arc cosine is no number in one of ten sessions.
+/// The frame then comes from the orientations. What they leave of the tool's turn may be nothing but rounding, whose
+/// vector `kinematics::quaternion` holds to be a number.
 #[test]
 fn orientations_alone_bring_an_instrument_near_whatever_rounding_leaves() {
     let mut session = session("six-pose");
