@@ -55,9 +55,20 @@ pub struct App {
     look_due: f64,
 }
 
+/// So much memory stays with the program between frames, bytes; the meshes of a full window take a tenth of it.
+const KEPT: usize = 8 << 20;
+
+/// A frame takes memory for its meshes and frees it again. glibc gives that back to the system each time, and half of
+/// the next frame goes into getting pages anew, until it has once seen a larger block freed
+/// (`M_MMAP_THRESHOLD` in mallopt(3)): here is one. Nothing is written to it, so that it costs no memory.
+fn keep_memory_between_frames() {
+    drop(std::hint::black_box(Vec::<u8>::with_capacity(KEPT)));
+}
+
 impl App {
     /// Opens on a file, or on the bundled session.
     pub fn new(ctx: &Context, path: Option<PathBuf>, runner: Runner) -> Self {
+        keep_memory_between_frames();
         tokens::apply(ctx);
         ctx.options_mut(|options| options.max_passes = PASSES);
         write_fields(ctx, false);

@@ -156,64 +156,44 @@ pub(crate) struct ObservedColumn<C> {
     pub(crate) values: C,
 }
 
-/// Columns with what they hold, their label and their field.
-macro_rules! columns {
-    ($($quantity:ident $label:literal $column:ident,)*) => {
-        [$(ObservedColumn {
+macro_rules! column {
+    ($quantity:ident $label:literal $column:ident, $values:expr) => {
+        ObservedColumn {
             quantity: Quantity::$quantity,
             label: $label,
             field: concat!("samples.observed.", stringify!($column)),
-            values: $column,
-        }),*]
+            values: $values,
+        }
     };
 }
 
+/// Columns, to be read and to be changed, from one list: what each holds, its label in the hash, its field.
+macro_rules! columns {
+    ($all:ident, $all_mut:ident, $count:literal of $cell:ty: $($quantity:ident $label:literal $column:ident,)*) => {
+        pub(crate) fn $all(&self) -> [ObservedColumn<&Option<Vec<$cell>>>; $count] {
+            [$(column!($quantity $label $column, &self.$column)),*]
+        }
+
+        pub(crate) fn $all_mut(&mut self) -> [ObservedColumn<&mut Option<Vec<$cell>>>; $count] {
+            [$(column!($quantity $label $column, &mut self.$column)),*]
+        }
+    };
+}
+
+/// Whatever is done to every column asks these lists; the compiler finds a column that is missing here only where rows
+/// are picked (`rows.rs`).
 impl ObservedColumns {
-    /// The columns of numbers. Whatever is done to every column asks here, so that a new one is in two lines.
-    pub(crate) fn numbers(&self) -> [ObservedColumn<&Option<Vec<f64>>>; 3] {
-        #[rustfmt::skip]
-        let Self { distance_mm, azimuth, elevation, anchor: _, station: _, plane: _, socket: _ } = self;
-        columns![
-            Distance "distance" distance_mm,
-            Azimuth "azimuth" azimuth,
-            Elevation "elevation" elevation,
-        ]
-    }
-
-    /// The same, to be changed.
-    pub(crate) fn numbers_mut(&mut self) -> [ObservedColumn<&mut Option<Vec<f64>>>; 3] {
-        #[rustfmt::skip]
-        let Self { distance_mm, azimuth, elevation, anchor: _, station: _, plane: _, socket: _ } = self;
-        columns![
-            Distance "distance" distance_mm,
-            Azimuth "azimuth" azimuth,
-            Elevation "elevation" elevation,
-        ]
-    }
-
-    /// The columns of names, as indices.
-    pub(crate) fn names(&self) -> [ObservedColumn<&Option<Vec<Option<u32>>>>; 4] {
-        #[rustfmt::skip]
-        let Self { anchor, station, plane, socket, distance_mm: _, azimuth: _, elevation: _ } = self;
-        columns![
-            Anchor "anchor" anchor,
-            Station "station" station,
-            Plane "plane" plane,
-            Socket "socket" socket,
-        ]
-    }
-
-    /// The same, to be changed.
-    pub(crate) fn names_mut(&mut self) -> [ObservedColumn<&mut Option<Vec<Option<u32>>>>; 4] {
-        #[rustfmt::skip]
-        let Self { anchor, station, plane, socket, distance_mm: _, azimuth: _, elevation: _ } = self;
-        columns![
-            Anchor "anchor" anchor,
-            Station "station" station,
-            Plane "plane" plane,
-            Socket "socket" socket,
-        ]
-    }
+    columns!(numbers, numbers_mut, 3 of f64:
+        Distance "distance" distance_mm,
+        Azimuth "azimuth" azimuth,
+        Elevation "elevation" elevation,
+    );
+    columns!(names, names_mut, 4 of Option<u32>:
+        Anchor "anchor" anchor,
+        Station "station" station,
+        Plane "plane" plane,
+        Socket "socket" socket,
+    );
 
     /// Whether no sample has anything here.
     pub fn is_empty(&self) -> bool {
