@@ -114,17 +114,25 @@ pub(super) fn with_gauge(problem: &Problem, start: &Model) -> (Model, Vec<NotIde
         let others: Vec<&Text> = parts.iter().map(|p| &names[places[p.0].column]).collect();
         let place = &places[last];
         terms[place.term].held = terms[place.term].held.with(place.coefficient);
-        terms[place.term].coefficients[place.coefficient] = 0.0;
+        // At zero an instrument that stands anywhere would see the robot elsewhere, as far off as it stands.
+        let stays = place.class == Class::Frame;
+        if !stays {
+            terms[place.term].coefficients[place.coefficient] = 0.0;
+        }
         let own = &names[place.column];
         held.push(NotIdentifiable {
             combination: together([&[own], &others[..]].concat().into_iter().cloned()),
-            because: if others.is_empty() {
-                text!("the samples do not depend on it: it is held at zero")
-            } else {
-                text!(
+            because: match (others.is_empty(), stays) {
+                (true, true) => text!("the samples do not depend on it: it stays where it began"),
+                (true, false) => text!("the samples do not depend on it: it is held at zero"),
+                (false, true) => text!(
+                    "only the combination is observable: {own} stays where it began, the others carry it",
+                    own = own
+                ),
+                (false, false) => text!(
                     "only the combination is observable: {own} is held at zero, the others carry it",
                     own = own
-                )
+                ),
             },
         });
     }

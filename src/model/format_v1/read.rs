@@ -16,8 +16,9 @@ use nalgebra::DMatrix;
 use serde::Deserializer as _;
 use serde::de::{IgnoredAny, MapAccess, Visitor};
 use sha2::{Digest, Sha256};
+use std::fmt;
+use std::io::{self, Read as _};
 use std::path::Path as FilePath;
-use std::{fmt, io};
 
 use super::exact::{exact, exact_robot, robot_of};
 use super::set_up::SET_UP;
@@ -38,6 +39,8 @@ pub fn load_model(path: impl AsRef<FilePath>) -> Result<Calibration, Rejected> {
 
 /// What every version of the model's format begins with.
 const MODEL: &str = "truepose-model/";
+/// Bytes in which a broken document says what it was meant to be. What is no document may be of any length.
+const BEGINNING: u64 = 1 << 16;
 
 /// Whether a file calls itself a model. What cannot be read is left to the reader of sessions,
 /// which says why.
@@ -51,9 +54,12 @@ pub fn is_model(path: &FilePath) -> bool {
     let _ = serde_json::Deserializer::from_reader(reader).deserialize_map(&mut tag);
     match tag.0 {
         Some(format) => format.starts_with(MODEL),
-        // Broken, but it may still say what it was meant to be.
-        None => open::read_document(path)
-            .is_ok_and(|bytes| memchr::memmem::find(&bytes, MODEL.as_bytes()).is_some()),
+        // Broken, but where it begins it may still say what it was meant to be.
+        None => open::open_regular(path).is_ok_and(|(file, _)| {
+            let mut start = Vec::new();
+            let read = file.take(BEGINNING).read_to_end(&mut start);
+            read.is_ok() && memchr::memmem::find(&start, MODEL.as_bytes()).is_some()
+        }),
     }
 }
 

@@ -309,6 +309,10 @@ fn a_file_is_a_model_by_its_key_wherever_that_stands() {
         std::fs::write(&path, text).unwrap();
         assert_eq!(super::is_model(&path), expected, "{text}");
     }
+    // A file that is none of the program's own is not read to its end, which may be far away.
+    let far = format!("1,2,3\n{}truepose-model/1", "0\n".repeat(1 << 16));
+    std::fs::write(&path, far).unwrap();
+    assert!(!super::is_model(&path));
     assert!(!super::is_model(folder.path()));
     assert!(!super::is_model(&folder.path().join("none.json")));
 }
