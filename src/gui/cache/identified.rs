@@ -1,18 +1,26 @@
-//! An answer to a question, made ready for drawing.
+//! An answer to a question, made ready for drawing, and what is worked out of it in the background: the
+//! export as it would be written, and the standards' figures.
 
-use crate::language::spoken;
 use std::sync::{Arc, OnceLock};
 
-use crate::compensation::VerifiedCalibration;
-
+use crate::compensation::decision::{FittedErrors, MeasuredDeviation};
+use crate::compensation::{self, VerifiedCalibration};
+use crate::effects::{Inputs, JointValues};
+use crate::export::poses::measured_poses;
+use crate::export::{Export, Job};
+use crate::fit::gap::Spread;
 use crate::gui::core::answer::Answer;
-use crate::gui::core::document::{Question, QuestionDetails};
+use crate::gui::core::document::{ExportChoice, Question, QuestionDetails};
 use crate::gui::core::identify::answer;
 use crate::gui::core::loaded_session::LoadedSession;
 use crate::gui::core::overview::Readable;
 use crate::gui::jobs::Watch;
+use crate::language::spoken;
 use crate::numeric::Ascending;
 use crate::pipeline;
+use crate::present::standards::{Group, groups};
+use crate::present::table::{Cell, Table};
+use crate::text::Text;
 
 use super::cloud::{Cloud, Remainder};
 
@@ -87,4 +95,146 @@ impl IdentifiedAnswer {
         };
         self.handed_out.get_or_init(verified).clone()
     }
+}
+
+/// What is to be exported.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct PreviewRequest {
+    /// The identification that it comes from.
+    pub(crate) identified: Arc<IdentifiedAnswer>,
+    pub(crate) choice: ExportChoice,
+    /// What the file is called, where it was saved already: what is to be entered in the controller
+    /// names it.
+    pub(crate) name: Option<String>,
+}
+
+/// An export as it would be written: made ready to be looked at before it is saved.
+#[derive(Debug, Clone)]
+pub(crate) struct Preview {
+    pub(crate) wanted: PreviewRequest,
+    /// What it gives, or why it gives nothing.
+    pub(crate) made: Result<ExportPreview, String>,
+}
+
+/// An export and what it does.
+#[derive(Debug, Clone)]
+pub(crate) struct ExportPreview {
+    /// Name of the joint whose table it is.
+    pub(crate) joint: String,
+    pub(crate) export: Export,
+    /// What no joint can remove.
+    pub(crate) remainder: compensation::Remainder,
+    /// RMS error of the session with this export, the controller's own interpolation in it.
+    pub(crate) error: Option<Spread>,
+}
+
+impl Preview {
+    /// Makes the export in memory.
+    pub(crate) fn of(wanted: PreviewRequest) -> Self {
+        let made = preview(&wanted);
+        Self { wanted, made }
+    }
+}
+
+fn preview(wanted: &PreviewRequest) -> Result<ExportPreview, String> {
+    let PreviewRequest {
+        identified: outcome,
+        choice,
+        name,
+    } = wanted;
+    let session = &outcome.question.loaded_session.session;
+    let calibration = &*outcome.handed_out()?;
+    let name = name.clone();
+    let name = name.unwrap_or_else(|| choice.file_name(&session.name));
+    let job = Job {
+        joint: choice.joint,
+        step: choice.step,
+        ..Job::new(calibration, &name)
+    };
+    let inputs = if outcome.question.loaded_session.is_empty() {
+        measured_poses(&job)
+    } else {
+        Inputs::new(session, JointValues::Commanded)
+    };
+    let made =
+        pipeline::export_for(choice.format, &job, session).map_err(|e| spoken(e.describe()))?;
+    let export = made.export;
+    Ok(ExportPreview {
+        remainder: compensation::Remainder::new(calibration, &inputs),
+        error: made.gaps.map(|[_, after]| after),
+        joint: session.robot.joints[choice.joint].name.clone(),
+        export,
+    })
+}
+
+/// The standards' figures of the session, as the window shows them: once for each identification.
+#[derive(Debug, Clone)]
+pub(crate) struct Figures {
+    /// The identification behind the corrected commands.
+    pub(crate) identified: Arc<IdentifiedAnswer>,
+    /// What noise alone leaves, where a diagnosis has shown it.
+    pub(crate) floor_mm: Option<f64>,
+    /// The figures, or why there are none; `None` while they are worked out.
+    pub(crate) made: Option<Result<StandardsFigures, String>>,
+}
+
+/// What the standards say.
+#[derive(Debug, Clone)]
+pub(crate) struct StandardsFigures {
+    /// The deviation that is held against the tolerance, or why there is none.
+    pub(crate) measured: Result<MeasuredDeviation, Text>,
+    /// One for each axis, and one for the poses.
+    pub(crate) groups: Vec<Group>,
+    /// What else there is to say.
+    pub(crate) notes: Vec<Text>,
+}
+
+impl Figures {
+    /// Works them out. Takes its time with many samples.
+    pub(crate) fn of(outcome: Arc<IdentifiedAnswer>, floor_mm: Option<f64>) -> Self {
+        let made = figures(&outcome, floor_mm);
+        Self {
+            identified: outcome,
+            floor_mm,
+            made: Some(made),
+        }
+    }
+}
+
+fn figures(outcome: &IdentifiedAnswer, floor_mm: Option<f64>) -> Result<StandardsFigures, String> {
+    let answer = outcome.answer.as_ref().map_err(Clone::clone)?;
+    let session = &outcome.question.loaded_session.session;
+    let figures = pipeline::standards(session, Some(&answer.calibration))
+        .map_err(|e| spoken(e.describe()))?;
+    let found = &answer.identification;
+    let fitted = FittedErrors {
+        fit_mm: found.gap.after.rms_mm,
+        held_out_mm: found.held_out.as_ref().map(|gap| gap.after.rms_mm),
+        floor_mm,
+    };
+    Ok(StandardsFigures {
+        measured: pipeline::conformity(session, &answer.calibration, fitted),
+        groups: groups(&figures, 1),
+        notes: figures.notes,
+    })
+}
+
+/// The figures as a table for a spreadsheet, tabs between the columns.
+pub(crate) fn as_text(made: &StandardsFigures) -> String {
+    let mut table =
+        Table::headed("standard | of | symbol | figure | unit | as measured | corrected commands");
+    for group in &made.groups {
+        for row in &group.rows {
+            table.row([
+                group.standard.into(),
+                group.title.to_string().into(),
+                row.symbol.into(),
+                row.name.english().into(),
+                group.unit.into(),
+                row.before.into(),
+                Cell::from(row.after),
+            ]);
+        }
+    }
+    table.tabbed()
 }

@@ -1,13 +1,10 @@
 //! What is worked out once, in the background, so that no frame looks at all samples.
 
 pub(crate) mod cloud;
-pub(crate) mod decimation;
 pub(crate) mod envelope;
-pub(crate) mod figures;
 pub(crate) mod heat;
 pub(crate) mod identified;
-pub(crate) mod nearest;
 pub(crate) mod plot_cache;
-pub(crate) mod preview;
+pub(crate) mod projected;
 pub(crate) mod uncertain;
 pub(crate) mod work;

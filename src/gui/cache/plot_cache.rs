@@ -5,11 +5,10 @@
 
 use std::sync::Arc;
 
-use super::decimation::Thinned;
+use super::projected::{Nearest, Thinned};
 use crate::gui::cache::envelope::Envelope;
 use crate::gui::cache::heat::Heat;
 use crate::gui::cache::identified::IdentifiedAnswer;
-use crate::gui::cache::nearest::Nearest;
 use crate::gui::cache::uncertain::Uncertain;
 use crate::gui::cache::work::{ChartInputs, ChartResult, Work};
 use crate::gui::core::answer::Answer;

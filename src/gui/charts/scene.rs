@@ -5,8 +5,7 @@ use std::any::Any;
 use std::sync::Arc;
 
 use crate::diagnosis::Diagnosis;
-use crate::gui::cache::identified::IdentifiedAnswer;
-use crate::gui::cache::preview::ExportPreview;
+use crate::gui::cache::identified::{ExportPreview, IdentifiedAnswer};
 use crate::gui::cache::work::ChartResult;
 use crate::gui::core::answer::Answer;
 use crate::gui::core::document::Document;

@@ -15,7 +15,7 @@ use std::path::{Path, PathBuf};
 use nalgebra::{Point3, Vector3};
 use serde::{Deserialize, Serialize};
 
-use super::mesh::{self, Flaw, MOST_BYTES, MOST_TRIANGLES, Triangle, thinned};
+use super::mesh::{self, Flaw, MOST_BYTES, MOST_TRIANGLES, Triangle};
 use crate::diagnostic::{Diagnostic, Place, Rejected, unreadable};
 use crate::kinematics::{Robot, Visual, robot_from_file, visuals_of_urdf};
 use crate::sessions::files::open;
@@ -154,7 +154,7 @@ impl Chain {
         }
         let part = |(visual, triangles): (&Visual, Vec<Triangle>)| {
             let share = DRAWN * triangles.len() / count.max(1);
-            let triangles = thinned(triangles, share.max(200));
+            let triangles = mesh::thinned(triangles, share.max(200));
             (
                 visual.behind,
                 triangles.iter().map(|t| placed(visual, t)).collect(),

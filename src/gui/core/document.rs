@@ -3,15 +3,17 @@
 use std::sync::Arc;
 
 use crate::diagnosis::Diagnosis;
-use crate::effects::Term;
+use crate::effects::{JointValues, Term};
 use crate::export::{find, usual};
 use crate::fit::DEFAULT_EFFECTS;
 use crate::kinematics::Robot;
+use crate::language::spoken;
 use crate::model::RegionalCorrection;
+use crate::pipeline::{self, identify};
+use crate::present::units::Units;
 use crate::sessions::division::RegionChoice;
 use crate::sessions::{Region, Session};
 
-use super::division::Division;
 use super::loaded_model::LoadedModel;
 use super::loaded_session::LoadedSession;
 use super::search::{self, Search};
@@ -282,4 +284,68 @@ impl Question {
         }
         self
     }
+}
+
+/// How the regions came about.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(crate) enum Division {
+    /// All of the same width.
+    Even,
+    /// The session's own, or changed by hand since.
+    #[default]
+    Given,
+    /// Where the samples ask for them.
+    Adaptive(Decision),
+}
+
+/// What the adaptive division decided.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Decision {
+    /// How many regions.
+    pub(crate) regions: usize,
+    /// The gap that they leave, mm; `None` where nothing can be identified by region.
+    pub(crate) left_mm: Option<f64>,
+    /// The gap that as many even ones leave, mm.
+    pub(crate) even_mm: Option<f64>,
+}
+
+impl Decision {
+    /// What was decided and why, in one line.
+    pub(crate) fn describe(&self, units: Units) -> String {
+        if self.regions == 1 {
+            return say!("One region: nowhere does the deviation change by more than the noise")
+                .to_owned();
+        }
+        let n = self.regions;
+        match (self.left_mm, self.even_mm) {
+            (Some(left), Some(even)) => say!(
+                "{n} regions: a boundary where the deviation changes by more than the noise. They leave {left}, {n} even ones {even}",
+                n = n,
+                left = units.length(left),
+                even = units.length(even)
+            ),
+            _ => say!(
+                "{n} regions: a boundary where the deviation changes by more than the noise",
+                n = n
+            ),
+        }
+    }
+}
+
+/// Divides where the samples ask for it. Takes its time with many samples.
+pub(crate) fn adapt(session: &Session) -> Result<(Vec<Region>, Decision), String> {
+    let regions = RegionChoice::Adaptive
+        .resolve(session)
+        .map_err(|e| spoken(e.describe()))?;
+    let left = |choice| {
+        let method = pipeline::Method::Regional(choice);
+        let (found, _) = identify(session, &method, JointValues::Commanded).ok()?;
+        Some(found.gap.after.rms_mm)
+    };
+    let decision = Decision {
+        regions: regions.len(),
+        left_mm: left(RegionChoice::Given(regions.clone())),
+        even_mm: left(RegionChoice::Uniform(regions.len())),
+    };
+    Ok((regions, decision))
 }

@@ -1,15 +1,23 @@
-//! A model that was read from a file: it takes the place of an identification.
+//! A model that was read from a file: it takes the place of an identification, so that the same panels
+//! show both.
 //!
 //! With a session of the same robot it is held against the samples by
-//! [`verify`](crate::compensation::verify), as the terminal does it. Without one there is nothing
-//! to hold it against: its parameters, its table and its history are shown by themselves.
+//! [`verify`](crate::compensation::verify), as the terminal does it. Without one there is nothing to
+//! hold it against: its parameters, its table and its history are shown by themselves.
 
 use std::path::{Path, PathBuf};
 
-use crate::compensation::VerifiedCalibration;
-use crate::model::Calibration;
-use crate::sessions::{Instrument, Samples, Session, hash_of_samples};
+use crate::compensation::{Verification, VerifiedCalibration};
+use crate::fit::gap::Spread;
+use crate::fit::uncertainty::{NORMAL_95, all_estimates};
+use crate::fit::{Gap, Identification, Outlier, Quality, RegionResult};
+use crate::language::spoken;
+use crate::model::{Calibration, RegionalCorrection};
+use crate::pipeline::verify;
+use crate::sessions::regions::Assignment;
+use crate::sessions::{Instrument, Region, Samples, Session, hash_of_samples};
 
+use super::answer::{Answer, LoadedModelSummary};
 use super::loaded_session::{LoadedSession, Origin};
 
 /// A model and the file that it was read from.
@@ -77,4 +85,129 @@ impl LoadedModel {
         loaded_session.measured_range = self.calibration.measured.first().copied();
         loaded_session
     }
+}
+
+/// Method of an [`Identification`] that was none.
+pub(crate) const METHOD: &str = "model";
+
+/// What the model says about a session.
+pub(crate) fn answer(
+    loaded_model: &LoadedModel,
+    loaded_session: &LoadedSession,
+) -> Result<Answer, String> {
+    let calibration = Calibration::clone(&loaded_model.calibration);
+    let mut loaded = LoadedModelSummary {
+        file: loaded_model.file_name(),
+        verification: None,
+    };
+    if loaded_session.is_empty() {
+        let identification = identification(loaded_model, loaded_session, None);
+        return Ok(Answer {
+            identification,
+            calibration,
+            data_problems: Vec::new(),
+            loaded: Some(loaded),
+            after_mm: Default::default(),
+            lengths_mm: Vec::new(),
+            suspected: Vec::new(),
+        });
+    }
+    let verification =
+        verify(&calibration, &loaded_session.session).map_err(|e| spoken(e.describe()))?;
+    let identification = identification(loaded_model, loaded_session, Some(&verification));
+    let mut suspected = vec![false; loaded_session.len()];
+    for outlier in &verification.outliers {
+        suspected[*outlier] = true;
+    }
+    let after = verification.after.clone();
+    loaded.verification = Some(verification);
+    Ok(Answer {
+        identification,
+        calibration,
+        data_problems: Vec::new(),
+        loaded: Some(loaded),
+        after_mm: after.axes_mm,
+        lengths_mm: after.length_mm,
+        suspected,
+    })
+}
+
+fn identification(
+    loaded_model: &LoadedModel,
+    loaded_session: &LoadedSession,
+    verified: Option<&Verification>,
+) -> Identification {
+    let Calibration {
+        model, covariance, ..
+    } = &*loaded_model.calibration;
+    let nothing = Spread {
+        rms_mm: 0.0,
+        max_mm: 0.0,
+    };
+    let coefficients = model.coefficient_count();
+    let outlier = |v: &Verification, sample: usize| Outlier {
+        sample,
+        deviation_mm: v.after.length_mm[sample],
+    };
+    Identification {
+        session: loaded_session.session.name.clone(),
+        method: METHOD,
+        samples: loaded_session.len(),
+        model: model.clone(),
+        covariance: covariance.clone(),
+        parameters: all_estimates(&loaded_model.calibration, NORMAL_95),
+        regions: regions(loaded_model, loaded_session, verified),
+        not_identifiable: Vec::new(),
+        gap: Gap {
+            before: verified.map_or(nothing, |v| v.nominal),
+            after: verified.map_or(nothing, |v| v.model),
+            samples: verified.map_or(0, |v| v.samples),
+        },
+        held_out: None,
+        levels: Vec::new(),
+        expected: None,
+        outliers: verified.map_or_else(Vec::new, |v| {
+            v.outliers
+                .iter()
+                .map(|sample| outlier(v, *sample))
+                .collect()
+        }),
+        left_out: Vec::new(),
+        noise_mm: None,
+        noise: None,
+        kinds: Vec::new(),
+        quality: Quality {
+            stopped: phrase!("read from a file"),
+            converged: true,
+            passes: 0,
+            coefficients,
+            rank: coefficients,
+            condition: 1.0,
+        },
+        notes: verified.map_or_else(Vec::new, |v| v.notes.clone()),
+    }
+}
+
+fn regions(
+    loaded_model: &LoadedModel,
+    loaded_session: &LoadedSession,
+    verified: Option<&Verification>,
+) -> Vec<RegionResult> {
+    let corrections = &loaded_model.calibration.regions;
+    let regions: Vec<Region> = corrections.iter().map(RegionalCorrection::region).collect();
+    let assignment = Assignment::new(&regions);
+    let before_mm = loaded_session.in_plane_before();
+    let rms = |region: usize, lengths_mm: &[f64]| {
+        let inside = |i: usize| assignment.region_of(loaded_session.q(i)) == Some(region);
+        let spread = Spread::of(lengths_mm, inside, |_| false);
+        spread.map_or(f64::NAN, |s| s.rms_mm)
+    };
+    let result = |(k, correction): (usize, &RegionalCorrection)| RegionResult {
+        correction: correction.clone(),
+        theta_ci95: None,
+        l1_ci95: None,
+        rms_before_mm: rms(k, &before_mm),
+        rms_after_mm: verified.map_or(f64::NAN, |v| rms(k, &v.after.length_mm)),
+    };
+    corrections.iter().enumerate().map(result).collect()
 }

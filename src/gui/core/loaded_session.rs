@@ -20,13 +20,10 @@ use crate::model::Positions;
 use crate::progress::{Cancelled, ProgressSpan};
 use crate::sessions::Session;
 
-use super::angles::Angles;
 use super::answer::measuring_from_base;
 use super::appearance::Appearance;
-use super::attached::Attached;
-use super::coverage::Coverage;
-use super::overview::Overview;
-use super::region_sums::RegionTotals;
+use super::by_angle::{Angles, RegionTotals};
+use super::overview::{Attached, Coverage, Overview};
 use crate::gui::core::disk::Fingerprint;
 
 /// Where a session came from.

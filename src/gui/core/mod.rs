@@ -1,30 +1,22 @@
 //! What the window works on, without a view and without anything that is drawn: the session and what
 //! follows from it, the document, its changes and their history.
 
-pub(crate) mod angles;
 pub(crate) mod answer;
 pub(crate) mod appearance;
-pub(crate) mod attached;
 pub(crate) mod boundaries;
-pub(crate) mod boundary_entry;
+pub(crate) mod by_angle;
 pub(crate) mod compensated;
-pub(crate) mod coverage;
 pub(crate) mod disk;
-pub(crate) mod division;
 pub(crate) mod document;
-pub(crate) mod document_history;
 pub(crate) mod edit;
 pub(crate) mod examples;
 pub(crate) mod identify;
-pub(crate) mod loaded;
 pub(crate) mod loaded_model;
 pub(crate) mod loaded_session;
 pub(crate) mod mesh;
 pub(crate) mod over;
 pub(crate) mod overview;
 pub(crate) mod quantity;
-pub(crate) mod recording;
-pub(crate) mod region_sums;
 pub(crate) mod robot_table;
 pub(crate) mod scale;
 pub(crate) mod search;
@@ -32,5 +24,4 @@ pub(crate) mod setup;
 pub(crate) mod simulate;
 mod simulate_robot;
 pub(crate) mod skeleton;
-pub(crate) mod stated;
 pub(crate) mod undo;

@@ -2,7 +2,7 @@
 
 use egui::{Id, RichText, TextEdit, Ui};
 
-use crate::gui::core::recording::{RecordingRequest, free_name};
+use crate::gui::file_state::recording::{RecordingRequest, free_name};
 use crate::gui::style::tokens::{Palette, size};
 use crate::gui::widgets;
 use crate::gui::workbench::{Command, Task, ViewChange, Workbench};

@@ -1,17 +1,55 @@
-//! What the reports of machines state, from one day to the next: kept with the settings, and proposed
-//! when a session of the same machine is opened.
+//! What the reports of machines state: as it stands in the window, and from one day to the next, kept
+//! with the settings and proposed when a session of the same machine is opened.
 //!
-//! A session names its robot and no serial number. Where several machines have a robot of one name,
-//! a session belongs to the one whose sessions lie in its folder; where that leaves several as well,
+//! A session names its robot and no serial number. Where several machines have a robot of one name, a
+//! session belongs to the one whose sessions lie in its folder; where that leaves several as well,
 //! nothing is proposed: another machine's serial number in a certificate is worse than none.
 
 use std::path::{Path, PathBuf};
+use std::time::SystemTime;
 
 use serde::{Deserialize, Serialize};
 
 use crate::diagnostic::Place;
-use crate::gui::core::stated::Stated;
-use crate::report::Details;
+use crate::report::{Details, Logo};
+use crate::text::spoken;
+
+/// Report details as they stand in the window: the logo is a path until a report is written.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub(crate) struct Stated {
+    /// The texts and the rule; the tolerance is the document's, and the one from last time here.
+    pub(crate) details: Details,
+    /// Path of the logo, as it is typed; may be empty.
+    pub(crate) logo: String,
+    /// Whether the report leaves out what became of the machine.
+    pub(crate) without_history: bool,
+}
+
+impl Stated {
+    /// What a report is written with.
+    ///
+    /// # Errors
+    /// If the logo cannot be used.
+    pub(crate) fn complete(&self) -> Result<Details, String> {
+        let path = self.logo.trim();
+        let logo = (!path.is_empty()).then(|| {
+            let read = Logo::read(Path::new(path));
+            read.map_err(|found| {
+                say!(
+                    "Logo {found}; expected {expected}",
+                    found = crate::language::spoken(&found),
+                    expected = spoken(Logo::EXPECTED)
+                )
+            })
+        });
+        Ok(Details {
+            logo: logo.transpose()?,
+            // The document's counts.
+            tolerance_mm: None,
+            ..self.details.clone()
+        })
+    }
+}
 
 /// Machines that are remembered.
 const MOST: usize = 200;
@@ -116,6 +154,45 @@ pub(crate) fn proposed(machines: &[Machine], of: Of<'_>) -> Stated {
     }
 }
 
+const SECONDS_OF_A_DAY: u64 = 86_400;
+
+/// Today; `None` where the clock stands before 1970.
+#[allow(
+    clippy::disallowed_methods,
+    reason = "the window may read the clock, the core may not"
+)]
+pub(crate) fn today() -> Option<String> {
+    let since = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH);
+    Some(date_of(since.ok()?.as_secs() / SECONDS_OF_A_DAY))
+}
+
+/// The date so many days after 1 January 1970, in the Gregorian calendar.
+fn date_of(mut day: u64) -> String {
+    let is_leap = |year: u64| {
+        year.is_multiple_of(4) && (!year.is_multiple_of(100) || year.is_multiple_of(400))
+    };
+    let mut year = 1970;
+    loop {
+        let days = if is_leap(year) { 366 } else { 365 };
+        if day < days {
+            break;
+        }
+        day -= days;
+        year += 1;
+    }
+    let february = if is_leap(year) { 29 } else { 28 };
+    let months = [31, february, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31];
+    let mut month = 1;
+    for days in months {
+        if day < days {
+            break;
+        }
+        day -= days;
+        month += 1;
+    }
+    format!("{year}-{month:02}-{:02}", day + 1)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -191,5 +268,25 @@ mod tests {
         let details = proposed(&machines, other).details;
         assert_eq!((&*details.instrument, &*details.machine), ("camera", "arm"));
         assert!(details.instrument_serial.is_empty(), "another instrument's");
+    }
+
+    #[test]
+    fn days_are_counted_over_leap_years_and_centuries() {
+        // `date -u -d @$((86400 * DAY)) +%F`
+        for (day, date) in [
+            (0, "1970-01-01"),
+            (58, "1970-02-28"),
+            (59, "1970-03-01"),
+            (789, "1972-02-29"),
+            (11_016, "2000-02-29"),
+            (11_322, "2000-12-31"),
+            (11_323, "2001-01-01"),
+            (20_780, "2026-11-23"),
+            (47_540, "2100-02-28"),
+            (47_541, "2100-03-01"),
+        ] {
+            assert_eq!(date_of(day), date, "{day}");
+        }
+        assert!(today().is_some_and(|date| date.as_str() > "2026-01-01"));
     }
 }

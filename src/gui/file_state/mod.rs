@@ -1,18 +1,15 @@
 //! What outlives the window, and what changes under it.
 //!
-//! - `settings`: preferences and recent files, in one small file of the data folder;
+//! - `settings`: preferences, recent files and whose meshes are drawn, in one small file of the data folder;
 //! - `machines`: what the reports of machines state;
-//! - `meshes`: from which URDF the robot of a saved session is drawn;
 //! - `recording`: writes what an instrument sends;
 //! - `recovery`: what is not saved, kept against a crash;
 //! - `watcher`: looks at open files from time to time, and reads a file that grows.
 
 pub(crate) mod machines;
-pub(crate) mod meshes;
 pub(crate) mod recording;
 pub(crate) mod recovery;
 pub(crate) mod settings;
-pub(crate) mod today;
 pub(crate) mod watcher;
 
 use std::path::PathBuf;

@@ -1,28 +1,21 @@
 //! Reading and writing, as the background tasks do it: through the library, like the terminal.
 
 mod advice;
-mod dialogs;
-mod examples;
-mod exporting;
 mod opening;
-mod outside;
-mod pictures;
 pub(crate) mod reporting;
-mod saving;
+mod system;
+mod writing;
 
-pub(crate) use advice::{cancelled, ending};
-pub(crate) use dialogs::{
+pub(crate) use advice::cancelled;
+pub(crate) use opening::{Opened, first_example, open, open_example, simulate};
+pub(crate) use system::{
     choose_beside, choose_folder, choose_logo, choose_targets, choose_to_export, choose_to_import,
-    choose_to_open, choose_to_save,
+    choose_to_open, choose_to_save, open_outside,
 };
-pub(crate) use examples::{first_example, open_example};
-pub(crate) use exporting::{
-    can_be_written, export, not_written, saved, write_list, write_one, write_targets,
+pub(crate) use writing::{
+    NotSaved, Replace, Saved, can_be_written, export, not_written, save, saved, write_list,
+    write_one, write_picture, write_targets,
 };
-pub(crate) use opening::{Opened, open, simulate};
-pub(crate) use outside::open_outside;
-pub(crate) use pictures::write_picture;
-pub(crate) use saving::{NotSaved, Replace, Saved, save};
 
 pub(crate) use crate::pipeline::is_model;
 

@@ -1,25 +1,26 @@
-//! Reading a session or a model, or making a session, with everything that follows from it.
+//! Reading a session or a model, or making a session, with everything that follows from it; also of
+//! the sessions that come with the program.
 
 use std::fmt::Display;
 use std::path::Path;
 use std::sync::Arc;
 
 use crate::diagnostic::Diagnostic;
-use crate::kinematics::RobotSource;
-use crate::pipeline::{self, is_model, load_model};
-use crate::progress::{Cancelled, Progress, ProgressSpan, ReadError};
-use crate::sessions::Loaded;
-
 use crate::gui::cache::cloud::Cloud;
 use crate::gui::core::appearance::{Appearance, Chain, seen, seen_again};
 use crate::gui::core::disk::Fingerprint;
+use crate::gui::core::examples::EXAMPLES;
 use crate::gui::core::loaded_model::LoadedModel;
 use crate::gui::core::loaded_session::{LoadedSession, Origin};
 use crate::gui::core::simulate::Form;
 use crate::gui::import_draft::ImportDraft;
 use crate::gui::jobs::Watch;
 use crate::gui::view::Message;
+use crate::kinematics::RobotSource;
 use crate::language::{finding, spoken};
+use crate::pipeline::{self, is_model, load_model};
+use crate::progress::{Cancelled, Progress, ProgressSpan, ReadError, unwatched};
+use crate::sessions::Loaded;
 
 use super::advice::cancelled;
 
@@ -157,12 +158,45 @@ pub(crate) fn simulate(form: &Form, watch: &Watch) -> Result<Opened, Message> {
     }
 }
 
+/// The example that the window opens on.
+pub(crate) fn first_example() -> Arc<LoadedSession> {
+    let example = &EXAMPLES[0];
+    let (document, samples) = example.files();
+    let loaded = pipeline::parse_with_csv(document, samples);
+    let loaded = loaded.expect("a test reads every bundled session");
+    Arc::new(LoadedSession::new(
+        loaded.session,
+        loaded.findings,
+        Origin::Bundled,
+    ))
+}
+
+/// Reads a bundled session.
+pub(crate) fn open_example(index: usize) -> Result<Opened, Message> {
+    let Some(example) = EXAMPLES.get(index) else {
+        return Err(Message::wrong(
+            say!("There is no such example").to_owned(),
+            vec![say!("The examples are in the File menu").to_owned()],
+        ));
+    };
+    let (document, samples) = example.files();
+    let loaded = pipeline::parse_with_csv(document, samples);
+    let progress = Progress::new(&unwatched);
+    let loaded_session = loaded.map_err(ReadError::from);
+    let loaded_session = loaded_session
+        .and_then(|l| Ok(looked_through(l, Origin::Bundled, None, progress.whole())?));
+    loaded_session
+        .map(Opened::Session)
+        .map_err(|error| not_opened(example.name(), &error))
+}
+
 #[cfg(test)]
 mod tests {
-    use super::*;
     use crate::gui::core::examples::EXAMPLES;
     use crate::gui::testing::session_of_a_urdf;
     use crate::progress::testing::{assert_grows, no_at, report_to};
+
+    use super::*;
 
     #[test]
     fn looking_through_a_session_can_be_cancelled_wherever_it_tells_how_far_it_is() {
@@ -211,5 +245,12 @@ mod tests {
             warned.len() == 1 && warned[0].contains("line 3"),
             "{warned:?}"
         );
+    }
+
+    #[test]
+    fn every_bundled_session_can_be_read() {
+        for (index, example) in EXAMPLES.iter().enumerate() {
+            assert!(open_example(index).is_ok(), "{}", example.name());
+        }
     }
 }

@@ -6,16 +6,15 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use crate::diagnosis::Options;
-use crate::fonts;
 use crate::history::History;
-use crate::pipeline;
 use crate::report::exported::sidecar_of;
 use crate::report::{ExportedTable, Extras, Kind};
+use crate::{fonts, pipeline};
 
 use crate::gui::cache::identified::IdentifiedAnswer;
 use crate::gui::core::document::Document;
 use crate::gui::core::search::{self, Search};
-use crate::gui::core::stated::Stated;
+use crate::gui::file_state::machines::Stated;
 use crate::gui::files;
 use crate::gui::jobs::Watch;
 use crate::gui::view::Message;

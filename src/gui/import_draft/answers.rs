@@ -1,10 +1,18 @@
-//! What a person said about a file that an instrument wrote.
+//! What a person said about a file that an instrument wrote, and whose robot was measured: the open
+//! session's, an example's, one in a file, or one that is typed.
 
 use std::path::Path;
 
-use crate::importers::{Matching, Motion, Reading};
+use nalgebra::{Point3, Vector3};
 
-use super::robot::RobotFrom;
+use crate::diagnostic::{Diagnostic, Place, Rejected};
+use crate::gui::core::appearance::Chain;
+use crate::gui::core::examples::EXAMPLES;
+use crate::importers::{Matching, Motion, Reading};
+use crate::kinematics::{Axis, Joint, JointKind, Range, Robot, pose_from_parts, robot_from_file};
+use crate::pipeline;
+use crate::text::Text;
+use crate::units::rad_from_deg;
 
 /// What a person said.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -58,4 +66,165 @@ impl ImportAnswers {
             Companion::Targets => self.targets = typed,
         }
     }
+}
+
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(crate) enum RobotFrom {
+    /// Not stated.
+    #[default]
+    Open,
+    /// That of the session that is open.
+    Here(Box<Robot>),
+    Example(usize),
+    /// The one in this file: a robot, a session with one, or a URDF file with the links between
+    /// which its chain lies.
+    File {
+        /// The path, as it is typed.
+        path: String,
+        /// First link of a URDF file.
+        base: String,
+        /// Last link of a URDF file.
+        tip: String,
+    },
+    /// One axis that turns.
+    Typed(TypedAxis),
+}
+
+/// One axis that turns, as it is typed.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct TypedAxis {
+    /// Name of the robot.
+    pub(crate) name: String,
+    /// Direction of the axis at home.
+    pub(crate) axis: [f64; 3],
+    pub(crate) point_mm: [f64; 3],
+    /// The tool at home, mm.
+    pub(crate) tool_mm: [f64; 3],
+    /// Travel, degrees.
+    pub(crate) limits_deg: [f64; 2],
+    /// Whether gravity points along −z; else it is not known.
+    pub(crate) gravity_down: bool,
+}
+
+impl Default for TypedAxis {
+    fn default() -> Self {
+        Self {
+            name: "robot".to_owned(),
+            axis: [0.0, 0.0, 1.0],
+            point_mm: [0.0; 3],
+            tool_mm: [0.0; 3],
+            limits_deg: [-180.0, 180.0],
+            gravity_down: false,
+        }
+    }
+}
+
+impl TypedAxis {
+    fn robot(&self) -> Result<Robot, String> {
+        let direction = Vector3::from(self.axis);
+        let point = Point3::from(self.point_mm);
+        let axis = Axis::through(direction, point).map_err(|error| error.to_string())?;
+        let [from, to] = self.limits_deg;
+        if from >= to {
+            return Err(say!("the travel runs from the smaller to the larger value").to_owned());
+        }
+        let out = Vector3::from(self.tool_mm) - point.coords;
+        if out.cross(&axis.direction).norm() < 1e-6 {
+            return Err(
+                say!("the tool lies on the axis: say where it is at home, off the axis").to_owned(),
+            );
+        }
+        let base_from_tool = pose_from_parts(self.tool_mm, [1.0, 0.0, 0.0, 0.0])
+            .map_err(|error| error.to_string())?;
+        let name = self.name.trim();
+        if name.is_empty() {
+            return Err(say!("a robot needs a name").to_owned());
+        }
+        Ok(Robot {
+            name: name.to_owned(),
+            joints: vec![Joint {
+                name: "joint 1".to_owned(),
+                kind: JointKind::Revolute,
+                axis,
+                limits: Some(Range {
+                    from: rad_from_deg(from),
+                    to: rad_from_deg(to),
+                }),
+                link: None,
+                follows: None,
+                gear_ratio: None,
+            }],
+            base_from_tool,
+            gravity_m_s2: self.gravity_down.then(|| Vector3::new(0.0, 0.0, -9.81)),
+            source: crate::kinematics::RobotSource::Axes,
+        })
+    }
+}
+
+impl RobotFrom {
+    /// The one in this file; the links that were typed stay.
+    #[must_use]
+    pub(crate) fn of_file(&self, path: String) -> Self {
+        let (base, tip) = match self {
+            Self::File { base, tip, .. } => (base.clone(), tip.clone()),
+            _ => (String::new(), String::new()),
+        };
+        Self::File { path, base, tip }
+    }
+
+    /// Whether this is a file of links: URDF or MJCF.
+    pub(crate) fn is_urdf(path: &str) -> bool {
+        let ending = Path::new(path.trim()).extension();
+        ending.is_some_and(|e| e.eq_ignore_ascii_case("urdf") || e.eq_ignore_ascii_case("xml"))
+    }
+
+    /// The chain of a URDF file, where it is one.
+    pub(crate) fn chain(&self) -> Option<Chain> {
+        match self {
+            Self::File { path, base, tip } if Self::is_urdf(path) => Some(Chain {
+                file: path.trim().into(),
+                base: base.trim().to_owned(),
+                tip: tip.trim().to_owned(),
+            }),
+            _ => None,
+        }
+    }
+
+    /// The robot, or why there is none; `None` while it is not said which.
+    pub(crate) fn robot(&self) -> Option<Result<Robot, Rejected>> {
+        match self {
+            Self::Open => None,
+            Self::Here(robot) => Some(Ok(Robot::clone(robot))),
+            Self::Example(index) => {
+                let (document, samples) = EXAMPLES[*index % EXAMPLES.len()].files();
+                let loaded = pipeline::parse_with_csv(document, samples);
+                Some(loaded.map(|loaded| loaded.session.robot))
+            }
+            Self::File { path, .. } if path.trim().is_empty() => None,
+            Self::File { path, base, tip } if Self::is_urdf(path) => {
+                let path = Path::new(path.trim());
+                let read = robot_from_file(path, None, base.trim(), tip.trim());
+                Some(read.map(|described| described.robot))
+            }
+            Self::File { path, .. } => Some(from_file(Path::new(path.trim()))),
+            Self::Typed(typed) => Some(typed.robot().map_err(|because| {
+                let place = Place::default();
+                Rejected::because(Diagnostic::error(
+                    place,
+                    Text::verbatim(because),
+                    Text::default(),
+                ))
+            })),
+        }
+    }
+}
+
+/// A robot by itself, or a session that has one.
+fn from_file(path: &Path) -> Result<Robot, Rejected> {
+    pipeline::load_robot(path)
+        .map(|loaded| loaded.robot)
+        .or_else(|rejected| match pipeline::load(path) {
+            Ok(loaded) => Ok(loaded.session.robot),
+            Err(_) => Err(rejected),
+        })
 }

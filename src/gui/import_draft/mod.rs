@@ -7,7 +7,6 @@
 
 mod answers;
 mod neighbours;
-mod robot;
 mod trial;
 
 use crate::text::{Template, spoken};
@@ -22,9 +21,8 @@ use crate::sessions::files::open;
 
 use crate::gui::jobs::Watch;
 
-pub(crate) use answers::{Companion, ImportAnswers};
+pub(crate) use answers::{Companion, ImportAnswers, RobotFrom, TypedAxis};
 pub(crate) use neighbours::{Neighbours, ROBOTS, TABLES};
-pub(crate) use robot::{RobotFrom, TypedAxis};
 pub(crate) use trial::{Trial, in_the_sheets_words};
 
 /// A file that is longer, in bytes, is not read into memory.

@@ -7,21 +7,18 @@
 //! out where sessions are read and answers are found, in the background.
 //!
 //! - Model, in [`cache`](crate::gui::cache): `cloud` (the samples as they are uploaded), `heat` (the error over the
-//!   plane), `nearest` (which sample is under the pointer).
+//!   plane), `projected` (which samples are drawn, and which is under the pointer).
 //! - Layout: `frame`: where all of it goes in this frame, as the shaders take it.
-//! - Paint: `gpu` (what egui calls back), `drawer` (what stays on the graphics processor) and `pipelines`
-//!   with `space` (samples by their depth, in a picture of their own) and `frame.wgsl`, `sample.wgsl`, `arrows.wgsl`, `marks.wgsl`, `heat.wgsl` and
-//!   `copy.wgsl`.
+//! - Paint: `gpu` (what egui calls back, in space by depth and in a picture of their own), `drawer` (what stays on
+//!   the graphics processor) and `pipelines` with `frame.wgsl`, `sample.wgsl`, `arrows.wgsl`, `marks.wgsl`, `heat.wgsl`
+//!   and `copy.wgsl`.
 
 mod drawer;
 mod frame;
 mod gpu;
 mod pipelines;
-mod space;
-mod target;
 #[cfg(all(test, feature = "window-tests"))]
 mod tests;
 
 pub(crate) use frame::{Frame, HEAT, LayerOptions, OUTLINE, WEDGE, WIDTH, scale_at};
-pub(crate) use gpu::{CloudLayer, HeatLayer, Layer, register};
-pub(crate) use space::SpaceLayer;
+pub(crate) use gpu::{CloudLayer, HeatLayer, Layer, SpaceLayer, register};

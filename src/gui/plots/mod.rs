@@ -3,14 +3,12 @@
 
 mod axes;
 pub(crate) mod chart;
-mod drawing;
 pub(crate) mod gestures;
 pub(crate) mod legend;
 pub(crate) mod marks;
 
 pub(crate) use axes::{axis, steps_in};
-pub(crate) use drawing::Drawing;
-pub(crate) use marks::disc;
+pub(crate) use marks::{Drawing, disc};
 
 use egui::{Response, Role, Ui, WidgetInfo};
 

@@ -4,8 +4,6 @@
 //! for a picture. So a picture shows what the screen shows.
 
 mod camera;
-mod drawing_canvas;
-mod entry;
 mod items;
 mod paint;
 mod screen;
@@ -13,8 +11,9 @@ mod sheet;
 mod tint;
 
 pub(crate) use camera::{Bearing, Camera, Projection};
-pub(crate) use entry::{LegendEntry, SIGN};
-pub(crate) use items::{Form, Item, Label, Layer, Mark, Place, Samples, Scene, Triangle};
+pub(crate) use items::{
+    Form, Item, Label, Layer, LegendEntry, Mark, Place, SIGN, Samples, Scene, Triangle,
+};
 pub(crate) use paint::{DIAMOND, TRIANGLE, corners_of, paint};
 pub(crate) use screen::{Screen, dashes};
 pub(crate) use sheet::{SIZE, Sheet};

@@ -7,8 +7,7 @@ use egui::text::{LayoutJob, TextWrapping};
 use egui::{Align2, Color32, FontId, Galley, Painter, Pos2, Rect, Shape, Vec2};
 
 use super::camera::Camera;
-use super::entry::LegendEntry;
-use super::items::{Label, Layer};
+use super::items::{Label, Layer, LegendEntry};
 use super::paint::{Canvas, items};
 use super::tint::{ColourToken, Stroke, Tint};
 use crate::gui::layers::{CloudLayer, Frame, HeatLayer, Layer as _, LayerOptions, SpaceLayer};

@@ -3,23 +3,21 @@
 
 mod camera;
 mod looking;
-mod message;
 mod output;
 mod panes;
 mod sheet;
 
 pub(crate) use camera::{Ball, Camera, Facing, Standard};
 pub(crate) use looking::{Aspect, Canvas, Colouring, Plane};
-pub(crate) use message::Message;
 pub(crate) use output::{About, Plot, What};
 pub(crate) use panes::{ChartPane, Content, Edge, Key, Pane, Panes, SplitShare, Tile};
-pub(crate) use sheet::{NextAction, Sheet};
+pub(crate) use sheet::{Message, NextAction, Sheet};
 
 use crate::text::Language;
 use std::mem::Discriminant;
 use std::path::PathBuf;
 
-use crate::gui::core::boundary_entry::Typed;
+use super::core::boundaries::Typed;
 use crate::gui::core::disk::FileChange;
 use crate::gui::core::loaded_session::Component;
 use crate::gui::core::overview::ROOM;

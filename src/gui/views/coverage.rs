@@ -7,7 +7,7 @@ use egui::{Rect, RichText, Sense, Ui, vec2};
 
 use crate::effects::survey::JointSurvey;
 use crate::export::EXPORTERS;
-use crate::gui::core::coverage::Coverage;
+use crate::gui::core::overview::Coverage;
 use crate::gui::core::search::STAGES;
 use crate::gui::style::tokens::{Palette, size, space, strong};
 use crate::gui::view::Step;

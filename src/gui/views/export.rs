@@ -6,7 +6,7 @@ use egui::{DragValue, RichText, ScrollArea, Ui};
 
 use crate::explain::{self, Block, Detail, Exported, Section, Topic};
 use crate::export::{EXPORTERS, find};
-use crate::gui::cache::preview::ExportPreview;
+use crate::gui::cache::identified::ExportPreview;
 use crate::gui::core::document::ExportChoice;
 use crate::gui::core::edit::Edit;
 use crate::gui::style::tokens::{Palette, size, space, strong};

@@ -3,7 +3,7 @@
 use crate::language::spoken;
 use egui::{Grid, RichText, Ui};
 
-use crate::gui::cache::figures::{StandardsFigures, as_text};
+use crate::gui::cache::identified::{StandardsFigures, as_text};
 use crate::gui::style::tokens::{Palette, size, space, strong};
 use crate::gui::workbench::Workbench;
 use crate::gui::{help, widgets};

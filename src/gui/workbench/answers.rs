@@ -9,10 +9,11 @@ use crate::diagnosis::Diagnosis;
 use crate::effects::Term;
 use crate::gui::cache::cloud::Remainder;
 use crate::gui::cache::heat::Heat;
-use crate::gui::cache::identified::{AnswerSummary, IdentifiedAnswer};
-use crate::gui::cache::nearest::Nearest;
+use crate::gui::cache::identified::{
+    AnswerSummary, ExportPreview, IdentifiedAnswer, PreviewRequest,
+};
 use crate::gui::cache::plot_cache::{PlotCache, PlotInputs};
-use crate::gui::cache::preview::{ExportPreview, PreviewRequest};
+use crate::gui::cache::projected::Nearest;
 use crate::gui::cache::uncertain::Uncertain;
 use crate::gui::core::answer::{Answer, measuring_from_base};
 use crate::gui::core::document::{Method, Question};

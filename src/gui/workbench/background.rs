@@ -3,9 +3,8 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use crate::gui::cache::identified::IdentifiedAnswer;
+use crate::gui::cache::identified::{IdentifiedAnswer, Preview, PreviewRequest};
 use crate::gui::cache::plot_cache::{PlotCache, PlotInputs};
-use crate::gui::cache::preview::{Preview, PreviewRequest};
 use crate::gui::core::document::Question;
 use crate::gui::core::edit::Edit;
 use crate::gui::core::loaded_session::LoadedSession;

@@ -5,15 +5,15 @@ use std::path::PathBuf;
 
 use egui::Response;
 
-use crate::gui::core::boundary_entry::End;
+use crate::gui::core::boundaries::End;
 use crate::gui::core::compensated::CompensationRequest;
 use crate::gui::core::edit::Edit;
 use crate::gui::core::loaded_session::Component;
-use crate::gui::core::recording;
 use crate::gui::core::robot_table::RobotTable;
 use crate::gui::core::setup::SetupForm;
 use crate::gui::core::simulate::Form;
-use crate::gui::core::stated::Stated;
+use crate::gui::file_state::machines::Stated;
+use crate::gui::file_state::recording;
 use crate::gui::import_draft::{Companion, ImportAnswers};
 use crate::gui::preferences::{Preferences, Sizes};
 use crate::gui::view::{

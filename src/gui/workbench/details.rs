@@ -4,8 +4,7 @@
 use std::path::Path;
 
 use crate::compensation::decision::{Outcome, Rule};
-use crate::gui::core::stated::Stated;
-use crate::gui::file_state::machines::{self, Machine, Of};
+use crate::gui::file_state::machines::{self, Machine, Of, Stated};
 use crate::gui::file_state::settings;
 use crate::gui::files;
 use crate::language::spoken;

@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
-use crate::gui::core::boundary_entry::{End, Typed};
-use crate::gui::core::division::{Decision, adapt};
+use crate::gui::core::boundaries::{End, Typed};
+use crate::gui::core::document::{Decision, adapt};
 use crate::gui::core::edit::Edit;
 use crate::gui::core::loaded_session::LoadedSession;
 use crate::gui::jobs::Kind;

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use crate::export::find;
-use crate::gui::cache::preview::PreviewRequest;
+use crate::gui::cache::identified::PreviewRequest;
 use crate::gui::core::compensated::Compensated;
 use crate::gui::core::document::plain;
 use crate::gui::files;

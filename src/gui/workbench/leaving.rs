@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use crate::gui::core::document::Document;
 use crate::gui::core::loaded_session::Origin;
-use crate::gui::file_state::meshes;
+use crate::gui::file_state::settings;
 use crate::gui::file_state::settings::Recent;
 use crate::gui::files::{self, NotSaved, Opened, Replace, Saved};
 use crate::gui::jobs::{Kind, Running, Watch};
@@ -94,7 +94,7 @@ impl Workbench {
             NextAction::Leave => self.view.leaving = true,
             NextAction::Open(path) => {
                 let what = say!("reading {path}", path = path.display());
-                let chain = meshes::remembered(&self.file_state.meshes, &path);
+                let chain = settings::remembered_meshes(&self.file_state.meshes, &path);
                 self.open(what, move |watch| files::open(&path, chain, watch));
             }
             NextAction::Example(index) => {

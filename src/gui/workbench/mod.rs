@@ -41,10 +41,9 @@ pub(crate) use command::{Asked, Command, LeftBehind, Letters, Task, ViewChange, 
 
 use state::{FileState, PendingQueries, SpokenSections};
 
-use crate::gui::cache::figures::Figures;
+use super::cache::identified::{Figures, Preview};
 use crate::gui::cache::identified::IdentifiedAnswer;
 use crate::gui::cache::plot_cache::PlotCache;
-use crate::gui::cache::preview::Preview;
 use crate::gui::core::compensated::Compensated;
 use crate::gui::core::document::{Document, ExportChoice, Question};
 use crate::gui::core::edit::Edit;

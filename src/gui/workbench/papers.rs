@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use crate::gui::cache::figures::Figures;
+use crate::gui::cache::identified::Figures;
 use crate::gui::files;
 use crate::gui::files::reporting::{self, Source};
 use crate::gui::jobs::Watch;

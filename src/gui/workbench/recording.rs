@@ -3,8 +3,7 @@
 
 use std::path::Path;
 
-use crate::gui::core::recording::{Heard, RecordingRequest};
-use crate::gui::file_state::recording::{Recording, UnderWay};
+use crate::gui::file_state::recording::{Heard, Recording, RecordingRequest, UnderWay};
 use crate::gui::view::{Message, NextAction};
 use crate::pipeline;
 use crate::sessions::{Replacing, Samples, Session, save_document};

@@ -7,9 +7,8 @@ use crate::gui::charts::find;
 use crate::gui::core::disk::{FileChange, Fingerprint};
 use crate::gui::core::document::Document;
 use crate::gui::core::loaded_session::{LoadedSession, Origin};
-use crate::gui::file_state::meshes::{self, DrawnFrom};
 use crate::gui::file_state::recovery::{self, OrphanedRecovery, RecoveryFile};
-use crate::gui::file_state::settings::{self, Recent};
+use crate::gui::file_state::settings::{self, DrawnFrom, Recent};
 use crate::gui::file_state::watcher::{Order, Seen, Watched, Watcher};
 use crate::gui::files;
 use crate::gui::jobs::{Jobs, Kind, Runner, Watch};
@@ -208,7 +207,7 @@ impl Workbench {
             return;
         };
         let one = DrawnFrom::new(path, &appearance.chain);
-        meshes::remember(&mut self.file_state.meshes, one.clone());
+        settings::remember_meshes(&mut self.file_state.meshes, one.clone());
         if let Some(home) = self.file_state.home.clone() {
             self.jobs.quietly(
                 move || settings::keep_meshes(&home, one).map_err(|e| e.to_string()),
@@ -238,7 +237,7 @@ impl Workbench {
         self.file_state.then = None;
         self.view.sheet = None;
         let what = say!("reading {path}", path = path.display());
-        let chain = meshes::remembered(&self.file_state.meshes, &path);
+        let chain = settings::remembered_meshes(&self.file_state.meshes, &path);
         let work = move |watch: &Watch| {
             // What is not there cannot be read again; it can be written again.
             match files.into_iter().find(|file| !file.path.exists()) {

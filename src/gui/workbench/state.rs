@@ -7,20 +7,19 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use crate::explain::Section;
+use crate::gui::cache::identified::PreviewRequest;
 use crate::gui::cache::plot_cache::PlotInputs;
-use crate::gui::cache::preview::PreviewRequest;
 use crate::gui::core::disk::Fingerprint;
 use crate::gui::core::document::{Document, Question};
-use crate::gui::core::document_history::Past;
 use crate::gui::core::robot_table::RobotTable;
 use crate::gui::core::search::Search;
-use crate::gui::core::stated::Stated;
-use crate::gui::file_state::machines::Machine;
-use crate::gui::file_state::meshes::DrawnFrom;
+use crate::gui::file_state::machines::{Machine, Stated};
 use crate::gui::file_state::recording::UnderWay;
 use crate::gui::file_state::recovery::{OrphanedRecovery, RecoveryFile};
+use crate::gui::file_state::settings::DrawnFrom;
 use crate::gui::jobs::Latest;
 use crate::gui::view::NextAction;
+use crate::history::History;
 use crate::present::numbers::Notation;
 use crate::present::units::Units;
 use crate::text::Language;
@@ -91,3 +90,10 @@ pub(super) struct SpokenSections(pub(super) RefCell<Option<CachedSections>>);
 pub(super) type CachedSections = (Arc<Search>, Voice, Arc<[Section]>);
 /// How it is said.
 pub(super) type Voice = (Units, Language, Notation);
+
+/// What became of the machines of a folder.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Past {
+    pub(crate) folder: PathBuf,
+    pub(crate) history: History,
+}

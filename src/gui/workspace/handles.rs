@@ -8,8 +8,8 @@ use egui::{
 use egui_plot::{PlotPoint, PlotTransform};
 
 use crate::gui::core::boundaries::{self, SNAP_DEG};
+use crate::gui::core::by_angle::RegionContents;
 use crate::gui::core::edit::Edit;
-use crate::gui::core::region_sums::RegionContents;
 use crate::gui::style::tokens::{Palette, size, strong};
 use crate::gui::workbench::{Command, Workbench};
 use crate::present::numbers::grouped;

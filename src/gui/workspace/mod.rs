@@ -4,7 +4,6 @@
 mod about;
 mod card;
 mod decimation;
-mod extent;
 mod free_space;
 mod handles;
 mod layout;

@@ -4,7 +4,7 @@
 use nalgebra::{Isometry3, Point3};
 
 use crate::gui::cache::cloud::Cloud;
-use crate::gui::cache::decimation::MOST;
+use crate::gui::cache::projected::{Extent, MOST, SOME};
 use crate::gui::cache::uncertain::Uncertain;
 use crate::gui::core::loaded_session::LoadedSession;
 use crate::gui::core::overview::long_mm;
@@ -13,8 +13,6 @@ use crate::gui::layers::LayerOptions;
 use crate::gui::view::{Ball, Canvas, Colouring, Facing, Plane};
 use crate::gui::workbench::Workbench;
 use crate::numeric::single;
-
-use super::extent::{Extent, SOME};
 
 /// A sample that is drawn by itself.
 #[derive(Debug, Clone, Copy, PartialEq)]

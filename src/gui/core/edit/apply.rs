@@ -5,8 +5,7 @@ use std::sync::Arc;
 use crate::diagnosis::SessionCorrection;
 use crate::document::degrees;
 use crate::effects::{CATALOGUE, Term};
-use crate::gui::core::division::Division;
-use crate::gui::core::document::{Added, Choices, Document, Method};
+use crate::gui::core::document::{Added, Choices, Division, Document, Method};
 use crate::gui::core::loaded_model::LoadedModel;
 use crate::gui::core::loaded_session::LoadedSession;
 use crate::gui::core::setup::SetupForm;
@@ -14,7 +13,8 @@ use crate::kinematics::JointKind;
 use crate::sessions::Session;
 use crate::units::rad_from_deg;
 
-use super::{Edit, regions};
+use super::Edit;
+use crate::gui::core::edit;
 
 impl Edit {
     /// Whether it asks something of the samples; the answer then takes the place of a model that
@@ -45,7 +45,7 @@ impl Edit {
             }
             next.loaded_model = None;
         }
-        if let Some(next) = regions::apply(self, document) {
+        if let Some(next) = edit::apply_to_regions(self, document) {
             return next;
         }
         match self {

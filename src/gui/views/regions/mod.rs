@@ -6,10 +6,9 @@ mod rows;
 
 use egui::{Align, DragValue, Layout, Ui};
 
-use crate::gui::core::angles::Count;
-use crate::gui::core::boundary_entry;
-use crate::gui::core::division::Division;
-use crate::gui::core::document::Method;
+use crate::gui::core::boundaries;
+use crate::gui::core::by_angle::Count;
+use crate::gui::core::document::{Division, Method};
 use crate::gui::core::edit::Edit;
 use crate::gui::style::tokens::space;
 use crate::gui::view::Step;
@@ -174,7 +173,7 @@ fn none(ui: &mut Ui, workbench: &Workbench) {
 fn left_out(ui: &mut Ui, workbench: &Workbench, counts: &[Count]) {
     let loaded_session = workbench.loaded_session();
     let regions = &workbench.document().regions;
-    let gaps = boundary_entry::gaps(regions, loaded_session.travel());
+    let gaps = boundaries::gaps(regions, loaded_session.travel());
     let outside = loaded_session.angles().total().all - counts.iter().map(|c| c.all).sum::<usize>();
     if let Some((from, to)) = gaps.first() {
         let units = workbench.units();

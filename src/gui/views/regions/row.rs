@@ -2,7 +2,7 @@
 
 use egui::{Button, Id, Key, Modifiers, Ui};
 
-use crate::gui::core::boundary_entry;
+use crate::gui::core::boundaries;
 use crate::gui::core::edit::Edit;
 use crate::gui::widgets;
 use crate::gui::workbench::Command;
@@ -37,8 +37,8 @@ enum RowEffect {
 
 fn deeds(regions: &[Region], k: usize) -> [RowAction; 4] {
     let (before, next) = (
-        boundary_entry::before(regions, k),
-        boundary_entry::next_to(regions, k),
+        boundaries::before(regions, k),
+        boundaries::next_to(regions, k),
     );
     let last = regions.len() < 2;
     [

@@ -2,8 +2,8 @@
 
 use egui::{Align, Key, Layout, RichText, TextEdit, Ui, UiBuilder, vec2};
 
-use crate::gui::core::angles::Count;
-use crate::gui::core::boundary_entry::{self, End, Joint, Typed};
+use crate::gui::core::boundaries::{self, End, Joint, Typed};
+use crate::gui::core::by_angle::Count;
 use crate::gui::core::edit::Edit;
 use crate::gui::style::tokens::{Palette, size, space};
 use crate::gui::widgets;
@@ -179,7 +179,7 @@ fn angle(
     };
     let draft = draft_of(workbench, region, end);
     let refused = draft.and_then(|draft| judged(workbench, region, k, end, draft).err());
-    let before = draft.map_or_else(|| boundary_entry::shown(at_rad, units), str::to_owned);
+    let before = draft.map_or_else(|| boundaries::shown(at_rad, units), str::to_owned);
     let mut text = before.clone();
     let id = ui.scope_id().with(("boundary", k, end == End::From));
     let palette = Palette::of(ui);
@@ -209,7 +209,7 @@ fn angle(
     let mut typing: Option<Typing> = ui.data_mut(|data| data.get_temp(id));
     if field.gained_focus() {
         typing = Some(Typing {
-            joint: boundary_entry::joint_at(regions, k, end),
+            joint: boundaries::joint_at(regions, k, end),
             changed: false,
         });
     }
@@ -224,8 +224,8 @@ fn angle(
         })
     };
     if text != before {
-        let placed = boundary_entry::angle(&text, units).and_then(|at| {
-            boundary_entry::placed(
+        let placed = boundaries::angle(&text, units).and_then(|at| {
+            boundaries::placed(
                 regions,
                 now.joint,
                 at,
@@ -272,7 +272,7 @@ fn judged(
 ) -> Result<(), String> {
     let units = workbench.units();
     let regions = &workbench.document().regions;
-    let at_rad = boundary_entry::angle(text, units)?;
+    let at_rad = boundaries::angle(text, units)?;
     let now = match end {
         End::From => region.from_rad,
         End::To => region.to_rad,
@@ -281,8 +281,8 @@ fn judged(
         // It is there already.
         return Ok(());
     }
-    let joint = boundary_entry::joint_at(regions, k, end);
-    boundary_entry::placed(
+    let joint = boundaries::joint_at(regions, k, end);
+    boundaries::placed(
         regions,
         joint,
         at_rad,

@@ -9,7 +9,7 @@ use rand_chacha::ChaCha8Rng;
 use crate::diagnosis::SessionCorrection;
 use crate::effects::CATALOGUE;
 use crate::export::EXPORTERS;
-use crate::gui::core::boundary_entry::{End, Joint};
+use crate::gui::core::boundaries::{End, Joint};
 use crate::gui::core::compensated::{CompensationRequest, PrecedenceChoice};
 use crate::gui::core::document::{ExportChoice, Method};
 use crate::gui::core::edit::Edit;

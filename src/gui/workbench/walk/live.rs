@@ -11,7 +11,7 @@ use rand_chacha::ChaCha8Rng;
 
 use super::{any, back_and_forth, consistent, frame, kinds, prepared};
 use crate::gui::App;
-use crate::gui::core::recording::RecordingRequest;
+use crate::gui::file_state::recording::RecordingRequest;
 use crate::gui::testing::workbench;
 use crate::gui::workbench::{Command, Task};
 

@@ -5,8 +5,8 @@ use rand_chacha::ChaCha8Rng;
 
 use super::any::{Files, one_of};
 use crate::compensation::decision::Rule;
-use crate::gui::core::recording::RecordingRequest;
-use crate::gui::core::stated::Stated;
+use crate::gui::file_state::machines::Stated;
+use crate::gui::file_state::recording::RecordingRequest;
 use crate::gui::view::Sheet;
 use crate::gui::workbench::{Command, Task, ViewChange, Workbench};
 use crate::report::Details;
