@@ -74,7 +74,7 @@ impl App {
         write_fields(ctx, false);
         let wake = ctx.clone();
         let jobs = Jobs::new(runner, Arc::new(move || wake.request_repaint()));
-        let workbench = Workbench::new(files::first_example(), jobs, views::pictures::drawing);
+        let workbench = Workbench::new(files::first_example(), jobs, views::copies::drawing);
         Self {
             first: path,
             alphabet: Some(Alphabet::asked_by(ctx)),
@@ -320,7 +320,7 @@ impl App {
         views::grips::show(ui, workbench, room, middle, commands);
         views::notices::show(ui, workbench, room, commands);
         dialogs::show(ui, workbench, commands);
-        views::dropped::show(ui, commands);
+        views::notices::dropped(ui, commands);
         widgets::focus_ring(ui.ctx());
     }
 

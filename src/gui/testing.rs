@@ -5,10 +5,10 @@ use std::sync::Arc;
 
 use crate::simulation::unwatched;
 
+use super::views::copies::drawing;
 use crate::gui::core::loaded_session::{LoadedSession, Origin};
 use crate::gui::core::simulate::{Chosen, Form};
 use crate::gui::jobs::{Jobs, Runner};
-use crate::gui::views::pictures::drawing;
 use crate::gui::workbench::Workbench;
 
 /// A workbench on a simulated session: both directions, backlash and a little noise.

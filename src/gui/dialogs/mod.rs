@@ -4,7 +4,6 @@ mod ends;
 mod import;
 mod paths;
 mod robot_table;
-mod simulated_robot;
 mod simulation;
 pub(crate) mod unsaved;
 
@@ -75,7 +74,7 @@ pub(crate) fn show(ui: &Ui, workbench: &Workbench, commands: &mut Vec<Command>) 
                     replace,
                 } => paths::export(ui, workbench, *what, (path, *replace), commands),
                 Sheet::Simulate(form) => match &form.robot {
-                    Some(robot) => simulated_robot::show(ui, robot, form, commands),
+                    Some(robot) => simulation::of_robot(ui, robot, form, commands),
                     None => simulation::show(ui, form, commands),
                 },
                 Sheet::RobotTable(table) => robot_table::show(ui, workbench, table, commands),

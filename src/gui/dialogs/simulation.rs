@@ -1,14 +1,14 @@
-//! The form of a new simulation.
+//! The form of a new simulation: of an example of a robot, or of one of the library or that was typed.
 
-use crate::text::{Template, spoken};
 use egui::{Align, Button, Checkbox, ComboBox, DragValue, Layout, RichText, ScrollArea, Ui, vec2};
 
-use crate::gui::core::simulate::{Chosen, Form, field};
+use crate::gui::core::simulate::{Chosen, Form, SimulatedRobot, field};
 use crate::gui::style::tokens::{Palette, size, space};
 use crate::gui::view::Sheet;
 use crate::gui::widgets;
 use crate::gui::workbench::{Command, ViewChange};
 use crate::kinematics::JointKind;
+use crate::text::{Template, spoken};
 
 /// Width of the names of effects, points.
 const NAMES: f32 = 168.0;
@@ -42,7 +42,7 @@ pub(super) fn show(ui: &mut Ui, form: &Form, commands: &mut Vec<Command>) {
 }
 
 /// What is wrong as a whole, and the buttons; what was changed stays in the sheet.
-pub(super) fn ends(ui: &mut Ui, filled: Form, form: &Form, commands: &mut Vec<Command>) {
+fn ends(ui: &mut Ui, filled: Form, form: &Form, commands: &mut Vec<Command>) {
     if !form.problems().is_empty() {
         widgets::hint(ui, say!("Correct the fields marked above first"));
     }
@@ -62,7 +62,7 @@ pub(super) fn ends(ui: &mut Ui, filled: Form, form: &Form, commands: &mut Vec<Co
 }
 
 /// What is wrong, each with the field that it is about.
-pub(super) type Wrong = [(&'static str, String)];
+type Wrong = [(&'static str, String)];
 
 /// Says what is wrong with a field, below it.
 fn fault(ui: &mut Ui, wrong: &Wrong, name: &str) {
@@ -72,12 +72,7 @@ fn fault(ui: &mut Ui, wrong: &Wrong, name: &str) {
 }
 
 /// A field with what is wrong with it.
-pub(super) fn number(
-    ui: &mut Ui,
-    wrong: &Wrong,
-    (name, unit): (Template, &str),
-    value: DragValue<'_>,
-) {
+fn number(ui: &mut Ui, wrong: &Wrong, (name, unit): (Template, &str), value: DragValue<'_>) {
     widgets::number(ui, spoken(name), unit, value);
     fault(ui, wrong, name.english());
 }
@@ -129,7 +124,7 @@ fn measurement(ui: &mut Ui, form: &mut Form, wrong: &Wrong) {
     widgets::number(ui, say!("random seed"), "", seed);
 }
 
-pub(super) fn effects(ui: &mut Ui, form: &mut Form, wrong: &Wrong) {
+fn effects(ui: &mut Ui, form: &mut Form, wrong: &Wrong) {
     let mut gone = None;
     let kinds: Vec<JointKind> = (1..=form.joints()).map(|j| form.joint_kind(j)).collect();
     let window = ui.ctx().content_rect().height();
@@ -210,4 +205,38 @@ fn effect(ui: &mut Ui, chosen: &mut Chosen, kinds: &[JointKind]) -> bool {
         });
         remove.inner
     })
+}
+
+/// Wide enough for an effect with a joint and three numbers in one row, points.
+const WIDTH: f32 = 640.0;
+
+/// The form for a robot of the library or one that was typed.
+pub(super) fn of_robot(
+    ui: &mut Ui,
+    robot: &SimulatedRobot,
+    form: &Form,
+    commands: &mut Vec<Command>,
+) {
+    ui.set_width(WIDTH);
+    widgets::heading(ui, &robot.title);
+    widgets::hint(
+        ui,
+        say!(
+            "Random poses within the joint limits, three reflectors at the tool, speeds, loads and a warm-up mixed. The effects below are hidden in the robot: identification and diagnosis should find them"
+        ),
+    );
+    let mut filled = form.clone();
+    let wrong = form.problems();
+    widgets::section(ui, say!("Measurement"));
+    let poses = DragValue::new(&mut filled.poses).speed(1.0);
+    number(ui, &wrong, (field::POSES, ""), poses);
+    let noise = DragValue::new(&mut filled.noise_mm)
+        .speed(0.002)
+        .max_decimals(4);
+    number(ui, &wrong, (field::NOISE, "mm"), noise.suffix(" mm"));
+    let seed = DragValue::new(&mut filled.seed);
+    widgets::number(ui, say!("random seed"), "", seed);
+    widgets::section(ui, say!("Hidden effects"));
+    effects(ui, &mut filled, &wrong);
+    ends(ui, filled, form, commands);
 }

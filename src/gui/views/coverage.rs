@@ -5,13 +5,13 @@ use crate::language::spoken;
 use crate::text::Template;
 use egui::{Rect, RichText, Sense, Ui, vec2};
 
+use super::cards::title;
 use crate::effects::survey::JointSurvey;
 use crate::export::EXPORTERS;
 use crate::gui::core::overview::Coverage;
 use crate::gui::core::search::STAGES;
 use crate::gui::style::tokens::{Palette, size, space, strong};
 use crate::gui::view::Step;
-use crate::gui::views::names::title;
 use crate::gui::widgets;
 use crate::gui::workbench::Workbench;
 use crate::kinematics::JointKind;

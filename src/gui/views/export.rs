@@ -1,6 +1,5 @@
 //! Step 5: what the controller needs, seen before it is saved.
 
-use crate::language::spoken;
 use egui::scroll_area::ScrollBarVisibility;
 use egui::{DragValue, RichText, ScrollArea, Ui};
 
@@ -12,10 +11,12 @@ use crate::gui::core::edit::Edit;
 use crate::gui::style::tokens::{Palette, size, space, strong};
 use crate::gui::view::{About, Sheet, Step, What};
 use crate::gui::views::blocks;
-use crate::gui::views::names::{in_words, title};
-use crate::gui::views::step::StepView;
 use crate::gui::widgets::{self, Progress};
 use crate::gui::workbench::{Asked, Command, ViewChange, Workbench};
+use crate::language::spoken;
+
+use super::StepView;
+use super::cards::{in_words, title};
 
 /// Where an own step begins, degrees or mm.
 const FIRST_STEP: f64 = 1.0;
@@ -47,7 +48,7 @@ fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     } else {
         not_added(ui, workbench, commands);
         export(ui, workbench, commands);
-        super::compensate::show(ui, commands);
+        targets(ui, commands);
     }
     reports(ui, workbench, commands);
 }
@@ -335,4 +336,18 @@ fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     if save.inner.clicked() {
         commands.push(Command::Ask(Asked::WhereToExport(What::Table)));
     }
+}
+
+/// Targets and programs: what is corrected where the controller takes no table.
+fn targets(ui: &mut Ui, commands: &mut Vec<Command>) {
+    widgets::section(ui, say!("Targets and programs"));
+    if widgets::secondary(ui, say!("Compensate…")).clicked() {
+        commands.push(Command::Ask(Asked::Targets));
+    }
+    widgets::hint(
+        ui,
+        say!(
+            "A table of targets (CSV), RAPID, KRL, URScript or FANUC LS: its targets are corrected in place, and what changes is shown before anything is saved"
+        ),
+    );
 }

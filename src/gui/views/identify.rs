@@ -3,12 +3,12 @@
 use crate::language::spoken;
 use egui::{Checkbox, CollapsingHeader, RichText, Ui};
 
+use super::StepView;
 use crate::effects::find;
 use crate::gui::core::document::Method;
 use crate::gui::core::edit::Edit;
 use crate::gui::style::tokens::{Palette, size, strong};
 use crate::gui::view::Step;
-use crate::gui::views::step::StepView;
 use crate::gui::widgets::{self, Progress};
 use crate::gui::workbench::{Command, ViewChange, Workbench};
 

@@ -1,11 +1,9 @@
 //! What stands around the plots. Panels read the workbench and send commands.
 
 pub(crate) mod blocks;
-mod compensate;
+mod cards;
 pub(crate) mod copies;
 mod coverage;
-mod disk;
-pub(super) mod dropped;
 mod export;
 mod findings;
 mod gap;
@@ -13,11 +11,9 @@ pub(super) mod grips;
 mod identify;
 pub(super) mod menu;
 mod model;
-mod names;
+mod next_poses;
 pub(super) mod notices;
 pub(super) mod panes;
-pub(super) mod pictures;
-mod problems;
 mod regions;
 pub(super) mod results;
 mod samples;
@@ -25,6 +21,20 @@ pub(super) mod session;
 mod setup;
 mod standards;
 pub(super) mod status;
-mod step;
 pub(super) mod steps;
-mod unexplained;
+
+use egui::Ui;
+
+use crate::gui::view::Step;
+use crate::gui::widgets::Progress;
+use crate::gui::workbench::{Command, Workbench};
+
+/// A step of the work, as a panel. Each step's file has one; `steps` lists them.
+pub(super) struct StepView {
+    pub(super) step: Step,
+    pub(super) show: fn(&mut Ui, &Workbench, &mut Vec<Command>),
+    /// The button at the foot.
+    pub(super) next: fn(&mut Ui, &Workbench, &mut Vec<Command>),
+    /// What it has to show for itself.
+    pub(super) state: fn(&Workbench) -> (String, Progress),
+}

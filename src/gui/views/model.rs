@@ -2,11 +2,11 @@
 
 use egui::Ui;
 
+use super::cards::title;
 use crate::compensation::Verification;
 use crate::explain::{Detail, verification};
 use crate::gui::core::answer::{Answer, LoadedModelSummary};
 use crate::gui::views::blocks;
-use crate::gui::views::names::title;
 use crate::gui::widgets;
 use crate::gui::workbench::Workbench;
 use crate::present::numbers::trimmed;

@@ -1,17 +1,19 @@
-//! Notices: a file that changed on the disk, an error, a task that is done. They lie over the results, above the status
-//! bar, so that no plot is moved when one appears or is dismissed.
+//! What lies over the window by itself: notices (a file that changed on the disk, an error, a task that
+//! is done) and what becomes of files that are dropped on it. Notices lie over the results, above the
+//! status bar, so that no plot is moved when one appears or is dismissed.
+
+use std::path::{Path, PathBuf};
 
 use egui::{
-    Align2, Area, Button, CornerRadius, Frame, Id, Label, Margin, RichText, Role, ScrollArea, Ui,
+    Align2, Area, Button, CornerRadius, Frame, Id, Label, LayerId, Margin, Order, RichText, Role,
+    ScrollArea, Ui, WidgetInfo, vec2,
 };
-use egui::{WidgetInfo, vec2};
 
+use crate::gui::core::disk::FileChange;
 use crate::gui::style::layout::Layout;
 use crate::gui::style::tokens::{Palette, size, space, strong};
 use crate::gui::view::Message;
-use crate::gui::workbench::{Command, ViewChange, Workbench};
-
-use super::disk;
+use crate::gui::workbench::{Asked, Command, ViewChange, Workbench};
 
 /// So long what was done is said unless the pointer is on it, seconds. What went wrong stays.
 const STANDS_S: f64 = 12.0;
@@ -57,7 +59,7 @@ pub(crate) fn show(ui: &Ui, workbench: &Workbench, room: Layout, commands: &mut 
             });
         };
         if on_disk.is_some() {
-            card(ui, &mut |ui| disk::show(ui, workbench, commands));
+            card(ui, &mut |ui| file_that_changed(ui, workbench, commands));
         }
         if let Some(message) = message {
             card(ui, &mut |ui| {
@@ -127,5 +129,83 @@ fn buttons(ui: &mut Ui, message: &Message, commands: &mut Vec<Command>) {
     }
     if ui.button(say!("Dismiss")).clicked() {
         commands.push(Command::View(ViewChange::Dismiss));
+    }
+}
+
+/// An open file that is not what it was: said until the user decides.
+fn file_that_changed(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    let Some(on_disk) = &workbench.view().on_disk else {
+        return;
+    };
+    let palette = Palette::of(ui);
+    let name = on_disk.path.file_name().unwrap_or_default();
+    let name = name.to_string_lossy();
+    let (title, says) = match on_disk.change {
+        FileChange::Changed => (
+            say!("{name} was changed by another program", name = name),
+            say!(
+                "Reload reads it again; undo brings back what is here now. If you keep this version, you will be asked before overwriting"
+            ),
+        ),
+        FileChange::Vanished => (
+            say!("{name}: file not found", name = name),
+            say!("What was read is here still: saving writes it again, or put the file back"),
+        ),
+    };
+    let title = RichText::new(title).font(strong(size::BODY));
+    ui.add(Label::new(title.color(palette.warning)).wrap());
+    ui.add(Label::new(RichText::new(says).size(size::NOTE)).wrap());
+    ui.horizontal_wrapped(|ui| {
+        match on_disk.change {
+            FileChange::Changed if ui.button(say!("Reload")).clicked() => {
+                commands.push(Command::Reload);
+            }
+            FileChange::Vanished => save_again(ui, workbench, &on_disk.path, commands),
+            FileChange::Changed => {}
+        }
+        if ui.button(say!("Keep this version")).clicked() {
+            commands.push(Command::View(ViewChange::KeepMine));
+        }
+    });
+}
+
+/// Offers to write what is gone. Where it is the samples the document still says where they belong;
+/// where it is the document the user has to.
+fn save_again(ui: &mut Ui, workbench: &Workbench, gone: &Path, commands: &mut Vec<Command>) {
+    let (says, command) = if workbench.samples_file() == Some(gone) {
+        (say!("Save it again"), Command::Save)
+    } else {
+        (say!("Save it again…"), Command::Ask(Asked::WhereToSave))
+    };
+    if ui.button(says).clicked() {
+        commands.push(command);
+    }
+}
+
+/// Opens what was dropped, and says so while it is held over the window.
+pub(crate) fn dropped(ui: &Ui, commands: &mut Vec<Command>) {
+    let (held, paths) = ui.input(|input| {
+        let files = input.raw.dropped_files.iter();
+        let paths: Vec<PathBuf> = files.map(|file| file.path().to_path_buf()).collect();
+        (!input.raw.hovered_files.is_empty(), paths)
+    });
+    if !paths.is_empty() {
+        commands.push(Command::Drop(paths));
+    }
+    if held {
+        let palette = Palette::of(ui);
+        let layer = LayerId::new(Order::Foreground, Id::unique("dropped"));
+        let painter = ui.ctx().layer_painter(layer);
+        let rect = ui.ctx().content_rect();
+        painter.rect_filled(rect, 0.0, palette.veil);
+        let card = egui::Rect::from_center_size(rect.center(), egui::vec2(320.0, 88.0));
+        painter.rect_filled(card, 10.0, palette.surface);
+        painter.text(
+            card.center(),
+            Align2::CENTER_CENTER,
+            say!("Drop the file to open it"),
+            strong(size::HEADING),
+            palette.accent,
+        );
     }
 }

@@ -20,8 +20,8 @@ use crate::text::spoken;
 use crate::units::deg_from_rad;
 
 use super::blocks::{self, Title};
-use super::names::{implausible, title};
-use super::{copies, model, problems, samples};
+use super::cards::{implausible, title};
+use super::{cards, copies, model, samples};
 
 pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, room: Layout, commands: &mut Vec<Command>) {
     // Samples that stand beside the results are not shown in their place as well.
@@ -90,7 +90,7 @@ fn summary(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         }),
         Some(Ok(answer)) => {
             let detail = Detail::window(workbench.units());
-            problems::show(ui, &answer.data_problems, detail, commands);
+            cards::problems(ui, &answer.data_problems, detail, commands);
             identified(ui, workbench, answer);
         }
     }
@@ -117,7 +117,7 @@ fn identified(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
             }
         });
     }
-    super::unexplained::in_the_model(ui, &answer.calibration.model);
+    cards::smooth_corrections(ui, &answer.calibration.model);
     if !found.regions.is_empty() {
         widgets::card(ui, |ui| regions(ui, workbench, &found.regions));
     }

@@ -3,18 +3,17 @@
 use crate::language;
 use egui::{DragValue, RichText, TextEdit, Ui};
 
+use super::{StepView, setup};
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::gui::core::edit::Edit;
 use crate::gui::core::loaded_session::Origin;
 use crate::gui::core::simulate::Form;
 use crate::gui::style::tokens::{Palette, size, space, strong};
 use crate::gui::view::{Sheet, Step};
-use crate::gui::views::step::StepView;
 use crate::gui::widgets::{self, Progress, or_none};
 use crate::gui::workbench::{Asked, Command, ViewChange, Workbench, of_field};
 use crate::present::numbers::grouped;
 
-use super::setup;
 use crate::kinematics::JointKind;
 use crate::sessions::Sigma;
 

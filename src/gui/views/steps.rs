@@ -7,8 +7,7 @@ use crate::gui::style::tokens::space;
 use crate::gui::widgets::{self, StepRow};
 use crate::gui::workbench::{Command, ViewChange, Workbench};
 
-use super::step::StepView;
-use super::{export, gap, identify, regions, session};
+use super::{StepView, export, gap, identify, regions, session};
 
 /// Every step.
 static STEPS: [StepView; 5] = [

@@ -7,6 +7,7 @@ use nalgebra::{Isometry3, Vector3};
 
 use crate::diagnosis::Diagnosis;
 use crate::effects::Term;
+use crate::explain::{Detail, Section, diagnosis};
 use crate::gui::cache::cloud::Remainder;
 use crate::gui::cache::heat::Heat;
 use crate::gui::cache::identified::{
@@ -21,6 +22,8 @@ use crate::gui::core::edit::Edit;
 use crate::gui::core::loaded_model::LoadedModel;
 use crate::gui::core::search::term_of;
 use crate::gui::view::{Canvas, Colouring, Facing, Message, Step};
+use crate::present::numbers::notation;
+use crate::text::current;
 
 use super::Workbench;
 
@@ -318,5 +321,22 @@ impl Workbench {
             self.declined = None;
             self.ask(question);
         }
+    }
+
+    /// What the diagnosis of the open session says; nothing where there is none.
+    pub(crate) fn diagnosis_sections(&self) -> Arc<[Section]> {
+        let (Some(search), Some(found)) = (self.searched.as_ref(), self.diagnosis()) else {
+            return Arc::default();
+        };
+        let voice = (self.units(), current(), notation());
+        let mut said = self.spoken_sections.0.borrow_mut();
+        let kept = said
+            .take()
+            .filter(|(whose, how, _)| Arc::ptr_eq(whose, search) && *how == voice);
+        let (_, _, sections) = said.insert(kept.unwrap_or_else(|| {
+            let sections = diagnosis(found, Detail::window(voice.0)).into();
+            (Arc::clone(search), voice, sections)
+        }));
+        Arc::clone(sections)
     }
 }

@@ -1,5 +1,6 @@
-//! Which charts there are, and what they are made of.
+//! Which panels and charts there are, and what charts are made of.
 
+use std::mem::discriminant;
 use std::sync::Arc;
 
 use crate::gui::cache::envelope::Envelope;
@@ -9,7 +10,7 @@ use crate::gui::charts::{CHARTS, ChartKind, HeldScene, Scene, effect, find};
 use crate::gui::core::loaded_session::Component;
 use crate::gui::file_state::settings;
 use crate::gui::jobs::{Kind as JobKind, Watch};
-use crate::gui::view::{ChartPane, Edge, Key, Panes, Step};
+use crate::gui::view::{Arrangement, ChartPane, Edge, Key, Panes, Step};
 use crate::present::numbers::{notation, write_numbers};
 use crate::present::table::Table;
 
@@ -253,15 +254,38 @@ impl Workbench {
         }
         self.arrange(panes);
     }
+
+    /// Which panels there are now.
+    pub(crate) fn arrangement(&self) -> Arrangement {
+        let view = self.view();
+        let shown = view.panes.charts();
+        let shown = shown.map(|(_, pane)| self.kind(pane).about().id);
+        Arrangement {
+            view: (view.step, view.side, view.aspect, view.results),
+            language: view.preferences.language,
+            panes: (view.panes.outline(), shown.collect()),
+            sheet: view.sheet.as_ref().map(discriminant),
+            message: view.message.clone(),
+            has: [
+                view.on_disk.is_some(),
+                self.answer().is_some(),
+                self.searching().is_some(),
+                self.searched().is_some(),
+                self.export().is_some(),
+            ],
+            session: self.loaded_session().lineage,
+        }
+    }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use crate::gui::core::edit::Edit;
     use crate::gui::core::loaded_session::Component;
     use crate::gui::testing::workbench;
     use crate::gui::workbench::{Command, ViewChange};
+
+    use super::*;
 
     const ANGLE: &str = "deviation";
     const TIME: &str = "deviation over time";

@@ -1,20 +1,25 @@
-//! Tables, models and measuring lists: what they are called, and how they are written.
+//! What is written beside the session: tables, models and measuring lists, reports and pictures, files
+//! of targets that the shown model corrects. What they are called, and how they are written.
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use crate::export::find;
-use crate::gui::cache::identified::PreviewRequest;
-use crate::gui::core::compensated::Compensated;
+use crate::gui::cache::identified::{Figures, PreviewRequest};
+use crate::gui::core::compensated::{Compensated, CompensationRequest, MOST_KG};
 use crate::gui::core::document::plain;
 use crate::gui::files;
-use crate::gui::jobs::Watch;
-use crate::gui::view::{About, Plot, What};
+use crate::gui::files::reporting::{self, Source};
+use crate::gui::jobs::{Kind, Watch};
+use crate::gui::view::{About, Plot, Sheet, Step, What};
 use crate::kinematics::Robot;
 use crate::pipeline::measuring_list;
+use crate::report::exported::sidecar_of;
 use crate::robots::named;
-use crate::sessions::robot_document;
+use crate::sessions::{robot_document, samples_path};
 
-use super::Workbench;
+use super::background::no_file_was_chosen;
+use super::{Command, Workbench};
 
 impl Workbench {
     /// What an export's file is called unless the user says otherwise.
@@ -124,6 +129,198 @@ impl Workbench {
         };
         let document = robot_document(&robot);
         let work = move |path: &Path, _: &Watch| files::write_list(document, path, replace);
+        self.write(path, work, Self::take_written);
+    }
+
+    /// Everything that the open session, its model and its tables stand in: no paper replaces it.
+    pub(super) fn inputs(&self) -> Vec<PathBuf> {
+        let mut inputs: Vec<PathBuf> = self
+            .loaded_session()
+            .files
+            .iter()
+            .map(|f| f.path.clone())
+            .collect();
+        if let Some(file) = self.file() {
+            inputs.extend([file.to_path_buf(), samples_path(file)]);
+        }
+        inputs.extend(self.samples_file().map(PathBuf::from));
+        inputs.extend(
+            self.document()
+                .loaded_model
+                .as_ref()
+                .map(|given| given.path.clone()),
+        );
+        for (table, _) in &self.exported {
+            inputs.extend([table.clone(), sidecar_of(table)]);
+        }
+        inputs
+    }
+
+    pub(super) fn write_report(&mut self, about: About, path: PathBuf, replace: bool) {
+        let source = match (about, &self.identified, self.answer()) {
+            (About::Model, Some(outcome), Some(_)) => Source::Model(Arc::clone(outcome)),
+            (About::Session, ..) if !self.loaded_session().is_empty() => {
+                let of_this = |s: &&Arc<_>| self.is_search_of_this(s);
+                let searched = self.searched.as_ref().filter(of_this).cloned();
+                let in_use = self.identified.clone().filter(|_| self.answer().is_some());
+                Source::Session(Arc::clone(self.history.present()), searched, in_use)
+            }
+            _ => {
+                return self.complain(
+                    say!("There is nothing to report yet"),
+                    vec![say!("Open a session, or identify the robot first").to_owned()],
+                );
+            }
+        };
+        let stated = self.stated();
+        let folder = self.folder().filter(|_| !stated.without_history);
+        let robot = self.loaded_session().session.robot.name.clone();
+        let wanted = reporting::ReportRequest {
+            source,
+            past: folder.map(|folder| (folder, robot)),
+            stated,
+            tables: self.exported().cloned().collect(),
+            inputs: self.inputs(),
+        };
+        let work =
+            move |path: &Path, watch: &Watch| reporting::write(&wanted, path, replace, watch);
+        self.write(path, work, Self::take_written);
+    }
+
+    fn is_search_of_this(&self, search: &crate::gui::core::search::Search) -> bool {
+        Arc::ptr_eq(&search.loaded_session, self.loaded_session()) && search.answer.is_ok()
+    }
+
+    pub(super) fn write_picture(&mut self, plot: Plot, path: PathBuf, replace: bool) {
+        let (draw, inputs) = ((self.draw)(self, plot), self.inputs());
+        let work = move |path: &Path, watch: &Watch| {
+            files::write_picture(draw, path, replace, &inputs, watch)
+        };
+        self.write(path, work, Self::take_written);
+    }
+
+    /// The standards' figures of what is shown; while newer ones are worked out, the ones before.
+    pub(crate) fn figures(&self) -> Option<&Figures> {
+        self.answer()?;
+        let figures = self.figures.as_ref()?;
+        let same = Arc::ptr_eq(
+            &figures.identified.question.loaded_session,
+            self.loaded_session(),
+        );
+        same.then_some(figures)
+    }
+
+    /// Asks for the figures that the export step shows; one at a time, in the background.
+    pub(super) fn keep_figuring(&mut self) {
+        // A decision stands in the results of every step.
+        let wanted = self.view.step == Step::Export || self.rule_and_tolerance().is_some();
+        if !wanted || self.loaded_session().is_empty() || self.answer().is_none() {
+            return;
+        }
+        let floor_mm = self.diagnosis().map(|found| found.floor.mm);
+        let Some(outcome) = self.identified.clone() else {
+            return;
+        };
+        let there = self.figures.as_ref().is_some_and(|f| {
+            f.made.is_none() || f.floor_mm == floor_mm && Arc::ptr_eq(&f.identified, &outcome)
+        });
+        if there {
+            return;
+        }
+        self.figures = Some(Figures {
+            identified: Arc::clone(&outcome),
+            floor_mm,
+            made: None,
+        });
+        self.jobs.quietly(
+            move || Figures::of(outcome, floor_mm),
+            |bench: &mut Self, figures| {
+                bench.figures = Some(figures);
+                // What is shown may be another answer by now.
+                bench.keep_figuring();
+            },
+        );
+    }
+
+    /// A task broke off: it may have been the one that everybody waits for.
+    pub(super) fn stop_figuring(&mut self) {
+        if let Some(figures) = self.figures.as_mut().filter(|f| f.made.is_none()) {
+            figures.made = Some(Err(say!("The figures could not be computed").to_owned()));
+        }
+    }
+
+    /// The file of targets that was corrected last.
+    pub(crate) fn compensated(&self) -> Option<&Compensated> {
+        self.compensated.as_deref()
+    }
+
+    /// Asks for a file of targets.
+    pub(super) fn choose_targets(&mut self) {
+        let near = self.file().map(Path::to_path_buf);
+        let ask = move || files::choose_targets(near.as_deref());
+        self.choose(
+            say!("waiting for a file to be chosen"),
+            ask,
+            |bench, path| match path {
+                Some(path) => bench.execute(Command::Compensate(CompensationRequest::new(path))),
+                None => bench.view.message = Some(no_file_was_chosen()),
+            },
+        );
+    }
+
+    /// Corrects the targets of a file that was opened.
+    pub(super) fn compensate_file(&mut self, path: PathBuf) {
+        self.compensate(CompensationRequest::new(path));
+    }
+
+    /// Corrects the targets of a file by the model that is shown.
+    pub(super) fn compensate(&mut self, mut wanted: CompensationRequest) {
+        let (Some(outcome), Some(_)) = (self.identified.clone(), self.answer()) else {
+            return self.complain(
+                say!("There is no model to correct targets by"),
+                vec![say!("Identify the robot first, or open a model").to_owned()],
+            );
+        };
+        // What is typed is within the field's range; a command need not be.
+        wanted.load_kg = match wanted.load_kg {
+            load if load.is_nan() => 0.0,
+            load => load.clamp(0.0, MOST_KG),
+        };
+        let model = self.name_of(What::Model);
+        let name = wanted
+            .path
+            .file_name()
+            .unwrap_or_default()
+            .to_string_lossy();
+        let says = say!("correcting the targets of {name}", name = name);
+        let work = move |_: &Watch| {
+            Some(match outcome.handed_out() {
+                Ok(verified) => Compensated::of(&verified, &model, wanted),
+                Err(says) => Compensated::refused(wanted, says),
+            })
+        };
+        self.jobs
+            .start(Kind::Once, says, work, |bench: &mut Self, compensated| {
+                bench.compensated = compensated.map(Arc::new);
+                if bench.compensated.is_some() {
+                    bench.view.sheet = Some(Sheet::COMPENSATION);
+                }
+            });
+    }
+
+    /// Writes the corrected targets, and what was changed beside them.
+    pub(super) fn write_targets(&mut self, path: PathBuf, replace: bool) {
+        let Some(compensated) = self.compensated.clone() else {
+            return self.complain(
+                say!("There are no corrected targets yet"),
+                vec![say!("Choose a table of targets or a robot program first").to_owned()],
+            );
+        };
+        let mut inputs = self.inputs();
+        inputs.push(compensated.wanted.path.clone());
+        let work = move |path: &Path, _: &Watch| {
+            files::write_targets(&compensated, path, replace, &inputs)
+        };
         self.write(path, work, Self::take_written);
     }
 }

@@ -4,13 +4,9 @@
 //! only function that changes anything.
 
 mod answers;
-mod arrangement;
 mod background;
 mod charts;
 mod command;
-mod compensating;
-mod details;
-mod diagnosis_sections;
 mod dividing;
 mod exports;
 mod follow;
@@ -19,12 +15,9 @@ mod font_fallback;
 mod how_far;
 mod imports;
 mod leaving;
-mod papers;
-mod past;
-mod recording;
+mod machine;
 mod recovering;
 mod recovery_writer;
-mod robots;
 mod state;
 #[cfg(test)]
 mod tests;

@@ -6,19 +6,21 @@ mod columns;
 mod companion_file;
 mod file;
 mod parts;
-mod result;
 mod robot;
 
-use crate::language;
-use crate::text::spoken;
 use egui::text::LayoutJob;
 use egui::{Align, FontId, Layout, ProgressBar, ScrollArea, Ui, vec2};
 
-use crate::gui::import_draft::{ImportAnswers, ImportDraft, LOOKING, in_the_sheets_words};
+use crate::diagnostic::Severity;
+use crate::gui::import_draft::{ImportAnswers, ImportDraft, LOOKING, Trial, in_the_sheets_words};
 use crate::gui::jobs::Running;
 use crate::gui::style::tokens::{Palette, size, space};
+use crate::gui::views::blocks;
 use crate::gui::widgets;
 use crate::gui::workbench::{Command, Task, Workbench};
+use crate::language;
+use crate::present::units::Units;
+use crate::text::spoken;
 
 /// Width of the sheet, points.
 const WIDTH: f32 = 780.0;
@@ -51,7 +53,7 @@ pub(super) fn show(
         companion_file::commanded(ui, now, &mut next, commands);
         companion_file::base_frame(ui, now, &mut next, commands);
         companion_file::reflectors(ui, now, &mut next, commands);
-        result::show(ui, now, workbench.units());
+        result(ui, now, workbench.units());
         widgets::focus_in_sight(ui);
         ui.max_rect().width()
     });
@@ -127,5 +129,47 @@ fn findings(ui: &mut Ui, now: &ImportDraft) {
             finding.severity,
             &in_the_sheets_words(&language::finding(finding)),
         );
+    }
+}
+
+/// Lines of the result that are shown.
+const MOST: usize = 8;
+
+/// What the import would bring or why it is refused, once there is nothing left to ask.
+fn result(ui: &mut Ui, now: &ImportDraft, units: Units) {
+    // As high as it ever was for this file: the fields above keep their place while it changes.
+    let id = ui.scope_id().with(("highest result", &now.path));
+    let highest: f32 = ui.data_mut(|data| data.get_temp(id)).unwrap_or_default();
+    let shown = ui.scope(|ui| {
+        ui.set_min_height(highest);
+        contents(ui, now, units);
+    });
+    let height = shown.response.rect.height().max(highest);
+    ui.data_mut(|data| data.insert_temp(id, height));
+}
+
+fn contents(ui: &mut Ui, now: &ImportDraft, units: Units) {
+    match &now.seen.trial {
+        None => {}
+        Some(Ok(trial)) => {
+            widgets::section(ui, &trial.brings(units).title);
+            brings(ui, trial, units);
+        }
+        Some(Err(because)) => {
+            widgets::section(ui, say!("To fix"));
+            for line in because {
+                parts::line(ui, Severity::Error, line);
+            }
+        }
+    }
+}
+
+fn brings(ui: &mut Ui, trial: &Trial, units: Units) {
+    let section = trial.brings(units);
+    blocks::show(ui, &section.blocks);
+    let mut notes: Vec<_> = trial.notes.iter().collect();
+    notes.sort_by_key(|(severity, _)| std::cmp::Reverse(*severity == Severity::Warning));
+    for (severity, note) in notes.iter().take(MOST) {
+        parts::line(ui, *severity, note);
     }
 }

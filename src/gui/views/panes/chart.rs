@@ -1,7 +1,6 @@
 //! A chart in its pane: a bar in which it is chosen, and the chart.
 
-use egui::{Align, ComboBox, CursorIcon, Layout, Shape, Stroke, StrokeKind, Ui};
-use egui::{Rect, pos2};
+use egui::{Align, ComboBox, CursorIcon, Layout, Rect, Shape, Stroke, StrokeKind, Ui, pos2};
 
 use crate::gui::charts::{
     self, Bars, CHARTS, ChartChoice, ChartKind, HoverTarget, Samples, Scene, Shown, scatter,
@@ -17,7 +16,7 @@ use crate::gui::workbench::{Asked, Command, ViewChange, Workbench};
 use crate::gui::workspace::{self, marked, nearest};
 
 use super::super::copies;
-use super::change::changed;
+use super::menu::changed;
 
 /// Room for the handle, and for the marks at the right end of the bar, points.
 const HANDLE: f32 = 32.0;

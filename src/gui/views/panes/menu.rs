@@ -1,12 +1,39 @@
-//! What can be done with a pane: the menu of its handle.
+//! What a pane is called, how it is changed, and the menu of its handle.
 
 use egui::{Button, Popup, Response, Role, Ui, WidgetInfo};
 
 use crate::gui::actions::{CHART_BELOW, CHART_BESIDE, CLOSE_CHART, WindowState};
-use crate::gui::view::{Content, Edge, Pane, Plot, What};
+use crate::gui::view::{ChartPane, Content, Edge, Key, Pane, Panes, Plot, What};
 use crate::gui::workbench::{Asked, Command, ViewChange, Workbench};
 
-use super::change::rearranged;
+/// What a pane is called.
+pub(super) fn name_of(workbench: &Workbench, pane: &Pane) -> String {
+    match &pane.shows {
+        Content::Workspace => say!("Workspace").to_owned(),
+        Content::Chart(chart) => workbench.kind(chart).about().name().to_owned(),
+    }
+}
+
+/// The panes with this done to the chart in one of them.
+pub(super) fn changed(
+    workbench: &Workbench,
+    key: Key,
+    change: impl FnOnce(&mut ChartPane),
+) -> Command {
+    rearranged(workbench, |panes| {
+        if let Some(pane) = panes.chart_mut(key) {
+            change(pane);
+        }
+        panes.activate(key);
+    })
+}
+
+/// The panes with this done to them.
+pub(super) fn rearranged(workbench: &Workbench, change: impl FnOnce(&mut Panes)) -> Command {
+    let mut panes = workbench.view().panes.clone();
+    change(&mut panes);
+    Command::View(ViewChange::Panes(Box::new(panes)))
+}
 
 pub(super) fn show(
     ui: &Ui,

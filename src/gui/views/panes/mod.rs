@@ -2,7 +2,6 @@
 //! handles and pulled by the grips between them; where there is no room for all of them one is
 //! shown, and a switch between them.
 
-mod change;
 mod chart;
 mod menu;
 mod pane;

@@ -7,7 +7,7 @@ use crate::gui::view::{ChartPane, Content, Key, Pane};
 use crate::gui::workbench::{Command, ViewChange, Workbench};
 use crate::gui::{widgets, workspace};
 
-use super::change::name_of;
+use super::menu::name_of;
 use super::{chart, menu};
 
 /// What stands above a pane that is shown in place of all.

@@ -13,7 +13,7 @@ use crate::gui::view::{Content, Key, Pane, Panes, SplitShare, Tile};
 use crate::gui::widgets::{self, Gripped};
 use crate::gui::workbench::{Command, ViewChange, Workbench};
 
-use super::change::name_of;
+use super::menu::name_of;
 use super::pane::contents;
 
 /// Between panes, points.

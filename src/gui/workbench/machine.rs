@@ -1,16 +1,23 @@
-//! What the report of this machine states, remembered for its next session; and whether the robot is
-//! within its tolerance.
+//! The record of the machine: what its report states, whether it is within its tolerance and what became
+//! of it, and robots that were typed. Remembered from one day to the next.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use crate::compensation::decision::{Outcome, Rule};
+use crate::gui::core::robot_table::{RobotTable, remember};
 use crate::gui::file_state::machines::{self, Machine, Of, Stated};
 use crate::gui::file_state::settings;
 use crate::gui::files;
-use crate::language::spoken;
+use crate::gui::jobs::{Kind, Watch};
+use crate::gui::view::{Message, Sheet, What};
+use crate::language::{finding, spoken};
+use crate::pipeline;
 use crate::present::decision::rests_on;
+use crate::progress::ReadError;
 
-use super::Workbench;
+use super::state::Past;
+use super::{Asked, Command, Workbench};
 
 impl Workbench {
     /// Report details: as they were typed, or as they are proposed.
@@ -108,6 +115,95 @@ impl Workbench {
 
     pub(super) fn rule_and_tolerance(&self) -> Option<(Rule, f64)> {
         Some((self.stated().details.rule?, self.document().tolerance_mm?))
+    }
+
+    /// The sessions that were compared last.
+    pub(crate) fn past(&self) -> Option<&Past> {
+        self.file_state.past.as_deref()
+    }
+
+    /// Compares the sessions that lie beside the open one; asks for a folder where it is in no file.
+    pub(crate) fn compare_here(&self) -> Command {
+        match self.folder() {
+            Some(folder) => Command::CompareSessions(folder),
+            None => Command::Ask(Asked::Folder),
+        }
+    }
+
+    /// Asks for a folder of sessions.
+    pub(super) fn choose_folder(&mut self) {
+        let near = self.file().map(Path::to_path_buf);
+        let ask = move || files::choose_folder(near.as_deref());
+        self.choose(
+            say!("waiting for a folder to be chosen"),
+            ask,
+            |bench, folder| {
+                if let Some(folder) = folder {
+                    bench.execute(Command::CompareSessions(folder));
+                }
+            },
+        );
+    }
+
+    /// Compares the sessions of a folder, and shows what changed.
+    pub(super) fn compare_sessions(&mut self, folder: PathBuf) {
+        let says = say!(
+            "comparing the sessions of {folder}",
+            folder = folder.display()
+        );
+        let work = move |watch: &Watch| {
+            let told = pipeline::history_watched(&folder, &watch.progress_callback());
+            (folder, told)
+        };
+        self.jobs.start(
+            Kind::Once,
+            says,
+            work,
+            |bench: &mut Self, (folder, told)| match told {
+                Ok(history) => {
+                    bench.file_state.past = Some(Arc::new(Past { folder, history }));
+                    bench.view.sheet = Some(Sheet::HISTORY);
+                }
+                Err(ReadError::Cancelled(_)) => {}
+                Err(ReadError::Rejected(rejected)) => {
+                    let lines = rejected.diagnostics.iter().take(5);
+                    let title = say!("There are no sessions to compare").to_owned();
+                    let details = lines.map(finding).collect();
+                    bench.view.message = Some(Message::wrong(title, details));
+                }
+            },
+        );
+    }
+
+    /// Robots that were typed, newest first.
+    pub(crate) fn typed_robots(&self) -> &[RobotTable] {
+        &self.file_state.robots
+    }
+
+    /// Remembers one, and asks for a file to save it to where that is wanted.
+    pub(super) fn keep_robot(&mut self, table: RobotTable, save: bool) {
+        remember(&mut self.file_state.robots, table.clone());
+        if let Some(home) = self.file_state.home.clone() {
+            self.jobs.quietly(
+                move || settings::keep_robot(&home, table).map_err(|e| e.to_string()),
+                Self::take_kept,
+            );
+        }
+        if save {
+            self.choose_where_to_export(What::TypedRobot);
+        }
+    }
+
+    /// Forgets the one of this name.
+    pub(super) fn forget_robot(&mut self, name: &str) {
+        self.file_state.robots.retain(|own| own.name != name);
+        if let Some(home) = self.file_state.home.clone() {
+            let name = name.to_owned();
+            self.jobs.quietly(
+                move || settings::forget_robot(&home, &name).map_err(|e| e.to_string()),
+                Self::take_kept,
+            );
+        }
     }
 }
 

@@ -6,7 +6,7 @@ use crate::diagnosis::NextPose;
 use crate::gui::style::tokens::{Palette, size};
 use crate::gui::view::What;
 use crate::gui::views::copies;
-use crate::gui::widgets::{self};
+use crate::gui::widgets;
 use crate::gui::workbench::{Asked, Command, Workbench};
 use crate::present::poses::{new_reflectors, table};
 use crate::present::table::Cell;

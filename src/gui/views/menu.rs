@@ -1,0 +1,373 @@
+//! The bar at the top: menus, the session's name, undo and redo.
+
+use egui::containers::menu::MenuButton;
+use egui::gui_zoom::{kb_shortcuts, zoom_in, zoom_out};
+use egui::{
+    Align, Button, Context, FontId, Id, Label, Layout, MenuBar, Popup, Response, RichText, Role,
+    Ui, WidgetInfo,
+};
+
+use crate::gui::actions::{self, Action, OPEN_EXAMPLE, OPEN_LATEST, WindowState};
+use crate::gui::core::examples::EXAMPLES;
+use crate::gui::core::loaded_session::Origin;
+use crate::gui::preferences::ZOOM;
+use crate::gui::style::tokens::{Palette, size, space, strong};
+use crate::gui::widgets;
+use crate::gui::workbench::{Command, ViewChange, Workbench};
+
+/// Width of the menus, points.
+const MENUS: f32 = 200.0;
+
+/// With less room it is not said where the session comes from, points.
+const LEAST_ORIGIN: f32 = 80.0;
+
+/// Room for the buttons at the right, points.
+const BUTTONS: f32 = 190.0;
+
+/// What the window is called.
+pub(crate) fn window_title(workbench: &Workbench) -> String {
+    let name = &workbench.document().loaded_session.session.name;
+    let mark = if workbench.unsaved() { " ●" } else { "" };
+    format!("{name}{mark} – truepose")
+}
+
+pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    ui.horizontal_centered(|ui| {
+        let palette = Palette::of(ui);
+        ui.label(
+            RichText::new("truepose")
+                .font(strong(size::HEADING))
+                .color(palette.accent),
+        );
+        ui.add_space(8.0);
+        // A menu bar takes all the width that it is given.
+        let menus = ui.allocate_ui(egui::vec2(MENUS, ui.available_height()), |ui| {
+            MenuBar::new().ui(ui, |ui| {
+                let menu = &mut Menu {
+                    workbench,
+                    commands,
+                };
+                header(ui, say!("File"), |ui| file(ui, menu));
+                header(ui, say!("Edit"), |ui| edit(ui, menu));
+                header(ui, say!("View"), |ui| view(ui, menu));
+                header(ui, say!("Help"), |ui| help(ui, menu));
+            });
+        });
+        // The session's name stands over the plots, which are its own, and leaves room for the
+        // buttons at the right.
+        let room = actions::layout(ui.ctx(), workbench);
+        let over_the_plots = room.left + f32::from(space::PLOT) - ui.cursor().left();
+        ui.add_space(over_the_plots.max(0.0));
+        // Menus of another language may be wider.
+        if menus.response.rect.width() > MENUS + 0.5 {
+            ui.add_space(space::ROW);
+        }
+        let width = (ui.available_width() - BUTTONS).max(0.0);
+        let high = ui.available_height();
+        let left = Layout::left_to_right(Align::Center);
+        ui.allocate_ui_with_layout(egui::vec2(width, high), left, |ui| name(ui, workbench));
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            let redo = workbench.redoes();
+            let says = redo.map_or_else(
+                || say!("Nothing to redo").into(),
+                |w| say!("Redo {edit}", edit = w),
+            );
+            if widgets::history_button(ui, true, redo.is_some(), &says).clicked() {
+                commands.push(Command::Redo);
+            }
+            let undo = workbench.undoes();
+            let says = undo.map_or_else(
+                || say!("Nothing to undo").into(),
+                |w| say!("Undo {edit}", edit = w),
+            );
+            if widgets::history_button(ui, false, undo.is_some(), &says).clicked() {
+                commands.push(Command::Undo);
+            }
+            ui.add_space(space::ROW);
+            let open = actions::layout(ui.ctx(), workbench).results();
+            if widgets::side_button(ui, open, actions::results_says(open)).clicked() {
+                commands.push(Command::View(ViewChange::Results(!open)));
+            }
+        });
+    });
+}
+
+fn name(ui: &mut Ui, workbench: &Workbench) {
+    let palette = Palette::of(ui);
+    let loaded_session = workbench.loaded_session();
+    let title = RichText::new(&loaded_session.session.name).font(strong(size::BODY));
+    let title = ui.add(Label::new(title).truncate());
+    let file_name = |path: &std::path::Path| {
+        let name = path.file_name();
+        name.map_or_else(String::new, |name| name.to_string_lossy().into_owned())
+    };
+    let origin = match (workbench.file(), &loaded_session.origin) {
+        (Some(path), _) => file_name(path),
+        (None, Origin::Bundled) => say!("example").to_owned(),
+        (None, Origin::Simulated) => say!("simulated").to_owned(),
+        (None, Origin::Recovered(_)) => say!("restored").to_owned(),
+        (None, Origin::Imported(path)) => say!("from {path}", path = file_name(path)),
+        (None, Origin::File(path) | Origin::Model(path)) => file_name(path),
+    };
+    let origin = match (&workbench.document().loaded_model, &loaded_session.origin) {
+        (Some(_), Origin::Model(_)) => say!("model {origin}", origin = origin),
+        (Some(given), _) => say!(
+            "{origin} · model {given}",
+            origin = origin,
+            given = given.file_name()
+        ),
+        (None, _) => origin,
+    };
+    let says = if workbench.unsaved() {
+        say!("{origin} · not saved", origin = origin)
+    } else {
+        origin
+    };
+    let font = FontId::proportional(size::SMALL);
+    let galley = ui
+        .painter()
+        .layout_no_wrap(says.clone(), font, palette.muted);
+    // Of a short name a few letters would say nothing.
+    let room = ui.available_width();
+    if galley.size().x <= room || room > LEAST_ORIGIN {
+        let says = RichText::new(says).size(size::SMALL).color(palette.muted);
+        ui.add(Label::new(says).truncate());
+    } else {
+        title.on_hover_text(says);
+    }
+}
+
+/// What the items of a menu are about, and what they ask for.
+struct Menu<'a> {
+    workbench: &'a Workbench,
+    commands: &'a mut Vec<Command>,
+}
+
+impl Menu<'_> {
+    /// Things to do, one below the other.
+    fn items(&mut self, ui: &mut Ui, actions: &[Action]) {
+        for action in actions {
+            self.item_about(ui, action, None);
+        }
+    }
+
+    /// One of them, with what there is to say about it.
+    fn item_about(&mut self, ui: &mut Ui, action: &Action, about: Option<&str>) {
+        let ctx = ui.ctx().clone();
+        let now = WindowState {
+            ctx: &ctx,
+            workbench: self.workbench,
+        };
+        let text = action.label(now);
+        let button = match action.chosen(now) {
+            Some(on) => Button::selectable(on, &text),
+            None => Button::new(&text),
+        };
+        let button = button.shortcut_text(action.keys(&ctx));
+        let mut response = named(ui.add_enabled(action.enabled(now), button), &text);
+        if let Some(about) = about {
+            response = response.on_hover_text(about);
+        }
+        if response.clicked() {
+            self.commands.push(action.command(now));
+            ui.close();
+        }
+    }
+}
+
+/// Which menu was open in the frame before, and which the pointer has opened, and when.
+#[derive(Debug, Clone, Copy, Default)]
+struct Open {
+    now: Option<Id>,
+    by_pointer: Option<(Id, f64)>,
+}
+
+/// A click so soon after the pointer has opened a menu is meant to open it, seconds.
+const SOON_S: f64 = 2.0;
+
+/// A header of the bar. While one menu is open the pointer opens the others, and a click that comes
+/// with the pointer does not close again what the pointer has just opened.
+fn header(ui: &mut Ui, name: &str, contents: impl FnOnce(&mut Ui)) {
+    let key = Id::unique("open menu");
+    let mut open: Open = ui.data(|data| data.get_temp(key)).unwrap_or_default();
+    let time = ui.input(|input| input.time);
+    let (response, shown) = MenuButton::new(name).ui(ui, contents);
+    let id = Popup::default_response_id(&response);
+    let another = open.now.is_some_and(|now| now != id);
+    let soon = |(opened, at): (Id, f64)| opened == id && time - at <= SOON_S;
+    let meant = response.clicked() && open.by_pointer.is_some_and(soon);
+    if response.hovered() && another || meant {
+        Popup::open_id(ui.ctx(), id);
+        ui.ctx().request_repaint();
+        open.now = Some(id);
+        if !meant {
+            open.by_pointer = Some((id, time));
+        }
+    } else if shown.is_some() {
+        open.now = Some(id);
+    } else if open.now == Some(id) {
+        open = Open::default();
+    }
+    ui.data_mut(|data| data.insert_temp(key, open));
+}
+
+/// An item goes by its text alone, without its keys.
+fn named(response: Response, text: &str) -> Response {
+    let enabled = response.enabled();
+    response.widget_info(|| WidgetInfo::labeled(Role::Button, enabled, text));
+    response
+}
+
+fn file(ui: &mut Ui, menu: &mut Menu<'_>) {
+    ui.set_min_width(260.0);
+    menu.items(ui, &[actions::OPEN]);
+    recent(ui, menu);
+    ui.menu_button(say!("Examples"), |ui| {
+        for (action, example) in OPEN_EXAMPLE.iter().zip(&EXAMPLES) {
+            menu.item_about(ui, action, Some(example.what()));
+        }
+    });
+    menu.items(ui, &[actions::IMPORT, actions::NEW, actions::ROBOTS]);
+    ui.separator();
+    menu.items(
+        ui,
+        &[actions::SAVE, actions::SAVE_AS, actions::SAVE_TO_PATH],
+    );
+    ui.separator();
+    menu.items(
+        ui,
+        &[
+            actions::SAVE_MODEL,
+            actions::SAVE_TABLE,
+            actions::COMPENSATE,
+            actions::REPORT_DETAILS,
+            actions::REPORT,
+            actions::HISTORY,
+        ],
+    );
+    ui.separator();
+    menu.items(ui, &[actions::RELOAD, actions::FOLLOW, actions::RECORD]);
+    ui.separator();
+    menu.items(ui, &[actions::QUIT]);
+}
+
+/// Files that were opened before. One that is not there any more says so, and can be taken out.
+fn recent(ui: &mut Ui, menu: &mut Menu<'_>) {
+    let workbench = menu.workbench;
+    let recent: Vec<_> = workbench.recent().collect();
+    if recent.is_empty() {
+        ui.add_enabled(false, Button::new(say!("Recent files")));
+        return;
+    }
+    ui.menu_button(say!("Recent files"), |ui| {
+        ui.set_min_width(300.0);
+        for (k, (path, there)) in recent.iter().enumerate() {
+            let name = path.file_name().unwrap_or(path.as_os_str());
+            let name = name.to_string_lossy();
+            let folder = path.parent().map(|f| f.display().to_string());
+            ui.horizontal(|ui| {
+                let keys = if k == 0 {
+                    OPEN_LATEST.keys(ui.ctx())
+                } else {
+                    String::new()
+                };
+                let button = Button::new(name.clone()).shortcut_text(keys);
+                let button = named(ui.add_enabled(*there, button), &name);
+                let button = button.on_hover_text(path.display().to_string());
+                if button.clicked() {
+                    menu.commands.push(Command::OpenFile(path.to_path_buf()));
+                    ui.close();
+                }
+                if *there {
+                    let muted = Palette::of(ui).muted;
+                    let folder = RichText::new(folder.unwrap_or_default());
+                    let folder = folder.size(size::SMALL).color(muted);
+                    ui.add(egui::Label::new(folder).truncate());
+                } else {
+                    let warning = Palette::of(ui).warning;
+                    let says = RichText::new(say!("file not found")).size(size::SMALL);
+                    ui.label(says.color(warning));
+                    if ui
+                        .small_button(say!("Forget {name}", name = name))
+                        .clicked()
+                    {
+                        menu.commands.push(Command::Forget(path.to_path_buf()));
+                    }
+                }
+            });
+        }
+    });
+}
+
+fn edit(ui: &mut Ui, menu: &mut Menu<'_>) {
+    ui.set_min_width(240.0);
+    menu.items(ui, &[actions::UNDO, actions::REDO]);
+    ui.separator();
+    menu.items(ui, &[actions::EXCLUDE]);
+    ui.separator();
+    menu.items(ui, &[actions::IDENTIFY, actions::SEARCH, actions::CANCEL]);
+    ui.separator();
+    menu.items(ui, &[actions::PALETTE, actions::PREFERENCES]);
+}
+
+fn view(ui: &mut Ui, menu: &mut Menu<'_>) {
+    use actions::{
+        CHART_BELOW, CHART_BESIDE, CLOSE_CHART, FIT, FROM_FRONT, FROM_ISOMETRIC, FROM_SIDE,
+        FROM_TOP, LOOK_AROUND, LOOK_IN_SPACE, LOOK_XY, LOOK_XZ, LOOK_YZ, NEXT_ANGLE, NEXT_LENGTH,
+        NEXT_PLOT, OTHER_THEME, RESULTS, USUAL_PLOTS,
+    };
+    ui.set_min_width(260.0);
+    menu.items(ui, &actions::STEPS[..menu.workbench.steps().len()]);
+    ui.separator();
+    menu.items(ui, &[LOOK_XY, LOOK_XZ, LOOK_YZ, LOOK_AROUND, LOOK_IN_SPACE]);
+    // In a list of their own: a longer menu would not fit below its header.
+    ui.menu_button(say!("Standard 3-D views"), |ui| {
+        ui.set_min_width(220.0);
+        menu.items(ui, &[FROM_ISOMETRIC, FROM_FRONT, FROM_SIDE, FROM_TOP]);
+    });
+    ui.menu_button(say!("Charts"), |ui| {
+        ui.set_min_width(220.0);
+        menu.items(ui, &[CHART_BESIDE, CHART_BELOW, CLOSE_CHART]);
+        ui.separator();
+        menu.items(ui, &[NEXT_PLOT, USUAL_PLOTS]);
+    });
+    menu.items(ui, &[FIT]);
+    ui.separator();
+    menu.items(ui, &[RESULTS]);
+    ui.separator();
+    menu.items(ui, &[NEXT_LENGTH, NEXT_ANGLE, OTHER_THEME]);
+    ui.separator();
+    let now = ui.ctx().zoom_factor();
+    for (text, keys, change, enabled) in [
+        (
+            say!("Larger"),
+            kb_shortcuts::ZOOM_IN,
+            zoom_in as fn(&Context),
+            now < *ZOOM.end(),
+        ),
+        (
+            say!("Smaller"),
+            kb_shortcuts::ZOOM_OUT,
+            zoom_out,
+            now > *ZOOM.start(),
+        ),
+        (
+            say!("Reset zoom"),
+            kb_shortcuts::ZOOM_RESET,
+            |ctx: &Context| ctx.set_zoom_factor(1.0),
+            (now - 1.0).abs() > 1e-3,
+        ),
+    ] {
+        let button = Button::new(text).shortcut_text(actions::in_words(ui.ctx(), keys));
+        let response = ui.add_enabled(enabled, button);
+        if named(response, text).clicked() {
+            change(ui.ctx());
+            ui.close();
+        }
+    }
+}
+
+fn help(ui: &mut Ui, menu: &mut Menu<'_>) {
+    ui.set_min_width(240.0);
+    menu.items(ui, &[actions::WORDS, actions::KEYS, actions::ABOUT]);
+}
