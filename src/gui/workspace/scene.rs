@@ -15,11 +15,10 @@ use crate::gui::workbench::Workbench;
 use crate::numeric::single;
 use crate::sessions::Region;
 
-use super::decimation::longest_of_cells;
-use super::layout::{self, HANDLE, SECTOR};
+use super::layout::{self, HANDLE, SECTOR, longest_of_cells};
 use super::model::{Dial, Shown, VisibleSample, shown};
 use super::pointer::marked;
-use super::robot::{self, Drawn};
+use super::robot::{Drawn, body};
 
 /// Width of a path where its colour says how sure the model is, points …
 const BAND: f32 = 7.0;
@@ -46,7 +45,7 @@ pub(super) fn plane(
     heat(&mut scene, workbench, shown);
     path(&mut scene, shown);
     if let Some(robot) = robot {
-        robot::body(&mut scene, robot, &workbench.base(), camera, None);
+        body::body(&mut scene, robot, &workbench.base(), camera, None);
     }
     samples(&mut scene, workbench, shown, camera);
     emphasised(&mut scene, workbench, shown);

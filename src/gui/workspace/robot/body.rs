@@ -12,7 +12,7 @@ use crate::gui::scene::{
 };
 use crate::gui::view::Facing;
 
-use super::model::{Drawn, JointSymbol};
+use super::{Drawn, JointSymbol};
 
 /// Width of a rod, and of its wall, points.
 const ROD: [f32; 2] = [10.0, 1.25];

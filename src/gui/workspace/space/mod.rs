@@ -1,15 +1,502 @@
-//! The workspace in three dimensions: what the plane shows, seen from wherever the camera is.
+//! The workspace in three dimensions, on the screen and as a picture: what the plane shows, seen from
+//! wherever the camera is, with what the pointer does in it.
 //!
 //! The scene is the one of the plane, projected along the line of sight, so that vectors, colours,
 //! legend and robot are the same in both; only what has a depth is added here.
 
 mod alone;
-mod joints;
-mod looking;
-mod pick;
 mod scene;
-mod show;
 
 pub(crate) use alone::robot_alone;
-pub(crate) use show::sheet;
-pub(super) use show::show;
+
+use egui::{Panel, Pos2, RichText, Role, ScrollArea, Sense, Slider, Ui, WidgetInfo};
+
+use crate::gui::cache::cloud::Cloud;
+use crate::gui::core::scale::stride;
+use crate::gui::scene::{SIZE, Screen, Sheet, paint};
+use crate::gui::style::tokens::{Palette, size};
+use crate::gui::view::{Camera, Canvas};
+use crate::gui::widgets::{self, caption, fine};
+use crate::gui::workbench::{Command, ViewChange, Workbench};
+use crate::kinematics::JointKind;
+use crate::numeric::extent;
+use crate::present::drawing::Drawing;
+use crate::present::numbers::trimmed;
+use crate::present::units::Units;
+
+use super::layout;
+use super::legend::{self, Notes};
+use super::model::Shown;
+use super::over::{self, tell_plot_size};
+use super::pointer::{REACH, hover};
+use super::robot::Drawn;
+use scene::{Space, scene};
+
+/// A direction in space is drawn so much shorter on average.
+const FORESHORTENED: f64 = std::f64::consts::FRAC_PI_4;
+
+/// Width of the sliders that pose the robot, points.
+const SLIDERS: f32 = 176.0;
+
+/// Shows the view in the space that is left, and sends what the pointer does.
+pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, posing: bool, commands: &mut Vec<Command>) {
+    let palette = Palette::of(ui);
+    let shown = Shown::of(workbench);
+    let robot = Drawn::of(workbench);
+    let notes = Notes::recall(ui, &shown);
+    let scale = legend::show(
+        ui,
+        workbench,
+        &shown,
+        robot.as_ref(),
+        &notes.lines,
+        &palette,
+    );
+    if posing && let Some(robot) = &robot {
+        Panel::right("joints of the robot")
+            .resizable(false)
+            .exact_size(SLIDERS)
+            .frame(egui::Frame::NONE.inner_margin(egui::Margin::symmetric(8, 4)))
+            .show(ui, |ui| pose(ui, workbench, &robot.q, commands));
+    }
+    let (rect, response) = ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
+    let space = Space::new(workbench, rect);
+    let camera = &space.camera;
+    let whole = Camera {
+        zoom: 1.0,
+        ..workbench.view().camera
+    };
+    let size = [rect.width(), rect.height()].map(f64::from);
+    let seen = FORESHORTENED * whole.points_per_mm(&space.ball, size);
+    tell_plot_size(workbench, seen, commands);
+    let mut inside = ui.new_child(egui::UiBuilder::new().max_rect(rect));
+    let ui = &mut inside;
+    ui.set_clip_rect(rect.intersect(ui.clip_rect()));
+    let scene = scene(workbench, &shown, robot.as_ref(), &space);
+    let mut shapes = Vec::new();
+    let mut screen = Screen::new(ui.painter(), &palette, &mut shapes);
+    paint(&scene, camera, &mut screen);
+    ui.painter().extend(shapes);
+    let about = (&shown, robot.as_ref());
+    over::show(ui, workbench, about, camera, (notes, scale));
+    let view = workbench.view();
+    describe(&response, workbench);
+    let pointer = response.hover_pos().filter(|_| !response.dragged());
+    let under = pointer.and_then(|at| under(workbench, &shown, &space, at));
+    hover(&response, workbench, under, commands);
+    let turned = alone::looked(ui, &response, rect, &space.ball, view.camera);
+    if response.double_clicked() {
+        commands.push(Command::View(ViewChange::FitWorkspace));
+    } else if turned != view.camera {
+        commands.push(Command::View(ViewChange::Turn(turned)));
+    }
+}
+
+/// How the view is called, and what it shows, for those who do not see it.
+fn describe(response: &egui::Response, workbench: &Workbench) {
+    let view = workbench.view();
+    let samples = workbench.loaded_session().overview.usable.len();
+    let camera = view.camera.describe();
+    let name = match view.selected {
+        Some(sample) => say!(
+            "3-D view, {samples} samples, {camera}, sample {sample} selected",
+            samples = samples,
+            camera = camera,
+            sample = sample + 1
+        ),
+        None => say!(
+            "3-D view, {samples} samples, {camera}",
+            samples = samples,
+            camera = camera
+        ),
+    };
+    response.widget_info(|| WidgetInfo::labeled(Role::Figure, true, name.clone()));
+    let how =
+        say!("arrow keys orbit, plus and minus zoom, Home fits; 0, 1, 3 and 7 are standard views");
+    let ctx = &response.ctx;
+    ctx.accesskit_node_builder(response.id, |node| node.set_description(how));
+}
+
+/// The sample that is drawn under the pointer.
+fn under(workbench: &Workbench, shown: &Shown, space: &Space, at: Pos2) -> Option<usize> {
+    let transform = space.camera.transform();
+    let at = transform.value_from_position(at);
+    let [points, _] = layout::counts(shown, transform);
+    let scale = space.camera.points_per_mm();
+    drawn_at(
+        workbench,
+        shown,
+        [at.x, at.y],
+        scale,
+        (f64::from(REACH), points),
+    )
+}
+
+/// The view on a sheet, and what it shows.
+///
+/// # Errors
+/// There is nothing to draw.
+pub(crate) fn sheet(workbench: &Workbench) -> Result<(Drawing, String), String> {
+    if workbench.loaded_session().is_empty() {
+        return Err(say!("there are no samples to draw").to_owned());
+    }
+    let shown = Shown::on(workbench, Canvas::Shapes);
+    let robot = Drawn::of(workbench);
+    let space = Space::new(workbench, Sheet::frame(SIZE));
+    let session = crate::report::document::clean(&workbench.loaded_session().session.name);
+    let (samples, camera) = (shown.samples, workbench.view().camera.describe());
+    let magnified = trimmed(shown.magnification, 3);
+    let title = if shown.look.answered {
+        say!(
+            "{session}: {samples} samples, {camera}, deviations after magnified {magnified} times",
+            session = session,
+            samples = samples,
+            camera = camera,
+            magnified = magnified
+        )
+    } else {
+        say!(
+            "{session}: {samples} samples, {camera}, deviations before magnified {magnified} times",
+            session = session,
+            samples = samples,
+            camera = camera,
+            magnified = magnified
+        )
+    };
+    let sheet = Sheet {
+        title: title.clone(),
+        axes: None,
+        legend: legend::on_paper(workbench, &shown, robot.as_ref(), &space.camera),
+        notes: shown.notes(),
+    };
+    let scene = scene(workbench, &shown, robot.as_ref(), &space);
+    Ok((sheet.with(&scene, &space.camera), title))
+}
+
+/// Marks that are less than this apart on the screen stand on one another, points.
+const SAME: f64 = 3.0;
+
+/// A mark: its sample, how far it is from the pointer, points, and how near to the viewer, mm.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Candidate {
+    sample: usize,
+    distance: f64,
+    nearness: f64,
+}
+
+/// The nearest to the pointer; of those that stand on one another there, the nearest to the viewer.
+fn picked(candidates: &[Candidate]) -> Option<usize> {
+    let least = candidates.iter().map(|c| c.distance);
+    let least = least.fold(f64::INFINITY, f64::min);
+    let there = candidates.iter().filter(|c| c.distance <= least + SAME);
+    let first = |a: &&Candidate, b: &&Candidate| {
+        let order = a.nearness.total_cmp(&b.nearness);
+        order.then(b.sample.cmp(&a.sample))
+    };
+    there.max_by(first).map(|c| c.sample)
+}
+
+/// The sample at a point of the plot, mm to the right and up as the shown has it, within `reach`
+/// points of it. Only what is drawn is there: the first `points` of the cloud, or the shown's points.
+fn drawn_at(
+    workbench: &Workbench,
+    shown: &Shown,
+    at_mm: [f64; 2],
+    points_per_mm: f64,
+    (reach, points): (f64, usize),
+) -> Option<usize> {
+    let facing = &shown.look.facing;
+    let reach_mm = reach / points_per_mm;
+    let within = |p: [f64; 2]| {
+        let distance = (p[0] - at_mm[0]).hypot(p[1] - at_mm[1]);
+        (distance <= reach_mm).then_some(distance * points_per_mm)
+    };
+    let found: Vec<Candidate> = match shown.canvas {
+        Canvas::Shapes => {
+            let candidates = shown.each.iter().filter_map(|one| {
+                Some(Candidate {
+                    sample: one.sample,
+                    distance: within(facing.flat(one.at_mm))?,
+                    nearness: facing.nearness(one.at_mm),
+                })
+            });
+            candidates.collect()
+        }
+        Canvas::Layers(_) => {
+            let cloud = Cloud::of(workbench.loaded_session());
+            let [x, y] = facing.flat(cloud.centre_mm);
+            let drawn = cloud.places.iter().zip(&cloud.samples).take(points);
+            let candidates = drawn.filter_map(|(place, sample)| {
+                let p = [0, 1, 2].map(|k| f64::from(place[k]));
+                let [right, up] = facing.flat(p);
+                Some(Candidate {
+                    sample: *sample as usize,
+                    distance: within([x + right, y + up])?,
+                    nearness: facing.nearness(p),
+                })
+            });
+            candidates.collect()
+        }
+    };
+    picked(&found)
+}
+
+/// Smallest and largest value of a joint's slider, rad or mm: its limits; where it has none, what
+/// was measured; where nothing was, a turn to either side or 500 mm.
+fn range(workbench: &Workbench, joint: usize) -> [f64; 2] {
+    /// Samples that are looked at: a frame must not look at all.
+    const SOME: usize = 2_000;
+    let session = &workbench.loaded_session().session;
+    let one = &session.robot.joints[joint];
+    let whole = match one.kind {
+        JointKind::Revolute => std::f64::consts::PI,
+        JointKind::Prismatic => 500.0,
+    };
+    if let Some(limits) = one.limits.filter(|l| l.from < l.to) {
+        return [limits.from, limits.to];
+    }
+    let q = &session.samples.q[joint];
+    let some = q.iter().step_by(stride(q.len(), SOME));
+    let [low, high] = extent(some);
+    if low < high {
+        [low, high]
+    } else {
+        [-whole, whole]
+    }
+}
+
+/// A slider for each joint; `now` is where the robot is drawn.
+fn pose(ui: &mut Ui, workbench: &Workbench, now: &[f64], commands: &mut Vec<Command>) {
+    let units = workbench.units();
+    let joints = &workbench.loaded_session().session.robot.joints;
+    ui.horizontal(|ui| {
+        widgets::title(ui, say!("Pose"));
+        if workbench.view().pose.is_some() && ui.button(say!("Back to sample")).clicked() {
+            commands.push(Command::View(ViewChange::Pose(None)));
+        }
+    });
+    ScrollArea::vertical().id_salt("joints").show(ui, |ui| {
+        ui.spacing_mut().item_spacing.y = 2.0;
+        ui.spacing_mut().interact_size.y = 16.0;
+        for (k, (joint, q)) in joints.iter().zip(now).enumerate() {
+            caption(
+                ui,
+                &format!("{}  {}", joint.name, value(units, joint.kind, *q)),
+            );
+            let [low, high] = range(workbench, k);
+            let mut next = *q;
+            fine(ui, ui.available_width());
+            let slider = Slider::new(&mut next, low.min(*q)..=high.max(*q)).show_value(false);
+            let slider = ui.add(slider);
+            let name = say!("Pose of joint {k}, {joint}", k = k + 1, joint = joint.name);
+            ui.ctx()
+                .accesskit_node_builder(slider.id, |node| node.set_label(name));
+            if slider.changed() && next != *q {
+                let mut pose = now.to_vec();
+                pose[k] = next;
+                commands.push(Command::View(ViewChange::Pose(Some(pose))));
+            }
+        }
+        if workbench.view().pose.is_none() {
+            ui.label(RichText::new(say!("from the sample that is shown")).size(size::NOTE));
+        }
+        widgets::focus_in_sight(ui);
+    });
+}
+
+fn value(units: Units, kind: JointKind, q: f64) -> String {
+    match kind {
+        JointKind::Revolute => units.angle(q),
+        JointKind::Prismatic => units.length(q),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use egui::{Rect, vec2};
+    use nalgebra::{Isometry3, Point3, Vector3};
+
+    use crate::gui::core::edit::Edit;
+    use crate::gui::testing::workbench;
+    use crate::gui::view::{Camera, Standard};
+    use crate::gui::workbench::{Command, ViewChange};
+
+    use super::*;
+
+    /// An arm measured by a tracker that stands in a frame of its own, and says so in a column.
+    fn arm() -> Workbench {
+        opened(&arms().join("six-60.json"))
+    }
+
+    fn arms() -> std::path::PathBuf {
+        concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/arms").into()
+    }
+
+    fn opened(file: &std::path::Path) -> Workbench {
+        let mut workbench = workbench();
+        workbench.execute(Command::OpenFile(file.into()));
+        workbench.receive();
+        assert!(workbench.view().in_space(), "no plane shows several joints");
+        workbench
+    }
+
+    /// How far from where it was measured the tool of the shown sample is drawn, mm.
+    fn far(workbench: &Workbench) -> f64 {
+        let drawn = Drawn::of(workbench).expect("there are samples");
+        let (tool, sample) = (drawn.corners_mm[13], drawn.sample.expect("one of them"));
+        (tool - Point3::from(workbench.loaded_session().measured(sample))).norm()
+    }
+
+    #[test]
+    fn with_setups_the_robot_stands_there_from_the_beginning() {
+        let mut workbench = arm();
+        assert!(far(&workbench) < 20.0, "{}", far(&workbench));
+        let before = workbench
+            .loaded_session()
+            .gap_before
+            .expect("samples")
+            .rms_mm;
+        assert!(before < 10.0, "{before}");
+        workbench.execute(Command::Edit(Edit::Identify));
+        workbench.receive();
+        assert!(far(&workbench) < 20.0, "{}", far(&workbench));
+        assert!(
+            Shown::of(&workbench).look.ghosts(),
+            "before is worth a look"
+        );
+    }
+
+    #[test]
+    fn once_it_is_identified_the_robot_stands_where_its_targets_were_measured() {
+        // The same without the column: only the fit finds where the tracker stands.
+        let folder = tempfile::tempdir().expect("a folder");
+        let text = std::fs::read_to_string(arms().join("six-60.csv")).expect("the samples");
+        let file = folder.path().join("six-60.json");
+        std::fs::copy(arms().join("six-60.json"), &file).expect("copied");
+        let samples = text.replace(",setup,", ",name,");
+        std::fs::write(folder.path().join("six-60.csv"), samples).expect("written");
+        let mut workbench = opened(&file);
+        assert!(far(&workbench) > 1000.0);
+        workbench.execute(Command::Edit(Edit::Identify));
+        workbench.receive();
+        assert!(far(&workbench) < 20.0, "{}", far(&workbench));
+        // z of the base is up although the tracker leans.
+        let up = workbench.base().rotation * Vector3::z();
+        assert!(workbench.facing().flat(up.into())[0].abs() < 1e-9);
+        // Vectors are as long as what is left can be read, and the frame's error is not drawn.
+        let scene = Shown::of(&workbench);
+        assert!(scene.magnification > 100.0 && !scene.look.ghosts());
+        // The plane stays in the measuring frame.
+        workbench.execute(Command::View(ViewChange::Look(crate::gui::view::Plane::Xy)));
+        assert_eq!(workbench.base(), Isometry3::identity());
+    }
+
+    #[test]
+    fn everything_is_in_sight_until_somebody_looks_closer() {
+        let mut workbench = arm();
+        workbench.execute(Command::Edit(Edit::Identify));
+        workbench.receive();
+        let rect = Rect::from_min_size(egui::pos2(20.0, 30.0), vec2(500.0, 320.0));
+        for _ in 0..6 {
+            let turned = workbench.view().camera.orbited([61.0, 17.0]);
+            workbench.execute(Command::View(ViewChange::Turn(turned)));
+            let space = Space::new(&workbench, rect);
+            let loaded_session = workbench.loaded_session();
+            for sample in 0..loaded_session.len() {
+                let at = space.camera.at(loaded_session.measured(sample));
+                assert!(rect.contains(at), "{at:?}");
+            }
+            assert!(rect.contains(space.camera.at(space.of_base([0.0; 3]))));
+        }
+        let closer = workbench.view().camera.zoomed(20.0, [0.0; 2]);
+        workbench.execute(Command::View(ViewChange::Turn(closer)));
+        workbench.execute(Command::View(ViewChange::FitWorkspace));
+        assert_eq!(workbench.view().camera.zoom, 1.0);
+    }
+
+    #[test]
+    fn a_posed_robot_stands_there_until_a_sample_is_chosen_or_the_robot_is_another() {
+        let mut workbench = arm();
+        let pose = vec![0.1, -0.2, 0.3, 0.0, 0.5, 0.0];
+        workbench.execute(Command::View(ViewChange::Pose(Some(pose.clone()))));
+        let drawn = Drawn::of(&workbench).expect("a robot");
+        assert!(drawn.q == pose && drawn.asked_for && drawn.real.is_none());
+        assert!(
+            drawn.describe().starts_with("robot as posed"),
+            "{}",
+            drawn.describe()
+        );
+        workbench.execute(Command::View(ViewChange::Select(Some(3))));
+        assert_eq!(Drawn::of(&workbench).expect("a robot").sample, Some(3));
+        workbench.execute(Command::View(ViewChange::Pose(Some(pose))));
+        workbench.execute(Command::View(ViewChange::Pose(Some(vec![0.0]))));
+        assert_eq!(
+            workbench.view().pose,
+            None,
+            "one value is no pose of six joints"
+        );
+    }
+
+    #[test]
+    fn a_slider_reaches_over_the_limits_or_what_was_measured() {
+        let workbench = arm();
+        let session = &workbench.loaded_session().session;
+        for (k, joint) in session.robot.joints.iter().enumerate() {
+            let [low, high] = range(&workbench, k);
+            assert!(low < high);
+            if let Some(limits) = joint.limits {
+                assert_eq!([low, high], [limits.from, limits.to]);
+            } else {
+                let q = &session.samples.q[k];
+                assert!(q.iter().all(|v| (low..=high).contains(v)));
+            }
+        }
+    }
+
+    #[test]
+    fn of_marks_on_one_another_the_nearest_to_the_viewer_is_picked() {
+        let mark = |sample, distance, nearness| Candidate {
+            sample,
+            distance,
+            nearness,
+        };
+        assert_eq!(picked(&[]), None);
+        // Two on one another, and one beside them that is nearer to the viewer still.
+        let marks = [
+            mark(7, 1.0, -300.0),
+            mark(8, 2.5, 200.0),
+            mark(9, 9.0, 900.0),
+        ];
+        assert_eq!(picked(&marks), Some(8));
+        assert_eq!(picked(&[mark(5, 1.0, 2.0), mark(4, 1.0, 2.0)]), Some(4));
+    }
+
+    #[test]
+    fn every_sample_that_is_drawn_is_found_where_it_is_from_every_side_by_shapes_and_layers() {
+        for canvas in [Canvas::Shapes, Canvas::Layers(usize::MAX)] {
+            let mut workbench = workbench();
+            workbench.execute(Command::View(ViewChange::Canvas(canvas)));
+            let tilted = Camera::default().orbited([40.0, 25.0]);
+            for camera in [Camera::from(Standard::Front), tilted] {
+                workbench.execute(Command::View(ViewChange::LookFrom(None)));
+                workbench.execute(Command::View(ViewChange::Turn(camera)));
+                let shown = Shown::of(&workbench);
+                let facing = workbench.facing();
+                let loaded_session = workbench.loaded_session();
+                for sample in loaded_session.overview.usable.iter().map(|s| *s as usize) {
+                    let p = loaded_session.measured(sample);
+                    let at = facing.flat(p);
+                    let all = loaded_session.len();
+                    let found = drawn_at(&workbench, &shown, at, 100.0, (14.0, all));
+                    let found = found.expect("it is there");
+                    let q = loaded_session.measured(found);
+                    let apart = facing.flat([0, 1, 2].map(|k| q[k] - p[k]));
+                    assert!(100.0 * apart[0].hypot(apart[1]) < SAME + 0.1);
+                    assert!(facing.nearness(q) > facing.nearness(p) - 1e-3);
+                }
+                let nowhere = drawn_at(&workbench, &shown, [1e5, 1e5], 100.0, (14.0, 9));
+                assert_eq!(nowhere, None);
+            }
+        }
+    }
+}

@@ -13,7 +13,7 @@ use crate::gui::workbench::Workbench;
 use crate::present::numbers::trimmed;
 
 use super::super::model::{Shown, ball};
-use super::super::robot::{self, Drawn};
+use super::super::robot::{Drawn, body};
 use super::super::scene::{emphasised, path, samples};
 
 /// Squares of the grid from its middle to its edge, at least.
@@ -71,9 +71,9 @@ pub(super) fn scene(
             let motions = loaded_session.session.robot.motions_from_home(&robot.q);
             let motions: Vec<_> = motions.iter().map(|motion| space.base * motion).collect();
             let facing = &shown.look.facing;
-            robot::surface(appearance, &motions, facing, robot.asked_for)
+            body::surface(appearance, &motions, facing, robot.asked_for)
         });
-        robot::body(&mut scene, robot, &space.base, camera, surface);
+        body::body(&mut scene, robot, &space.base, camera, surface);
     }
     samples(&mut scene, workbench, shown, camera);
     proposed(&mut scene, workbench, space);
