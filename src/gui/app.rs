@@ -317,7 +317,7 @@ impl App {
                     views::panes::show(ui, workbench, commands);
                 }
             });
-        views::grips::show(ui, workbench, room, middle, commands);
+        views::steps::grips(ui, workbench, room, middle, commands);
         views::notices::show(ui, workbench, room, commands);
         dialogs::show(ui, workbench, commands);
         views::notices::dropped(ui, commands);

@@ -13,7 +13,7 @@ use crate::gui::core::answer::Answer;
 use crate::gui::core::document::{ExportChoice, Question, QuestionDetails};
 use crate::gui::core::identify::answer;
 use crate::gui::core::loaded_session::LoadedSession;
-use crate::gui::core::overview::Readable;
+use crate::gui::core::scale::Readable;
 use crate::gui::jobs::Watch;
 use crate::language::spoken;
 use crate::numeric::Ascending;

@@ -5,15 +5,14 @@
 
 use std::sync::Arc;
 
+use super::charts::{ChartInputs, ChartResult, Envelope, Work};
 use super::projected::{Nearest, Thinned};
-use crate::gui::cache::envelope::Envelope;
 use crate::gui::cache::heat::Heat;
 use crate::gui::cache::identified::IdentifiedAnswer;
 use crate::gui::cache::uncertain::Uncertain;
-use crate::gui::cache::work::{ChartInputs, ChartResult, Work};
 use crate::gui::core::answer::Answer;
 use crate::gui::core::loaded_session::{Component, LoadedSession};
-use crate::gui::core::over::{Over, Variable};
+use crate::gui::core::quantity::{Over, Variable};
 use crate::gui::core::scale::FEW;
 use crate::gui::view::Plane;
 

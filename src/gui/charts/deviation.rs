@@ -2,11 +2,10 @@
 //! after. Of many samples the extremes in each column of the screen are shown.
 
 use super::{About, ChartChoice, ChartKind, ChartPlaceholder, HoverTarget, Samples, Scene, Shown};
-use crate::gui::cache::envelope::{Column, Envelope};
-use crate::gui::cache::work::Work;
+use crate::gui::cache::charts::{Column, Envelope, Work};
 use crate::gui::core::boundaries::boundaries;
 use crate::gui::core::loaded_session::Component;
-use crate::gui::core::over::{Over, Scale, Variable};
+use crate::gui::core::quantity::{Over, Scale, Variable};
 use crate::gui::core::scale::{FEW, stride, thinned};
 use crate::gui::help::{self, Word};
 use crate::numeric::whole;
@@ -15,8 +14,7 @@ use crate::present::chart::{
 };
 use crate::present::numbers::significant;
 use crate::present::table::{Cell, Table};
-use crate::text::Template;
-use crate::text::within;
+use crate::text::{Template, within};
 
 /// Of so many samples near the pointer at most; more stand on one another.
 const MOST_NEAR: usize = 400;

@@ -5,7 +5,7 @@
 
 mod scene;
 
-use crate::gui::cache::work::Work;
+use super::cache::charts::Work;
 use crate::gui::help::Word;
 use crate::present::chart::{Chart, Item};
 use crate::present::table::Table;

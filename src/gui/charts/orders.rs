@@ -3,8 +3,8 @@
 use super::{
     About, Bars, ChartChoice, ChartKind, ChartPlaceholder, Facts, HoverTarget, Scene, Shown,
 };
-use crate::gui::cache::work::{ChartInputs, Work};
-use crate::gui::core::over::{Over, Variable};
+use crate::gui::cache::charts::{ChartInputs, Work};
+use crate::gui::core::quantity::{Over, Variable};
 use crate::gui::core::search::terms;
 use crate::gui::help;
 use crate::language;

@@ -4,11 +4,10 @@
 use std::borrow::Cow;
 
 use super::{About, ChartChoice, ChartKind, ChartPlaceholder, HoverTarget, Samples, Scene, Shown};
-use crate::gui::cache::work::{ChartInputs, Work};
+use crate::gui::cache::charts::{ChartInputs, Work};
 use crate::gui::core::answer::Answer;
 use crate::gui::core::loaded_session::{Component, LoadedSession};
-use crate::gui::core::over::Scale;
-use crate::gui::core::quantity::Quantity;
+use crate::gui::core::quantity::{Quantity, Scale};
 use crate::gui::core::scale::FEW;
 use crate::gui::help::Word;
 use crate::numeric::whole;

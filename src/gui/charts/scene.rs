@@ -5,8 +5,8 @@ use std::any::Any;
 use std::sync::Arc;
 
 use crate::diagnosis::Diagnosis;
+use crate::gui::cache::charts::ChartResult;
 use crate::gui::cache::identified::{ExportPreview, IdentifiedAnswer};
-use crate::gui::cache::work::ChartResult;
 use crate::gui::core::answer::Answer;
 use crate::gui::core::document::Document;
 use crate::gui::core::loaded_session::{Component, LoadedSession};

@@ -14,7 +14,7 @@ use crate::present::units::Units;
 use crate::sessions::division::RegionChoice;
 use crate::sessions::{Region, Session};
 
-use super::loaded_model::LoadedModel;
+use super::answer::LoadedModel;
 use super::loaded_session::LoadedSession;
 use super::search::{self, Search};
 

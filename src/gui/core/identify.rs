@@ -18,7 +18,7 @@ use crate::gui::core::document::{Question, QuestionDetails, RequestedSearch};
 use crate::gui::core::loaded_session::LoadedSession;
 use crate::gui::jobs::Watch;
 
-use super::loaded_model;
+use super::answer;
 
 /// Works the answer to a question out. Takes its time with many samples.
 pub(crate) fn answer(question: &Question, watch: &Watch) -> Result<Answer, String> {
@@ -30,7 +30,7 @@ pub(crate) fn answer(question: &Question, watch: &Watch) -> Result<Answer, Strin
         calibration,
         data_problems,
     } = match &question.asks {
-        QuestionDetails::Given(given) => return loaded_model::answer(given, loaded_session),
+        QuestionDetails::Given(given) => return answer::answer(given, loaded_session),
         QuestionDetails::Exact {
             effects,
             with,

@@ -20,10 +20,9 @@ use crate::model::Positions;
 use crate::progress::{Cancelled, ProgressSpan};
 use crate::sessions::Session;
 
-use super::answer::measuring_from_base;
 use super::appearance::Appearance;
 use super::by_angle::{Angles, RegionTotals};
-use super::overview::{Attached, Coverage, Overview};
+use super::overview::{Attached, Coverage, Overview, measuring_from_base};
 use crate::gui::core::disk::Fingerprint;
 
 /// Where a session came from.

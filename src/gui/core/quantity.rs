@@ -1,12 +1,228 @@
-//! What a scatter can have along an axis: any column of the session, where the point was measured,
-//! a component of the deviation, the order of measuring.
+//! What a chart of samples has along its axes: the value of a joint, time, load, temperature; for an effect
+//! also the joint's speed and its travel since the last reversal; in a scatter also where the point was
+//! measured, a component of the deviation, the order of measuring.
 
 use serde::{Deserialize, Serialize};
 
+use crate::present::numbers::trimmed;
+use crate::present::units::{AngleUnit, Units};
+
 use super::answer::Answer;
 use super::loaded_session::{Component, LoadedSession};
-use super::over::{Over, Scale, Variable};
-use crate::present::units::Units;
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub(crate) enum Variable {
+    /// Commanded value of the joint, rad or mm.
+    Joint,
+    /// Time, s.
+    Time,
+    /// Load, kg.
+    Load,
+    /// Temperature, °C.
+    Temperature,
+    /// Signed speed of the joint, rad/s or mm/s.
+    Speed,
+    /// How far the joint has moved since it last reversed, rad or mm.
+    Travel,
+}
+
+/// A variable, and the joint that it is about; its side is what the marks point to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub(crate) struct Over {
+    pub(crate) variable: Variable,
+    /// The joint, counted from 0.
+    pub(crate) joint: usize,
+}
+
+impl Over {
+    /// The variable at a sample; NaN where it is not known. Travel is not a column.
+    pub(crate) fn of(self, loaded_session: &LoadedSession, sample: usize) -> f64 {
+        self.column(loaded_session)
+            .map_or(f64::NAN, |column| column[sample])
+    }
+
+    /// The column, where the session has it.
+    pub(crate) fn column(self, loaded_session: &LoadedSession) -> Option<&[f64]> {
+        let samples = &loaded_session.session.samples;
+        match self.variable {
+            Variable::Joint => samples.q.get(self.joint).map(Vec::as_slice),
+            Variable::Time => samples.time_s.as_deref(),
+            Variable::Load => samples.load_kg.as_deref(),
+            Variable::Temperature => samples.temperature_c.as_deref(),
+            Variable::Speed => samples.speed.get(self.joint)?.as_deref(),
+            Variable::Travel => None,
+        }
+    }
+
+    /// Side from which the joint came; 0 where it is not known.
+    pub(crate) fn side(self, loaded_session: &LoadedSession, sample: usize) -> f64 {
+        let dir = loaded_session.session.samples.dir.get(self.joint);
+        let side = dir.and_then(Option::as_ref).map_or(0.0, |dir| dir[sample]);
+        if side.is_nan() { 0.0 } else { side }
+    }
+
+    /// Whether no sample has a value. Looks at all of them, at worst.
+    pub(crate) fn is_missing(self, loaded_session: &LoadedSession) -> bool {
+        let column = self.column(loaded_session);
+        !column.is_some_and(|column| column.iter().any(|v| v.is_finite()))
+    }
+
+    /// What the session would need to be shown over it: in one line, and what to log for what.
+    pub(crate) fn needs(self) -> [&'static str; 2] {
+        match self.variable {
+            Variable::Joint => [
+                say!("No sample has a joint value"),
+                say!("Every sample needs its q1 cell"),
+            ],
+            Variable::Time => [
+                say!("No time was logged"),
+                say!(
+                    "A column time_s would show whether the deviation drifts while you measure, and when the tripod was touched"
+                ),
+            ],
+            Variable::Load => [
+                say!("No load was logged"),
+                say!(
+                    "A column load_kg would show whether the arm gives way under what it carries: measure some poses empty and the same ones loaded"
+                ),
+            ],
+            Variable::Temperature => [
+                say!("No temperature was logged"),
+                say!(
+                    "A column temperature_c would show whether the deviation follows the machine's warmth"
+                ),
+            ],
+            Variable::Speed | Variable::Travel => [
+                say!("The joint's motion was not logged"),
+                say!(
+                    "Columns speed1_deg_s and dir1 would show how the deviation follows the motion"
+                ),
+            ],
+        }
+    }
+
+    fn turns(self, loaded_session: &LoadedSession) -> bool {
+        loaded_session.joint_turns(self.joint)
+    }
+
+    /// How the variable is shown: its scale to the screen's unit, and that unit. `span` is how far
+    /// it reaches, inner units.
+    pub(crate) fn scale(self, loaded_session: &LoadedSession, units: Units, span: f64) -> Scale {
+        let turns = self.turns(loaded_session);
+        let per = |factor: f64, unit: &str| Scale {
+            factor,
+            origin: 0.0,
+            unit: unit.to_owned(),
+            degrees: false,
+        };
+        let since = |factor: f64, unit: &str| Scale {
+            origin: self.first(loaded_session),
+            ..per(factor, unit)
+        };
+        match self.variable {
+            Variable::Joint | Variable::Travel if turns => Scale {
+                degrees: units.angle == AngleUnit::Degree,
+                ..per(units.angle_value(1.0), units.angle_name().trim())
+            },
+            Variable::Joint | Variable::Travel => per(units.length_value(1.0), units.length_name()),
+            Variable::Speed if turns => per(
+                units.angle_value(1.0),
+                &format!("{}/s", units.angle_name().trim()),
+            ),
+            Variable::Speed => per(
+                units.length_value(1.0),
+                &format!("{}/s", units.length_name()),
+            ),
+            Variable::Time if span > 3.0 * 3600.0 => since(1.0 / 3600.0, "h"),
+            Variable::Time if span > 600.0 => since(1.0 / 60.0, "min"),
+            Variable::Time => since(1.0, "s"),
+            Variable::Load => per(1.0, "kg"),
+            Variable::Temperature => per(1.0, "°C"),
+        }
+    }
+
+    /// The first value that is known.
+    fn first(self, loaded_session: &LoadedSession) -> f64 {
+        let known = |column: &[f64]| column.iter().copied().find(|v| v.is_finite());
+        self.column(loaded_session).and_then(known).unwrap_or(0.0)
+    }
+
+    /// What stands below the axis, without the unit.
+    pub(crate) fn label(self, loaded_session: &LoadedSession) -> String {
+        let joint = &loaded_session.session.robot.joints[self.joint].name;
+        match self.variable {
+            Variable::Joint => joint.clone(),
+            Variable::Time if self.first(loaded_session) == 0.0 => say!("time").to_owned(),
+            Variable::Time => say!("time since the first sample").to_owned(),
+            Variable::Load => say!("load").to_owned(),
+            Variable::Temperature => say!("temperature").to_owned(),
+            Variable::Speed => say!("speed of {joint}", joint = joint),
+            Variable::Travel => say!("travel of {joint} since it reversed", joint = joint),
+        }
+    }
+
+    /// The heading of its column in a table, inner units except that a joint's angle is in degrees.
+    pub(crate) fn heading(self, loaded_session: &LoadedSession) -> String {
+        let turns = self.turns(loaded_session);
+        let number = self.joint + 1;
+        match (self.variable, turns) {
+            (Variable::Joint, true) => format!("q{number}, deg"),
+            (Variable::Joint, false) => format!("q{number}, mm"),
+            (Variable::Time, _) => "time, s".to_owned(),
+            (Variable::Load, _) => "load, kg".to_owned(),
+            (Variable::Temperature, _) => "temperature, °C".to_owned(),
+            (Variable::Speed, true) => format!("speed {number}, deg/s"),
+            (Variable::Speed, false) => format!("speed {number}, mm/s"),
+            (Variable::Travel, true) => format!("travel {number}, deg"),
+            (Variable::Travel, false) => format!("travel {number}, mm"),
+        }
+    }
+
+    /// A value as that table has it.
+    pub(crate) fn cell(self, loaded_session: &LoadedSession, value: f64) -> f64 {
+        match self.variable {
+            Variable::Joint | Variable::Speed | Variable::Travel if self.turns(loaded_session) => {
+                crate::units::deg_from_rad(value)
+            }
+            _ => value,
+        }
+    }
+}
+
+/// How a variable becomes a number on the screen.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Scale {
+    /// Screen units in one inner unit.
+    pub(crate) factor: f64,
+    /// What is zero on the screen, inner units.
+    pub(crate) origin: f64,
+    pub(crate) unit: String,
+    /// Whether the axis is divided into parts of a turn.
+    pub(crate) degrees: bool,
+}
+
+impl Scale {
+    /// A value as it stands on the screen.
+    pub(crate) fn shown(&self, value: f64) -> f64 {
+        (value - self.origin) * self.factor
+    }
+
+    /// The value at a place of the screen.
+    pub(crate) fn value_at(&self, shown: f64) -> f64 {
+        shown / self.factor + self.origin
+    }
+
+    /// `36 °C`, `−90°`.
+    pub(crate) fn describe(&self, value: f64) -> String {
+        let number = trimmed(self.shown(value), 2);
+        if self.unit == "°" {
+            format!("{number}°")
+        } else {
+            format!("{number} {}", self.unit)
+        }
+    }
+}
 
 /// One quantity of the samples.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -133,5 +349,52 @@ impl Quantity {
             Self::Column(over) => over.cell(loaded_session, value),
             _ => value,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::gui::testing::workbench;
+
+    use super::*;
+
+    #[test]
+    fn what_was_not_logged_is_named_with_its_column_and_what_it_is_for() {
+        let workbench = workbench();
+        let mut session = workbench.loaded_session().session.clone();
+        session.samples.load_kg = None;
+        session.samples.temperature_c = Some(vec![f64::NAN; session.samples.len()]);
+        let loaded_session = LoadedSession::new(
+            session,
+            Vec::new(),
+            workbench.loaded_session().origin.clone(),
+        );
+        let over = |variable| Over { variable, joint: 0 };
+        for (variable, column) in [
+            (Variable::Load, "load_kg"),
+            (Variable::Temperature, "temperature_c"),
+        ] {
+            assert!(over(variable).is_missing(&loaded_session));
+            let [_, why] = over(variable).needs();
+            assert!(why.contains(column), "{why}");
+            assert!(over(variable).of(&loaded_session, 0).is_nan());
+        }
+        assert!(!over(Variable::Joint).is_missing(&loaded_session));
+    }
+
+    #[test]
+    fn time_is_shown_in_a_unit_that_can_be_read() {
+        let workbench = workbench();
+        let over = Over {
+            variable: Variable::Time,
+            joint: 0,
+        };
+        let unit = |span: f64| {
+            let scale = over.scale(workbench.loaded_session(), Units::default(), span);
+            (scale.unit.clone(), scale.describe(scale.origin + span))
+        };
+        assert_eq!(unit(90.0), ("s".to_owned(), "90 s".to_owned()));
+        assert_eq!(unit(3600.0), ("min".to_owned(), "60 min".to_owned()));
+        assert_eq!(unit(36_000.0), ("h".to_owned(), "10 h".to_owned()));
     }
 }

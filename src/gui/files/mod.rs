@@ -1,16 +1,14 @@
 //! Reading and writing, as the background tasks do it: through the library, like the terminal.
 
-mod advice;
 mod opening;
 pub(crate) mod reporting;
 mod system;
 mod writing;
 
-pub(crate) use advice::cancelled;
 pub(crate) use opening::{Opened, first_example, open, open_example, simulate};
 pub(crate) use system::{
-    choose_beside, choose_folder, choose_logo, choose_targets, choose_to_export, choose_to_import,
-    choose_to_open, choose_to_save, open_outside,
+    cancelled, choose_beside, choose_folder, choose_logo, choose_targets, choose_to_export,
+    choose_to_import, choose_to_open, choose_to_save, open_outside,
 };
 pub(crate) use writing::{
     NotSaved, Replace, Saved, can_be_written, export, not_written, save, saved, write_list,

@@ -7,10 +7,10 @@ use std::sync::Arc;
 
 use crate::diagnostic::Diagnostic;
 use crate::gui::cache::cloud::Cloud;
+use crate::gui::core::answer::LoadedModel;
 use crate::gui::core::appearance::{Appearance, Chain, seen, seen_again};
 use crate::gui::core::disk::Fingerprint;
 use crate::gui::core::examples::EXAMPLES;
-use crate::gui::core::loaded_model::LoadedModel;
 use crate::gui::core::loaded_session::{LoadedSession, Origin};
 use crate::gui::core::simulate::Form;
 use crate::gui::import_draft::ImportDraft;
@@ -22,7 +22,7 @@ use crate::pipeline::{self, is_model, load_model};
 use crate::progress::{Cancelled, Progress, ProgressSpan, ReadError, unwatched};
 use crate::sessions::Loaded;
 
-use super::advice::cancelled;
+use super::system::cancelled;
 
 #[derive(Debug)]
 pub(crate) enum Opened {

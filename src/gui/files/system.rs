@@ -1,10 +1,14 @@
-//! What the system does with files: its dialogs that choose them, and its programs that show them.
+//! What the system does with files: its dialogs that choose them, its programs that show them, and what
+//! is said where it did not read or write one.
 
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
+use crate::atomic::WriteError;
 use crate::gui::import_draft::{Companion, ROBOTS, TABLES};
 use crate::gui::view::What;
+use crate::language;
 use crate::programs::LANGUAGES;
 use crate::text::{Template, spoken};
 
@@ -178,6 +182,55 @@ pub(crate) fn open_outside(path: &Path, in_folder: bool) -> Result<(), String> {
         Ok(_) => Err(say!("the system has no program for it").to_owned()),
         Err(error) => Err(error.to_string()),
     }
+}
+
+/// Why something was not read or written.
+pub(crate) fn cancelled() -> String {
+    say!("it was cancelled").to_owned()
+}
+
+/// What the system says, and what to do about it.
+pub(super) fn advice(error: &WriteError) -> String {
+    let source = match error {
+        WriteError::Io { source, .. } => source,
+        WriteError::Exists(path) => {
+            return say!(
+                "{path} exists already; allow replacing it, or choose another name",
+                path = path.display()
+            );
+        }
+        WriteError::NotAFile(path) => {
+            return say!(
+                "{path} is a folder or a device and cannot be replaced; choose another name",
+                path = path.display()
+            );
+        }
+        WriteError::ReplacesInput { .. } | WriteError::SameName(_) => {
+            return language::spoken(error.describe());
+        }
+        WriteError::Cancelled(_) => return cancelled(),
+    };
+    let what_to_do = match source.kind() {
+        ErrorKind::StorageFull | ErrorKind::QuotaExceeded => {
+            say!("the disk is full: make room on it, or save to another disk")
+        }
+        ErrorKind::ReadOnlyFilesystem => say!("the disk can only be read: save to another disk"),
+        ErrorKind::PermissionDenied => say!("no permission to write there: save to another folder"),
+        ErrorKind::NotFound | ErrorKind::NotADirectory => {
+            say!("folder not found: choose another, or create it first")
+        }
+        ErrorKind::InvalidFilename => {
+            say!("the name is too long or has a character that is not allowed: choose another name")
+        }
+        _ => return language::spoken(error.describe()),
+    };
+    format!("{what_to_do} ({source})")
+}
+
+/// How a file's name ends, in small letters.
+pub(crate) fn ending(path: &Path) -> Option<String> {
+    let ending = path.extension()?.to_str()?;
+    Some(ending.to_ascii_lowercase())
 }
 
 #[cfg(test)]

@@ -22,7 +22,7 @@ use crate::report::raster::png_file;
 use crate::report::svg::svg_file;
 use crate::sessions::{Replacing, samples_path};
 
-use super::advice::{advice, ending};
+use super::system::{advice, ending};
 
 /// What saving may replace.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -12,8 +12,7 @@ use crate::gui::style::tokens::{Palette, size};
 use crate::present::chart::{Bar, Chart, ColourRole, Item, Ticks};
 use crate::present::drawing::Anchor;
 
-use super::axes::{of_chart, places};
-use super::{Drawing, gestures, marks};
+use super::{Drawing, gestures, marks, of_chart, places};
 
 /// What something that stands for this is drawn in.
 pub(super) fn color(stands: ColourRole, palette: &Palette) -> Color32 {

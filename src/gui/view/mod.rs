@@ -2,27 +2,25 @@
 //! be undone.
 
 mod camera;
-mod looking;
 mod output;
 mod panes;
 mod sheet;
 
-pub(crate) use camera::{Ball, Camera, Facing, Standard};
-pub(crate) use looking::{Aspect, Canvas, Colouring, Plane};
+pub(crate) use camera::{Aspect, Ball, Camera, Colouring, Facing, Plane, Standard};
 pub(crate) use output::{About, Plot, What};
 pub(crate) use panes::{ChartPane, Content, Edge, Key, Pane, Panes, SplitShare, Tile};
 pub(crate) use sheet::{Message, NextAction, Sheet};
 
-use crate::text::Language;
 use std::mem::Discriminant;
 use std::path::PathBuf;
 
-use super::core::boundaries::Typed;
+use crate::gui::core::boundaries::Typed;
 use crate::gui::core::disk::FileChange;
 use crate::gui::core::loaded_session::Component;
-use crate::gui::core::overview::ROOM;
+use crate::gui::core::scale::ROOM;
 use crate::gui::core::setup::SetupForm;
 use crate::gui::preferences::Preferences;
+use crate::text::Language;
 
 named! {
     /// The steps of the work, in order.
@@ -54,6 +52,16 @@ impl Step {
             &WITHOUT_REGIONS
         }
     }
+}
+
+/// What draws whatever there is once for each sample.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(crate) enum Canvas {
+    /// Shapes of egui, thinned where there are many: nothing else is there.
+    #[default]
+    Shapes,
+    /// The graphics processor, at most so many samples.
+    Layers(usize),
 }
 
 /// What the right-hand side shows.

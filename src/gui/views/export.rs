@@ -11,12 +11,12 @@ use crate::gui::core::edit::Edit;
 use crate::gui::style::tokens::{Palette, size, space, strong};
 use crate::gui::view::{About, Sheet, Step, What};
 use crate::gui::views::blocks;
-use crate::gui::widgets::{self, Progress};
+use crate::gui::widgets;
 use crate::gui::workbench::{Asked, Command, ViewChange, Workbench};
 use crate::language::spoken;
 
-use super::StepView;
 use super::cards::{in_words, title};
+use super::{Progress, StepView};
 
 /// Where an own step begins, degrees or mm.
 const FIRST_STEP: f64 = 1.0;

@@ -3,13 +3,13 @@
 use crate::language::spoken;
 use egui::{Checkbox, CollapsingHeader, RichText, Ui};
 
-use super::StepView;
+use super::{Progress, StepView};
 use crate::effects::find;
 use crate::gui::core::document::Method;
 use crate::gui::core::edit::Edit;
 use crate::gui::style::tokens::{Palette, size, strong};
 use crate::gui::view::Step;
-use crate::gui::widgets::{self, Progress};
+use crate::gui::widgets;
 use crate::gui::workbench::{Command, ViewChange, Workbench};
 
 pub(super) const STEP: StepView = StepView {

@@ -7,7 +7,6 @@ mod coverage;
 mod export;
 mod findings;
 mod gap;
-pub(super) mod grips;
 mod identify;
 pub(super) mod menu;
 mod model;
@@ -26,7 +25,6 @@ pub(super) mod steps;
 use egui::Ui;
 
 use crate::gui::view::Step;
-use crate::gui::widgets::Progress;
 use crate::gui::workbench::{Command, Workbench};
 
 /// A step of the work, as a panel. Each step's file has one; `steps` lists them.
@@ -37,4 +35,18 @@ pub(super) struct StepView {
     pub(super) next: fn(&mut Ui, &Workbench, &mut Vec<Command>),
     /// What it has to show for itself.
     pub(super) state: fn(&Workbench) -> (String, Progress),
+}
+
+/// How far a step has come.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Progress {
+    /// Nothing to show for it yet.
+    Open,
+    Done,
+}
+
+impl Progress {
+    pub(super) fn of(done: bool) -> Self {
+        if done { Self::Done } else { Self::Open }
+    }
 }

@@ -5,8 +5,8 @@ use egui::{FontId, Grid, RichText, Ui};
 use crate::compensation::decision::Outcome as Conformity;
 use crate::explain::{self, Detail, Topic, remarks_on_fit};
 use crate::fit::{Estimate, Gap, RegionResult};
+use crate::gui::core::answer;
 use crate::gui::core::answer::Answer;
-use crate::gui::core::loaded_model;
 use crate::gui::style::layout::Layout;
 use crate::gui::style::tokens::{Palette, size, space, strong};
 use crate::gui::view::{Side, Step};
@@ -143,7 +143,7 @@ fn gap_card(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
     widgets::card(ui, |ui| {
         let method = match found.method {
             "regional" => say!("RMS error, by region"),
-            loaded_model::METHOD => say!("RMS error, model from a file"),
+            answer::METHOD => say!("RMS error, model from a file"),
             _ => say!("RMS error, full model"),
         };
         ui.label(RichText::new(method).color(palette.muted));

@@ -3,14 +3,14 @@
 use crate::language;
 use egui::{DragValue, RichText, TextEdit, Ui};
 
-use super::{StepView, setup};
+use super::{Progress, StepView, setup};
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::gui::core::edit::Edit;
 use crate::gui::core::loaded_session::Origin;
 use crate::gui::core::simulate::Form;
 use crate::gui::style::tokens::{Palette, size, space, strong};
 use crate::gui::view::{Sheet, Step};
-use crate::gui::widgets::{self, Progress, or_none};
+use crate::gui::widgets::{self, or_none};
 use crate::gui::workbench::{Asked, Command, ViewChange, Workbench, of_field};
 use crate::present::numbers::grouped;
 

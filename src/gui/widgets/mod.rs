@@ -3,19 +3,14 @@
 mod buttons;
 mod fields;
 mod grip;
-mod icons;
-mod steps;
 mod text;
 
 pub(crate) use buttons::{
-    NEXT, other, primary, read_next, secondary, segmented, segmented_named, width_of_segments,
+    NEXT, copy_button, data_button, history_button, icon_button, other, primary, read_next,
+    save_button, secondary, segmented, segmented_named, side_button, sign_that, width_of_segments,
 };
 pub(crate) use fields::{cell_number, form_row, number, or_none, row, select_all};
 pub(crate) use grip::{Gripped, grip, grip_between};
-pub(crate) use icons::{
-    copy_button, data_button, history_button, icon_button, save_button, side_button, sign_that,
-};
-pub(crate) use steps::{Progress, StepRow};
 pub(crate) use text::{
     caption, cell_right, cut, dense, explained, explained_effect, fact, fact_of, facts, fine,
     folded, heading, hint, label, question, section, title, width_of, wrong,

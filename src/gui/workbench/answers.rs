@@ -16,10 +16,10 @@ use crate::gui::cache::identified::{
 use crate::gui::cache::plot_cache::{PlotCache, PlotInputs};
 use crate::gui::cache::projected::Nearest;
 use crate::gui::cache::uncertain::Uncertain;
-use crate::gui::core::answer::{Answer, measuring_from_base};
+use crate::gui::core::answer::{Answer, LoadedModel};
 use crate::gui::core::document::{Method, Question};
 use crate::gui::core::edit::Edit;
-use crate::gui::core::loaded_model::LoadedModel;
+use crate::gui::core::overview::measuring_from_base;
 use crate::gui::core::search::term_of;
 use crate::gui::view::{Canvas, Colouring, Facing, Message, Step};
 use crate::present::numbers::notation;

@@ -3,9 +3,8 @@
 use std::mem::discriminant;
 use std::sync::Arc;
 
-use crate::gui::cache::envelope::Envelope;
+use crate::gui::cache::charts::{ChartResult, Envelope, Work};
 use crate::gui::cache::plot_cache::PlotCache;
-use crate::gui::cache::work::{ChartResult, Work};
 use crate::gui::charts::{CHARTS, ChartKind, HeldScene, Scene, effect, find};
 use crate::gui::core::loaded_session::Component;
 use crate::gui::file_state::settings;

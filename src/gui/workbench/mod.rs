@@ -14,15 +14,14 @@ mod font_fallback;
 #[cfg(test)]
 mod how_far;
 mod imports;
-mod leaving;
 mod machine;
-mod recovering;
-mod recovery_writer;
+mod on_disk;
 mod state;
 #[cfg(test)]
 mod tests;
 #[cfg(test)]
 mod under_way;
+mod unsaved;
 #[cfg(test)]
 mod walk;
 

@@ -5,8 +5,8 @@ mod curve;
 use std::sync::Arc;
 
 use super::{About, ChartChoice, ChartKind, ChartPlaceholder, HoverTarget, Samples, Scene, Shown};
-use crate::gui::cache::work::Work;
-use crate::gui::core::over::Scale;
+use crate::gui::cache::charts::Work;
+use crate::gui::core::quantity::Scale;
 use crate::gui::core::scale::{FEW, stride, thinned};
 use crate::gui::core::search::terms;
 use crate::gui::help;

@@ -14,9 +14,9 @@ use crate::sessions::division::RegionChoice;
 use crate::text::Template;
 use crate::units::rad_from_deg;
 
+use super::answer::LoadedModel;
 use super::boundaries::{self, Joint};
 use super::document::{Choices, Decision, Division, Document, ExportChoice, Method};
-use super::loaded_model::LoadedModel;
 use super::loaded_session::LoadedSession;
 use super::setup::SetupForm;
 

@@ -11,15 +11,14 @@ use crate::gui::core::boundaries;
 use crate::gui::core::by_angle::Count;
 use crate::gui::core::document::{Division, Method};
 use crate::gui::core::edit::Edit;
-use crate::gui::help;
 use crate::gui::style::tokens::{Palette, size, space, strong};
 use crate::gui::view::Step;
-use crate::gui::widgets::{self, Progress};
 use crate::gui::workbench::{Command, ViewChange, Workbench, of_field};
+use crate::gui::{help, widgets};
 use crate::numeric::single;
 use crate::present::numbers::grouped;
 
-use super::StepView;
+use super::{Progress, StepView};
 
 /// Regions that are offered when there are none: the paper's number.
 const OFFERED: usize = 6;

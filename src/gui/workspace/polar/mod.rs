@@ -12,7 +12,7 @@ use std::cell::OnceCell;
 
 use egui::{Pos2, Role, Ui, WidgetInfo, vec2};
 
-use crate::gui::cache::envelope::Envelope;
+use crate::gui::cache::charts::Envelope;
 use crate::gui::core::scale::thinned;
 use crate::gui::plots::{Drawing, gestures};
 use crate::gui::scene::{Bearing, Camera, Projection, Screen, Sheet, paint};

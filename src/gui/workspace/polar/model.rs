@@ -129,7 +129,7 @@ impl Polar {
         let mut polar = Self::from_spots(spots, view.component, only_after, per_mm);
         polar.stride = stride;
         polar.tolerance_mm = workbench.document().tolerance_mm;
-        if let Some(all) = envelope.and_then(crate::gui::cache::envelope::Envelope::extent) {
+        if let Some(all) = envelope.and_then(crate::gui::cache::charts::Envelope::extent) {
             let before = all.before_mm.filter(|_| !only_after);
             let ends = before.into_iter().chain(all.after_mm).flatten();
             polar.range = all.x;

@@ -4,7 +4,7 @@
 
 use std::f64::consts::TAU;
 
-use crate::gui::cache::envelope::Envelope;
+use crate::gui::cache::charts::Envelope;
 use crate::gui::scene::{ColourToken, Form, Item, Label, LegendEntry, Mark, Place, Scene, Stroke};
 use crate::gui::workbench::Workbench;
 use crate::numeric::single;

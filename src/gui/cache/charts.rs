@@ -1,16 +1,85 @@
-//! The chart of many samples: what lies between the smallest and the largest deviation in each
-//! column of pixels.
+//! What charts are made of, worked out in the background when something changes: no frame looks at all
+//! samples. Which chart it is for only that chart knows.
 //!
-//! Samples are sorted by what the chart stands over once, for each side from which it came, and above them
-//! stands a tree of extremes, sixteen to one. A column then costs a few looks at the tree, and a
-//! frame as much as it has columns, for any number of samples. As long as the view stands still they
-//! are those of the frame before.
+//! A chart of many samples shows what lies between the smallest and the largest deviation in each column
+//! of pixels. Samples are sorted by what the chart stands over once, for each side from which it came, and
+//! above them stands a tree of extremes, sixteen to one. A column then costs a few looks at the tree, and a
+//! frame as much as it has columns, for any number of samples. As long as the view stands still they are
+//! those of the frame before.
 
-use crate::numeric::single;
+use std::any::Any;
+use std::fmt;
 use std::sync::{Arc, Mutex};
 
-use crate::gui::cache::work::ChartInputs;
-use crate::gui::core::over::Over;
+use crate::gui::core::answer::Answer;
+use crate::gui::core::loaded_session::{Component, LoadedSession};
+use crate::gui::core::quantity::Over;
+use crate::numeric::single;
+
+/// What is worked out: samples, the newest answer, the component that is looked at.
+#[derive(Clone, Copy)]
+pub(crate) struct ChartInputs<'a> {
+    pub(crate) loaded_session: &'a LoadedSession,
+    pub(crate) answer: Option<&'a Answer>,
+    pub(crate) component: Component,
+}
+
+impl ChartInputs<'_> {
+    /// The component of some samples' deviations before, and after where it is known.
+    pub(crate) fn values(self, samples: &[usize]) -> (Vec<f64>, Option<Vec<f64>>) {
+        let of = |deviation: &dyn Fn(usize) -> [f64; 3]| {
+            let value = |i: &usize| {
+                self.loaded_session
+                    .component(deviation(*i), *i, self.component)
+            };
+            samples.iter().map(value).collect::<Vec<f64>>()
+        };
+        let before = of(&|i| self.loaded_session.deviation_before(i));
+        let after = self.answer.map(|answer| of(&|i| answer.deviation_after(i)));
+        (before, after)
+    }
+}
+
+/// What came of it.
+pub(crate) type ChartResult = Arc<dyn Any + Send + Sync>;
+
+type Make = dyn Fn(ChartInputs<'_>) -> ChartResult + Send + Sync;
+
+/// What a chart has computed for one key. Two are the same if they are of one chart and have the same key.
+#[derive(Clone)]
+pub(crate) struct Work {
+    chart: &'static str,
+    key: Vec<usize>,
+    make: Arc<Make>,
+}
+
+impl Work {
+    pub(crate) fn new<T: Any + Send + Sync>(
+        chart: &'static str,
+        key: Vec<usize>,
+        make: impl Fn(ChartInputs<'_>) -> T + Send + Sync + 'static,
+    ) -> Self {
+        let make = Arc::new(move |inputs: ChartInputs<'_>| Arc::new(make(inputs)) as ChartResult);
+        Self { chart, key, make }
+    }
+
+    /// Works it out. Takes its time with many samples.
+    pub(crate) fn done(&self, inputs: ChartInputs<'_>) -> ChartResult {
+        (self.make)(inputs)
+    }
+}
+
+impl PartialEq for Work {
+    fn eq(&self, other: &Self) -> bool {
+        (self.chart, &self.key) == (other.chart, &other.key)
+    }
+}
+
+impl fmt::Debug for Work {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} {:?}", self.chart, self.key)
+    }
+}
 
 /// How many of one level make one of the next.
 const FAN: usize = 16;
@@ -280,12 +349,13 @@ fn widest(a: Option<[f64; 2]>, b: Option<[f64; 2]>) -> Option<[f64; 2]> {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use crate::gui::core::edit::Edit;
     use crate::gui::core::loaded_session::Component;
-    use crate::gui::core::over::Variable;
+    use crate::gui::core::quantity::Variable;
     use crate::gui::testing::workbench;
     use crate::gui::workbench::{Command, Workbench};
+
+    use super::*;
 
     const ANGLE: Over = Over {
         variable: Variable::Joint,
