@@ -34,7 +34,7 @@ impl Theme {
 /// Smallest and largest size of text, in parts of the usual one.
 pub(crate) const ZOOM: std::ops::RangeInclusive<f32> = 0.6..=3.0;
 /// Most decimals of a length.
-pub(crate) const MOST_DECIMALS: u8 = 6;
+const MOST_DECIMALS: u8 = 6;
 
 /// Sizes of panels as they were pulled; `None`: what suits the window.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]

@@ -13,7 +13,7 @@ use crate::units::{deg_from_rad, rad_from_deg};
 /// Angles closer than this are the same, and one boundary, rad.
 const SAME_RAD: f64 = 1e-9;
 /// No region gets narrower than 0.5°.
-pub(crate) const NARROWEST_RAD: f64 = 0.5 * std::f64::consts::PI / 180.0;
+const NARROWEST_RAD: f64 = 0.5 * std::f64::consts::PI / 180.0;
 /// Dragged boundaries stop at multiples of this.
 pub(crate) const SNAP_DEG: f64 = 0.5;
 

@@ -108,7 +108,7 @@ impl Angles {
 /// Divides ascending angles at the boundaries of regions, which may overlap and leave gaps. Calls
 /// `see` with each region that owns the angles from one place to before another; angles close to a
 /// boundary are decided one by one.
-pub(crate) fn pieces(angles: &[f64], regions: &[Region], mut see: impl FnMut(usize, usize, usize)) {
+fn pieces(angles: &[f64], regions: &[Region], mut see: impl FnMut(usize, usize, usize)) {
     let assignment = Assignment::new(regions);
     let ends = regions.iter().flat_map(|r| [r.from_rad, r.to_rad]);
     let mut ends: Vec<f64> = ends.filter(|end| !end.is_nan()).collect();

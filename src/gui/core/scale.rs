@@ -7,7 +7,7 @@ use crate::text::{Template, filled};
 pub(crate) const FEW: usize = 1_000;
 
 /// Arrows in one plot; beyond it they are thinned evenly, and the plot says so.
-pub(crate) const MOST_ARROWS: usize = 10_000;
+const MOST_ARROWS: usize = 10_000;
 /// Points in one plot.
 pub(crate) const MOST_POINTS: usize = 100_000;
 
@@ -22,7 +22,7 @@ pub(crate) fn thinned(stride: usize, says: Template) -> Option<String> {
 }
 
 /// The nearest of 1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8 × 10ⁿ, by ratio; for what is a factor and no scale.
-pub(crate) fn round(value: f64) -> f64 {
+fn round(value: f64) -> f64 {
     const LEADS: [f64; 11] = [1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0];
     if !(value.is_finite() && value > 0.0) {
         return 1.0;

@@ -79,7 +79,7 @@ pub(crate) fn open(
 }
 
 /// Everything that follows from a session that was read, of a robot that looks like this.
-pub(super) fn looked_through(
+fn looked_through(
     loaded: Loaded,
     origin: Origin,
     appearance: Option<Appearance>,
@@ -108,7 +108,7 @@ pub(super) fn looked_through(
 }
 
 /// Says that a file was not opened.
-pub(super) fn not_opened(name: impl Display, error: &ReadError) -> Message {
+fn not_opened(name: impl Display, error: &ReadError) -> Message {
     let title = say!(
         "{name} could not be opened; nothing was changed",
         name = name

@@ -22,7 +22,7 @@ pub(crate) const OUTLINE: f32 = 0.8;
 pub(crate) const HEAT: f32 = 0.72;
 
 /// How much of its colour what is farthest loses.
-pub(crate) const FADE: f32 = 0.6;
+const FADE: f32 = 0.6;
 
 /// What the layers show, and how.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -121,7 +121,7 @@ impl Sheet {
 }
 
 /// Points on paper for each point of the screen: lines and letters are finer there.
-pub(super) const SCALE: f32 = 0.64;
+const SCALE: f32 = 0.64;
 /// A letter of small type is about so wide, parts of its size.
 const LETTER: f32 = 0.53;
 /// What lets more than this through is not drawn, of 255.
@@ -180,7 +180,7 @@ impl Paper<'_> {
 }
 
 /// About how wide words of a size are, points.
-pub(super) fn width(text: &str, size: f32) -> f32 {
+fn width(text: &str, size: f32) -> f32 {
     let letter = |c: char| if is_wide(c) { 1.0 } else { LETTER };
     text.chars().map(letter).sum::<f32>() * size
 }

@@ -269,7 +269,7 @@ fn mark(ui: &mut Ui, within: bool) {
 
 /// What the rows can be sorted by.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub(super) enum By {
+enum By {
     /// The sample's number: the order of measuring.
     #[default]
     Number,
@@ -282,7 +282,7 @@ pub(super) enum By {
 
 impl By {
     /// In the order of the columns.
-    pub(super) const ALL: [Self; 5] = [
+    const ALL: [Self; 5] = [
         Self::Number,
         Self::Angle,
         Self::Before,
@@ -306,15 +306,15 @@ impl By {
 
 /// How the rows are sorted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub(super) struct Sorting {
-    pub(super) by: By,
-    pub(super) descending: bool,
+struct Sorting {
+    by: By,
+    descending: bool,
 }
 
 impl Sorting {
     /// After a click on the head of this column: the largest first, then the smallest, then the
     /// order of measuring.
-    pub(super) fn after_click(self, by: By) -> Self {
+    fn after_click(self, by: By) -> Self {
         let first = by != By::Number;
         match (self.by == by, self.descending == first) {
             (false, _) => Self {
@@ -340,7 +340,7 @@ struct Of {
 
 /// The samples in the order of their rows.
 #[derive(Clone, Default)]
-pub(super) struct Rows {
+struct Rows {
     of: Of,
     /// `None`: as they were measured.
     order: Option<Arc<Vec<u32>>>,
@@ -348,7 +348,7 @@ pub(super) struct Rows {
 
 impl Rows {
     /// The present order, sorted anew only where something that it depends on has changed.
-    pub(super) fn of(ui: &Ui, id: Id, workbench: &Workbench, sorting: Sorting) -> Self {
+    fn of(ui: &Ui, id: Id, workbench: &Workbench, sorting: Sorting) -> Self {
         let outcome = workbench
             .last_outcome()
             .filter(|_| workbench.answer().is_some());
@@ -383,13 +383,13 @@ impl Rows {
     }
 
     /// The sample of a row.
-    pub(super) fn sample(&self, row: usize) -> usize {
+    fn sample(&self, row: usize) -> usize {
         let order = self.order.as_ref().and_then(|order| order.get(row));
         order.map_or(row, |sample| *sample as usize)
     }
 
     /// The row of a sample.
-    pub(super) fn row(&self, sample: usize) -> usize {
+    fn row(&self, sample: usize) -> usize {
         let order = self.order.as_ref();
         let row = order.and_then(|order| order.iter().position(|s| *s as usize == sample));
         row.unwrap_or(sample)

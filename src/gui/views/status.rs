@@ -13,7 +13,7 @@ use crate::present::numbers::grouped;
 use crate::recorder::live::State;
 
 /// Where the work stands, in one line.
-pub(crate) fn line(workbench: &Workbench) -> String {
+fn line(workbench: &Workbench) -> String {
     let loaded_session = workbench.loaded_session();
     if loaded_session.is_empty() {
         return say!(

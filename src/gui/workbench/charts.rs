@@ -13,7 +13,7 @@ use crate::gui::view::{Arrangement, ChartPane, Edge, Key, Panes, Step};
 use crate::present::numbers::{notation, write_numbers};
 use crate::present::table::Table;
 
-use super::Workbench;
+use super::{Command, ViewChange, Workbench};
 
 impl Workbench {
     /// The chart that is active, or was so last.
@@ -177,7 +177,7 @@ impl Workbench {
     }
 
     /// The first chart that no pane shows yet, for a pane beside this one.
-    pub(crate) fn next_chart(&self, key: Key) -> ChartPane {
+    fn next_chart(&self, key: Key) -> ChartPane {
         let scene = self.scene();
         let offered = |chart: &&&dyn ChartKind| chart.is_offered(&scene);
         let mut new = CHARTS.iter().filter(offered);
@@ -252,6 +252,23 @@ impl Workbench {
             self.view.component = component;
         }
         self.arrange(panes);
+    }
+
+    /// The panes with this done to them.
+    pub(crate) fn rearranged(&self, change: impl FnOnce(&mut Panes)) -> Command {
+        let mut panes = self.view().panes.clone();
+        change(&mut panes);
+        Command::View(ViewChange::Panes(Box::new(panes)))
+    }
+
+    /// The panes with this done to the chart in one of them.
+    pub(crate) fn chart_changed(&self, key: Key, change: impl FnOnce(&mut ChartPane)) -> Command {
+        self.rearranged(|panes| {
+            if let Some(pane) = panes.chart_mut(key) {
+                change(pane);
+            }
+            panes.activate(key);
+        })
     }
 
     /// Which panels there are now.

@@ -36,7 +36,7 @@ pub(crate) struct Scale {
 }
 
 /// The scales that are in use.
-pub(crate) fn scales(workbench: &Workbench, shown: &Shown) -> Vec<Scale> {
+fn scales(workbench: &Workbench, shown: &Shown) -> Vec<Scale> {
     let units = workbench.units();
     let colouring = shown.look.colouring;
     let heat = workbench.heat().is_some();

@@ -82,7 +82,7 @@ fn models(diagnosis: &Diagnosis, index: usize) -> Option<(Term, Model, Model)> {
 }
 
 /// What an effect's curve stands over: what it depends on.
-pub(crate) fn over(term: &Term, loaded_session: &LoadedSession) -> Over {
+fn over(term: &Term, loaded_session: &LoadedSession) -> Over {
     let variable = match term.effect.about().over {
         Follows::Load => Variable::Load,
         Follows::Temperature => Variable::Temperature,

@@ -16,7 +16,6 @@ use crate::gui::workbench::{Asked, Command, ViewChange, Workbench};
 use crate::gui::workspace::{self, marked, nearest};
 
 use super::super::copies;
-use super::menu::changed;
 
 /// Room for the handle, and for the marks at the right end of the bar, points.
 const HANDLE: f32 = 32.0;
@@ -239,7 +238,7 @@ impl Other<'_> {
                 if alone && place.pane.component.is_none() {
                     return Command::View(ViewChange::Component(component));
                 }
-                changed(workbench, place.key, |pane| {
+                workbench.chart_changed(place.key, |pane| {
                     pane.component = Some(component);
                 })
             }),
@@ -247,12 +246,12 @@ impl Other<'_> {
                 if alone && place.pane.joint.is_none() {
                     return Command::View(ViewChange::ChartJoint(joint));
                 }
-                changed(workbench, place.key, |pane| pane.joint = Some(joint))
+                workbench.chart_changed(place.key, |pane| pane.joint = Some(joint))
             }),
             Self::Axis(k, choice) => choice.show(ui, false).map(|quantity| {
                 let mut axes = scatter::axes(&workbench.scene_in(place.pane));
                 axes[*k] = quantity;
-                changed(workbench, place.key, |pane| pane.axes = Some(axes))
+                workbench.chart_changed(place.key, |pane| pane.axes = Some(axes))
             }),
         }
     }

@@ -3,7 +3,6 @@
 //! shown, and a switch between them.
 
 mod chart;
-mod menu;
 mod pane;
 mod tiles;
 

@@ -1,14 +1,14 @@
-//! A pane: its bar with the handle, and what it shows.
+//! A pane: its bar with the handle, the menu of that, and what it shows.
 
-use egui::{Response, Sense, Ui, vec2};
+use egui::{Button, Popup, Response, Role, Sense, Ui, WidgetInfo, vec2};
 
+use crate::gui::actions::{CHART_BELOW, CHART_BESIDE, CLOSE_CHART, WindowState};
 use crate::gui::style::tokens::{Palette, space};
-use crate::gui::view::{ChartPane, Content, Key, Pane};
-use crate::gui::workbench::{Command, ViewChange, Workbench};
+use crate::gui::view::{ChartPane, Content, Edge, Key, Pane, Plot, What};
+use crate::gui::workbench::{Asked, Command, ViewChange, Workbench};
 use crate::gui::{widgets, workspace};
 
-use super::menu::name_of;
-use super::{chart, menu};
+use super::chart;
 
 /// What stands above a pane that is shown in place of all.
 pub(super) type Above = fn(&mut Ui, &Workbench, &mut Vec<Command>);
@@ -75,7 +75,7 @@ fn grip(ui: &mut Ui, workbench: &Workbench, pane: &Pane, commands: &mut Vec<Comm
         ui.painter()
             .circle_filled(sign.rect.center() + vec2(x, y), 1.5, sign.color);
     }
-    menu::show(ui, workbench, pane, &sign.response, commands);
+    menu(ui, workbench, pane, &sign.response, commands);
     sign.response
         .on_hover_text(say!("Drag to move it; click to split, move or close it"))
 }
@@ -108,4 +108,88 @@ pub(super) fn switch(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comm
     if let Some(key) = widgets::segmented_named(ui, &named, panes.active()) {
         commands.push(Command::View(ViewChange::Activate(key)));
     }
+}
+
+/// What a pane is called.
+pub(super) fn name_of(workbench: &Workbench, pane: &Pane) -> String {
+    match &pane.shows {
+        Content::Workspace => say!("Workspace").to_owned(),
+        Content::Chart(chart) => workbench.kind(chart).about().name().to_owned(),
+    }
+}
+
+/// What can be done with a pane: the menu of its handle.
+fn menu(
+    ui: &Ui,
+    workbench: &Workbench,
+    pane: &Pane,
+    handle: &Response,
+    commands: &mut Vec<Command>,
+) {
+    let ctx = ui.ctx().clone();
+    let now = WindowState {
+        ctx: &ctx,
+        workbench,
+    };
+    let key = pane.key;
+    Popup::menu(handle).show(|ui| {
+        ui.set_min_width(220.0);
+        let item = |ui: &mut Ui, name: &str, keys: Option<String>, enabled: bool| {
+            let button = Button::new(name).shortcut_text(keys.unwrap_or_default());
+            let response = ui.add_enabled(enabled, button);
+            response.widget_info(|| WidgetInfo::labeled(Role::Button, enabled, name));
+            response.clicked()
+        };
+        if let Content::Chart(chart) = &pane.shows {
+            let id = workbench.kind(chart).about().id;
+            let plot = Plot::Chart(id);
+            for (name, what) in [
+                (say!("Save data…"), What::Numbers(id)),
+                (say!("Save picture…"), What::Picture(plot)),
+            ] {
+                if item(ui, name, None, true) {
+                    commands.push(Command::View(ViewChange::Activate(key)));
+                    commands.push(Command::Ask(Asked::WhereToExport(what)));
+                }
+            }
+            if item(ui, say!("Copy numbers"), None, true) {
+                commands.push(Command::View(ViewChange::Activate(key)));
+                commands.push(Command::CopyNumbers(id));
+            }
+            if item(ui, say!("Fit chart to view"), None, true) {
+                commands.push(Command::View(ViewChange::FitChart(key)));
+            }
+            ui.separator();
+        }
+        let panes = &workbench.view().panes;
+        let active = panes.active() == key;
+        // The keys are for the active pane.
+        let keys = |action: &crate::gui::actions::Action| active.then(|| action.keys(&ctx));
+        for (action, edge) in [(CHART_BESIDE, Edge::Right), (CHART_BELOW, Edge::Bottom)] {
+            if item(ui, &action.label(now), keys(&action), panes.has_room()) {
+                let with = workbench.with_chart(key, edge);
+                commands.push(Command::View(ViewChange::Panes(Box::new(with))));
+            }
+        }
+        if panes.panes().len() > 1 {
+            ui.separator();
+            for edge in Edge::ALL {
+                let name = match edge {
+                    Edge::Left => say!("Move to the left"),
+                    Edge::Right => say!("Move to the right"),
+                    Edge::Top => say!("Move to the top"),
+                    Edge::Bottom => say!("Move to the bottom"),
+                };
+                if item(ui, name, None, true) {
+                    commands.push(workbench.rearranged(|panes| panes.move_to(key, edge)));
+                }
+            }
+        }
+        if pane.shows != Content::Workspace {
+            ui.separator();
+            if item(ui, &CLOSE_CHART.label(now), keys(&CLOSE_CHART), true) {
+                commands.push(workbench.rearranged(|panes| panes.close(key)));
+            }
+        }
+    });
 }

@@ -13,8 +13,7 @@ use crate::gui::view::{Content, Key, Pane, Panes, SplitShare, Tile};
 use crate::gui::widgets::{self, Gripped};
 use crate::gui::workbench::{Command, ViewChange, Workbench};
 
-use super::menu::name_of;
-use super::pane::contents;
+use super::pane::{contents, name_of};
 
 /// Between panes, points.
 const GAP: f32 = 4.0;

@@ -17,7 +17,7 @@ pub(super) fn name_id(ui: &Ui, region: usize) -> Id {
 }
 
 /// Whether a key was pressed that is meant for the control with this focus.
-pub(super) fn key(ui: &Ui, focused: bool, key: Key) -> bool {
+fn key(ui: &Ui, focused: bool, key: Key) -> bool {
     focused && ui.input_mut(|i| i.consume_key(Modifiers::NONE, key))
 }
 

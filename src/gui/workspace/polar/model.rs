@@ -17,7 +17,7 @@ use crate::present::numbers::trimmed;
 use crate::present::units::Units;
 
 /// The largest deviation is at most so many divisions long.
-pub(crate) const MOST_DIVISIONS: f64 = 5.0;
+const MOST_DIVISIONS: f64 = 5.0;
 /// A smaller division than this would show rounding, mm.
 const LEAST_MM: f64 = 1e-5;
 /// Angles this close are one, rad: the line goes through the mean of their deviations.
@@ -89,7 +89,7 @@ pub(crate) struct Polar {
 }
 
 /// Why a session has no polar view, and what shows the same.
-pub(crate) fn absent(loaded_session: &LoadedSession) -> Option<&'static str> {
+fn absent(loaded_session: &LoadedSession) -> Option<&'static str> {
     let robot = &loaded_session.session.robot;
     if loaded_session.is_empty() {
         Some(say!(
