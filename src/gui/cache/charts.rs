@@ -180,6 +180,7 @@ impl Column {
     }
 }
 
+/// A chart of many samples: what lies between the extremes in each column of pixels.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Envelope {
     tracks: Vec<Track>,

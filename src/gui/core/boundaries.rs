@@ -17,29 +17,32 @@ const NARROWEST_RAD: f64 = 0.5 * std::f64::consts::PI / 180.0;
 /// Dragged boundaries stop at multiples of this.
 pub(crate) const SNAP_DEG: f64 = 0.5;
 
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Boundary {
-    pub(crate) at_rad: f64,
+/// A boundary by the regions that it belongs to, counted in the document's order.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(crate) struct Joint {
     /// The region that ends here.
     pub(crate) below: Option<usize>,
     /// The region that begins here.
     pub(crate) above: Option<usize>,
 }
 
+/// A boundary and where it is.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Boundary {
+    pub(crate) at_rad: f64,
+    pub(crate) joint: Joint,
+}
+
 /// All boundaries, in ascending order.
 pub(crate) fn boundaries(regions: &[Region]) -> Vec<Boundary> {
     let mut all: Vec<Boundary> = Vec::with_capacity(2 * regions.len());
+    let mut end = |at_rad, below, above| {
+        let joint = Joint { below, above };
+        all.push(Boundary { at_rad, joint });
+    };
     for (k, region) in regions.iter().enumerate() {
-        all.push(Boundary {
-            at_rad: region.from_rad,
-            below: None,
-            above: Some(k),
-        });
-        all.push(Boundary {
-            at_rad: region.to_rad,
-            below: Some(k),
-            above: None,
-        });
+        end(region.from_rad, None, Some(k));
+        end(region.to_rad, Some(k), None);
     }
     all.sort_by(|a, b| a.at_rad.total_cmp(&b.at_rad));
     let mut merged: Vec<Boundary> = Vec::with_capacity(all.len());
@@ -47,11 +50,11 @@ pub(crate) fn boundaries(regions: &[Region]) -> Vec<Boundary> {
         match merged.last_mut() {
             Some(last)
                 if (next.at_rad - last.at_rad).abs() < SAME_RAD
-                    && (last.below.is_none() || next.below.is_none())
-                    && (last.above.is_none() || next.above.is_none()) =>
+                    && (last.joint.below.is_none() || next.joint.below.is_none())
+                    && (last.joint.above.is_none() || next.joint.above.is_none()) =>
             {
-                last.below = last.below.or(next.below);
-                last.above = last.above.or(next.above);
+                last.joint.below = last.joint.below.or(next.joint.below);
+                last.joint.above = last.joint.above.or(next.joint.above);
             }
             _ => merged.push(next),
         }
@@ -70,12 +73,12 @@ pub(crate) fn allowed_range(
     // Beside a gap the neighbour belongs to no region of ours: it may be touched.
     let low = match boundary.checked_sub(1).map(|k| &all[k]) {
         None => within.0.min(here.at_rad),
-        Some(last) if here.below.is_some() => last.at_rad + NARROWEST_RAD,
+        Some(last) if here.joint.below.is_some() => last.at_rad + NARROWEST_RAD,
         Some(last) => last.at_rad,
     };
     let high = match all.get(boundary + 1) {
         None => within.1.max(here.at_rad),
-        Some(next) if here.above.is_some() => next.at_rad - NARROWEST_RAD,
+        Some(next) if here.joint.above.is_some() => next.at_rad - NARROWEST_RAD,
         Some(next) => next.at_rad,
     };
     Some((low.min(here.at_rad), high.max(here.at_rad)))
@@ -93,7 +96,7 @@ pub(crate) fn moved(
         return None;
     }
     let at = to_rad.clamp(low, high);
-    let Boundary { below, above, .. } = boundaries(regions).swap_remove(boundary);
+    let Joint { below, above } = boundaries(regions)[boundary].joint;
     let mut regions = regions.to_vec();
     if let Some(k) = below {
         regions[k].to_rad = at;
@@ -153,32 +156,14 @@ pub(crate) struct Typed {
     pub(crate) text: String,
 }
 
-/// A boundary by the regions that it belongs to, counted in the document's order.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct Joint {
-    /// The region that ends here.
-    pub(crate) below: Option<usize>,
-    /// The region that begins here.
-    pub(crate) above: Option<usize>,
-}
-
 /// The boundary at an end of a region: where another region touches it, it is that one's as well.
 pub(crate) fn joint_at(regions: &[Region], region: usize, end: End) -> Joint {
-    let all = boundaries(regions);
-    let this = |b: &&Boundary| match end {
-        End::From => b.above == Some(region),
-        End::To => b.below == Some(region),
+    let mut all = boundaries(regions).into_iter().map(|b| b.joint);
+    let this = |joint: &Joint| match end {
+        End::From => joint.above == Some(region),
+        End::To => joint.below == Some(region),
     };
-    all.iter().find(this).map_or(
-        Joint {
-            below: None,
-            above: None,
-        },
-        |b| Joint {
-            below: b.below,
-            above: b.above,
-        },
-    )
+    all.find(this).unwrap_or_default()
 }
 
 /// The angle that was typed, rad; the unit is the chosen one unless another stands behind the
@@ -412,7 +397,7 @@ mod tests {
         let all = boundaries(&regions(&[(0.0, 30.0), (30.0, 60.0), (-30.0, 0.0)]));
         let at: Vec<f64> = all.iter().map(|b| deg_from_rad(b.at_rad).round()).collect();
         assert_eq!(at, [-30.0, 0.0, 30.0, 60.0]);
-        assert_eq!((all[1].below, all[1].above), (Some(2), Some(0)));
+        assert_eq!((all[1].joint.below, all[1].joint.above), (Some(2), Some(0)));
     }
 
     #[test]

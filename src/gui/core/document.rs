@@ -1,4 +1,5 @@
-//! What the window works on, as one value: everything in it can be undone.
+//! What the window works on, as one value: everything in it can be undone. Also how its regions came to be
+//! divided, and what the adaptive division decided and why.
 
 use std::sync::Arc;
 

@@ -290,7 +290,9 @@ fn place(word: &str, corners: &[[f32; 3]], line: u64) -> Result<[f32; 3], Flaw> 
 /// Cells along the longest side of the box around a mesh, at first.
 const CELLS: f32 = 192.0;
 
-/// At most about so many of these triangles; the grid gets coarser until they are.
+/// At most about so many of these triangles, which look the same from afar: corners of one cell of a grid
+/// become one (Rossignac & Borrel 1993), and triangles that lie in fewer than three cells go. The grid gets
+/// coarser until they are.
 pub(crate) fn thinned(triangles: Vec<Triangle>, most: usize) -> Vec<Triangle> {
     if triangles.len() <= most {
         return triangles;

@@ -140,6 +140,7 @@ fn floor_mm(session: &Session) -> Option<f64> {
     }
 }
 
+/// What every frame needs to know of a session.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Overview {
     /// Samples that can be used, in the order of the session.

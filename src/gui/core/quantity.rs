@@ -10,6 +10,7 @@ use crate::present::units::{AngleUnit, Units};
 use super::answer::Answer;
 use super::loaded_session::{Component, LoadedSession};
 
+/// What a chart of samples stands over.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub(crate) enum Variable {

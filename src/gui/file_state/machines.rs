@@ -156,7 +156,7 @@ pub(crate) fn proposed(machines: &[Machine], of: Of<'_>) -> Stated {
 
 const SECONDS_OF_A_DAY: u64 = 86_400;
 
-/// Today; `None` where the clock stands before 1970.
+/// Today at UTC, as ISO 8601 writes it: what a report is proposed. `None` where the clock stands before 1970.
 #[allow(
     clippy::disallowed_methods,
     reason = "the window may read the clock, the core may not"

@@ -68,6 +68,7 @@ impl ImportAnswers {
     }
 }
 
+/// Whose robot was measured.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) enum RobotFrom {
     /// Not stated.

@@ -145,7 +145,10 @@ fn buttons(
 ) {
     match section.topic {
         Topic::DataProblem(index) => cards::of_problem(ui, &d.data_problems[index], commands),
-        Topic::Found(index) => of_effect(ui, workbench, d, index, commands),
+        Topic::Found(index) => {
+            in_the_model(ui, workbench, d, index, commands);
+            curve_link(ui, workbench, index, commands);
+        }
         Topic::Unexplained => cards::unexplained(ui, workbench, d, commands),
         _ => {}
     }
@@ -161,19 +164,7 @@ fn in_small(ui: &mut Ui, section: &Section, d: &Diagnosis) {
     });
 }
 
-/// An effect that was found: whether it is in the model, and its curve.
-fn of_effect(
-    ui: &mut Ui,
-    workbench: &Workbench,
-    d: &Diagnosis,
-    index: usize,
-    commands: &mut Vec<Command>,
-) {
-    in_the_model(ui, workbench, d, index, commands);
-    curve_link(ui, workbench, index, commands);
-}
-
-/// Adds it to the model, or switches it off there.
+/// Adds an effect that was found to the model, or switches it off there.
 fn in_the_model(
     ui: &mut Ui,
     workbench: &Workbench,

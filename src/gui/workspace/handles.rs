@@ -87,7 +87,7 @@ pub(crate) fn show(
         }
         paint(ui, &response);
         if response.dragged() || response.has_focus() {
-            let sides = [boundary.below, boundary.above];
+            let sides = [boundary.joint.below, boundary.joint.above];
             badge(ui, workbench, (at_deg, sides), centre, *transform.frame());
         }
         response.on_hover_text(say!(

@@ -1,4 +1,4 @@
-//! Changes of the document: `apply` makes the next document of one.
+//! Changes of the document, and what those of its regions make of it; `apply` has all others.
 
 mod apply;
 

@@ -26,7 +26,7 @@ const OFFERED: usize = 6;
 /// More even regions than this are a slip of the keyboard.
 const MOST_EVEN: usize = 360;
 
-pub(in crate::gui::views) const STEP: StepView = StepView {
+pub(super) const STEP: StepView = StepView {
     step: Step::Regions,
     show,
     next,
