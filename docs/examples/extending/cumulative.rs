@@ -6,7 +6,7 @@
 //! ```
 
 use super::{About, ChartChoice, ChartKind, ChartPlaceholder, HoverTarget, Scene, Shown};
-use crate::gui::cache::work::Work;
+use crate::gui::cache::charts::Work;
 use crate::gui::help::Word;
 use crate::present::chart::{Axis, Chart, ColourRole, Entry, Item, LEAST_SPAN, LegendSymbol};
 use crate::present::table::{Cell, Table};
