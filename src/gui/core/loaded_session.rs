@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::diagnostic::Diagnostic;
 use crate::effects::inputs::reflectors_at_home;
-use crate::effects::{CATALOGUE, JointFrame, JointValues, Survey, Term};
+use crate::effects::{JointFrame, JointValues, Term};
 use crate::fit::base_model;
 use crate::fit::gap::{Deviations, Spread, deviations};
 use crate::fit::problem::Problem;
@@ -40,15 +40,6 @@ pub(crate) enum Origin {
     Imported(PathBuf),
     /// It was kept when a window ended without warning; opened from this file, if from any.
     Recovered(Option<PathBuf>),
-}
-
-/// An effect that this session cannot show, and why.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) struct NotTestable {
-    /// The effect's name.
-    pub(crate) effect: &'static str,
-    /// Why.
-    pub(crate) because: crate::text::Text,
 }
 
 named! {
@@ -120,10 +111,6 @@ pub(crate) struct LoadedSession {
     pub(crate) coverage: Coverage,
     /// What is drawn of its samples, once it was asked for.
     pub(crate) drawn: Attached,
-    /// Effects that the session can show.
-    pub(crate) testable: Vec<&'static str>,
-    /// Effects that it cannot show.
-    pub(crate) not_testable: Vec<NotTestable>,
     /// Axis and directions of joint 1 at home.
     pub(crate) joint: JointFrame,
     /// The distance of the farthest reflector from the axis of joint 1 at home, mm.
@@ -200,15 +187,14 @@ impl LoadedSession {
             (single && arm_mm > 0.0).then_some(arm_mm),
         );
         done(0.6)?;
-        let known = Coverage::new(&session, &problem.inputs, overview.travel);
-        let (testable, not_testable) = effects_of(&session, &known.survey);
+        let coverage = Coverage::new(&session, &problem.inputs, overview.travel);
         done(0.8)?;
         let loaded_session = Self {
             joint,
             arm_mm,
             overview,
             angles: OnceLock::new(),
-            coverage: known,
+            coverage,
             drawn: Attached::default(),
             region_totals: OnceLock::new(),
             base,
@@ -216,8 +202,6 @@ impl LoadedSession {
             before,
             gap_before,
             usable,
-            testable,
-            not_testable,
             session,
             findings,
             origin,
@@ -411,30 +395,4 @@ fn arm_mm(session: &Session, joint: &JointFrame) -> f64 {
         dot(arm, joint.across_1).hypot(dot(arm, joint.across_2))
     });
     distances.fold(0.0, f64::max)
-}
-
-fn effects_of(session: &Session, survey: &Survey) -> (Vec<&'static str>, Vec<NotTestable>) {
-    let (mut testable, mut not_testable) = (Vec::new(), Vec::new());
-    for effect in CATALOGUE {
-        let about = effect.about();
-        let joints = if about.per_joint {
-            session.robot.joints.len()
-        } else {
-            1
-        };
-        let mut obstacles = (0..joints)
-            .filter(|joint| (effect.exists_on)(*joint, survey.joints[*joint].kind))
-            .map(|joint| effect.obstacle(survey, joint));
-        let Some(first) = obstacles.next() else {
-            continue;
-        };
-        match first {
-            Some(because) if obstacles.all(|o| o.is_some()) => not_testable.push(NotTestable {
-                effect: about.id,
-                because,
-            }),
-            _ => testable.push(about.id),
-        }
-    }
-    (testable, not_testable)
 }

@@ -7,7 +7,7 @@ use std::sync::{Arc, OnceLock};
 use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
 
 use crate::effects::term::travel_of;
-use crate::effects::{Inputs, Role, Survey};
+use crate::effects::{CATALOGUE, Inputs, Role, Survey};
 use crate::gui::core::scale::{Readable, stride};
 use crate::gui::core::skeleton::robot_extent;
 use crate::model::{Model, Positions};
@@ -38,8 +38,17 @@ const PARTS: usize = 24;
 /// in every part, however the parts lie on it and although no place is reached exactly.
 const WIDER: f64 = 1.25;
 
+/// An effect that this session cannot show, and why.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct NotTestable {
+    /// The effect's name.
+    pub(crate) effect: &'static str,
+    /// Why.
+    pub(crate) because: Text,
+}
+
 /// What is known of the samples before anything is identified: which part of the joint's range they
-/// cover, under which conditions, and the noise that the instrument's maker admits.
+/// cover, under which conditions, what can be seen in them, and the noise that the instrument's maker admits.
 #[derive(Debug, Clone)]
 pub(crate) struct Coverage {
     /// Conditions: which vary, and how far.
@@ -57,6 +66,10 @@ pub(crate) struct Coverage {
     pub(crate) temperature_c: Option<[f64; 2]>,
     /// The gap that the instrument's own noise makes, mm.
     pub(crate) floor_mm: Option<f64>,
+    /// Effects that the session can show.
+    pub(crate) testable: Vec<&'static str>,
+    /// Effects that it cannot show.
+    pub(crate) not_testable: Vec<NotTestable>,
 }
 
 impl Coverage {
@@ -66,8 +79,12 @@ impl Coverage {
         let q = &samples.q[0];
         let measured = range_of(q);
         let cover = counted(q, travel);
+        let survey = Survey::new(session, inputs);
+        let (testable, not_testable) = effects_of(session, &survey);
         Self {
-            survey: Survey::new(session, inputs),
+            survey,
+            testable,
+            not_testable,
             hole: measured.and_then(|measured| hole(&cover, measured, travel)),
             measured,
             cover,
@@ -125,6 +142,33 @@ fn hole(cover: &[u32], measured: [f64; 2], (from, to): (f64, f64)) -> Option<[f6
     let usual = steps[steps.len() / 2];
     let end = |k: usize| from + k as f64 * width;
     (last - first > 3 * usual).then(|| [end(first + 1), end(last)])
+}
+
+/// Which effects these samples can show, and which not.
+fn effects_of(session: &Session, survey: &Survey) -> (Vec<&'static str>, Vec<NotTestable>) {
+    let (mut testable, mut not_testable) = (Vec::new(), Vec::new());
+    for effect in CATALOGUE {
+        let about = effect.about();
+        let joints = if about.per_joint {
+            session.robot.joints.len()
+        } else {
+            1
+        };
+        let mut obstacles = (0..joints)
+            .filter(|joint| (effect.exists_on)(*joint, survey.joints[*joint].kind))
+            .map(|joint| effect.obstacle(survey, joint));
+        let Some(first) = obstacles.next() else {
+            continue;
+        };
+        match first {
+            Some(because) if obstacles.all(|o| o.is_some()) => not_testable.push(NotTestable {
+                effect: about.id,
+                because,
+            }),
+            _ => testable.push(about.id),
+        }
+    }
+    (testable, not_testable)
 }
 
 /// As the diagnosis reckons it where no pose was reached again.

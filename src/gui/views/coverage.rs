@@ -214,8 +214,8 @@ fn coverage_bar(ui: &mut Ui, known: &Coverage) {
 fn testable(ui: &mut Ui, workbench: &Workbench) {
     let loaded_session = workbench.loaded_session();
     let (yes, no) = (
-        loaded_session.testable.len(),
-        loaded_session.not_testable.len(),
+        loaded_session.coverage.testable.len(),
+        loaded_session.coverage.not_testable.len(),
     );
     let name = |id: &str| crate::present::names::title(id).to_owned();
     widgets::card(ui, |ui| {
@@ -227,7 +227,12 @@ fn testable(ui: &mut Ui, workbench: &Workbench) {
         );
         let can = say!("{yes} can be tested", yes = yes);
         widgets::folded(ui, &can, size::NOTE, |ui| {
-            let names: Vec<String> = loaded_session.testable.iter().map(|id| name(id)).collect();
+            let names: Vec<String> = loaded_session
+                .coverage
+                .testable
+                .iter()
+                .map(|id| name(id))
+                .collect();
             widgets::hint(ui, names.join(", ").to_lowercase());
         });
         if no == 0 {
@@ -235,7 +240,7 @@ fn testable(ui: &mut Ui, workbench: &Workbench) {
         }
         let cannot = say!("{no} cannot, and why", no = no);
         widgets::folded(ui, &cannot, size::NOTE, |ui| {
-            for one in &loaded_session.not_testable {
+            for one in &loaded_session.coverage.not_testable {
                 ui.label(name(one.effect));
                 widgets::hint(ui, spoken(&one.because));
             }

@@ -109,8 +109,8 @@ fn before(ui: &mut Ui, workbench: &Workbench) {
     }
     widgets::section(ui, say!("What it can find"));
     let (yes, no) = (
-        loaded_session.testable.len(),
-        loaded_session.not_testable.len(),
+        loaded_session.coverage.testable.len(),
+        loaded_session.coverage.not_testable.len(),
     );
     widgets::fact_of(
         ui,

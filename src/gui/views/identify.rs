@@ -99,7 +99,7 @@ fn effects(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let loaded_session = workbench.loaded_session();
     widgets::section(ui, say!("Effects to fit"));
     ui.spacing_mut().item_spacing.y = 4.0;
-    for id in &loaded_session.testable {
+    for id in &loaded_session.coverage.testable {
         let Some(about) = find(id).map(crate::effects::Effect::about) else {
             continue;
         };
@@ -119,20 +119,20 @@ fn effects(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
             commands.push(Command::Edit(Edit::Effect(about.id, on)));
         }
     }
-    if loaded_session.not_testable.is_empty() {
+    if loaded_session.coverage.not_testable.is_empty() {
         return;
     }
     let title = say!(
         one "{count} that this session cannot show",
         "{count} that this session cannot show",
-        count = loaded_session.not_testable.len()
+        count = loaded_session.coverage.not_testable.len()
     );
     let palette = Palette::of(ui);
     let title = RichText::new(title).size(size::SMALL).color(palette.muted);
     CollapsingHeader::new(title)
         .id_salt("not testable")
         .show(ui, |ui| {
-            for one in &loaded_session.not_testable {
+            for one in &loaded_session.coverage.not_testable {
                 ui.label(crate::present::names::title(one.effect));
                 widgets::hint(ui, spoken(&one.because));
             }

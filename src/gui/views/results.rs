@@ -3,24 +3,21 @@
 use egui::{FontId, Grid, RichText, Ui};
 
 use crate::compensation::decision::Outcome as Conformity;
-use crate::explain::{self, Detail, Topic, remarks_on_fit};
-use crate::fit::{Estimate, Gap, RegionResult};
-use crate::gui::core::answer;
-use crate::gui::core::answer::Answer;
+use crate::explain::{Detail, Topic, remarks_on_fit};
+use crate::fit::{Gap, RegionResult};
+use crate::gui::core::answer::{self, Answer};
 use crate::gui::style::layout::Layout;
 use crate::gui::style::tokens::{Palette, size, space, strong};
 use crate::gui::view::{Side, Step};
-use crate::gui::widgets::{self, dense};
+use crate::gui::widgets;
 use crate::gui::workbench::{Command, ViewChange, Workbench};
 use crate::present::decision;
-use crate::present::names::{parameter, title_on};
 use crate::present::numbers::{grouped, trimmed, with_minus_signs};
-use crate::present::units::Units;
 use crate::text::spoken;
 use crate::units::deg_from_rad;
 
 use super::blocks::{self, Title};
-use super::cards::{implausible, title};
+use super::cards::title;
 use super::{cards, copies, model, samples};
 
 pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, room: Layout, commands: &mut Vec<Command>) {
@@ -108,14 +105,7 @@ fn identified(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
     }
     let found = &answer.identification;
     if !found.parameters.is_empty() {
-        let joints = workbench.loaded_session().session.robot.joints.len();
-        widgets::card(ui, |ui| {
-            if joints > 1 {
-                geometry(ui, workbench, &found.parameters);
-            } else {
-                parameters(ui, &found.parameters, joints, workbench.units());
-            }
-        });
+        widgets::card(ui, |ui| model::parameters(ui, workbench, &found.parameters));
     }
     cards::smooth_corrections(ui, &answer.calibration.model);
     if !found.regions.is_empty() {
@@ -236,90 +226,6 @@ pub(crate) fn decision(ui: &mut Ui, workbench: &Workbench) {
             ui.label(title.color(color));
             widgets::hint(ui, with_minus_signs(&says));
         }
-    }
-}
-
-/// The parameters of an arm: a row for each joint, the frames, the others.
-fn geometry(ui: &mut Ui, workbench: &Workbench, estimates: &[Estimate]) {
-    title(ui, say!("Identified parameters"));
-    let robot = &workbench.loaded_session().session.robot;
-    let detail = Detail::window(workbench.units());
-    blocks::show(ui, &explain::values(estimates, robot, detail));
-    copies::button(ui, say!("parameters"), || copies::parameters(estimates));
-}
-
-fn parameters(ui: &mut Ui, estimates: &[Estimate], joints: usize, units: Units) {
-    let palette = Palette::of(ui);
-    title(ui, say!("Identified parameters"));
-    dense(ui);
-    let mut last = None;
-    for one in estimates {
-        let of = whose(one);
-        if last != Some((one.effect, one.joint, of)) {
-            last = Some((one.effect, one.joint, of));
-            let name = title_on(one.effect, one.joint, joints);
-            let name = of.map_or(name.clone(), |of| format!("{name}, {of}"));
-            ui.add_space(space::TIGHT);
-            let name = RichText::new(name).color(palette.muted).size(size::SMALL);
-            let name = ui.add(egui::Label::new(name).wrap());
-            widgets::explained_effect(name, one.effect);
-        }
-        let (name, unit) = parameter(one.name);
-        let (value, half, unit) = units.estimate(one, unit);
-        estimate(ui, &name, &value, format!("{half} {unit}").trim_end());
-    }
-    implausible(ui, estimates);
-    widgets::hint(ui, say!("± half the 95 % interval"));
-    copies::button(ui, say!("parameters"), || copies::parameters(estimates));
-}
-
-/// The target, place or setup that a parameter belongs to: where there are several, each has its own.
-fn whose(one: &Estimate) -> Option<&str> {
-    let of = [&one.target, &one.place, &one.setup];
-    of.into_iter()
-        .flatten()
-        .map(String::as_str)
-        .find(|name| !name.is_empty())
-}
-
-/// A parameter: its name, its value and how sure that is, each in a column of one width throughout,
-/// so that a long name does not push the numbers out; the last below the others where all three
-/// have no room.
-fn estimate(ui: &mut Ui, name: &str, value: &str, half: &str) {
-    const NAME: f32 = 80.0;
-    const VALUE: f32 = 72.0;
-    const HALF: f32 = 110.0;
-    let middle = egui::Align::Center;
-    let to_the_left = egui::Layout::left_to_right(middle);
-    let to_the_right = egui::Layout::right_to_left(middle);
-    let muted = Palette::of(ui).muted;
-    let half = RichText::new(half).size(size::SMALL).color(muted);
-    let value = RichText::new(value).font(strong(size::BODY));
-    let cell = |ui: &mut Ui, width: f32, layout: egui::Layout, text: RichText| {
-        let room = egui::vec2(width, ui.spacing().interact_size.y);
-        ui.allocate_ui_with_layout(room, layout, |ui| {
-            ui.set_min_width(width);
-            ui.label(text);
-        });
-    };
-    let all = ui.available_width();
-    let roomy = all >= NAME + VALUE + HALF + 2.0 * space::ROW;
-    ui.horizontal(|ui| {
-        ui.spacing_mut().item_spacing.x = space::ROW;
-        if roomy {
-            cell(ui, NAME, to_the_left, RichText::new(name));
-            cell(ui, VALUE, to_the_right, value);
-            ui.label(half.clone());
-        } else {
-            let left = all - HALF - space::ROW;
-            cell(ui, left, to_the_left, RichText::new(name));
-            cell(ui, HALF, to_the_right, value);
-        }
-    });
-    if !roomy {
-        ui.with_layout(egui::Layout::top_down(egui::Align::Max), |ui| {
-            ui.label(half)
-        });
     }
 }
 
