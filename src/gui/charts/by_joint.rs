@@ -70,7 +70,7 @@ impl<'a> Panels<'a> {
     /// The component before and after, mm.
     fn values(&self, sample: usize) -> (f64, Option<f64>) {
         let scene = self.scene;
-        let of = |e: [f64; 3]| scene.loaded_session.component(e, sample, scene.component());
+        let of = |e: [f64; 3]| scene.loaded_session.component(e, sample, scene.component);
         let after = scene.answer.map(|a| of(a.deviation_after(sample)));
         (of(scene.loaded_session.deviation_before(sample)), after)
     }
@@ -131,11 +131,11 @@ impl ChartKind for ByJoint {
         let joints = panels.ranges.len();
         let names = scene.loaded_session.session.robot.joints.iter().enumerate();
         let names = names.map(|(k, joint)| (k as f64 + 0.5, shortened(&joint.name, MOST_LETTERS)));
-        let name = scene.component().name();
+        let name = scene.component.name();
         let number = |mm: f64| significant(scene.units.length_value(mm), 3);
         let made = Deviation {
             component: name,
-            is_length: scene.component() == Component::Length,
+            is_length: scene.component == Component::Length,
             across: Axis {
                 label: say!("joint, each over the range shown").to_owned(),
                 ticks: Ticks::Words(names.collect()),
@@ -172,7 +172,7 @@ impl ChartKind for ByJoint {
     /// Every sample: joint values in degrees or mm.
     fn numbers(&self, scene: &Scene) -> Table {
         let session = &scene.loaded_session.session;
-        let component = scene.component().name();
+        let component = scene.component.name();
         let joints = || session.robot.joints.iter();
         let heads = joints().map(|joint| format!("{}, {}", joint.name, joint.kind.sign().trim()));
         let others = ["before", "after"].map(|when| format!("{component} {when}, mm"));

@@ -96,7 +96,7 @@ impl ChartKind for Along {
             let [title, why] = drawn.over.needs();
             return Err(ChartPlaceholder::new(title, why));
         }
-        let component = scene.component().name();
+        let component = scene.component.name();
         let name = match self.variable {
             Variable::Joint => say!("deviation chart, {component}", component = component),
             _ => say!(
@@ -130,7 +130,7 @@ impl ChartKind for Along {
     /// Every sample: inner units, in measuring order.
     fn numbers(&self, scene: &Scene) -> Table {
         let drawn = DrawnDeviations::of(scene, self.over(scene));
-        let component = scene.component().name();
+        let component = scene.component.name();
         let along = drawn.over.heading(scene.loaded_session);
         let [before, after] = ["before", "after"].map(|when| format!("{component} {when}, mm"));
         let mut table = Table::new(["sample", &along, "side", &before, &after]);
@@ -199,7 +199,7 @@ impl<'a> DrawnDeviations<'a> {
 
     fn dot(&self, sample: usize) -> Dot {
         let loaded_session = &**self.scene.loaded_session;
-        let of = |e: [f64; 3]| loaded_session.component(e, sample, self.scene.component());
+        let of = |e: [f64; 3]| loaded_session.component(e, sample, self.scene.component);
         Dot {
             x: self.over.of(loaded_session, sample),
             before_mm: of(loaded_session.deviation_before(sample)),
@@ -252,11 +252,11 @@ impl<'a> DrawnDeviations<'a> {
                 samples: samples(&|d| d.after_mm),
             });
         }
-        let name = scene.component().name();
+        let name = scene.component.name();
         let label = self.over.label(scene.loaded_session);
         let made = Deviation {
             component: name,
-            is_length: scene.component() == Component::Length,
+            is_length: scene.component == Component::Length,
             across: Axis::turning(format!("{label}, {}", self.scale.unit), self.scale.degrees),
             lengths: scene.lengths(number),
             x: x.map(|x| self.scale.shown(x)),
@@ -277,7 +277,7 @@ impl<'a> DrawnDeviations<'a> {
     /// What has to be said.
     fn note(&self, many: bool) -> String {
         let mut notes = Vec::new();
-        let component = self.scene.component();
+        let component = self.scene.component;
         let polar = [Component::Tangential, Component::Radial, Component::Axial];
         if let [first, _, ..] = &self.scene.loaded_session.session.robot.joints[..]
             && polar.contains(&component)
@@ -327,7 +327,7 @@ impl<'a> DrawnDeviations<'a> {
         };
         let mut says = say!(
             "{component} deviation of {samples} samples over {label} from {from} to {to}",
-            component = self.scene.component().name(),
+            component = self.scene.component.name(),
             samples = self.scene.usable().len() - self.unplaced,
             label = self.over.label(self.scene.loaded_session),
             from = self.scale.describe(all.x[0]),

@@ -53,10 +53,7 @@ impl ChartKind for Histogram {
         let found = distribution(scene)?;
         Ok(Shown {
             chart: drawn(scene, found),
-            name: say!(
-                "histogram, {component}",
-                component = scene.component().name()
-            ),
+            name: say!("histogram, {component}", component = scene.component.name()),
             description: describe(scene, found),
             pointed: HoverTarget::Bars(Box::new(DrawnBars {
                 scene,
@@ -106,7 +103,7 @@ impl DrawnBars<'_> {
             Some(answer) => answer.deviation_after(sample),
             None => loaded_session.deviation_before(sample),
         };
-        loaded_session.component(e, sample, self.scene.component())
+        loaded_session.component(e, sample, self.scene.component)
     }
 }
 
@@ -151,7 +148,7 @@ fn noise(scene: &Scene) -> Option<NoiseCurve> {
         let squares = axes[..count].iter().map(|s| s * s).sum::<f64>();
         (squares / count as f64).sqrt()
     };
-    let along = |axes: [f64; 3]| match scene.component() {
+    let along = |axes: [f64; 3]| match scene.component {
         Component::X => axes[0],
         Component::Y => axes[1],
         Component::Z => axes[2],
@@ -163,7 +160,7 @@ fn noise(scene: &Scene) -> Option<NoiseCurve> {
         Some(Sigma::PerAxis(axes)) => along(axes),
         None => along(found()?),
     };
-    let length = scene.component() == Component::Length;
+    let length = scene.component == Component::Length;
     (sigma_mm.is_finite() && sigma_mm > 0.0).then_some(NoiseCurve {
         sigma_mm,
         axes: if length { count } else { 1 },
@@ -198,7 +195,7 @@ fn drawn(scene: &Scene, found: &Distribution) -> Chart {
         items.push(Item::Bars(bars.collect(), stands, filled));
     }
     let [low, high] = bins.span();
-    let component = scene.component();
+    let component = scene.component;
     let mut tallest = most;
     let noise = curve(scene, &bins);
     if let Some(noise) = noise {
@@ -267,7 +264,7 @@ fn note(scene: &Scene, found: &Distribution, counted: &Counted) -> String {
     let units = scene.units;
     let mut notes = Vec::new();
     if let Some(tolerance) = scene.document.tolerance_mm {
-        let sign = match scene.component() {
+        let sign = match scene.component {
             Component::Length => "",
             _ => "±",
         };
@@ -318,7 +315,7 @@ fn describe(scene: &Scene, found: &Distribution) -> String {
     };
     let mut says = say!(
         "how many samples have which {component} deviation",
-        component = scene.component().name()
+        component = scene.component.name()
     );
     for (name, counts) in [
         (say!("before"), &counted.before),

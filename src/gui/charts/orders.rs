@@ -70,7 +70,7 @@ impl ChartKind for Orders {
             chart: drawn(scene, spectrum),
             name: say!(
                 "order spectrum, {component}",
-                component = scene.component().name()
+                component = scene.component.name()
             ),
             description: describe(scene, spectrum),
             pointed: HoverTarget::Bars(Box::new(DrawnOrders { scene, spectrum })),
@@ -233,7 +233,7 @@ fn drawn(scene: &Scene, spectrum: &Spectrum) -> Chart {
     );
     let ticks = orders.iter().enumerate();
     let last = orders.len() as f64 - 0.4;
-    let name = scene.component().name();
+    let name = scene.component.name();
     let joint = &scene.loaded_session.session.robot.joints[scene.joint()].name;
     let mut legend = vec![Entry::before(LegendSymbol::Bar)];
     if scene.answer.is_some() {
@@ -346,7 +346,7 @@ fn describe(scene: &Scene, spectrum: &Spectrum) -> String {
             words.join(", ")
         }
     };
-    let (orders, component) = (spectrum.orders.len(), scene.component().name());
+    let (orders, component) = (spectrum.orders.len(), scene.component.name());
     let before = out(|o| Some(o.before));
     let says = if scene.answer.is_some() {
         say!(

@@ -65,13 +65,13 @@ impl ChartKind for Quantiles {
 
     fn show<'a>(&self, scene: &'a Scene<'a>) -> Result<Shown<'a>, ChartPlaceholder> {
         let ranked: &Ranked = scene.found().ok_or_else(ChartPlaceholder::yet)?;
-        if scene.component() == Component::Length || ranked.0.len() < 4 {
+        if scene.component == Component::Length || ranked.0.len() < 4 {
             return Err(ChartPlaceholder::new(
                 say!("Nothing to compare with the normal distribution"),
                 say!("Choose a component that has a sign, of four samples or more"),
             ));
         }
-        let name = scene.component().name();
+        let name = scene.component.name();
         let sigma = scene.units.length(ranked.line().1);
         Ok(Shown {
             chart: ranked.drawn(scene),
@@ -87,7 +87,7 @@ impl ChartKind for Quantiles {
     }
 
     fn numbers(&self, scene: &Scene) -> Table {
-        let component = scene.component().name();
+        let component = scene.component.name();
         let mut table = Table::headed(format!("sample | normal quantile | {component} after, mm"));
         let ranked: Option<&Ranked> = scene.found();
         for (sample, z, mm) in ranked.iter().flat_map(|ranked| &ranked.0) {
@@ -135,7 +135,7 @@ impl Ranked {
             at: [*z, value(*mm)],
             form: Form::Disc,
         };
-        let name = scene.component().name();
+        let name = scene.component.name();
         Chart {
             title: say!("{name} residuals over normal quantiles", name = name),
             across: Axis::numbers(say!("what noise alone would be, σ")),

@@ -357,7 +357,7 @@ fn chart_inputs<'a>(scene: &Scene<'a>) -> ChartInputs<'a> {
     ChartInputs {
         loaded_session: scene.loaded_session,
         answer: scene.answer,
-        component: scene.component(),
+        component: scene.component,
     }
 }
 

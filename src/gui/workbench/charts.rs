@@ -421,7 +421,7 @@ mod tests {
             assert!(workbench.scene_in(pane).worked_out.is_some());
         }
         let radial = workbench.view().panes.active_chart().expect("a chart").1;
-        assert_eq!(workbench.scene_in(radial).component(), Component::Radial);
+        assert_eq!(workbench.scene_in(radial).component, Component::Radial);
     }
 
     #[test]

@@ -60,7 +60,7 @@ impl ChartKind for Effect {
             name: say!(
                 "curve of {curve}, {component}",
                 curve = name(curve),
-                component = scene.component().name()
+                component = scene.component.name()
             ),
             description: describe(scene, curve),
             pointed: HoverTarget::Samples(Box::new(Drawn {
@@ -76,7 +76,7 @@ impl ChartKind for Effect {
         let Ok(curve) = curve(scene) else {
             return Table::default();
         };
-        let (loaded_session, component) = (scene.loaded_session, scene.component().name());
+        let (loaded_session, component) = (scene.loaded_session, scene.component.name());
         let (along, what) = (curve.over.heading(loaded_session), name(curve));
         let [without, of] =
             ["without", "of"].map(|which| format!("{component} {which} {what}, mm"));
@@ -182,7 +182,7 @@ fn drawn(scene: &Scene, curve: &EffectCurve) -> Chart {
         items.push(Item::Marks(alone, ColourRole::Curve, true));
     }
     let what = name(curve);
-    let component = scene.component().name();
+    let component = scene.component.name();
     let line = |name, whole| Entry::new(name, LegendSymbol::Line, ColourRole::Curve, whole);
     let dot = LegendSymbol::Mark(Form::Disc);
     let residual = Entry::new(say!("without it"), dot, ColourRole::Before, false);
@@ -245,7 +245,7 @@ fn describe(scene: &Scene, curve: &EffectCurve) -> String {
         "{curve} over {label}: it moves the {component} deviation from {from} to {to}; without it {before} root mean square are left, with it {after}",
         curve = name(curve),
         label = curve.over.label(scene.loaded_session),
-        component = scene.component().name(),
+        component = scene.component.name(),
         from = ends[0],
         to = ends[1],
         before = before,

@@ -279,7 +279,7 @@ fn components<'a>(scene: &Scene<'_>, place: Place<'_>) -> Choice<'a, Component> 
     Choice {
         of: place.own(say!("Component")),
         offered: offered.map(|c| (c, c.name(), c.name())).collect(),
-        current: scene.component(),
+        current: scene.component,
     }
 }
 
