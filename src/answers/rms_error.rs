@@ -14,7 +14,10 @@
 //!
 //! `verify` states it over all samples, and beside that *trimmed*, without those that are suspected outliers,
 //! with their number. `identify` and `diagnose` fit without suspected outliers: there they count in the largest
-//! error and not in the RMS error, and the answer says how many there are.
+//! error and not in the RMS error, and the answer says how many there are. Where more than a third would be left out
+//! all count: of samples held out these are the evidence.
+
+use crate::observations::outliers::are_the_rule;
 
 /// Root mean square of some lengths; `None` of none.
 pub(crate) fn rms_error(lengths_mm: impl Iterator<Item = f64>) -> Option<f64> {
@@ -34,7 +37,7 @@ pub struct Spread {
 }
 
 impl Spread {
-    /// Over the samples that `counts` picks; those that `outlier` picks count in the largest only.
+    /// Over the samples that `counts` picks; those that `outlier` picks count in the largest only, where they are few.
     pub fn of(
         lengths_mm: &[f64],
         counts: impl Fn(usize) -> bool,
@@ -45,7 +48,9 @@ impl Spread {
             all.filter(|(i, length)| !length.is_nan() && counts(*i))
         };
         let max_mm = counted().map(|(_, length)| length).reduce(f64::max)?;
-        let kept = counted().filter(|(i, _)| !outlier(*i));
+        let count = counted().count();
+        let few = !are_the_rule(counted().filter(|(i, _)| outlier(*i)).count(), count);
+        let kept = counted().filter(|(i, _)| !(few && outlier(*i)));
         let rms_mm = rms_error(kept.map(|(_, length)| length)).unwrap_or(max_mm);
         Some(Self { rms_mm, max_mm })
     }

@@ -42,7 +42,7 @@ use super::usual_noise::{USUAL_NOISE_MM, stated_variance};
 
 /// A column of which less than this share is left beside others is a copy of them. Rounded axes
 /// (1.5708 for a right angle) leave some 4e-6.
-const COPY: f64 = 1e-4;
+pub(super) const COPY: f64 = 1e-4;
 /// What is stated makes a column no copy by so many times that share.
 const TOLD: f64 = 10.0;
 /// Of what is a copy of one another the last is held, of those of its kind that have so large a part
@@ -214,7 +214,7 @@ fn in_order(problem: &Problem, model: &Model) -> Vec<Place> {
 
 /// The Jacobian on the samples that count, or on enough of them, mm; three rows a sample, those of
 /// an axis that was not measured zero.
-fn columns(problem: &Problem, model: &Model) -> DMatrix<f64> {
+pub(super) fn columns(problem: &Problem, model: &Model) -> DMatrix<f64> {
     if let Some(layer) = &problem.observed {
         return observed::columns(layer, model, MOST_SAMPLES);
     }

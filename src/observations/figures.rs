@@ -3,7 +3,7 @@
 use crate::lanes::LANES;
 use crate::model::Model;
 
-use super::outliers::{as_if_seen, suspected};
+use super::outliers::{are_the_rule, as_if_seen, suspected};
 use super::{KINDS, Layer};
 
 /// Deviation of every sample, as columns, mm; NaN where a sample cannot be used.
@@ -288,7 +288,8 @@ pub(crate) fn by_kind(layer: &Layer, before: &Model, after: &Model) -> Vec<KindF
                 .copied()
                 .filter(|i| !layer.suspected[*i])
                 .collect();
-            let counted = if clean.is_empty() { &own } else { &clean };
+            let many = are_the_rule(own.len() - clean.len(), own.len());
+            let counted = if many { &own } else { &clean };
             let rms = |left: &WhitenedRows| {
                 let sum: f64 = counted.iter().map(|i| left.length[*i].powi(2)).sum();
                 (sum / counted.len() as f64).sqrt() * factor

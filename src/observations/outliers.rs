@@ -87,10 +87,16 @@ pub(crate) fn suspected(
     };
     // A fit that has come down to few samples goes through these and leaves all others.
     let of_the_bulk = bulk.iter().filter(|i| apart(**i)).count();
-    if of_the_bulk as f64 > MOST_SHARE * bulk.len() as f64 {
+    if are_the_rule(of_the_bulk, bulk.len()) {
         return vec![false; n];
     }
     (0..n).map(apart).collect()
+}
+
+/// Whether so many of all are no contamination any more: of samples that no fit has seen most stand apart where the
+/// model fails, which is what they were held out to show.
+pub(crate) fn are_the_rule(apart: usize, all: usize) -> bool {
+    apart as f64 > MOST_SHARE * all as f64
 }
 
 /// What a sample that a fit has not seen deviates by, as if it had: with `h` coefficients for each row

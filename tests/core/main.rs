@@ -73,3 +73,4 @@ mod streams;
 mod target_places;
 mod unexplained;
 mod unnamed;
+mod unseen_poses;
