@@ -87,6 +87,26 @@ pub(crate) fn rows(
     samples
 }
 
+/// Names that each stand once: several columns may be without a heading, and a document has every key once.
+#[derive(Default)]
+struct OwnNames {
+    /// What is taken, with the last number that was given to it.
+    taken: BTreeMap<String, usize>,
+}
+
+impl OwnNames {
+    fn of(&mut self, heading: String) -> String {
+        let mut name = heading.clone();
+        while self.taken.contains_key(&name) {
+            let number = self.taken.entry(heading.clone()).or_insert(1);
+            *number += 1;
+            name = format!("{heading} ({number})").trim_start().to_owned();
+        }
+        self.taken.insert(name.clone(), 1);
+        name
+    }
+}
+
 /// Makes samples of a table. They are usable only if `findings` got no error.
 pub(crate) fn samples(
     table: Table,
@@ -116,6 +136,7 @@ pub(crate) fn samples(
         ..Samples::default()
     };
     let headings = table.layout.headings;
+    let mut own_names = OwnNames::default();
     let columns = headings.iter().zip(table.names).zip(table.columns);
     for (index, ((heading, name), cells)) in columns.enumerate() {
         let mut column = PlacedColumn {
@@ -125,6 +146,7 @@ pub(crate) fn samples(
         };
         match (heading, cells) {
             (Heading::Unknown { .. }, Cells::Text(cells)) => {
+                let name = own_names.of(name);
                 samples.unknown.push(UnknownColumn { name, cells });
             }
             (Heading::Known(quantity, unit), Cells::Numbers(values)) => {

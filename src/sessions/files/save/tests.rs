@@ -306,3 +306,27 @@ fn an_input_is_not_replaced_even_by_force() {
         Err(WriteError::SameName(_))
     ));
 }
+
+/// Spreadsheets write commas behind the last heading, and people a heading twice.
+#[test]
+fn columns_without_a_heading_of_their_own_are_kept_and_read_again() {
+    let document = r#"{"format":"truepose-session/1","name":"s","robot":{"name":"r","joints":[
+        {"name":"pan","kind":"revolute","axis":[0,0,1],"point_mm":[0,0,0]}],
+        "tool":{"position_mm":[250,0,300],"quaternion_wxyz":[1,0,0,0]}},"instrument":{"name":"i","sigma_mm":0.1},
+        "samples":{"file":"s.csv"}}"#;
+    let table =
+        "q1_deg,x_mm,y_mm,z_mm,by,by,,,by (2)\n1,250,4,300,a,b,c,d,e\n2,250,8,300,a,b,c,d,e\n";
+    let session = crate::sessions::parse_with_csv(document.as_bytes(), table.as_bytes())
+        .unwrap()
+        .session;
+    let names = |session: &Session| -> Vec<String> {
+        let unknown = session.samples.unknown.iter();
+        unknown.map(|column| column.name.clone()).collect()
+    };
+    assert_eq!(names(&session), ["by", "by (2)", "", "(2)", "by (2) (2)"]);
+    let mut written = Vec::new();
+    write_inline(&session, &mut written).unwrap();
+    let again = parse(&written).unwrap().session;
+    assert_eq!(names(&again), names(&session));
+    assert_eq!(again.samples.unknown[3].cells, ["d", "d"]);
+}
