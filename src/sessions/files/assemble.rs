@@ -95,12 +95,16 @@ struct OwnNames {
 }
 
 impl OwnNames {
-    fn of(&mut self, heading: String) -> String {
-        let mut name = heading.clone();
+    fn of(&mut self, heading: &str) -> String {
+        let mut name = heading.to_owned();
         while self.taken.contains_key(&name) {
-            let number = self.taken.entry(heading.clone()).or_insert(1);
+            let number = self.taken.entry(heading.to_owned()).or_insert(1);
             *number += 1;
-            name = format!("{heading} ({number})").trim_start().to_owned();
+            name = if heading.is_empty() {
+                format!("({number})")
+            } else {
+                format!("{heading} ({number})")
+            };
         }
         self.taken.insert(name.clone(), 1);
         name
@@ -146,7 +150,7 @@ pub(crate) fn samples(
         };
         match (heading, cells) {
             (Heading::Unknown { .. }, Cells::Text(cells)) => {
-                let name = own_names.of(name);
+                let name = own_names.of(&name);
                 samples.unknown.push(UnknownColumn { name, cells });
             }
             (Heading::Known(quantity, unit), Cells::Numbers(values)) => {
