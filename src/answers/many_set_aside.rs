@@ -18,7 +18,23 @@ impl Identification {
         if aside < FEWEST || aside as f64 <= MOST_SHARE * all as f64 {
             return None;
         }
-        let square: f64 = self.outliers.iter().map(|o| o.deviation_mm.powi(2)).sum();
+        // Of a sample without a point no length is known.
+        let known = self.outliers.iter().map(|o| o.deviation_mm);
+        let known: Vec<f64> = known.filter(|mm| mm.is_finite()).collect();
+        let square: f64 = known.iter().map(|mm| mm.powi(2)).sum();
+        let left = length(self.gap.after.rms_mm, 3);
+        let evidence = if known.is_empty() {
+            text!(
+                "they were set aside as suspected outliers; the others leave {left}",
+                left = left
+            )
+        } else {
+            text!(
+                "they were set aside as suspected outliers, with an RMS error of {error}; the others leave {left}",
+                error = length((square / known.len() as f64).sqrt(), 3),
+                left = left
+            )
+        };
         let mut samples: Vec<usize> = self.outliers.iter().map(|o| o.sample).collect();
         samples.sort_unstable();
         Some(DataProblem {
@@ -27,11 +43,7 @@ impl Identification {
                 suspected = aside,
                 all = all
             ),
-            evidence: text!(
-                "they were set aside as suspected outliers, with an RMS error of {error}; the others leave {left}",
-                error = length((square / aside as f64).sqrt(), 3),
-                left = length(self.gap.after.rms_mm, 3)
-            ),
+            evidence,
             proposal: text!(
                 "check them before the model is used: it is fitted to the other samples, and the errors stated are of those"
             ),

@@ -11,7 +11,7 @@ use crate::effects::Inputs;
 use crate::model::{Calibration, ResidualStep, format_v1};
 use crate::sessions::Session;
 
-use super::verification::VerifyError;
+use super::verification::{Verification, VerifyError};
 use super::verify::verify;
 
 /// The error on its own session may be so many times what was said: suspected outliers, and samples that lack
@@ -20,6 +20,8 @@ const MOST_TIMES: f64 = 2.0;
 /// It may be so many times the nominal robot's: where the robot is as it was drawn, a fit that weighs the
 /// coordinates unlike each other gains nothing and loses this much at most.
 const MOST_TIMES_NOMINAL: f64 = 1.05;
+/// With fewer held-out samples one or two that are wrong are the half.
+const FEWEST_HELD_OUT: usize = 8;
 /// Below this nothing is said, mm.
 const NOTHING_MM: f64 = 1e-3;
 /// Two figures of one fit differ by rounding alone.
@@ -40,6 +42,13 @@ pub enum NotHandedOut {
         /// Verified, mm.
         found_mm: f64,
         /// Of the nominal robot, mm.
+        nominal_mm: f64,
+    },
+    /// Samples that it has not seen are farther from it than from the nominal robot.
+    MissesHeldOut {
+        /// Median deviation of them from the model, mm.
+        found_mm: f64,
+        /// From the nominal robot, mm.
         nominal_mm: f64,
     },
     /// An effect that was added to it made it worse.
@@ -69,6 +78,14 @@ impl NotHandedOut {
                 nominal_mm,
             } => text!(
                 "on the session that it came from the model leaves an RMS error of {found_mm}, and the nominal robot {nominal_mm}: it is not written",
+                found_mm = length(found_mm, 6),
+                nominal_mm = length(nominal_mm, 6)
+            ),
+            Self::MissesHeldOut {
+                found_mm,
+                nominal_mm,
+            } => text!(
+                "half of the held-out samples are {found_mm} off with the model and more, and {nominal_mm} with the nominal robot: it is not written; measure more of the joint ranges",
                 found_mm = length(found_mm, 6),
                 nominal_mm = length(nominal_mm, 6)
             ),
@@ -250,7 +267,39 @@ fn as_said_and_no_worse_than_nominal(
             nominal_mm,
         });
     }
-    Ok(())
+    predicts_what_is_held_out(&verified, session)
+}
+
+/// That what the session holds out is no farther from the model than from the nominal robot: few poses close to each
+/// other show little of a robot, and a model that follows them may lead far off elsewhere. Half of them may be gross
+/// errors.
+fn predicts_what_is_held_out(
+    verified: &Verification,
+    session: &Session,
+) -> Result<(), NotHandedOut> {
+    let Some(held_out) = session.samples.held_out.as_deref() else {
+        return Ok(());
+    };
+    let median_mm = |lengths_mm: &[f64]| {
+        let apart = lengths_mm.iter().zip(held_out).filter(|own| *own.1);
+        let mut apart: Vec<f64> = apart
+            .map(|own| *own.0)
+            .filter(|mm| mm.is_finite())
+            .collect();
+        apart.sort_by(f64::total_cmp);
+        (apart.len() >= FEWEST_HELD_OUT).then(|| apart[apart.len() / 2])
+    };
+    let nominal_mm = median_mm(&verified.before.length_mm);
+    let found_mm = median_mm(&verified.after.length_mm);
+    match (found_mm, nominal_mm) {
+        (Some(found_mm), Some(nominal_mm)) if found_mm > MOST_TIMES * nominal_mm + NOTHING_MM => {
+            Err(NotHandedOut::MissesHeldOut {
+                found_mm,
+                nominal_mm,
+            })
+        }
+        _ => Ok(()),
+    }
 }
 
 /// That positions are finite at both ends of every joint's range, and at home.

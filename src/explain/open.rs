@@ -160,7 +160,11 @@ pub(super) fn outliers(answer: &Identification, detail: Detail) -> Option<Sectio
     let outliers = answer.outliers.iter().map(|outlier| {
         fact(
             &say!("sample {sample}", sample = outlier.sample + 1),
-            detail.length(outlier.deviation_mm),
+            if outlier.deviation_mm.is_finite() {
+                detail.length(outlier.deviation_mm)
+            } else {
+                "–".to_owned()
+            },
         )
     });
     let outliers: Vec<_> = outliers.collect();

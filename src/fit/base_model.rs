@@ -291,7 +291,9 @@ fn priors(problem: &Problem, start: &Model, weak: bool, notes: &mut Vec<Text>) -
     priors
 }
 
-/// The same as the residuals show it: where something is missing they weigh less beside the priors.
+/// The same as the residuals show it: where something is missing they weigh less beside the priors. Rows that are all
+/// followed leave nothing: the priors choose among what follows them then. (With the usual noise in its place 7 of 400
+/// parts of real sets are predicted worse than by the nominal robot by mm, against 2.)
 fn variance(problem: &Problem, solution: &Solution) -> f64 {
     let freedom = problem.rows().saturating_sub(solution.spectrum.rank());
     let shown = if freedom > 0 {

@@ -94,8 +94,8 @@ pub(crate) fn uncertainties_mm(
     Some(all)
 }
 
-/// What the combinations that the samples do not show may move every pose by, mm.
-fn unseen_mm(problem: &Problem, model: &Model, inputs: &Inputs) -> Vec<f64> {
+/// What the combinations that the samples do not show may move every pose by, mm; of a robot with several joints.
+pub(crate) fn unseen_mm(problem: &Problem, model: &Model, inputs: &Inputs) -> Vec<f64> {
     let model = with_every_link(model);
     let sigma = beforehand(problem, &model);
     let held: Vec<bool> = model

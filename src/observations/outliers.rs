@@ -90,7 +90,14 @@ pub(crate) fn suspected(
     if are_the_rule(of_the_bulk, bulk.len()) {
         return vec![false; n];
     }
-    (0..n).map(apart).collect()
+    let mut marked: Vec<bool> = (0..n).map(apart).collect();
+    // Of those that are held out most may stand apart of a model that fails there: none of them is suspected then.
+    let held_out = |i: &usize| !counts[*i] && axes.iter().all(|e| e[*i].is_finite());
+    let unseen: Vec<usize> = (0..n).filter(held_out).collect();
+    if are_the_rule(unseen.iter().filter(|i| marked[**i]).count(), unseen.len()) {
+        unseen.into_iter().for_each(|i| marked[i] = false);
+    }
+    marked
 }
 
 /// Whether so many of all are no contamination any more: of samples that no fit has seen most stand apart where the

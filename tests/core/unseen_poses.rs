@@ -6,9 +6,11 @@
 use nalgebra::{Isometry3, Point3, Rotation3, Vector3};
 
 use crate::rig::Random;
+use truepose::compensation::NotHandedOut;
+use truepose::diagnosis::{Options, Verdict};
 use truepose::effects::JointValues;
-use truepose::pipeline::{Identified, Method, identify_checked};
-use truepose::sessions::parse;
+use truepose::pipeline::{Identified, Method, diagnose, hand_out, identify_checked};
+use truepose::sessions::{Session, parse};
 
 /// A slide, a column, two axes across it and a tool; zeros off by some mrad, the elbow and the tool by some
 /// mm, seen by an instrument that stands anywhere.
@@ -25,8 +27,14 @@ fn point(q: [f64; 4], seen_from: &Isometry3<f64>) -> Point3<f64> {
     seen_from * (slid * column * tilt * elbow * Point3::new(903.0, -4.0, 455.0))
 }
 
-/// Identified from 40 poses of these joint values, with 200 held out over the ranges, 0.02 mm of noise.
-fn identified(poses: impl Fn(&mut Random) -> [f64; 4], seen_from: &Isometry3<f64>) -> Identified {
+/// 40 poses of these joint values, with 200 held out over the ranges, 0.02 mm of noise; the elbow goes where `elbow`
+/// says when it is sent.
+fn session(
+    poses: impl Fn(&mut Random) -> [f64; 4],
+    seen_from: &Isometry3<f64>,
+    elbow: impl Fn(f64) -> f64,
+    stated: bool,
+) -> Session {
     let mut random = Random(5);
     let mut columns = vec![Vec::new(); 7];
     let mut part = Vec::new();
@@ -36,7 +44,7 @@ fn identified(poses: impl Fn(&mut Random) -> [f64; 4], seen_from: &Isometry3<f64
         } else {
             anywhere(&mut random)
         };
-        let at = point(q, seen_from);
+        let at = point([q[0], q[1], q[2], elbow(q[3])], seen_from);
         let values = [
             q[0],
             q[1].to_degrees(),
@@ -59,12 +67,21 @@ fn identified(poses: impl Fn(&mut Random) -> [f64; 4], seen_from: &Isometry3<f64
                 joint("column", "revolute", [0.0, 0.0, 1.0], [0.0; 3], [-90.0, 90.0]),
                 joint("tilt", "revolute", [0.0, 1.0, 0.0], [0.0, 0.0, 400.0], [-60.0, 60.0]),
                 joint("elbow", "revolute", [0.0, 1.0, 0.0], [500.0, 0.0, 400.0], [-60.0, 60.0]) ] },
-        "instrument": { "name": "tracker", "sigma_mm": 0.02 },
+        "instrument": if stated {
+            serde_json::json!({ "name": "tracker", "sigma_mm": 0.02 })
+        } else {
+            serde_json::json!({ "name": "tracker" })
+        },
         "samples": { "columns": {
             "q1_mm": columns[0], "q2_deg": columns[1], "q3_deg": columns[2], "q4_deg": columns[3],
             "x_mm": columns[4], "y_mm": columns[5], "z_mm": columns[6],
             "setup": vec!["S1"; part.len()], "use": part } } });
-    let session = parse(document.to_string().as_bytes()).unwrap().session;
+    parse(document.to_string().as_bytes()).unwrap().session
+}
+
+/// Identified from 40 poses of these joint values.
+fn identified(poses: impl Fn(&mut Random) -> [f64; 4], seen_from: &Isometry3<f64>) -> Identified {
+    let session = session(poses, seen_from, |elbow| elbow, true);
     identify_checked(&session, &Method::default(), JointValues::Commanded).unwrap()
 }
 
@@ -127,4 +144,52 @@ fn along_a_line_an_instrument_stays_where_the_line_is_seen_from() {
     assert!(fitted < 0.05, "{fitted}");
     assert!(expected > unseen / 3.0, "{expected} of {unseen}");
     assert!(answer.identification.expected.unwrap().extrapolates());
+}
+
+/// An elbow that was held at one angle while the model was fitted, and of which the motor's turns are counted wrong.
+#[test]
+fn what_the_samples_held_out_alone_show_is_no_noise() {
+    let held = |random: &mut Random| {
+        let [slide, column, tilt, _] = anywhere(random);
+        [slide, column, tilt, 0.3]
+    };
+    let verdict = |elbow: &dyn Fn(f64) -> f64| {
+        let session = session(held, &stands_anywhere(), elbow, false);
+        let answer = diagnose(&session, &Options::default(), &|_| true).unwrap();
+        (answer.verdict, answer.unexplained.description.to_string())
+    };
+    let (right, says) = verdict(&|elbow| elbow);
+    assert_eq!(right, Verdict::Noise, "{says}");
+    let (wrong, says) = verdict(&|elbow| 0.3 + 1.05 * (elbow - 0.3));
+    assert_eq!(wrong, Verdict::Unexplained, "{says}");
+    assert!(says.contains("half of the held-out samples"), "{says}");
+}
+
+/// Poses so close to each other that they show next to nothing of the links, and a tracker that is read to a tenth.
+#[test]
+fn a_model_that_leads_off_where_nothing_was_measured_is_not_written() {
+    let refused = |span: f64| {
+        let close = |random: &mut Random| {
+            let turn = |random: &mut Random, at: f64| at + random.between(-span, span);
+            [
+                random.between(500.0 - 500.0 * span, 500.0 + 500.0 * span),
+                turn(random, 0.2),
+                turn(random, -0.3),
+                turn(random, 0.4),
+            ]
+        };
+        let session = session(close, &stands_anywhere(), |elbow| elbow, true);
+        let answer =
+            identify_checked(&session, &Method::default(), JointValues::Commanded).unwrap();
+        let held_out = answer.identification.held_out.as_ref().unwrap();
+        let errors = [held_out.before.rms_mm, held_out.after.rms_mm];
+        (hand_out(&answer.calibration, &session).err(), errors)
+    };
+    let (why, errors) = refused(0.01);
+    assert!(
+        matches!(why, Some(NotHandedOut::MissesHeldOut { .. })),
+        "{why:?} {errors:?}"
+    );
+    let (why, errors) = refused(0.6);
+    assert!(why.is_none() && errors[1] < errors[0], "{why:?} {errors:?}");
 }

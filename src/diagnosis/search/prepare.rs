@@ -50,6 +50,8 @@ pub(crate) struct PreparedSearch<'a> {
     pub(crate) problem: Rc<Problem<'a>>,
     /// The base model as `identify` fits it.
     pub(crate) base: Model,
+    /// What counts beside that.
+    pub(crate) counted_by_identify: Vec<bool>,
     /// The robot as it is drawn, beside the places that its measurements refer to.
     pub(crate) nominal: Model,
     pub(crate) survey: Survey,
@@ -92,11 +94,13 @@ impl<'a> PreparedSearch<'a> {
             let fitted = fit_without_outliers(&mut problem, &start);
             (fitted.model, Vec::new())
         };
+        let counted_by_identify = problem.counted().to_vec();
         let regression = regression(&mut problem, &base, &survey, options);
         let folds = Folds::new(&regression);
         Ok(Self {
             problem: Rc::new(problem),
             base: base.clone(),
+            counted_by_identify,
             nominal,
             survey,
             regression,
@@ -236,6 +240,7 @@ impl<'a> PreparedSearch<'a> {
         Self {
             problem: Rc::clone(&self.problem),
             base: self.base.clone(),
+            counted_by_identify: self.counted_by_identify.clone(),
             nominal: self.nominal.clone(),
             survey: self.survey.clone(),
             regression: self.regression.with_noise(noise),

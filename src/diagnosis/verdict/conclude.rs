@@ -120,18 +120,15 @@ pub(crate) fn answer(
         capped,
     );
     let mut held_out = held_out(prepared, &nominal_mm, handed_out.held_out_mm);
-    let counts = |i: usize| problem.fit[i];
-    let rms = |lengths_mm: &[f64]| {
-        let spread = Spread::of(lengths_mm, counts, |i| !problem.used[i]);
-        spread.map_or(0.0, |s| s.rms_mm)
-    };
+    let counted = &handed_out.values.problem;
+    let start = Spread::of(&nominal_mm, |i| counted.fit[i], |i| !counted.used[i]);
     let mut gap = Gaps {
-        start_mm: rms(&nominal_mm),
+        start_mm: start.map_or(0.0, |s| s.rms_mm),
         identified_mm: handed_out.identified_mm,
         end_mm: handed_out.end_mm,
     };
-    let floor = floor(prepared, fit);
     let dropped = handed_out.dropped.clone();
+    let floor = floor(prepared, &without_dropped(prepared, fit, &dropped));
     let is_dropped = |term: &Term| dropped.iter().any(|d| d.same_column(term));
     let mut steps = found_steps;
     steps.retain(|step| !is_dropped(&step.term));
@@ -205,6 +202,15 @@ pub(crate) fn answer(
         history,
         set_up,
     })
+}
+
+/// The fit of the names that are handed out.
+fn without_dropped<'f>(prepared: &PreparedSearch, fit: &'f Fit, dropped: &[Term]) -> Cow<'f, Fit> {
+    if dropped.is_empty() {
+        Cow::Borrowed(fit)
+    } else {
+        Cow::Owned(handed_out::without(prepared, fit, dropped))
+    }
 }
 
 /// The noise as it is said. Of several kinds of measurement the search knows one number, which stands for σ of

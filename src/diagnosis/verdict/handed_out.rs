@@ -25,8 +25,13 @@
 //! Names of several joints that cancel each other at the samples and run away over the joint ranges
 //! (`run_away`) are left out as well.
 //!
+//! Where no name is handed out, what stands apart is what stands apart for `identify`, and the noise floor that of its
+//! model.
+//!
 //! Every comparison is over the same samples and the same folds. Intervals are those of the fit with the
 //! shapes where it may be used at all, and hold the value that is handed out.
+
+use std::borrow::Cow;
 
 use crate::effects::Term;
 use crate::fit::gap::{GROSS_SHARE, Spread, lengths_mm};
@@ -156,6 +161,11 @@ pub(crate) fn choose<'a>(
             return handed_out(own, dropped.to_vec());
         }
     }
+    let problem = &if found == 0 {
+        Cow::Borrowed(problem)
+    } else {
+        counted_as_by_identify(prepared, problem)
+    };
     let of_base = if found == 0 {
         unsure.clone()
     } else {
@@ -232,6 +242,20 @@ fn identified(prepared: &PreparedSearch, problem: &Problem) -> Model {
     prepared.base.clone()
 }
 
+/// The problem with nothing set aside but what `identify` sets aside: what stood apart beside names that are not handed
+/// out need not stand apart without them.
+fn counted_as_by_identify<'p, 'a>(
+    prepared: &PreparedSearch,
+    problem: &'p Problem<'a>,
+) -> Cow<'p, Problem<'a>> {
+    if problem.observed.is_some() || prepared.locked.contains(&true) {
+        return Cow::Borrowed(problem);
+    }
+    let mut now = problem.clone();
+    now.set_counted(prepared.counted_by_identify.clone());
+    Cow::Owned(now)
+}
+
 /// RMS error of a model over the samples that are fitted, without suspected outliers, mm.
 fn rms_mm(problem: &Problem, model: &Model) -> f64 {
     let left_mm = lengths_mm(problem, model);
@@ -268,7 +292,7 @@ fn is_told_apart(beside: &Values, names: &Values) -> bool {
 }
 
 /// The fit of a set of names without some of them.
-fn without(prepared: &PreparedSearch, names: &Fit, dropped: &[Term]) -> Fit {
+pub(crate) fn without(prepared: &PreparedSearch, names: &Fit, dropped: &[Term]) -> Fit {
     let is_dropped = |term: &Term| dropped.iter().any(|d| d.same_column(term));
     let model = names.model.without(is_dropped);
     prepared.regression.fit(&model, &[])

@@ -1,6 +1,6 @@
 //! Whether what is left is noise: against returns to the same pose (lack of fit, an F test), else
 //! against the noise that the instrument's maker states (χ², with the kurtosis that the residuals
-//! show), on samples that the fit has not seen, by its structure, and by whether the search was
+//! show), on samples that the fit has not seen (`unpredicted`), by its structure, and by whether the search was
 //! stopped before its end.
 //!
 //! ```text
@@ -23,6 +23,7 @@ use crate::observations::{Layer, kind_in_words};
 
 use super::excess::{Excess, MOST_OVER_THE_FLOOR, excess_of};
 use super::group_excess;
+use super::unpredicted;
 use super::values::Values;
 use super::withheld::stand_in;
 use crate::answers::diagnosis::{Floor, FloorFrom, HeldOut, Unexplained, Verdict};
@@ -94,6 +95,10 @@ pub(crate) fn judge(
             unexplained.present = true;
             unexplained.place = None;
             unexplained.description = wander;
+        } else if let Some(missed) = unpredicted::missed(prepared, values, floor) {
+            unexplained.present = true;
+            unexplained.place = None;
+            unexplained.description = missed;
         }
         if unexplained.present && unexplained.rms_mm == 0.0 {
             let end = held_out.gaps.map_or(0.0, |g| g.end_mm).max(values.rms_mm());

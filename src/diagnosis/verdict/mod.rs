@@ -3,7 +3,7 @@
 //!
 //! - `conclude`: the answer put together; `values`, `selection`: parameters and their intervals.
 //! - `named_effects`, `step_time`: the names; `equal_steps`: orders that equal steps cannot part.
-//! - `judgement`, `excess`, `group_excess`, `remainder`, `withheld`: what is left, and whether noise explains it.
+//! - `judgement`, `excess`, `group_excess`, `remainder`, `unpredicted`, `withheld`: what is left, and whether noise explains it.
 //! - `limits`, `testable`: what would have been seen, and what cannot be.
 //! - `handed_out`, `divergent_terms`, `unseen`: which model is handed out; `unnamed`: what predicts without a name.
 
@@ -21,6 +21,7 @@ mod selection;
 mod step_time;
 mod testable;
 mod unnamed;
+mod unpredicted;
 mod unseen;
 mod values;
 mod withheld;

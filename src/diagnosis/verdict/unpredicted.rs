@@ -1,0 +1,70 @@
+//! Held-out samples that the model should predict and does not: half of them and more are farther off than noise and
+//! all that is uncertain of the model explain. However well it follows the samples that it was fitted to, what is left
+//! is more than noise then.
+//!
+//! ```text
+//! u_i² = f² + tr J_i Σ J_iᵀ + Σ_d σ_d² |J_i d|²,   median_i |e_i| / (k u_i) > 3
+//! ```
+//!
+//! with f the noise floor, d the combinations that the measured poses do not show (`fit/expected.rs`) and k the factor by
+//! which Student's t of the freedom is wider than the normal. Half of the samples may be gross errors.
+
+use crate::fit::base_model;
+use crate::fit::expected::{uncertainties_mm, unseen_mm};
+use crate::fit::gap::lengths_mm;
+use crate::fit::uncertainty::{NORMAL_95, half_width_factor};
+use crate::text::{Text, length};
+
+use super::values::Values;
+use crate::answers::diagnosis::Floor;
+use crate::diagnosis::search::prepare::PreparedSearch;
+
+/// With fewer held-out samples one or two that are wrong are the half.
+const FEWEST: usize = 8;
+/// From so many times the standard uncertainty on; half of all normal errors are within one.
+const MOST_TIMES: f64 = 3.0;
+
+/// What there is to say where the samples that the session holds out are not predicted.
+pub(crate) fn missed(prepared: &PreparedSearch, values: &Values, floor: &Floor) -> Option<Text> {
+    // What an option has locked away is fitted by now; a frame that wanders is elsewhere when they were measured.
+    if prepared.locked.contains(&true) || values.noise_is_slow() {
+        return None;
+    }
+    let problem = &values.problem;
+    let held_out = problem.session.samples.held_out.as_deref()?;
+    let left_mm = lengths_mm(problem, &values.model);
+    let is_apart = |i: &usize| problem.usable[*i] && held_out[*i] && left_mm[*i].is_finite();
+    let apart: Vec<usize> = (0..left_mm.len()).filter(is_apart).collect();
+    if apart.len() < FEWEST {
+        return None;
+    }
+    let inputs = problem.inputs.select(&apart);
+    let covariance = values.covariance.as_ref();
+    let of_values = covariance.and_then(|c| uncertainties_mm(&values.model, &inputs, c));
+    let mut uncertain = of_values.unwrap_or_else(|| vec![0.0; apart.len()]);
+    if base_model::is_arm(problem.session) {
+        for (own, unseen) in uncertain
+            .iter_mut()
+            .zip(unseen_mm(problem, &values.model, &inputs))
+        {
+            *own = own.hypot(unseen);
+        }
+    }
+    let freedom = values.white().1;
+    let wider = half_width_factor(freedom as usize) / NORMAL_95;
+    let times = apart.iter().zip(&uncertain);
+    let times = times.map(|(i, own)| left_mm[*i] / (wider * own.hypot(floor.mm)));
+    let times = median(times.collect());
+    (times > MOST_TIMES).then(|| {
+        text!(
+            "half of the held-out samples are {error} off and more, {times} times what noise and all that is uncertain of the model explain",
+            error = length(median(apart.iter().map(|i| left_mm[*i]).collect()), 3),
+            times = format!("{times:.1}")
+        )
+    })
+}
+
+fn median(mut of: Vec<f64>) -> f64 {
+    of.sort_by(f64::total_cmp);
+    of.get(of.len() / 2).copied().unwrap_or(0.0)
+}
