@@ -57,12 +57,19 @@ pub(super) fn verify_as_read(
     let outlier = set_aside::of_its_own(calibration, own, problem.usable.len())
         .unwrap_or_else(|| suspects(&problem, &after));
     let spread = |d: &Deviations| Spread::of(&d.length_mm, |i| problem.fit[i], |_| false);
+    let tolerance = session.tolerance_mm.or(calibration.tolerance_mm);
+    let within = |d: &Deviations, mm: f64| {
+        let lengths = d.length_mm.iter().zip(&problem.fit);
+        lengths.filter(|(l, counts)| **counts && **l <= mm).count()
+    };
+    let mut corrected = None;
     let compensated = session.compensated_by.is_none().then(|| {
         // measured − model + reached − nominal, as if `nominal` were shifted by the model's error
         let moved = moved(&compensation, inputs, &model);
         let drawn = compensation.nominal.predict(inputs);
         let expected = |i: usize| minus(drawn.get(i), moved.get(i));
         let with_table = measured_minus(session, &problem, &compensation, expected);
+        corrected = tolerance.map(|mm| within(&with_table, mm));
         let left: Vec<f64> = left_over(&compensation, inputs)
             .iter()
             .map(|v| crate::lanes::dot(*v, *v).sqrt())
@@ -73,12 +80,7 @@ pub(super) fn verify_as_read(
             cannot_be_removed_by_joints_mm: stays.map_or(0.0, |s| s.rms_mm),
         })
     });
-    let tolerance = session.tolerance_mm.or(calibration.tolerance_mm);
     let samples = problem.usable.iter().filter(|u| **u).count();
-    let within = |d: &Deviations, mm: f64| {
-        let lengths = d.length_mm.iter().zip(&problem.fit);
-        lengths.filter(|(l, counts)| **counts && **l <= mm).count()
-    };
     let counts = |i: usize| problem.fit[i];
     Ok(Verification {
         session: session.name.clone(),
@@ -88,6 +90,7 @@ pub(super) fn verify_as_read(
         within_tolerance: tolerance.map(|mm| WithinTolerance {
             before: within(&before, mm),
             after: within(&after, mm),
+            corrected,
             of: problem.fit.iter().filter(|f| **f).count(),
         }),
         compensated: compensated.flatten(),

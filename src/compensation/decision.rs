@@ -23,7 +23,8 @@
 //! Rules: ISO 14253-1:2017, clause 5 (conformity is proven where d + U ≤ T, non-conformity where
 //! d − U > T, between them neither is), and simple acceptance, JCGM 106:2012, 8.2 (d ≤ T).
 
-use super::verification::Verification;
+use super::verification::{Verification, WithinTolerance};
+use crate::answers::diagnosis::Diagnosis;
 use crate::sessions::{Session, Sigma};
 use crate::text::Template;
 
@@ -79,6 +80,8 @@ pub struct MeasuredDeviation {
     pub expanded_mm: f64,
     /// Whether it is predicted for corrected commands (rather than measured with a table active).
     pub predicted: bool,
+    /// Numbers of poses within the tolerance, where one is stated.
+    pub within: Option<WithinTolerance>,
 }
 
 /// RMS errors of a model, mm, from which its prediction error is estimated.
@@ -90,6 +93,16 @@ pub struct FittedErrors {
     pub held_out_mm: Option<f64>,
     /// What noise alone leaves, where that is known.
     pub floor_mm: Option<f64>,
+}
+
+impl From<&Diagnosis> for FittedErrors {
+    fn from(found: &Diagnosis) -> Self {
+        Self {
+            fit_mm: found.gap.end_mm,
+            held_out_mm: found.held_out.gaps.map(|g| g.end_mm),
+            floor_mm: Some(found.floor.mm),
+        }
+    }
 }
 
 impl MeasuredDeviation {
@@ -138,6 +151,7 @@ impl MeasuredDeviation {
             largest_mm,
             expanded_mm: COVERAGE * noise.hypot(model),
             predicted,
+            within: verification.within_tolerance,
         })
     }
 
@@ -167,6 +181,7 @@ mod tests {
             largest_mm: 0.25,
             expanded_mm: 0.125,
             predicted: true,
+            within: None,
         };
         let iso = |tolerance| measured.decided(Rule::Iso14253, tolerance);
         assert_eq!(iso(0.375), Outcome::Pass, "d + U = T is proven");

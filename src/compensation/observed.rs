@@ -62,6 +62,7 @@ pub(super) fn verify(
         within_tolerance: tolerance.map(|mm| WithinTolerance {
             before: within(&before.length_mm, mm),
             after: within(&after.length_mm, mm),
+            corrected: None,
             of: problem.fit.iter().filter(|f| **f).count(),
         }),
         compensated: None,

@@ -45,6 +45,8 @@ pub struct WithinTolerance {
     pub before: usize,
     /// With the model.
     pub after: usize,
+    /// With corrected commands; `None` for a session that was compensated already.
+    pub corrected: Option<usize>,
     /// Of so many.
     pub of: usize,
 }

@@ -28,9 +28,10 @@ use super::estimator::fit_without_outliers;
 use super::frames::frames_from;
 use super::gauge::with_gauge;
 use super::observed;
+use super::prior_scale;
 use super::priors::{Priors, of_one_target};
 use super::problem::Problem;
-use super::solver::{Solution, Stopped, solve};
+use super::solver::{Solution, Stopped, equations_at, solve};
 use super::target_places::{
     Agreement, SeenTarget, across_mm, agreement, last_axis, seen_targets, sigma_between,
 };
@@ -171,8 +172,21 @@ pub fn fit(problem: &mut Problem, start: &Model, weak: bool) -> Fitted {
             break;
         }
         let before = problem.priors.variance;
-        problem.priors.variance = variance(problem, &solution);
-        let settled = (problem.priors.variance / before).ln().abs() < SETTLED;
+        let width = problem.priors.ln_scale;
+        let widths = if problem.priors.weak {
+            let normal = equations_at(problem, &solution);
+            let rows = problem.rows();
+            prior_scale::likeliest(&problem.priors, &solution.model, &normal, rows)
+        } else {
+            None
+        };
+        problem.priors.variance = match widths {
+            Some(widths) => widths.variance.max(least_variance(problem)),
+            None => variance(problem, &solution),
+        };
+        problem.priors.ln_scale = widths.map_or(width, |widths| widths.ln_scale);
+        let settled = (problem.priors.variance / before).ln().abs() < SETTLED
+            && problem.priors.ln_scale == width;
         let missed = problem.priors.missed(&solution.model);
         if missed.is_empty() && settled {
             break;
@@ -301,12 +315,15 @@ fn variance(problem: &Problem, solution: &Solution) -> f64 {
     } else {
         0.0
     };
-    // With the noise known, rows are in units of it.
-    let least = match stated_variance(problem) {
+    shown.max(least_variance(problem))
+}
+
+/// With the noise known, rows are in units of it.
+fn least_variance(problem: &Problem) -> f64 {
+    match stated_variance(problem) {
         Some(stated) if problem.noise.is_none() => stated,
         _ => 1e-12,
-    };
-    shown.max(least)
+    }
 }
 
 /// Whether a model has the tool's orientation in it.

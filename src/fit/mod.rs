@@ -27,6 +27,7 @@ mod frames;
 pub(crate) mod observed;
 pub(crate) mod plane;
 mod prior_rows;
+mod prior_scale;
 mod regional;
 pub(crate) mod spread;
 pub(crate) mod target_places;

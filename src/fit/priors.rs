@@ -18,6 +18,8 @@ use crate::effects::{Setting, TOOL_POSITION, Term};
 use crate::kinematics::JointKind;
 use crate::model::Model;
 
+use super::prior_scale::group;
+
 /// A prior that is missed by so many σ was wrong, and is let go.
 /// Priors of an arm: tool 50 mm, frame 20 mm and 20 mrad, links 1 mm and 2 mrad, zeros 50 mrad;
 /// `--no-prior` leaves them out.
@@ -34,6 +36,9 @@ pub struct Priors {
     pub targets_mm: Option<f64>,
     /// Variance of a coordinate of weight one.
     pub variance: f64,
+    /// How much narrower the weak ones are of this robot's zero offsets and links, as logarithms
+    /// ([`super::prior_scale`]).
+    pub(super) ln_scale: [f64; 2],
     /// How large everything is, where no measurement shows it: a sum of coefficients that is held at
     /// zero ([`crate::observations::gauge`]).
     pub(super) size: Vec<(Key, f64)>,
@@ -69,10 +74,19 @@ impl Priors {
         }
         let prior = about.priors.get(coefficient)?;
         let holds = self.aligned || !prior.if_aligned;
+        let scale = group(about.role).map_or(1.0, |own| self.ln_scale[own].exp());
         holds.then(|| match model.robot.joints[term.joint].kind {
-            JointKind::Revolute => prior.sigma,
-            JointKind::Prismatic => prior.sigma_on_slide,
+            JointKind::Revolute => scale * prior.sigma,
+            JointKind::Prismatic => scale * prior.sigma_on_slide,
         })
+    }
+
+    /// The same priors for any robot.
+    pub(crate) fn of_any_robot(&self) -> Self {
+        Self {
+            ln_scale: [0.0; 2],
+            ..self.clone()
+        }
     }
 
     /// Whether nothing of a coefficient was let go.
@@ -133,10 +147,11 @@ impl Priors {
     /// Those that a fit has missed by far.
     pub(super) fn missed(&self, model: &Model) -> Vec<(Term, usize)> {
         let mut missed = Vec::new();
+        let usual = self.of_any_robot();
         for term in model.terms() {
             for (k, value) in term.coefficients.iter().enumerate() {
                 let beyond = |sigma: f64| value.abs() > MISSED * sigma;
-                if !term.held.contains(k) && self.sigma(model, term, k).is_some_and(beyond) {
+                if !term.held.contains(k) && usual.sigma(model, term, k).is_some_and(beyond) {
                     missed.push((term.clone(), k));
                 }
             }

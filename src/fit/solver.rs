@@ -250,6 +250,16 @@ pub(super) fn spectrum_at(problem: &Problem, solution: &Solution) -> (Spectrum, 
     (spectrum, normal.cost, step)
 }
 
+/// The equations of a problem at a solution, with those of its priors.
+pub(super) fn equations_at(problem: &Problem, solution: &Solution) -> Normal {
+    let state = State {
+        model: solution.model.clone(),
+        extra_coefficients: solution.extra_coefficients.clone(),
+    };
+    let blocks: Vec<usize> = (0..problem.inputs.len()).step_by(LANES).collect();
+    sum(problem, &state, &blocks, Sums::All)
+}
+
 fn spectrum_of(problem: &Problem, normal: &Normal, state: &State) -> Spectrum {
     let (reaches, least) = limits_of_determinacy(problem, normal, state);
     Spectrum::of_model(&normal.gram, &state.model).within(&reaches, least)

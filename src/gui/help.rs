@@ -108,7 +108,12 @@ const NAMES: &[(&[Template], Word)] = &[
     ),
     (&[phrase!("largest deviation"), phrase!("largest")], LARGEST),
     (
-        &[phrase!("tolerance"), phrase!("within tolerance")],
+        &[
+            phrase!("tolerance"),
+            phrase!("within tolerance"),
+            phrase!("within tolerance, commands corrected"),
+            phrase!("within tolerance, with the model"),
+        ],
         TOLERANCE,
     ),
     (

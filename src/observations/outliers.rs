@@ -95,7 +95,9 @@ pub(crate) fn suspected(
     let held_out = |i: &usize| !counts[*i] && axes.iter().all(|e| e[*i].is_finite());
     let unseen: Vec<usize> = (0..n).filter(held_out).collect();
     if are_the_rule(unseen.iter().filter(|i| marked[**i]).count(), unseen.len()) {
-        unseen.into_iter().for_each(|i| marked[i] = false);
+        for i in unseen {
+            marked[i] = false;
+        }
     }
     marked
 }

@@ -179,12 +179,7 @@ impl ReportContext<'_> {
 
     /// Whether the robot is within its tolerance, and what that rests on.
     fn decision(&self, rule: Rule) -> (Outcome, String) {
-        let d = self.found;
-        let fitted = FittedErrors {
-            fit_mm: d.gap.end_mm,
-            held_out_mm: d.held_out.gaps.map(|g| g.end_mm),
-            floor_mm: Some(d.floor.mm),
-        };
+        let fitted = FittedErrors::from(self.found);
         let none = |because: &str| (Outcome::Undecided, decision::none(because));
         let Some(tolerance) = self.session.tolerance_mm else {
             return none(say!("no tolerance is stated"));
@@ -233,11 +228,22 @@ impl ReportContext<'_> {
         figures.push(match (&v.within_tolerance, self.session.tolerance_mm) {
             (Some(within), Some(tolerance)) => figure(
                 &say!("Within {tolerance} mm", tolerance = short(tolerance)),
-                say!("{after} of {all}", after = within.after, all = within.of),
                 say!(
-                    "with the model; {before} as measured",
-                    before = within.before
+                    "{after} of {all}",
+                    after = within.corrected.unwrap_or(within.after),
+                    all = within.of
                 ),
+                if within.corrected.is_some() {
+                    say!(
+                        "with corrected commands; {before} as measured",
+                        before = within.before
+                    )
+                } else {
+                    say!(
+                        "with the model; {before} as measured",
+                        before = within.before
+                    )
+                },
             ),
             _ => figure(
                 say!("Corrected commands"),

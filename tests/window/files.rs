@@ -285,6 +285,11 @@ fn what_was_not_saved_when_the_program_was_killed_is_offered_and_comes_back() {
     let mut window = window_at(None, Some(&home));
     assert_eq!(window.query_all_by_label("Restore").count(), 1);
     press(&mut window, "Discard");
+    assert!(
+        says(&window, "Recover unsaved work"),
+        "it cannot be brought back: it asks"
+    );
+    press(&mut window, "Discard for good");
     assert!(!says(&window, "Recover unsaved work"));
     drop(window);
     drop(second);

@@ -95,6 +95,8 @@ impl<'a> PreparedSearch<'a> {
             (fitted.model, Vec::new())
         };
         let counted_by_identify = problem.counted().to_vec();
+        // How large its own links are is known of the base alone: beside names they carry less.
+        problem.priors = problem.priors.of_any_robot();
         let regression = regression(&mut problem, &base, &survey, options);
         let folds = Folds::new(&regression);
         Ok(Self {

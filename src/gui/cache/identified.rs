@@ -172,8 +172,8 @@ fn preview(wanted: &PreviewRequest) -> Result<ExportPreview, String> {
 pub(crate) struct Figures {
     /// The identification behind the corrected commands.
     pub(crate) identified: Arc<IdentifiedAnswer>,
-    /// What noise alone leaves, where a diagnosis has shown it.
-    pub(crate) floor_mm: Option<f64>,
+    /// The errors of a diagnosis, where there is one: the decision rests on those, in the report as well.
+    pub(crate) diagnosed: Option<FittedErrors>,
     /// The figures, or why there are none; `None` while they are worked out.
     pub(crate) made: Option<Result<StandardsFigures, String>>,
 }
@@ -191,27 +191,31 @@ pub(crate) struct StandardsFigures {
 
 impl Figures {
     /// Works them out. Takes its time with many samples.
-    pub(crate) fn of(outcome: Arc<IdentifiedAnswer>, floor_mm: Option<f64>) -> Self {
-        let made = figures(&outcome, floor_mm);
+    pub(crate) fn of(outcome: Arc<IdentifiedAnswer>, diagnosed: Option<FittedErrors>) -> Self {
+        let made = figures(&outcome, diagnosed);
         Self {
             identified: outcome,
-            floor_mm,
+            diagnosed,
             made: Some(made),
         }
     }
 }
 
-fn figures(outcome: &IdentifiedAnswer, floor_mm: Option<f64>) -> Result<StandardsFigures, String> {
+fn figures(
+    outcome: &IdentifiedAnswer,
+    diagnosed: Option<FittedErrors>,
+) -> Result<StandardsFigures, String> {
     let answer = outcome.answer.as_ref().map_err(Clone::clone)?;
     let session = &outcome.question.loaded_session.session;
     let figures = pipeline::standards(session, Some(&answer.calibration))
         .map_err(|e| spoken(e.describe()))?;
     let found = &answer.identification;
-    let fitted = FittedErrors {
+    let identified = FittedErrors {
         fit_mm: found.gap.after.rms_mm,
         held_out_mm: found.held_out.as_ref().map(|gap| gap.after.rms_mm),
-        floor_mm,
+        floor_mm: None,
     };
+    let fitted = diagnosed.unwrap_or(identified);
     Ok(StandardsFigures {
         measured: pipeline::conformity(session, &answer.calibration, fitted),
         groups: groups(&figures, 1),

@@ -1,5 +1,8 @@
 //! What windows that are gone have left behind: what, from when, and whether to bring it back.
 
+use std::fmt::Debug;
+use std::hash::Hash;
+use std::path::Path;
 use std::time::{Duration, SystemTime};
 
 use egui::{Id, RichText, ScrollArea, Ui};
@@ -48,9 +51,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
                 ui.add_space(space::TIGHT);
                 ui.columns(2, |columns| {
                     let restore = if left.kept.is_ok() {
-                        if widgets::other(&mut columns[0], say!("Discard")).clicked() {
-                            commands.push(Command::Left(LeftBehind::Discard(index)));
-                        }
+                        discard(&mut columns[0], index, left.path(), commands);
                         say!("Restore")
                     } else {
                         say!("Put it aside")
@@ -76,21 +77,30 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     });
 }
 
-/// Discards everything on the second press: what is discarded cannot be brought back.
-fn discard_all(ui: &mut Ui, count: usize, commands: &mut Vec<Command>) {
-    let asked = Id::unique("discard all of the recovery");
-    let sure = ui.data(|data| data.get_temp(asked).unwrap_or(false));
-    let text = if sure {
-        say!("Discard all {count} for good", count = count)
-    } else {
-        say!("Discard all").to_owned()
-    };
-    if widgets::other(ui, &text).clicked() {
-        ui.data_mut(|data| data.insert_temp(asked, !sure));
-        if sure {
-            commands.push(Command::Left(LeftBehind::DiscardAll));
-        }
+/// Discards one on the second press.
+fn discard(ui: &mut Ui, index: usize, path: &Path, commands: &mut Vec<Command>) {
+    if pressed_twice(ui, path, say!("Discard"), say!("Discard for good")) {
+        commands.push(Command::Left(LeftBehind::Discard(index)));
     }
+}
+
+/// Discards everything on the second press.
+fn discard_all(ui: &mut Ui, count: usize, commands: &mut Vec<Command>) {
+    let sure = say!("Discard all {count} for good", count = count);
+    if pressed_twice(ui, "all", say!("Discard all"), &sure) {
+        commands.push(Command::Left(LeftBehind::DiscardAll));
+    }
+}
+
+/// A button that asks in its own words, and acts on the second press: what is discarded cannot be brought back.
+fn pressed_twice(ui: &mut Ui, what: impl Debug + Hash, asks: &str, sure: &str) -> bool {
+    let id = Id::unique(("discard of the recovery", what));
+    let is_sure = ui.data(|data| data.get_temp(id).unwrap_or(false));
+    let clicked = widgets::other(ui, if is_sure { sure } else { asks }).clicked();
+    if clicked {
+        ui.data_mut(|data| data.insert_temp(id, !is_sure));
+    }
+    clicked && is_sure
 }
 
 /// How long ago, in words.

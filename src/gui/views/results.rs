@@ -169,9 +169,17 @@ fn gap_card(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
         if let (Some((before, _)), Some((after, all))) =
             (within(workbench, false), within(workbench, true))
         {
+            // What the robot will do, where that is known; the model by itself promises more.
+            let corrected = workbench.corrected_within();
+            let after = corrected.unwrap_or(after);
+            let label = if corrected.is_some() {
+                phrase!("within tolerance, commands corrected")
+            } else {
+                phrase!("within tolerance, with the model")
+            };
             widgets::fact_of(
                 ui,
-                phrase!("within tolerance"),
+                label,
                 say!(
                     "{before} → {after} of {all}",
                     before = before,

@@ -4,6 +4,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use crate::compensation::decision::FittedErrors;
 use crate::export::find;
 use crate::gui::cache::identified::{Figures, PreviewRequest};
 use crate::gui::core::compensated::{Compensated, CompensationRequest, MOST_KG};
@@ -217,23 +218,23 @@ impl Workbench {
         if !wanted || self.loaded_session().is_empty() || self.answer().is_none() {
             return;
         }
-        let floor_mm = self.diagnosis().map(|found| found.floor.mm);
+        let diagnosed = self.diagnosis().map(FittedErrors::from);
         let Some(outcome) = self.identified.clone() else {
             return;
         };
         let there = self.figures.as_ref().is_some_and(|f| {
-            f.made.is_none() || f.floor_mm == floor_mm && Arc::ptr_eq(&f.identified, &outcome)
+            f.made.is_none() || f.diagnosed == diagnosed && Arc::ptr_eq(&f.identified, &outcome)
         });
         if there {
             return;
         }
         self.figures = Some(Figures {
             identified: Arc::clone(&outcome),
-            floor_mm,
+            diagnosed,
             made: None,
         });
         self.jobs.quietly(
-            move || Figures::of(outcome, floor_mm),
+            move || Figures::of(outcome, diagnosed),
             |bench: &mut Self, figures| {
                 bench.figures = Some(figures);
                 // What is shown may be another answer by now.

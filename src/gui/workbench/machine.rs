@@ -113,6 +113,12 @@ impl Workbench {
         Some(measured.map(|m| (m.decided(rule, tolerance), rests_on(&m, rule, tolerance))))
     }
 
+    /// How many samples are within the tolerance with corrected commands, where that was worked out.
+    pub(crate) fn corrected_within(&self) -> Option<usize> {
+        let made = self.figures()?.made.as_ref()?.as_ref().ok()?;
+        made.measured.as_ref().ok()?.within?.corrected
+    }
+
     pub(super) fn rule_and_tolerance(&self) -> Option<(Rule, f64)> {
         Some((self.stated().details.rule?, self.document().tolerance_mm?))
     }
