@@ -15,8 +15,8 @@ use crate::text::length;
 
 use super::plan::Compensation;
 
-/// Shares below this are not worth a word, mm.
-const WORTH_A_WORD_MM: f64 = 1e-4;
+/// Shares below this are not worth a word, mm: no instrument shows them, and nobody repairs a machine for them.
+const WORTH_A_WORD_MM: f64 = 1e-3;
 
 /// What one effect leaves behind.
 #[derive(Debug, Clone, PartialEq)]

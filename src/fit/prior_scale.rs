@@ -15,11 +15,10 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::effects::Role;
 use crate::model::Model;
 
 use super::normal::Normal;
-use super::priors::Priors;
+use super::priors::{Priors, group};
 
 /// Factors that are tried, each half of the one before it, of zero offsets down to 1.6 mrad and of links down to what
 /// machining leaves of any robot: 0.13 mm, 0.25 mrad.
@@ -98,15 +97,6 @@ fn coefficients(priors: &Priors, model: &Model) -> Vec<Coefficient> {
             group: group(term.effect.about().role),
         })
         .collect()
-}
-
-/// Whose factor a prior has.
-pub(super) fn group(role: Role) -> Option<usize> {
-    match role {
-        Role::JointZero => Some(0),
-        Role::JointAxis => Some(1),
-        _ => None,
-    }
 }
 
 /// The equations of the samples alone for what has a prior, whatever of the rest fits best.

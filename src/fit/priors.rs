@@ -14,11 +14,9 @@
 //! Source: Tarantola, *Inverse Problem Theory*, 2005, ch. 3; for robots Hollerbach & Wampler, *The
 //! calibration index and taxonomy for robot kinematic calibration methods*, 1996.
 
-use crate::effects::{Setting, TOOL_POSITION, Term};
+use crate::effects::{Role, Setting, TOOL_POSITION, Term};
 use crate::kinematics::JointKind;
 use crate::model::Model;
-
-use super::prior_scale::group;
 
 /// A prior that is missed by so many σ was wrong, and is let go.
 /// Priors of an arm: tool 50 mm, frame 20 mm and 20 mrad, links 1 mm and 2 mrad, zeros 50 mrad;
@@ -163,6 +161,15 @@ impl Priors {
     pub(super) fn free(&mut self, missed: &[(Term, usize)]) {
         self.freed
             .extend(missed.iter().map(|(term, k)| key(term, *k)));
+    }
+}
+
+/// Whose factor of [`Priors::ln_scale`] a prior has.
+pub(super) fn group(role: Role) -> Option<usize> {
+    match role {
+        Role::JointZero => Some(0),
+        Role::JointAxis => Some(1),
+        _ => None,
     }
 }
 

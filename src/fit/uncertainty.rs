@@ -38,7 +38,9 @@ pub(crate) fn all_estimates(calibration: &Calibration, factor: f64) -> Vec<Estim
         let fits = fits.filter(|covariance| covariance.nrows() >= first + size);
         let own = fits.map(|covariance| covariance.view((first, first), (size, size)).into_owned());
         let kind = calibration.model.robot.joints[term.joint].kind;
-        let open = vec![own.is_none(); size];
+        // What is held has no variance at all; its file says nothing else of it.
+        let has_none = |k: usize| own.as_ref().is_none_or(|own| own[(k, k)] == 0.0);
+        let open: Vec<bool> = (0..size).map(has_none).collect();
         all.extend(estimates(term, own.as_ref(), factor, &open, kind));
         first += size;
     }

@@ -91,7 +91,7 @@ fn of_axis(axis: &AxisTest, most: usize) -> Vec<Group> {
     let more = axis.more + axis.series.len().saturating_sub(most);
     if let (1.., Some(last)) = (more, groups.last_mut()) {
         last.missing.push(text!(
-            "{more} more series under other conditions are in `standards --json`",
+            "{more} more series under other conditions",
             more = more
         ));
     }

@@ -288,7 +288,7 @@ fn notes(request: &Request, reading: &Reading, program: &Program) -> Vec<Sentenc
             text!(
                 "the robot's base is where its first axis is; the measuring frame stands {far} and {turned} from it. \
                  The samples do not tell where the axis stands from where the frame does: {at_tool} at the tool, \
-                 {along} of it along that axis, are taken from the nominal model (--measured-frame corrects to that frame)",
+                 {along} of it along that axis, are taken from the nominal model",
                 far = format!("{:.3} mm", OfDrawing::length(&frame.coefficients[3..])),
                 turned = format!("{:.3} mrad", 1e3 * OfDrawing::length(&frame.coefficients[..3])),
                 at_tool = format!("{:.3} mm", OfDrawing::of(frame, robot).at_tool_mm),

@@ -104,9 +104,16 @@ fn effects(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
             continue;
         };
         let mut on = document.effects.contains(id);
-        let response = ui.add(Checkbox::new(
-            &mut on,
-            crate::present::names::title(about.id),
+        // What a diagnosis has added is switched where it was added.
+        let is_added = !on && document.in_the_model().any(|t| t.effect.about().id == *id);
+        let mut shown = on || is_added;
+        let response = ui.add_enabled(
+            !is_added,
+            Checkbox::new(&mut shown, crate::present::names::title(about.id)),
+        );
+        on = shown && !is_added;
+        let response = response.on_disabled_hover_text(say!(
+            "Added by the diagnosis, and switched off where it was added"
         ));
         let response = response.on_hover_ui(|ui| {
             ui.set_max_width(300.0);
