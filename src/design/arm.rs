@@ -60,7 +60,7 @@ impl Arm {
         }
         let start = base_model::start(session, &problem, |id| diagnosis.allowed.exists(id));
         let fitted = base_model::fit(&mut problem, &start, true).solution.model;
-        let priors = problem.priors.clone();
+        let priors = problem.priors.of_any_robot();
         let ranges = ranges(&session.robot, Some(&problem.inputs));
         let mut session = session.clone();
         let from = session

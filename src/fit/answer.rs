@@ -131,9 +131,11 @@ fn averaged(problem: &Problem, solution: &Solution, freedom: usize) -> Option<DM
     sum
 }
 
-/// Measured coordinates beyond what the fit follows.
+/// Measured coordinates beyond what the fit follows, with the priors that are as wide as the robot's own coefficients
+/// are large: each of those leaves as much of the cost as a coordinate does.
 fn freedom(problem: &Problem, solution: &Solution) -> usize {
-    problem.rows().saturating_sub(solution.spectrum.rank())
+    let rows = problem.rows() + problem.priors.of_its_own(&solution.model);
+    rows.saturating_sub(solution.spectrum.rank())
 }
 
 /// The parameters of every term of a solution, term by term.

@@ -79,6 +79,16 @@ impl Priors {
         })
     }
 
+    /// How many of a model's coefficients have a prior of this robot's own width.
+    pub(super) fn of_its_own(&self, model: &Model) -> usize {
+        let is_own = |(term, k): &(&Term, usize)| {
+            let own = group(term.effect.about().role);
+            let narrowed = own.is_some_and(|own| self.ln_scale[own] < 0.0);
+            narrowed && !term.held.contains(*k) && self.sigma(model, term, *k).is_some()
+        };
+        model.columns().filter(is_own).count()
+    }
+
     /// The same priors for any robot.
     pub(crate) fn of_any_robot(&self) -> Self {
         Self {
