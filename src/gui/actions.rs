@@ -4,14 +4,13 @@
 use crate::text::{Template, filled, spoken};
 use egui::{Context, Key, KeyboardShortcut, Modifiers};
 
+use crate::gui::core::disk::EXAMPLES;
 use crate::gui::core::edit::Edit;
-use crate::gui::core::examples::EXAMPLES;
 use crate::gui::core::simulate::Form;
 use crate::gui::preferences::{Preferences, Theme};
 use crate::gui::style::layout::Layout;
 use crate::gui::view::{About, Edge, Plane, Sheet, Standard, Step, What};
 use crate::gui::workbench::{Asked, Command, Task, ViewChange, Workbench};
-use crate::present::units::{AngleUnit, LengthUnit};
 
 /// The window as it stands.
 #[derive(Clone, Copy)]
@@ -140,10 +139,6 @@ const COMMAND: Modifiers = Modifiers::COMMAND;
 const ALT: Modifiers = Modifiers::COMMAND.plus(Modifiers::ALT);
 const SHIFTED: Modifiers = Modifiers::COMMAND.plus(Modifiers::SHIFT);
 
-fn sheet(sheet: Sheet) -> Command {
-    Command::View(ViewChange::Sheet(Some(sheet)))
-}
-
 fn measured(now: WindowState<'_>) -> bool {
     !now.workbench.loaded_session().is_empty()
 }
@@ -183,9 +178,9 @@ actions! {
     EXAMPLE_1: PLAIN, F2, phrase!("first example"), |_| EXAMPLES[0].name().into(), |_| Command::OpenExample(0);
     EXAMPLE_2: PLAIN, F3, phrase!("second example"), |_| EXAMPLES[1].name().into(), |_| Command::OpenExample(1);
     EXAMPLE_3: PLAIN, F4, phrase!("third example"), |_| EXAMPLES[2].name().into(), |_| Command::OpenExample(2);
-    ROBOTS: SHIFTED, N, phrase!("robots of the library"), |_| say!("Robots…").into(), |_| sheet(Sheet::ROBOTS);
+    ROBOTS: SHIFTED, N, phrase!("robots of the library"), |_| say!("Robots…").into(), |_| Command::sheet(Sheet::ROBOTS);
     NEW: COMMAND, N, phrase!("simulate session"), |_| say!("Simulate session…").into(),
-        |_| sheet(Sheet::Simulate(Form::default()));
+        |_| Command::sheet(Sheet::Simulate(Form::default()));
     SAVE_AS: SHIFTED, S, phrase!("save session as"), |_| say!("Save session as…").into(),
         |_| Command::Ask(Asked::WhereToSave), [when(MEASURED)];
     SAVE: COMMAND, S, phrase!("save session"), |_| say!("Save session").into(), |_| Command::Save, [when(MEASURED)];
@@ -200,11 +195,11 @@ actions! {
     REPORT: SHIFTED, R, phrase!("save the report"), |_| say!("Report…").into(),
         |_| Command::Ask(Asked::WhereToExport(What::Report(About::Session))), [when(MEASURED)];
     REPORT_DETAILS: ALT, R, phrase!("what the report states of customer and machine"),
-        |_| say!("Report details…").into(), |_| sheet(Sheet::DETAILS), [when(MEASURED)];
+        |_| say!("Report details…").into(), |_| Command::sheet(Sheet::DETAILS), [when(MEASURED)];
     HISTORY: SHIFTED, H, phrase!("compare the sessions of this machine"), |_| say!("History of the machine…").into(),
         |now| now.workbench.compare_here();
     RECORD: SHIFTED, L, phrase!("record from an instrument"), |_| say!("Record from instrument…").into(),
-        |_| sheet(Sheet::RECORDING);
+        |_| Command::sheet(Sheet::RECORDING);
     RELOAD: COMMAND, R, phrase!("read the file again"), |_| say!("Read the file again").into(),
         |_| Command::Reload, [when(need(|now| now.workbench.file().is_some(), phrase!("The session has not been saved yet")))];
     FOLLOW: COMMAND, L, phrase!("follow the file, or stop"), follow_says,
@@ -218,16 +213,16 @@ actions! {
     CANCEL: COMMAND, Period, phrase!("cancel"), |_| say!("Cancel what is running").into(), |_| Command::Stop(Task::Newest),
         [when(need(|now| now.workbench.jobs().newest().is_some(), phrase!("Nothing is running")))];
     EXCLUDE: PLAIN, Delete, phrase!("exclude the chosen samples, or include them again"), exclude_says,
-        |now| Command::Edit(Edit::Exclude(chosen(now), !are_excluded(now))),
-        [when(need(|now| !chosen(now).is_empty(), phrase!("Choose a sample in a plot or in the table")))];
+        |now| Command::Edit(Edit::Exclude(now.workbench.view().chosen(), !are_excluded(now))),
+        [when(need(|now| !now.workbench.view().chosen().is_empty(), phrase!("Choose a sample in a plot or in the table")))];
     PREFERENCES: COMMAND, Comma, phrase!("preferences"), |_| say!("Preferences…").into(),
-        |_| sheet(Sheet::Named("preferences"));
-    NEXT_ANGLE: SHIFTED, U, phrase!("other unit of angles"), |now| next_angle(now).1.into(),
-        |now| Command::Prefer(Preferences { angle: next_angle(now).0, ..now.preferences() });
-    NEXT_LENGTH: COMMAND, U, phrase!("next unit of lengths"), |now| next_length(now).1.into(),
-        |now| Command::Prefer(Preferences { length: next_length(now).0, ..now.preferences() });
-    OTHER_THEME: COMMAND, D, phrase!("light or dark"), |now| other_theme(now).1.into(),
-        |now| Command::Prefer(Preferences { theme: other_theme(now).0, ..now.preferences() });
+        |_| Command::sheet(Sheet::Named("preferences"));
+    NEXT_ANGLE: SHIFTED, U, phrase!("other unit of angles"), |now| now.preferences().next_angle().1.into(),
+        |now| Command::Prefer(Preferences { angle: now.preferences().next_angle().0, ..now.preferences() });
+    NEXT_LENGTH: COMMAND, U, phrase!("next unit of lengths"), |now| now.preferences().next_length().1.into(),
+        |now| Command::Prefer(Preferences { length: now.preferences().next_length().0, ..now.preferences() });
+    OTHER_THEME: COMMAND, D, phrase!("light or dark"), |now| Theme::other(now.dark()).1.into(),
+        |now| Command::Prefer(Preferences { theme: Theme::other(now.dark()).0, ..now.preferences() });
     RESULTS: COMMAND, B, phrase!("results, or more room for plots"),
         |now| results_says(layout(now.ctx, now.workbench).results()).into(),
         |now| Command::View(ViewChange::Results(!layout(now.ctx, now.workbench).results()));
@@ -275,11 +270,11 @@ actions! {
     FROM_TOP: PLAIN, Num7, phrase!("3-D view from above"), |_| say!("3-D view from above").into(),
         |_| Command::View(ViewChange::LookFrom(Some(Standard::Top))), [on(|now| now.sees_from(Standard::Top))];
     ABOUT: Modifiers::SHIFT, F1, phrase!("about truepose"), |_| say!("About truepose").into(),
-        |_| sheet(Sheet::Named("about"));
-    WORDS: PLAIN, F1, phrase!("glossary"), |_| say!("Glossary").into(), |_| sheet(Sheet::Named("words"));
-    KEYS: SHIFTED, K, phrase!("this list"), |_| say!("Keyboard and mouse").into(), |_| sheet(Sheet::Named("keys"));
+        |_| Command::sheet(Sheet::Named("about"));
+    WORDS: PLAIN, F1, phrase!("glossary"), |_| say!("Glossary").into(), |_| Command::sheet(Sheet::Named("words"));
+    KEYS: SHIFTED, K, phrase!("this list"), |_| say!("Keyboard and mouse").into(), |_| Command::sheet(Sheet::Named("keys"));
     PALETTE: COMMAND, K, phrase!("all commands, by a word of their name"), |_| say!("All commands…").into(),
-        |_| sheet(Sheet::Named("palette"));
+        |_| Command::sheet(Sheet::Named("palette"));
 }
 
 /// The examples, in their order.
@@ -330,25 +325,17 @@ fn open_latest(now: WindowState<'_>) -> Command {
     }
 }
 
-/// The samples that are chosen.
-fn chosen(now: WindowState<'_>) -> Vec<usize> {
-    let view = now.workbench.view();
-    if view.marked.is_empty() {
-        view.selected.into_iter().collect()
-    } else {
-        view.marked.clone()
-    }
-}
-
 fn are_excluded(now: WindowState<'_>) -> bool {
     let samples = &now.workbench.loaded_session().session.samples;
-    chosen(now)
+    now.workbench
+        .view()
+        .chosen()
         .iter()
         .all(|sample| samples.is_excluded(*sample))
 }
 
 fn exclude_says(now: WindowState<'_>) -> String {
-    match chosen(now)[..] {
+    match now.workbench.view().chosen()[..] {
         [] => say!("Exclude samples").to_owned(),
         [one] if are_excluded(now) => say!("Include sample {sample} again", sample = one + 1),
         [one] => say!("Exclude sample {sample}", sample = one + 1),
@@ -365,31 +352,6 @@ fn follow_says(now: WindowState<'_>) -> String {
         say!("Follow the file as it grows")
     };
     says.to_owned()
-}
-
-fn next_length(now: WindowState<'_>) -> (LengthUnit, &'static str) {
-    match now.preferences().length {
-        LengthUnit::Millimetre => (LengthUnit::Micrometre, say!("Lengths in µm")),
-        LengthUnit::Micrometre => (LengthUnit::Inch, say!("Lengths in inches")),
-        LengthUnit::Inch => (LengthUnit::Millimetre, say!("Lengths in mm")),
-    }
-}
-
-fn next_angle(now: WindowState<'_>) -> (AngleUnit, &'static str) {
-    match now.preferences().angle {
-        AngleUnit::Degree => (AngleUnit::Radian, say!("Angles in radians")),
-        AngleUnit::Radian => (AngleUnit::Milliradian, say!("Angles in mrad")),
-        AngleUnit::Milliradian => (AngleUnit::ArcSecond, say!("Angles in arcsec")),
-        AngleUnit::ArcSecond => (AngleUnit::Degree, say!("Angles in degrees")),
-    }
-}
-
-fn other_theme(now: WindowState<'_>) -> (Theme, &'static str) {
-    if now.dark() {
-        (Theme::Light, say!("Light"))
-    } else {
-        (Theme::Dark, say!("Dark"))
-    }
 }
 
 /// What opens the right-hand side, or shuts it.

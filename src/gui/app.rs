@@ -17,8 +17,7 @@ use super::{actions, dialogs, files, layers, widgets};
 use crate::gui::core::compensated::CompensationRequest;
 use crate::gui::jobs::{Jobs, Runner};
 use crate::gui::style::font_fallback::Alphabet;
-use crate::gui::style::tokens::{self, Palette, space};
-use crate::gui::view::{About, Plot, What};
+use crate::gui::style::{self, Palette, space};
 use crate::gui::views;
 use crate::gui::workbench::{Command, Letters, ViewChange, Workbench};
 use crate::present::numbers::write_numbers;
@@ -69,7 +68,7 @@ impl App {
     /// Opens on a file, or on the bundled session.
     pub fn new(ctx: &Context, path: Option<PathBuf>, runner: Runner) -> Self {
         keep_memory_between_frames();
-        tokens::apply(ctx);
+        style::apply(ctx);
         ctx.options_mut(|options| options.max_passes = PASSES);
         write_fields(ctx, false);
         let wake = ctx.clone();
@@ -102,22 +101,23 @@ impl App {
     /// Draws what there is for each sample on the graphics processor, where there is one; without,
     /// egui draws it, thinned where it is much.
     #[must_use]
-    pub fn drawn_by(mut self, state: Option<&egui_wgpu::RenderState>) -> Self {
-        if let Some(state) = state {
-            let canvas = layers::register(state);
-            self.workbench
-                .execute(Command::View(ViewChange::Canvas(canvas)));
+    pub fn drawn_by(self, state: Option<&egui_wgpu::RenderState>) -> Self {
+        match state {
+            Some(state) => self.on_canvas(layers::gpu::register(state)),
+            None => self,
         }
-        self
     }
 
     /// The same work for the window without showing it: to measure it without
     /// anything that draws.
     #[must_use]
-    pub fn not_drawn(mut self) -> Self {
-        let canvas = Canvas::Layers(usize::MAX);
-        self.workbench
-            .execute(Command::View(ViewChange::Canvas(canvas)));
+    pub fn not_drawn(self) -> Self {
+        self.on_canvas(Canvas::Layers(usize::MAX))
+    }
+
+    fn on_canvas(mut self, canvas: Canvas) -> Self {
+        let change = ViewChange::Canvas(canvas);
+        self.workbench.execute(Command::View(change));
         self
     }
 
@@ -228,99 +228,58 @@ impl App {
     /// `report`, `report of the model` or `targets`; for a picture the name of a plot, such as
     /// `workspace`; `data of` a chart for its numbers. Another name does nothing.
     pub fn type_path(&mut self, export: &str, path: &Path) {
-        let what = match export {
-            "table" => What::Table,
-            "model" => What::Model,
-            "poses" => What::Poses,
-            "report" => What::Report(About::Session),
-            "report of the model" => What::Report(About::Model),
-            "targets" => What::Targets,
-            data if data.starts_with("data of ") => {
-                let chart = data.trim_start_matches("data of ");
-                let Some(chart) = crate::gui::charts::find(chart) else {
-                    return;
-                };
-                What::Numbers(chart.about().id)
-            }
-            plot => {
-                let chart = crate::gui::charts::find(plot).map(|c| Plot::Chart(c.about().id));
-                let others = [Plot::Workspace, Plot::Space, Plot::Polar].into_iter();
-                let Some(plot) = others.chain(chart).find(|p| p.name() == plot) else {
-                    return;
-                };
-                What::Picture(plot)
-            }
+        let Some(what) = Workbench::export_named(export) else {
+            return;
         };
         let sheet = Sheet::ExportPath {
             what,
             path: path.display().to_string(),
             replace: false,
         };
-        self.workbench
-            .execute(Command::View(ViewChange::Sheet(Some(sheet))));
+        self.workbench.execute(Command::sheet(sheet));
     }
 
     fn lay_out(&self, ui: &mut Ui, commands: &mut Vec<Command>) {
         let workbench = &self.workbench;
         let palette = Palette::of(ui);
-        let bar = |fill| {
-            Frame::NONE
-                .fill(fill)
-                .inner_margin(Margin::symmetric(12, 4))
+        let frame = |fill, margin| Frame::NONE.fill(fill).inner_margin(margin);
+        let bar = |fill| frame(fill, Margin::symmetric(12, 4));
+        let side = |fill| frame(fill, Margin::same(space::PANEL));
+        let fixed = |panel: Panel, size: f32, frame: Frame| {
+            panel.exact_size(size).resizable(false).frame(frame)
         };
-        let side = |fill| {
-            Frame::NONE
-                .fill(fill)
-                .inner_margin(Margin::same(space::PANEL))
-        };
-        Panel::top("menu")
-            .exact_size(42.0)
-            .resizable(false)
-            .frame(bar(palette.surface))
+        fixed(Panel::top("menu"), 42.0, bar(palette.surface))
             .show(ui, |ui| views::menu::show(ui, workbench, commands));
-        Panel::bottom("status")
-            .exact_size(32.0)
-            .resizable(false)
-            .frame(bar(palette.surface))
+        fixed(Panel::bottom("status"), 32.0, bar(palette.surface))
             .show(ui, |ui| views::status::show(ui, workbench, commands));
         let room = actions::layout(ui.ctx(), workbench);
-        Panel::left("steps")
-            .exact_size(room.left)
-            .resizable(false)
-            .frame(side(palette.surface))
+        fixed(Panel::left("steps"), room.left, side(palette.surface))
             .show(ui, |ui| views::steps::show(ui, workbench, room, commands));
         if let Some(width) = room.samples {
-            Panel::right("samples")
-                .exact_size(width)
-                .resizable(false)
-                .frame(side(palette.background))
+            fixed(Panel::right("samples"), width, side(palette.background))
                 .show(ui, |ui| views::results::samples(ui, workbench, commands));
         }
+        let results = |ui: &mut Ui, commands: &mut Vec<Command>| {
+            views::results::show(ui, workbench, room, commands);
+        };
         if let Some(width) = room.right {
-            Panel::right("results")
-                .exact_size(width)
-                .resizable(false)
-                .frame(side(palette.background))
-                .show(ui, |ui| {
-                    views::results::show(ui, workbench, room, commands);
-                });
+            fixed(Panel::right("results"), width, side(palette.background))
+                .show(ui, |ui| results(ui, commands));
         }
         let middle = ui.available_rect_before_wrap();
         CentralPanel::no_frame()
             .frame(Frame::NONE.fill(palette.background))
             .show(ui, |ui| {
                 if room.instead {
-                    side(palette.background).show(ui, |ui| {
-                        views::results::show(ui, workbench, room, commands);
-                    });
+                    side(palette.background).show(ui, |ui| results(ui, commands));
                 } else {
                     views::panes::show(ui, workbench, commands);
                 }
             });
         views::steps::grips(ui, workbench, room, middle, commands);
-        views::notices::show(ui, workbench, room, commands);
+        views::status::notices(ui, workbench, room, commands);
         dialogs::show(ui, workbench, commands);
-        views::notices::dropped(ui, commands);
+        views::status::dropped(ui, commands);
         widgets::focus_ring(ui.ctx());
     }
 

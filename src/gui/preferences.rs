@@ -1,5 +1,5 @@
 //! What the user wants to see: units, digits, light or dark, size of text. Kept from one day to the
-//! next by `file_state::settings`.
+//! next by `file_state`.
 
 use egui::ThemePreference;
 use serde::{Deserialize, Serialize};
@@ -27,6 +27,15 @@ impl Theme {
             Self::System => ThemePreference::System,
             Self::Light => ThemePreference::Light,
             Self::Dark => ThemePreference::Dark,
+        }
+    }
+
+    /// The one that is not shown, and its name.
+    pub(crate) fn other(dark: bool) -> (Self, &'static str) {
+        if dark {
+            (Self::Light, say!("Light"))
+        } else {
+            (Self::Dark, say!("Dark"))
         }
     }
 }
@@ -85,6 +94,25 @@ impl Preferences {
         Notation {
             decimals: self.decimals,
             comma: self.decimal_comma,
+        }
+    }
+
+    /// The unit of lengths behind this one, and how it is offered.
+    pub(crate) fn next_length(&self) -> (LengthUnit, &'static str) {
+        match self.length {
+            LengthUnit::Millimetre => (LengthUnit::Micrometre, say!("Lengths in µm")),
+            LengthUnit::Micrometre => (LengthUnit::Inch, say!("Lengths in inches")),
+            LengthUnit::Inch => (LengthUnit::Millimetre, say!("Lengths in mm")),
+        }
+    }
+
+    /// The unit of angles behind this one, and how it is offered.
+    pub(crate) fn next_angle(&self) -> (AngleUnit, &'static str) {
+        match self.angle {
+            AngleUnit::Degree => (AngleUnit::Radian, say!("Angles in radians")),
+            AngleUnit::Radian => (AngleUnit::Milliradian, say!("Angles in mrad")),
+            AngleUnit::Milliradian => (AngleUnit::ArcSecond, say!("Angles in arcsec")),
+            AngleUnit::ArcSecond => (AngleUnit::Degree, say!("Angles in degrees")),
         }
     }
 

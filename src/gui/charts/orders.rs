@@ -4,8 +4,8 @@ use super::{
     About, Bars, ChartChoice, ChartKind, ChartPlaceholder, Facts, HoverTarget, Scene, Shown,
 };
 use crate::gui::cache::charts::{ChartInputs, Work};
+use crate::gui::core::answer::terms;
 use crate::gui::core::quantity::{Over, Variable};
-use crate::gui::core::search::terms;
 use crate::gui::help;
 use crate::language;
 use crate::numeric::whole;
@@ -16,7 +16,7 @@ use crate::present::drawing::Anchor;
 use crate::present::numbers::trimmed;
 use crate::present::spectrum::{Amplitude, Order, Spectrum};
 use crate::present::table::{Cell, Table};
-use crate::text::{angle, spoken};
+use crate::text::angle;
 
 /// Part of the height that is left for names.
 const ROOM: f64 = 0.30;
@@ -52,12 +52,9 @@ impl ChartKind for Orders {
                 .usable
                 .iter()
                 .map(|i| *i as usize);
-            let placed = |i: &usize| over.of(inputs.loaded_session, *i).is_finite();
-            let samples: Vec<usize> = usable.filter(placed).collect();
-            let angles: Vec<f64> = samples
-                .iter()
-                .map(|i| over.of(inputs.loaded_session, *i))
-                .collect();
+            let angle = |i: &usize| over.of(inputs.loaded_session, *i);
+            let samples: Vec<usize> = usable.filter(|i| angle(i).is_finite()).collect();
+            let angles: Vec<f64> = samples.iter().map(angle).collect();
             let (before, after) = inputs.values(&samples);
             Spectrum::new(&angles, &before, after.as_deref(), &gears)
         };
@@ -213,12 +210,8 @@ fn drawn(scene: &Scene, spectrum: &Spectrum) -> Chart {
         let height = value(line_of(order)?);
         Some([[slot as f64 - 0.5, height], [slot as f64 + 0.5, height]])
     };
-    let line: Vec<[f64; 2]> = orders
-        .iter()
-        .enumerate()
-        .filter_map(step)
-        .flatten()
-        .collect();
+    let line = orders.iter().enumerate().filter_map(step);
+    let line: Vec<[f64; 2]> = line.flatten().collect();
     if !line.is_empty() {
         items.push(Item::Line(line, ColourRole::Noise, 1.6, true));
     }
@@ -232,6 +225,7 @@ fn drawn(scene: &Scene, spectrum: &Spectrum) -> Chart {
         &mut items,
     );
     let ticks = orders.iter().enumerate();
+    let ticks = ticks.map(|(k, o)| (k as f64, o.order.to_string()));
     let last = orders.len() as f64 - 0.4;
     let name = scene.component.name();
     let joint = &scene.loaded_session.session.robot.joints[scene.joint()].name;
@@ -239,8 +233,9 @@ fn drawn(scene: &Scene, spectrum: &Spectrum) -> Chart {
     if scene.answer.is_some() {
         legend.push(Entry::after(LegendSymbol::Bar));
     }
+    let noise = say!("noise");
     legend.push(Entry::new(
-        say!("noise"),
+        noise,
         LegendSymbol::Line,
         ColourRole::Noise,
         false,
@@ -253,11 +248,7 @@ fn drawn(scene: &Scene, spectrum: &Spectrum) -> Chart {
         ),
         across: Axis {
             label: say!("cycles per turn of {joint}", joint = joint),
-            ticks: Ticks::Words(
-                ticks
-                    .map(|(k, o)| (k as f64, o.order.to_string()))
-                    .collect(),
-            ),
+            ticks: Ticks::Words(ticks.collect()),
         },
         upwards: Axis::numbers(say!("amplitude, {unit}", unit = units.length_name())),
         bounds: [[-0.6, 0.0], [last, value(top)]],
@@ -304,7 +295,7 @@ fn names(
 fn note(spectrum: &Spectrum) -> String {
     let has_line = spectrum.orders.iter().any(|o| o.before.line_mm.is_some());
     let line = if has_line {
-        spoken(phrase!("noise stays below the line in 99 of 100 sessions")).to_owned()
+        say!("noise stays below the line in 99 of 100 sessions").to_owned()
     } else {
         say!("too few samples to say what is noise").to_owned()
     };
@@ -317,11 +308,9 @@ fn note(spectrum: &Spectrum) -> String {
 fn describe(scene: &Scene, spectrum: &Spectrum) -> String {
     let units = scene.units;
     let out = |pick: fn(&Order) -> Option<Amplitude>| {
-        let mut out: Vec<(usize, f64)> = spectrum
-            .orders
-            .iter()
-            .filter_map(|o| Some((o.order, pick(o).filter(|a| a.stands_out())?.mm)))
-            .collect();
+        let orders = spectrum.orders.iter();
+        let out = orders.filter_map(|o| Some((o.order, pick(o).filter(|a| a.stands_out())?.mm)));
+        let mut out: Vec<(usize, f64)> = out.collect();
         out.sort_by(|a, b| b.1.total_cmp(&a.1));
         let words = out.iter().take(4).map(|(order, mm)| {
             let amplitude = units.length(*mm);

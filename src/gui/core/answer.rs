@@ -1,22 +1,30 @@
 //! What an identification answers, and a model that was read from a file: it takes the place of an
-//! identification, so that the same panels show both.
+//! identification, so that the same panels show both. And a search for what is missing, as the window keeps it: the
+//! diagnosis of one session, and the model's term of each name that was found.
 //!
-//! With a session of the same robot it is held against the samples by
+//! With a session of the same robot a model is held against the samples by
 //! [`verify`](crate::compensation::verify), as the terminal does it. Without one there is nothing to
 //! hold it against: its parameters, its table and its history are shown by themselves.
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use crate::answers::diagnosis::DataProblem;
 use crate::compensation::{Verification, VerifiedCalibration};
+use crate::diagnosis::{DiagnoseError, Diagnosis, FoundEffect, Options, Progress};
+use crate::effects::Term;
 use crate::fit::gap::Spread;
 use crate::fit::uncertainty::{NORMAL_95, all_estimates};
 use crate::fit::{Gap, Identification, Outlier, Quality, RegionResult};
 use crate::language::spoken;
 use crate::model::{Calibration, RegionalCorrection};
-use crate::pipeline::verify;
+use crate::pipeline::{diagnose, verify};
 use crate::sessions::regions::Assignment;
 use crate::sessions::{Instrument, Region, Samples, Session, hash_of_samples};
+use crate::text::Template;
+
+use crate::gui::core::disk::name_of;
+use crate::gui::jobs::Watch;
 
 use super::loaded_session::{LoadedSession, Origin};
 
@@ -76,8 +84,7 @@ impl LoadedModel {
     }
 
     pub(crate) fn file_name(&self) -> String {
-        let name = self.path.file_name().unwrap_or(self.path.as_os_str());
-        name.to_string_lossy().into_owned()
+        name_of(&self.path).into_owned()
     }
 
     /// Whether a session was measured on the model's robot.
@@ -124,43 +131,32 @@ impl LoadedModel {
 pub(crate) const METHOD: &str = "model";
 
 /// What the model says about a session.
-pub(crate) fn answer(
+pub(super) fn of_model(
     loaded_model: &LoadedModel,
     loaded_session: &LoadedSession,
 ) -> Result<Answer, String> {
     let calibration = Calibration::clone(&loaded_model.calibration);
-    let mut loaded = LoadedModelSummary {
-        file: loaded_model.file_name(),
-        verification: None,
+    let verified = if loaded_session.is_empty() {
+        None
+    } else {
+        let session = &loaded_session.session;
+        Some(verify(&calibration, session).map_err(|e| spoken(e.describe()))?)
     };
-    if loaded_session.is_empty() {
-        let identification = identification(loaded_model, loaded_session, None);
-        return Ok(Answer {
-            identification,
-            calibration,
-            data_problems: Vec::new(),
-            loaded: Some(loaded),
-            after_mm: Default::default(),
-            lengths_mm: Vec::new(),
-            suspected: Vec::new(),
-        });
-    }
-    let verification =
-        verify(&calibration, &loaded_session.session).map_err(|e| spoken(e.describe()))?;
-    let identification = identification(loaded_model, loaded_session, Some(&verification));
-    let mut suspected = vec![false; loaded_session.len()];
-    for outlier in &verification.outliers {
-        suspected[*outlier] = true;
-    }
-    let after = verification.after.clone();
-    loaded.verification = Some(verification);
+    let after = verified.as_ref().map(|v| v.after.clone());
+    let (after_mm, lengths_mm) = after.map_or_else(Default::default, |a| (a.axes_mm, a.length_mm));
+    let identification = identification(loaded_model, loaded_session, verified.as_ref());
+    let suspected = suspected(&identification, loaded_session.len());
+    let loaded = LoadedModelSummary {
+        file: loaded_model.file_name(),
+        verification: verified,
+    };
     Ok(Answer {
         identification,
         calibration,
         data_problems: Vec::new(),
         loaded: Some(loaded),
-        after_mm: after.axes_mm,
-        lengths_mm: after.length_mm,
+        after_mm,
+        lengths_mm,
         suspected,
     })
 }
@@ -243,4 +239,115 @@ fn regions(
         rms_after_mm: verified.map_or(f64::NAN, |v| rms(k, &v.after.length_mm)),
     };
     corrections.iter().enumerate().map(result).collect()
+}
+
+/// Which samples an identification suspects.
+pub(super) fn suspected(identification: &Identification, samples: usize) -> Vec<bool> {
+    let mut suspected = vec![false; samples];
+    for outlier in &identification.outliers {
+        suspected[outlier.sample] = true;
+    }
+    suspected
+}
+
+#[derive(Debug, Clone)]
+pub(crate) struct Search {
+    /// The session that was searched.
+    pub(crate) loaded_session: Arc<LoadedSession>,
+    /// What was found, or why there is no answer.
+    pub(crate) answer: Result<Diagnosis, String>,
+}
+
+/// The stages of a search, in order, as they are shown.
+pub(crate) const STAGES: [Template; 5] = [
+    phrase!("set-up errors"),
+    phrase!("noise, outliers, candidates"),
+    phrase!("search"),
+    phrase!("other explanations"),
+    phrase!("poses to measure next"),
+];
+
+/// The stage in which names are found.
+pub(crate) const SEARCHING: usize = 2;
+
+/// Part of the whole that is done when a stage begins.
+const BEGUN: [f64; 5] = [0.02, 0.1, 0.25, 0.7, 0.85];
+
+impl Search {
+    /// Searches. Takes its time.
+    pub(crate) fn of(loaded_session: Arc<LoadedSession>, watch: &Watch) -> Self {
+        let answer = diagnose(
+            &loaded_session.session,
+            &options(),
+            &progress_callback(watch),
+        );
+        let answer = answer.map_err(|error| match error {
+            DiagnoseError::Cancelled => say!("the search was cancelled").to_owned(),
+            other => other.to_string(),
+        });
+        Self {
+            loaded_session,
+            answer,
+        }
+    }
+}
+
+/// How the window searches.
+pub(crate) fn options() -> Options {
+    Options {
+        correct_unexplained: true,
+        // Names are added one by one here; what predicts without one is a part of a whole model.
+        without_unnamed: true,
+        keep_when_stopped: true,
+        ..Options::default()
+    }
+}
+
+/// Passes on how far a search is, and whether it was cancelled.
+pub(crate) fn progress_callback(watch: &Watch) -> impl Fn(&Progress) -> bool {
+    |progress| {
+        let mut share = 0.0;
+        let stage = match progress {
+            Progress::Checking => 0,
+            Progress::Preparing => 1,
+            Progress::Searching { found, percent } => {
+                watch.found(found);
+                share = f64::from(*percent) / 100.0;
+                SEARCHING
+            }
+            Progress::Comparing => 3,
+            Progress::Planning => 4,
+        };
+        // Of a stage that says how far it is, the part that is done.
+        let until = BEGUN.get(stage + 1).copied().unwrap_or(1.0);
+        watch.done(BEGUN[stage] + share * (until - BEGUN[stage]));
+        watch.reached(stage);
+        !watch.stopped()
+    }
+}
+
+/// The terms of everything that a search found, each in its place, and last the smooth correction
+/// of what no name explains.
+pub(crate) fn terms(diagnosis: &Diagnosis) -> Vec<Option<Term>> {
+    let found = diagnosis.found.iter().map(|f| term_of(diagnosis, f));
+    let smooth = diagnosis.unexplained.corrected();
+    found.chain(smooth.map(|c| Some(c.term.clone()))).collect()
+}
+
+/// The model's term of a name that was found. Names may come twice with another setting (two
+/// orders of a gear); the setting is their first parameter then.
+pub(crate) fn term_of(diagnosis: &Diagnosis, found: &FoundEffect) -> Option<Term> {
+    let first = found.parameters.first().map_or(0.0, |p| p.value);
+    let robot = &diagnosis.model.robot;
+    let distance = |term: &Term| {
+        let parameters = term.parameters_on(robot.joints[term.joint].kind);
+        parameters.first().map_or(0.0, |p| (p.value - first).abs())
+    };
+    let terms = diagnosis.model.terms().iter();
+    let same = terms.filter(|term| {
+        let about = term.effect.about();
+        about.id == found.effect && found.joint.is_none_or(|joint| joint == term.joint + 1)
+    });
+    same.min_by(|a, b| distance(a).total_cmp(&distance(b)))
+        .cloned()
 }

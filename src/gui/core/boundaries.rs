@@ -148,6 +148,16 @@ pub(crate) enum End {
     To,
 }
 
+impl End {
+    /// Where this end of a region is, rad.
+    pub(crate) fn of(self, region: &Region) -> f64 {
+        match self {
+            Self::From => region.from_rad,
+            Self::To => region.to_rad,
+        }
+    }
+}
+
 /// What is being typed for an end of a region and could not be taken over, or not yet.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Typed {

@@ -1,12 +1,23 @@
-//! What a file looked like when it was read, and whether it still does: time, length and, where
-//! these differ, a hash. A file that was only touched has not changed.
+//! Files of sessions: those that come with the program; and what one on the disk looked like when it was read, and
+//! whether it still does: time, length and, where these differ, a hash. A file that was only touched has not changed.
 
+use std::borrow::Cow;
 use std::fs::{self, File};
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 
+use crate::sessions::files::bundled::{BUNDLED, Bundled};
+use crate::text::{Template, spoken};
+
 use sha2::{Digest, Sha256};
+
+/// The last part of a path, to be shown; all of it where it has no such part.
+pub(crate) fn name_of(path: &Path) -> Cow<'_, str> {
+    path.file_name()
+        .unwrap_or(path.as_os_str())
+        .to_string_lossy()
+}
 
 /// How a file looked.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -81,6 +92,49 @@ fn hash(path: &Path) -> io::Result<[u8; 32]> {
         }
     }
 }
+
+/// A session that comes with the program: keys of what is said of it, and its files.
+pub(crate) struct Example {
+    name: Template,
+    what: Template,
+    files: &'static Bundled,
+}
+
+impl Example {
+    /// Its name in the menu.
+    pub(crate) fn name(&self) -> &'static str {
+        spoken(self.name)
+    }
+
+    /// What is in it.
+    pub(crate) fn what(&self) -> &'static str {
+        spoken(self.what)
+    }
+
+    /// Document and samples.
+    pub(crate) fn files(&self) -> (&'static [u8], &'static [u8]) {
+        (self.files.document, self.files.samples)
+    }
+}
+
+/// Every session that comes with the program; the window opens on the first.
+pub(crate) const EXAMPLES: [Example; 3] = [
+    Example {
+        name: phrase!("Lamp commissioning"),
+        what: phrase!("two reflectors, both sides, noise, while the machine warms up"),
+        files: &BUNDLED[0],
+    },
+    Example {
+        name: phrase!("The paper's 30 samples"),
+        what: phrase!("six regions of five samples, without noise"),
+        files: &BUNDLED[1],
+    },
+    Example {
+        name: phrase!("The paper's full run"),
+        what: phrase!("361 samples, every half degree"),
+        files: &BUNDLED[2],
+    },
+];
 
 #[cfg(test)]
 mod tests {

@@ -16,8 +16,8 @@ use crate::sessions::division::RegionChoice;
 use crate::sessions::{Region, Session};
 
 use super::answer::LoadedModel;
+use super::answer::{self, Search};
 use super::loaded_session::LoadedSession;
-use super::search::{self, Search};
 
 /// How the robot is identified.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -240,7 +240,7 @@ impl RequestedSearch {
     /// The search, where these terms are all that it found.
     fn all_of(search: &Arc<Search>, with: &[Term]) -> Option<Self> {
         let diagnosis = search.answer.as_ref().ok()?;
-        let mut terms: Vec<Term> = search::terms(diagnosis).into_iter().flatten().collect();
+        let mut terms: Vec<Term> = answer::terms(diagnosis).into_iter().flatten().collect();
         let same = |terms: &[Term]| {
             terms.len() == with.len() && terms.iter().all(|term| with.contains(term))
         };

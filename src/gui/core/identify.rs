@@ -18,7 +18,7 @@ use crate::gui::core::document::{Question, QuestionDetails, RequestedSearch};
 use crate::gui::core::loaded_session::LoadedSession;
 use crate::gui::jobs::Watch;
 
-use super::answer;
+use super::answer::{of_model, suspected};
 
 /// Works the answer to a question out. Takes its time with many samples.
 pub(crate) fn answer(question: &Question, watch: &Watch) -> Result<Answer, String> {
@@ -30,7 +30,7 @@ pub(crate) fn answer(question: &Question, watch: &Watch) -> Result<Answer, Strin
         calibration,
         data_problems,
     } = match &question.asks {
-        QuestionDetails::Given(given) => return answer::answer(given, loaded_session),
+        QuestionDetails::Given(given) => return of_model(given, loaded_session),
         QuestionDetails::Exact {
             effects,
             with,
@@ -68,14 +68,6 @@ pub(crate) fn answer(question: &Question, watch: &Watch) -> Result<Answer, Strin
         lengths_mm,
         suspected,
     })
-}
-
-fn suspected(identification: &Identification, samples: usize) -> Vec<bool> {
-    let mut suspected = vec![false; samples];
-    for outlier in &identification.outliers {
-        suspected[outlier.sample] = true;
-    }
-    suspected
 }
 
 /// What a search says, where all that it found is asked for: its own fit, and the smooth correction

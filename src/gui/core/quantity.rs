@@ -4,6 +4,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::kinematics::JointKind;
 use crate::present::numbers::trimmed;
 use crate::present::units::{AngleUnit, Units};
 
@@ -350,6 +351,14 @@ impl Quantity {
             Self::Column(over) => over.cell(loaded_session, value),
             _ => value,
         }
+    }
+}
+
+/// The value of a joint of this kind as it is written: an angle of one that turns, a length of one that slides.
+pub(crate) fn joint_value(units: Units, kind: JointKind, q: f64) -> String {
+    match kind {
+        JointKind::Revolute => units.angle(q),
+        JointKind::Prismatic => units.length(q),
     }
 }
 

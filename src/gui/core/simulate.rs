@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use nalgebra::{Point3, Vector3};
 
+use crate::diagnostic::Rejected;
 use crate::effects::term::{parameter_names, parameters_to_see};
 use crate::effects::{
     BESIDE_THE_CATALOGUE, CATALOGUE, Over, Role, Setting, Term, find, joint_zero, role, tool_radius,
@@ -205,10 +206,8 @@ impl Form {
     pub(crate) fn another(&self, id: &'static str) -> Option<Chosen> {
         let per_joint = find(id)?.about().per_joint;
         let joints = if per_joint { self.joints() } else { 1 };
-        let taken = |joint: usize| {
-            (self.effects.iter()).any(|other| (other.id, other.joint) == (id, joint))
-        };
-        let mut free = (1..=joints).filter(|joint| !taken(*joint));
+        let taken = |joint: &usize| self.effects.iter().any(|o| (o.id, o.joint) == (id, *joint));
+        let mut free = (1..=joints).filter(|joint| !taken(joint));
         free.find_map(|joint| Chosen::on(id, (joint, self.joint_kind(joint))))
     }
 
@@ -241,41 +240,27 @@ impl Form {
                 problems.push((name, says.to_owned()));
             }
         };
-        check(
-            self.radius_mm <= 0.0,
-            field::RADIUS.english(),
-            say!("the radius has to be above 0 mm"),
-        );
-        check(
-            self.tolerance_mm < 0.0,
-            field::TOLERANCE.english(),
-            say!("the tolerance cannot be below 0"),
-        );
-        check(
-            self.from_deg >= self.to_deg,
-            field::TO.english(),
-            say!("the sweep has to run from the smaller to the larger angle"),
-        );
-        check(
-            self.step_deg <= 0.0,
-            field::STEP.english(),
-            say!("the step has to be above 0°"),
-        );
-        check(
-            (self.to_deg - self.from_deg) / self.step_deg > MOST_SAMPLES,
-            field::STEP.english(),
-            say!("that is more than a million poses; take a larger step"),
-        );
-        check(
-            self.noise_mm < 0.0,
-            field::NOISE.english(),
-            say!("the noise cannot be below 0"),
-        );
+        let radius = (self.radius_mm <= 0.0).then(|| say!("the radius has to be above 0 mm"));
+        let tolerance = (self.tolerance_mm < 0.0).then(|| say!("the tolerance cannot be below 0"));
+        let to = (self.from_deg >= self.to_deg)
+            .then(|| say!("the sweep has to run from the smaller to the larger angle"));
+        let step = (self.step_deg <= 0.0).then(|| say!("the step has to be above 0°"));
+        let poses = (self.to_deg - self.from_deg) / self.step_deg;
+        let many = (poses > MOST_SAMPLES)
+            .then(|| say!("that is more than a million poses; take a larger step"));
+        let noise = (self.noise_mm < 0.0).then(|| say!("the noise cannot be below 0"));
+        for (place, says) in [
+            (field::RADIUS, radius),
+            (field::TOLERANCE, tolerance),
+            (field::TO, to),
+            (field::STEP, step),
+            (field::STEP, many),
+            (field::NOISE, noise),
+        ] {
+            check(says.is_some(), place.english(), says.unwrap_or_default());
+        }
         for chosen in &self.effects {
-            let infinite = chosen
-                .parameters
-                .iter()
-                .any(|(_, value)| !value.is_finite());
+            let infinite = chosen.parameters.iter().any(|(_, v)| !v.is_finite());
             check(infinite, chosen.id, say!("every field needs a number"));
         }
         for term in self.parts() {
@@ -309,10 +294,6 @@ impl Form {
         })
     }
 
-    fn terms(&self) -> Result<Vec<Term>, String> {
-        self.parts().map(|(_, term)| term).collect()
-    }
-
     /// The session and what is hidden in it; `watch` hears which part is done, and may break it off.
     ///
     /// # Errors
@@ -327,10 +308,18 @@ impl Form {
         if let Some(robot) = &self.robot {
             return self.session_of(robot, watch);
         }
-        let scenario = self
-            .scenario()
-            .map_err(|problem| vec![Text::verbatim(problem)])?;
-        match crate::pipeline::simulate(&scenario, self.seed, watch) {
+        let scenario = self.scenario().map_err(|says| vec![Text::verbatim(says)])?;
+        self.simulated(Ok(scenario), watch)
+    }
+
+    /// The session of a scenario and what is hidden in it, or why there is none.
+    pub(super) fn simulated(
+        &self,
+        scenario: Result<Scenario, Rejected>,
+        watch: impl FnMut(f64) -> ControlFlow<()>,
+    ) -> Result<(Session, Vec<Term>), Vec<Text>> {
+        let scenario = scenario.map_err(SimulateError::Rejected);
+        match scenario.and_then(|one| crate::pipeline::simulate(&one, self.seed, watch)) {
             Ok((session, truth)) => Ok((session, truth.effects)),
             Err(SimulateError::Rejected(rejected)) => {
                 let problems = rejected.diagnostics.iter();
@@ -358,7 +347,8 @@ impl Form {
             ..Instrument::default()
         };
         scenario.tolerance_mm = (self.tolerance_mm > 0.0).then_some(self.tolerance_mm);
-        scenario.effects = self.terms()?;
+        let terms = self.parts().map(|(_, term)| term);
+        scenario.effects = terms.collect::<Result<_, _>>()?;
         scenario.noise = (self.noise_mm > 0.0).then_some(Noise {
             sigma_mm: self.noise_mm,
             kind: NoiseKind::Gauss,

@@ -5,9 +5,7 @@ use std::sync::Arc;
 
 use crate::effects::{OF_A_FIRST_SIMULATION, Term};
 use crate::sessions::Session;
-use crate::simulation::{
-    HiddenEffect, LoadedScenario, SimulateError, SimulationRequest, parse_scenario,
-};
+use crate::simulation::{HiddenEffect, SimulationRequest, parse_scenario};
 
 use crate::text::Text;
 
@@ -93,18 +91,9 @@ impl Form {
         robot: &SimulatedRobot,
         watch: impl FnMut(f64) -> ControlFlow<()>,
     ) -> Result<(Session, Vec<Term>), Vec<Text>> {
-        let found = |rejected: &crate::diagnostic::Rejected| -> Vec<Text> {
-            let problems = rejected.diagnostics.iter();
-            problems.map(|d| d.found.clone()).collect()
-        };
         let document = self.request(robot).scenario();
-        let LoadedScenario { scenario, .. } =
-            parse_scenario(document.as_bytes()).map_err(|rejected| found(&rejected))?;
-        match crate::pipeline::simulate(&scenario, self.seed, watch) {
-            Ok((session, truth)) => Ok((session, truth.effects)),
-            Err(SimulateError::Rejected(rejected)) => Err(found(&rejected)),
-            Err(stopped @ SimulateError::Stopped) => Err(vec![Text::verbatim(stopped.to_string())]),
-        }
+        let parsed = parse_scenario(document.as_bytes());
+        self.simulated(parsed.map(|loaded| loaded.scenario), watch)
     }
 }
 

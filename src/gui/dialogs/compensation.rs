@@ -6,14 +6,13 @@ use egui_extras::{Column, TableBuilder};
 
 use crate::explain::{self, Detail, Section, Topic};
 use crate::gui::core::compensated::{Changed, CompensationRequest, MOST_KG, PrecedenceChoice};
-use crate::gui::style::tokens::{Palette, size, space, strong};
+use crate::gui::core::disk::name_of;
+use crate::gui::style::{Palette, size, space, strong};
 use crate::gui::view::What;
 use crate::gui::views::blocks::{self, Title};
 use crate::gui::widgets;
-use crate::gui::workbench::{Asked, Command, ViewChange, Workbench};
+use crate::gui::workbench::{Asked, Command, Workbench};
 use crate::programs::DifferingNumber;
-
-use super::ends;
 
 /// Widest, points.
 const WIDE: f32 = 860.0;
@@ -29,16 +28,13 @@ const NUMBER: f32 = 44.0;
 /// So many targets and remarks of a kind are listed; the sidecar has all of them.
 const MOST_LEFT: usize = 30;
 
-pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+pub(super) fn compensation(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let Some(compensated) = workbench.compensated() else {
-        return commands.push(Command::View(ViewChange::Sheet(None)));
+        return commands.push(Command::no_sheet());
     };
     ui.set_width(WIDE.min(ui.ctx().content_rect().width() - 96.0));
-    let name = compensated.wanted.path.file_name().unwrap_or_default();
-    widgets::heading(
-        ui,
-        &say!("Compensate {name}", name = name.to_string_lossy()),
-    );
+    let name = name_of(&compensated.wanted.path);
+    widgets::heading(ui, &say!("Compensate {name}", name = name));
     let differs: &[DifferingNumber] = match &compensated.result {
         Err(not_corrected) => &not_corrected.differs,
         Ok(_) => &[],
@@ -62,7 +58,8 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
             );
             lines(ui, &corrected.changed);
             let any = corrected.summary.corrected > 0;
-            if ends::buttons_without_enter(ui, say!("Save corrected file…"), any, commands) {
+            if widgets::sheet_buttons_without_enter(ui, say!("Save corrected file…"), any, commands)
+            {
                 commands.push(Command::Ask(Asked::WhereToExport(What::Targets)));
             }
         }
@@ -72,11 +69,12 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
 /// What comes next where nothing was corrected: what is asked above is answered, or another file is taken.
 fn refused(ui: &mut Ui, differs: &[DifferingNumber], commands: &mut Vec<Command>) {
     if differs.is_empty() {
-        if ends::buttons_without_enter(ui, say!("Choose another file…"), true, commands) {
+        if widgets::sheet_buttons_without_enter(ui, say!("Choose another file…"), true, commands)
+        {
             commands.push(Command::Ask(Asked::Targets));
         }
     } else {
-        ends::buttons_without_enter(ui, say!("Save corrected file…"), false, commands);
+        widgets::sheet_buttons_without_enter(ui, say!("Save corrected file…"), false, commands);
     }
 }
 

@@ -4,18 +4,18 @@ use egui::{Checkbox, Grid, RichText, TextEdit, Ui};
 
 use crate::compensation::decision::Rule;
 use crate::gui::core::edit::Edit;
-use crate::gui::style::tokens::{Palette, size, space};
+use crate::gui::style::{Palette, size, space};
 use crate::gui::view::{About, What};
 use crate::gui::views;
 use crate::gui::widgets;
-use crate::gui::workbench::{Asked, Command, ViewChange, Workbench};
+use crate::gui::workbench::{Asked, Command, Workbench};
 use crate::report::Details;
 use crate::text::spoken;
 
 /// Widest, points.
 const WIDE: f32 = 640.0;
 
-pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+pub(super) fn details(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     ui.set_width(WIDE.min(ui.ctx().content_rect().width() - 96.0));
     widgets::heading(ui, say!("Report details"));
     widgets::hint(
@@ -71,11 +71,8 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         (Some(Rule::Iso14253), "ISO 14253-1"),
         (Some(Rule::Simple), say!("simple acceptance")),
     ];
-    widgets::form_row(ui, say!("Decision rule"), |ui| {
-        if let Some(rule) = widgets::segmented(ui, &rules, stated.details.rule) {
-            stated.details.rule = rule;
-        }
-    });
+    let rule = &mut stated.details.rule;
+    widgets::choice_row(ui, say!("Decision rule"), &rules, rule);
     widgets::hint(ui, about(stated.details.rule));
     views::results::decision(ui, workbench);
     if stated != before {
@@ -86,14 +83,14 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         let measured = !workbench.loaded_session().is_empty();
         let report = columns[0].add_enabled_ui(measured, |ui| widgets::other(ui, say!("Report…")));
         if report.inner.clicked() {
-            commands.push(Command::View(ViewChange::Sheet(None)));
+            commands.push(Command::no_sheet());
             commands.push(Command::Ask(Asked::WhereToExport(What::Report(
                 About::Session,
             ))));
         }
         // Enter ends what is typed into one of many fields.
         if widgets::primary(&mut columns[1], say!("Done")).clicked() {
-            commands.push(Command::View(ViewChange::Sheet(None)));
+            commands.push(Command::no_sheet());
         }
     });
 }
@@ -136,7 +133,5 @@ fn text(ui: &mut Ui, name: &str, value: &mut String, hint: &str) {
 fn field(ui: &mut Ui, name: &str, value: &mut String, hint: &str, width: f32) {
     let edit = TextEdit::singleline(value).hint_text(hint).char_limit(400);
     let field = ui.add(edit.desired_width(width.max(120.0)));
-    let name = name.to_owned();
-    ui.ctx()
-        .accesskit_node_builder(field.id, |node| node.set_label(name));
+    widgets::label(&field, name);
 }

@@ -3,10 +3,11 @@
 
 use egui::{Button, ComboBox, Grid, Id, RichText, ScrollArea, Ui, vec2};
 
-use crate::gui::plots::{chart, figure, legend};
-use crate::gui::style::tokens::{Palette, size, space, strong};
+use crate::gui::core::disk::name_of;
+use crate::gui::plots::{chart, figure};
+use crate::gui::style::{Palette, size, space, strong};
 use crate::gui::widgets;
-use crate::gui::workbench::{Asked, Command, ViewChange, Workbench};
+use crate::gui::workbench::{Asked, Command, Workbench};
 use crate::history::{Entry, Order, RobotHistory};
 use crate::present::history::{
     CHANGED, Row, chart as chart_of, compared, entries, parameters, rows, short_name, source,
@@ -35,9 +36,9 @@ struct Choice {
     row: Option<usize>,
 }
 
-pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+pub(super) fn history(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let Some(past) = workbench.past() else {
-        return commands.push(Command::View(ViewChange::Sheet(None)));
+        return commands.push(Command::no_sheet());
     };
     ui.set_width(WIDE.min(ui.ctx().content_rect().width() - 96.0));
     let id = Id::unique("history of a machine");
@@ -50,11 +51,10 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     let all = &past.history.robots;
     let found = all.iter().find(|one| one.robot == choice.robot);
     let Some(robot) = found.or(all.first()) else {
-        return commands.push(Command::View(ViewChange::Sheet(None)));
+        return commands.push(Command::no_sheet());
     };
     widgets::heading(ui, &say!("History of {robot}", robot = robot.robot));
-    let name = past.folder.file_name().unwrap_or(past.folder.as_os_str());
-    let name = name.to_string_lossy();
+    let name = name_of(&past.folder);
     let says = match robot.ordered_by {
         Order::Time => say!(
             "Sessions and models of the folder {folder}, by the time of the first sample",
@@ -81,9 +81,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         (false, say!("All sessions")),
         (true, say!("Before and after")),
     ];
-    if let Some(two) = widgets::segmented(ui, &ways, choice.two) {
-        choice.two = two;
-    }
+    widgets::choice(ui, &ways, &mut choice.two);
     if choice.two {
         before_and_after(ui, robot, &mut choice);
     } else {
@@ -93,16 +91,9 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         widgets::wrong(ui, &crate::language::spoken(file.describe()));
     }
     ui.data_mut(|data| data.insert_temp(id, choice));
-    ui.add_space(space::ROW);
-    ui.columns(2, |columns| {
-        if widgets::other(&mut columns[0], say!("Other folder…")).clicked() {
-            commands.push(Command::Ask(Asked::Folder));
-        }
-        let done = widgets::primary(&mut columns[1], say!("Done")).clicked();
-        if done || super::ends::entered(&columns[1]) {
-            commands.push(Command::View(ViewChange::Sheet(None)));
-        }
-    });
+    if widgets::done_beside(ui, say!("Other folder…"), true, commands) {
+        commands.push(Command::Ask(Asked::Folder));
+    }
 }
 
 /// All sessions: their errors, their parameters, and one of these as a chart.
@@ -145,7 +136,7 @@ fn over_time(ui: &mut Ui, workbench: &Workbench, robot: &RobotHistory, choice: &
     let layout = egui::Layout::top_down(egui::Align::Min);
     ui.allocate_ui_with_layout(room, layout, |ui| {
         ui.set_min_height(height);
-        legend::show(ui, &chart, None, &mut Vec::new());
+        chart::legend(ui, &chart, None, &mut Vec::new());
         let id = (&*row.name, false, workbench.view().fitted.charts);
         let (response, _) = chart::show(ui, id, &chart, |_, _| {});
         figure(
@@ -184,7 +175,7 @@ fn before_and_after(ui: &mut Ui, robot: &RobotHistory, choice: &mut Choice) {
         changed = changed.count(),
         all = both.rows.len()
     );
-    ui.label(RichText::new(says).font(strong(size::BODY)));
+    widgets::bold(ui, says);
     table(ui, "before and after", &both, None);
     for (end, key) in ends
         .into_iter()
@@ -205,18 +196,9 @@ fn list(ui: &mut Ui, name: &str, all: &[&str], now: usize) -> Option<usize> {
     let mut chosen = None;
     widgets::form_row(ui, name, |ui| {
         let shown = all.get(now).copied().unwrap_or_default();
-        let list = ComboBox::from_id_salt(name)
-            .selected_text(shown)
-            .width(320.0)
-            .show_ui(ui, |ui| {
-                for (k, one) in all.iter().enumerate() {
-                    if ui.selectable_label(k == now, *one).clicked() {
-                        chosen = Some(k);
-                    }
-                }
-            });
-        let name = name.to_owned();
-        widgets::label(&list.response, name);
+        let list = ComboBox::from_id_salt(name).selected_text(shown);
+        let offered = all.iter().enumerate();
+        chosen = widgets::list(ui, name, list.width(320.0), offered, now);
     });
     chosen.filter(|k| *k != now)
 }

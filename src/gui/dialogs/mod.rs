@@ -1,16 +1,12 @@
 //! Sheets over the window.
 
-mod ends;
 mod import;
-mod paths;
 mod robot_table;
-mod simulation;
-pub(crate) mod unsaved;
 
 use egui::style::NumberFormatter;
 use egui::{Context, Id, LayerId, Margin, Modal, Popup, ScrollArea, Ui};
 
-use crate::gui::style::tokens::{Palette, space};
+use crate::gui::style::{Palette, space};
 use crate::gui::view::Sheet;
 use crate::gui::widgets;
 use crate::gui::workbench::{Command, ViewChange, Workbench};
@@ -18,25 +14,23 @@ use crate::gui::workbench::{Command, ViewChange, Workbench};
 type Show = fn(&mut Ui, &Workbench, &mut Vec<Command>);
 
 macro_rules! register {
-    ($($name:ident),* $(,)?) => {
-        $(mod $name;)*
-        /// Every sheet that is opened by its name: the one of its file.
-        const NAMED: &[(&str, Show)] = &[$((stringify!($name), $name::show)),*];
+    ($($file:ident: $($name:ident),*;)*) => {
+        $(mod $file;)*
+
+        /// Every sheet that is opened by its name: the function of that name.
+        const NAMED: &[(&str, Show)] = &[$($((stringify!($name), $file::$name)),*),*];
     };
 }
 
 register! {
-    about,
-    compensation,
-    details,
-    history,
-    keys,
-    palette,
-    preferences,
-    recording,
-    recovery,
-    robots,
-    words,
+    compensation: compensation;
+    details: details;
+    help: about, keys, palette, words;
+    history: history;
+    new_session: recording;
+    preferences: preferences;
+    robots: robots;
+    unsaved: recovery;
 }
 
 /// Room around what a sheet says, points: half as much again as in a panel, which has the
@@ -66,24 +60,24 @@ pub(crate) fn show(ui: &Ui, workbench: &Workbench, commands: &mut Vec<Command>) 
         scroll.show(ui, |ui| {
             match sheet {
                 Sheet::SavePath { path, replace } => {
-                    paths::save(ui, workbench, (path, *replace), commands);
+                    unsaved::save(ui, workbench, (path, *replace), commands);
                 }
                 Sheet::ExportPath {
                     what,
                     path,
                     replace,
-                } => paths::export(ui, workbench, *what, (path, *replace), commands),
+                } => unsaved::export(ui, workbench, *what, (path, *replace), commands),
                 Sheet::Simulate(form) => match &form.robot {
-                    Some(robot) => simulation::of_robot(ui, robot, form, commands),
-                    None => simulation::show(ui, form, commands),
+                    Some(robot) => new_session::of_robot(ui, robot, form, commands),
+                    None => new_session::simulation(ui, form, commands),
                 },
                 Sheet::RobotTable(table) => robot_table::show(ui, workbench, table, commands),
-                Sheet::Unsaved(then) => unsaved::show(ui, workbench, then, commands),
+                Sheet::Unsaved(then) => unsaved::losses(ui, workbench, then, commands),
                 Sheet::Overwrite(path) => unsaved::overwrite(ui, path, commands),
                 Sheet::Import(foreign) => import::show(ui, workbench, foreign, commands),
                 Sheet::Named(name) => match NAMED.iter().find(|(there, _)| there == name) {
                     Some((_, show)) => show(ui, workbench, commands),
-                    None => commands.push(Command::View(ViewChange::Sheet(None))),
+                    None => commands.push(Command::no_sheet()),
                 },
             }
             widgets::focus_in_sight(ui);
@@ -131,7 +125,8 @@ mod tests {
         let named = code.split("Named(\"").skip(1);
         let mut opened: Vec<&str> = named.filter_map(|rest| rest.split('"').next()).collect();
         opened.sort_unstable();
-        let there: Vec<&str> = NAMED.iter().map(|(name, _)| *name).collect();
+        let mut there: Vec<&str> = NAMED.iter().map(|(name, _)| *name).collect();
+        there.sort_unstable();
         assert_eq!(opened, there);
     }
 }

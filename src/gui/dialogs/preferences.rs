@@ -4,7 +4,6 @@ use crate::text::LANGUAGES;
 use egui::{Slider, Ui};
 
 use crate::gui::preferences::{Preferences, Theme, ZOOM};
-use crate::gui::style::tokens::space;
 use crate::gui::widgets;
 use crate::gui::workbench::{Command, Letters, ViewChange, Workbench};
 use crate::present::units::{AngleUnit, LengthUnit};
@@ -33,17 +32,10 @@ fn language(
     let languages: Vec<_> = std::iter::once((None, say!("System")))
         .chain(languages)
         .collect();
-    choice(ui, say!("Language"), &languages, &mut next.language);
+    widgets::choice_row(ui, say!("Language"), &languages, &mut next.language);
 }
 
-/// One of some values.
-fn choice<T: Copy + PartialEq>(ui: &mut Ui, name: &str, offered: &[(T, &str)], value: &mut T) {
-    widgets::form_row(ui, name, |ui| {
-        *value = widgets::segmented(ui, offered, *value).unwrap_or(*value);
-    });
-}
-
-pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+pub(super) fn preferences(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     ui.set_width(440.0);
     widgets::heading(ui, say!("Preferences"));
     let now = workbench.view().preferences;
@@ -54,14 +46,14 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         (LengthUnit::Micrometre, "µm"),
         (LengthUnit::Inch, say!("inch")),
     ];
-    choice(ui, say!("Lengths in"), &lengths, &mut next.length);
+    widgets::choice_row(ui, say!("Lengths in"), &lengths, &mut next.length);
     let angles = [
         (AngleUnit::Degree, say!("degrees")),
         (AngleUnit::Radian, "rad"),
         (AngleUnit::Milliradian, "mrad"),
         (AngleUnit::ArcSecond, "arcsec"),
     ];
-    choice(ui, say!("Angles in"), &angles, &mut next.angle);
+    widgets::choice_row(ui, say!("Angles in"), &angles, &mut next.angle);
     let decimals = [
         (None, say!("readable")),
         (Some(1), "1"),
@@ -70,20 +62,20 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         (Some(4), "4"),
         (Some(5), "5"),
     ];
-    choice(
+    widgets::choice_row(
         ui,
         say!("Decimals of lengths"),
         &decimals,
         &mut next.decimals,
     );
     let signs = [(false, "1.5"), (true, "1,5")];
-    choice(ui, say!("Decimal sign"), &signs, &mut next.decimal_comma);
+    widgets::choice_row(ui, say!("Decimal sign"), &signs, &mut next.decimal_comma);
     let themes = [
         (Theme::System, say!("System")),
         (Theme::Light, say!("light")),
         (Theme::Dark, say!("dark")),
     ];
-    choice(ui, say!("Colours"), &themes, &mut next.theme);
+    widgets::choice_row(ui, say!("Colours"), &themes, &mut next.theme);
     widgets::form_row(ui, say!("Size of text"), |ui| {
         let mut percent = (100.0 * now.zoom).round();
         let range = 100.0 * ZOOM.start()..=100.0 * ZOOM.end();
@@ -104,20 +96,12 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         ui,
         say!("Files are read and written in their own units, whatever is shown here"),
     );
-    ui.add_space(space::ROW);
-    ui.columns(2, |columns| {
-        let arranged = !workbench.view().panes.are_usual();
-        let reset = now != Preferences::default() || arranged;
-        let button = columns[0].add_enabled_ui(reset, |ui| widgets::other(ui, say!("Reset all")));
-        if button.inner.clicked() {
-            next = Preferences::default();
-            commands.push(Command::View(ViewChange::Panes(Box::default())));
-        }
-        let done = widgets::primary(&mut columns[1], say!("Done")).clicked();
-        if done || super::ends::entered(&columns[1]) {
-            commands.push(Command::View(ViewChange::Sheet(None)));
-        }
-    });
+    let arranged = !workbench.view().panes.are_usual();
+    let changed = now != Preferences::default() || arranged;
+    if widgets::done_beside(ui, say!("Reset all"), changed, commands) {
+        next = Preferences::default();
+        commands.push(Command::View(ViewChange::Panes(Box::default())));
+    }
     if next != now {
         commands.push(Command::Prefer(next));
     }

@@ -4,7 +4,7 @@ use egui::{Button, DragValue, Grid, ScrollArea, TextEdit, Ui, vec2};
 
 use crate::gui::core::robot_table::{RobotTable, Row, TableForm};
 use crate::gui::core::simulate;
-use crate::gui::style::tokens::{Palette, size, space};
+use crate::gui::style::{Palette, size, space};
 use crate::gui::view::{Camera, Sheet};
 use crate::gui::widgets;
 use crate::gui::workbench::{Command, ViewChange, Workbench};
@@ -79,9 +79,7 @@ pub(super) fn show(ui: &mut Ui, _: &Workbench, table: &RobotTable, commands: &mu
             .iter()
             .any(|c| matches!(c, Command::View(ViewChange::Sheet(_))))
     {
-        commands.push(Command::View(ViewChange::Sheet(Some(Sheet::RobotTable(
-            Box::new(typed),
-        )))));
+        commands.push(Command::sheet(Sheet::RobotTable(Box::new(typed))));
     }
 }
 
@@ -276,14 +274,14 @@ fn ends(ui: &mut Ui, typed: &RobotTable, sound: bool, commands: &mut Vec<Command
     ui.add_space(space::ROW);
     ui.columns(3, |columns| {
         if widgets::other(&mut columns[0], say!("Cancel")).clicked() {
-            commands.push(Command::View(ViewChange::Sheet(Some(Sheet::ROBOTS))));
+            commands.push(Command::sheet(Sheet::ROBOTS));
         }
         let save = |ui: &mut Ui| widgets::other(ui, say!("Save robot file…"));
         let save = columns[1].add_enabled_ui(sound, save).inner;
         let simulate = |ui: &mut Ui| widgets::primary(ui, say!("Simulate…"));
         let simulate = columns[2].add_enabled_ui(sound, simulate).inner;
         if save.clicked() {
-            commands.push(Command::View(ViewChange::Sheet(None)));
+            commands.push(Command::no_sheet());
         }
         if save.clicked() || simulate.clicked() {
             commands.push(Command::KeepRobot {
@@ -293,9 +291,7 @@ fn ends(ui: &mut Ui, typed: &RobotTable, sound: bool, commands: &mut Vec<Command
         }
         if let (true, Some(robot)) = (simulate.clicked(), typed.simulated()) {
             let form = simulate::Form::of(robot);
-            commands.push(Command::View(ViewChange::Sheet(Some(Sheet::Simulate(
-                form,
-            )))));
+            commands.push(Command::sheet(Sheet::Simulate(form)));
         }
     });
 }

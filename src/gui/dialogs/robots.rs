@@ -7,10 +7,10 @@ use egui::{
 use crate::gui::core::robot_table::RobotTable;
 use crate::gui::core::simulate::Form;
 use crate::gui::core::simulate::SimulatedRobot;
-use crate::gui::style::tokens::{Palette, space};
+use crate::gui::style::{Palette, space};
 use crate::gui::view::{Camera, Sheet, What};
 use crate::gui::widgets;
-use crate::gui::workbench::{Asked, Command, ViewChange, Workbench};
+use crate::gui::workbench::{Asked, Command, Workbench};
 use crate::gui::workspace::robot_alone;
 use crate::present::robots_v1::figure;
 use crate::robots::{LibraryRobot, find, library, source};
@@ -111,7 +111,7 @@ impl<'w> Robot<'w> {
     }
 }
 
-pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+pub(super) fn robots(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let room = picture_size(ui);
     ui.set_width(LIST + room.x + f32::from(space::PANEL));
     widgets::heading(ui, say!("Robots"));
@@ -288,15 +288,13 @@ fn ends(ui: &mut Ui, chosen: Option<Robot<'_>>, commands: &mut Vec<Command>) {
     let mut simulate = false;
     ui.columns(4, |columns| {
         if widgets::other(&mut columns[0], say!("Cancel")).clicked() {
-            commands.push(Command::View(ViewChange::Sheet(None)));
+            commands.push(Command::no_sheet());
         }
         let edit = |ui: &mut Ui| widgets::other(ui, say!("As a table…"));
         let edit = columns[1].add_enabled_ui(chosen.is_some(), edit).inner;
         let edit = edit.on_hover_text(say!("Change its table, or type a robot of your own"));
         if let (true, Some(robot)) = (edit.clicked(), chosen) {
-            commands.push(Command::View(ViewChange::Sheet(Some(Sheet::RobotTable(
-                Box::new(robot.table()),
-            )))));
+            commands.push(Command::sheet(Sheet::RobotTable(Box::new(robot.table()))));
         }
         let save = |ui: &mut Ui| widgets::other(ui, say!("Save robot file…"));
         let save = columns[2].add_enabled_ui(chosen.is_some(), save).inner;
@@ -318,8 +316,6 @@ fn ends(ui: &mut Ui, chosen: Option<Robot<'_>>, commands: &mut Vec<Command>) {
     if let (true, Some(robot)) = (simulate || entered, chosen)
         && let Some(form) = robot.form()
     {
-        commands.push(Command::View(ViewChange::Sheet(Some(Sheet::Simulate(
-            form,
-        )))));
+        commands.push(Command::sheet(Sheet::Simulate(form)));
     }
 }

@@ -1,16 +1,23 @@
-//! What would be lost, before it is; and a file that changed, before it is replaced.
+//! What is not saved: a path to save to, as it is typed; what would be lost, before it is; a file that changed,
+//! before it is replaced; and what windows that are gone have left behind.
 
-use std::path::Path;
+use std::fmt::Debug;
+use std::hash::Hash;
+use std::path::{Path, PathBuf};
+use std::time::{Duration, SystemTime};
 
-use egui::Ui;
+use egui::{Id, Key, ScrollArea, TextEdit, Ui};
 
-use crate::gui::style::tokens::space;
-use crate::gui::view::NextAction;
+use crate::export::find;
+
+use crate::gui::core::disk::name_of;
+use crate::gui::style::space;
+use crate::gui::view::{NextAction, Sheet, What};
 use crate::gui::widgets;
-use crate::gui::workbench::{Asked, Command, ViewChange, Workbench};
+use crate::gui::workbench::{Asked, Command, LeftBehind, Workbench};
 
 /// Shows what would be lost, and what can be done about it.
-pub(super) fn show(
+pub(super) fn losses(
     ui: &mut Ui,
     workbench: &Workbench,
     then: &NextAction,
@@ -52,25 +59,27 @@ pub(super) fn show(
         (false, true) => say!("Save model…"),
         (false, false) => say!("Go on"),
     };
-    let sheet = |ui: &mut Ui, commands: &mut Vec<Command>| {
-        ui.add_space(space::ROW);
-        if widgets::primary(ui, save).clicked() {
-            commands.push(if losses.any() {
-                Command::SaveThen(then.clone())
-            } else {
-                Command::Do(then.clone())
-            });
+    let [saved, discarded] = decided(ui, save, discard, commands);
+    if saved && losses.any() {
+        commands.push(Command::SaveThen(then.clone()));
+    } else if saved || discarded {
+        commands.push(Command::Do(then.clone()));
+    }
+}
+
+/// The button that loses nothing, and below it one that loses something, and *Cancel*. Which of the first two was
+/// pressed.
+fn decided(ui: &mut Ui, keep: &str, lose: &str, commands: &mut Vec<Command>) -> [bool; 2] {
+    ui.add_space(space::ROW);
+    let kept = widgets::primary(ui, keep).clicked();
+    let lost = ui.columns(2, |columns| {
+        let lost = widgets::secondary(&mut columns[0], lose).clicked();
+        if widgets::secondary(&mut columns[1], say!("Cancel")).clicked() {
+            commands.push(Command::no_sheet());
         }
-        ui.columns(2, |columns| {
-            if widgets::secondary(&mut columns[0], discard).clicked() {
-                commands.push(Command::Do(then.clone()));
-            }
-            if widgets::secondary(&mut columns[1], say!("Cancel")).clicked() {
-                commands.push(Command::View(ViewChange::Sheet(None)));
-            }
-        });
-    };
-    sheet(ui, commands);
+        lost
+    });
+    [kept, lost]
 }
 
 /// Asks whether a file that changed since it was read is to be replaced.
@@ -81,17 +90,283 @@ pub(super) fn overwrite(ui: &mut Ui, path: &Path, commands: &mut Vec<Command>) {
         "{path} changed since it was read. Saving here would replace what was written there",
         path = path.display()
     ));
-    ui.add_space(space::ROW);
-    if widgets::primary(ui, say!("Save under another name…")).clicked() {
-        commands.push(Command::View(ViewChange::Sheet(None)));
-        commands.push(Command::Ask(Asked::WhereToSave));
+    let (keep, lose) = (say!("Save under another name…"), say!("Replace it"));
+    match decided(ui, keep, lose, commands) {
+        [true, _] => commands.extend([Command::no_sheet(), Command::Ask(Asked::WhereToSave)]),
+        [_, true] => commands.push(Command::SaveDespite),
+        _ => {}
     }
-    ui.columns(2, |columns| {
-        if widgets::secondary(&mut columns[0], say!("Replace it")).clicked() {
-            commands.push(Command::SaveDespite);
-        }
-        if widgets::secondary(&mut columns[1], say!("Cancel")).clicked() {
-            commands.push(Command::View(ViewChange::Sheet(None)));
+}
+
+/// What windows that are gone have left behind: what, from when, and whether to bring it back.
+pub(super) fn recovery(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    ui.set_width(460.0);
+    widgets::heading(ui, say!("Recover unsaved work"));
+    widgets::hint(
+        ui,
+        say!(
+            "The last time the program ended without warning. Nothing is lost unless it is discarded here: what is not restored now is offered again"
+        ),
+    );
+    ScrollArea::vertical().max_height(360.0).show(ui, |ui| {
+        for (index, left) in workbench.orphaned().iter().enumerate() {
+            widgets::card(ui, |ui| {
+                let title = match &left.kept {
+                    Ok(kept) => kept.session.name.clone(),
+                    Err(_) => say!("A file that is damaged").to_owned(),
+                };
+                widgets::bold(ui, title);
+                if let Some(ago) = left.when.and_then(ago) {
+                    widgets::fact_of(ui, phrase!("last saved"), ago);
+                }
+                match &left.kept {
+                    Ok(kept) => {
+                        widgets::fact_of(
+                            ui,
+                            phrase!("samples"),
+                            kept.session.samples.len().to_string(),
+                        );
+                        let file = kept.file.as_ref().and_then(|f| f.file_name());
+                        let file = file.map_or(say!("no file").into(), |f| f.to_string_lossy());
+                        widgets::fact_of(ui, phrase!("file"), file);
+                    }
+                    Err(because) => {
+                        widgets::wrong(ui, because);
+                        widgets::hint(ui, name_of(left.path()));
+                    }
+                }
+                ui.add_space(space::TIGHT);
+                ui.columns(2, |columns| {
+                    let restore = if left.kept.is_ok() {
+                        discard(&mut columns[0], index, left.path(), commands);
+                        say!("Restore")
+                    } else {
+                        say!("Put it aside")
+                    };
+                    // The newest is first, and what is meant by most.
+                    let button = if index == 0 {
+                        widgets::primary(&mut columns[1], restore)
+                    } else {
+                        widgets::other(&mut columns[1], restore)
+                    };
+                    if button.clicked() {
+                        commands.push(Command::Left(LeftBehind::Restore(index)));
+                    }
+                });
+            });
         }
     });
+    ui.columns(2, |columns| {
+        discard_all(&mut columns[0], workbench.orphaned().len(), commands);
+        if widgets::other(&mut columns[1], say!("Not now")).clicked() {
+            commands.push(Command::no_sheet());
+        }
+    });
+}
+
+/// Discards one on the second press.
+fn discard(ui: &mut Ui, index: usize, path: &Path, commands: &mut Vec<Command>) {
+    if pressed_twice(ui, path, say!("Discard"), say!("Discard for good")) {
+        commands.push(Command::Left(LeftBehind::Discard(index)));
+    }
+}
+
+/// Discards everything on the second press.
+fn discard_all(ui: &mut Ui, count: usize, commands: &mut Vec<Command>) {
+    let sure = say!("Discard all {count} for good", count = count);
+    if pressed_twice(ui, "all", say!("Discard all"), &sure) {
+        commands.push(Command::Left(LeftBehind::DiscardAll));
+    }
+}
+
+/// A button that asks in its own words, and acts on the second press: what is discarded cannot be brought back.
+fn pressed_twice(ui: &mut Ui, what: impl Debug + Hash, asks: &str, sure: &str) -> bool {
+    let id = Id::unique(("discard of the recovery", what));
+    let is_sure = ui.data(|data| data.get_temp(id).unwrap_or(false));
+    let clicked = widgets::other(ui, if is_sure { sure } else { asks }).clicked();
+    if clicked {
+        ui.data_mut(|data| data.insert_temp(id, !is_sure));
+    }
+    clicked && is_sure
+}
+
+/// How long ago, in words.
+#[allow(
+    clippy::disallowed_methods,
+    reason = "a person wants to know from when it is; nothing is worked out from it"
+)]
+fn ago(when: SystemTime) -> Option<String> {
+    Some(in_words(SystemTime::now().duration_since(when).ok()?))
+}
+
+fn in_words(ago: Duration) -> String {
+    let seconds = ago.as_secs();
+    match seconds {
+        0..60 => say!("less than a minute ago").to_owned(),
+        60..3600 => say!(one "{count} minute ago", "{count} minutes ago", count = seconds / 60),
+        3600..86_400 => say!(one "{count} hour ago", "{count} hours ago", count = seconds / 3600),
+        _ => say!(one "{count} day ago", "{count} days ago", count = seconds / 86_400),
+    }
+}
+
+#[cfg(test)]
+#[test]
+fn a_time_is_said_in_words() {
+    let says = |s| in_words(Duration::from_secs(s));
+    assert_eq!(says(5), "less than a minute ago");
+    assert_eq!(says(61), "1 minute ago");
+    assert_eq!(says(7300), "2 hours ago");
+    assert_eq!(says(200_000), "2 days ago");
+}
+
+/// What was done with a path that is being typed.
+enum PathInput {
+    /// It is complete.
+    Done {
+        path: PathBuf,
+        replace: bool,
+    },
+    /// It is another now.
+    Changed {
+        path: String,
+        replace: bool,
+    },
+    Same,
+}
+
+/// A file to save the session to.
+pub(super) fn save(
+    ui: &mut Ui,
+    workbench: &Workbench,
+    typed: (&str, bool),
+    commands: &mut Vec<Command>,
+) {
+    let says = say!("The samples are written beside it, as a CSV file of the same name");
+    match path_form(ui, workbench, (say!("Save session"), says), typed, commands) {
+        PathInput::Done { path, replace } => commands.push(Command::SaveAs { path, replace }),
+        PathInput::Changed { path, replace } => {
+            commands.push(Command::sheet(Sheet::SavePath { path, replace }));
+        }
+        PathInput::Same => {}
+    }
+}
+
+fn path_form(
+    ui: &mut Ui,
+    workbench: &Workbench,
+    (title, says): (&str, &str),
+    (path, replace): (&str, bool),
+    commands: &mut Vec<Command>,
+) -> PathInput {
+    ui.set_width(420.0);
+    widgets::heading(ui, title);
+    let (mut typed, mut allowed) = (path.to_owned(), replace);
+    let field = ui.add(TextEdit::singleline(&mut typed).desired_width(f32::INFINITY));
+    widgets::label(&field, say!("Path to save to"));
+    // The field is what the sheet is for: what is typed goes into it from the first letter on.
+    if ui.memory(|memory| memory.focused().is_none()) && !field.lost_focus() {
+        field.request_focus();
+        widgets::select_all(ui, field.id, path);
+    }
+    let entered = field.lost_focus() && ui.input(|i| i.key_pressed(Key::Enter));
+    let place = workbench.placed(typed.trim().as_ref());
+    if let (Some(folder), Some(name)) = (place.parent(), place.file_name()) {
+        let (folder, name) = (folder.display(), name.to_string_lossy());
+        widgets::hint(
+            ui,
+            say!(
+                "{name}, in the folder {folder}",
+                name = name,
+                folder = folder
+            ),
+        );
+    }
+    ui.checkbox(&mut allowed, say!("replace the file if it exists"));
+    widgets::hint(ui, says);
+    let named = !typed.trim().is_empty();
+    let pressed = widgets::sheet_buttons(ui, say!("Save"), named, commands);
+    if named && (pressed || entered) {
+        PathInput::Done {
+            path: typed.trim().into(),
+            replace: allowed,
+        }
+    } else if typed != path || allowed != replace {
+        PathInput::Changed {
+            path: typed,
+            replace: allowed,
+        }
+    } else {
+        PathInput::Same
+    }
+}
+
+/// Whether what is exported describes the robot and is no table.
+fn is_robot(workbench: &Workbench) -> bool {
+    let format = find(workbench.document().export.format);
+    format.is_some_and(|format| format.rules.is_none())
+}
+
+/// A file to export to.
+pub(super) fn export(
+    ui: &mut Ui,
+    workbench: &Workbench,
+    what: What,
+    typed: (&str, bool),
+    commands: &mut Vec<Command>,
+) {
+    let (title, says) = match what {
+        What::Table if is_robot(workbench) => (
+            say!("Save robot"),
+            say!("A file that says what its numbers mean is written beside it"),
+        ),
+        What::Table => (
+            say!("Save table"),
+            say!("A file that says what the table means is written beside it"),
+        ),
+        What::Model => (
+            say!("Save model"),
+            say!("The model can be exported and verified later"),
+        ),
+        What::Poses => (
+            say!("Save measuring list"),
+            say!("A CSV table with the session's column names, to be measured next"),
+        ),
+        What::Report(_) => (
+            say!("Save report"),
+            say!(
+                "A name that ends in .html or .pdf; a session without a diagnosis is diagnosed first"
+            ),
+        ),
+        What::Picture(_) => (
+            say!("Save picture"),
+            say!("A name that ends in .svg or .png"),
+        ),
+        What::Numbers(_) => (
+            say!("Save data"),
+            say!("A CSV table of what the chart shows, with all digits"),
+        ),
+        What::Targets => (
+            say!("Save corrected file"),
+            say!("What was changed is written beside it, as NAME.meta.json"),
+        ),
+        What::Robot(_) | What::TypedRobot => (
+            say!("Save robot file"),
+            say!("A file that sessions, imports and plans take"),
+        ),
+    };
+    match path_form(ui, workbench, (title, says), typed, commands) {
+        PathInput::Done { path, replace } => commands.push(Command::ExportTo {
+            what,
+            path,
+            replace,
+        }),
+        PathInput::Changed { path, replace } => {
+            commands.push(Command::sheet(Sheet::ExportPath {
+                what,
+                path,
+                replace,
+            }));
+        }
+        PathInput::Same => {}
+    }
 }

@@ -1,6 +1,6 @@
 //! What outlives the window, and what changes under it.
 //!
-//! - `settings`: preferences, recent files and whose meshes are drawn, in one small file of the data folder;
+//! - here: preferences, recent files and whose meshes are drawn, in one small file of the data folder;
 //! - `machines`: what the reports of machines state;
 //! - `recording`: writes what an instrument sends;
 //! - `recovery`: what is not saved, kept against a crash;
@@ -9,13 +9,327 @@
 pub(crate) mod machines;
 pub(crate) mod recording;
 pub(crate) mod recovery;
-pub(crate) mod settings;
 pub(crate) mod watcher;
 
-use std::path::PathBuf;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use serde::{Deserialize, Deserializer, Serialize};
+
+use crate::atomic::{WriteError, write_atomically};
+
+use crate::gui::core::appearance::Chain;
+use crate::gui::core::robot_table::RobotTable;
+use crate::gui::preferences::Preferences;
+use crate::gui::view::Panes;
+
+use machines::Machine;
 
 /// The folder where this user's programs keep their data, and this program's in it; `None` where
 /// the system names none.
 pub(crate) fn home() -> Option<PathBuf> {
     eframe::storage_dir("truepose")
+}
+
+/// Recent files that are kept.
+const MOST_RECENT: usize = 10;
+const FORMAT: &str = "truepose-settings/1";
+
+/// Preferences, recent files, and from which URDF the robot of a saved session is drawn: one small
+/// JSON document in the data folder, read when the window opens and written whole whenever something in
+/// it changes.
+///
+/// Several windows share it. Each reads the document again before it changes its own part, so that
+/// the last word counts for a preference and the recent files are those of all windows.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Settings {
+    format: String,
+    /// How numbers and colours are shown.
+    #[serde(default)]
+    pub(crate) preferences: Preferences,
+    /// Files that were opened or saved, newest first.
+    #[serde(default)]
+    pub(crate) recent: Vec<PathBuf>,
+    /// What the reports of machines state, newest first.
+    #[serde(default)]
+    pub(crate) machines: Vec<Machine>,
+    /// Robots that were typed, newest first.
+    #[serde(default)]
+    pub(crate) robots: Vec<RobotTable>,
+    /// Whose meshes saved sessions are drawn from, newest first.
+    #[serde(default)]
+    pub(crate) meshes: Vec<DrawnFrom>,
+    /// Workspace and charts as they were arranged.
+    #[serde(default, deserialize_with = "panes")]
+    pub(crate) panes: Panes,
+}
+
+/// Panes as they were kept; the usual ones where they cannot be read, which costs nothing else.
+fn panes<'de, D: Deserializer<'de>>(reader: D) -> Result<Panes, D::Error> {
+    let kept = serde_json::Value::deserialize(reader)?;
+    Ok(serde_json::from_value(kept).unwrap_or_default())
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self {
+            format: FORMAT.to_owned(),
+            preferences: Preferences::default(),
+            recent: Vec::new(),
+            machines: Vec::new(),
+            robots: Vec::new(),
+            meshes: Vec::new(),
+            panes: Panes::default(),
+        }
+    }
+}
+
+/// A change of the recent files.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) enum Recent {
+    /// This file was opened or saved.
+    Used(PathBuf),
+    /// This one is not wanted in the list.
+    Forgotten(PathBuf),
+}
+
+impl Recent {
+    pub(crate) fn apply(&self, recent: &mut Vec<PathBuf>) {
+        match self {
+            Self::Used(path) => {
+                recent.retain(|other| other != path);
+                recent.insert(0, path.clone());
+                recent.truncate(MOST_RECENT);
+            }
+            Self::Forgotten(path) => recent.retain(|other| other != path),
+        }
+    }
+}
+
+fn file(folder: &Path) -> PathBuf {
+    folder.join("settings.json")
+}
+
+/// What was kept; the defaults where nothing was, or where it cannot be read. Then the second is a
+/// sentence about it, and the document stays under another name.
+pub(crate) fn read(folder: &Path) -> (Settings, Option<String>) {
+    let path = file(folder);
+    let Ok(bytes) = fs::read(&path) else {
+        return (Settings::default(), None);
+    };
+    match serde_json::from_slice::<Settings>(&bytes) {
+        Ok(mut settings) if settings.format == FORMAT => {
+            settings.preferences = settings.preferences.sound();
+            (settings, None)
+        }
+        _ => {
+            let aside = folder.join("settings.damaged.json");
+            let says = match fs::rename(&path, &aside) {
+                Ok(()) => say!(
+                    "they were damaged and are kept as {aside}",
+                    aside = aside.display()
+                ),
+                Err(_) => say!("{path} is damaged", path = path.display()),
+            };
+            (Settings::default(), Some(says))
+        }
+    }
+}
+
+/// Changes what is kept: read anew before, as another window may have changed it, and written whole.
+pub(crate) fn change(folder: &Path, change: impl FnOnce(&mut Settings)) -> Result<(), WriteError> {
+    let path = file(folder);
+    let failed = |source| WriteError::Io {
+        path: path.clone(),
+        source,
+    };
+    fs::create_dir_all(folder).map_err(failed)?;
+    let (mut settings, _) = read(folder);
+    change(&mut settings);
+    let document = serde_json::to_vec_pretty(&settings).map_err(|e| failed(e.into()))?;
+    write_atomically(&path, true, |output| output.write_all(&document))
+}
+
+/// Sessions that are remembered.
+const MOST: usize = 500;
+
+/// A saved session and whose meshes it is drawn from, since a session names the axes of its robot and
+/// no file of meshes.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub(crate) struct DrawnFrom {
+    session: PathBuf,
+    /// Its file is named as seen from the folder of the session where it lies in there.
+    chain: Chain,
+}
+
+impl DrawnFrom {
+    pub(crate) fn new(session: &Path, chain: &Chain) -> Self {
+        let session = absolute(session);
+        let file = absolute(&chain.file);
+        let folder = session.parent();
+        let below = folder.and_then(|folder| file.strip_prefix(folder).ok());
+        let chain = Chain {
+            file: below.map_or(file.clone(), Path::to_path_buf),
+            ..chain.clone()
+        };
+        Self { session, chain }
+    }
+}
+
+fn absolute(path: &Path) -> PathBuf {
+    std::path::absolute(path).unwrap_or_else(|_| path.to_path_buf())
+}
+
+/// The list with this one in front, in place of what it said of the same session.
+pub(crate) fn remember_meshes(list: &mut Vec<DrawnFrom>, one: DrawnFrom) {
+    list.retain(|other| other.session != one.session);
+    list.insert(0, one);
+    list.truncate(MOST);
+}
+
+/// Whose meshes a session is drawn from, as far as that is remembered.
+pub(crate) fn remembered_meshes(list: &[DrawnFrom], session: &Path) -> Option<Chain> {
+    let session = absolute(session);
+    let one = list.iter().find(|one| one.session == session)?;
+    Some(Chain {
+        file: session.parent()?.join(&one.chain.file),
+        ..one.chain.clone()
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::present::units::LengthUnit;
+
+    #[test]
+    fn what_is_kept_comes_back_and_two_windows_share_it() {
+        let folder = tempfile::tempdir().unwrap();
+        let folder = folder.path().join("data");
+        let inches = Preferences {
+            length: LengthUnit::Inch,
+            ..Preferences::default()
+        };
+        change(&folder, |kept| kept.preferences = inches).unwrap();
+        for name in ["a.json", "b.json", "a.json"] {
+            let used = Recent::Used(name.into());
+            change(&folder, |kept| used.apply(&mut kept.recent)).unwrap();
+        }
+        let (settings, says) = read(&folder);
+        assert_eq!(settings.preferences, inches);
+        assert_eq!(settings.recent, [PathBuf::from("a.json"), "b.json".into()]);
+        assert!(says.is_none());
+        let forgotten = Recent::Forgotten("a.json".into());
+        change(&folder, |kept| forgotten.apply(&mut kept.recent)).unwrap();
+        assert_eq!(read(&folder).0.recent, [PathBuf::from("b.json")]);
+        assert_eq!(read(&folder).0.preferences, inches);
+    }
+
+    #[test]
+    fn the_list_has_an_end() {
+        let list = (0..30).fold(Vec::new(), |list, k| {
+            let mut list = list;
+            Recent::Used(format!("{k}").into()).apply(&mut list);
+            list
+        });
+        assert_eq!(list.len(), MOST_RECENT);
+        assert_eq!(list[0], PathBuf::from("29"));
+    }
+
+    #[test]
+    fn a_damaged_file_costs_the_preferences_and_nothing_else() {
+        let folder = tempfile::tempdir().unwrap();
+        for damaged in [
+            "",
+            "{",
+            "[]",
+            "\u{0}",
+            r#"{"format":"truepose-settings/9"}"#,
+        ] {
+            fs::write(file(folder.path()), damaged).unwrap();
+            let (settings, says) = read(folder.path());
+            assert_eq!(settings, Settings::default());
+            assert!(
+                says.is_some_and(|says| says.contains("damaged")),
+                "{damaged}"
+            );
+            let aside = folder.path().join("settings.damaged.json");
+            assert_eq!(fs::read_to_string(aside).unwrap(), damaged);
+        }
+        assert_eq!(read(folder.path()).1, None, "said once");
+    }
+
+    #[test]
+    fn panes_that_cannot_be_read_cost_nothing_else() {
+        let folder = tempfile::tempdir().unwrap();
+        let kept = |panes: &str| {
+            let text = format!(
+                r#"{{"format":"truepose-settings/1","preferences":{{"decimals":2}},"panes":{panes}}}"#
+            );
+            fs::write(file(folder.path()), text).unwrap();
+            let (settings, says) = read(folder.path());
+            assert!(says.is_none(), "{panes}");
+            assert_eq!(settings.preferences.decimals, Some(2), "{panes}");
+            settings.panes.sound(|_| true)
+        };
+        for damaged in [
+            "null",
+            "7",
+            r#"{"root":{"beside":[]}}"#,
+            r#"{"root":"pane"}"#,
+        ] {
+            assert_eq!(kept(damaged), Panes::default(), "{damaged}");
+        }
+        let chart = r#"{"pane":{"shows":{"chart":{"chart":"histogram"}}}}"#;
+        let workspace = r#"{"pane":{"shows":"workspace"}}"#;
+        let panes = kept(&format!(
+            r#"{{"root":{{"beside":[{{"share":null,"tile":{chart}}},{{"share":-1,"tile":{workspace}}}]}}}}"#
+        ));
+        assert_eq!(panes, Panes::default(), "a share is a number");
+        let panes = kept(&format!(
+            r#"{{"root":{{"beside":[{{"share":2,"tile":{chart}}},{{"share":-1,"tile":{workspace}}}]}}}}"#
+        ));
+        assert_eq!(panes.charts().count(), 1);
+        assert!(panes.outline().starts_with('['), "side by side");
+    }
+
+    #[test]
+    fn numbers_that_make_no_sense_are_brought_into_range() {
+        let folder = tempfile::tempdir().unwrap();
+        let text = r#"{"format":"truepose-settings/1","preferences":{"decimals":200,"zoom":1e9}}"#;
+        fs::write(file(folder.path()), text).unwrap();
+        let preferences = read(folder.path()).0.preferences;
+        assert!(preferences.zoom <= 3.0 && preferences.decimals.is_none_or(|d| d <= 6));
+    }
+
+    #[test]
+    fn a_session_has_its_last_chain_back_and_another_has_none() {
+        let chain = |file: &str| Chain {
+            file: absolute(Path::new(file)),
+            base: "base".to_owned(),
+            tip: "tip".to_owned(),
+        };
+        let mut list = Vec::new();
+        for (session, file) in [
+            ("/a/one.json", "/b/old.urdf"),
+            ("/a/two.json", "/b/arm.urdf"),
+            ("/a/one.json", "/a/urdf/arm.urdf"),
+        ] {
+            remember_meshes(&mut list, DrawnFrom::new(Path::new(session), &chain(file)));
+        }
+        assert_eq!(list.len(), 2);
+        let of = |session: &str| remembered_meshes(&list, Path::new(session));
+        assert_eq!(of("/a/one.json"), Some(chain("/a/urdf/arm.urdf")));
+        assert_eq!(of("/a/two.json"), Some(chain("/b/arm.urdf")));
+        assert_eq!(of("/b/one.json"), None);
+        assert_eq!(list[0].chain.file, Path::new("urdf/arm.urdf"));
+        for k in 0..2 * MOST {
+            let session = format!("/c/{k}.json");
+            remember_meshes(
+                &mut list,
+                DrawnFrom::new(Path::new(&session), &chain("/arm.urdf")),
+            );
+        }
+        assert_eq!(list.len(), MOST);
+    }
 }

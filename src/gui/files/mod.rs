@@ -1,11 +1,11 @@
-//! Reading and writing, as the background tasks do it: through the library, like the terminal.
+//! Reading and writing, as the background tasks do it: through the library, like the terminal. Here a session or a
+//! model is read or made, with everything that follows from it; also those that come with the program.
 
-mod opening;
 pub(crate) mod reporting;
 mod system;
 mod writing;
 
-pub(crate) use opening::{Opened, first_example, open, open_example, simulate};
+pub(crate) use crate::pipeline::is_model;
 pub(crate) use system::{
     cancelled, choose_beside, choose_folder, choose_logo, choose_targets, choose_to_export,
     choose_to_import, choose_to_open, choose_to_save, open_outside,
@@ -15,15 +15,29 @@ pub(crate) use writing::{
     write_one, write_picture, write_targets,
 };
 
-pub(crate) use crate::pipeline::is_model;
-
+use std::fmt::Display;
 use std::path::Path;
+use std::sync::Arc;
 
+use crate::diagnostic::Diagnostic;
+use crate::kinematics::RobotSource;
+use crate::language::{finding, spoken};
+use crate::pipeline::{self, load_model};
 use crate::programs::LANGUAGES;
-use crate::sessions::Session;
+use crate::progress::{Cancelled, Progress, ProgressSpan, ReadError, unwatched};
+use crate::sessions::{Loaded, Session};
 
+use crate::gui::cache::cloud::Cloud;
+use crate::gui::core::answer::LoadedModel;
+use crate::gui::core::appearance::{Appearance, Chain, seen, seen_again};
+use crate::gui::core::disk::EXAMPLES;
+use crate::gui::core::disk::Fingerprint;
 use crate::gui::core::document::plain;
-use crate::gui::import_draft::TABLES;
+use crate::gui::core::loaded_session::{LoadedSession, Origin};
+use crate::gui::core::simulate::Form;
+use crate::gui::import_draft::{ImportDraft, TABLES};
+use crate::gui::jobs::Watch;
+use crate::gui::view::Message;
 
 /// Whether a file is a robot program by its name: one whose ending a table of measurements does not have as well.
 pub(crate) fn is_program(path: &Path) -> bool {
@@ -37,4 +51,234 @@ pub(crate) fn is_program(path: &Path) -> bool {
 /// What a session's file is called unless the user says otherwise.
 pub(crate) fn file_name_for(session: &Session) -> String {
     format!("{}.json", plain(&session.name))
+}
+
+#[derive(Debug)]
+pub(crate) enum Opened {
+    /// A session was read or made.
+    Session(Arc<LoadedSession>),
+    /// A model was read.
+    Model(Arc<LoadedModel>),
+    /// A file that an instrument wrote was looked at.
+    Foreign(Box<ImportDraft>),
+}
+
+/// Reads a session or a model: its key `format` says which it is. A session that names no URDF is drawn
+/// from the one that is `remembered`.
+pub(crate) fn open(
+    path: &Path,
+    remembered: Option<Chain>,
+    watch: &Watch,
+) -> Result<Opened, Message> {
+    if is_model(path) {
+        return match load_model(path) {
+            Ok(calibration) => Ok(Opened::Model(Arc::new(LoadedModel::new(calibration, path)))),
+            Err(rejected) => Err(not_opened(path.display(), &rejected.into())),
+        };
+    }
+    let report_progress = watch.progress_callback();
+    let progress = Progress::new(&report_progress);
+    let whole = progress.whole();
+    match ImportDraft::of(path, whole) {
+        None => {}
+        Some(Ok(foreign)) => return Ok(Opened::Foreign(Box::new(foreign))),
+        Some(Err(error)) => {
+            return Err(not_read(path.display(), &error));
+        }
+    }
+    let loaded = pipeline::load_watched(path, whole.part(0.0, READING).watch());
+    let loaded_session = loaded.and_then(|mut loaded| {
+        let is_of_links = matches!(loaded.session.robot.source, RobotSource::Links(_));
+        let own = is_of_links.then(|| Chain::of_session(path)).flatten();
+        let appearance = match (own, remembered.filter(|_| is_of_links)) {
+            (None, Some(chain)) => seen_again(&chain, &loaded.session.robot, &mut loaded.findings),
+            (own, _) => seen(own, &mut loaded.findings),
+        };
+        watch.doing(say!(
+            "checking {samples} samples",
+            samples = loaded.session.samples.len()
+        ));
+        let origin = Origin::File(path.to_path_buf());
+        let part = whole.part(READING, 1.0);
+        Ok(looked_through(loaded, origin, appearance, part)?)
+    });
+    loaded_session
+        .map(Opened::Session)
+        .map_err(|error| not_opened(path.display(), &error))
+}
+
+/// Everything that follows from a session that was read, of a robot that looks like this.
+fn looked_through(
+    loaded: Loaded,
+    origin: Origin,
+    appearance: Option<Appearance>,
+    part: ProgressSpan<'_>,
+) -> Result<Arc<LoadedSession>, Cancelled> {
+    let in_a_file = !loaded.session.samples.line.is_empty();
+    let samples_file = loaded.files.last().filter(|_| in_a_file).cloned();
+    let findings = loaded.findings;
+    let mut loaded_session =
+        LoadedSession::watched(loaded.session, findings, origin, part.part(0.0, 0.6))?;
+    loaded_session.files = loaded
+        .files
+        .iter()
+        .filter_map(|f| Fingerprint::of(f))
+        .collect();
+    loaded_session.appearance = appearance.map(Arc::new);
+    loaded_session.samples_file = samples_file.filter(|_| !loaded_session.files.is_empty());
+    // Made here, so that the window never waits for it.
+    Cloud::of(&loaded_session);
+    part.reached(0.8)?;
+    if loaded_session.single_revolute() {
+        loaded_session.angles();
+    }
+    part.reached(1.0)?;
+    Ok(Arc::new(loaded_session))
+}
+
+/// Says that a file was not opened.
+fn not_opened(name: impl Display, error: &ReadError) -> Message {
+    let title = say!(
+        "{name} could not be opened; nothing was changed",
+        name = name
+    );
+    Message::wrong(title, why(error))
+}
+
+/// Says that a file was not read.
+fn not_read(name: impl Display, error: &ReadError) -> Message {
+    let title = say!("{name} could not be read; nothing was changed", name = name);
+    Message::wrong(title, why(error))
+}
+
+fn why(error: &ReadError) -> Vec<String> {
+    match error {
+        ReadError::Rejected(rejected) => listed(&rejected.diagnostics),
+        ReadError::Cancelled(_) => vec![cancelled()],
+    }
+}
+
+/// Which part of opening a session it is to read it; the rest is to look through it.
+const READING: f64 = 0.4;
+
+/// Findings as lines, no more than can be read.
+fn listed(findings: &[Diagnostic]) -> Vec<String> {
+    const MOST: usize = 8;
+    let mut lines: Vec<String> = findings.iter().take(MOST).map(finding).collect();
+    if findings.len() > MOST {
+        lines.push(say!(in "common", "and {more} more", more = findings.len() - MOST));
+    }
+    lines
+}
+
+/// Makes a session by simulation.
+pub(crate) fn simulate(form: &Form, watch: &Watch) -> Result<Opened, Message> {
+    match form.session(watch.progress_callback()) {
+        Ok((session, hidden)) => {
+            let mut loaded_session = LoadedSession::new(session, Vec::new(), Origin::Simulated);
+            loaded_session.hidden = Some(hidden.into());
+            Cloud::of(&loaded_session);
+            Ok(Opened::Session(Arc::new(loaded_session)))
+        }
+        Err(problems) => Err(Message::wrong(
+            say!("The simulation needs other numbers").to_owned(),
+            problems.iter().map(spoken).collect(),
+        )),
+    }
+}
+
+/// The example that the window opens on.
+pub(crate) fn first_example() -> Arc<LoadedSession> {
+    let example = &EXAMPLES[0];
+    let (document, samples) = example.files();
+    let loaded = pipeline::parse_with_csv(document, samples);
+    let loaded = loaded.expect("a test reads every bundled session");
+    Arc::new(LoadedSession::new(
+        loaded.session,
+        loaded.findings,
+        Origin::Bundled,
+    ))
+}
+
+/// Reads a bundled session.
+pub(crate) fn open_example(index: usize) -> Result<Opened, Message> {
+    let Some(example) = EXAMPLES.get(index) else {
+        return Err(Message::wrong(
+            say!("There is no such example").to_owned(),
+            vec![say!("The examples are in the File menu").to_owned()],
+        ));
+    };
+    let (document, samples) = example.files();
+    let loaded = pipeline::parse_with_csv(document, samples);
+    let progress = Progress::new(&unwatched);
+    let loaded_session = loaded.map_err(ReadError::from);
+    let loaded_session = loaded_session
+        .and_then(|l| Ok(looked_through(l, Origin::Bundled, None, progress.whole())?));
+    loaded_session
+        .map(Opened::Session)
+        .map_err(|error| not_opened(example.name(), &error))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gui::core::disk::EXAMPLES;
+    use crate::gui::testing::session_of_a_urdf;
+    use crate::progress::testing::{assert_grows, no_at, report_to};
+
+    #[test]
+    fn looking_through_a_session_can_be_cancelled_wherever_it_tells_how_far_it_is() {
+        let example = &EXAMPLES[1];
+        let through = |watch: &dyn Fn(f64) -> std::ops::ControlFlow<()>| {
+            let loaded = {
+                let (document, samples) = example.files();
+                pipeline::parse_with_csv(document, samples)
+            };
+            let progress = Progress::new(watch);
+            looked_through(loaded.unwrap(), Origin::Bundled, None, progress.whole())
+        };
+        let (shares, loaded_session) = report_to(through);
+        assert_grows(&shares);
+        assert_eq!(loaded_session.map(|s| s.len()).ok(), Some(30));
+        for number in 0..shares.len() {
+            assert!(through(&no_at(number)).is_err(), "{number}");
+        }
+    }
+
+    #[test]
+    fn a_session_of_a_urdf_brings_its_meshes_and_a_damaged_one_is_a_warning() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let write = |mesh: &str| session_of_a_urdf(folder.path(), mesh);
+        let path = write("v 0 0 0\nv 1 0 0\nv 0 0 1\nf 1 2 3\n");
+        let opened = || match open(&path, None, &Watch::default()) {
+            Ok(Opened::Session(loaded_session)) => loaded_session,
+            other => panic!("{other:?}"),
+        };
+        let loaded_session = opened();
+        let parts = loaded_session.appearance.as_deref().map(|a| a.parts.len());
+        assert_eq!(parts, Some(1));
+        // Whatever is changed of the session, the robot looks as it did.
+        assert!(
+            loaded_session
+                .with(loaded_session.session.clone())
+                .appearance
+                .is_some()
+        );
+        write("v 0 0 0\nv 1 0 0\nf 1 2 3\n");
+        let loaded_session = opened();
+        assert!(loaded_session.appearance.is_none());
+        let warned = loaded_session.findings.iter().map(ToString::to_string);
+        let warned: Vec<String> = warned.filter(|says| says.contains("arm.obj")).collect();
+        assert!(
+            warned.len() == 1 && warned[0].contains("line 3"),
+            "{warned:?}"
+        );
+    }
+
+    #[test]
+    fn every_bundled_session_can_be_read() {
+        for (index, example) in EXAMPLES.iter().enumerate() {
+            assert!(open_example(index).is_ok(), "{}", example.name());
+        }
+    }
 }

@@ -12,8 +12,8 @@ use crate::report::{ExportedTable, Extras, Kind};
 use crate::{fonts, pipeline};
 
 use crate::gui::cache::identified::IdentifiedAnswer;
+use crate::gui::core::answer::{self, Search};
 use crate::gui::core::document::Document;
-use crate::gui::core::search::{self, Search};
 use crate::gui::file_state::machines::Stated;
 use crate::gui::files;
 use crate::gui::jobs::Watch;
@@ -78,7 +78,7 @@ fn make(
             // A report that is cancelled is none.
             let options = Options {
                 keep_when_stopped: false,
-                ..search::options()
+                ..answer::options()
             };
             let there = searched.as_ref().and_then(|s| s.answer.as_ref().ok());
             let made;
@@ -87,7 +87,7 @@ fn make(
                 found
             } else {
                 details.push(say!("The diagnosis was run for it").to_owned());
-                made = pipeline::diagnose(&session, &options, &search::progress_callback(watch))
+                made = pipeline::diagnose(&session, &options, &answer::progress_callback(watch))
                     .map_err(|e| spoken(e.describe()))?;
                 &made
             };

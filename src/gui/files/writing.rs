@@ -10,7 +10,7 @@ use crate::export::{Document, Job};
 use crate::fonts::Library;
 use crate::gui::cache::identified::PreviewRequest;
 use crate::gui::core::compensated::Compensated;
-use crate::gui::core::disk::{FileChange, Fingerprint};
+use crate::gui::core::disk::{FileChange, Fingerprint, name_of};
 use crate::gui::jobs::Watch;
 use crate::gui::view::{Message, What};
 use crate::language::spoken;
@@ -199,10 +199,7 @@ pub(crate) fn write_targets(
     inputs: &[PathBuf],
 ) -> Message {
     let sidecar_path = sidecar_of(path);
-    let name = sidecar_path
-        .file_name()
-        .unwrap_or_default()
-        .to_string_lossy();
+    let name = name_of(&sidecar_path);
     let written = match &compensated.result {
         Err(not_corrected) => Err(not_corrected.problems.join("\n")),
         Ok(corrected) => can_be_written(path, replace, inputs).and_then(|()| {

@@ -6,7 +6,6 @@
 //! sheet shows what an import would bring before it is pressed, and pressing it only takes that.
 
 mod answers;
-mod neighbours;
 mod trial;
 
 use crate::text::{Template, spoken};
@@ -22,7 +21,7 @@ use crate::sessions::files::open;
 use crate::gui::jobs::Watch;
 
 pub(crate) use answers::{Companion, ImportAnswers, RobotFrom, TypedAxis};
-pub(crate) use neighbours::{Neighbours, ROBOTS, TABLES};
+pub(crate) use answers::{Neighbours, ROBOTS, TABLES};
 pub(crate) use trial::{Trial, in_the_sheets_words};
 
 /// A file that is longer, in bytes, is not read into memory.

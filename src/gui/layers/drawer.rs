@@ -12,10 +12,8 @@ use egui_wgpu::wgpu::{self, Buffer, BufferUsages, Device, Queue};
 use crate::gui::cache::cloud::{Cloud, Place, Remainder, RemainderRow};
 use crate::gui::cache::heat::Heat;
 
-use super::frame::Frame;
-use super::pipelines::{
-    BySample, DEPTH, SAMPLE, columns, group, pipeline, pipeline_layout, shader,
-};
+use super::Frame;
+use super::{BySample, DEPTH, SAMPLE, columns, group, pipeline, pipeline_layout, shader};
 
 /// Samples in one buffer: far below the 256 MiB that every device offers.
 const CHUNK: usize = 1 << 20;

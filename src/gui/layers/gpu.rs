@@ -16,9 +16,9 @@ use crate::gui::cache::cloud::{Cloud, Remainder};
 use crate::gui::cache::heat::Heat;
 use crate::gui::view::Canvas;
 
+use super::BySample;
+use super::Frame;
 use super::drawer::{Drawer, Drawn, Target};
-use super::frame::Frame;
-use super::pipelines::BySample;
 
 /// What a renderer without a graphics processor draws at once: about a tenth of a second.
 const MOST_IN_SOFTWARE: usize = 50_000;
@@ -194,9 +194,9 @@ mod tests {
     use std::sync::Arc;
 
     use crate::gui::cache::cloud::{Cloud, Place};
-    use crate::gui::layers::frame::{Frame, LayerOptions, scale_at};
     use crate::gui::layers::tests::{as_parts, can_draw, drawn, frame, look, transform};
-    use crate::gui::style::tokens::LIGHT;
+    use crate::gui::layers::{Frame, LayerOptions, scale_at};
+    use crate::gui::style::LIGHT;
     use crate::gui::view::Colouring;
 
     use super::*;

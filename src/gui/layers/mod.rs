@@ -8,17 +8,404 @@
 //!
 //! - Model, in [`cache`](crate::gui::cache): `cloud` (the samples as they are uploaded), `heat` (the error over the
 //!   plane), `projected` (which samples are drawn, and which is under the pointer).
-//! - Layout: `frame`: where all of it goes in this frame, as the shaders take it.
-//! - Paint: `gpu` (what egui calls back, in space by depth and in a picture of their own), `drawer` (what stays on
-//!   the graphics processor) and `pipelines` with `frame.wgsl`, `sample.wgsl`, `arrows.wgsl`, `marks.wgsl`, `heat.wgsl`
-//!   and `copy.wgsl`.
+//! - Layout, here: where all of it goes in this frame, the uniform of all shaders, worked out without any of them;
+//!   how shaders are put together, and what they read (`frame.wgsl`, `sample.wgsl`, `arrows.wgsl`, `marks.wgsl`,
+//!   `heat.wgsl` and `copy.wgsl`).
+//! - Paint: `gpu` (what egui calls back, in space by depth and in a picture of their own) and `drawer` (what stays on
+//!   the graphics processor).
 
 mod drawer;
-mod frame;
-mod gpu;
-mod pipelines;
+pub(crate) mod gpu;
 #[cfg(all(test, feature = "window-tests"))]
 mod tests;
 
-pub(crate) use frame::{Frame, HEAT, LayerOptions, OUTLINE, WEDGE, WIDTH, scale_at};
-pub(crate) use gpu::{CloudLayer, HeatLayer, Layer, SpaceLayer, register};
+use egui::{Color32, Rect};
+use egui_plot::{PlotPoint, PlotTransform};
+use egui_wgpu::wgpu::{self, Device};
+
+use crate::numeric::single;
+
+use crate::gui::cache::cloud::{Place, RemainderRow};
+use crate::gui::cache::heat::Heat;
+use crate::gui::style::{Palette, STOPS};
+use crate::gui::view::{Colouring, Facing};
+
+/// Rows of four numbers; `frame.wgsl` names them.
+const ROWS: usize = 17 + STOPS;
+
+/// Width of an error vector, points, at any zoom.
+pub(crate) const WIDTH: f32 = 1.6;
+/// The narrowest and the widest of a vector whose width says what its colour says.
+pub(crate) const WEDGE: [f32; 2] = [0.9, 3.2];
+/// Width of the outline of a mark that is filled with what colour says, points.
+pub(crate) const OUTLINE: f32 = 0.8;
+/// How much of what is beneath the heat map hides.
+pub(crate) const HEAT: f32 = 0.72;
+
+/// How much of its colour what is farthest loses.
+const FADE: f32 = 0.6;
+
+/// What the layers show, and how.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct LayerOptions {
+    pub(crate) facing: Facing,
+    /// What is nearer or farther than the middle by no more than this is drawn by its depth, mm;
+    /// `None`: depth does not count.
+    pub(crate) deep_mm: Option<f64>,
+    /// The middle of the cloud, mm.
+    pub(crate) centre_mm: [f64; 3],
+    /// Whether the deviations before are of another frame, so that they are not shown beside.
+    pub(crate) framed: bool,
+    /// From before, 0, to after, 1; 0 without an answer.
+    pub(crate) blend: f32,
+    pub(crate) answered: bool,
+    /// How much longer than real the vectors are drawn.
+    pub(crate) magnification: f64,
+    /// The upper end of the scale of deviations, mm.
+    pub(crate) long_mm: f64,
+    /// How far a sample may be off, mm.
+    pub(crate) tolerance_mm: Option<f64>,
+    /// What colour says.
+    pub(crate) colouring: Colouring,
+    /// Size of marks, where 1 is the size of few.
+    pub(crate) mark: f32,
+}
+
+impl LayerOptions {
+    /// Whether the deviations before stand pale beside those that are shown: only where no colour
+    /// has to be compared with theirs.
+    pub(crate) fn ghosts(&self) -> bool {
+        let both = self.answered && self.blend > 0.0 && !self.framed;
+        both && self.colouring == Colouring::State
+    }
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Frame {
+    pub(crate) rows: [[f32; 4]; ROWS],
+}
+
+impl Frame {
+    /// The frame of a plot. `pixels` is how many of the screen's pixels a point takes.
+    pub(crate) fn new(
+        look: &LayerOptions,
+        palette: &Palette,
+        transform: &PlotTransform,
+        heat: Option<&Heat>,
+        pixels: f32,
+    ) -> Self {
+        let axis = |[x, y, z]: [f64; 3], last: f64| [x, y, z, last].map(single);
+        let middle = look.facing.flat(look.centre_mm);
+        let at = transform.position_from_point(&PlotPoint::new(middle[0], middle[1]));
+        let viewport = viewport(*transform.frame(), pixels);
+        let [sx, sy] = [transform.dpos_dvalue_x(), transform.dpos_dvalue_y()];
+        let tolerance = look.tolerance_mm.map_or(-1.0, single);
+        let mut rows = [[0.0; 4]; ROWS];
+        rows[0] = axis(look.facing.right, 0.0);
+        rows[1] = axis(look.facing.up, 0.0);
+        rows[2] = [
+            single(sx) * pixels,
+            single(sy) * pixels,
+            at.x * pixels - viewport.left(),
+            at.y * pixels - viewport.top(),
+        ];
+        // The last depends on whether the target wants linear colours.
+        rows[3] = [viewport.width(), viewport.height(), pixels, 0.0];
+        let long = single(look.long_mm.max(1e-12));
+        rows[4] = [look.blend, single(look.magnification), long, tolerance];
+        let answered = if look.answered { 1.0 } else { 0.0 };
+        rows[5] = [mode(look.colouring), answered, WIDTH, look.mark];
+        // A colour that stands for a number is the same near and far.
+        let fades = look.deep_mm.is_some() && look.colouring == Colouring::State;
+        rows[6] = [WEDGE[0], WEDGE[1], HEAT, if fades { FADE } else { 0.0 }];
+        rows[7][3] = viewport.left();
+        rows[8][2] = viewport.top();
+        if let Some(heat) = heat {
+            let first = [0, 1].map(|k| single(heat.first_mm[k] - middle[k]));
+            let [columns, lines] = heat.size.map(|n| n as f32);
+            rows[7] = [
+                first[0],
+                first[1],
+                single(1.0 / heat.cell_mm),
+                viewport.left(),
+            ];
+            rows[8] = [columns, lines, viewport.top(), 0.0];
+        }
+        let flat = if look.answered {
+            palette.after
+        } else {
+            palette.before
+        };
+        rows[9] = straight(flat, 1.0);
+        rows[10] = straight(palette.before, 0.38);
+        rows[11] = straight(palette.text, 1.0);
+        rows[12] = straight(palette.within, 1.0);
+        rows[13] = straight(palette.outside, 1.0);
+        rows[14] = straight(palette.surface, 1.0);
+        rows[15] = straight(palette.warning, 1.0);
+        rows[16] = look.deep_mm.map_or([0.0; 4], |deep| {
+            axis(look.facing.towards, 0.5 / deep.max(1e-9))
+        });
+        for (row, stop) in rows[17..].iter_mut().zip(stops(look.colouring, palette)) {
+            *row = straight(stop, 1.0);
+        }
+        Self { rows }
+    }
+
+    /// Width and height of what is drawn on, pixels; at least 1 and at most so many.
+    #[allow(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "within what a texture can be"
+    )]
+    fn size(&self, most: u32) -> [u32; 2] {
+        let [width, height, ..] = self.rows[3];
+        [width, height].map(|side| side.clamp(1.0, most as f32) as u32)
+    }
+}
+
+/// The pixels that egui draws a plot's frame on.
+fn viewport(frame: Rect, pixels: f32) -> Rect {
+    let corner = |p: egui::Pos2| egui::pos2((p.x * pixels).round(), (p.y * pixels).round());
+    Rect::from_min_max(corner(frame.min), corner(frame.max))
+}
+
+/// The scale that goes with what colour says.
+fn stops(colouring: Colouring, palette: &Palette) -> [Color32; STOPS] {
+    match colouring {
+        Colouring::Direction => palette.cycle,
+        _ => palette.scale,
+    }
+}
+
+/// A colour of a scale, at 0 to 1; the circle of directions begins again at 1.
+pub(crate) fn scale_at(colouring: Colouring, palette: &Palette, part: f32) -> Color32 {
+    let stops = stops(colouring, palette);
+    let around = colouring == Colouring::Direction;
+    let steps = if around { STOPS } else { STOPS - 1 };
+    let place = if around {
+        part.rem_euclid(1.0)
+    } else {
+        part.clamp(0.0, 1.0)
+    } * steps as f32;
+    let first = crate::numeric::whole(f64::from(place)).min(steps - 1);
+    let next = (first + 1) % STOPS;
+    stops[first].lerp_to_gamma(stops[next], place - first as f32)
+}
+
+fn mode(colouring: Colouring) -> f32 {
+    match colouring {
+        Colouring::State => 0.0,
+        Colouring::Deviation => 1.0,
+        Colouring::Direction => 2.0,
+        Colouring::Load => 3.0,
+        Colouring::Temperature => 4.0,
+        Colouring::Time => 5.0,
+        Colouring::Uncertainty => 6.0,
+    }
+}
+
+fn straight(color: Color32, opacity: f32) -> [f32; 4] {
+    let [r, g, b] = [color.r(), color.g(), color.b()].map(|c| f32::from(c) / 255.0);
+    [r, g, b, opacity]
+}
+
+/// What arrows and marks are both drawn from.
+const SAMPLE: &str = include_str!("sample.wgsl");
+
+fn shader(device: &Device, own: &[&str]) -> wgpu::ShaderModule {
+    let source = include_str!("frame.wgsl").to_owned() + &own.concat();
+    device.create_shader_module(wgpu::ShaderModuleDescriptor {
+        label: Some("layer"),
+        source: wgpu::ShaderSource::Wgsl(source.into()),
+    })
+}
+
+fn pipeline_layout(
+    device: &Device,
+    groups: &[Option<&wgpu::BindGroupLayout>],
+) -> wgpu::PipelineLayout {
+    device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+        label: Some("layer"),
+        bind_group_layouts: groups,
+        immediate_size: 0,
+    })
+}
+
+/// A [`Place`] and a row of a [`Remainder`], one of each for each instance.
+fn columns() -> [Option<wgpu::VertexBufferLayout<'static>>; 2] {
+    const PLACE: [wgpu::VertexAttribute; 3] =
+        wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3, 2 => Float32x3];
+    const REMAINS: [wgpu::VertexAttribute; 3] =
+        wgpu::vertex_attr_array![3 => Float32x3, 4 => Float32, 5 => Float32];
+    let layout = |stride: usize, attributes| wgpu::VertexBufferLayout {
+        array_stride: stride as u64,
+        step_mode: wgpu::VertexStepMode::Instance,
+        attributes,
+    };
+    [
+        Some(layout(size_of::<Place>(), &PLACE)),
+        Some(layout(size_of::<RemainderRow>(), &REMAINS)),
+    ]
+}
+
+/// How near what is drawn in space is.
+const DEPTH: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
+
+fn nearest_first() -> wgpu::DepthStencilState {
+    wgpu::DepthStencilState {
+        format: DEPTH,
+        depth_write_enabled: Some(true),
+        depth_compare: Some(wgpu::CompareFunction::LessEqual),
+        stencil: wgpu::StencilState::default(),
+        bias: wgpu::DepthBiasState::default(),
+    }
+}
+
+/// A pipeline with this vertex function; where `depth` counts, what is near covers what is far.
+fn pipeline(
+    device: &Device,
+    layout: &wgpu::PipelineLayout,
+    module: &wgpu::ShaderModule,
+    vertex: &str,
+    buffers: &[Option<wgpu::VertexBufferLayout<'_>>],
+    format: wgpu::TextureFormat,
+    depth: bool,
+) -> wgpu::RenderPipeline {
+    device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+        label: Some(vertex),
+        layout: Some(layout),
+        vertex: wgpu::VertexState {
+            module,
+            entry_point: Some(vertex),
+            compilation_options: wgpu::PipelineCompilationOptions::default(),
+            buffers,
+        },
+        primitive: wgpu::PrimitiveState::default(),
+        depth_stencil: depth.then(nearest_first),
+        multisample: wgpu::MultisampleState::default(),
+        fragment: Some(wgpu::FragmentState {
+            module,
+            entry_point: Some("covered"),
+            compilation_options: wgpu::PipelineCompilationOptions::default(),
+            targets: &[Some(wgpu::ColorTargetState {
+                format,
+                blend: Some(wgpu::BlendState::PREMULTIPLIED_ALPHA_BLENDING),
+                write_mask: wgpu::ColorWrites::ALL,
+            })],
+        }),
+        multiview_mask: None,
+        cache: None,
+    })
+}
+
+/// What draws once for each sample.
+struct BySample {
+    marks: wgpu::RenderPipeline,
+    ghosts: wgpu::RenderPipeline,
+    arrows: wgpu::RenderPipeline,
+}
+
+/// A group of one thing that a shader reads.
+fn group(
+    device: &Device,
+    layout: &wgpu::BindGroupLayout,
+    resource: wgpu::BindingResource<'_>,
+) -> wgpu::BindGroup {
+    device.create_bind_group(&wgpu::BindGroupDescriptor {
+        label: Some("what a layer reads"),
+        layout,
+        entries: &[wgpu::BindGroupEntry {
+            binding: 0,
+            resource,
+        }],
+    })
+}
+
+#[cfg(test)]
+mod frames {
+    use super::*;
+    use crate::gui::style::LIGHT;
+    use egui_plot::PlotBounds;
+
+    const LOOK: LayerOptions = LayerOptions {
+        facing: Facing {
+            right: [1.0, 0.0, 0.0],
+            up: [0.0, 0.0, 1.0],
+            towards: [0.0, -1.0, 0.0],
+        },
+        deep_mm: None,
+        framed: false,
+        centre_mm: [10.0, 20.0, 30.0],
+        blend: 0.0,
+        answered: false,
+        magnification: 50.0,
+        long_mm: 2.0,
+        tolerance_mm: None,
+        colouring: Colouring::State,
+        mark: 1.0,
+    };
+
+    /// A plot of 400 × 200 points at (30, 40), 200 mm wide.
+    fn transform(middle: [f64; 2]) -> PlotTransform {
+        let frame = Rect::from_min_size(egui::pos2(30.0, 40.0), egui::vec2(400.0, 200.0));
+        let [x, y] = middle;
+        let bounds = PlotBounds::from_min_max([x - 100.0, y - 50.0], [x + 100.0, y + 50.0]);
+        PlotTransform::new(frame, bounds, false)
+    }
+
+    /// What the shader makes of a point, in pixels of the viewport.
+    fn placed(frame: &Frame, p: [f64; 3]) -> [f32; 2] {
+        let relative = [0, 1, 2].map(|k| single(p[k] - LOOK.centre_mm[k]));
+        let along = |row: [f32; 4]| (0..3).map(|k| row[k] * relative[k]).sum::<f32>();
+        let [sx, sy, ox, oy] = frame.rows[2];
+        [
+            ox + sx * along(frame.rows[0]),
+            oy + sy * along(frame.rows[1]),
+        ]
+    }
+
+    #[test]
+    fn a_point_is_where_the_plot_has_it_at_any_pixel_density() {
+        let transform = transform([12.0, 33.0]);
+        for pixels in [1.0, 1.5, 2.0] {
+            let frame = Frame::new(&LOOK, &LIGHT, &transform, None, pixels);
+            for p in [[10.0, 0.0, 30.0], [-40.0, 7.0, 55.0]] {
+                let expected = transform.position_from_point(&PlotPoint::new(p[0], p[2]));
+                let corner = viewport(*transform.frame(), pixels).min;
+                let [x, y] = placed(&frame, p);
+                assert!((x + corner.x - pixels * expected.x).abs() < 1e-3);
+                assert!((y + corner.y - pixels * expected.y).abs() < 1e-3);
+            }
+        }
+    }
+
+    #[test]
+    fn both_axes_have_the_same_scale_and_up_is_up() {
+        let frame = Frame::new(&LOOK, &LIGHT, &transform([0.0, 0.0]), None, 1.0);
+        let [sx, sy, ..] = frame.rows[2];
+        assert!((sx - 2.0).abs() < 1e-6 && (sy + 2.0).abs() < 1e-6);
+    }
+
+    #[test]
+    fn zooming_changes_the_scale_and_not_the_width_of_lines() {
+        let near = Frame::new(&LOOK, &LIGHT, &transform([0.0, 0.0]), None, 2.0);
+        let frame = Rect::from_min_size(egui::pos2(30.0, 40.0), egui::vec2(400.0, 200.0));
+        let bounds = PlotBounds::from_min_max([-1000.0, -500.0], [1000.0, 500.0]);
+        let far = PlotTransform::new(frame, bounds, false);
+        let far = Frame::new(&LOOK, &LIGHT, &far, None, 2.0);
+        assert!((near.rows[2][0] / far.rows[2][0] - 10.0).abs() < 1e-4);
+        assert_eq!(near.rows[5], far.rows[5]);
+    }
+
+    #[test]
+    fn a_scale_goes_through_its_colours_and_directions_go_around() {
+        let sequence = |part| scale_at(Colouring::Deviation, &LIGHT, part);
+        assert_eq!(sequence(-1.0), LIGHT.scale[0]);
+        assert_eq!(sequence(2.0), LIGHT.scale[STOPS - 1]);
+        let around = |part| scale_at(Colouring::Direction, &LIGHT, part);
+        assert_eq!(around(0.0), LIGHT.cycle[0]);
+        assert_eq!(around(1.0), LIGHT.cycle[0]);
+        assert_eq!(around(0.5), LIGHT.cycle[STOPS / 2]);
+    }
+}

@@ -11,11 +11,11 @@ use egui_kittest::wgpu::{WgpuTestRenderer, create_render_state, default_wgpu_set
 use egui_plot::{PlotBounds, PlotTransform};
 use egui_wgpu::RendererOptions;
 
-use crate::gui::style::tokens::{DARK, LIGHT, Palette};
+use crate::gui::style::{DARK, LIGHT, Palette};
 use crate::gui::view::{Colouring, Plane};
 
-use super::frame::{Frame, HEAT, LayerOptions, OUTLINE, WIDTH, scale_at};
 use super::gpu::{CloudLayer, HeatLayer, Layer, register};
+use super::{Frame, HEAT, LayerOptions, OUTLINE, WIDTH, scale_at};
 use crate::gui::cache::cloud::{Cloud, Place, Remainder};
 use crate::gui::cache::heat::Heat;
 

@@ -8,7 +8,8 @@ use std::hash::Hash;
 use egui::{Context, Rect, Response, RichText, Ui, Vec2, vec2};
 use egui_plot::{Plot, PlotResponse, PlotUi};
 
-use crate::gui::style::tokens::{size, strong};
+use crate::gui::style::size;
+use crate::gui::widgets;
 use crate::gui::widgets::icon_button;
 use crate::gui::workbench::Command;
 
@@ -115,7 +116,7 @@ pub(crate) fn fit(ui: &mut Ui, name: &str, command: Command, commands: &mut Vec<
     painter.add(super::disc(at(0.0, 0.0), 1.8, sign.color));
     let response = sign.response.on_hover_ui(|ui| {
         ui.set_max_width(320.0);
-        ui.label(RichText::new(name).font(strong(size::BODY)));
+        widgets::bold(ui, name);
         for (how, what) in GESTURES {
             let says = format!("{}: {}", spoken(how), spoken(what));
             ui.label(RichText::new(says).size(size::SMALL));

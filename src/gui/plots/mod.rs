@@ -1,23 +1,29 @@
-//! What plots are made of: axes in the window's type, with a label wherever one fits; marks, the strip
-//! above them, gestures, a chart on the screen. A plot itself is a model (what is shown), a layout (where it
-//! goes; both are tested without pixels) and paint (egui).
+//! What plots are made of: axes in the window's type, with a label wherever one fits; marks, and a drawing in plot
+//! coordinates: shape says what colour says, a triangle points the way that the joint came. A plot itself is a model
+//! (what is shown), a layout (where it goes; both are tested without pixels) and paint (egui).
 
 pub(crate) mod chart;
 pub(crate) mod gestures;
-pub(crate) mod legend;
-pub(crate) mod marks;
 
-pub(crate) use marks::{Drawing, disc};
+use std::ops::RangeInclusive;
 
-use egui::{FontId, Rangef, Response, RichText, Role, Ui, WidgetInfo};
-use egui_plot::{Axis, AxisHints, GridMark};
+use egui::epaint::{Mesh, Tessellator, Vertex};
+use egui::{
+    Color32, Context, FontId, Pos2, Rangef, Response, RichText, Role, Shape, Stroke, Ui,
+    WidgetInfo, vec2,
+};
+use egui_plot::{
+    Axis, AxisHints, GridMark, PlotBounds, PlotGeometry, PlotItem, PlotItemBase, PlotTransform,
+};
 
-use crate::gui::style::tokens::{Palette, size};
+use crate::present::chart::{Form, Ticks, ticks};
+use crate::present::numbers::trimmed;
+
+use crate::gui::scene::paint::{DIAMOND, TRIANGLE, corners_of};
+use crate::gui::style::{Palette, size};
 use crate::gui::view::{Plot, What};
 use crate::gui::widgets;
 use crate::gui::workbench::{Asked, Command};
-use crate::present::chart::{Ticks, ticks};
-use crate::present::numbers::trimmed;
 
 /// Saves a plot as a file.
 pub(crate) fn picture(ui: &mut Ui, plot: Plot, commands: &mut Vec<Command>) {
@@ -121,9 +127,149 @@ fn steps((low, high): (f64, f64), degrees: bool, lines: f64) -> Vec<GridMark> {
     values.into_iter().map(mark).collect()
 }
 
+pub(crate) fn disc(at: Pos2, radius: f32, fill: Color32) -> Shape {
+    Shape::circle_filled(at, radius, fill)
+}
+
+pub(crate) fn ring(at: Pos2, radius: f32, stroke: Stroke) -> Shape {
+    Shape::circle_stroke(at, radius, stroke)
+}
+
+/// A mark of a chart.
+pub(crate) fn mark(at: Pos2, radius: f32, form: Form, fill: Color32, stroke: Stroke) -> Shape {
+    let corners = match form {
+        Form::Disc => {
+            return Shape::Circle(egui::epaint::CircleShape {
+                center: at,
+                radius,
+                fill,
+                stroke,
+            });
+        }
+        Form::Diamond => corners_of(&DIAMOND, at, 1.3 * radius, vec2(1.0, 0.0)),
+        Form::Forwards => corners_of(&TRIANGLE, at, radius, vec2(1.0, 0.0)),
+        Form::Backwards => corners_of(&TRIANGLE, at, radius, vec2(-1.0, 0.0)),
+    };
+    Shape::convex_polygon(corners, fill, stroke)
+}
+
+/// Adds many marks that look alike but for their form. Paths are one mesh: each form is tessellated once and then
+/// set down wherever it stands, at a tenth of what as many paths cost. Filled discs stay shapes, since epaint has
+/// them in its atlas of glyphs, which may grow until the frame ends.
+pub(crate) fn many(
+    ctx: &Context,
+    places: impl ExactSizeIterator<Item = (Pos2, Form)>,
+    (radius, fill, stroke): (f32, Color32, Stroke),
+    shapes: &mut Vec<Shape>,
+) {
+    let following = places.len();
+    let options = ctx.tessellation_options(|options| *options);
+    // No text and no prepared disc is among them.
+    let mut tessellator = Tessellator::new(ctx.pixels_per_point(), options, [1, 1], Vec::new());
+    let mut stamps: Vec<(Form, Mesh)> = Vec::new();
+    let mut mesh = Mesh::default();
+    for (at, form) in places {
+        if form == Form::Disc && fill != Color32::TRANSPARENT {
+            shapes.push(mark(at, radius, form, fill, stroke));
+            continue;
+        }
+        let known = stamps.iter().position(|(of, _)| *of == form);
+        let stamp = known.unwrap_or_else(|| {
+            let mut stamp = Mesh::default();
+            let shape = mark(Pos2::ZERO, radius, form, fill, stroke);
+            tessellator.tessellate_shape(shape, &mut stamp);
+            // Room for those that follow, as if all looked like this one.
+            if stamps.is_empty() {
+                mesh.vertices.reserve(following * stamp.vertices.len());
+                mesh.indices.reserve(following * stamp.indices.len());
+            }
+            stamps.push((form, stamp));
+            stamps.len() - 1
+        });
+        set_down(&mut mesh, &stamps[stamp].1, at);
+    }
+    if !mesh.is_empty() {
+        shapes.push(Shape::mesh(mesh));
+    }
+}
+
+/// Adds a mesh about the origin, moved to a place.
+fn set_down(mesh: &mut Mesh, stamp: &Mesh, at: Pos2) {
+    #[allow(
+        clippy::cast_possible_truncation,
+        reason = "as many as the indices of a mesh can name"
+    )]
+    let first = mesh.vertices.len() as u32;
+    mesh.indices
+        .extend(stamp.indices.iter().map(|index| first + index));
+    let moved = |vertex: &Vertex| Vertex {
+        pos: vertex.pos + at.to_vec2(),
+        ..*vertex
+    };
+    mesh.vertices.extend(stamp.vertices.iter().map(moved));
+}
+
+type Draw<'a> = Box<dyn Fn(&Ui, &PlotTransform, &mut Vec<Shape>) + 'a>;
+
+/// A drawing as an item of an egui plot. It takes part in the plot's bounds and in nothing else: what can be hovered is
+/// the plots' own affair.
+pub(crate) struct Drawing<'a> {
+    base: PlotItemBase,
+    bounds: PlotBounds,
+    draw: Draw<'a>,
+}
+
+impl<'a> Drawing<'a> {
+    /// Something drawn within these bounds (smallest and largest corner).
+    pub(crate) fn new(
+        name: &str,
+        [min, max]: [[f64; 2]; 2],
+        draw: impl Fn(&Ui, &PlotTransform, &mut Vec<Shape>) + 'a,
+    ) -> Self {
+        Self {
+            base: PlotItemBase::new(name.to_owned()),
+            bounds: PlotBounds::from_min_max(min, max),
+            draw: Box::new(draw),
+        }
+    }
+}
+
+impl PlotItem for Drawing<'_> {
+    fn shapes(&self, ui: &Ui, transform: &PlotTransform, shapes: &mut Vec<Shape>) {
+        (self.draw)(ui, transform, shapes);
+    }
+
+    fn initialize(&mut self, _: RangeInclusive<f64>) {}
+
+    fn color(&self) -> Color32 {
+        Color32::TRANSPARENT
+    }
+
+    fn allow_hover(&self) -> bool {
+        false
+    }
+
+    fn geometry(&self) -> PlotGeometry<'_> {
+        PlotGeometry::None
+    }
+
+    fn bounds(&self) -> PlotBounds {
+        self.bounds
+    }
+
+    fn base(&self) -> &PlotItemBase {
+        &self.base
+    }
+
+    fn base_mut(&mut self) -> &mut PlotItemBase {
+        &mut self.base
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use egui::pos2;
 
     #[test]
     fn lines_are_round_in_the_unit_in_which_they_are_written() {
@@ -133,6 +279,40 @@ mod tests {
         assert_eq!(inches.len(), 7, "{inches:?}");
         for inch in inches {
             assert!((inch / 5.0 - (inch / 5.0).round()).abs() < 1e-9, "{inch}");
+        }
+    }
+
+    #[test]
+    fn many_marks_are_what_each_of_them_would_be() {
+        let ctx = Context::default();
+        let forms = [
+            Form::Diamond,
+            Form::Forwards,
+            Form::Disc,
+            Form::Backwards,
+            Form::Forwards,
+        ];
+        let at = |k: usize| pos2(10.0 + 7.3 * k as f32, 20.0 - 3.1 * k as f32);
+        let places = || forms.iter().enumerate().map(|(k, form)| (at(k), *form));
+        let stroke = Stroke::new(1.2, Color32::RED);
+        for (fill, apart) in [(Color32::TRANSPARENT, 0), (Color32::BLUE, 1)] {
+            let mut shapes = Vec::new();
+            many(&ctx, places(), (3.2, fill, stroke), &mut shapes);
+            let Some(Shape::Mesh(all)) = shapes.pop() else {
+                panic!("the last is the mesh");
+            };
+            assert_eq!(shapes.len(), apart, "discs");
+            let options = ctx.tessellation_options(|options| *options);
+            let mut tessellator = Tessellator::new(1.0, options, [1, 1], Vec::new());
+            let mut each = Mesh::default();
+            for (at, form) in places().filter(|(_, form)| apart == 0 || *form != Form::Disc) {
+                tessellator.tessellate_shape(mark(at, 3.2, form, fill, stroke), &mut each);
+            }
+            assert_eq!(all.indices, each.indices);
+            assert_eq!(all.vertices.len(), each.vertices.len());
+            for (a, b) in all.vertices.iter().zip(&each.vertices) {
+                assert!(a.pos.distance(b.pos) < 1e-4 && a.color == b.color && a.uv == b.uv);
+            }
         }
     }
 }

@@ -6,12 +6,13 @@ use egui::epaint::{CircleShape, Mesh};
 use egui::text::{LayoutJob, TextWrapping};
 use egui::{Align2, Color32, FontId, Galley, Painter, Pos2, Rect, Shape, Vec2};
 
-use super::camera::Camera;
-use super::items::{Label, Layer, LegendEntry};
+use super::paint::Camera;
 use super::paint::{Canvas, items};
-use super::tint::{ColourToken, Stroke, Tint};
-use crate::gui::layers::{CloudLayer, Frame, HeatLayer, Layer as _, LayerOptions, SpaceLayer};
-use crate::gui::style::tokens::{Palette, strong};
+use super::{ColourToken, Stroke, Tint};
+use super::{Label, Layer, LegendEntry};
+use crate::gui::layers::gpu::{CloudLayer, HeatLayer, Layer as _, SpaceLayer};
+use crate::gui::layers::{Frame, LayerOptions};
+use crate::gui::style::{Palette, strong};
 
 /// Shapes in the colours of a theme.
 pub(crate) struct Screen<'a> {
@@ -211,7 +212,7 @@ pub(crate) fn dashes(points: &[Pos2], stroke: egui::Stroke, lengths: [f32; 2]) -
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gui::style::tokens::DARK;
+    use crate::gui::style::DARK;
     use egui::pos2;
 
     #[test]

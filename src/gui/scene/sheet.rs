@@ -3,15 +3,15 @@
 
 use egui::{Align, Align2, Pos2, Rect, Vec2, pos2, vec2};
 
-use crate::gui::style::tokens::{LIGHT, size};
+use crate::gui::style::{LIGHT, size};
 use crate::present::chart::panel::Panel;
 use crate::present::chart::{Axis, is_wide};
 use crate::present::drawing::{self, Anchor, Colour, Drawing, INK, Item, MUTED};
 
-use super::camera::Camera;
-use super::items::{Label, LegendEntry, Scene};
+use super::paint::Camera;
 use super::paint::{Canvas, items, paint};
-use super::tint::{ColourToken, Stroke, Tint};
+use super::{ColourToken, Stroke, Tint};
+use super::{Label, LegendEntry, Scene};
 
 /// Width and height of the picture on paper, points.
 pub(crate) const SIZE: Vec2 = vec2(480.0, 360.0);
@@ -385,7 +385,7 @@ mod tests {
 
     #[test]
     fn what_is_seen_through_is_mixed_with_white() {
-        use crate::gui::scene::tint::ColourToken;
+        use crate::gui::scene::ColourToken;
         assert_eq!(colour(ColourToken::Surface.into()), Colour(255, 255, 255));
         assert_eq!(
             colour(ColourToken::Before.clear(0.0)),

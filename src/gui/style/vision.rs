@@ -1,5 +1,5 @@
 //! What colours look like to people who see some of them alike, and how far two colours are apart:
-//! for the tests of `tokens` and of the scales of the plots.
+//! for the tests of the tokens and of the scales of the plots.
 //!
 //! A colour is made linear (IEC 61966-2-1), multiplied by the matrix of the deficiency at full
 //! severity (G. M. Machado, M. M. Oliveira, L. A. F. Fernandes: A physiologically-based model for

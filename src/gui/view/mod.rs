@@ -2,14 +2,15 @@
 //! be undone.
 
 mod camera;
-mod output;
 mod panes;
 mod sheet;
+mod tiles;
 
 pub(crate) use camera::{Aspect, Ball, Camera, Colouring, Facing, Plane, Standard};
-pub(crate) use output::{About, Plot, What};
-pub(crate) use panes::{ChartPane, Content, Edge, Key, Pane, Panes, SplitShare, Tile};
+pub(crate) use panes::Panes;
+pub(crate) use sheet::{About, Plot, What};
 pub(crate) use sheet::{Message, NextAction, Sheet};
+pub(crate) use tiles::{ChartPane, Content, Edge, Key, Pane, SplitShare, Tile};
 
 use std::mem::Discriminant;
 use std::path::PathBuf;
@@ -183,6 +184,15 @@ impl ViewState {
     pub(crate) fn look(&mut self, aspect: Aspect) {
         self.aspect = aspect;
         self.panes.activate(self.panes.workspace());
+    }
+
+    /// The samples that are chosen.
+    pub(crate) fn chosen(&self) -> Vec<usize> {
+        if self.marked.is_empty() {
+            self.selected.into_iter().collect()
+        } else {
+            self.marked.clone()
+        }
     }
 
     /// Whether the workspace is looked at in three dimensions.

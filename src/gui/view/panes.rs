@@ -1,89 +1,17 @@
 //! What stands in the middle of the window: the workspace and charts, beside and below each other.
 //!
-//! A tree: its leaves are panes, a split divides its room among its parts by their shares. It is a
-//! document of its own beside the preferences, so whatever is read is brought into a form that can
-//! be shown: one workspace, not too many charts, shares that are numbers.
+//! The tree of panes is a document of its own beside the preferences, so whatever is read is brought into a form that
+//! can be shown: one workspace, not too many charts, shares that are numbers.
 
 use serde::{Deserialize, Serialize};
 
-use crate::gui::core::loaded_session::Component;
-use crate::gui::core::quantity::Quantity;
+use super::tiles::{ChartPane, Content, DEEPEST, Edge, Key, Pane, SplitShare, Tile, at_edge};
 
 /// Charts at once, at most.
-pub(crate) const MOST_CHARTS: usize = 6;
+const MOST_CHARTS: usize = 6;
+
 /// The workspace's share of what it shares with the first chart.
 const WORKSPACE: f32 = 0.66;
-/// Splits within splits, at most.
-const DEEPEST: usize = 8;
-
-/// A pane by its number: it keeps it while it is moved.
-pub(crate) type Key = u32;
-
-/// How a chart is looked at.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-#[serde(default, rename_all = "kebab-case")]
-pub(crate) struct ChartPane {
-    /// The chart by its name; `None`: what suits the step.
-    pub(crate) chart: Option<String>,
-    /// `None`: that of the view.
-    pub(crate) component: Option<Component>,
-    /// The joint that it is about, counted from 0; `None`: that of the view.
-    pub(crate) joint: Option<usize>,
-    /// What a scatter has across and upwards; `None`: as it begins.
-    pub(crate) axes: Option<[Quantity; 2]>,
-    /// Counts up when it is to show everything.
-    #[serde(skip)]
-    pub(crate) fitted: u64,
-}
-
-/// What stands in a pane.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub(crate) enum Content {
-    Workspace,
-    Chart(ChartPane),
-}
-
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub(crate) struct Pane {
-    #[serde(skip)]
-    pub(crate) key: Key,
-    pub(crate) shows: Content,
-}
-
-/// A part of a split, and how much of it.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub(crate) struct SplitShare {
-    pub(crate) share: f32,
-    pub(crate) tile: Tile,
-}
-
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub(crate) enum Tile {
-    Pane(Pane),
-    /// Side by side.
-    Beside(Vec<SplitShare>),
-    /// One below the other.
-    Below(Vec<SplitShare>),
-}
-
-/// An edge of a pane, or of the whole middle.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Edge {
-    Left,
-    Right,
-    Top,
-    Bottom,
-}
-
-impl Edge {
-    pub(crate) const ALL: [Self; 4] = [Self::Left, Self::Right, Self::Top, Self::Bottom];
-
-    fn is_sideways(self) -> bool {
-        matches!(self, Self::Left | Self::Right)
-    }
-}
 
 /// All panes, and which of them the keys are for.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -109,94 +37,6 @@ impl Default for Panes {
             part(1.0 - WORKSPACE, chart),
         ];
         Self::of(Tile::Below(parts))
-    }
-}
-
-impl Tile {
-    fn parts(&self) -> &[SplitShare] {
-        match self {
-            Self::Pane(_) => &[],
-            Self::Beside(parts) | Self::Below(parts) => parts,
-        }
-    }
-
-    fn split(side_by_side: bool, parts: Vec<SplitShare>) -> Self {
-        if side_by_side {
-            Self::Beside(parts)
-        } else {
-            Self::Below(parts)
-        }
-    }
-
-    /// Whether its parts stand side by side, and which they are.
-    fn into_parts(self) -> Result<(bool, Vec<SplitShare>), Self> {
-        match self {
-            Self::Beside(parts) => Ok((true, parts)),
-            Self::Below(parts) => Ok((false, parts)),
-            pane @ Self::Pane(_) => Err(pane),
-        }
-    }
-
-    fn gather<'a>(&'a self, all: &mut Vec<&'a Pane>) {
-        match self {
-            Self::Pane(pane) => all.push(pane),
-            split => split.parts().iter().for_each(|p| p.tile.gather(all)),
-        }
-    }
-
-    fn find(&mut self, key: Key) -> Option<&mut Pane> {
-        match self {
-            Self::Pane(pane) => (pane.key == key).then_some(pane),
-            Self::Beside(parts) | Self::Below(parts) => {
-                parts.iter_mut().find_map(|part| part.tile.find(key))
-            }
-        }
-    }
-
-    /// The same with every pane exchanged for what `of` makes of it, nothing that is empty or alone in
-    /// a split, and no split within one of its own direction.
-    fn map(self, depth: usize, of: &mut impl FnMut(Pane) -> Option<Self>) -> Option<Self> {
-        let (side_by_side, parts) = match self.into_parts() {
-            Err(Self::Pane(pane)) => return of(pane),
-            Err(_) => return None,
-            Ok(split) => split,
-        };
-        if depth == 0 {
-            return None;
-        }
-        let mut kept: Vec<SplitShare> = Vec::new();
-        for SplitShare { share, tile } in parts {
-            let Some(tile) = tile.map(depth - 1, of) else {
-                continue;
-            };
-            let share = if share.is_finite() && share > 0.0 {
-                share.clamp(1e-3, 1e6)
-            } else {
-                1.0
-            };
-            match tile.into_parts() {
-                Ok((same, inner)) if same == side_by_side => {
-                    let all: f32 = inner.iter().map(|part| part.share).sum();
-                    kept.extend(inner.into_iter().map(|part| SplitShare {
-                        share: share * part.share / all,
-                        ..part
-                    }));
-                }
-                Ok((other, inner)) => kept.push(SplitShare {
-                    share,
-                    tile: Self::split(other, inner),
-                }),
-                Err(tile) => kept.push(SplitShare { share, tile }),
-            }
-        }
-        if kept.len() < 2 {
-            return kept.pop().map(|part| part.tile);
-        }
-        let all: f32 = kept.iter().map(|part| part.share).sum();
-        for part in &mut kept {
-            part.share /= all;
-        }
-        Some(Self::split(side_by_side, kept))
     }
 }
 
@@ -405,13 +245,12 @@ impl Panes {
         fn of(tile: &Tile, text: &mut String) {
             match tile {
                 Tile::Pane(pane) => *text += &format!("{} ", pane.key),
-                split => {
-                    text.push(if matches!(split, Tile::Beside(_)) {
-                        '['
-                    } else {
-                        '('
-                    });
-                    split.parts().iter().for_each(|part| of(&part.tile, text));
+                Tile::Beside(parts) | Tile::Below(parts) => {
+                    let beside = matches!(tile, Tile::Beside(_));
+                    text.push(if beside { '[' } else { '(' });
+                    for part in parts {
+                        of(&part.tile, text);
+                    }
                     text.push(')');
                 }
             }
@@ -422,19 +261,11 @@ impl Panes {
     }
 }
 
-/// A tile at an edge of another, with its share of both.
-fn at_edge(tile: Tile, share: f32, new: Tile, edge: Edge) -> Tile {
-    let part = |share, tile| SplitShare { share, tile };
-    let mut parts = vec![part(1.0 - share, tile), part(share, new)];
-    if matches!(edge, Edge::Left | Edge::Top) {
-        parts.reverse();
-    }
-    Tile::split(edge.is_sideways(), parts)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::gui::core::loaded_session::Component;
+    use crate::gui::core::quantity::Quantity;
 
     fn keys(panes: &Panes) -> Vec<Key> {
         panes.panes().iter().map(|pane| pane.key).collect()
@@ -471,7 +302,7 @@ mod tests {
     #[test]
     fn shares_are_kept_where_a_pane_is_split_and_given_to_the_neighbours_where_it_is_closed() {
         let mut panes = Panes::default();
-        let share = |panes: &Panes, k: usize| panes.root.parts()[k].share;
+        let share = |panes: &Panes, k: usize| panes.root.parts().expect("a split").1[k].share;
         panes.split(2, Edge::Right, ChartPane::default());
         assert!((share(&panes, 0) - WORKSPACE).abs() < 1e-6);
         panes.close(3);
@@ -547,8 +378,8 @@ mod tests {
         ]);
         assert_eq!(two.charts().count(), 1);
         assert_eq!(keys(&two).len(), 2);
-        let parts = two.root.parts().iter();
-        assert!(parts.clone().all(|part| (part.share - 0.5).abs() < 1e-6));
+        let (_, parts) = two.root.parts().expect("a split");
+        assert!(parts.iter().all(|part| (part.share - 0.5).abs() < 1e-6));
         let mut deep = workspace();
         for k in 0..40 {
             deep = Tile::split(k % 2 == 0, vec![part(deep), part(chart("x"))]);

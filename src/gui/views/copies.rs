@@ -9,7 +9,7 @@ use crate::diagnosis::{Detectability, Diagnosis, NextPose};
 use crate::effects::find;
 use crate::fit::{Estimate, RegionResult};
 use crate::gui::charts::{self, About, HoverTarget};
-use crate::gui::style::tokens::{size, space};
+use crate::gui::style::{size, space};
 use crate::gui::view::Plot;
 use crate::gui::widgets;
 use crate::gui::workbench::{Command, Draw, Workbench};
@@ -34,13 +34,12 @@ pub(super) fn button(ui: &mut Ui, of: &str, text: impl FnOnce() -> String) {
     };
     let button = Button::new(RichText::new(says).size(size::SMALL));
     let button = ui.add(button.min_size(vec2(78.0, 22.0)));
-    ui.ctx().accesskit_node_builder(button.id, |node| {
-        node.set_label(if copied {
-            say!("Copied table of {of}", of = of)
-        } else {
-            say!("Copy table of {of}", of = of)
-        });
-    });
+    let name = if copied {
+        say!("Copied table of {of}", of = of)
+    } else {
+        say!("Copy table of {of}", of = of)
+    };
+    widgets::label(&button, name);
     if button.clicked() {
         ui.copy_text(text());
         remember(ui, id);

@@ -5,12 +5,11 @@ use crate::language::spoken;
 use crate::text::Template;
 use egui::{Rect, RichText, Sense, Ui, vec2};
 
-use super::cards::title;
 use crate::effects::survey::JointSurvey;
 use crate::export::EXPORTERS;
+use crate::gui::core::answer::STAGES;
 use crate::gui::core::overview::Coverage;
-use crate::gui::core::search::STAGES;
-use crate::gui::style::tokens::{Palette, size, space, strong};
+use crate::gui::style::{Palette, size, space, strong};
 use crate::gui::view::Step;
 use crate::gui::widgets;
 use crate::gui::workbench::Workbench;
@@ -101,7 +100,7 @@ fn covers(ui: &mut Ui, workbench: &Workbench) {
         }
     };
     widgets::card(ui, |ui| {
-        title(ui, say!("Coverage"));
+        widgets::bold(ui, say!("Coverage"));
         coverage_bar(ui, known);
         if let Some([from, to]) = known.measured {
             // Of an arm it is the first joint's, as the strip is.
@@ -219,7 +218,7 @@ fn testable(ui: &mut Ui, workbench: &Workbench) {
     );
     let name = |id: &str| crate::present::names::title(id).to_owned();
     widgets::card(ui, |ui| {
-        title(ui, say!("Testable effects"));
+        widgets::bold(ui, say!("Testable effects"));
         widgets::fact_of(
             ui,
             phrase!("testable effects"),
@@ -251,7 +250,7 @@ fn testable(ui: &mut Ui, workbench: &Workbench) {
 /// What a search does, before there is one.
 fn search(ui: &mut Ui) {
     widgets::card(ui, |ui| {
-        title(ui, say!("No diagnosis yet"));
+        widgets::bold(ui, say!("No diagnosis yet"));
         widgets::hint(
             ui,
             say!(
@@ -278,7 +277,7 @@ fn search(ui: &mut Ui) {
 /// What can be written, before there is anything to write.
 fn formats(ui: &mut Ui, workbench: &Workbench) {
     widgets::card(ui, |ui| {
-        title(ui, say!("Nothing to export yet"));
+        widgets::bold(ui, say!("Nothing to export yet"));
         widgets::hint(
             ui,
             say!(

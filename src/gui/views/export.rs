@@ -8,14 +8,14 @@ use crate::export::{EXPORTERS, find};
 use crate::gui::cache::identified::ExportPreview;
 use crate::gui::core::document::ExportChoice;
 use crate::gui::core::edit::Edit;
-use crate::gui::style::tokens::{Palette, size, space, strong};
+use crate::gui::style::{Palette, size, space, strong};
 use crate::gui::view::{About, Sheet, Step, What};
 use crate::gui::views::blocks;
 use crate::gui::widgets;
 use crate::gui::workbench::{Asked, Command, ViewChange, Workbench};
 use crate::language::spoken;
 
-use super::cards::{in_words, title};
+use super::blocks::in_words;
 use super::{Progress, StepView};
 
 /// Where an own step begins, degrees or mm.
@@ -98,11 +98,7 @@ fn reports(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     };
     let report = |about| Command::Ask(Asked::WhereToExport(What::Report(about)));
     if measured {
-        offer(
-            ui,
-            say!("Report details…"),
-            Command::View(ViewChange::Sheet(Some(Sheet::DETAILS))),
-        );
+        offer(ui, say!("Report details…"), Command::sheet(Sheet::DETAILS));
         offer(ui, say!("Report…"), report(About::Session));
         let says = if workbench.diagnosis().is_some() {
             say!("HTML or PDF: what was measured, the effects found, the open points")
@@ -251,7 +247,7 @@ fn made_preview(ui: &mut Ui, workbench: &Workbench, made: &ExportPreview) {
             if section.topic == Topic::Answer {
                 leaves(ui, &section);
             } else {
-                title(ui, &section.title);
+                widgets::bold(ui, &section.title);
                 blocks::show(ui, &section.blocks);
             }
         });
@@ -262,7 +258,7 @@ fn made_preview(ui: &mut Ui, workbench: &Workbench, made: &ExportPreview) {
             .documents
             .first()
             .map_or("", |d| d.name.as_str());
-        title(ui, name);
+        widgets::bold(ui, name);
         text(ui, &text_of(made));
     });
 }

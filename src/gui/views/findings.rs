@@ -1,25 +1,29 @@
 //! What a search found: the verdict, names with their evidence and what can be done about them, what
-//! cannot be told apart, what no name explains, and what was hidden where the session was simulated.
+//! cannot be told apart, what no name explains, what to measure next, and what was hidden where the session was
+//! simulated.
 
-use egui::{RichText, Ui};
+use egui::{Grid, Label, RichText, TextStyle, TextWrapMode, Ui, WidgetText};
 
-use crate::diagnosis::{Diagnosis, Verdict};
+use crate::diagnosis::{Diagnosis, NextPose, Verdict};
 use crate::effects::Term;
 use crate::explain::{Section, Topic};
 use crate::fit::Estimate;
-use crate::gui::core::edit::Edit;
-use crate::gui::core::search::term_of;
-use crate::gui::jobs::Running;
-use crate::gui::style::tokens::{Palette, size, space, strong};
-use crate::gui::views::blocks::{self, Title};
-use crate::gui::views::copies;
-use crate::gui::widgets;
-use crate::gui::workbench::{Command, Workbench};
 use crate::kinematics::JointKind;
 use crate::present::names::{parameter, title_of};
 use crate::present::numbers::{significant, with_minus_signs};
+use crate::present::poses::{new_reflectors, table};
+use crate::present::table::Cell;
 
-use super::cards::{self, curve_link, in_words, title};
+use crate::gui::core::answer::term_of;
+use crate::gui::core::edit::Edit;
+use crate::gui::jobs::Running;
+use crate::gui::style::{Palette, size, space, strong};
+use crate::gui::view::What;
+use crate::gui::widgets;
+use crate::gui::workbench::{Asked, Command, Workbench};
+
+use super::blocks::{self, Title, curve_link, in_words};
+use super::copies;
 
 pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     widgets::heading(ui, say!("Diagnosis"));
@@ -74,7 +78,7 @@ fn stopped(ui: &mut Ui, workbench: &Workbench) {
 
 fn so_far(ui: &mut Ui, name: &str, says: &str, found: &[String]) {
     widgets::card(ui, |ui| {
-        title(ui, name);
+        widgets::bold(ui, name);
         widgets::hint(ui, says);
         for name in found {
             let label = ui.label(title_of(name));
@@ -95,7 +99,7 @@ fn all(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis, commands: &mut Vec<Com
                 widgets::card(ui, |ui| {
                     heading(ui, section, d);
                     if section.topic == Topic::NextPoses {
-                        super::next_poses::show(ui, workbench, &d.next_poses, commands);
+                        next_poses(ui, workbench, &d.next_poses, commands);
                     } else {
                         blocks::show(ui, &section.blocks);
                     }
@@ -106,7 +110,7 @@ fn all(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis, commands: &mut Vec<Com
         match section.topic {
             Topic::Answer => hidden(ui, workbench, d),
             Topic::DataProblem(index) if index + 1 == d.data_problems.len() => {
-                cards::mend_all(ui, &d.data_problems, commands);
+                blocks::mend_all(ui, &d.data_problems, commands);
             }
             Topic::Found(index) if index + 1 == d.found.len() => {
                 copies::button(ui, say!("found effects"), || copies::found(d));
@@ -144,12 +148,12 @@ fn buttons(
     commands: &mut Vec<Command>,
 ) {
     match section.topic {
-        Topic::DataProblem(index) => cards::of_problem(ui, &d.data_problems[index], commands),
+        Topic::DataProblem(index) => blocks::of_problem(ui, &d.data_problems[index], commands),
         Topic::Found(index) => {
             in_the_model(ui, workbench, d, index, commands);
             curve_link(ui, workbench, index, commands);
         }
-        Topic::Unexplained => cards::unexplained(ui, workbench, d, commands),
+        Topic::Unexplained => blocks::unexplained(ui, workbench, d, commands),
         _ => {}
     }
 }
@@ -213,7 +217,7 @@ fn hidden(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis) {
         return;
     }
     widgets::card(ui, |ui| {
-        title(ui, say!("Hidden in this simulation"));
+        widgets::bold(ui, say!("Hidden in this simulation"));
         if hidden.is_empty() {
             widgets::hint(ui, say!("Nothing"));
         } else {
@@ -270,5 +274,96 @@ fn one(ui: &mut Ui, workbench: &Workbench, term: &Term, d: &Diagnosis) {
             says += &format!(" → {value}{half}{}", gap(unit));
         }
         widgets::fact(ui, &name, with_minus_signs(&says));
+    }
+}
+
+fn next_poses(ui: &mut Ui, workbench: &Workbench, poses: &[NextPose], commands: &mut Vec<Command>) {
+    const MOST: usize = 24;
+    let robot = &workbench.loaded_session().session.robot;
+    let table = table(poses, robot);
+    let rows = &table.rows[..table.rows.len().min(MOST)];
+    let headings: Vec<&str> = table.columns.iter().map(|c| &*c.heading).collect();
+    let holds = |k: &usize| rows.iter().any(|row| !row[*k].shown.is_empty());
+    let shown: Vec<usize> = (0..SHOWN).filter(holds).collect();
+    if is_narrower(ui, &shown, &headings, rows) {
+        one_below_the_other(ui, &headings, rows);
+    } else {
+        side_by_side(ui, &shown, &headings, rows);
+    }
+    for line in new_reflectors(poses) {
+        widgets::hint(ui, line);
+    }
+    let shown = &poses[..poses.len().min(MOST)];
+    if (1..shown.len()).any(|k| shown[..k].iter().any(|earlier| shown[k].repeats(earlier))) {
+        let says = say!(
+            "Second time: the same pose again, after another one, as once is not enough over the noise"
+        );
+        widgets::hint(ui, says);
+    }
+    if poses.len() > MOST {
+        let more = poses.len() - MOST;
+        widgets::hint(
+            ui,
+            say!("and {more} more, in the measuring list", more = more),
+        );
+    }
+    copies::button(ui, say!("poses"), || copies::poses(poses, robot));
+    if widgets::secondary(ui, say!("Save measuring list…")).clicked() {
+        commands.push(Command::Ask(Asked::WhereToExport(What::Poses)));
+    }
+}
+
+/// Columns that are shown where they hold anything; the last one of the table, why, stands under the pointer.
+const SHOWN: usize = 4;
+/// Between two columns, points.
+const APART: f32 = 14.0;
+
+/// Whether the columns side by side are wider than what is left of the panel.
+fn is_narrower(ui: &Ui, shown: &[usize], headings: &[&str], rows: &[Vec<Cell>]) -> bool {
+    let width = |text: &str, style: TextStyle| {
+        let text = WidgetText::from(text);
+        let galley = text.into_galley(ui, Some(TextWrapMode::Extend), f32::INFINITY, style);
+        galley.size().x
+    };
+    let widest = |k: usize| {
+        let cells = rows.iter().map(|row| width(&row[k].shown, TextStyle::Body));
+        cells.fold(width(headings[k], TextStyle::Small), f32::max)
+    };
+    let all: f32 = shown.iter().map(|k| widest(*k) + APART).sum();
+    all - APART > ui.available_width()
+}
+
+fn side_by_side(ui: &mut Ui, shown: &[usize], headings: &[&str], rows: &[Vec<Cell>]) {
+    let palette = Palette::of(ui);
+    Grid::new("next poses")
+        .num_columns(shown.len())
+        .spacing([APART, 4.0])
+        .min_col_width(0.0)
+        .show(ui, |ui| {
+            for k in shown {
+                let heading = RichText::new(headings[*k]).size(size::SMALL);
+                ui.label(heading.color(palette.muted));
+            }
+            ui.end_row();
+            for row in rows {
+                for k in shown {
+                    let label = ui.label(&row[*k].shown);
+                    if *k == 0 {
+                        label.on_hover_text(&row[SHOWN].shown);
+                    }
+                }
+                ui.end_row();
+            }
+        });
+}
+
+/// The values of all joints on as many lines as they need, and the rest in small below them.
+fn one_below_the_other(ui: &mut Ui, headings: &[&str], rows: &[Vec<Cell>]) {
+    for row in rows {
+        let pose = Label::new(&row[0].shown).wrap();
+        ui.add(pose).on_hover_text(&row[SHOWN].shown);
+        let rest = (1..SHOWN).filter(|k| !row[*k].shown.is_empty());
+        let rest = rest.map(|k| format!("{} {}", headings[k], row[k].shown));
+        widgets::hint(ui, rest.collect::<Vec<_>>().join(", "));
     }
 }

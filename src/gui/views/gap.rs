@@ -3,13 +3,13 @@
 use crate::text::{spoken, within};
 use egui::{ProgressBar, RichText, Ui};
 
-use super::cards::in_words;
+use super::blocks::in_words;
 use super::{Progress, StepView};
 use crate::diagnosis::Verdict;
+use crate::gui::core::answer::{SEARCHING, STAGES};
 use crate::gui::core::document::Method;
 use crate::gui::core::edit::Edit;
-use crate::gui::core::search::{SEARCHING, STAGES};
-use crate::gui::style::tokens::{Palette, size, strong};
+use crate::gui::style::{Palette, size, strong};
 use crate::gui::view::Step;
 use crate::gui::widgets;
 use crate::gui::workbench::{Command, Task, ViewChange, Workbench};

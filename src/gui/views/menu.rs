@@ -8,10 +8,10 @@ use egui::{
 };
 
 use crate::gui::actions::{self, Action, OPEN_EXAMPLE, OPEN_LATEST, WindowState};
-use crate::gui::core::examples::EXAMPLES;
+use crate::gui::core::disk::{EXAMPLES, name_of};
 use crate::gui::core::loaded_session::Origin;
 use crate::gui::preferences::ZOOM;
-use crate::gui::style::tokens::{Palette, size, space, strong};
+use crate::gui::style::{Palette, size, space, strong};
 use crate::gui::widgets;
 use crate::gui::workbench::{Command, ViewChange, Workbench};
 
@@ -97,17 +97,13 @@ fn name(ui: &mut Ui, workbench: &Workbench) {
     let loaded_session = workbench.loaded_session();
     let title = RichText::new(&loaded_session.session.name).font(strong(size::BODY));
     let title = ui.add(Label::new(title).truncate());
-    let file_name = |path: &std::path::Path| {
-        let name = path.file_name();
-        name.map_or_else(String::new, |name| name.to_string_lossy().into_owned())
-    };
     let origin = match (workbench.file(), &loaded_session.origin) {
-        (Some(path), _) => file_name(path),
+        (Some(path), _) => name_of(path).into_owned(),
         (None, Origin::Bundled) => say!("example").to_owned(),
         (None, Origin::Simulated) => say!("simulated").to_owned(),
         (None, Origin::Recovered(_)) => say!("restored").to_owned(),
-        (None, Origin::Imported(path)) => say!("from {path}", path = file_name(path)),
-        (None, Origin::File(path) | Origin::Model(path)) => file_name(path),
+        (None, Origin::Imported(path)) => say!("from {path}", path = name_of(path)),
+        (None, Origin::File(path) | Origin::Model(path)) => name_of(path).into_owned(),
     };
     let origin = match (&workbench.document().loaded_model, &loaded_session.origin) {
         (Some(_), Origin::Model(_)) => say!("model {origin}", origin = origin),
@@ -124,12 +120,10 @@ fn name(ui: &mut Ui, workbench: &Workbench) {
         origin
     };
     let font = FontId::proportional(size::SMALL);
-    let galley = ui
-        .painter()
-        .layout_no_wrap(says.clone(), font, palette.muted);
+    let wide = widgets::width_of(ui, &says, font);
     // Of a short name a few letters would say nothing.
     let room = ui.available_width();
-    if galley.size().x <= room || room > LEAST_ORIGIN {
+    if wide <= room || room > LEAST_ORIGIN {
         let says = RichText::new(says).size(size::SMALL).color(palette.muted);
         ui.add(Label::new(says).truncate());
     } else {
@@ -262,8 +256,7 @@ fn recent(ui: &mut Ui, menu: &mut Menu<'_>) {
     ui.menu_button(say!("Recent files"), |ui| {
         ui.set_min_width(300.0);
         for (k, (path, there)) in recent.iter().enumerate() {
-            let name = path.file_name().unwrap_or(path.as_os_str());
-            let name = name.to_string_lossy();
+            let name = name_of(path);
             let folder = path.parent().map(|f| f.display().to_string());
             ui.horizontal(|ui| {
                 let keys = if k == 0 {

@@ -1,17 +1,13 @@
 //! What stands around the plots. Panels read the workbench and send commands.
 
 pub(crate) mod blocks;
-mod cards;
 pub(crate) mod copies;
 mod coverage;
 mod export;
 mod findings;
 mod gap;
-mod identify;
 pub(super) mod menu;
 mod model;
-mod next_poses;
-pub(super) mod notices;
 pub(super) mod panes;
 mod regions;
 pub(super) mod results;

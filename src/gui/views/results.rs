@@ -7,7 +7,7 @@ use crate::explain::{Detail, Topic, remarks_on_fit};
 use crate::fit::{Gap, RegionResult};
 use crate::gui::core::answer::{self, Answer};
 use crate::gui::style::layout::Layout;
-use crate::gui::style::tokens::{Palette, size, space, strong};
+use crate::gui::style::{Palette, size, space, strong};
 use crate::gui::view::{Side, Step};
 use crate::gui::widgets;
 use crate::gui::workbench::{Command, ViewChange, Workbench};
@@ -17,8 +17,7 @@ use crate::text::spoken;
 use crate::units::deg_from_rad;
 
 use super::blocks::{self, Title};
-use super::cards::title;
-use super::{cards, copies, model, samples};
+use super::{copies, model, samples};
 
 pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, room: Layout, commands: &mut Vec<Command>) {
     // Samples that stand beside the results are not shown in their place as well.
@@ -87,7 +86,7 @@ fn summary(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         }),
         Some(Ok(answer)) => {
             let detail = Detail::window(workbench.units());
-            cards::problems(ui, &answer.data_problems, detail, commands);
+            blocks::problems(ui, &answer.data_problems, detail, commands);
             identified(ui, workbench, answer);
         }
     }
@@ -107,7 +106,7 @@ fn identified(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
     if !found.parameters.is_empty() {
         widgets::card(ui, |ui| model::parameters(ui, workbench, &found.parameters));
     }
-    cards::smooth_corrections(ui, &answer.calibration.model);
+    blocks::smooth_corrections(ui, &answer.calibration.model);
     if !found.regions.is_empty() {
         widgets::card(ui, |ui| regions(ui, workbench, &found.regions));
     }
@@ -244,7 +243,7 @@ fn regions(ui: &mut Ui, workbench: &Workbench, results: &[RegionResult]) {
     let palette = Palette::of(ui);
     let units = workbench.units();
     let is_given = workbench.document().loaded_model.is_some();
-    title(ui, say!("Correction of each region"));
+    widgets::bold(ui, say!("Correction of each region"));
     ui.style_mut().wrap_mode = Some(egui::TextWrapMode::Extend);
     // The numbers keep their places, however long a name is.
     let longest = (ui.available_width() - NUMBERS).max(44.0);

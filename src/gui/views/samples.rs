@@ -6,7 +6,7 @@ use std::sync::Arc;
 use egui::{Align, CursorIcon, Id, Layout, RichText, Role, Sense, Stroke, Ui, WidgetInfo, vec2};
 use egui_extras::{Column, TableBuilder, TableRow};
 
-use crate::gui::style::tokens::{Palette, size};
+use crate::gui::style::{Palette, size};
 use crate::gui::views::copies;
 use crate::gui::workbench::{Command, ViewChange, Workbench};
 use crate::gui::workspace::sample_menu;

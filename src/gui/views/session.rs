@@ -5,16 +5,17 @@ use egui::{DragValue, RichText, TextEdit, Ui};
 
 use super::{Progress, StepView, setup};
 use crate::diagnostic::{Diagnostic, Severity};
+use crate::gui::core::disk::name_of;
 use crate::gui::core::edit::Edit;
 use crate::gui::core::loaded_session::Origin;
+use crate::gui::core::quantity::joint_value;
 use crate::gui::core::simulate::Form;
-use crate::gui::style::tokens::{Palette, size, space, strong};
+use crate::gui::style::{Palette, size, space, strong};
 use crate::gui::view::{Sheet, Step};
 use crate::gui::widgets::{self, or_none};
 use crate::gui::workbench::{Asked, Command, ViewChange, Workbench, of_field};
 use crate::present::numbers::grouped;
 
-use crate::kinematics::JointKind;
 use crate::sessions::Sigma;
 
 pub(super) const STEP: StepView = StepView {
@@ -45,12 +46,10 @@ fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     }
     path_field(ui, commands);
     if widgets::secondary(ui, say!("Simulate session…")).clicked() {
-        commands.push(Command::View(ViewChange::Sheet(Some(Sheet::Simulate(
-            Form::default(),
-        )))));
+        commands.push(Command::sheet(Sheet::Simulate(Form::default())));
     }
     if widgets::secondary(ui, say!("Robots…")).clicked() {
-        commands.push(Command::View(ViewChange::Sheet(Some(Sheet::ROBOTS))));
+        commands.push(Command::sheet(Sheet::ROBOTS));
     }
     recent(ui, workbench, commands);
     setup::show(ui, workbench, commands);
@@ -67,8 +66,7 @@ fn recent(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     widgets::section(ui, say!("Recent files"));
     ui.spacing_mut().item_spacing.y = space::TIGHT;
     for (path, there) in recent {
-        let name = path.file_name().unwrap_or(path.as_os_str());
-        let name = name.to_string_lossy();
+        let name = name_of(path);
         let whole = path.display().to_string();
         if there {
             let link = ui.link(name.as_ref()).on_hover_text(whole);
@@ -94,11 +92,9 @@ fn facts(ui: &mut Ui, workbench: &Workbench) {
     widgets::fact_of(ui, phrase!("robot"), &session.robot.name);
     if let [joint] = session.robot.joints.as_slice() {
         let (from, to) = loaded_session.travel();
-        let range = match joint.kind {
-            JointKind::Revolute => format!("{} … {}", units.angle(from), units.angle(to)),
-            JointKind::Prismatic => format!("{} … {}", units.length(from), units.length(to)),
-        };
-        widgets::fact_of(ui, phrase!("joint"), format!("{}, {range}", joint.name));
+        let [from, to] = [from, to].map(|q| joint_value(units, joint.kind, q));
+        let says = format!("{}, {from} … {to}", joint.name);
+        widgets::fact_of(ui, phrase!("joint"), says);
     } else {
         widgets::fact_of(
             ui,
@@ -249,12 +245,10 @@ fn path_field(ui: &mut Ui, commands: &mut Vec<Command>) {
     ui.horizontal(|ui| {
         let open = say!("Open");
         let font = egui::TextStyle::Button.resolve(ui.style());
-        let open_width = ui
-            .painter()
-            .layout_no_wrap(open.to_owned(), font, Palette::of(ui).text);
+        let open_width = widgets::width_of(ui, open, font);
         let spacing = ui.spacing();
         let around = 2.0 * spacing.button_padding.x + spacing.item_spacing.x;
-        let beside = ui.available_width() - (open_width.size().x + around).max(64.0);
+        let beside = ui.available_width() - (open_width + around).max(64.0);
         let hint = say!("type a path, or drop a file");
         let body = egui::TextStyle::Body.resolve(ui.style());
         let of_hint = widgets::width_of(ui, hint, body) + 2.0 * around;

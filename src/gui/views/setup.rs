@@ -6,7 +6,7 @@ use egui::{CollapsingHeader, DragValue, RichText, TextEdit, Ui};
 
 use crate::gui::core::edit::Edit;
 use crate::gui::core::setup::{Field, JointForm, Problem, SetupForm, SigmaForm, TargetForm};
-use crate::gui::style::tokens::{size, space};
+use crate::gui::style::{size, space};
 use crate::gui::workbench::{Command, ViewChange, Workbench};
 use crate::gui::{help, widgets};
 use crate::kinematics::JointKind;
@@ -149,7 +149,7 @@ fn text(ui: &mut Ui, label: &str, text: &mut String) {
     let mut typed: String = ui.data(|d| d.get_temp(id)).unwrap_or_else(|| text.clone());
     let field = TextEdit::singleline(&mut typed).desired_width(f32::INFINITY);
     let field = ui.add(field.min_size(egui::vec2(0.0, 24.0)));
-    widgets::label(&field, label.to_owned());
+    widgets::label(&field, label);
     if field.has_focus() {
         ui.data_mut(|d| d.insert_temp(id, typed));
     } else {
@@ -171,9 +171,7 @@ fn joint(ui: &mut Ui, joint: &mut JointForm, k: usize, fields: &mut Fields) {
         (JointKind::Revolute, say!("turns")),
         (JointKind::Prismatic, say!("slides")),
     ];
-    if let Some(kind) = widgets::segmented(ui, &kinds, joint.kind) {
-        joint.kind = kind;
-    }
+    widgets::choice(ui, &kinds, &mut joint.kind);
     ui.horizontal(|ui| {
         widgets::caption(ui, say!("axis, direction at home"));
         widgets::question(ui, help::AXIS);

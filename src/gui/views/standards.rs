@@ -4,7 +4,7 @@ use crate::language::spoken;
 use egui::{Grid, RichText, Ui};
 
 use crate::gui::cache::identified::{StandardsFigures, as_text};
-use crate::gui::style::tokens::{Palette, size, space, strong};
+use crate::gui::style::{Palette, size, space, strong};
 use crate::gui::workbench::Workbench;
 use crate::gui::{help, widgets};
 use crate::present::standards::Group;
@@ -17,7 +17,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench) {
         return;
     };
     widgets::card(ui, |ui| {
-        ui.label(RichText::new(say!("Accuracy and repeatability")).font(strong(size::BODY)));
+        widgets::bold(ui, say!("Accuracy and repeatability"));
         match &figures.made {
             None => widgets::hint(ui, say!("The figures are being computed")),
             Some(Err(because)) => widgets::hint(ui, because),
@@ -102,7 +102,7 @@ fn table(ui: &mut Ui, group: &Group) {
                 let after = row.after.map_or_else(|| "–".to_owned(), |v| group.shown(v));
                 ui.label(row.symbol).on_hover_ui(|ui| {
                     ui.set_max_width(space::TIP);
-                    ui.label(RichText::new(spoken(row.name)).font(strong(size::BODY)));
+                    widgets::bold(ui, spoken(row.name));
                     ui.label(help::figure(row.symbol).unwrap_or_default());
                 });
                 widgets::cell_right(ui, RichText::new(before));

@@ -1,16 +1,26 @@
-//! The bar at the bottom: where the work stands, and what runs in the background.
+//! What the window says by itself: the bar at the bottom (where the work stands, what runs in the background), and
+//! notices over the results, above the bar, so that no plot is moved when one appears or is dismissed.
 
-use egui::{Align, Layout, RichText, Spinner, Ui};
+use std::path::{Path, PathBuf};
+
+use egui::{
+    Align, Align2, Area, Button, CornerRadius, Frame, Id, Label, LayerId, Layout, Margin, Order,
+    RichText, Role, ScrollArea, Spinner, Ui, WidgetInfo, vec2,
+};
 
 use crate::diagnosis::FloorFrom;
 use crate::fonts;
-use crate::gui::core::edit::Edit;
-use crate::gui::style::tokens::{Palette, size};
-use crate::gui::widgets;
-use crate::gui::workbench::{Command, Letters, Task, Workbench};
 use crate::language::spoken;
 use crate::present::numbers::grouped;
 use crate::recorder::live::State;
+
+use crate::gui::core::disk::{FileChange, name_of};
+use crate::gui::core::edit::Edit;
+use crate::gui::style::layout;
+use crate::gui::style::{Palette, size, space, strong};
+use crate::gui::view::Message;
+use crate::gui::widgets;
+use crate::gui::workbench::{Asked, Command, Letters, Task, ViewChange, Workbench};
 
 /// Where the work stands, in one line.
 fn line(workbench: &Workbench) -> String {
@@ -161,4 +171,205 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
             }
         });
     });
+}
+
+/// So long what was done is said unless the pointer is on it, seconds. What went wrong stays.
+const STANDS_S: f64 = 12.0;
+/// As wide as lines may be, and at least, points.
+const WIDTH: [f32; 2] = [232.0, 400.0];
+/// Between a notice and the window's edge, points, and between it and its words.
+const EDGE: f32 = 12.0;
+const INSIDE: Margin = Margin::symmetric(14, 10);
+/// The status bar, points.
+const STATUS: f32 = 32.0;
+/// It takes this part of the window's height at most; what is longer scrolls.
+const MOST: f32 = 0.3;
+
+/// When the message that is shown came up, in the window's seconds.
+#[derive(Clone, PartialEq)]
+struct Shown {
+    message: Message,
+    since: f64,
+}
+
+/// What lies over the window by itself: notices (a file that changed on the disk, an error, a task that
+/// is done) and what becomes of files that are dropped on it. Notices lie over the results, above the
+/// status bar, so that no plot is moved when one appears or is dismissed.
+pub(crate) fn notices(
+    ui: &Ui,
+    workbench: &Workbench,
+    room: layout::Layout,
+    commands: &mut Vec<Command>,
+) {
+    let (message, on_disk) = (&workbench.view().message, &workbench.view().on_disk);
+    if message.is_none() && on_disk.is_none() {
+        return;
+    }
+    let ctx = ui.ctx();
+    // As wide as the results, so that no axis of a chart is below it.
+    let wide = room.right.unwrap_or(WIDTH[1]) - 2.0 * EDGE - INSIDE.sum().x;
+    let wide = wide.clamp(WIDTH[0], WIDTH[1]);
+    let high = MOST * ctx.content_rect().height();
+    let area = Area::new(Id::unique("notices"));
+    let area = area.anchor(Align2::RIGHT_BOTTOM, vec2(-EDGE, -STATUS - EDGE));
+    let area = area.show(ctx, |ui| {
+        ui.spacing_mut().item_spacing.y = space::ROW;
+        let card = |ui: &mut Ui, contents: &mut dyn FnMut(&mut Ui)| {
+            let frame = Frame::popup(ui.style())
+                .corner_radius(CornerRadius::same(space::ROUND + 2))
+                .inner_margin(INSIDE);
+            frame.show(ui, |ui| {
+                ui.set_width(wide);
+                ui.spacing_mut().item_spacing.y = space::TIGHT;
+                contents(ui);
+            });
+        };
+        if on_disk.is_some() {
+            card(ui, &mut |ui| file_that_changed(ui, workbench, commands));
+        }
+        if let Some(message) = message {
+            card(ui, &mut |ui| {
+                // What is long scrolls; its buttons stay in sight.
+                let scroll = ScrollArea::vertical().max_height(high);
+                scroll.show(ui, |ui| body(ui, message));
+                ui.horizontal_wrapped(|ui| buttons(ui, message, commands));
+            });
+        }
+    });
+    if let Some(done) = message.as_ref().filter(|message| !message.wrong) {
+        let pointed = area.response.contains_pointer();
+        goes_by_itself(ui, done, pointed, commands);
+    }
+}
+
+/// What was done is not said for ever.
+fn goes_by_itself(ui: &Ui, message: &Message, pointed: bool, commands: &mut Vec<Command>) {
+    let (ctx, id) = (ui.ctx(), Id::unique("notice"));
+    let now = ctx.input(|i| i.time);
+    let before: Option<Shown> = ctx.data(|data| data.get_temp(id));
+    let shown = before.filter(|shown| shown.message == *message);
+    let since = shown.filter(|_| !pointed).map_or(now, |shown| shown.since);
+    let left = since + STANDS_S - now;
+    if left <= 0.0 {
+        commands.push(Command::View(ViewChange::Dismiss));
+    } else {
+        ctx.request_repaint_after(std::time::Duration::from_secs_f64(left));
+    }
+    let message = message.clone();
+    ctx.data_mut(|data| data.insert_temp(id, Shown { message, since }));
+}
+
+fn body(ui: &mut Ui, message: &Message) {
+    let palette = Palette::of(ui);
+    let (title, lines) = if message.wrong {
+        (palette.outside, palette.text)
+    } else {
+        (palette.text, palette.muted)
+    };
+    let title = RichText::new(&message.title)
+        .font(strong(size::BODY))
+        .color(title);
+    let title = ui.add(Label::new(title).wrap());
+    if let Some(file) = &message.file {
+        title.on_hover_text(file.display().to_string());
+    }
+    for line in &message.details {
+        let line = RichText::new(line).size(size::NOTE).color(lines);
+        ui.add(Label::new(line).wrap());
+    }
+}
+
+fn buttons(ui: &mut Ui, message: &Message, commands: &mut Vec<Command>) {
+    if let Some(file) = &message.file {
+        let name = name_of(file);
+        for (text, in_folder) in [(say!("Open"), false), (say!("Show in folder"), true)] {
+            let button = ui.add(Button::new(text));
+            let says = format!("{text}: {name}");
+            button.widget_info(|| WidgetInfo::labeled(Role::Button, true, &says));
+            if button.clicked() {
+                let path = file.clone();
+                commands.push(Command::OpenOutside { path, in_folder });
+            }
+        }
+    }
+    if ui.button(say!("Dismiss")).clicked() {
+        commands.push(Command::View(ViewChange::Dismiss));
+    }
+}
+
+/// An open file that is not what it was: said until the user decides.
+fn file_that_changed(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    let Some(on_disk) = &workbench.view().on_disk else {
+        return;
+    };
+    let palette = Palette::of(ui);
+    let name = name_of(&on_disk.path);
+    let (title, says) = match on_disk.change {
+        FileChange::Changed => (
+            say!("{name} was changed by another program", name = name),
+            say!(
+                "Reload reads it again; undo brings back what is here now. If you keep this version, you will be asked before overwriting"
+            ),
+        ),
+        FileChange::Vanished => (
+            say!("{name}: file not found", name = name),
+            say!("What was read is here still: saving writes it again, or put the file back"),
+        ),
+    };
+    let title = RichText::new(title).font(strong(size::BODY));
+    ui.add(Label::new(title.color(palette.warning)).wrap());
+    ui.add(Label::new(RichText::new(says).size(size::NOTE)).wrap());
+    ui.horizontal_wrapped(|ui| {
+        match on_disk.change {
+            FileChange::Changed if ui.button(say!("Reload")).clicked() => {
+                commands.push(Command::Reload);
+            }
+            FileChange::Vanished => save_again(ui, workbench, &on_disk.path, commands),
+            FileChange::Changed => {}
+        }
+        if ui.button(say!("Keep this version")).clicked() {
+            commands.push(Command::View(ViewChange::KeepMine));
+        }
+    });
+}
+
+/// Offers to write what is gone. Where it is the samples the document still says where they belong;
+/// where it is the document the user has to.
+fn save_again(ui: &mut Ui, workbench: &Workbench, gone: &Path, commands: &mut Vec<Command>) {
+    let (says, command) = if workbench.samples_file() == Some(gone) {
+        (say!("Save it again"), Command::Save)
+    } else {
+        (say!("Save it again…"), Command::Ask(Asked::WhereToSave))
+    };
+    if ui.button(says).clicked() {
+        commands.push(command);
+    }
+}
+
+/// Opens what was dropped, and says so while it is held over the window.
+pub(crate) fn dropped(ui: &Ui, commands: &mut Vec<Command>) {
+    let (held, paths) = ui.input(|input| {
+        let files = input.raw.dropped_files.iter();
+        let paths: Vec<PathBuf> = files.map(|file| file.path().to_path_buf()).collect();
+        (!input.raw.hovered_files.is_empty(), paths)
+    });
+    if !paths.is_empty() {
+        commands.push(Command::Drop(paths));
+    }
+    if held {
+        let palette = Palette::of(ui);
+        let layer = LayerId::new(Order::Foreground, Id::unique("dropped"));
+        let painter = ui.ctx().layer_painter(layer);
+        let rect = ui.ctx().content_rect();
+        painter.rect_filled(rect, 0.0, palette.veil);
+        let card = egui::Rect::from_center_size(rect.center(), egui::vec2(320.0, 88.0));
+        painter.rect_filled(card, 10.0, palette.surface);
+        painter.text(
+            card.center(),
+            Align2::CENTER_CENTER,
+            say!("Drop the file to open it"),
+            strong(size::HEADING),
+            palette.accent,
+        );
+    }
 }

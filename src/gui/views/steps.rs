@@ -8,17 +8,17 @@ use egui::{
 
 use crate::gui::preferences::{Preferences, Sizes};
 use crate::gui::style::layout::Layout;
-use crate::gui::style::tokens::{Palette, size, space, strong};
+use crate::gui::style::{Palette, size, space, strong};
 use crate::gui::widgets::{self, Gripped};
 use crate::gui::workbench::{Command, ViewChange, Workbench};
 
-use super::{Progress, StepView, export, gap, identify, regions, session};
+use super::{Progress, StepView, export, gap, model, regions, session};
 
 /// Every step.
 static STEPS: [StepView; 5] = [
     session::STEP,
     regions::STEP,
-    identify::STEP,
+    model::STEP,
     gap::STEP,
     export::STEP,
 ];

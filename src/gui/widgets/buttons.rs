@@ -6,7 +6,7 @@ use egui::{
     Response, RichText, Role, Sense, Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2,
 };
 
-use crate::gui::style::tokens::{Palette, size, space, strong};
+use crate::gui::style::{Palette, size, space, strong};
 
 /// What a wide button looks like: at rest, under the pointer, pressed.
 struct ButtonLook {

@@ -1,14 +1,19 @@
-//! Fields for numbers, with their names.
+//! What forms are made of: fields for numbers with their names, rows, and how sheets end: their buttons, and Enter.
 
 use std::cell::RefCell;
 use std::rc::Rc;
 
+use super::buttons::{other, primary, segmented};
+use super::text::{label, wrong};
 use egui::text::{CCursor, CCursorRange};
 use egui::text_edit::TextEditState;
-use egui::{Align, DragValue, Id, Layout, Response, RichText, Tooltip, Ui, vec2};
+use egui::{Align, ComboBox, DragValue, Id, Key, Layout, Response, RichText, Tooltip, Ui, vec2};
 
-use crate::gui::style::tokens::{Palette, space};
 use crate::present::units::typed_in;
+
+use crate::gui::style::{Palette, space};
+use crate::gui::view::Sheet;
+use crate::gui::workbench::{Command, ViewChange};
 
 /// What was typed into a field and refused, and why.
 #[derive(Clone, Default)]
@@ -63,7 +68,7 @@ fn typing(ui: &mut Ui, size: [f32; 2], unit: &str, field: DragValue<'_>) -> Resp
     let tip = Tooltip::always_open(ctx.clone(), ui.layer_id(), id, response.rect);
     tip.show(|ui| {
         ui.set_max_width(space::TIP);
-        super::wrong(
+        wrong(
             ui,
             &say!("{because}; the value is kept", because = refused.because),
         );
@@ -121,6 +126,42 @@ pub(crate) fn form_row(ui: &mut Ui, name: &str, control: impl FnOnce(&mut Ui)) {
     });
 }
 
+/// A choice in a row of a form.
+pub(crate) fn choice_row<T: Copy + PartialEq>(
+    ui: &mut Ui,
+    name: &str,
+    offered: &[(T, &str)],
+    value: &mut T,
+) {
+    form_row(ui, name, |ui| choice(ui, offered, value));
+}
+
+/// One of some values, side by side.
+pub(crate) fn choice<T: Copy + PartialEq>(ui: &mut Ui, offered: &[(T, &str)], value: &mut T) {
+    *value = segmented(ui, offered, *value).unwrap_or(*value);
+}
+
+/// A list that is opened to choose from, by this name. What was chosen, be it what is chosen already.
+pub(crate) fn list<T: Copy + PartialEq, N: AsRef<str>>(
+    ui: &mut Ui,
+    name: impl Into<Box<str>>,
+    list: ComboBox<'_>,
+    offered: impl IntoIterator<Item = (T, N)>,
+    current: T,
+) -> Option<T> {
+    let mut chosen = None;
+    let list = list.show_ui(ui, |ui| {
+        for (one, name) in offered {
+            let row = ui.selectable_label(one == current, name.as_ref());
+            if row.clicked() {
+                chosen = Some(one);
+            }
+        }
+    });
+    label(&list.response, name);
+    chosen
+}
+
 /// A field for a number as a table has it: no wider than it must be.
 pub(crate) fn cell_number(
     ui: &mut Ui,
@@ -132,7 +173,77 @@ pub(crate) fn cell_number(
     // As high as such a field is at least: in less it would hang out of its row.
     let high = ui.spacing().interact_size.y;
     let response = typing(ui, [width, high], unit, field);
-    let name = name.to_owned();
-    super::label(&response, name);
+    label(&response, name);
     response
+}
+
+/// The buttons at the end of a sheet. Whether the first was pressed.
+pub(crate) fn sheet_buttons(
+    ui: &mut Ui,
+    text: &str,
+    enabled: bool,
+    commands: &mut Vec<Command>,
+) -> bool {
+    let pressed = sheet_buttons_without_enter(ui, text, enabled, commands);
+    pressed || (enabled && entered(ui))
+}
+
+/// The same where Enter only ends what is typed into one of many fields.
+pub(crate) fn sheet_buttons_without_enter(
+    ui: &mut Ui,
+    text: &str,
+    enabled: bool,
+    commands: &mut Vec<Command>,
+) -> bool {
+    buttons_or_back(ui, text, enabled, None, commands)
+}
+
+/// The same where *Cancel* goes back to the sheet that this one was opened from.
+pub(crate) fn buttons_or_back(
+    ui: &mut Ui,
+    text: &str,
+    enabled: bool,
+    back: Option<Sheet>,
+    commands: &mut Vec<Command>,
+) -> bool {
+    ui.add_space(space::ROW);
+    ui.columns(2, |columns| {
+        if other(&mut columns[0], say!("Cancel")).clicked() {
+            commands.push(Command::View(ViewChange::Sheet(back)));
+        }
+        let button = columns[1].add_enabled_ui(enabled, |ui| primary(ui, text));
+        button.inner.clicked()
+    })
+}
+
+/// The button at the end of a sheet that only says something.
+pub(crate) fn done(ui: &mut Ui, commands: &mut Vec<Command>) {
+    ui.add_space(space::ROW);
+    if primary(ui, say!("Done")).clicked() || entered(ui) {
+        commands.push(Command::no_sheet());
+    }
+}
+
+/// The same with another button beside it. Whether that was pressed.
+pub(crate) fn done_beside(
+    ui: &mut Ui,
+    text: &str,
+    enabled: bool,
+    commands: &mut Vec<Command>,
+) -> bool {
+    ui.add_space(space::ROW);
+    ui.columns(2, |columns| {
+        let beside = columns[0].add_enabled_ui(enabled, |ui| other(ui, text));
+        if primary(&mut columns[1], say!("Done")).clicked() || entered(&columns[1]) {
+            commands.push(Command::no_sheet());
+        }
+        beside.inner.clicked()
+    })
+}
+
+/// Whether Enter was pressed, and for no control in particular: it means the button that stands
+/// out.
+pub(crate) fn entered(ui: &Ui) -> bool {
+    let nowhere = ui.memory(|memory| memory.focused().is_none());
+    nowhere && ui.input(|input| input.key_pressed(Key::Enter))
 }

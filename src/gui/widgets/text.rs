@@ -10,7 +10,7 @@ use egui::{
 };
 
 use crate::gui::help::{self, Word};
-use crate::gui::style::tokens::{Palette, size, space, strong};
+use crate::gui::style::{Palette, size, space, strong};
 
 /// A text on one line, ended by … where it is wider than its room.
 pub(crate) fn cut(
@@ -45,9 +45,14 @@ pub(crate) fn section(ui: &mut Ui, text: &str) {
     ui.label(RichText::new(text).font(strong(size::SMALL)).color(muted));
 }
 
+/// The name of something, or what stands out among other words.
+pub(crate) fn bold(ui: &mut Ui, text: impl Into<String>) -> Response {
+    ui.label(RichText::new(text).font(strong(size::BODY)))
+}
+
 /// What stands in the bar of a plot.
 pub(crate) fn title(ui: &mut Ui, text: &str) {
-    ui.label(RichText::new(text).font(strong(size::BODY)));
+    bold(ui, text);
     ui.add_space(space::ROW);
 }
 
@@ -108,12 +113,7 @@ pub(crate) fn fact(ui: &mut Ui, name: &str, value: impl Into<String>) {
     let palette = Palette::of(ui);
     let value = value.into();
     let font = egui::TextStyle::Body.resolve(ui.style());
-    let width = |text: &str| {
-        let galley = ui
-            .painter()
-            .layout_no_wrap(text.to_owned(), font.clone(), palette.text);
-        galley.size().x
-    };
+    let width = |text: &str| width_of(ui, text, font.clone());
     let beside = width(name) + 12.0 + width(&value) <= ui.available_width();
     let label = |ui: &mut Ui| {
         let text = RichText::new(name).color(palette.muted);
@@ -153,7 +153,7 @@ pub(crate) fn explained_effect(response: Response, id: &str) -> Response {
     };
     response.on_hover_ui(|ui| {
         ui.set_max_width(space::TIP);
-        ui.label(RichText::new(crate::present::names::title(id)).font(strong(size::BODY)));
+        bold(ui, crate::present::names::title(id));
         ui.label(spoken(about.cause));
         let usual_size = spoken(about.usual_size);
         hint(ui, say!("usually {usual_size}", usual_size = usual_size));
@@ -165,7 +165,7 @@ pub(crate) fn explained_effect(response: Response, id: &str) -> Response {
 pub(crate) fn explained(response: Response, word: Word) -> Response {
     response.on_hover_ui(|ui| {
         ui.set_max_width(space::TIP);
-        ui.label(RichText::new(word.name()).font(strong(size::BODY)));
+        bold(ui, word.name());
         ui.label(word.means());
     })
 }
@@ -195,7 +195,7 @@ pub(crate) fn facts(ui: &mut Ui, (title, lines): &(String, Vec<(String, String)>
     let palette = Palette::of(ui);
     ui.set_max_width(220.0);
     dense(ui);
-    ui.label(RichText::new(title).font(strong(size::BODY)));
+    bold(ui, title);
     egui::Grid::new("facts")
         .num_columns(2)
         .spacing([16.0, 2.0])

@@ -9,18 +9,18 @@ use crate::diagnosis::Diagnosis;
 use crate::effects::Term;
 use crate::explain::{Detail, Section, diagnosis};
 use crate::gui::cache::cloud::Remainder;
+use crate::gui::cache::cloud::Uncertain;
 use crate::gui::cache::heat::Heat;
 use crate::gui::cache::identified::{
     AnswerSummary, ExportPreview, IdentifiedAnswer, PreviewRequest,
 };
-use crate::gui::cache::plot_cache::{PlotCache, PlotInputs};
 use crate::gui::cache::projected::Nearest;
-use crate::gui::cache::uncertain::Uncertain;
-use crate::gui::core::answer::{Answer, LoadedModel};
+use crate::gui::cache::{PlotCache, PlotInputs};
+use crate::gui::core::answer::term_of;
+use crate::gui::core::answer::{Answer, LoadedModel, Search};
 use crate::gui::core::document::{Method, Question};
 use crate::gui::core::edit::Edit;
 use crate::gui::core::overview::measuring_from_base;
-use crate::gui::core::search::term_of;
 use crate::gui::view::{Canvas, Colouring, Facing, Message, Step};
 use crate::present::numbers::notation;
 use crate::text::current;
@@ -68,6 +68,11 @@ impl Workbench {
         self.identified.as_ref()
     }
 
+    /// The same, to be held where there is an answer that is shown.
+    pub(super) fn shown_outcome(&self) -> Option<Arc<IdentifiedAnswer>> {
+        self.identified.clone().filter(|_| self.answer().is_some())
+    }
+
     /// The newest answer.
     pub(crate) fn answer(&self) -> Option<&Answer> {
         self.identified().and_then(|o| o.answer.as_ref().ok())
@@ -88,11 +93,16 @@ impl Workbench {
         Arc::ptr_eq(&backdrop.inputs.loaded_session, self.loaded_session()).then_some(backdrop)
     }
 
+    /// The same of the plane that is looked at.
+    fn plane_cache(&self) -> Option<&PlotCache> {
+        let seen = |cache: &&PlotCache| cache.inputs.plane == self.view.plane;
+        self.plot_cache().filter(seen)
+    }
+
     /// Which sample is where in the plane; `None` where they are few, or while it is being found
     /// out.
     pub(crate) fn nearest(&self) -> Option<&Nearest> {
-        let seen = |b: &&PlotCache| b.inputs.plane == self.view.plane;
-        self.plot_cache().filter(seen)?.nearest.as_deref()
+        self.plane_cache()?.nearest.as_deref()
     }
 
     /// The identified pose of the base in the measuring frame, where the instrument stands in a frame
@@ -133,8 +143,7 @@ impl Workbench {
     /// The heat map, if it is shown. While a newer one is being made it is the one before.
     pub(crate) fn heat(&self) -> Option<&Arc<Heat>> {
         let wanted = self.view.heat && !self.view.in_space();
-        let seen = |b: &&PlotCache| wanted && b.inputs.plane == self.view.plane;
-        self.plot_cache().filter(seen)?.heat.as_ref()
+        self.plane_cache().filter(|_| wanted)?.heat.as_ref()
     }
 
     /// How sure the newest answer is at each sample, where colour says it; `None` until it is worked out.
@@ -158,9 +167,7 @@ impl Workbench {
     /// Samples that are drawn where not all can be; `None` where they are few, or until they are
     /// chosen.
     pub(crate) fn thinned(&self) -> Option<&[u32]> {
-        let seen = |b: &&PlotCache| b.inputs.plane == self.view.plane;
-        let thinned = self.plot_cache().filter(seen)?.thinned.as_deref()?;
-        Some(&thinned.samples)
+        Some(&self.plane_cache()?.thinned.as_deref()?.samples)
     }
 
     /// The export as it would be written, or why there is none. While a newer one is being made it
@@ -198,10 +205,15 @@ impl Workbench {
         }
     }
 
-    /// What a search of the open session found, or why it found nothing out.
-    pub(crate) fn searched(&self) -> Option<Result<&Diagnosis, &String>> {
+    /// A search of the open session.
+    pub(super) fn search_of_this(&self) -> Option<&Arc<Search>> {
         let search = self.searched.as_ref()?;
-        Arc::ptr_eq(&search.loaded_session, self.loaded_session()).then_some(search.answer.as_ref())
+        Arc::ptr_eq(&search.loaded_session, self.loaded_session()).then_some(search)
+    }
+
+    /// What it found, or why it found nothing out.
+    pub(crate) fn searched(&self) -> Option<Result<&Diagnosis, &String>> {
+        Some(self.search_of_this()?.answer.as_ref())
     }
 
     /// The diagnosis of the open session.
@@ -227,7 +239,7 @@ impl Workbench {
         if self.loaded_session().is_empty() {
             return self.complain(
                 say!("There is nothing to search yet"),
-                vec![say!("Open a session that was measured on this robot").to_owned()],
+                [say!("Open a session that was measured on this robot")],
             );
         }
         // Asked for by its key it is seen as well.
@@ -261,10 +273,7 @@ impl Workbench {
         self.keep_figuring();
         // A model by itself has nothing to show but its table.
         let shown = self.view.step == Step::Export || self.loaded_session().is_empty();
-        if !shown || self.answer().is_none() {
-            return;
-        }
-        let Some(outcome) = self.identified.clone() else {
+        let Some(outcome) = self.shown_outcome().filter(|_| shown) else {
             return;
         };
         let choice = self.document().export;
@@ -325,7 +334,7 @@ impl Workbench {
 
     /// What the diagnosis of the open session says; nothing where there is none.
     pub(crate) fn diagnosis_sections(&self) -> Arc<[Section]> {
-        let (Some(search), Some(found)) = (self.searched.as_ref(), self.diagnosis()) else {
+        let (Some(search), Some(found)) = (self.search_of_this(), self.diagnosis()) else {
             return Arc::default();
         };
         let voice = (self.units(), current(), notation());

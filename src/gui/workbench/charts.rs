@@ -3,11 +3,10 @@
 use std::mem::discriminant;
 use std::sync::Arc;
 
+use crate::gui::cache::PlotCache;
 use crate::gui::cache::charts::{ChartResult, Envelope, Work};
-use crate::gui::cache::plot_cache::PlotCache;
 use crate::gui::charts::{CHARTS, ChartKind, HeldScene, Scene, effect, find};
 use crate::gui::core::loaded_session::Component;
-use crate::gui::file_state::settings;
 use crate::gui::jobs::{Kind as JobKind, Watch};
 use crate::gui::view::{Arrangement, ChartPane, Edge, Key, Panes, Step};
 use crate::present::numbers::{notation, write_numbers};
@@ -52,7 +51,6 @@ impl Workbench {
 
     /// What any chart is made of, except what the background works out for it.
     pub(crate) fn scene(&self) -> Scene<'_> {
-        let search = self.searched.as_ref();
         Scene {
             document: self.document(),
             loaded_session: self.loaded_session(),
@@ -62,8 +60,7 @@ impl Workbench {
             axes: None,
             units: self.units(),
             answer: self.answer(),
-            search: search
-                .filter(|search| Arc::ptr_eq(&search.loaded_session, self.loaded_session())),
+            search: self.search_of_this(),
             made: self.export().and_then(Result::ok),
             worked_out: None,
         }
@@ -213,13 +210,8 @@ impl Workbench {
     /// Arranges the panes like this, tomorrow as well.
     pub(super) fn arrange(&mut self, panes: Panes) {
         self.view.panes = panes.sound(|chart| find(chart).is_some());
-        if let Some(home) = self.file_state.home.clone() {
-            let panes = self.view.panes.clone();
-            self.jobs.quietly(
-                move || settings::keep_panes(&home, panes).map_err(|e| e.to_string()),
-                Self::take_kept,
-            );
-        }
+        let panes = self.view.panes.clone();
+        self.keep(move |kept| kept.panes = panes);
     }
 
     /// The pane in which a chart is shown next; there is one then.

@@ -129,6 +129,18 @@ pub(crate) enum Command {
     Letters(Letters),
 }
 
+impl Command {
+    /// Opens a sheet, in place of the one that is open.
+    pub(crate) fn sheet(sheet: Sheet) -> Self {
+        Self::View(ViewChange::Sheet(Some(sheet)))
+    }
+
+    /// Closes the sheet that is open.
+    pub(crate) fn no_sheet() -> Self {
+        Self::View(ViewChange::Sheet(None))
+    }
+}
+
 /// A file or folder that the user is asked for.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Asked {

@@ -7,7 +7,10 @@ use std::sync::Arc;
 use crate::compensation::decision::FittedErrors;
 use crate::export::find;
 use crate::gui::cache::identified::{Figures, PreviewRequest};
+use crate::gui::charts;
+use crate::gui::core::answer::Search;
 use crate::gui::core::compensated::{Compensated, CompensationRequest, MOST_KG};
+use crate::gui::core::disk::name_of;
 use crate::gui::core::document::plain;
 use crate::gui::files;
 use crate::gui::files::reporting::{self, Source};
@@ -55,6 +58,28 @@ impl Workbench {
         }
     }
 
+    /// What is exported by this name: `table`, `model`, `poses`, `report`, `report of the model` or `targets`; a plot
+    /// by its own; `data of` a chart.
+    pub(crate) fn export_named(name: &str) -> Option<What> {
+        Some(match name {
+            "table" => What::Table,
+            "model" => What::Model,
+            "poses" => What::Poses,
+            "report" => What::Report(About::Session),
+            "report of the model" => What::Report(About::Model),
+            "targets" => What::Targets,
+            _ => {
+                if let Some(chart) = name.strip_prefix("data of ") {
+                    return Some(What::Numbers(charts::find(chart)?.about().id));
+                }
+                let chart = charts::find(name).map(|chart| Plot::Chart(chart.about().id));
+                let plots = [Plot::Workspace, Plot::Space, Plot::Polar];
+                let mut all = plots.into_iter().chain(chart);
+                What::Picture(all.find(|plot| plot.name() == name)?)
+            }
+        })
+    }
+
     /// A table was saved: what is to be entered in the controller names this file from now on.
     pub(super) fn remember_name(&mut self, path: &Path) {
         let choice = self.document().export;
@@ -87,7 +112,7 @@ impl Workbench {
             let Some(diagnosis) = self.diagnosis() else {
                 return self.complain(
                     say!("There is no measuring list yet"),
-                    vec![say!("Run the diagnosis first").to_owned()],
+                    [say!("Run the diagnosis first")],
                 );
             };
             let list = measuring_list(&diagnosis.next_poses, &self.loaded_session().session.robot);
@@ -96,10 +121,10 @@ impl Workbench {
             return;
         }
         // From what is shown, but under the name that was chosen.
-        let (Some(outcome), Some(_)) = (self.identified.clone(), self.answer()) else {
+        let Some(outcome) = self.shown_outcome() else {
             return self.complain(
                 say!("There is nothing to export yet"),
-                vec![say!("Identify the robot first").to_owned()],
+                [say!("Identify the robot first")],
             );
         };
         let choice = self.document().export;
@@ -161,15 +186,15 @@ impl Workbench {
         let source = match (about, &self.identified, self.answer()) {
             (About::Model, Some(outcome), Some(_)) => Source::Model(Arc::clone(outcome)),
             (About::Session, ..) if !self.loaded_session().is_empty() => {
-                let of_this = |s: &&Arc<_>| self.is_search_of_this(s);
-                let searched = self.searched.as_ref().filter(of_this).cloned();
-                let in_use = self.identified.clone().filter(|_| self.answer().is_some());
+                let answered = |search: &&Arc<Search>| search.answer.is_ok();
+                let searched = self.search_of_this().filter(answered).cloned();
+                let in_use = self.shown_outcome();
                 Source::Session(Arc::clone(self.history.present()), searched, in_use)
             }
             _ => {
                 return self.complain(
                     say!("There is nothing to report yet"),
-                    vec![say!("Open a session, or identify the robot first").to_owned()],
+                    [say!("Open a session, or identify the robot first")],
                 );
             }
         };
@@ -186,10 +211,6 @@ impl Workbench {
         let work =
             move |path: &Path, watch: &Watch| reporting::write(&wanted, path, replace, watch);
         self.write(path, work, Self::take_written);
-    }
-
-    fn is_search_of_this(&self, search: &crate::gui::core::search::Search) -> bool {
-        Arc::ptr_eq(&search.loaded_session, self.loaded_session()) && search.answer.is_ok()
     }
 
     pub(super) fn write_picture(&mut self, plot: Plot, path: PathBuf, replace: bool) {
@@ -215,13 +236,13 @@ impl Workbench {
     pub(super) fn keep_figuring(&mut self) {
         // A decision stands in the results of every step.
         let wanted = self.view.step == Step::Export || self.rule_and_tolerance().is_some();
-        if !wanted || self.loaded_session().is_empty() || self.answer().is_none() {
+        if !wanted || self.loaded_session().is_empty() {
             return;
         }
-        let diagnosed = self.diagnosis().map(FittedErrors::from);
-        let Some(outcome) = self.identified.clone() else {
+        let Some(outcome) = self.shown_outcome() else {
             return;
         };
+        let diagnosed = self.diagnosis().map(FittedErrors::from);
         let there = self.figures.as_ref().is_some_and(|f| {
             f.made.is_none() || f.diagnosed == diagnosed && Arc::ptr_eq(&f.identified, &outcome)
         });
@@ -269,17 +290,12 @@ impl Workbench {
         );
     }
 
-    /// Corrects the targets of a file that was opened.
-    pub(super) fn compensate_file(&mut self, path: PathBuf) {
-        self.compensate(CompensationRequest::new(path));
-    }
-
     /// Corrects the targets of a file by the model that is shown.
     pub(super) fn compensate(&mut self, mut wanted: CompensationRequest) {
-        let (Some(outcome), Some(_)) = (self.identified.clone(), self.answer()) else {
+        let Some(outcome) = self.shown_outcome() else {
             return self.complain(
                 say!("There is no model to correct targets by"),
-                vec![say!("Identify the robot first, or open a model").to_owned()],
+                [say!("Identify the robot first, or open a model")],
             );
         };
         // What is typed is within the field's range; a command need not be.
@@ -288,11 +304,7 @@ impl Workbench {
             load => load.clamp(0.0, MOST_KG),
         };
         let model = self.name_of(What::Model);
-        let name = wanted
-            .path
-            .file_name()
-            .unwrap_or_default()
-            .to_string_lossy();
+        let name = name_of(&wanted.path);
         let says = say!("correcting the targets of {name}", name = name);
         let work = move |_: &Watch| {
             Some(match outcome.handed_out() {
@@ -314,7 +326,7 @@ impl Workbench {
         let Some(compensated) = self.compensated.clone() else {
             return self.complain(
                 say!("There are no corrected targets yet"),
-                vec![say!("Choose a table of targets or a robot program first").to_owned()],
+                [say!("Choose a table of targets or a robot program first")],
             );
         };
         let mut inputs = self.inputs();

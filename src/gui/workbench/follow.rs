@@ -44,7 +44,9 @@ impl Workbench {
         let Some(path) = self.samples_file() else {
             return self.complain(
                 say!("There is no file to follow"),
-                vec![say!("The samples of this session are not in a file of their own").to_owned()],
+                [say!(
+                    "The samples of this session are not in a file of their own"
+                )],
             );
         };
         let growing = Growing::new(&self.loaded_session().session, path);

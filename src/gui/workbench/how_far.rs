@@ -10,7 +10,7 @@ use std::sync::mpsc::{Receiver, Sender};
 use egui::{Context, Event, Modifiers, PointerButton, Pos2, RawInput, Rect, Shape, Ui, pos2, vec2};
 
 use super::under_way::{gate, idle, on_threads, until};
-use super::{Command, ViewChange, Workbench};
+use super::{Command, Workbench};
 use crate::gui::import_draft::ImportDraft;
 use crate::gui::jobs::{Kind, Running, Watch};
 use crate::gui::testing::workbench;
@@ -244,7 +244,7 @@ fn a_measured_file_that_is_looked_at_says_how_far_it_is_and_is_left_and_looked_a
     let (work, arrived, go, _) = halfway(|_| ());
     bench.jobs.start(Kind::Looks, what, work, |_, ()| ());
     arrived.recv().unwrap();
-    bench.execute(Command::View(ViewChange::Sheet(None)));
+    bench.execute(Command::no_sheet());
     assert!(idle(&bench));
     let _ = go.send(());
 }

@@ -7,7 +7,6 @@ use std::sync::Arc;
 use crate::compensation::decision::{Outcome, Rule};
 use crate::gui::core::robot_table::{RobotTable, remember};
 use crate::gui::file_state::machines::{self, Machine, Of, Stated};
-use crate::gui::file_state::settings;
 use crate::gui::files;
 use crate::gui::jobs::{Kind, Watch};
 use crate::gui::view::{Message, Sheet, What};
@@ -73,12 +72,7 @@ impl Workbench {
         let folder = self.folder().unwrap_or_default();
         let machine = Machine::new(self.machine(&folder), &stated);
         machines::remember(&mut self.file_state.machines, machine.clone());
-        if let Some(home) = self.file_state.home.clone() {
-            self.jobs.quietly(
-                move || settings::keep_machine(&home, machine).map_err(|e| e.to_string()),
-                Self::take_kept,
-            );
-        }
+        self.keep(move |kept| machines::remember(&mut kept.machines, machine));
     }
 
     /// Asks for a picture.
@@ -189,12 +183,7 @@ impl Workbench {
     /// Remembers one, and asks for a file to save it to where that is wanted.
     pub(super) fn keep_robot(&mut self, table: RobotTable, save: bool) {
         remember(&mut self.file_state.robots, table.clone());
-        if let Some(home) = self.file_state.home.clone() {
-            self.jobs.quietly(
-                move || settings::keep_robot(&home, table).map_err(|e| e.to_string()),
-                Self::take_kept,
-            );
-        }
+        self.keep(move |kept| remember(&mut kept.robots, table));
         if save {
             self.choose_where_to_export(What::TypedRobot);
         }
@@ -203,13 +192,8 @@ impl Workbench {
     /// Forgets the one of this name.
     pub(super) fn forget_robot(&mut self, name: &str) {
         self.file_state.robots.retain(|own| own.name != name);
-        if let Some(home) = self.file_state.home.clone() {
-            let name = name.to_owned();
-            self.jobs.quietly(
-                move || settings::forget_robot(&home, &name).map_err(|e| e.to_string()),
-                Self::take_kept,
-            );
-        }
+        let name = name.to_owned();
+        self.keep(move |kept| kept.robots.retain(|own| own.name != name));
     }
 }
 

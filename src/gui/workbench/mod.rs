@@ -7,13 +7,11 @@ mod answers;
 mod background;
 mod charts;
 mod command;
-mod dividing;
+mod drafts;
 mod exports;
 mod follow;
-mod font_fallback;
 #[cfg(test)]
 mod how_far;
-mod imports;
 mod machine;
 mod on_disk;
 mod state;
@@ -25,112 +23,25 @@ mod unsaved;
 #[cfg(test)]
 mod walk;
 
-use crate::text::spoken;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::Arc;
 
-pub(crate) use command::{Asked, Command, LeftBehind, Letters, Task, ViewChange, of_field};
-
-use state::{FileState, PendingQueries, SpokenSections};
-
-use super::cache::identified::{Figures, Preview};
-use crate::gui::cache::identified::IdentifiedAnswer;
-use crate::gui::cache::plot_cache::PlotCache;
-use crate::gui::core::compensated::Compensated;
-use crate::gui::core::document::{Document, ExportChoice, Question};
-use crate::gui::core::edit::Edit;
+use crate::gui::core::compensated::CompensationRequest;
+use crate::gui::core::document::Document;
+use crate::gui::core::edit::{Edit, History};
 use crate::gui::core::loaded_session::LoadedSession;
-use crate::gui::core::search::Search;
-use crate::gui::core::undo::History;
-use crate::gui::file_state::settings::Recent;
-use crate::gui::file_state::watcher::Watcher;
+use crate::gui::file_state::Recent;
 use crate::gui::files::{self, Replace};
-use crate::gui::jobs::{Jobs, Kind};
+use crate::gui::jobs::Kind;
 use crate::gui::preferences::Preferences;
-use crate::gui::style::font_fallback::Characters;
-use crate::gui::view::{
-    Aspect, Camera, Message, NextAction, Plane, Plot, Sheet, Side, Step, ViewState,
-};
-use crate::present::drawing::Drawing;
+use crate::gui::view::{Aspect, Camera, Message, NextAction, Plane, Sheet, Side, Step, ViewState};
 use crate::present::units::Units;
-use crate::sessions::Samples;
+use crate::text::spoken;
 
-/// A plot that is drawn in the background: the drawing and what it shows, or why there is none.
-pub(crate) type Draw = Box<dyn FnOnce() -> Result<(Drawing, String), String> + Send>;
-
-/// Who knows how plots are drawn: the views, which stand above the workbench.
-pub(crate) type Drawer = fn(&Workbench, Plot) -> Draw;
-
-/// Document, view, answer and jobs.
-pub(crate) struct Workbench {
-    history: History<Document>,
-    /// The session that the window began with, not opened by the user.
-    first: Arc<LoadedSession>,
-    file_state: FileState,
-    /// A question that was cancelled: it is not asked again by itself.
-    declined: Option<Question>,
-    /// Whether samples are being put behind those that are there.
-    extending: bool,
-    /// Samples that came meanwhile, and whether they take the place of all others.
-    waiting_samples: Option<(Samples, bool)>,
-    view: ViewState,
-    identified: Option<Arc<IdentifiedAnswer>>,
-    searched: Option<Arc<Search>>,
-    /// A chart and its numbers, ready to be copied.
-    copied: Option<(&'static str, String)>,
-    spoken_sections: SpokenSections,
-    /// What a search that was stopped had found until then, and in which session.
-    stopped: Option<(Arc<LoadedSession>, Vec<String>)>,
-    preview: Option<Preview>,
-    plot_cache: Option<Arc<PlotCache>>,
-    compensated: Option<Arc<Compensated>>,
-    /// Files that were exported from this session, the newest last, each with what its model answers.
-    exported: Vec<(PathBuf, Option<Question>)>,
-    /// The name under which this export was saved last.
-    saved_as: Option<(ExportChoice, String)>,
-    figures: Option<Figures>,
-    characters: Characters,
-    draw: Drawer,
-    jobs: Jobs<Self>,
-    asked: PendingQueries,
-    watcher: Watcher,
-}
+pub(crate) use command::{Asked, Command, LeftBehind, Letters, Task, ViewChange, of_field};
+pub(crate) use state::{Draw, Workbench};
 
 impl Workbench {
-    /// A workbench with a session on it.
-    pub(crate) fn new(loaded_session: Arc<LoadedSession>, jobs: Jobs<Self>, draw: Drawer) -> Self {
-        let first = Arc::clone(&loaded_session);
-        let history = History::new(Document::new(loaded_session));
-        let mut workbench = Self {
-            first,
-            file_state: FileState::default(),
-            declined: None,
-            extending: false,
-            waiting_samples: None,
-            history,
-            view: ViewState::default(),
-            identified: None,
-            searched: None,
-            copied: None,
-            spoken_sections: SpokenSections::default(),
-            stopped: None,
-            preview: None,
-            plot_cache: None,
-            compensated: None,
-            exported: Vec::new(),
-            saved_as: None,
-            figures: None,
-            characters: Characters::default(),
-            draw,
-            asked: PendingQueries::default(),
-            watcher: Self::watcher(&jobs),
-            jobs,
-        };
-        workbench.remember_on_file(Arc::clone(workbench.history.present()));
-        workbench.look_along_the_axis();
-        workbench
-    }
-
     pub(crate) fn document(&self) -> &Document {
         self.history.present()
     }
@@ -172,7 +83,9 @@ impl Workbench {
             Command::Undo => self.travel(History::undo),
             Command::Redo => self.travel(History::redo),
             // A robot program has nothing to be opened: its targets are corrected.
-            Command::OpenFile(path) if files::is_program(&path) => self.compensate_file(path),
+            Command::OpenFile(path) if files::is_program(&path) => {
+                self.compensate(CompensationRequest::new(path));
+            }
             Command::OpenFile(path) => self.ask_then(NextAction::Open(path)),
             Command::Drop(paths) => self.drop_files(paths),
             Command::OpenExample(index) => self.ask_then(NextAction::Example(index)),
@@ -184,7 +97,7 @@ impl Workbench {
             {
                 self.complain(
                     say!("There is no session to save"),
-                    vec![say!("A model by itself is saved in the Export step").to_owned()],
+                    [say!("A model by itself is saved in the Export step")],
                 );
             }
             Command::Say(said) => self.say(*said),
@@ -246,7 +159,7 @@ impl Workbench {
             Command::Left(LeftBehind::DiscardAll) => self.discard_all_left(),
             Command::Letters(Letters::Find(wanted)) => self.find_letters(wanted, true),
             Command::Letters(Letters::OfLanguages) => self.find_names_of_languages(),
-            Command::Letters(Letters::Dismiss) => self.dismiss_letters(),
+            Command::Letters(Letters::Dismiss) => self.characters.unshown.clear(),
         }
         if !self.steps().contains(&self.view.step) {
             // Another robot has no regions.
@@ -465,7 +378,8 @@ impl Workbench {
             .unwrap_or_default();
     }
 
-    fn complain(&mut self, title: &str, details: Vec<String>) {
+    fn complain(&mut self, title: &str, details: impl IntoIterator<Item = impl Into<String>>) {
+        let details = details.into_iter().map(Into::into).collect();
         self.view.message = Some(Message::wrong(title, details));
     }
 }

@@ -8,20 +8,20 @@ use crate::gui::core::disk::{FileChange, Fingerprint};
 use crate::gui::core::document::Document;
 use crate::gui::core::loaded_session::{LoadedSession, Origin};
 use crate::gui::file_state::recovery::{self, OrphanedRecovery, RecoveryFile};
-use crate::gui::file_state::settings::{self, DrawnFrom, Recent};
 use crate::gui::file_state::watcher::{Order, Seen, Watched, Watcher};
+use crate::gui::file_state::{self, DrawnFrom, Recent, Settings};
 use crate::gui::files;
 use crate::gui::jobs::{Jobs, Kind, Runner, Watch};
 use crate::gui::view::{OnDisk, Sheet};
 
 use super::state::Place;
-use super::{Command, ViewChange, Workbench};
+use super::{Command, Workbench};
 
 impl Workbench {
     /// Keeps preferences, recent files and what is not saved in this folder, and looks what it
     /// holds.
     pub(crate) fn at_home(&mut self, home: PathBuf) {
-        let (settings, damaged) = settings::read(&home);
+        let (settings, damaged) = file_state::read(&home);
         self.view.preferences = settings.preferences;
         self.view.panes = settings.panes.sound(|chart| find(chart).is_some());
         self.file_state.recent = settings.recent;
@@ -110,10 +110,10 @@ impl Workbench {
 
     /// Opens the sheet on which a path to save to is typed.
     pub(crate) fn typed_path(&self) -> Command {
-        Command::View(ViewChange::Sheet(Some(Sheet::SavePath {
+        Command::sheet(Sheet::SavePath {
             path: self.proposed_path().display().to_string(),
             replace: false,
-        })))
+        })
     }
 
     /// The file with its samples, if they are in one: it can be followed.
@@ -191,14 +191,9 @@ impl Workbench {
             Recent::Used(path) => Recent::Used(std::path::absolute(&path).unwrap_or(path)),
             forgotten @ Recent::Forgotten(_) => forgotten,
         };
-        self.file_state.recent = settings::with_recent(&self.file_state.recent, &recent);
+        recent.apply(&mut self.file_state.recent);
         self.order(Order::Recent(self.file_state.recent.clone()));
-        if let Some(home) = self.file_state.home.clone() {
-            self.jobs.quietly(
-                move || settings::keep_recent(&home, &recent).map_err(|e| e.to_string()),
-                Self::take_kept,
-            );
-        }
+        self.keep(move |kept| recent.apply(&mut kept.recent));
     }
 
     /// Keeps from which URDF the robot of a session is drawn that was saved here.
@@ -207,24 +202,14 @@ impl Workbench {
             return;
         };
         let one = DrawnFrom::new(path, &appearance.chain);
-        settings::remember_meshes(&mut self.file_state.meshes, one.clone());
-        if let Some(home) = self.file_state.home.clone() {
-            self.jobs.quietly(
-                move || settings::keep_meshes(&home, one).map_err(|e| e.to_string()),
-                Self::take_kept,
-            );
-        }
+        file_state::remember_meshes(&mut self.file_state.meshes, one.clone());
+        self.keep(move |kept| file_state::remember_meshes(&mut kept.meshes, one));
     }
 
     /// Keeps the preferences for tomorrow.
     pub(super) fn keep_preferences(&mut self) {
         let preferences = self.view.preferences;
-        if let Some(home) = self.file_state.home.clone() {
-            self.jobs.quietly(
-                move || settings::keep_preferences(&home, preferences).map_err(|e| e.to_string()),
-                Self::take_kept,
-            );
-        }
+        self.keep(move |kept| kept.preferences = preferences);
     }
 
     /// Reads the session's file again. Undo brings back what was here.
@@ -237,7 +222,7 @@ impl Workbench {
         self.file_state.then = None;
         self.view.sheet = None;
         let what = say!("reading {path}", path = path.display());
-        let chain = settings::remembered_meshes(&self.file_state.meshes, &path);
+        let chain = file_state::remembered_meshes(&self.file_state.meshes, &path);
         let work = move |watch: &Watch| {
             // What is not there cannot be read again; it can be written again.
             match files.into_iter().find(|file| !file.path.exists()) {
@@ -320,6 +305,14 @@ impl Workbench {
                 }
             }
             Seen::Grew(growth) => self.take_growth(*growth),
+        }
+    }
+
+    /// Keeps something in this user's folder, where there is one.
+    pub(super) fn keep(&mut self, change: impl FnOnce(&mut Settings) + Send + 'static) {
+        if let Some(home) = self.file_state.home.clone() {
+            let work = move || file_state::change(&home, change).map_err(|e| e.to_string());
+            self.jobs.quietly(work, Self::take_kept);
         }
     }
 

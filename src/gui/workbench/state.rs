@@ -1,5 +1,5 @@
-//! What the workbench keeps beside the document and the view: where openings stand on the disk, and
-//! what it has asked of the background.
+//! What the workbench keeps: document, view and answer; where openings stand on the disk; and what it has asked of the
+//! background.
 
 use std::cell::RefCell;
 use std::collections::BTreeMap;
@@ -7,22 +7,106 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use crate::explain::Section;
-use crate::gui::cache::identified::PreviewRequest;
-use crate::gui::cache::plot_cache::PlotInputs;
+use crate::gui::cache::identified::{Figures, IdentifiedAnswer, Preview, PreviewRequest};
+use crate::gui::cache::{PlotCache, PlotInputs};
+use crate::gui::core::answer::Search;
+use crate::gui::core::compensated::Compensated;
 use crate::gui::core::disk::Fingerprint;
-use crate::gui::core::document::{Document, Question};
+use crate::gui::core::document::{Document, ExportChoice, Question};
+use crate::gui::core::edit::History;
+use crate::gui::core::loaded_session::LoadedSession;
 use crate::gui::core::robot_table::RobotTable;
-use crate::gui::core::search::Search;
+use crate::gui::file_state::DrawnFrom;
 use crate::gui::file_state::machines::{Machine, Stated};
 use crate::gui::file_state::recording::UnderWay;
 use crate::gui::file_state::recovery::{OrphanedRecovery, RecoveryFile};
-use crate::gui::file_state::settings::DrawnFrom;
-use crate::gui::jobs::Latest;
-use crate::gui::view::NextAction;
-use crate::history::History;
+use crate::gui::file_state::watcher::Watcher;
+use crate::gui::jobs::{Jobs, Latest};
+use crate::gui::style::font_fallback::Characters;
+use crate::gui::view::{NextAction, Plot, ViewState};
+use crate::history;
+use crate::present::drawing::Drawing;
 use crate::present::numbers::Notation;
 use crate::present::units::Units;
+use crate::sessions::Samples;
 use crate::text::Language;
+
+/// A plot that is drawn in the background: the drawing and what it shows, or why there is none.
+pub(crate) type Draw = Box<dyn FnOnce() -> Result<(Drawing, String), String> + Send>;
+
+/// Who knows how plots are drawn: the views, which stand above the workbench.
+pub(crate) type Drawer = fn(&Workbench, Plot) -> Draw;
+
+/// Document, view, answer and jobs.
+pub(crate) struct Workbench {
+    pub(super) history: History<Document>,
+    /// The session that the window began with, not opened by the user.
+    pub(super) first: Arc<LoadedSession>,
+    pub(super) file_state: FileState,
+    /// A question that was cancelled: it is not asked again by itself.
+    pub(super) declined: Option<Question>,
+    /// Whether samples are being put behind those that are there.
+    pub(super) extending: bool,
+    /// Samples that came meanwhile, and whether they take the place of all others.
+    pub(super) waiting_samples: Option<(Samples, bool)>,
+    pub(super) view: ViewState,
+    pub(super) identified: Option<Arc<IdentifiedAnswer>>,
+    pub(super) searched: Option<Arc<Search>>,
+    /// A chart and its numbers, ready to be copied.
+    pub(super) copied: Option<(&'static str, String)>,
+    pub(super) spoken_sections: SpokenSections,
+    /// What a search that was stopped had found until then, and in which session.
+    pub(super) stopped: Option<(Arc<LoadedSession>, Vec<String>)>,
+    pub(super) preview: Option<Preview>,
+    pub(super) plot_cache: Option<Arc<PlotCache>>,
+    pub(super) compensated: Option<Arc<Compensated>>,
+    /// Files that were exported from this session, the newest last, each with what its model answers.
+    pub(super) exported: Vec<(PathBuf, Option<Question>)>,
+    /// The name under which this export was saved last.
+    pub(super) saved_as: Option<(ExportChoice, String)>,
+    pub(super) figures: Option<Figures>,
+    pub(super) characters: Characters,
+    pub(super) draw: Drawer,
+    pub(super) jobs: Jobs<Self>,
+    pub(super) asked: PendingQueries,
+    pub(super) watcher: Watcher,
+}
+
+impl Workbench {
+    /// A workbench with a session on it.
+    pub(crate) fn new(loaded_session: Arc<LoadedSession>, jobs: Jobs<Self>, draw: Drawer) -> Self {
+        let first = Arc::clone(&loaded_session);
+        let history = History::new(Document::new(loaded_session));
+        let mut workbench = Self {
+            first,
+            file_state: FileState::default(),
+            declined: None,
+            extending: false,
+            waiting_samples: None,
+            history,
+            view: ViewState::default(),
+            identified: None,
+            searched: None,
+            copied: None,
+            spoken_sections: SpokenSections::default(),
+            stopped: None,
+            preview: None,
+            plot_cache: None,
+            compensated: None,
+            exported: Vec::new(),
+            saved_as: None,
+            figures: None,
+            characters: Characters::default(),
+            draw,
+            asked: PendingQueries::default(),
+            watcher: Self::watcher(&jobs),
+            jobs,
+        };
+        workbench.remember_on_file(Arc::clone(workbench.history.present()));
+        workbench.look_along_the_axis();
+        workbench
+    }
+}
 
 /// Where an opening stands on the disk.
 #[derive(Debug, Clone)]
@@ -95,5 +179,5 @@ pub(super) type Voice = (Units, Language, Notation);
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Past {
     pub(crate) folder: PathBuf,
-    pub(crate) history: History,
+    pub(crate) history: history::History,
 }

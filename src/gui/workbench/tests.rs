@@ -9,10 +9,10 @@ use crate::gui::file_state::watcher::Seen;
 
 use crate::diagnosis::Stopped;
 use crate::fit::Estimate;
+use crate::gui::core::answer;
 use crate::gui::core::document::Method;
 use crate::gui::core::edit::Edit;
 use crate::gui::core::loaded_session::{LoadedSession, Origin};
-use crate::gui::core::search;
 use crate::gui::core::setup::SetupForm;
 use crate::gui::jobs::{Jobs, Runner};
 use crate::gui::testing::{session_of_a_urdf, workbench};
@@ -50,7 +50,7 @@ fn all_that_a_search_found_is_one_model_to_the_last_bit_wherever_it_goes() {
     workbench.receive();
     let found = workbench.diagnosis().expect("it was searched").clone();
     assert!(!found.found.is_empty());
-    let terms = search::terms(&found).into_iter().flatten().collect();
+    let terms = answer::terms(&found).into_iter().flatten().collect();
     done(&mut workbench, Edit::Add(terms));
     let all = found.calibration(&workbench.loaded_session().session);
     let answer = workbench.answer().expect("it is identified");

@@ -202,7 +202,7 @@ fn commands_while_something_runs_are_done_and_the_result_of_another_session_is_n
     let work = move |_: &Watch| {
         let _ = wait.recv();
         let _ = adapted.send(());
-        super::dividing::adapted(loaded_session)
+        super::drafts::adapted(loaded_session)
     };
     let what = "looking where regions are needed";
     bench

@@ -8,7 +8,7 @@ use crate::gui::core::document::Document;
 use crate::gui::core::edit::Edit;
 use crate::gui::core::loaded_session::{LoadedSession, Origin};
 use crate::gui::file_state::recovery::{self, OrphanedRecovery, SavedDocument};
-use crate::gui::file_state::settings::{self, Recent};
+use crate::gui::file_state::{self, Recent};
 use crate::gui::files::{self, NotSaved, Opened, Replace, Saved};
 use crate::gui::jobs::{Kind, Running, Watch};
 use crate::gui::view::{Message, NextAction, Sheet, What};
@@ -96,7 +96,7 @@ impl Workbench {
             NextAction::Leave => self.view.leaving = true,
             NextAction::Open(path) => {
                 let what = say!("reading {path}", path = path.display());
-                let chain = settings::remembered_meshes(&self.file_state.meshes, &path);
+                let chain = file_state::remembered_meshes(&self.file_state.meshes, &path);
                 self.open(what, move |watch| files::open(&path, chain, watch));
             }
             NextAction::Example(index) => {
@@ -120,7 +120,7 @@ impl Workbench {
         if form.is_some_and(Sheet::holds_entries) {
             return self.complain(
                 say!("What was dropped is not opened over a form"),
-                vec![say!("Finish or cancel the form, then drop the file again").to_owned()],
+                [say!("Finish or cancel the form, then drop the file again")],
             );
         }
         let is_document = |path: &&PathBuf| {
@@ -139,10 +139,7 @@ impl Workbench {
             [file] => self.execute(Command::OpenFile(file.clone())),
             several => self.complain(
                 &say!("{count} files were dropped: none was opened", count = several.len()),
-                vec![
-                    say!("Drop one at a time: a session, a model, a robot program, or a table of measurements")
-                        .to_owned(),
-                ],
+                [say!("Drop one at a time: a session, a model, a robot program, or a table of measurements")],
             ),
         }
     }

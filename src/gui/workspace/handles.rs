@@ -10,14 +10,13 @@ use egui_plot::{PlotPoint, PlotTransform};
 use crate::gui::core::boundaries::{self, SNAP_DEG};
 use crate::gui::core::by_angle::RegionContents;
 use crate::gui::core::edit::Edit;
-use crate::gui::style::tokens::{Palette, size, strong};
+use crate::gui::style::{Palette, size, strong};
 use crate::gui::workbench::{Command, Workbench};
 use crate::present::numbers::grouped;
 use crate::present::units::Units;
 use crate::units::{deg_from_rad, rad_from_deg};
 
-use super::free_space;
-use super::layout::HANDLE;
+use super::layout::{HANDLE, around, freest};
 use super::model::Dial;
 
 /// Size of a handle, points: large enough for a finger.
@@ -184,8 +183,8 @@ fn badge(
     let wide = lines.iter().map(|l| l.size().x).fold(0.0, f32::max);
     let high: f32 = lines.iter().map(|l| l.size().y).sum();
     let room = Vec2::new(wide + 14.0, high + 8.0);
-    let places = free_space::around(handle, room, 22.0);
-    let Some(place) = free_space::freest(&places, frame, &[]) else {
+    let places = around(handle, room, 22.0);
+    let Some(place) = freest(&places, frame, &[]) else {
         return;
     };
     let painter = ui.painter();

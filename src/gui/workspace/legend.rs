@@ -5,12 +5,15 @@ use egui::{Align2, FontId, Link, Popup, PopupCloseBehavior, Rect, RichText, Ui, 
 use egui_plot::PlotTransform;
 
 use crate::gui::layers::OUTLINE;
+use crate::gui::scene::paint::Camera;
+use crate::gui::scene::screen::Screen;
+use crate::gui::scene::sheet::Sheet;
 use crate::gui::scene::{
-    Camera, ColourToken, Form, Item, Label, LegendEntry, Mark, Place, SIGN, Screen, Sheet, Stroke,
-    Tint,
+    ColourToken, Form, Item, Label, LegendEntry, Mark, Place, SIGN, Stroke, Tint,
 };
-use crate::gui::style::tokens::{Palette, size};
+use crate::gui::style::{Palette, size};
 use crate::gui::view::{Canvas, Colouring};
+use crate::gui::widgets;
 use crate::gui::workbench::Workbench;
 use crate::present::numbers::trimmed;
 
@@ -59,10 +62,7 @@ pub(super) fn show(
     let entries = entries(workbench, shown, robot);
     let scales = scales::entries(workbench, shown, low, &|text| {
         let font = FontId::proportional(size::SMALL);
-        let galley = ui
-            .painter()
-            .layout_no_wrap(text.to_owned(), font, palette.muted);
-        galley.size().x
+        widgets::width_of(ui, text, font)
     });
     let marks = |ui: &mut Ui| entries.iter().for_each(|one| symbol(ui, one, palette));
     rows(ui, |ui| {

@@ -1,7 +1,7 @@
 //! The workspace on the screen, with what the pointer does in it: sectors, nominal path, the robot,
 //! measured points, error vectors; or the deviation around the joint's angle. And a plane of it as a picture.
 
-mod free_space;
+mod display;
 mod handles;
 mod layout;
 mod legend;
@@ -25,8 +25,11 @@ use egui::{Role, Ui, WidgetInfo};
 use egui_plot::Axis;
 
 use crate::gui::plots::{Drawing, axis, gestures, steps_in};
-use crate::gui::scene::{Camera, Projection, SIZE, Screen, Sheet, paint};
-use crate::gui::style::tokens::Palette;
+use crate::gui::scene::paint::paint;
+use crate::gui::scene::paint::{Camera, Projection};
+use crate::gui::scene::screen::Screen;
+use crate::gui::scene::sheet::{SIZE, Sheet};
+use crate::gui::style::Palette;
 use crate::gui::view::{Canvas, Step};
 use crate::gui::workbench::{Command, Workbench};
 use crate::present::drawing;
@@ -44,7 +47,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     if workbench.view().polar() {
         around(ui, workbench, commands);
     } else if workbench.view().in_space() {
-        space::show(ui, workbench, toolbar::posing(ui), commands);
+        space::show(ui, workbench, display::posing(ui), commands);
     } else {
         plane(ui, workbench, commands);
     }

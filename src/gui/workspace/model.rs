@@ -4,8 +4,8 @@
 use nalgebra::{Isometry3, Point3};
 
 use crate::gui::cache::cloud::Cloud;
+use crate::gui::cache::cloud::Uncertain;
 use crate::gui::cache::projected::{Extent, MOST, SOME};
-use crate::gui::cache::uncertain::Uncertain;
 use crate::gui::core::loaded_session::LoadedSession;
 use crate::gui::core::scale::{FEW, long_mm};
 use crate::gui::layers::LayerOptions;

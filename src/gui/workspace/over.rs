@@ -5,12 +5,12 @@
 use egui::{Pos2, Rect, Stroke, Ui, Vec2, pos2, vec2};
 
 use crate::gui::cache::cloud::Cloud;
-use crate::gui::scene::Camera;
-use crate::gui::style::tokens::{Palette, size};
+use crate::gui::scene::paint::Camera;
+use crate::gui::style::{Palette, size};
 use crate::gui::workbench::{Command, ViewChange, Workbench};
 use crate::present::numbers::trimmed;
 
-use super::free_space;
+use super::layout;
 use super::legend::{self, Notes};
 use super::model::{Shown, shown};
 use super::robot::Drawn;
@@ -122,14 +122,13 @@ fn values(
     let high: f32 = rows.iter().map(|r| r.size().y).sum();
     let wide = rows.iter().map(|r| r.size().x).fold(0.0, f32::max);
     let card = vec2(wide + 12.0, high + 6.0);
-    let places = free_space::everywhere(tool, card, 16.0, frame);
+    let places = layout::everywhere(tool, card, 16.0, frame);
     let along = |pair: &[Pos2]| {
         let (from, to) = (pair[0], pair[1]);
         (0..=8_u8).map(move |k| from.lerp(to, f32::from(k) / 8.0))
     };
     let chain: Vec<Pos2> = chain.windows(2).flat_map(along).collect();
-    let Some(place) = free_space::freest(&places, frame, &[obstacles, &chain, &chain, &chain])
-    else {
+    let Some(place) = layout::freest(&places, frame, &[obstacles, &chain, &chain, &chain]) else {
         label(ui, Rect::from_center_size(tool, Vec2::splat(1.0)), &says);
         return;
     };

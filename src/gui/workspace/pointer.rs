@@ -10,12 +10,13 @@ use egui::{
 
 use crate::gui::actions::{EXCLUDE, WindowState};
 use crate::gui::core::loaded_session::Component;
-use crate::gui::style::tokens::{DARK, LIGHT, size, strong};
+use crate::gui::core::quantity::joint_value;
+use crate::gui::style::{DARK, LIGHT, size, strong};
 use crate::gui::view::{Colouring, ViewState};
 use crate::gui::workbench::{Command, ViewChange, Workbench};
 use crate::present::numbers::trimmed;
 
-use super::free_space;
+use super::layout;
 
 /// A sample is under the pointer within this many points.
 pub(super) const REACH: f32 = 14.0;
@@ -124,7 +125,7 @@ fn card(ctx: &Context, workbench: &Workbench, sample: usize, pointer: Pos2, fram
     let (places, wide, high) = places(&sizes, least);
     let all = vec2(wide, top + high) + 2.0 * MARGIN;
     let window = ctx.content_rect().shrink(4.0);
-    let card = free_space::card(pointer, all, GAP, frame, window);
+    let card = layout::card(pointer, all, GAP, frame, window);
     let says = spoken(&title, &lines);
     let area = Area::new(Id::unique("sample card"))
         .order(Order::Tooltip)
@@ -136,7 +137,7 @@ fn card(ctx: &Context, workbench: &Workbench, sample: usize, pointer: Pos2, fram
         response.widget_info(|| WidgetInfo::labeled(Role::Tooltip, true, says.clone()));
         let painter = ui.painter();
         let edge = Stroke::new(1.0, palette.line);
-        let round = f32::from(crate::gui::style::tokens::space::ROUND);
+        let round = f32::from(crate::gui::style::space::ROUND);
         painter.add(ui.visuals().popup_shadow.as_shape(rect, round));
         painter.rect(rect, round, palette.surface, edge, StrokeKind::Inside);
         let corner = rect.min + MARGIN;
@@ -255,11 +256,10 @@ fn about(workbench: &Workbench, sample: usize) -> (String, Vec<Line>) {
     let mut lines = Vec::new();
     let joints = &loaded_session.session.robot.joints;
     for (joint, q) in joints.iter().zip(&loaded_session.session.samples.q) {
-        let value = match joint.kind {
-            crate::kinematics::JointKind::Revolute => units.angle(q[sample]),
-            crate::kinematics::JointKind::Prismatic => units.length(q[sample]),
-        };
-        lines.push((joint.name.clone(), value));
+        lines.push((
+            joint.name.clone(),
+            joint_value(units, joint.kind, q[sample]),
+        ));
     }
     let came = match loaded_session.side(sample) {
         s if s > 0.0 => say!("approach +"),

@@ -6,7 +6,7 @@ use egui::{Align2, FontId, Rect, Role, Sense, Ui, WidgetInfo, pos2, vec2};
 use crate::gui::cache::cloud::Cloud;
 use crate::gui::layers::WEDGE;
 use crate::gui::scene::{ColourToken, Item, Label, LegendEntry, Place, Stroke, Tint};
-use crate::gui::style::tokens::{Palette, size};
+use crate::gui::style::{Palette, size};
 use crate::gui::view::Colouring;
 use crate::gui::workbench::Workbench;
 use crate::present::numbers::{significant, trimmed};
@@ -178,8 +178,8 @@ pub(super) fn entry(ui: &mut Ui, room: f32, name: &str, palette: &Palette) -> Re
 mod tests {
     use super::*;
     use crate::gui::layers::scale_at;
-    use crate::gui::style::tokens::{DARK, LIGHT, STOPS};
     use crate::gui::style::vision::{ColourVision, colour_distance, lightness};
+    use crate::gui::style::{DARK, LIGHT, STOPS};
     use crate::gui::testing::workbench;
     use crate::gui::workbench::{Command, ViewChange};
 

@@ -6,10 +6,11 @@ use std::sync::Arc;
 use crate::gui::cache::cloud::Cloud;
 use crate::gui::cache::heat::blended;
 use crate::gui::layers::{HEAT, LayerOptions, OUTLINE, WEDGE, WIDTH};
+use crate::gui::scene::paint::Camera;
 use crate::gui::scene::{
-    Camera, ColourToken, Form, Item, Label, Layer, Mark, Place, Samples, Scene, Stroke, Tint,
+    ColourToken, Form, Item, Label, Layer, Mark, Place, Samples, Scene, Stroke, Tint,
 };
-use crate::gui::style::tokens::size;
+use crate::gui::style::size;
 use crate::gui::view::{Canvas, Colouring};
 use crate::gui::workbench::Workbench;
 use crate::numeric::single;

@@ -6,9 +6,9 @@ use std::sync::Arc;
 
 use super::{About, ChartChoice, ChartKind, ChartPlaceholder, HoverTarget, Samples, Scene, Shown};
 use crate::gui::cache::charts::Work;
+use crate::gui::core::answer::terms;
 use crate::gui::core::quantity::Scale;
 use crate::gui::core::scale::{FEW, stride, thinned};
-use crate::gui::core::search::terms;
 use crate::gui::help;
 use crate::gui::view::Step;
 use crate::present::chart::{

@@ -3,7 +3,7 @@
 use egui::{ComboBox, Grid, RichText, ScrollArea, Ui};
 
 use crate::gui::import_draft::{ImportAnswers, ImportDraft};
-use crate::gui::style::tokens::{Palette, size, strong};
+use crate::gui::style::{Palette, size, strong};
 use crate::gui::widgets;
 use crate::gui::workbench::Command;
 use crate::importers::{ColumnGuess, Importer, Known, Meanings};
@@ -190,17 +190,13 @@ fn table(ui: &mut Ui, now: &ImportDraft, offered: &[Meaning]) -> Option<(usize, 
                 let list = ComboBox::from_id_salt(("meaning", k))
                     .width(118.0)
                     .height(320.0)
-                    .selected_text(text)
-                    .show_ui(ui, |ui| {
-                        for meaning in offered {
-                            let is = guess.meaning == meaning.word;
-                            if ui.selectable_label(is, &meaning.text).clicked() {
-                                changed = Some((k, meaning.word.clone()));
-                            }
-                        }
-                    });
+                    .selected_text(text);
                 let label = say!("Meaning of column {k}", k = k + 1);
-                super::parts::name(ui, &list.response, &label);
+                let offered = offered.iter().map(|one| (one.word.as_str(), &one.text));
+                let chosen = widgets::list(ui, label, list, offered, guess.meaning.as_str());
+                if let Some(word) = chosen {
+                    changed = Some((k, word.to_owned()));
+                }
             }
             ui.end_row();
             widgets::dense(ui);

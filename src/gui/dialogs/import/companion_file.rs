@@ -1,14 +1,19 @@
-//! Files beside the measured one: commands, points that are known in the base frame, reflectors.
+//! Files beside the measured one, and the field in which the path of one is typed: commands, points that are known
+//! in the base frame, reflectors.
 
-use egui::{DragValue, Grid, RichText, Ui};
+use std::path::{Path, PathBuf};
 
-use crate::gui::import_draft::{Companion, ImportAnswers, ImportDraft};
-use crate::gui::style::tokens::{Palette, size, strong};
-use crate::gui::widgets;
-use crate::gui::workbench::Command;
+use egui::{DragValue, Grid, RichText, TextEdit, Ui};
+
 use crate::importers::{Alignment, Matching, Motion};
 use crate::language;
 use crate::text::length;
+
+use crate::gui::core::disk::name_of;
+use crate::gui::import_draft::{Companion, ImportAnswers, ImportDraft};
+use crate::gui::style::{Palette, size, space, strong};
+use crate::gui::widgets;
+use crate::gui::workbench::{Asked, Command};
 
 /// Where the robot was sent.
 pub(super) fn commanded(
@@ -17,16 +22,14 @@ pub(super) fn commanded(
     next: &mut ImportAnswers,
     commands: &mut Vec<Command>,
 ) {
-    widgets::section(
-        ui,
-        say!("Commanded positions, if the table does not have them"),
-    );
+    let title = say!("Commanded positions, if the table does not have them");
     let field = (
         say!("File of the commands"),
         say!("a table with q1_deg, … and perhaps name, time_s, dir1, load_kg"),
     );
+    widgets::section(ui, title);
     let which = (Companion::Commands, now);
-    super::parts::path(ui, field, &mut next.commands, which, commands);
+    path(ui, field, &mut next.commands, which, commands);
     if next.commands.trim().is_empty() {
         return;
     }
@@ -35,11 +38,7 @@ pub(super) fn commanded(
         (Matching::Name, say!("by name")),
         (Matching::Time, say!("by time")),
     ];
-    widgets::form_row(ui, say!("Matched"), |ui| {
-        if let Some(matching) = widgets::segmented(ui, &ways, next.matching) {
-            next.matching = matching;
-        }
-    });
+    widgets::choice_row(ui, say!("Matched"), &ways, &mut next.matching);
     if next.matching != Matching::Time {
         return;
     }
@@ -48,11 +47,7 @@ pub(super) fn commanded(
         (Motion::Stops, say!("the mean of each stop")),
         (Motion::All, say!("all")),
     ];
-    widgets::form_row(ui, say!("Samples are"), |ui| {
-        if let Some(motion) = widgets::segmented(ui, &kinds, next.motion) {
-            next.motion = motion;
-        }
-    });
+    widgets::choice_row(ui, say!("Samples are"), &kinds, &mut next.motion);
     let trial = now.trial();
     let clock = trial.and_then(|t| t.matched.as_ref()?.clock);
     widgets::form_row(ui, say!("Clocks apart by"), |ui| {
@@ -103,16 +98,14 @@ pub(super) fn base_frame(
     next: &mut ImportAnswers,
     commands: &mut Vec<Command>,
 ) {
-    widgets::section(
-        ui,
-        say!("Reference points (base frame), if the instrument has a frame of its own"),
-    );
+    let title = say!("Reference points (base frame), if the instrument has a frame of its own");
     let field = (
         say!("File of the known points"),
         say!("a table with name, x_mm, y_mm, z_mm; the same names as in the measured file"),
     );
+    widgets::section(ui, title);
     let which = (Companion::Reference, now);
-    super::parts::path(ui, field, &mut next.reference, which, commands);
+    path(ui, field, &mut next.reference, which, commands);
     if next.reference.trim().is_empty() {
         return;
     }
@@ -202,14 +195,64 @@ pub(super) fn reflectors(
     next: &mut ImportAnswers,
     commands: &mut Vec<Command>,
 ) {
-    widgets::section(
-        ui,
-        say!("Reflectors in the tool frame, if there are several"),
-    );
+    let title = say!("Reflectors in the tool frame, if there are several");
     let field = (
         say!("File of the reflectors"),
         say!("a table with name, x_mm, y_mm, z_mm; without it one sits at the tool's origin"),
     );
+    widgets::section(ui, title);
     let which = (Companion::Targets, now);
-    super::parts::path(ui, field, &mut next.targets, which, commands);
+    path(ui, field, &mut next.targets, which, commands);
+}
+
+/// A field for the path of a file, with a button that asks for it.
+pub(super) fn path(
+    ui: &mut Ui,
+    (label, hint): (&str, &str),
+    typed: &mut String,
+    (which, now): (Companion, &ImportDraft),
+    commands: &mut Vec<Command>,
+) -> bool {
+    let mut changed = false;
+    ui.horizontal(|ui| {
+        let text = egui::WidgetText::from(say!("Choose…"));
+        let text = text.into_galley(ui, None, f32::INFINITY, egui::TextStyle::Button);
+        let button = text.size().x + 2.0 * ui.spacing().button_padding.x;
+        let room = ui.available_width() - button - ui.spacing().item_spacing.x;
+        let field = TextEdit::singleline(typed).hint_text(hint);
+        let field = ui.add_sized([room.max(80.0), space::CONTROL], field);
+        widgets::label(&field, label);
+        changed = field.changed();
+        let button = ui.button(say!("Choose…"));
+        widgets::label(&button, say!("Choose: {label}", label = label));
+        if button.clicked() {
+            commands.push(Command::Ask(Asked::Beside(which)));
+        }
+    });
+    if !typed.trim().is_empty() {
+        let is_this = |(of, path): &&(Companion, PathBuf)| {
+            *of == which && path.as_path() == Path::new(typed.as_str())
+        };
+        if now.taken.iter().any(|one| is_this(&one)) {
+            let says = say!("Taken because its name is that of the file");
+            widgets::hint(ui, says);
+        }
+        return changed;
+    }
+    ui.horizontal_wrapped(|ui| {
+        for path in now.neighbours.suiting(which) {
+            let file = name_of(path);
+            let text = say!("Use {file} from the same folder", file = file);
+            let link = ui.link(RichText::new(text).size(size::SMALL));
+            widgets::label(
+                &link,
+                say!("Use {file}: {label}", file = file, label = label),
+            );
+            if link.clicked() {
+                *typed = path.display().to_string();
+                changed = true;
+            }
+        }
+    });
+    changed
 }

@@ -6,10 +6,11 @@ use std::collections::BTreeMap;
 use egui::{ComboBox, DragValue, RichText, TextEdit, Ui};
 
 use crate::gui::import_draft::{ImportAnswers, ImportDraft, in_the_sheets_words};
-use crate::gui::style::tokens::{Palette, size, space};
+use crate::gui::style::{Palette, size, space};
 use crate::gui::widgets;
 use crate::importers::{
-    About, AngleUnit, Decimal, IMPORTERS, LengthUnit, OwnOption, Question, Questions, Separator,
+    About, AngleUnit, Decimal, IMPORTERS, Importer, LengthUnit, OwnOption, Question, Questions,
+    Separator,
 };
 use crate::language::spoken;
 
@@ -40,25 +41,21 @@ pub(super) fn show(ui: &mut Ui, now: &ImportDraft, next: &mut ImportAnswers) {
     widgets::form_row(ui, say!("Session"), |ui| {
         let field = TextEdit::singleline(&mut next.name).desired_width(300.0);
         let field = ui.add(field);
-        super::parts::name(ui, &field, say!("Name of the session"));
+        widgets::label(&field, say!("Name of the session"));
     });
     let reading = &mut next.reading;
     let kind = reading.kind.or(found.kind);
     let asks = kind.map_or(Questions::TABLE, |importer| importer.asks);
     widgets::form_row(ui, say!("Source"), |ui| {
-        let list = ComboBox::from_id_salt("what wrote it")
-            .width(430.0)
-            .selected_text(kind.map_or_else(String::new, |importer| spoken(importer.title)))
-            .show_ui(ui, |ui| {
-                for &importer in IMPORTERS {
-                    let is = kind == Some(importer);
-                    if ui.selectable_label(is, spoken(importer.title)).clicked() && !is {
-                        reading.kind = Some(importer);
-                        reading.columns.clear();
-                    }
-                }
-            });
-        super::parts::name(ui, &list.response, say!("What wrote the file"));
+        let title = |importer: &Importer| spoken(importer.title);
+        let list = ComboBox::from_id_salt("what wrote it").width(430.0);
+        let list = list.selected_text(kind.map_or_else(String::new, title));
+        let offered = IMPORTERS.iter().map(|one| (Some(*one), title(one)));
+        let chosen = widgets::list(ui, say!("What wrote the file"), list, offered, kind);
+        if chosen.is_some_and(|chosen| chosen != kind) {
+            reading.kind = chosen.flatten();
+            reading.columns.clear();
+        }
     });
     if asks.table {
         let separators = [
@@ -88,9 +85,7 @@ pub(super) fn show(ui: &mut Ui, now: &ImportDraft, next: &mut ImportAnswers) {
             reading.decimal = chosen;
         }
         widgets::caption(ui, say!("angles in"));
-        if let Some(chosen) = widgets::segmented(ui, &units, reading.angle_unit) {
-            reading.angle_unit = chosen;
-        }
+        widgets::choice(ui, &units, &mut reading.angle_unit);
     });
     let units = [
         (None, say!("as the file says")),
@@ -98,11 +93,7 @@ pub(super) fn show(ui: &mut Ui, now: &ImportDraft, next: &mut ImportAnswers) {
         (Some(LengthUnit::Metres), "m"),
         (Some(LengthUnit::Inches), say!("inches")),
     ];
-    widgets::form_row(ui, say!("Lengths in"), |ui| {
-        if let Some(chosen) = widgets::segmented(ui, &units, reading.unit) {
-            reading.unit = chosen;
-        }
-    });
+    widgets::choice_row(ui, say!("Lengths in"), &units, &mut reading.unit);
     if asks.y_up || reading.z_up {
         ui.checkbox(
             &mut reading.z_up,
@@ -155,7 +146,7 @@ fn own_option(ui: &mut Ui, option: &OwnOption, given: &mut BTreeMap<&'static str
             } else {
                 field
             });
-            super::parts::name(ui, &field, &title);
+            widgets::label(&field, title.as_str());
         } else {
             let ways: Vec<(&str, &str)> = option.values.iter().map(|v| (*v, *v)).collect();
             let said = option.values.iter().copied().find(|v| *v == value);

@@ -5,22 +5,28 @@
 mod columns;
 mod companion_file;
 mod file;
-mod parts;
-mod robot;
 
 use egui::text::LayoutJob;
-use egui::{Align, FontId, Layout, ProgressBar, ScrollArea, Ui, vec2};
+use egui::{
+    Align, DragValue, FontId, Layout, ProgressBar, RichText, ScrollArea, TextEdit, Ui, vec2,
+};
 
 use crate::diagnostic::Severity;
-use crate::gui::import_draft::{ImportAnswers, ImportDraft, LOOKING, Trial, in_the_sheets_words};
+use crate::kinematics::{JointKind, Robot};
+use crate::language;
+use crate::present::units::Units;
+use crate::text::{length, spoken};
+
+use crate::gui::core::disk::{EXAMPLES, name_of};
+use crate::gui::import_draft::{
+    Companion, ImportAnswers, ImportDraft, LOOKING, RobotFrom, Trial, TypedAxis,
+    in_the_sheets_words,
+};
 use crate::gui::jobs::Running;
-use crate::gui::style::tokens::{Palette, size, space};
+use crate::gui::style::{Palette, size, space};
 use crate::gui::views::blocks;
 use crate::gui::widgets;
 use crate::gui::workbench::{Command, Task, Workbench};
-use crate::language;
-use crate::present::units::Units;
-use crate::text::spoken;
 
 /// Width of the sheet, points.
 const WIDTH: f32 = 780.0;
@@ -37,7 +43,7 @@ pub(super) fn show(
 ) {
     let window = ui.ctx().content_rect();
     ui.set_width(WIDTH.min(window.width() - 80.0));
-    let name = now.path.file_name().unwrap_or_default().to_string_lossy();
+    let name = name_of(&now.path);
     widgets::heading(ui, &say!("Import {name}", name = name));
     widgets::hint(ui, file::found_out(now));
     let mut next = now.answers.clone();
@@ -49,7 +55,7 @@ pub(super) fn show(
         columns::show(ui, now, &mut next, commands);
         file::questions(ui, now, &mut next);
         findings(ui, now);
-        robot::show(ui, workbench, now, &mut next, commands);
+        robot(ui, workbench, now, &mut next, commands);
         companion_file::commanded(ui, now, &mut next, commands);
         companion_file::base_frame(ui, now, &mut next, commands);
         companion_file::reflectors(ui, now, &mut next, commands);
@@ -71,7 +77,7 @@ pub(super) fn show(
     // They end where what is above them ends.
     let pressed = ui.scope(|ui| {
         ui.set_max_width(scrolled.inner);
-        super::ends::buttons_without_enter(ui, say!("Import"), missing.is_none(), commands)
+        widgets::sheet_buttons_without_enter(ui, say!("Import"), missing.is_none(), commands)
     });
     if pressed.inner {
         commands.push(Command::Import);
@@ -124,7 +130,7 @@ fn looking(ui: &mut Ui, running: &Running, commands: &mut Vec<Command>) {
 /// What is wrong with the file, and what to know about it.
 fn findings(ui: &mut Ui, now: &ImportDraft) {
     for finding in now.seen.inspection.findings.iter().take(8) {
-        parts::line(
+        line(
             ui,
             finding.severity,
             &in_the_sheets_words(&language::finding(finding)),
@@ -157,8 +163,8 @@ fn contents(ui: &mut Ui, now: &ImportDraft, units: Units) {
         }
         Some(Err(because)) => {
             widgets::section(ui, say!("To fix"));
-            for line in because {
-                parts::line(ui, Severity::Error, line);
+            for says in because {
+                line(ui, Severity::Error, says);
             }
         }
     }
@@ -170,6 +176,167 @@ fn brings(ui: &mut Ui, trial: &Trial, units: Units) {
     let mut notes: Vec<_> = trial.notes.iter().collect();
     notes.sort_by_key(|(severity, _)| std::cmp::Reverse(*severity == Severity::Warning));
     for (severity, note) in notes.iter().take(MOST) {
-        parts::line(ui, *severity, note);
+        line(ui, *severity, note);
     }
+}
+
+/// Whose robot was measured.
+fn robot(
+    ui: &mut Ui,
+    workbench: &Workbench,
+    now: &ImportDraft,
+    next: &mut ImportAnswers,
+    commands: &mut Vec<Command>,
+) {
+    widgets::section(ui, say!("Robot model"));
+    let here = &workbench.loaded_session().session.robot;
+    let is = |robot: &RobotFrom, other: &RobotFrom| {
+        std::mem::discriminant(robot) == std::mem::discriminant(other)
+    };
+    let open = RobotFrom::Here(Box::new(here.clone()));
+    let text = say!("that of the open session, {here}", here = here.name);
+    if ui.radio(is(&next.robot, &open), text).clicked() {
+        next.robot = open;
+    }
+    for (k, example) in EXAMPLES.iter().enumerate() {
+        let one = RobotFrom::Example(k);
+        let text = say!("that of the example {example}", example = example.name());
+        if ui.radio(next.robot == one, text).clicked() {
+            next.robot = one;
+        }
+    }
+    let file = RobotFrom::Open.of_file(String::new());
+    if ui
+        .radio(is(&next.robot, &file), say!("from this file"))
+        .clicked()
+        && !is(&next.robot, &file)
+    {
+        next.robot = file;
+    }
+    let mut path = match &next.robot {
+        RobotFrom::File { path, .. } => path.clone(),
+        _ => String::new(),
+    };
+    let field = (
+        say!("File of the robot"),
+        say!("a robot, a session, or a URDF file"),
+    );
+    if companion_file::path(ui, field, &mut path, (Companion::Robot, now), commands) {
+        next.robot = next.robot.of_file(path);
+    }
+    if let RobotFrom::File { path, base, tip } = &mut next.robot
+        && RobotFrom::is_urdf(path)
+    {
+        for (row, label, link) in [
+            (say!("Base"), say!("Link of the base"), base),
+            (say!("Tip"), say!("Link of the tool"), tip),
+        ] {
+            widgets::form_row(ui, row, |ui| {
+                let field = ui.add(TextEdit::singleline(link).hint_text(say!("name of a link")));
+                widgets::label(&field, label);
+            });
+        }
+    }
+    let typed = matches!(next.robot, RobotFrom::Typed(_));
+    if ui
+        .radio(typed, say!("one axis that turns, typed here"))
+        .clicked()
+        && !typed
+    {
+        next.robot = RobotFrom::Typed(TypedAxis::default());
+    }
+    if let RobotFrom::Typed(typed) = &mut next.robot {
+        axis(ui, typed);
+    }
+    match &now.seen.robot {
+        None => {}
+        Some(Ok(robot)) => widgets::hint(ui, in_words(robot)),
+        Some(Err(because)) => {
+            for line in because {
+                widgets::wrong(ui, line);
+            }
+        }
+    }
+}
+
+/// One axis that turns: its name, where it stands, where the tool is, how far it goes.
+fn axis(ui: &mut Ui, typed: &mut TypedAxis) {
+    widgets::form_row(ui, say!("Name"), |ui| {
+        let field = ui.add(TextEdit::singleline(&mut typed.name));
+        widgets::label(&field, say!("Name of the robot"));
+    });
+    numbers(
+        ui,
+        say!("Axis at home"),
+        (say!("Axis"), ""),
+        &["x", "y", "z"],
+        &mut typed.axis,
+    );
+    let parts = ["x", "y", "z"];
+    numbers(
+        ui,
+        say!("Point on it, mm"),
+        (say!("Point"), "mm"),
+        &parts,
+        &mut typed.point_mm,
+    );
+    numbers(
+        ui,
+        say!("Tool at home, mm"),
+        (say!("Tool"), "mm"),
+        &parts,
+        &mut typed.tool_mm,
+    );
+    let parts = [say!("from"), say!("to")];
+    numbers(
+        ui,
+        say!("Travel, °"),
+        (say!("Travel"), "°"),
+        &parts,
+        &mut typed.limits_deg,
+    );
+    ui.checkbox(&mut typed.gravity_down, say!("gravity points along −z"));
+}
+
+fn numbers(ui: &mut Ui, row: &str, (name, unit): (&str, &str), parts: &[&str], values: &mut [f64]) {
+    widgets::form_row(ui, row, |ui| {
+        for (part, value) in parts.iter().zip(values) {
+            let field = DragValue::new(value).speed(1.0).max_decimals(6);
+            widgets::cell_number(ui, &format!("{name} {part}"), unit, 90.0, field);
+        }
+    });
+}
+
+fn in_words(robot: &Robot) -> String {
+    let turning = |joint: &&crate::kinematics::Joint| joint.kind == JointKind::Revolute;
+    let turns = robot.joints.iter().filter(turning).count();
+    let count = robot.joint_count();
+    let joints = match (count, turns) {
+        (1, 1) => say!("one joint that turns").to_owned(),
+        (1, 0) => say!("one joint that slides").to_owned(),
+        (count, turns) => say!(
+            "{count} joints, {turns} of which turn",
+            count = count,
+            turns = turns
+        ),
+    };
+    let reach = robot.base_from_tool.translation.vector.norm();
+    say!(
+        "{robot}: {joints}, tool {reach} from the base",
+        robot = robot.name,
+        joints = joints,
+        reach = language::spoken(length(reach, 0))
+    )
+}
+
+/// A finding as a line; its kind is a word as well as a colour.
+fn line(ui: &mut Ui, severity: Severity, says: &str) {
+    let palette = Palette::of(ui);
+    let (text, color) = match severity {
+        Severity::Note => (says.to_owned(), palette.muted),
+        Severity::Warning => (say!("Warning: {says}", says = says), palette.warning),
+        Severity::Error => (say!("Error: {says}", says = says), palette.outside),
+    };
+    let text = RichText::new(text);
+    ui.add(egui::Label::new(text.size(size::SMALL).color(color)).wrap());
 }

@@ -8,8 +8,8 @@ use crate::gui::charts::{
 use crate::gui::core::loaded_session::Component;
 use crate::gui::core::quantity::Quantity;
 use crate::gui::plots::chart::{self, Canvas};
-use crate::gui::plots::{figure, gestures, legend, marks, picture};
-use crate::gui::style::tokens::{Palette, size, space};
+use crate::gui::plots::{figure, gestures, picture, ring};
+use crate::gui::style::{size, space};
 use crate::gui::view::{ChartPane, Key, Plot, What};
 use crate::gui::widgets;
 use crate::gui::workbench::{Asked, Command, ViewChange, Workbench};
@@ -60,7 +60,7 @@ pub(super) fn show(
     bar(ui, workbench, (place, kind, &scene), first, commands);
     match charts::shown(kind, &scene) {
         Ok(shown) => plotted(ui, workbench, (place, kind), &shown, commands),
-        Err(missing) => legend::empty(ui, &missing.title, missing.why),
+        Err(missing) => chart::empty(ui, &missing.title, missing.why),
     }
 }
 
@@ -73,7 +73,7 @@ fn plotted(
 ) {
     let view = workbench.view();
     let before = workbench.answer().map(|_| !view.only_after);
-    legend::show(ui, &shown.chart, before, commands);
+    chart::legend(ui, &shown.chart, before, commands);
     let title = format!("{} {}", kind.about().id, shown.chart.title);
     let fitted = view.fitted.charts + place.pane.fitted;
     let id = (&*title, workbench.only_after(), fitted);
@@ -131,7 +131,7 @@ fn drawn_samples(
     }
     let stroke = Stroke::new(2.5, canvas.palette.accent);
     for place in ringed.filter_map(|sample| samples.marks(sample).pop()) {
-        shapes.push(marks::ring(canvas.at(place), 8.0, stroke));
+        shapes.push(ring(canvas.at(place), 8.0, stroke));
     }
 }
 
@@ -187,27 +187,18 @@ impl<T: Copy + PartialEq> Choice<'_, T> {
         let (small, name) = self.names();
         let name = if short { small } else { name };
         let font = egui::FontId::proportional(size::SMALL);
-        let color = Palette::of(ui).text;
-        let galley = ui.painter().layout_no_wrap(name.to_owned(), font, color);
-        galley.size().x + ARROW
+        widgets::width_of(ui, name, font) + ARROW
     }
 
     fn show(&self, ui: &mut Ui, short: bool) -> Option<T> {
-        let mut chosen = None;
         let (small, name) = self.names();
         let shown = if short { small } else { name };
         let list = ComboBox::from_id_salt(&self.of)
             .selected_text(egui::RichText::new(shown).size(size::SMALL))
             .width(0.0)
             .height(360.0);
-        let list = list.show_ui(ui, |ui| {
-            for (one, _, name) in &self.offered {
-                if ui.selectable_label(*one == self.current, *name).clicked() {
-                    chosen = Some(*one);
-                }
-            }
-        });
-        widgets::label(&list.response, self.of.as_str());
+        let offered = self.offered.iter().map(|(one, _, name)| (*one, *name));
+        let chosen = widgets::list(ui, self.of.as_str(), list, offered, self.current);
         chosen.filter(|one| *one != self.current)
     }
 }

@@ -4,20 +4,28 @@
 
 mod chart;
 mod pane;
-mod tiles;
 
-use egui::Ui;
+use egui::{Id, Painter, Rect, Stroke, Ui, Vec2, Visuals, WidgetText};
+use egui_tiles::{
+    Behavior, Container, EditAction, Linear, LinearDir, ResizeState, TileId, Tiles, Tree,
+    UiResponse,
+};
 
-use crate::gui::view::Key;
-use crate::gui::workbench::{Command, Workbench};
+use crate::gui::style::layout::MIDDLE;
+use crate::gui::style::{Palette, space};
+use crate::gui::view::{Content, Key, Pane, Panes, SplitShare, Tile};
+use crate::gui::widgets::{self, Gripped};
+use crate::gui::workbench::{Command, ViewChange, Workbench};
+
+use pane::{contents, name_of, switch};
 
 pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let panes = &workbench.view().panes;
     let room = ui.available_size();
-    if tiles::fits(&panes.root, room) {
-        tiles::show(ui, workbench, commands);
+    if fits(&panes.root, room) {
+        tree(ui, workbench, commands);
     } else if let Some(active) = panes.pane(panes.active()) {
-        pane::contents(ui, workbench, active, Some(pane::switch), commands);
+        contents(ui, workbench, active, Some(switch), commands);
         settle(ui, active.key);
     }
 }
@@ -33,4 +41,346 @@ fn settle(ui: &Ui, key: Key) {
         ui.ctx().request_discard("another plot");
     }
     ui.data_mut(|data| data.insert_temp(id, (key, left.saturating_sub(1))));
+}
+
+/// Between panes, points.
+const GAP: f32 = 4.0;
+/// The least width and height of the workspace and of a chart with their bars, points: so much can be
+/// read.
+const WORKSPACE: [f32; 2] = [MIDDLE, 336.0];
+const CHART: [f32; 2] = [244.0, 252.0];
+/// No pane has such a number.
+const SPLITS: u64 = 1 << 32;
+
+/// The least that a tile needs along an axis, points: 0 across, 1 down.
+fn least(tile: &Tile, axis: usize) -> f32 {
+    match (tile, tile.parts()) {
+        (Tile::Pane(pane), _) if pane.shows == Content::Workspace => WORKSPACE[axis],
+        (_, Some((side_by_side, parts))) => {
+            let each = parts.iter().map(|part| least(&part.tile, axis));
+            if side_by_side == (axis == 0) {
+                each.sum::<f32>() + GAP * (parts.len() as f32 - 1.0)
+            } else {
+                each.fold(0.0, f32::max)
+            }
+        }
+        _ => CHART[axis],
+    }
+}
+
+/// Whether there is room for all panes.
+fn fits(root: &Tile, room: Vec2) -> bool {
+    least(root, 0) <= room.x && least(root, 1) <= room.y
+}
+
+/// The room of each part: as its share says, but no less than it needs.
+fn divided(parts: &[SplitShare], axis: usize, room: f32) -> Vec<f32> {
+    let room = room - GAP * (parts.len() as f32 - 1.0);
+    let needs: Vec<f32> = parts.iter().map(|part| least(&part.tile, axis)).collect();
+    let mut tight = vec![false; parts.len()];
+    loop {
+        let taken: f32 = (0..parts.len())
+            .filter(|k| tight[*k])
+            .map(|k| needs[k])
+            .sum();
+        let shares: f32 = (0..parts.len())
+            .filter(|k| !tight[*k])
+            .map(|k| parts[k].share)
+            .sum();
+        let of = |k: usize| {
+            if tight[k] {
+                needs[k]
+            } else {
+                (room - taken) * parts[k].share / shares
+            }
+        };
+        let short: Vec<usize> = (0..parts.len())
+            .filter(|k| !tight[*k] && of(*k) < needs[*k])
+            .collect();
+        if short.is_empty() {
+            return (0..parts.len()).map(of).collect();
+        }
+        for k in short {
+            tight[k] = true;
+        }
+    }
+}
+
+/// A tile and what is in it, with shares as they are shown in so much room.
+fn laid_out(tile: &Tile, room: Vec2, tiles: &mut Tiles<Key>, splits: &mut u64) -> TileId {
+    let Some((side_by_side, parts)) = tile.parts() else {
+        let key = if let Tile::Pane(pane) = tile {
+            pane.key
+        } else {
+            0
+        };
+        let id = TileId::from_u64(u64::from(key));
+        tiles.insert(id, egui_tiles::Tile::Pane(key));
+        return id;
+    };
+    let id = TileId::from_u64(SPLITS + *splits);
+    *splits += 1;
+    let axis = usize::from(!side_by_side);
+    let along = if side_by_side { room.x } else { room.y };
+    let dir = if side_by_side {
+        LinearDir::Horizontal
+    } else {
+        LinearDir::Vertical
+    };
+    let mut linear = Linear::new(dir, Vec::new());
+    for (part, size) in parts.iter().zip(divided(parts, axis, along)) {
+        let inner = if side_by_side {
+            Vec2::new(size, room.y)
+        } else {
+            Vec2::new(room.x, size)
+        };
+        let child = laid_out(&part.tile, inner, tiles, splits);
+        linear.add_child(child);
+        // One on average: a pane that is dropped beside them gets as much.
+        linear
+            .shares
+            .set_share(child, size / along * parts.len() as f32);
+    }
+    tiles.insert(id, egui_tiles::Tile::Container(Container::Linear(linear)));
+    id
+}
+
+/// The tiles as they are after they were dragged.
+fn taken_over(tiles: &Tiles<Key>, id: TileId, panes: &Panes) -> Option<Tile> {
+    let container = match tiles.get(id)? {
+        egui_tiles::Tile::Pane(key) => return Some(Tile::Pane(panes.pane(*key)?.clone())),
+        egui_tiles::Tile::Container(container) => container,
+    };
+    let (side_by_side, share): (bool, Box<dyn Fn(TileId) -> f32>) = match container {
+        Container::Linear(linear) => {
+            let shares = linear.shares.clone();
+            let side_by_side = linear.dir == LinearDir::Horizontal;
+            (side_by_side, Box::new(move |id| shares[id]))
+        }
+        // None can come about.
+        Container::Tabs(_) | Container::Grid(_) => (true, Box::new(|_| 1.0)),
+    };
+    let parts = container.children().filter_map(|child| {
+        let tile = taken_over(tiles, *child, panes)?;
+        Some(SplitShare {
+            share: share(*child),
+            tile,
+        })
+    });
+    let parts = parts.collect();
+    Some(if side_by_side {
+        Tile::Beside(parts)
+    } else {
+        Tile::Below(parts)
+    })
+}
+
+/// The tree of panes as tiles of `egui_tiles`, which lays them out and lets them be dragged; the grips
+/// between them are those of the window, which have a name and listen to the arrow keys.
+fn tree(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    let panes = &workbench.view().panes;
+    let room = ui.available_rect_before_wrap();
+    let mut tiles = Tiles::default();
+    let root = laid_out(&panes.root, room.size(), &mut tiles, &mut 0);
+    let mut tree = Tree::new(Id::unique("panes"), root, tiles);
+    let dragged = tree.dragged_id(ui.ctx());
+    let mut middle = Middle {
+        workbench,
+        panes,
+        palette: Palette::of(ui),
+        dropped: false,
+        dragged: dragged.map(|id| (id, Rect::NOTHING)),
+        commands: &mut *commands,
+    };
+    tree.ui(&mut middle, ui);
+    let dropped = middle.dropped && !middle.is_at_home(ui.painter());
+    if let Some(root) = tree.root.filter(|_| dropped)
+        && let Some(root) = taken_over(&tree.tiles, root, panes)
+    {
+        let mut next = panes.arranged(root);
+        if let Some(TileId(key)) = dragged {
+            next.activate(Key::try_from(key).unwrap_or_default());
+        }
+        commands.push(Command::View(ViewChange::Panes(Box::new(next))));
+    } else if dragged.is_none() {
+        pulled(ui, workbench, &panes.root, room, &mut Vec::new(), commands);
+    }
+}
+
+/// The grips between the parts of a tile, and of all that is in it; `way` leads to it.
+fn pulled(
+    ui: &Ui,
+    workbench: &Workbench,
+    tile: &Tile,
+    area: Rect,
+    way: &mut Vec<usize>,
+    commands: &mut Vec<Command>,
+) {
+    let Some((side_by_side, parts)) = tile.parts() else {
+        return;
+    };
+    let axis = usize::from(!side_by_side);
+    let sizes = divided(parts, axis, area.size()[axis]);
+    let mut from = area.min[axis];
+    for (k, part) in parts.iter().enumerate() {
+        let to = from + sizes[k];
+        let mut inner = area;
+        (inner.min[axis], inner.max[axis]) = (from, to);
+        way.push(k);
+        pulled(ui, workbench, &part.tile, inner, way, commands);
+        way.pop();
+        if k + 1 < parts.len() {
+            let mut gap = area;
+            (gap.min[axis], gap.max[axis]) = (to, to + GAP);
+            let name = first(&part.tile).map(|pane| name_of(workbench, pane));
+            let name = name.unwrap_or_default();
+            let says = if side_by_side {
+                say!("width of {name}", name = name)
+            } else {
+                say!("height of {name}", name = name)
+            };
+            let id = Id::unique("between panes").with((&*way, k));
+            let Some(gripped) = widgets::grip_between(ui, id, &says, gap, side_by_side) else {
+                from = to + GAP;
+                continue;
+            };
+            let both = sizes[k] + sizes[k + 1];
+            let needs = [k, k + 1].map(|k| least(&parts[k].tile, axis));
+            let (at, kept) = match gripped {
+                Gripped::To(at) => (at - 0.5 * GAP - from, false),
+                Gripped::LetGo(at) => (at - 0.5 * GAP - from, true),
+                Gripped::Usual => (0.5 * both, true),
+            };
+            let at = at.min(both - needs[1]).max(needs[0]);
+            let mut sizes = sizes.clone();
+            (sizes[k], sizes[k + 1]) = (at, both - at);
+            let mut panes = workbench.view().panes.clone();
+            resize(&mut panes.root, way, &sizes);
+            let panes = Box::new(panes);
+            commands.push(if kept {
+                Command::View(ViewChange::Panes(panes))
+            } else {
+                Command::View(ViewChange::Pull(panes))
+            });
+        }
+        from = to + GAP;
+    }
+}
+
+/// The first pane in a tile.
+fn first(tile: &Tile) -> Option<&Pane> {
+    match tile {
+        Tile::Pane(pane) => Some(pane),
+        Tile::Beside(parts) | Tile::Below(parts) => first(&parts.first()?.tile),
+    }
+}
+
+/// Gives the parts of the split that a way leads to these sizes.
+fn resize(tile: &mut Tile, way: &[usize], sizes: &[f32]) {
+    let (Tile::Beside(parts) | Tile::Below(parts)) = tile else {
+        return;
+    };
+    if let [next, rest @ ..] = way {
+        if let Some(part) = parts.get_mut(*next) {
+            resize(&mut part.tile, rest, sizes);
+        }
+        return;
+    }
+    let all: f32 = sizes.iter().sum();
+    for (part, size) in parts.iter_mut().zip(sizes) {
+        part.share = size / all;
+    }
+}
+
+/// How tiles are shown.
+struct Middle<'a> {
+    workbench: &'a Workbench,
+    panes: &'a Panes,
+    palette: Palette,
+    /// Whether one was dropped.
+    dropped: bool,
+    /// The one that is dragged, and where it stands.
+    dragged: Option<(TileId, Rect)>,
+    commands: &'a mut Vec<Command>,
+}
+
+impl Middle<'_> {
+    /// Whether what is dragged is still over its own place.
+    fn is_at_home(&self, painter: &Painter) -> bool {
+        let pointer = painter.ctx().pointer_latest_pos();
+        self.dragged
+            .is_some_and(|(_, home)| pointer.is_none_or(|at| home.contains(at)))
+    }
+}
+
+impl Behavior<Key> for Middle<'_> {
+    fn pane_ui(&mut self, ui: &mut Ui, id: TileId, key: &mut Key) -> UiResponse {
+        let Some(pane) = self.panes.pane(*key) else {
+            return UiResponse::None;
+        };
+        let rect = ui.max_rect();
+        if let Some((dragged, home)) = &mut self.dragged
+            && *dragged == id
+        {
+            *home = rect;
+        }
+        ui.shrink_clip_rect(rect);
+        let handle = contents(ui, self.workbench, pane, None, self.commands);
+        let pressed = ui.input(|input| input.pointer.any_pressed());
+        let active = self.panes.active() == *key;
+        if pressed && !active && ui.rect_contains_pointer(rect) {
+            self.commands
+                .push(Command::View(ViewChange::Activate(*key)));
+        }
+        if active && self.panes.panes().len() > 2 {
+            let line = Stroke::new(space::RING, self.palette.accent);
+            ui.painter().hline(rect.x_range(), rect.top() + 1.0, line);
+        }
+        if handle.is_some_and(|handle| handle.drag_started()) {
+            UiResponse::DragStarted
+        } else {
+            UiResponse::None
+        }
+    }
+
+    fn tab_title_for_pane(&mut self, key: &Key) -> WidgetText {
+        let pane = self.panes.pane(*key);
+        let name = pane.map(|pane| name_of(self.workbench, pane));
+        name.unwrap_or_default().into()
+    }
+
+    /// There are no tabs, and with a bar as high as this no place to drop one is the nearest.
+    fn tab_bar_height(&self, _: &egui::Style) -> f32 {
+        1e6
+    }
+
+    fn gap_width(&self, _: &egui::Style) -> f32 {
+        GAP
+    }
+
+    /// The grips do it.
+    fn is_container_resizable(&self, _: &Tiles<Key>, _: TileId) -> bool {
+        false
+    }
+
+    fn resize_stroke(&self, _: &egui::Style, _: ResizeState) -> Stroke {
+        Stroke::NONE
+    }
+
+    fn dragged_overlay_color(&self, _: &Visuals) -> egui::Color32 {
+        self.palette.background.gamma_multiply(0.6)
+    }
+
+    fn paint_drag_preview(&self, _: &Visuals, painter: &Painter, _: Option<Rect>, preview: Rect) {
+        if self.is_at_home(painter) {
+            return;
+        }
+        let fill = self.palette.accent.gamma_multiply(0.2);
+        let edge = Stroke::new(space::RING, self.palette.accent);
+        painter.rect(preview, 4.0, fill, edge, egui::StrokeKind::Inside);
+    }
+
+    fn on_edit(&mut self, action: EditAction) {
+        self.dropped |= action == EditAction::TileDropped;
+    }
 }

@@ -3,7 +3,7 @@
 use egui::{Button, Popup, Response, Role, Sense, Ui, WidgetInfo, vec2};
 
 use crate::gui::actions::{CHART_BELOW, CHART_BESIDE, CLOSE_CHART, WindowState};
-use crate::gui::style::tokens::{Palette, space};
+use crate::gui::style::{Palette, space};
 use crate::gui::view::{ChartPane, Content, Edge, Key, Pane, Plot, What};
 use crate::gui::workbench::{Asked, Command, ViewChange, Workbench};
 use crate::gui::{widgets, workspace};

@@ -11,7 +11,7 @@ use crate::gui::core::boundaries;
 use crate::gui::core::by_angle::Count;
 use crate::gui::core::document::{Division, Method};
 use crate::gui::core::edit::Edit;
-use crate::gui::style::tokens::{Palette, size, space, strong};
+use crate::gui::style::{Palette, size, space, strong};
 use crate::gui::view::Step;
 use crate::gui::workbench::{Command, ViewChange, Workbench, of_field};
 use crate::gui::{help, widgets};

@@ -5,7 +5,7 @@ use egui::{Align, Key, Layout, RichText, TextEdit, Ui, UiBuilder, vec2};
 use crate::gui::core::boundaries::{self, End, Joint, Typed};
 use crate::gui::core::by_angle::Count;
 use crate::gui::core::edit::Edit;
-use crate::gui::style::tokens::{Palette, size, space};
+use crate::gui::style::{Palette, size, space};
 use crate::gui::widgets;
 use crate::gui::workbench::{Command, ViewChange, Workbench};
 use crate::present::numbers::grouped;
@@ -173,10 +173,7 @@ fn angle(
 ) {
     let regions = &workbench.document().regions;
     let (region, units) = (&regions[k], workbench.units());
-    let at_rad = match end {
-        End::From => region.from_rad,
-        End::To => region.to_rad,
-    };
+    let at_rad = end.of(region);
     let draft = draft_of(workbench, region, end);
     let refused = draft.and_then(|draft| judged(workbench, region, k, end, draft).err());
     let before = draft.map_or_else(|| boundaries::shown(at_rad, units), str::to_owned);
@@ -273,11 +270,7 @@ fn judged(
     let units = workbench.units();
     let regions = &workbench.document().regions;
     let at_rad = boundaries::angle(text, units)?;
-    let now = match end {
-        End::From => region.from_rad,
-        End::To => region.to_rad,
-    };
-    if (at_rad - now).abs() < 1e-9 {
+    if (at_rad - end.of(region)).abs() < 1e-9 {
         // It is there already.
         return Ok(());
     }
@@ -300,11 +293,7 @@ fn problem(ui: &mut Ui, workbench: &Workbench, region: &Region, k: usize, end: E
     let Err(says) = judged(workbench, region, k, end, draft) else {
         return;
     };
-    let at_rad = match end {
-        End::From => region.from_rad,
-        End::To => region.to_rad,
-    };
-    let stays = workbench.units().angle(at_rad);
+    let stays = workbench.units().angle(end.of(region));
     widgets::wrong(
         ui,
         &match end {

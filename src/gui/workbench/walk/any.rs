@@ -9,13 +9,13 @@ use rand_chacha::ChaCha8Rng;
 use crate::diagnosis::SessionCorrection;
 use crate::effects::CATALOGUE;
 use crate::export::EXPORTERS;
+use crate::gui::core::answer::term_of;
 use crate::gui::core::boundaries::{End, Joint};
 use crate::gui::core::compensated::{CompensationRequest, PrecedenceChoice};
 use crate::gui::core::document::{ExportChoice, Method};
 use crate::gui::core::edit::Edit;
 use crate::gui::core::loaded_session::LoadedSession;
 use crate::gui::core::robot_table::RobotTable;
-use crate::gui::core::search::term_of;
 use crate::gui::core::setup::{SetupForm, SigmaForm};
 use crate::gui::core::simulate::Form;
 use crate::gui::import_draft::{ImportAnswers, ImportDraft, RobotFrom, TypedAxis};
@@ -29,8 +29,7 @@ use crate::robots::library;
 use crate::text::Language;
 use crate::units::rad_from_deg;
 
-use super::looks::{arrangement, chart, chart_of, look, plot, seen, sizes, way_to_look};
-use super::record;
+use super::looks::{arrangement, chart, chart_of, look, plot, record, seen, sizes, way_to_look};
 
 /// Files that the walk opens and writes.
 pub(super) struct Files {
@@ -406,7 +405,7 @@ pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Fi
         74 => match (workbench.file(), workbench.at_risk().session) {
             // Otherwise it asks the system.
             (Some(_), true) => Command::SaveThen(then(random, files)),
-            _ => Command::View(ViewChange::Sheet(None)),
+            _ => Command::no_sheet(),
         },
         75..=77 if workbench.file().is_some() || workbench.loaded_session().is_empty() => {
             Command::Save
@@ -456,7 +455,7 @@ pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Fi
             &[Canvas::Shapes, Canvas::Layers(1000)],
         ))),
         137 | 138 => Command::Prefer(preferences(random)),
-        139 if random.random() => record::command(random, workbench, files),
+        139 if random.random() => record(random, workbench, files),
         139 => Command::View(ViewChange::Resize(sizes(random))),
         140..=142 => draft(random, workbench),
         143..=147 => Command::View(ViewChange::Sheet(sheet(random, files, workbench))),

@@ -1,17 +1,24 @@
-//! A way to look at the document at random: planes and 3-D, charts and how they are arranged.
+//! Commands at random about how the document is looked at (planes and 3-D, charts and how they are arranged), and
+//! about the record of a machine, sensible or not.
 
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 
-use super::any::{one_of, pick};
+use crate::compensation::decision::Rule;
+use crate::report::Details;
+
 use crate::gui::charts::CHARTS;
 use crate::gui::core::loaded_session::Component;
 use crate::gui::core::quantity::Quantity;
+use crate::gui::file_state::machines::Stated;
+use crate::gui::file_state::recording::RecordingRequest;
 use crate::gui::preferences::Sizes;
 use crate::gui::view::{
-    Camera, ChartPane, Colouring, Edge, Key, Panes, Plane, Plot, Side, Standard, Step, Tile,
+    Camera, ChartPane, Colouring, Edge, Key, Panes, Plane, Plot, Sheet, Side, Standard, Step, Tile,
 };
-use crate::gui::workbench::{Command, ViewChange, Workbench};
+use crate::gui::workbench::{Command, Task, ViewChange, Workbench};
+
+use super::any::{Files, one_of, pick};
 
 fn plot_size(random: &mut ChaCha8Rng) -> ViewChange {
     ViewChange::PlotSize(pick(random, &[-1.0, 0.0, f64::NAN, 200.0, 1e300]))
@@ -147,4 +154,49 @@ pub(super) fn sizes(random: &mut ChaCha8Rng) -> Sizes {
         left: one_of(random, &[0.0, 300.0, f32::NAN, 1e9]).copied(),
         ..Sizes::default()
     }
+}
+
+pub(super) fn record(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Files) -> Command {
+    match random.random_range(0..8) {
+        5 => Command::Stop(Task::Recording),
+        6 => Command::sheet(Sheet::RECORDING),
+        7 => Command::Record(Box::new(recording(random, files))),
+        0 => Command::CompareSessions(files.any(random)),
+        1 => Command::sheet(Sheet::DETAILS),
+        2 => Command::sheet(Sheet::HISTORY),
+        _ => Command::State(Box::new(stated(random, workbench, files))),
+    }
+}
+
+/// From nowhere: no walk depends on the network.
+fn recording(random: &mut ChaCha8Rng, files: &Files) -> RecordingRequest {
+    let addresses = [
+        "",
+        "tcp://",
+        "udp://127.0.0.1:0",
+        "tcp://127.0.0.1:99999",
+        "file:///x:1",
+    ];
+    RecordingRequest {
+        address: one_of(random, &addresses)
+            .copied()
+            .unwrap_or_default()
+            .to_owned(),
+        columns: "q1_deg, x_mm".to_owned(),
+        path: files.to_write(random, "csv"),
+    }
+}
+
+fn stated(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Files) -> Stated {
+    let mut stated = workbench.stated();
+    let texts = ["", "L-17", "<b>ß·∆\u{202e}", "22 Nov 2026"];
+    if let (Some(line), Some(text)) = (one_of(random, Details::LINES), one_of(random, &texts)) {
+        *(line.of)(&mut stated.details) = (*text).to_owned();
+    }
+    stated.details.rule = one_of(random, &Rule::ALL).copied();
+    stated.details.tolerance_mm = one_of(random, &[None, Some(0.2)]).copied().flatten();
+    if random.random_range(0..4) == 0 {
+        stated.logo = files.any(random).display().to_string();
+    }
+    stated
 }

@@ -5,7 +5,6 @@ mod any;
 mod kinds;
 mod live;
 mod looks;
-mod record;
 
 use std::collections::{BTreeSet, VecDeque};
 use std::path::Path;

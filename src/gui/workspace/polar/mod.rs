@@ -15,8 +15,11 @@ use egui::{Pos2, Role, Ui, WidgetInfo, vec2};
 use crate::gui::cache::charts::Envelope;
 use crate::gui::core::scale::thinned;
 use crate::gui::plots::{Drawing, gestures};
-use crate::gui::scene::{Bearing, Camera, Projection, Screen, Sheet, paint};
-use crate::gui::style::tokens::Palette;
+use crate::gui::scene::paint::paint;
+use crate::gui::scene::paint::{Bearing, Camera, Projection};
+use crate::gui::scene::screen::Screen;
+use crate::gui::scene::sheet::Sheet;
+use crate::gui::style::Palette;
 use crate::gui::workbench::{Command, Workbench};
 use crate::present::drawing;
 

@@ -7,9 +7,8 @@ use std::f64::consts::TAU;
 use nalgebra::{Isometry3, Point3, Vector3};
 
 use crate::gui::core::appearance::Appearance;
-use crate::gui::scene::{
-    Camera, ColourToken, Form, Item, Mark, Place, Scene, Stroke, Tint, Triangle,
-};
+use crate::gui::scene::paint::Camera;
+use crate::gui::scene::{ColourToken, Form, Item, Mark, Place, Scene, Stroke, Tint, Triangle};
 use crate::gui::view::Facing;
 
 use super::{Drawn, JointSymbol};

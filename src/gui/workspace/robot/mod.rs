@@ -8,8 +8,9 @@ pub(super) mod body;
 
 use nalgebra::{Isometry3, Point3, Vector3};
 
+use crate::gui::core::appearance::Skeleton;
+use crate::gui::core::quantity::joint_value;
 use crate::gui::core::scale::round_down;
-use crate::gui::core::skeleton::Skeleton;
 use crate::gui::workbench::Workbench;
 use crate::kinematics::{JointKind, Robot};
 
@@ -104,13 +105,11 @@ impl Drawn {
         let corners = Skeleton::new(robot, &target_mm).at(&q)?;
         let corners: Vec<_> = corners.iter().map(|p| base * p).collect();
         let units = workbench.units();
-        let values = robot.joints.iter().zip(&q).map(|(joint, q)| {
-            let value = match joint.kind {
-                JointKind::Revolute => units.angle(*q),
-                JointKind::Prismatic => units.length(*q),
-            };
-            (joint.name.clone(), value)
-        });
+        let values = robot
+            .joints
+            .iter()
+            .zip(&q)
+            .map(|(joint, q)| (joint.name.clone(), joint_value(units, joint.kind, *q)));
         Some(Self {
             sample,
             asked_for: asked.is_some() || view.pose.is_some(),

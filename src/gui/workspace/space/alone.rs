@@ -5,8 +5,11 @@ use egui::{Color32, EventFilter, Key, PointerButton, Rect, Response, Sense, Stro
 use nalgebra::Isometry3;
 
 use crate::gui::plots::gestures;
-use crate::gui::scene::{self, Projection, Scene, Screen, paint};
-use crate::gui::style::tokens::{Palette, space};
+use crate::gui::scene::paint::Projection;
+use crate::gui::scene::paint::paint;
+use crate::gui::scene::screen::Screen;
+use crate::gui::scene::{self, Scene};
+use crate::gui::style::{Palette, space};
 use crate::gui::view::{Ball, Camera};
 use crate::gui::widgets;
 use crate::kinematics::Robot;
@@ -38,7 +41,7 @@ pub(crate) fn robot_alone(
     *camera = looked(ui, &response, rect, &ball, *camera);
     let sides = [rect.width(), rect.height()].map(f64::from);
     let seen_along = Projection::Parallel(camera.facing());
-    let seen = scene::Camera::showing(seen_along, camera.bounds(&ball, sides), rect);
+    let seen = scene::paint::Camera::showing(seen_along, camera.bounds(&ball, sides), rect);
     let mut scene = Scene::default();
     body(&mut scene, &drawn, &Isometry3::identity(), &seen, None);
     let mut shapes = Vec::new();

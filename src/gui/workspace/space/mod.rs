@@ -12,9 +12,12 @@ pub(crate) use alone::robot_alone;
 use egui::{Panel, Pos2, RichText, Role, ScrollArea, Sense, Slider, Ui, WidgetInfo};
 
 use crate::gui::cache::cloud::Cloud;
+use crate::gui::core::quantity::joint_value;
 use crate::gui::core::scale::stride;
-use crate::gui::scene::{SIZE, Screen, Sheet, paint};
-use crate::gui::style::tokens::{Palette, size};
+use crate::gui::scene::paint::paint;
+use crate::gui::scene::screen::Screen;
+use crate::gui::scene::sheet::{SIZE, Sheet};
+use crate::gui::style::{Palette, size};
 use crate::gui::view::{Camera, Canvas};
 use crate::gui::widgets::{self, caption, fine};
 use crate::gui::workbench::{Command, ViewChange, Workbench};
@@ -22,7 +25,6 @@ use crate::kinematics::JointKind;
 use crate::numeric::extent;
 use crate::present::drawing::Drawing;
 use crate::present::numbers::trimmed;
-use crate::present::units::Units;
 
 use super::layout;
 use super::legend::{self, Notes};
@@ -281,7 +283,7 @@ fn pose(ui: &mut Ui, workbench: &Workbench, now: &[f64], commands: &mut Vec<Comm
         for (k, (joint, q)) in joints.iter().zip(now).enumerate() {
             caption(
                 ui,
-                &format!("{}  {}", joint.name, value(units, joint.kind, *q)),
+                &format!("{}  {}", joint.name, joint_value(units, joint.kind, *q)),
             );
             let [low, high] = range(workbench, k);
             let mut next = *q;
@@ -289,8 +291,7 @@ fn pose(ui: &mut Ui, workbench: &Workbench, now: &[f64], commands: &mut Vec<Comm
             let slider = Slider::new(&mut next, low.min(*q)..=high.max(*q)).show_value(false);
             let slider = ui.add(slider);
             let name = say!("Pose of joint {k}, {joint}", k = k + 1, joint = joint.name);
-            ui.ctx()
-                .accesskit_node_builder(slider.id, |node| node.set_label(name));
+            widgets::label(&slider, name);
             if slider.changed() && next != *q {
                 let mut pose = now.to_vec();
                 pose[k] = next;
@@ -302,13 +303,6 @@ fn pose(ui: &mut Ui, workbench: &Workbench, now: &[f64], commands: &mut Vec<Comm
         }
         widgets::focus_in_sight(ui);
     });
-}
-
-fn value(units: Units, kind: JointKind, q: f64) -> String {
-    match kind {
-        JointKind::Revolute => units.angle(q),
-        JointKind::Prismatic => units.length(q),
-    }
 }
 
 #[cfg(test)]

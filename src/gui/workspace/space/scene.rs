@@ -5,9 +5,8 @@ use egui::{Align2, Rect, pos2};
 use nalgebra::{Isometry3, Point3, UnitQuaternion, Vector3};
 
 use crate::gui::core::scale::round_down;
-use crate::gui::scene::{
-    self, ColourToken, Form, Item, Label, Mark, Place, Projection, Scene, Stroke,
-};
+use crate::gui::scene::paint::Projection;
+use crate::gui::scene::{self, ColourToken, Form, Item, Label, Mark, Place, Scene, Stroke};
 use crate::gui::view::Ball;
 use crate::gui::workbench::Workbench;
 use crate::present::numbers::trimmed;
@@ -23,7 +22,7 @@ const AXIS: f64 = 34.0;
 
 /// Where everything is in a picture.
 pub(super) struct Space {
-    pub(super) camera: scene::Camera,
+    pub(super) camera: scene::paint::Camera,
     /// The base in the measuring frame.
     pub(super) base: Isometry3<f64>,
     pub(super) ball: Ball,
@@ -42,7 +41,7 @@ impl Space {
             *end = [0, 1].map(|k| end[k] + shift[k]);
         }
         Self {
-            camera: scene::Camera::showing(Projection::Parallel(facing), bounds, rect),
+            camera: scene::paint::Camera::showing(Projection::Parallel(facing), bounds, rect),
             base,
             ball,
         }
