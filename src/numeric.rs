@@ -11,6 +11,16 @@ pub(crate) fn extent<V: Borrow<f64>>(values: impl IntoIterator<Item = V>) -> [f6
     })
 }
 
+/// The median of the finite values, of an even number of them the upper one; of nothing `None`.
+pub(crate) fn median(values: impl IntoIterator<Item = f64>) -> Option<f64> {
+    let mut all: Vec<f64> = values.into_iter().filter(|v| v.is_finite()).collect();
+    if all.is_empty() {
+        return None;
+    }
+    let middle = all.len() / 2;
+    Some(*all.select_nth_unstable_by(middle, f64::total_cmp).1)
+}
+
 /// A small number that is whole already, or zero where it is below.
 #[allow(
     clippy::cast_possible_truncation,

@@ -62,24 +62,24 @@ pub(super) fn verify_as_read(
         let lengths = d.length_mm.iter().zip(&problem.fit);
         lengths.filter(|(l, counts)| **counts && **l <= mm).count()
     };
-    let mut corrected = None;
     let compensated = session.compensated_by.is_none().then(|| {
         // measured − model + reached − nominal, as if `nominal` were shifted by the model's error
         let moved = moved(&compensation, inputs, &model);
         let drawn = compensation.nominal.predict(inputs);
         let expected = |i: usize| minus(drawn.get(i), moved.get(i));
         let with_table = measured_minus(session, &problem, &compensation, expected);
-        corrected = tolerance.map(|mm| within(&with_table, mm));
         let left: Vec<f64> = left_over(&compensation, inputs)
             .iter()
             .map(|v| crate::lanes::dot(*v, *v).sqrt())
             .collect();
         let stays = Spread::of(&left, |i| problem.fit[i], |_| false);
-        spread(&with_table).map(|gap| Compensated {
+        let compensated = spread(&with_table).map(|gap| Compensated {
             gap,
             cannot_be_removed_by_joints_mm: stays.map_or(0.0, |s| s.rms_mm),
-        })
+        });
+        (compensated, tolerance.map(|mm| within(&with_table, mm)))
     });
+    let (compensated, corrected) = compensated.unwrap_or_default();
     let samples = problem.usable.iter().filter(|u| **u).count();
     let counts = |i: usize| problem.fit[i];
     Ok(Verification {
@@ -93,7 +93,7 @@ pub(super) fn verify_as_read(
             corrected,
             of: problem.fit.iter().filter(|f| **f).count(),
         }),
-        compensated: compensated.flatten(),
+        compensated,
         held_out: held_out(&apart, &before, &after),
         trimmed: Trimmed::of(&before.length_mm, &after.length_mm, counts, &outlier),
         data_problems: set_aside::findings(session, &after.length_mm, counts, &outlier),

@@ -9,6 +9,7 @@ use std::path::Path;
 use crate::diagnostic::Rejected;
 use crate::effects::Inputs;
 use crate::model::{Calibration, ResidualStep, format_v1};
+use crate::numeric::median;
 use crate::sessions::Session;
 
 use super::verification::{Verification, VerifyError};
@@ -282,12 +283,9 @@ fn predicts_what_is_held_out(
     };
     let median_mm = |lengths_mm: &[f64]| {
         let apart = lengths_mm.iter().zip(held_out).filter(|own| *own.1);
-        let mut apart: Vec<f64> = apart
-            .map(|own| *own.0)
-            .filter(|mm| mm.is_finite())
-            .collect();
-        apart.sort_by(f64::total_cmp);
-        (apart.len() >= FEWEST_HELD_OUT).then(|| apart[apart.len() / 2])
+        // Not every measurement has a length.
+        let apart = apart.map(|own| *own.0).filter(|mm| mm.is_finite());
+        (apart.clone().count() >= FEWEST_HELD_OUT).then(|| median(apart))?
     };
     let nominal_mm = median_mm(&verified.before.length_mm);
     let found_mm = median_mm(&verified.after.length_mm);

@@ -15,7 +15,7 @@ use crate::text::length;
 
 use super::plan::Compensation;
 
-/// Shares below this are not worth a word, mm: no instrument shows them, and nobody repairs a machine for them.
+/// Shares below this are left out, mm: a remedy for less than a tracker resolves is no advice.
 const WORTH_A_WORD_MM: f64 = 1e-3;
 
 /// What one effect leaves behind.

@@ -220,7 +220,7 @@ pub fn fit(problem: &mut Problem, start: &Model, weak: bool) -> Fitted {
         }
         solution = fit_without_outliers(problem, &solution.model);
     }
-    // For whoever plans and expects: the likeliest variance is one of a few that were tried.
+    // The likeliest variance is one of a few that were tried; a plan and an expected error need it finer.
     if problem.priors.weak {
         problem.priors.variance = variance(problem, &solution);
     }

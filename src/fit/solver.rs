@@ -239,12 +239,8 @@ const ROUNDING_MM: f64 = 1e-6;
 /// The spectrum of a problem with another noise at a solution, the cost there, and the step to the
 /// solution under that noise.
 pub(super) fn spectrum_at(problem: &Problem, solution: &Solution) -> (Spectrum, f64, DVector<f64>) {
-    let state = State {
-        model: solution.model.clone(),
-        extra_coefficients: solution.extra_coefficients.clone(),
-    };
-    let blocks: Vec<usize> = (0..problem.inputs.len()).step_by(LANES).collect();
-    let normal = sum(problem, &state, &blocks, Sums::All);
+    let state = state_at(solution);
+    let normal = equations_at(problem, solution);
     let spectrum = spectrum_of(problem, &normal, &state);
     let step = spectrum.step(&normal.gradient, 0.0);
     (spectrum, normal.cost, step)
@@ -252,12 +248,15 @@ pub(super) fn spectrum_at(problem: &Problem, solution: &Solution) -> (Spectrum, 
 
 /// The equations of a problem at a solution, with those of its priors.
 pub(super) fn equations_at(problem: &Problem, solution: &Solution) -> Normal {
-    let state = State {
+    let blocks: Vec<usize> = (0..problem.inputs.len()).step_by(LANES).collect();
+    sum(problem, &state_at(solution), &blocks, Sums::All)
+}
+
+fn state_at(solution: &Solution) -> State {
+    State {
         model: solution.model.clone(),
         extra_coefficients: solution.extra_coefficients.clone(),
-    };
-    let blocks: Vec<usize> = (0..problem.inputs.len()).step_by(LANES).collect();
-    sum(problem, &state, &blocks, Sums::All)
+    }
 }
 
 fn spectrum_of(problem: &Problem, normal: &Normal, state: &State) -> Spectrum {

@@ -1,6 +1,7 @@
 //! The mean of what was measured during a stop.
 
 use crate::importers::columns::{Column, Columns};
+use crate::numeric::median;
 use crate::sessions::columns::{Quantity, Unit};
 
 /// A point in a stop that is this many median deviations from the median strays.
@@ -13,21 +14,13 @@ pub(crate) struct Group {
     pub(crate) rows: Vec<usize>,
 }
 
-fn median(mut values: Vec<f64>) -> f64 {
-    values.sort_by(f64::total_cmp);
-    values.get(values.len() / 2).copied().unwrap_or(0.0)
-}
-
 /// The rows without those that stray.
 pub(crate) fn without_strays(rows: Vec<usize>, coordinates: &[&Vec<f64>]) -> Vec<usize> {
     if rows.len() < 4 {
         return rows;
     }
-    let of = |values: &Vec<f64>| rows.iter().map(|&row| values[row]).collect::<Vec<f64>>();
-    let middle: Vec<f64> = coordinates
-        .iter()
-        .map(|values| median(of(values)))
-        .collect();
+    let of = |values: &Vec<f64>| median(rows.iter().map(|&row| values[row])).unwrap_or(0.0);
+    let middle: Vec<f64> = coordinates.iter().map(|values| of(values)).collect();
     let distance = |row: usize| {
         let parts = coordinates.iter().zip(&middle);
         parts
@@ -35,7 +28,7 @@ pub(crate) fn without_strays(rows: Vec<usize>, coordinates: &[&Vec<f64>]) -> Vec
             .sum::<f64>()
             .sqrt()
     };
-    let usual = median(rows.iter().map(|&row| distance(row)).collect());
+    let usual = median(rows.iter().map(|&row| distance(row))).unwrap_or(0.0);
     let kept: Vec<usize> = rows
         .iter()
         .copied()

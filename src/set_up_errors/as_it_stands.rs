@@ -15,6 +15,7 @@ use crate::fit::gap::lengths_mm;
 use crate::fit::problem::Problem;
 use crate::kinematics::JointKind;
 use crate::model::Model;
+use crate::numeric::median;
 use crate::sessions::{Session, SessionCorrection};
 use crate::units::rad_from_deg;
 
@@ -34,11 +35,7 @@ pub(super) fn least_mm(part: &Session, values: JointValues, free_frame: bool) ->
 }
 
 fn median_mm(problem: &Problem, model: &Model) -> f64 {
-    let mut lengths = lengths_mm(problem, model);
-    lengths.retain(|v| v.is_finite());
-    lengths.sort_by(f64::total_cmp);
-    let middle = lengths.get(lengths.len() / 2);
-    middle.copied().unwrap_or(f64::INFINITY)
+    median(lengths_mm(problem, model)).unwrap_or(f64::INFINITY)
 }
 
 /// The nominal robot, where the best rigid motion puts it.

@@ -38,6 +38,7 @@ use crate::fit::gap::{GROSS_SHARE, Spread, lengths_mm};
 use crate::fit::problem::Problem;
 use crate::fit::solver::solve;
 use crate::model::Model;
+use crate::numeric::median;
 
 use super::divergent_terms::runs_away;
 use super::unseen::{self, Procedure};
@@ -275,10 +276,8 @@ fn has_set_aside(problem: &Problem) -> bool {
 fn median_mm(problem: &Problem, model: &Model) -> f64 {
     let left_mm = lengths_mm(problem, model);
     let samples = left_mm.iter().zip(&problem.used);
-    let used = samples.filter(|(mm, used)| **used && mm.is_finite());
-    let mut used: Vec<f64> = used.map(|(mm, _)| *mm).collect();
-    used.sort_by(f64::total_cmp);
-    used.get(used.len() / 2).copied().unwrap_or(0.0)
+    let used = samples.filter(|(_, used)| **used);
+    median(used.map(|(mm, _)| *mm)).unwrap_or(0.0)
 }
 
 /// Whether shapes are told from the model that they were fitted beside: what they take of it is no more

@@ -13,6 +13,7 @@ use crate::fit::base_model;
 use crate::fit::expected::{uncertainties_mm, unseen_mm};
 use crate::fit::gap::lengths_mm;
 use crate::fit::uncertainty::{NORMAL_95, half_width_factor};
+use crate::numeric::{median, whole};
 use crate::text::{Text, length};
 
 use super::values::Values;
@@ -41,30 +42,25 @@ pub(crate) fn missed(prepared: &PreparedSearch, values: &Values, floor: &Floor) 
     let inputs = problem.inputs.select(&apart);
     let covariance = values.covariance.as_ref();
     let of_values = covariance.and_then(|c| uncertainties_mm(&values.model, &inputs, c));
-    let mut uncertain = of_values.unwrap_or_else(|| vec![0.0; apart.len()]);
-    if base_model::is_arm(problem.session) {
-        for (own, unseen) in uncertain
-            .iter_mut()
-            .zip(unseen_mm(problem, &values.model, &inputs))
-        {
-            *own = own.hypot(unseen);
-        }
-    }
-    let freedom = values.white().1;
-    let wider = half_width_factor(freedom as usize) / NORMAL_95;
-    let times = apart.iter().zip(&uncertain);
+    let of_values = of_values.unwrap_or_else(|| vec![0.0; apart.len()]);
+    let unseen = if base_model::is_arm(problem.session) {
+        unseen_mm(problem, &values.model, &inputs)
+    } else {
+        vec![0.0; apart.len()]
+    };
+    let wider = half_width_factor(whole(values.white().1)) / NORMAL_95;
+    let uncertain = of_values
+        .iter()
+        .zip(&unseen)
+        .map(|(own, unseen)| own.hypot(*unseen));
+    let times = apart.iter().zip(uncertain);
     let times = times.map(|(i, own)| left_mm[*i] / (wider * own.hypot(floor.mm)));
-    let times = median(times.collect());
+    let (times, error) = (median(times)?, median(apart.iter().map(|i| left_mm[*i]))?);
     (times > MOST_TIMES).then(|| {
         text!(
             "half of the held-out samples are {error} off and more, {times} times what noise and all that is uncertain of the model explain",
-            error = length(median(apart.iter().map(|i| left_mm[*i]).collect()), 3),
+            error = length(error, 3),
             times = format!("{times:.1}")
         )
     })
-}
-
-fn median(mut of: Vec<f64>) -> f64 {
-    of.sort_by(f64::total_cmp);
-    of.get(of.len() / 2).copied().unwrap_or(0.0)
 }

@@ -5,9 +5,10 @@ use crate::fit::problem::Problem;
 use crate::fit::{base_model, fit_without_outliers, free_frames};
 use crate::kinematics::JointKind;
 use crate::model::{Model, Positions};
+use crate::numeric::median;
 use crate::sessions::{Session, SessionCorrection};
 
-use super::path::{Path, Points, cost, median};
+use super::path::{Path, Points, cost};
 
 /// Rows that a fit looks at; of a long session they are spread evenly.
 const MOST_ROWS: usize = 400;

@@ -22,6 +22,7 @@ mod starts;
 
 use crate::answers::diagnosis::DataProblem;
 use crate::effects::{Inputs, JointValues};
+use crate::numeric::median;
 use crate::sessions::{Session, SessionCorrection};
 use crate::text::length;
 
@@ -147,7 +148,7 @@ fn judged(
     let evidence = before - after;
     let moved: Vec<usize> = path.moved(points.len()).collect();
     let with = |fit: &Fitted, path: &Path, rows: &[usize]| {
-        path::median(rows.iter().filter_map(|row| {
+        median(rows.iter().filter_map(|row| {
             let point = path.point_of(*row, points.len())?;
             points.deviation_mm(&fit.predicted, *row, point)
         }))

@@ -221,16 +221,6 @@ pub(super) fn cost_of_shifted(deviation_mm: Option<f64>, by: isize, sigma_mm: f6
     }
 }
 
-/// The median, of nothing `None`.
-pub(super) fn median(values: impl Iterator<Item = f64>) -> Option<f64> {
-    let mut all: Vec<f64> = values.filter(|v| v.is_finite()).collect();
-    if all.is_empty() {
-        return None;
-    }
-    let middle = all.len() / 2;
-    Some(*all.select_nth_unstable_by(middle, f64::total_cmp).1)
-}
-
 /// How many rows there are from which the robot goes farther than this to one that a shift may reach.
 pub(super) fn far_steps(predicted: &Positions, mm: f64) -> usize {
     let rows = predicted.x_mm.len();

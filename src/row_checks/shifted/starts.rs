@@ -6,10 +6,11 @@ use nalgebra::{Isometry3, Vector3};
 use crate::effects::Inputs;
 use crate::model::Model;
 use crate::model::rigid_motion::rigid_motion;
+use crate::numeric::median;
 use crate::sessions::Session;
 
 use super::fitted::{LEAST_SIGMA_MM, MEDIAN_LENGTH};
-use super::path::{MOST_SHIFT, Path, Points, along, cost_of_shifted, median};
+use super::path::{MOST_SHIFT, Path, Points, along, cost_of_shifted};
 
 /// Stretches that are tried.
 const STRETCHES: usize = 4;
