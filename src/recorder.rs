@@ -9,6 +9,7 @@
 pub mod live;
 pub mod source;
 
+use crate::tables::as_cell;
 use crate::text::Text;
 use std::io::{self, Write};
 
@@ -453,11 +454,7 @@ fn push_row(cells: &[String], text: &mut String) {
         if index > 0 {
             text.push(',');
         }
-        if cell.contains([',', '"']) {
-            *text += &format!("\"{}\"", cell.replace('"', "\"\""));
-        } else {
-            *text += cell;
-        }
+        *text += &as_cell(cell);
     }
     text.push('\n');
 }

@@ -48,6 +48,23 @@ impl LengthUnit {
             Self::Inch => "in",
         }
     }
+
+    /// The sign of a unit of lengths for a temperature, a load or a time, as in `mm/kg`; `None`: it is of something else.
+    pub(crate) fn name_of_rate(self, unit: &str) -> Option<&'static str> {
+        Some(match (unit, self) {
+            ("mm", _) => self.name(),
+            ("mm/kg", Self::Millimetre) => "mm/kg",
+            ("mm/kg", Self::Micrometre) => "µm/kg",
+            ("mm/kg", Self::Inch) => "in/kg",
+            ("mm/h", Self::Millimetre) => "mm/h",
+            ("mm/h", Self::Micrometre) => "µm/h",
+            ("mm/h", Self::Inch) => "in/h",
+            ("mm/°C", Self::Millimetre) => "mm/°C",
+            ("mm/°C", Self::Micrometre) => "µm/°C",
+            ("mm/°C", Self::Inch) => "in/°C",
+            _ => return None,
+        })
+    }
 }
 
 /// Unit of angles for a reader.

@@ -123,17 +123,19 @@ pub struct Slow {
 impl Slow {
     /// In words, where everything that has a name is in the model.
     pub fn describe(&self) -> Text {
-        let (size, time) = self.extent();
+        let (wanders_mm, time) = self.extent();
         text!(
             "the measuring frame wanders by {size} (root mean square) within {time} min",
-            size = size,
+            size = length(wanders_mm, 4),
             time = time
         )
     }
 
-    /// In words, where the model may lack what changes with time as the poses do.
-    pub fn says_of_remaining_error(&self) -> Text {
-        let (size, time) = self.extent();
+    /// In words, where the model may lack what changes with time as the poses do and leaves so much, mm: of a wander that
+    /// takes longer than the session the fit has taken a part, and no more is left than that.
+    pub fn says_of_remaining_error(&self, left_mm: f64) -> Text {
+        let (wanders_mm, time) = self.extent();
+        let size = length(wanders_mm.min(left_mm), 4);
         text!(
             "a part of the remaining error goes on from sample to sample, {size} (root mean square) within {time} min: a diagnosis looks for effects in it",
             size = size,
@@ -142,10 +144,10 @@ impl Slow {
     }
 
     /// How far it wanders, mm, and in which time, min.
-    fn extent(&self) -> (Text, String) {
+    fn extent(&self) -> (f64, String) {
         let wanders_mm = self.rms_mm.iter().map(|s| s * s).sum::<f64>().sqrt();
         let minutes = self.time_constant_s / 60.0;
-        (length(wanders_mm, 4), format!("{minutes:.1}"))
+        (wanders_mm, format!("{minutes:.1}"))
     }
 }
 

@@ -47,7 +47,7 @@ pub(crate) struct Import {
     )]
     commands: Option<PathBuf>,
     /// How commands find their measurements
-    #[arg(long = "match", value_name = "HOW", help = "How commands find their measurements [default: order]", value_parser = PossibleValuesParser::new(["order", "time", "name"]))]
+    #[arg(long = "match", value_name = "HOW", help = "How commands find their measurements [default: order; name where both have the same names in another order]", value_parser = PossibleValuesParser::new(["order", "time", "name"]))]
     matching: Option<String>,
     /// Unit of coordinates whose heading does not say it
     #[arg(long, value_parser = PossibleValuesParser::new(["mm", "m", "in"]))]
@@ -166,7 +166,7 @@ impl Import {
         let settings = Settings {
             name: session_name(if to_stdout { &self.file } else { &self.out }),
             commands: companion(self.commands.as_deref(), commands.as_deref()),
-            matching: matching.unwrap_or_default(),
+            matching,
             commands_columns: self.commands_columns.clone(),
             commands_by_heading: profile.as_ref().map(Profile::commands).unwrap_or_default(),
             in_measuring_order,

@@ -12,6 +12,7 @@ use crate::kinematics::Robot;
 use super::conditions::approach;
 use crate::diagnosis::NextPose;
 use crate::programs::{Stop, WriteError, stops};
+use crate::tables::as_cell;
 
 /// The poses as a program of joint moves in `language` (`rapid`, `krl`, `urscript`): each is approached
 /// from its side over a stretch of its own, and the robot waits there. What changes by hand (load, target,
@@ -111,13 +112,15 @@ pub fn measuring_list(poses: &[NextPose], robot: &Robot) -> String {
             columns.push((name.to_owned(), cell));
         }
     };
-    optional("target", |p| p.target.as_deref().map(quoted));
+    optional("target", |p| {
+        p.target.as_deref().map(|name| as_cell(name).into_owned())
+    });
     optional("load_kg", |p| p.load_kg.map(number));
     optional("temperature_c", |p| p.temperature_c.map(number));
     optional("target_x_mm", |p| p.target_mm.map(|t| number(t[0])));
     optional("target_y_mm", |p| p.target_mm.map(|t| number(t[1])));
     optional("target_z_mm", |p| p.target_mm.map(|t| number(t[2])));
-    optional("why", |p| Some(quoted(&p.why.to_string())));
+    optional("why", |p| Some(as_cell(&p.why.to_string()).into_owned()));
     let headings: Vec<&str> = columns.iter().map(|(name, _)| name.as_str()).collect();
     let mut text = headings.join(",");
     text.push('\n');
@@ -132,14 +135,6 @@ pub fn measuring_list(poses: &[NextPose], robot: &Robot) -> String {
 fn number(value: f64) -> String {
     let rounded = (value * 1e9).round() / 1e9;
     format!("{}", rounded + 0.0)
-}
-
-fn quoted(text: &str) -> String {
-    if text.contains([',', '"', '\n', '\r']) {
-        format!("\"{}\"", text.replace('"', "\"\""))
-    } else {
-        text.to_owned()
-    }
 }
 
 #[cfg(test)]

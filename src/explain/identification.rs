@@ -194,7 +194,7 @@ fn noise(answer: &Identification, session: &Session) -> Vec<Fact> {
     let stated = noise.against_stated(session).filter(StatedNoise::differs);
     let stated = stated.map(|stated| fact(say!("Measurement noise"), spoken(stated.describe())));
     let slow = noise.slow.as_ref().map(|slow| {
-        let says = slow.says_of_remaining_error();
+        let says = slow.says_of_remaining_error(answer.gap.after.rms_mm);
         fact(say!("Slow noise"), spoken(&says))
     });
     stated.into_iter().chain(slow).collect()

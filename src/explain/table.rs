@@ -34,11 +34,10 @@ pub(crate) fn table(of: &Exported<'_>, detail: Detail) -> Vec<Section> {
         .map(|line| spoken(line, detail))
         .collect();
     // Notes are for places that show nothing else: they have the meaning and what no joint can correct in them.
-    let stays = of.remainder.map_or_else(Vec::new, Remainder::describe);
-    let stays: Vec<String> = stays.iter().map(|line| spoken(line, detail)).collect();
-    let more = of.export.notes.iter().map(|line| spoken(line, detail));
-    let more = more.filter(|line| !meaning.contains(line) && !stays.contains(line));
-    let more: Vec<String> = more.collect();
+    let said = of.remainder.map_or(&[][..], |_| &of.export.stays);
+    let more = of.export.notes.iter().filter(|line| !said.contains(line));
+    let more = more.map(|line| spoken(line, detail));
+    let more: Vec<String> = more.filter(|line| !meaning.contains(line)).collect();
     for (title, lines) in [
         (say!("What the numbers mean"), meaning),
         (say!("Notes"), more),

@@ -206,6 +206,7 @@ pub(super) fn finish(job: &Job, chain: &Chain, written: Written) -> Result<Expor
         left: None,
         meaning,
         notes,
+        stays: Vec::new(),
     })
 }
 

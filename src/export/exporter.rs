@@ -78,4 +78,6 @@ pub struct Export {
     pub meaning: Vec<Text>,
     /// What the user should know.
     pub notes: Vec<Text>,
+    /// The notes that say what no joint removes over the measured range: whoever says it of a session leaves them out.
+    pub stays: Vec<Text>,
 }

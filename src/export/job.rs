@@ -90,7 +90,7 @@ impl ExportError {
                 before_mm,
                 after_mm,
             } => text!(
-                "with this description of the robot the RMS error of '{session}' would rise from {before_mm} to {after_mm}: nothing is written",
+                "with this description of the robot, seen from the frame of the model, the RMS error of '{session}' would rise from {before_mm} to {after_mm}: nothing is written",
                 session = session,
                 before_mm = length(before_mm, 6),
                 after_mm = length(after_mm, 6)

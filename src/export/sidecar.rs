@@ -125,17 +125,23 @@ impl Sidecar<'_> {
     /// What a user should hear besides the file: the example, what to enter, the table's notes,
     /// what stays.
     pub(super) fn notes(&self) -> Vec<Text> {
-        let remainder = self.stays();
         let mut notes = vec![WorkedExample::new(self.job, self.sheet, self.rules).says];
         notes.extend(self.in_the_controller.iter().cloned());
         notes.extend(self.rules.label.map(Text::from));
         notes.extend(self.sheet.notes.iter().cloned());
-        notes.push(text!(
+        notes.extend(self.stays_in_words());
+        notes
+    }
+
+    /// What no joint removes over the measured range.
+    pub(super) fn stays_in_words(&self) -> Vec<Text> {
+        let remainder = self.stays();
+        let mut says = vec![text!(
             "no joint removes {size} (root mean square over the measured range)",
             size = length(remainder.rms_mm, 4)
-        ));
-        notes.extend(remainder.describe());
-        notes
+        )];
+        says.extend(remainder.describe());
+        says
     }
 }
 

@@ -74,6 +74,7 @@ impl Exporter for TableFile {
             reads_as: Some(reads_as),
             robot: None,
             meaning: sidecar.meaning(),
+            stays: sidecar.stays_in_words(),
             notes,
             left: Some(left),
         })

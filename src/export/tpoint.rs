@@ -192,6 +192,7 @@ impl Exporter for Tpoint {
             left: None,
             meaning,
             notes,
+            stays: Vec::new(),
         })
     }
 }

@@ -147,7 +147,7 @@ impl Job<'_> {
 
     /// Names in the commands; what is wrong with them is said when they are matched.
     pub(crate) fn commanded_names(&mut self) -> BTreeSet<String> {
-        let by_name = self.settings.matching == Matching::Name;
+        let by_name = matches!(self.settings.matching, None | Some(Matching::Name));
         let Some(companion) = self.settings.commands.as_ref().filter(|_| by_name) else {
             return BTreeSet::new();
         };

@@ -79,7 +79,7 @@ impl Job<'_> {
         if let Some(wrong) = self.joints_checked(&commands, &place) {
             return self.refused(wrong);
         }
-        let by = self.settings.matching;
+        let by = self.matching(&columns, &commands);
         let time_heading = commands
             .find(Quantity::Time)
             .map_or_else(String::new, |column| column.name.clone());
@@ -124,6 +124,19 @@ impl Job<'_> {
         }
         matched.samples = columns.rows();
         Ok((columns, Some(matched)))
+    }
+
+    /// How they are matched; warns where names say otherwise than the order that was asked for.
+    fn matching(&mut self, measured: &Columns, commands: &Columns) -> Matching {
+        let suggested = matching::suggested(measured, commands);
+        let by = self.settings.matching.unwrap_or(suggested);
+        if (by, suggested) == (Matching::Order, Matching::Name) {
+            self.warn(
+                text!("measurements and commands have the same names in another order"),
+                text!("--match name, which pairs them by their names"),
+            );
+        }
+        by
     }
 
     /// Adds where the robot was by the measured file's own recording, matched by time.

@@ -39,8 +39,9 @@ pub struct Settings<'a> {
     pub name: String,
     /// Where the robot was sent; not needed if the measured file says it.
     pub commands: Option<Companion<'a>>,
-    /// How commands find their measurements.
-    pub matching: Matching,
+    /// How commands find their measurements; `None`: by name where the names of both say more than the order, else by
+    /// order.
+    pub matching: Option<Matching>,
     /// Which points of a recording become samples, matched by time.
     pub motion: Motion,
     /// What to add to a measured time to get the time of the commands, s; `None`: it is found.
@@ -69,7 +70,7 @@ impl<'a> Settings<'a> {
             robot,
             name: "imported".to_owned(),
             commands: None,
-            matching: Matching::Order,
+            matching: None,
             motion: Motion::Auto,
             clock_offset_s: None,
             commands_columns: Vec::new(),

@@ -38,6 +38,38 @@ impl Matching {
     }
 }
 
+/// How commands find their measurements where nobody says it: by name where both name their rows, as often each, and
+/// at least half of the measured ones are among the commands in another order or with gaps; else by order.
+pub(crate) fn suggested(measured: &Columns, commands: &Columns) -> Matching {
+    let (Some(measured), Some(commands)) = (measured.points(), commands.points()) else {
+        return Matching::Order;
+    };
+    if measured == commands {
+        return Matching::Order;
+    }
+    let [own, other] = [&measured, &commands].map(|names| {
+        let mut count = BTreeMap::<&str, usize>::new();
+        for name in names.iter().filter(|name| !name.is_empty()) {
+            *count.entry(name).or_default() += 1;
+        }
+        count
+    });
+    let mut common = 0;
+    for (name, count) in &own {
+        match other.get(name) {
+            // Which of them is lost, no name says.
+            Some(there) if there != count => return Matching::Order,
+            Some(_) => common += count,
+            None => {}
+        }
+    }
+    if 2 * common >= measured.len() {
+        Matching::Name
+    } else {
+        Matching::Order
+    }
+}
+
 /// Rows that belong together, and what has no partner.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct Pairs {
@@ -226,6 +258,23 @@ mod tests {
     use super::*;
     use crate::importers::columns::Column;
     use crate::tables::Cells;
+
+    #[test]
+    fn names_say_more_than_the_order_where_they_are_the_same_in_another_one() {
+        let suggests =
+            |measured: &[&str], commands: &[&str]| suggested(&points(measured), &points(commands));
+        assert_eq!(suggests(&["a", "b", "c"], &["c", "a", "b"]), Matching::Name);
+        // One was not measured.
+        assert_eq!(suggests(&["a", "c"], &["a", "b", "c"]), Matching::Name);
+        assert_eq!(suggests(&["a", "b"], &["a", "b"]), Matching::Order);
+        // Reflectors have names as well, and poses others.
+        assert_eq!(suggests(&["T1", "T2"], &["p1", "p2"]), Matching::Order);
+        // Which measurement of three was lost, no name says.
+        assert_eq!(
+            suggests(&["a", "a", "b"], &["a", "a", "a", "b"]),
+            Matching::Order
+        );
+    }
 
     fn points(names: &[&str]) -> Columns {
         let mut columns = Columns::default();

@@ -66,7 +66,7 @@ fn import_in(
     job.say_source(bytes, &inspection);
     let recorded = columns.commands.take();
     let by_time = match settings.commands {
-        Some(_) => settings.matching == Matching::Time,
+        Some(_) => settings.matching == Some(Matching::Time),
         None => recorded.is_some(),
     };
     if settings.reference.is_some() || by_time {

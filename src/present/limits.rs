@@ -11,6 +11,7 @@ use crate::text::{Text, by_titles, current};
 
 use super::names::parameter;
 use super::numbers::significant;
+use super::units::Units;
 
 /// A line: whom it is about, and what is said.
 #[derive(Debug, Clone, PartialEq)]
@@ -224,13 +225,14 @@ impl Sizes {
             [first, .., last] if self.names.len() > 3 => format!("{first} … {last}"),
             names => names.join(", "),
         };
-        let [from, to] = [self.from, self.to].map(|size| significant(size, 2));
+        let (factor, unit) = Units::spoken().of_unit(self.unit);
+        let [from, to] = [self.from, self.to].map(|size| significant(factor * size, 2));
         let sizes = if from == to {
             from
         } else {
             say!("{from} to {to}", from = from, to = to)
         };
-        format!("{name} {sizes} {}", self.unit)
+        format!("{name} {sizes} {unit}")
             .replace(" °", "°")
             .trim_end()
             .to_owned()
@@ -251,7 +253,8 @@ pub(crate) fn detection_limit(limit: &Limit) -> String {
         let (name, unit) = parameter(full);
         match sight(limit.effect, full, *size) {
             Detectability::Above(size) => {
-                format!("{name} {} {unit}", significant(size, 3)).replace(" °", "°")
+                let (factor, unit) = Units::spoken().of_unit(unit);
+                format!("{name} {} {unit}", significant(factor * size, 3)).replace(" °", "°")
             }
             Detectability::AtAnySize => say!("{name}: any size, there is no noise", name = name),
             Detectability::AtNoSize => say!("{name}: not observable with these poses", name = name),

@@ -2,6 +2,7 @@
 //! as HTML and PDF in the report.
 
 use super::numbers::plain_number;
+use crate::tables::as_cell;
 
 /// A column.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -164,14 +165,7 @@ impl Table {
     pub fn csv(&self) -> String {
         let comma = plain_number(0.5).contains(',');
         let between = if comma { ";" } else { "," };
-        let quoted = |text: &str| {
-            let text = cell(text);
-            if text.contains([',', ';', '"']) {
-                format!("\"{}\"", text.replace('"', "\"\""))
-            } else {
-                text
-            }
-        };
+        let quoted = |text: &str| as_cell(&cell(text)).into_owned();
         let line = |cells: Vec<String>| cells.join(between) + "\n";
         let headings = self.columns.iter().map(|column| quoted(&column.heading));
         let mut text = line(headings.collect());

@@ -6,6 +6,7 @@ use super::numbers::{
 use crate::fit::Estimate;
 use crate::importers::units::{Word, word};
 use crate::sessions::columns::Unit;
+use crate::text::current_units;
 pub(crate) use crate::units::{AngleUnit, LengthUnit};
 use crate::units::{deg_from_rad, rad_from_deg};
 
@@ -63,6 +64,27 @@ impl Units {
         fixed(self.length_value(mm), decimals_of(like, 3))
     }
 
+    /// What a value in `unit` is multiplied by, and the unit that it has then: the chosen one where `unit` is one of
+    /// lengths or angles.
+    pub(crate) fn of_unit(self, unit: &'static str) -> (f64, &'static str) {
+        if let Some(name) = self.length.name_of_rate(unit) {
+            return (self.length_value(1.0), name);
+        }
+        match unit {
+            "°" => (
+                self.angle_value(rad_from_deg(1.0)),
+                self.angle_name().trim(),
+            ),
+            other => (1.0, other),
+        }
+    }
+
+    /// Those in which sentences of this thread speak.
+    pub(crate) fn spoken() -> Self {
+        let (length, angle) = current_units();
+        Self { length, angle }
+    }
+
     /// A value in `unit` with its interval, in the chosen unit where `unit` is one of lengths or angles.
     pub(crate) fn with_interval(
         self,
@@ -72,14 +94,7 @@ impl Units {
     ) -> (String, String, &'static str) {
         // "not determined" is no number, and has no unit.
         let named = interval.is_some();
-        let (factor, unit) = match unit {
-            "mm" => (self.length_value(1.0), self.length_name()),
-            "°" => (
-                self.angle_value(rad_from_deg(1.0)),
-                self.angle_name().trim(),
-            ),
-            other => (1.0, other),
-        };
+        let (factor, unit) = self.of_unit(unit);
         let interval = interval.map(|ends| ends.map(|end| factor * end));
         let [value, half, _] = with_interval(factor * value, interval);
         (value, half, if named { unit } else { "" })

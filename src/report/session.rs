@@ -6,8 +6,6 @@ use crate::compensation::{Remainder, Verification, VerifiedCalibration};
 use crate::diagnosis::Diagnosis;
 use crate::effects::{Inputs, JointValues};
 use crate::explain::{self, Detail, cleaned, fact};
-use crate::export::Job;
-use crate::export::poses::measured_poses;
 use crate::fit::{Estimate, measured_ranges};
 use crate::kinematics::Robot;
 use crate::language::spoken;
@@ -453,9 +451,9 @@ impl ReportContext<'_> {
                 "not correctable by joint commands: {size}",
                 size = mm(c.cannot_be_removed_by_joints_mm)
             ));
-            let homes = measured_poses(&Job::new(self.calibration, "report"));
+            let inputs = Inputs::new(self.session, JointValues::Commanded);
             remarks.extend(
-                Remainder::new(self.calibration, &homes)
+                Remainder::new(self.calibration, &inputs)
                     .describe()
                     .iter()
                     .map(cleaned),

@@ -31,6 +31,16 @@ pub(crate) enum Quotes {
     Open,
 }
 
+/// A text as a cell of a table with commas or semicolons (RFC 4180): in quotes where it would not come back without.
+pub(crate) fn as_cell(text: &str) -> Cow<'_, str> {
+    let spaced = text.starts_with([' ', '\t']) || text.ends_with([' ', '\t']);
+    if spaced || text.contains([',', ';', '"', '\n', '\r']) {
+        Cow::Owned(format!("\"{}\"", text.replace('"', "\"\"")))
+    } else {
+        Cow::Borrowed(text)
+    }
+}
+
 impl Cell {
     /// The cell that begins at `at`.
     #[inline]

@@ -26,7 +26,7 @@ mod lines;
 mod rows;
 mod samples;
 
-pub(crate) use cell::Cell;
+pub(crate) use cell::{Cell, as_cell};
 pub(crate) use columns::{CellKind, Cells, Names};
 pub(crate) use complaints::Complaints;
 pub use dialect::Separator;

@@ -113,9 +113,7 @@ pub use sentence::{Argument, Text};
 
 #[cfg(feature = "gui")]
 pub(crate) use language::LANGUAGES;
-pub(crate) use quantity::InUnits;
-#[cfg(feature = "gui")]
-pub(crate) use quantity::current_units;
+pub(crate) use quantity::{InUnits, current_units};
 pub(crate) use sentence::{angle, components, entered, length, lengths, small_angle};
 #[cfg(any(test, feature = "cli", feature = "gui"))]
 pub(crate) use speech::choose;

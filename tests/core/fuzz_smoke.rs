@@ -406,7 +406,7 @@ proptest! {
         };
         let (commands, reference) = (changed(COMMANDS, &beside), changed(REFERENCE, &beside));
         let mut settings = Settings::new(reading, &robot);
-        settings.matching = matching;
+        settings.matching = Some(matching);
         settings.clock_offset_s = said.then_some(0.0);
         settings.commands = with_commands.then_some(Companion { bytes: &commands, file: None });
         settings.reference = with_reference.then_some(Companion { bytes: &reference, file: None });

@@ -115,7 +115,7 @@ fn tracker_text_is_aligned_by_its_reference_points_and_matched_by_names_that_rec
     let mut settings = Settings::new(reading("tracker"), &robot);
     settings.reference = Some(companion(&reference));
     settings.commands = Some(companion(&commands));
-    settings.matching = Matching::Name;
+    settings.matching = Some(Matching::Name);
     // The file does not say that it is in inches, and nobody guesses.
     let question = refusal(&bytes("sa.txt"), &settings);
     assert!(
@@ -193,7 +193,7 @@ fn a_recording_of_cameras_finds_the_clock_of_the_controller_and_averages_its_sto
     let log = bytes("controller-log.csv");
     let mut settings = Settings::new(reading("optitrack"), &robot);
     settings.commands = Some(companion(&log));
-    settings.matching = Matching::Time;
+    settings.matching = Some(Matching::Time);
     settings.reading.z_up = true;
     let done = imported(&bytes("motive.csv"), &settings);
     let clock = done.matched.as_ref().unwrap().clock.unwrap();
@@ -523,7 +523,7 @@ fn numbers_that_overflow_are_refused() {
     assert!(csv("q1_deg,x_m,y_mm\n1,1e308,3\n").contains("overflows in mm"));
     assert!(csv("q1_deg,x_mm,y_mm\n1,1e309,3\n").contains("a number that a double can hold"));
     let mut settings = Settings::new(reading("csv"), &robot);
-    settings.matching = Matching::Time;
+    settings.matching = Some(Matching::Time);
     settings.commands = Some(companion(b"time_s,q1_deg\n0,0\n1,1\n2,2\n3,1\n4,0\n"));
     let far = "time_s,x_mm,y_mm,z_mm\n0,1e200,0,1\n1,0,-1e308,1\n2,0,0,1e308\n3,0,5,1\n4,1,1,1\n";
     assert!(refusal(far.as_bytes(), &settings).contains("--clock-offset"));
@@ -800,7 +800,7 @@ fn commands_may_be_the_first_to_name_the_reflectors() {
     let measured = b"name,x_mm,y_mm,z_mm\na,248,0,300\nb,247,20,300\n";
     let with = |commands: &[u8]| {
         let mut settings = Settings::new(reading("csv"), &robot);
-        settings.matching = Matching::Name;
+        settings.matching = Some(Matching::Name);
         settings.commands = Some(companion(commands));
         import(measured, &settings).map_err(|rejected| rejected.to_string())
     };
@@ -811,4 +811,28 @@ fn commands_may_be_the_first_to_name_the_reflectors() {
         two.contains("several targets whose positions are not stated"),
         "{two}"
     );
+}
+
+#[test]
+fn commands_in_another_order_find_their_measurements_by_name_unless_the_order_is_asked_for() {
+    let robot = robot();
+    let measured = b"name,x_mm,y_mm,z_mm\nP1,250,0,300\nP2,240,60,300\nP3,220,110,300\n";
+    let commands = b"name,q1_deg\nP3,26\nP1,0\nP2,14\n";
+    let mut settings = Settings::new(reading("csv"), &robot);
+    settings.commands = Some(companion(commands));
+    let done = import(measured, &settings).expect("it is read");
+    let degrees = |session: &truepose::sessions::Session| -> Vec<f64> {
+        let q = session.samples.q[0].iter();
+        q.map(|q| q.to_degrees().round()).collect()
+    };
+    assert_eq!(degrees(&done.session), [0.0, 14.0, 26.0]);
+    let warns = |done: &truepose::importers::Imported| {
+        let mut findings = done.findings.iter().map(ToString::to_string);
+        findings.any(|finding| finding.contains("the same names in another order"))
+    };
+    assert!(!warns(&done));
+    settings.matching = Some(Matching::Order);
+    let done = import(measured, &settings).expect("it is read");
+    assert_eq!(degrees(&done.session), [26.0, 0.0, 14.0]);
+    assert!(warns(&done));
 }

@@ -351,7 +351,7 @@ fn commands_of_a_table_come_before_those_of_the_recording() {
         bytes: log.as_bytes(),
         file: None,
     });
-    settings.matching = Matching::Order;
+    settings.matching = Some(Matching::Order);
     let wrong = refusal(&bytes("arm-ros2.mcap"), &settings);
     assert!(wrong.contains("336 measurements and 2 commands"), "{wrong}");
 }
@@ -391,7 +391,7 @@ fn a_board_seen_by_a_camera_gives_poses_whichever_of_the_two_moves() {
             bytes: &commands,
             file: None,
         });
-        settings.matching = Matching::Name;
+        settings.matching = Some(Matching::Name);
         let asked = refusal(&bytes(file), &settings);
         assert!(asked.contains("--camera fixed or on-tool"), "{asked}");
         assert_eq!(

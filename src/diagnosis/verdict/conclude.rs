@@ -132,6 +132,7 @@ pub(crate) fn answer(
     let is_dropped = |term: &Term| dropped.iter().any(|d| d.same_column(term));
     let mut steps = found_steps;
     steps.retain(|step| !is_dropped(&step.term));
+    meet(&mut steps, &gap);
     let (rivals, equal_steps) = open_questions(prepared, end);
     let equivalent: Vec<_> = rivals.iter().collect();
     go_on(Progress::Planning)?;
@@ -202,6 +203,17 @@ pub(crate) fn answer(
         history,
         set_up,
     })
+}
+
+/// One figure, one name: the first name starts from the model of `identify`, whose noise may be another than that of
+/// the search, and the last one ends at the model that is handed out.
+fn meet(steps: &mut [Step], gap: &Gaps) {
+    if let Some(first) = steps.first_mut() {
+        first.gap_mm[0] = gap.identified_mm;
+    }
+    if let Some(last) = steps.last_mut() {
+        last.gap_mm[1] = gap.end_mm;
+    }
 }
 
 /// The fit of the names that are handed out.

@@ -31,6 +31,9 @@ pub(super) fn simulation(ui: &mut Ui, form: &Form, commands: &mut Vec<Command>) 
             "A lamp on one turning axis, measured by a tracker. What is filled in here is what identification should find"
         ),
     );
+    if widgets::secondary(ui, say!("Another robot…")).clicked() {
+        commands.push(Command::sheet(Sheet::ROBOTS));
+    }
     let mut filled = form.clone();
     let wrong = form.problems();
     ui.spacing_mut().item_spacing.x = f32::from(space::PANEL) * 1.5;

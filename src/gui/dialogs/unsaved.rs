@@ -157,7 +157,11 @@ pub(super) fn recovery(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Co
         }
     });
     ui.columns(2, |columns| {
-        discard_all(&mut columns[0], workbench.orphaned().len(), commands);
+        // A single one has its own button.
+        let count = workbench.orphaned().len();
+        if count > 1 {
+            discard_all(&mut columns[0], count, commands);
+        }
         if widgets::other(&mut columns[1], say!("Not now")).clicked() {
             commands.push(Command::no_sheet());
         }

@@ -10,6 +10,7 @@ use crate::diagnostic::{Diagnostic, Place, Rejected};
 use crate::importers::{Matching, Motion, Reading};
 use crate::kinematics::{Axis, Joint, JointKind, Range, Robot, pose_from_parts, robot_from_file};
 use crate::pipeline;
+use crate::sessions::Target;
 use crate::text::Text;
 use crate::units::rad_from_deg;
 
@@ -27,18 +28,22 @@ pub(crate) struct ImportAnswers {
     pub(crate) robot: RobotFrom,
     /// A table with the commands, where the file has none; as it is typed.
     pub(crate) commands: String,
-    /// How commands find their measurements.
-    pub(crate) matching: Matching,
+    /// How commands find their measurements; `None`: as their names suggest.
+    pub(crate) matching: Option<Matching>,
     /// What becomes a sample where they are matched by time.
     pub(crate) motion: Motion,
     /// What to add to a measured time, s; `None`: it is found.
     pub(crate) clock_offset_s: Option<f64>,
+    /// Whether the rows are in the order in which they were measured: where a joint came from follows.
+    pub(crate) in_measuring_order: bool,
     /// Points that are known in the base frame, as it is typed.
     pub(crate) reference: String,
     /// Whether the alignment may scale.
     pub(crate) scale: bool,
     /// Reflectors in the tool frame, as it is typed.
     pub(crate) targets: String,
+    /// Those of the open session, where no file says them.
+    pub(crate) own_targets: Option<Vec<Target>>,
 }
 
 /// A file beside the measured one.
@@ -79,6 +84,8 @@ pub(crate) enum RobotFrom {
     /// That of the session that is open.
     Here(Box<Robot>),
     Example(usize),
+    /// One of the library or one's own, by its title.
+    Listed(String, Box<Robot>),
     /// The one in this file: a robot, a session with one, or a URDF file with the links between
     /// which its chain lies.
     File {
@@ -197,7 +204,7 @@ impl RobotFrom {
     pub(crate) fn robot(&self) -> Option<Result<Robot, Rejected>> {
         match self {
             Self::Open => None,
-            Self::Here(robot) => Some(Ok(Robot::clone(robot))),
+            Self::Here(robot) | Self::Listed(_, robot) => Some(Ok(Robot::clone(robot))),
             Self::Example(index) => {
                 let (document, samples) = EXAMPLES[*index % EXAMPLES.len()].files();
                 let loaded = pipeline::parse_with_csv(document, samples);

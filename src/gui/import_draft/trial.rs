@@ -14,7 +14,9 @@ use crate::kinematics::Robot;
 use crate::pipeline::import_watched;
 use crate::present::units::Units;
 use crate::progress::{ProgressSpan, ReadError};
+use crate::sessions::Target;
 use crate::sessions::files::open;
+use crate::tables::as_cell;
 
 /// What an import brings.
 #[derive(Debug)]
@@ -44,6 +46,13 @@ impl Trial {
         let commands = read(&answers.commands)?;
         let reference = read(&answers.reference)?;
         let targets = read(&answers.targets)?;
+        let own_targets = answers
+            .own_targets
+            .as_ref()
+            .map(|targets| table_of(targets));
+        let own_targets = own_targets
+            .as_ref()
+            .map(|bytes| Companion { bytes, file: None });
         let settings = Settings {
             name: answers.name.trim().to_owned(),
             commands: commands.as_ref().map(companion),
@@ -52,7 +61,8 @@ impl Trial {
             clock_offset_s: answers.clock_offset_s,
             reference: reference.as_ref().map(companion),
             scale: answers.scale && reference.is_some(),
-            targets: targets.as_ref().map(companion),
+            in_measuring_order: answers.in_measuring_order,
+            targets: targets.as_ref().map(companion).or(own_targets),
             ..Settings::new(answers.reading.clone(), robot)
         };
         let imported = import_watched(bytes, &settings, part.part(0.0, 0.6).watch())?;
@@ -95,6 +105,16 @@ impl Trial {
     }
 }
 
+/// Reflectors as a file of them has them.
+fn table_of(targets: &[Target]) -> Vec<u8> {
+    let row = |target: &Target| {
+        let [x, y, z] = target.position_mm.coords.into();
+        format!("{},{x},{y},{z}\n", as_cell(&target.name))
+    };
+    let rows: String = targets.iter().map(row).collect();
+    format!("name,x_mm,y_mm,z_mm\n{rows}").into_bytes()
+}
+
 type File = (PathBuf, Vec<u8>);
 
 fn read(typed: &str) -> Result<Option<File>, Rejected> {
@@ -130,7 +150,11 @@ pub(super) fn in_words(findings: &[Diagnostic]) -> Vec<String> {
 }
 
 /// What an option of the command line, with a value that is the same in every language, is called on the sheet.
-const OPTIONS: [(&str, Template); 17] = [
+const OPTIONS: [(&str, Template); 18] = [
+    (
+        "--in-measuring-order",
+        phrase!("“the rows are in the order in which they were measured”"),
+    ),
     ("--clock-offset", phrase!("“Clocks apart by”")),
     ("--match order", phrase!("“Matched” by order")),
     ("--match name", phrase!("“Matched” by name")),

@@ -48,7 +48,7 @@ fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     } else {
         not_added(ui, workbench, commands);
         export(ui, workbench, commands);
-        targets(ui, commands);
+        targets(ui, workbench, commands);
     }
     reports(ui, workbench, commands);
 }
@@ -143,6 +143,14 @@ fn export(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         Some(Err(because)) => {
             let color = Palette::of(ui).outside;
             ui.label(RichText::new(because).color(color));
+            if is_refused_for_an_arm(workbench) {
+                widgets::hint(
+                    ui,
+                    say!(
+                        "Corrected targets and programs take all of the model: “Compensate…” below, or choose another format"
+                    ),
+                );
+            }
         }
         Some(Ok(made)) => {
             if let Some(table) = &made.export.reads_as {
@@ -328,16 +336,30 @@ fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         say!("Save table as .{title}…", title = title)
     };
     let ready = matches!(workbench.export(), Some(Ok(_)));
+    if !ready && is_refused_for_an_arm(workbench) {
+        if widgets::primary(ui, say!("Compensate…")).clicked() {
+            commands.push(Command::Ask(Asked::Targets));
+        }
+        return;
+    }
     let save = ui.add_enabled_ui(ready, |ui| widgets::primary(ui, &says));
     if save.inner.clicked() {
         commands.push(Command::Ask(Asked::WhereToExport(What::Table)));
     }
 }
 
+/// Whether what was chosen cannot hold the model of a robot with several joints: corrected targets can.
+fn is_refused_for_an_arm(workbench: &Workbench) -> bool {
+    let joints = &workbench.loaded_session().session.robot.joints;
+    joints.len() > 1 && matches!(workbench.export(), Some(Err(_)))
+}
+
 /// Targets and programs: what is corrected where the controller takes no table.
-fn targets(ui: &mut Ui, commands: &mut Vec<Command>) {
+fn targets(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     widgets::section(ui, say!("Targets and programs"));
-    if widgets::secondary(ui, say!("Compensate…")).clicked() {
+    // One button of a name: where nothing else is ready it is the main one.
+    if !is_refused_for_an_arm(workbench) && widgets::secondary(ui, say!("Compensate…")).clicked()
+    {
         commands.push(Command::Ask(Asked::Targets));
     }
     widgets::hint(

@@ -15,6 +15,7 @@ use crate::gui::view::{Sheet, Step};
 use crate::gui::widgets::{self, or_none};
 use crate::gui::workbench::{Asked, Command, ViewChange, Workbench, of_field};
 use crate::present::numbers::grouped;
+use crate::present::units::LengthUnit;
 
 use crate::sessions::Sigma;
 
@@ -149,14 +150,21 @@ fn facts(ui: &mut Ui, workbench: &Workbench) {
 
 /// The tolerance, to be typed.
 pub(crate) fn tolerance(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
-    // The largest that makes sense on any robot; the field is in mm, as the file is.
+    // The largest that makes sense on any robot.
     const LARGEST_MM: f64 = 1000.0;
-    let now = workbench.document().tolerance_mm.unwrap_or(0.0);
+    let units = workbench.units();
+    let one_mm = units.length_value(1.0);
+    let unit = units.length_name();
+    let now = one_mm * workbench.document().tolerance_mm.unwrap_or(0.0);
     let mut tolerance = now;
     let field = DragValue::new(&mut tolerance)
-        .range(0.0..=LARGEST_MM)
-        .speed(0.005)
-        .max_decimals(4)
+        .range(0.0..=one_mm * LARGEST_MM)
+        .speed(0.005 * one_mm)
+        .max_decimals(match units.length {
+            LengthUnit::Millimetre => 4,
+            LengthUnit::Micrometre => 1,
+            LengthUnit::Inch => 6,
+        })
         .custom_formatter(|value, decimals| {
             if value > 0.0 {
                 egui::emath::format_with_decimals_in_range(value, decimals)
@@ -164,9 +172,14 @@ pub(crate) fn tolerance(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<C
                 say!("none").to_owned()
             }
         })
-        .suffix(if now > 0.0 { " mm" } else { "" });
-    let response = widgets::number(ui, say!("tolerance"), &format!("mm{}", or_none()), field);
-    let edit = Edit::Tolerance((tolerance > 0.0).then_some(tolerance));
+        .suffix(if now > 0.0 {
+            format!(" {unit}")
+        } else {
+            String::new()
+        });
+    let name = format!("{unit}{}", or_none());
+    let response = widgets::number(ui, say!("tolerance"), &name, field);
+    let edit = Edit::Tolerance((tolerance > 0.0).then_some(tolerance / one_mm));
     commands.extend(of_field(&response, (tolerance != now).then_some(edit)));
 }
 
@@ -224,7 +237,12 @@ fn finding_line(ui: &mut Ui, finding: &Diagnostic, commands: &mut Vec<Command>) 
     };
     ui.horizontal_wrapped(|ui| {
         ui.label(RichText::new(mark).font(strong(size::SMALL)).color(color));
-        let text = language::finding(&finding.clone().without_folder());
+        let mut named = finding.clone().without_folder();
+        if named.place.line.is_none() && named.severity == Severity::Note {
+            // A key of the document is no name that a person has for what is noted.
+            named.place.field = None;
+        }
+        let text = language::finding(&named);
         let text = RichText::new(text).size(size::SMALL);
         if finding.samples.is_empty() {
             ui.label(text);

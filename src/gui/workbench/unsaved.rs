@@ -233,7 +233,14 @@ impl Workbench {
                 self.file_state.places.insert(lineage, place);
                 self.view.on_disk = None;
                 self.watch_files();
-                self.view.message = Some(Message::saved(&path, Vec::new()));
+                let mut details = Vec::new();
+                if self.at_risk().model {
+                    details.push(
+                        say!("What was identified is not in it: “Save model…” keeps that")
+                            .to_owned(),
+                    );
+                }
+                self.view.message = Some(Message::saved(&path, details));
                 self.use_recent(Recent::Used(path));
                 self.resume();
             }

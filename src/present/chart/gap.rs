@@ -177,7 +177,7 @@ fn row(what: &str) -> String {
             None => step(first),
         },
     };
-    shortened(&words.replace("link length", "length"), 24)
+    shortened(&words.replace("link length", "length"), 30)
 }
 
 /// A step of the history, in words: what a model was begun with, or what it got.

@@ -27,6 +27,7 @@ use crate::sessions::files::file_hash::Hashed;
 use crate::sessions::files::format_v1::head;
 use crate::sessions::files::format_v1::robot::ROBOT;
 use crate::sessions::files::saved_columns::{Column, Values, columns};
+use crate::tables::as_cell;
 
 /// What an output may replace.
 #[derive(Debug, Clone, Copy, Default)]
@@ -229,13 +230,7 @@ fn write_rows(session: &Session, output: &mut dyn Write, part: ProgressSpan<'_>)
 
 /// A cell, in quotes where it would not come back without.
 fn write_text(output: &mut dyn Write, text: &str) -> io::Result<()> {
-    let spaced = text.starts_with([' ', '\t']) || text.ends_with([' ', '\t']);
-    if !spaced && !text.contains([',', '"', '\n', '\r']) {
-        return output.write_all(text.as_bytes());
-    }
-    output.write_all(b"\"")?;
-    output.write_all(text.replace('"', "\"\"").as_bytes())?;
-    output.write_all(b"\"")
+    output.write_all(as_cell(text).as_bytes())
 }
 
 #[derive(Serialize)]

@@ -7,6 +7,7 @@ use egui::{DragValue, Grid, RichText, TextEdit, Ui};
 
 use crate::importers::{Alignment, Matching, Motion};
 use crate::language;
+use crate::sessions::Target;
 use crate::text::length;
 
 use crate::gui::core::disk::name_of;
@@ -38,8 +39,14 @@ pub(super) fn commanded(
         (Matching::Name, say!("by name")),
         (Matching::Time, say!("by time")),
     ];
-    widgets::choice_row(ui, say!("Matched"), &ways, &mut next.matching);
-    if next.matching != Matching::Time {
+    let tried = now.trial().and_then(|trial| trial.matched.as_ref());
+    let suggested = tried.map_or(Matching::Order, |matched| matched.by);
+    let mut matching = next.matching.unwrap_or(suggested);
+    widgets::choice_row(ui, say!("Matched"), &ways, &mut matching);
+    if next.matching.is_some() || matching != suggested {
+        next.matching = Some(matching);
+    }
+    if matching != Matching::Time {
         return;
     }
     let kinds = [
@@ -88,6 +95,19 @@ pub(super) fn commanded(
             ),
         };
         widgets::hint(ui, says);
+    }
+}
+
+/// Whether the rows say from where each joint came.
+pub(super) fn order_of_rows(ui: &mut Ui, next: &mut ImportAnswers) {
+    if next.matching != Some(Matching::Time) {
+        ui.checkbox(
+            &mut next.in_measuring_order,
+            say!("the rows are in the order in which they were measured"),
+        )
+        .on_hover_text(say!(
+            "The side from which each joint came follows from the row before, so that backlash can be tested"
+        ));
     }
 }
 
@@ -191,6 +211,7 @@ fn residuals(ui: &mut Ui, alignment: &Alignment) {
 /// Where the reflectors sit.
 pub(super) fn reflectors(
     ui: &mut Ui,
+    open: &[Target],
     now: &ImportDraft,
     next: &mut ImportAnswers,
     commands: &mut Vec<Command>,
@@ -203,6 +224,19 @@ pub(super) fn reflectors(
     widgets::section(ui, title);
     let which = (Companion::Targets, now);
     path(ui, field, &mut next.targets, which, commands);
+    if open.len() > 1 && next.targets.trim().is_empty() {
+        let names: Vec<&str> = open.iter().map(|target| &*target.name).collect();
+        let text = say!(
+            "those of the open session: {names}",
+            names = names.join(", ")
+        );
+        let mut taken = next.own_targets.is_some();
+        if ui.checkbox(&mut taken, text).changed() {
+            next.own_targets = taken.then(|| open.to_vec());
+        }
+    } else {
+        next.own_targets = None;
+    }
 }
 
 /// A field for the path of a file, with a button that asks for it.

@@ -6,15 +6,19 @@ mod columns;
 mod companion_file;
 mod file;
 
+use std::sync::Arc;
+
 use egui::text::LayoutJob;
 use egui::{
-    Align, DragValue, FontId, Layout, ProgressBar, RichText, ScrollArea, TextEdit, Ui, vec2,
+    Align, ComboBox, DragValue, FontId, Layout, ProgressBar, RichText, ScrollArea, TextEdit, Ui,
+    vec2,
 };
 
 use crate::diagnostic::Severity;
 use crate::kinematics::{JointKind, Robot};
 use crate::language;
 use crate::present::units::Units;
+use crate::robots::library;
 use crate::text::{length, spoken};
 
 use crate::gui::core::disk::{EXAMPLES, name_of};
@@ -32,6 +36,8 @@ use crate::gui::workbench::{Command, Task, Workbench};
 const WIDTH: f32 = 780.0;
 /// What stands around the part that scrolls, points.
 const AROUND: f32 = 228.0;
+/// Width of the list of robots, points.
+const LIST: f32 = 300.0;
 /// Two lines of what is in the way, points.
 const FOOT: f32 = 34.0;
 
@@ -48,7 +54,10 @@ pub(super) fn show(
     widgets::hint(ui, file::found_out(now));
     let mut next = now.answers.clone();
     let height = (window.height() - AROUND).max(200.0);
-    let scrolled = ScrollArea::vertical().max_height(height).show(ui, |ui| {
+    // Another file begins at its head.
+    let of_this = Arc::as_ptr(&now.neighbours).addr();
+    let area = ScrollArea::vertical().id_salt(of_this).max_height(height);
+    let scrolled = area.show(ui, |ui| {
         // Beside what scrolls, not over it.
         ui.set_width(ui.available_width() - f32::from(space::PANEL));
         file::show(ui, now, &mut next);
@@ -57,8 +66,10 @@ pub(super) fn show(
         findings(ui, now);
         robot(ui, workbench, now, &mut next, commands);
         companion_file::commanded(ui, now, &mut next, commands);
+        companion_file::order_of_rows(ui, &mut next);
         companion_file::base_frame(ui, now, &mut next, commands);
-        companion_file::reflectors(ui, now, &mut next, commands);
+        let open = &workbench.loaded_session().session.targets;
+        companion_file::reflectors(ui, open, now, &mut next, commands);
         result(ui, now, workbench.units());
         widgets::focus_in_sight(ui);
         ui.max_rect().width()
@@ -162,8 +173,12 @@ fn contents(ui: &mut Ui, now: &ImportDraft, units: Units) {
             brings(ui, trial, units);
         }
         Some(Err(because)) => {
-            widgets::section(ui, say!("To fix"));
-            for says in because {
+            // The foot says a single one, always in sight.
+            let several = because.len() > 1;
+            if several {
+                widgets::section(ui, say!("To fix"));
+            }
+            for says in because.iter().filter(|_| several) {
                 line(ui, Severity::Error, says);
             }
         }
@@ -205,6 +220,7 @@ fn robot(
             next.robot = one;
         }
     }
+    listed(ui, workbench, next);
     let file = RobotFrom::Open.of_file(String::new());
     if ui
         .radio(is(&next.robot, &file), say!("from this file"))
@@ -257,6 +273,35 @@ fn robot(
             }
         }
     }
+}
+
+/// One of the library, or one's own.
+fn listed(ui: &mut Ui, workbench: &Workbench, next: &mut ImportAnswers) {
+    let own = workbench.typed_robots().iter();
+    let own = own.filter_map(|table| Some((table.name.clone(), table.robot().ok()?)));
+    let own: Vec<(String, Robot)> = own.collect();
+    let of_library = library().iter().map(|robot| (robot.title(), &robot.robot));
+    let all = own.iter().map(|(title, robot)| (title.clone(), robot));
+    let all: Vec<(String, &Robot)> = all.chain(of_library).collect();
+    let chosen = match &next.robot {
+        RobotFrom::Listed(title, _) => all.iter().position(|(other, _)| other == title),
+        _ => None,
+    };
+    ui.horizontal(|ui| {
+        let radio = ui.radio(chosen.is_some(), say!("one of the library"));
+        let list = ComboBox::from_id_salt("robot of the library").width(LIST);
+        let says = chosen.map_or(say!("Choose…"), |k| &all[k].0);
+        let list = list.selected_text(says);
+        let offered = all.iter().enumerate();
+        let offered = offered.map(|(k, (title, _))| (Some(k), title));
+        let mut now = widgets::list(ui, say!("Robot of the library"), list, offered, chosen);
+        if radio.clicked() && chosen.is_none() {
+            now = Some(Some(0));
+        }
+        if let Some(Some(k)) = now {
+            next.robot = RobotFrom::Listed(all[k].0.clone(), Box::new(all[k].1.clone()));
+        }
+    });
 }
 
 /// One axis that turns: its name, where it stands, where the tool is, how far it goes.

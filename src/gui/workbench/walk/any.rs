@@ -227,11 +227,16 @@ fn any_instrument_file(
 fn any_answers(random: &mut ChaCha8Rng, files: &Files, workbench: &Workbench) -> ImportAnswers {
     let mut answers = ImportAnswers::default();
     let path = |random: &mut ChaCha8Rng| files.any(random).display().to_string();
-    answers.robot = match random.random_range(0..5) {
+    answers.robot = match random.random_range(0..6) {
         0 => RobotFrom::default().of_file(path(random)),
         1 => RobotFrom::Here(Box::new(workbench.loaded_session().session.robot.clone())),
         2 => RobotFrom::Typed(TypedAxis::default()),
         3 => RobotFrom::Example(random.random_range(0..4)),
+        4 => {
+            let all = crate::robots::library();
+            let one = &all[random.random_range(0..all.len())];
+            RobotFrom::Listed(one.title(), Box::new(one.robot.clone()))
+        }
         _ => RobotFrom::Open,
     };
     if random.random_range(0..3) == 0 {
