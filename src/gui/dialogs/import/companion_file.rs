@@ -35,18 +35,20 @@ pub(super) fn commanded(
         return;
     }
     let ways = [
-        (Matching::Order, say!("by order")),
-        (Matching::Name, say!("by name")),
-        (Matching::Time, say!("by time")),
+        (Some(Matching::Order), say!("by order")),
+        (Some(Matching::Name), say!("by name")),
+        (Some(Matching::Time), say!("by time")),
     ];
+    // What nobody said is as the import has found it, once it could be tried.
     let tried = now.trial().and_then(|trial| trial.matched.as_ref());
-    let suggested = tried.map_or(Matching::Order, |matched| matched.by);
-    let mut matching = next.matching.unwrap_or(suggested);
-    widgets::choice_row(ui, say!("Matched"), &ways, &mut matching);
-    if next.matching.is_some() || matching != suggested {
-        next.matching = Some(matching);
-    }
-    if matching != Matching::Time {
+    let found = tried.map(|matched| matched.by);
+    let matching = next.matching.or(found);
+    widgets::form_row(ui, say!("Matched"), |ui| {
+        if let Some(chosen) = widgets::segmented(ui, &ways, matching) {
+            next.matching = chosen;
+        }
+    });
+    if next.matching != Some(Matching::Time) {
         return;
     }
     let kinds = [
