@@ -78,6 +78,7 @@ pub struct Export {
     pub meaning: Vec<Text>,
     /// What the user should know.
     pub notes: Vec<Text>,
-    /// The notes that say what no joint removes over the measured range: whoever says it of a session leaves them out.
+    /// Those of the notes that are about what is not correctable by joint commands over the measured range; where the
+    /// same is stated of a session they are left out.
     pub stays: Vec<Text>,
 }

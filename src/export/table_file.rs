@@ -63,7 +63,8 @@ impl Exporter for TableFile {
             left: &left,
             in_the_controller: (self.enter)(job, &sheet),
         };
-        let notes = sidecar.notes();
+        let stays = sidecar.stays_in_words();
+        let notes = sidecar.notes(&stays);
         let text = (self.write)(job, &sheet, &notes);
         if self.read_back(&sheet, &text)? != reads_as {
             return Err(ExportError::ReadBack("comments change it".to_owned()));
@@ -74,8 +75,8 @@ impl Exporter for TableFile {
             reads_as: Some(reads_as),
             robot: None,
             meaning: sidecar.meaning(),
-            stays: sidecar.stays_in_words(),
             notes,
+            stays,
             left: Some(left),
         })
     }

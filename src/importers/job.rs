@@ -39,7 +39,7 @@ pub struct Settings<'a> {
     pub name: String,
     /// Where the robot was sent; not needed if the measured file says it.
     pub commands: Option<Companion<'a>>,
-    /// How commands find their measurements; `None`: by name where the names of both say more than the order, else by
+    /// How commands find their measurements; `None`: by name where both have the same names in another order, else by
     /// order.
     pub matching: Option<Matching>,
     /// Which points of a recording become samples, matched by time.

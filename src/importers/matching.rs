@@ -38,13 +38,15 @@ impl Matching {
     }
 }
 
-/// How commands find their measurements where nobody says it: by name where both name their rows, as often each, and
-/// at least half of the measured ones are among the commands in another order or with gaps; else by order.
+/// How commands find their measurements by default: by name where there are as many of both, each common name is as
+/// frequent on either side, and at least half of the measured ones are among the commands in another order; else by
+/// order. Of unequal numbers an instrument's own count (`1`, `2`, …) may have slipped: there the order refuses, and
+/// the user decides.
 pub(crate) fn suggested(measured: &Columns, commands: &Columns) -> Matching {
     let (Some(measured), Some(commands)) = (measured.points(), commands.points()) else {
         return Matching::Order;
     };
-    if measured == commands {
+    if measured == commands || measured.len() != commands.len() {
         return Matching::Order;
     }
     let [own, other] = [&measured, &commands].map(|names| {
@@ -264,14 +266,19 @@ mod tests {
         let suggests =
             |measured: &[&str], commands: &[&str]| suggested(&points(measured), &points(commands));
         assert_eq!(suggests(&["a", "b", "c"], &["c", "a", "b"]), Matching::Name);
-        // One was not measured.
-        assert_eq!(suggests(&["a", "c"], &["a", "b", "c"]), Matching::Name);
+        // One was lost and another measured twice.
+        assert_eq!(
+            suggests(&["a", "c", "c2"], &["a", "b", "c"]),
+            Matching::Name
+        );
+        // The instrument counts by itself: one was lost, and from there on the numbers are of the next ones.
+        assert_eq!(suggests(&["1", "2"], &["1", "2", "3"]), Matching::Order);
         assert_eq!(suggests(&["a", "b"], &["a", "b"]), Matching::Order);
         // Reflectors have names as well, and poses others.
         assert_eq!(suggests(&["T1", "T2"], &["p1", "p2"]), Matching::Order);
         // Which measurement of three was lost, no name says.
         assert_eq!(
-            suggests(&["a", "a", "b"], &["a", "a", "a", "b"]),
+            suggests(&["a", "a", "b", "c"], &["a", "a", "a", "b"]),
             Matching::Order
         );
     }

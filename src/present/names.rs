@@ -97,6 +97,7 @@ mod tests {
     use crate::effects::CATALOGUE;
     use crate::effects::term::parameter_names;
     use crate::text::{Language, choose};
+    use crate::units::LengthUnit;
 
     #[test]
     fn units_come_from_names() {
@@ -104,6 +105,21 @@ mod tests {
         assert_eq!(parameter("mm_per_kg"), ("rate".to_owned(), "mm/kg"));
         assert_eq!(parameter("x_mm_per_h"), ("x".to_owned(), "mm/h"));
         assert_eq!(parameter("about_x_mrad"), ("about x".to_owned(), "mrad"));
+    }
+
+    #[test]
+    fn every_length_of_the_catalogue_has_its_unit_in_inches() {
+        for effect in CATALOGUE {
+            for name in parameter_names(effect) {
+                let (_, unit) = parameter(name);
+                let of_a_length = unit.starts_with("mm");
+                let named = LengthUnit::Inch.name_of_rate(unit);
+                assert_eq!(named.is_some(), of_a_length, "{name}: {unit}");
+                if let Some(named) = named {
+                    assert_eq!(named, unit.replacen("mm", "in", 1));
+                }
+            }
+        }
     }
 
     #[test]

@@ -79,6 +79,13 @@ fn assert_no_worse(found: &Diagnosis, what: &str) {
     }
     let last = found.history.last().unwrap();
     assert_eq!(last.gap_mm, found.gap.end_mm, "{what}");
+    // The names lead from the one model to the other.
+    if let (Some(first), Some(last)) = (found.found.first(), found.found.last()) {
+        assert_eq!(first.gap_mm[0], found.gap.identified_mm, "{what}");
+        if found.unnamed.is_none() {
+            assert_eq!(last.gap_mm[1], found.gap.end_mm, "{what}");
+        }
+    }
     let values: Vec<f64> = found.identified.iter().map(|p| p.value).collect();
     let all = &found.identification.parameters;
     for value in values {

@@ -336,7 +336,7 @@ fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         say!("Save table as .{title}…", title = title)
     };
     let ready = matches!(workbench.export(), Some(Ok(_)));
-    if !ready && is_refused_for_an_arm(workbench) {
+    if is_refused_for_an_arm(workbench) {
         if widgets::primary(ui, say!("Compensate…")).clicked() {
             commands.push(Command::Ask(Asked::Targets));
         }

@@ -238,8 +238,9 @@ fn finding_line(ui: &mut Ui, finding: &Diagnostic, commands: &mut Vec<Command>) 
     ui.horizontal_wrapped(|ui| {
         ui.label(RichText::new(mark).font(strong(size::SMALL)).color(color));
         let mut named = finding.clone().without_folder();
-        if named.place.line.is_none() && named.severity == Severity::Note {
-            // A key of the document is no name that a person has for what is noted.
+        let ending = named.place.file.as_ref().and_then(|f| f.extension());
+        if named.severity == Severity::Note && ending.is_some_and(|e| e == "json") {
+            // What is noted of the document needs no key of it, which is no word of the window.
             named.place.field = None;
         }
         let text = language::finding(&named);

@@ -39,7 +39,7 @@ pub(super) fn commanded(
         (Some(Matching::Name), say!("by name")),
         (Some(Matching::Time), say!("by time")),
     ];
-    // What nobody said is as the import has found it, once it could be tried.
+    // By default as the import has found it, once it could be tried.
     let tried = now.trial().and_then(|trial| trial.matched.as_ref());
     let found = tried.map(|matched| matched.by);
     let matching = next.matching.or(found);

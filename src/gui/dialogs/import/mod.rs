@@ -10,8 +10,8 @@ use std::sync::Arc;
 
 use egui::text::LayoutJob;
 use egui::{
-    Align, ComboBox, DragValue, FontId, Layout, ProgressBar, RichText, ScrollArea, TextEdit, Ui,
-    vec2,
+    Align, ComboBox, DragValue, FontId, Layout, ProgressBar, RadioButton, RichText, ScrollArea,
+    TextEdit, Ui, vec2,
 };
 
 use crate::diagnostic::Severity;
@@ -173,12 +173,8 @@ fn contents(ui: &mut Ui, now: &ImportDraft, units: Units) {
             brings(ui, trial, units);
         }
         Some(Err(because)) => {
-            // The foot says a single one, always in sight.
-            let several = because.len() > 1;
-            if several {
-                widgets::section(ui, say!("To fix"));
-            }
-            for says in because.iter().filter(|_| several) {
+            widgets::section(ui, say!("To fix"));
+            for says in because {
                 line(ui, Severity::Error, says);
             }
         }
@@ -288,17 +284,16 @@ fn listed(ui: &mut Ui, workbench: &Workbench, next: &mut ImportAnswers) {
         _ => None,
     };
     ui.horizontal(|ui| {
-        let radio = ui.radio(chosen.is_some(), say!("one of the library"));
+        // Which one is chosen in the list: a press here would have to guess it.
+        let radio = RadioButton::new(chosen.is_some(), say!("one of the library"));
+        ui.add_enabled(chosen.is_some(), radio);
         let list = ComboBox::from_id_salt("robot of the library").width(LIST);
         let says = chosen.map_or(say!("Choose…"), |k| &all[k].0);
         let list = list.selected_text(says);
         let offered = all.iter().enumerate();
         let offered = offered.map(|(k, (title, _))| (Some(k), title));
-        let mut now = widgets::list(ui, say!("Robot of the library"), list, offered, chosen);
-        if radio.clicked() && chosen.is_none() {
-            now = Some(Some(0));
-        }
-        if let Some(Some(k)) = now {
+        let pressed = widgets::list(ui, say!("Robot of the library"), list, offered, chosen);
+        if let Some(Some(k)) = pressed {
             next.robot = RobotFrom::Listed(all[k].0.clone(), Box::new(all[k].1.clone()));
         }
     });
