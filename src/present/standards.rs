@@ -64,11 +64,26 @@ impl Group {
     }
 }
 
-/// One group for each of at most `most` series of an axis, and one for the poses.
+/// One group for each of at most `most` series of an axis, and one for the poses; axes without a figure for one and the
+/// same reason are one group.
 pub(crate) fn groups(standards: &Standards, most: usize) -> Vec<Group> {
     let axes = standards.axes.iter().flat_map(|axis| of_axis(axis, most));
-    axes.chain([of_poses(&standards.poses, standards.compensated)])
-        .collect()
+    let all = axes.chain([of_poses(&standards.poses, standards.compensated)]);
+    let all: Vec<Group> = all.collect();
+    let together = |alike: &[Group]| match alike {
+        [first, .., last] => Group {
+            title: Text::listed([&first.title, &last.title], " … "),
+            ..first.clone()
+        },
+        one => one[0].clone(),
+    };
+    all.chunk_by(is_missing_alike).map(together).collect()
+}
+
+/// Whether neither has a figure, after one standard and for one reason.
+fn is_missing_alike(one: &Group, other: &Group) -> bool {
+    let without = one.rows.is_empty() && other.rows.is_empty();
+    without && one.standard == other.standard && one.missing == other.missing
 }
 
 fn of_axis(axis: &AxisTest, most: usize) -> Vec<Group> {

@@ -31,17 +31,8 @@ fn tables(ui: &mut Ui, made: &StandardsFigures) {
         copies::button(ui, say!("figures"), || as_text(made));
     }
     let mut explained = "";
-    let mut groups = made.groups.iter().peekable();
-    while let Some(group) = groups.next() {
-        let mut title = spoken(&group.title);
-        // What is missing for every joint is said once.
-        let mut last = None;
-        while let Some(next) = groups.next_if(|next| is_missing_alike(group, next)) {
-            last = Some(next);
-        }
-        if let Some(last) = last {
-            title = format!("{title} … {}", spoken(&last.title));
-        }
+    for group in &made.groups {
+        let title = spoken(&group.title);
         widgets::section(ui, &format!("{title}, {}", group.standard));
         if !group.rows.is_empty() {
             widgets::hint(ui, spoken(&group.conditions));
@@ -60,15 +51,6 @@ fn tables(ui: &mut Ui, made: &StandardsFigures) {
     for line in &made.notes {
         widgets::hint(ui, spoken(line));
     }
-}
-
-/// Whether neither has a figure, after one standard and for one reason.
-fn is_missing_alike(one: &Group, other: &Group) -> bool {
-    let says = |group: &Group| group.missing.iter().map(spoken).collect::<Vec<_>>();
-    one.rows.is_empty()
-        && other.rows.is_empty()
-        && one.standard == other.standard
-        && says(one) == says(other)
 }
 
 /// What the symbols of a table are called; what each means in full is said at the symbol.
