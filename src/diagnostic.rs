@@ -69,13 +69,12 @@ impl Place {
         let file = self.file.as_ref();
         let parts = [
             file.map(|file| Text::verbatim(file.display().to_string())),
-            self.line.map(|line| text!("line {line}", line = line)),
-            self.column
-                .map(|column| text!("column {column}", column = column)),
+            self.line.map(|line| text!("line {line}", line)),
+            self.column.map(|column| text!("column {column}", column)),
             self.field.as_ref().map(Text::verbatim),
         ];
         let all = parts.into_iter().flatten();
-        let all = all.reduce(|all, next| text!("{first}, {next}", first = all, next = next));
+        let all = all.reduce(|all, next| text!("{first}, {next}", first = all, next));
         all.unwrap_or_default()
     }
 }
@@ -158,7 +157,7 @@ impl Diagnostic {
         };
         match self.place.describe() {
             nowhere if nowhere.is_empty() => found,
-            place => text!("{place}: {found}", place = place, found = found),
+            place => text!("{place}: {found}", place, found),
         }
     }
 }

@@ -42,7 +42,7 @@ fn regular(metadata: &fs::Metadata) -> Result<(), Refusal> {
 /// The whole of a regular file of at most so many bytes.
 pub(crate) fn read_regular(path: &Path, most: u64) -> Result<Vec<u8>, Refusal> {
     let (file, length) = open_regular(path)?;
-    let too_long = |found: Text| (found, text!("a file of at most {most} bytes", most = most));
+    let too_long = |found: Text| (found, text!("a file of at most {most} bytes", most));
     if length > most {
         return Err(too_long(
             text!(one "{count} byte", "{count} bytes", count = length),
@@ -62,7 +62,7 @@ pub(crate) fn read_regular(path: &Path, most: u64) -> Result<Vec<u8>, Refusal> {
 pub(crate) fn below(folder: &Path, name: &str, whose: Template) -> Result<PathBuf, Refusal> {
     let expected = text!("a file in {folder} or below it", folder = whose);
     let refused = |found: Text| {
-        let found = text!("{found}: {name}", found = found, name = name);
+        let found = text!("{found}: {name}", found, name);
         (found, expected.clone())
     };
     let relative = Path::new(name);

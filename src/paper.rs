@@ -164,47 +164,47 @@ fn describe(
     let one = if diagnosis.found.is_empty() {
         text!(
             "one constant correction ({theta} and {l1}), turned into the base frame, gives the {regions} corrections to within {apart} and leaves {end}",
-            theta = theta,
-            l1 = l1,
-            regions = regions,
-            apart = apart,
-            end = end
+            theta,
+            l1,
+            regions,
+            apart,
+            end
         )
     } else {
         let names = diagnosis.found.iter().map(|f| called(f.effect));
         text!(
             "one constant correction ({theta} and {l1}), turned into the base frame, gives the {regions} corrections to within {apart}; with {effects} it leaves {end}",
-            theta = theta,
-            l1 = l1,
-            regions = regions,
-            apart = apart,
+            theta,
+            l1,
+            regions,
+            apart,
             effects = Text::listed(names, ", "),
-            end = end
+            end
         )
     };
     match turn {
         None => text!(
             "{regions} regions leave {after} of {before}; {one}",
-            regions = regions,
-            after = after,
-            before = before,
-            one = one
+            regions,
+            after,
+            before,
+            one
         ),
         Some(turn) if (turn - 1.0).abs() < TURNS => text!(
             "{regions} regions leave {after} of {before}; within a region the error turns by {turn} for each degree of the joint: it is constant in the frame that turns with the joint, and the regional model drops that rotation; {one}",
-            regions = regions,
-            after = after,
-            before = before,
+            regions,
+            after,
+            before,
             turn = format!("{turn:.2}°"),
-            one = one
+            one
         ),
         Some(turn) => text!(
             "{regions} regions leave {after} of {before}; within a region the error turns by {turn} for each degree of the joint; {one}",
-            regions = regions,
-            after = after,
-            before = before,
+            regions,
+            after,
+            before,
             turn = format!("{turn:.2}°"),
-            one = one
+            one
         ),
     }
 }

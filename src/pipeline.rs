@@ -296,7 +296,7 @@ pub fn standards(
 /// See [`ExportError`].
 pub fn export(format: &str, job: &Job) -> Result<Export, ExportError> {
     let Some(format) = find(format) else {
-        let unknown = text!("no format is called '{format}'", format = format);
+        let unknown = text!("no format is called '{format}'", format);
         return Err(ExportError::Refused(unknown));
     };
     let set_up = &job.calibration.set_up;

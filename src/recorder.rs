@@ -52,7 +52,7 @@ impl RecordError {
         match self {
             Self::NoHeadings { found } => text!(
                 "line 1 of the stream: {found}: no headings; expected --columns with what each cell is, such as --columns time_s,x_mm,y_mm,z_mm",
-                found = found
+                found
             ),
             Self::Width {
                 line,
@@ -60,13 +60,13 @@ impl RecordError {
                 headings,
             } => text!(
                 one "line {line} of the stream: {count} cell; expected {headings}, as many as --columns has", "line {line} of the stream: {count} cells; expected {headings}, as many as --columns has",
-                line = line,
+                line,
                 count = cells,
-                headings = headings
+                headings
             ),
             Self::LongLine { line } => text!(
                 "line {line} of the stream: longer than a megabyte; expected lines of text",
-                line = line
+                line
             ),
             Self::Io(error) => text!(
                 "cannot write the recording: {error}",
@@ -254,9 +254,9 @@ impl<F: FnOnce() -> io::Result<W>, W: Write> Recorder<F, W> {
                 }) if self.tolerant => {
                     self.say(text!(
                         one "line {line} of the stream has {count} cell, not {headings}: excluded", "line {line} of the stream has {count} cells, not {headings}: excluded",
-                        line = line,
+                        line,
                         count = cells,
-                        headings = headings
+                        headings
                     ));
                     Ok(())
                 }
@@ -277,7 +277,7 @@ impl<F: FnOnce() -> io::Result<W>, W: Write> Recorder<F, W> {
             self.lines = line;
             self.say(text!(
                 "line {line} of the stream is longer than a megabyte: excluded",
-                line = line
+                line
             ));
             self.pending = Vec::new();
             self.skipping = true;
@@ -303,7 +303,7 @@ impl<F: FnOnce() -> io::Result<W>, W: Write> Recorder<F, W> {
             let line = self.lines + 1;
             self.say(text!(
                 "line {line} of the stream has no end: excluded: {content}",
-                line = line,
+                line,
                 content = quoted(&cut)
             ));
         }

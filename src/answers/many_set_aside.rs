@@ -26,13 +26,13 @@ impl Identification {
         let evidence = if known.is_empty() {
             text!(
                 "they were set aside as suspected outliers; the others leave {left}",
-                left = left
+                left
             )
         } else {
             text!(
                 "they were set aside as suspected outliers, with an RMS error of {error}; the others leave {left}",
                 error = length((square / known.len() as f64).sqrt(), 3),
-                left = left
+                left
             )
         };
         let mut samples: Vec<usize> = self.outliers.iter().map(|o| o.sample).collect();
@@ -41,7 +41,7 @@ impl Identification {
             what: text!(
                 "{suspected} of {all} samples do not follow the model",
                 suspected = aside,
-                all = all
+                all
             ),
             evidence,
             proposal: text!(

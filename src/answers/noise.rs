@@ -127,7 +127,7 @@ impl Slow {
         text!(
             "the measuring frame wanders by {size} (root mean square) within {time} min",
             size = length(wanders_mm, 4),
-            time = time
+            time
         )
     }
 
@@ -138,8 +138,8 @@ impl Slow {
         let size = length(wanders_mm.min(left_mm), 4);
         text!(
             "a part of the remaining error goes on from sample to sample, {size} (root mean square) within {time} min: a diagnosis looks for effects in it",
-            size = size,
-            time = time
+            size,
+            time
         )
     }
 
@@ -203,4 +203,18 @@ fn along(each: [f64; 3], axis: usize) -> f64 {
 fn over(sigma: [f64; 3], axes: &[usize]) -> f64 {
     let sum: f64 = axes.iter().map(|a| along(sigma, *a).powi(2)).sum();
     (sum / axes.len().max(1) as f64).sqrt()
+}
+
+#[cfg(test)]
+#[test]
+fn slow_noise_is_no_more_than_the_error_that_it_is_a_part_of() {
+    let slow = Slow {
+        rms_mm: [0.6, 0.6, 0.2],
+        time_constant_s: 90.0,
+    };
+    assert!(slow.describe().to_string().contains("0.8718 mm"));
+    let left = slow.says_of_remaining_error(0.5);
+    assert!(left.to_string().contains("0.5000 mm"), "{left}");
+    let of_more = slow.says_of_remaining_error(2.0);
+    assert!(of_more.to_string().contains("0.8718 mm"), "{of_more}");
 }

@@ -253,9 +253,9 @@ fn pose(option: &str, numbers: &[f64], turns: Orientation) -> Result<Pose, Failu
         let expected = text!("X,Y,Z or X,Y,Z and three angles or a quaternion, all numbers finite");
         Failure::WrongInput(text!(
             "{option}: {found}; expected {expected}",
-            option = option,
-            found = found,
-            expected = expected
+            option,
+            found,
+            expected
         ))
     };
     if !numbers.iter().all(|number| number.is_finite()) {

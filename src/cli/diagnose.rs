@@ -114,7 +114,7 @@ impl Diagnose {
                     if is_given {
                         return Err(Failure::WrongInput(text!(
                             "{option} is for one session; expected --json-lines, or nothing for a table",
-                            option = option
+                            option
                         )));
                     }
                 }
@@ -166,8 +166,8 @@ fn doing(progress: &Progress) -> String {
             };
             say!(
                 "searching, {percent} % of the budget: {names}",
-                percent = percent,
-                names = names
+                percent,
+                names
             )
         }
         Progress::Comparing => say!("comparing with other explanations").to_owned(),

@@ -97,7 +97,7 @@ impl Export {
             return Err(Failure::WrongInput(text!(
                 "--joint {joint}: the robot has joints 1 to {joints}",
                 joint = self.joint,
-                joints = joints
+                joints
             )));
         }
         let to_stdout = output::is_standard_output(Some(&self.out));

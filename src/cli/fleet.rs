@@ -221,8 +221,8 @@ impl Summary {
             say!(one "{count} machine", "{count} machines", count = grouped(self.machines.len()));
         let all = say!(
             "{sessions} of {machines}: {verdicts}",
-            sessions = sessions,
-            machines = machines,
+            sessions,
+            machines,
             verdicts = counted(verdicts, |verdict| word(verdict).into())
         );
         let mut text = self.table.aligned(0);

@@ -98,7 +98,7 @@ impl Man {
         let names: Vec<&str> = shown(&program).map(clap::Command::get_name).collect();
         Err(Failure::WrongInput(text!(
             "no command is called '{name}'; expected one of {names}",
-            name = name,
+            name,
             names = names.join(", ")
         )))
     }

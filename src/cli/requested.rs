@@ -137,9 +137,9 @@ impl Requested {
 fn wrong(option: &str, found: &str, expected: Text) -> Failure {
     Failure::WrongInput(text!(
         "{option} {given}: expected {expected}",
-        option = option,
+        option,
         given = found,
-        expected = expected
+        expected
     ))
 }
 
@@ -203,7 +203,7 @@ fn effect(text: &str, joints: usize) -> Result<HiddenEffect, Failure> {
     if of_a_joint && hidden.joint.is_none() && joints > 1 {
         let expected = text!(
             "its joint, from 1 to {joints}, behind the name of the effect",
-            joints = joints
+            joints
         );
         return Err(wrong("--effect", text, expected));
     }

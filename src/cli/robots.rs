@@ -110,7 +110,7 @@ fn described(robot: &LibraryRobot) -> String {
             "joint {joint} {name}: {range}",
             joint = k + 1,
             name = joint.name,
-            range = range
+            range
         );
         if let Some(ratio) = robot.gear_ratios.get(k) {
             let gear = say!("gear {ratio}", ratio = figure(Some(*ratio)));
@@ -135,7 +135,7 @@ fn described(robot: &LibraryRobot) -> String {
     }
     if !robot.not_checked.is_empty() {
         let parts = spoken(robot.not_checked());
-        line(&mut text, say!("not checked: {parts}", parts = parts));
+        line(&mut text, say!("not checked: {parts}", parts));
     }
     let mut keys: Vec<&str> = Vec::new();
     for reference in references.iter().filter_map(|reference| reference.1) {
@@ -150,12 +150,7 @@ fn described(robot: &LibraryRobot) -> String {
         let licence = &source.licence;
         line(
             &mut text,
-            say!(
-                "source {key}: {at} ({licence})",
-                key = key,
-                at = at,
-                licence = licence
-            ),
+            say!("source {key}: {at} ({licence})", key, at, licence),
         );
     }
     if let Some(note) = &robot.note {

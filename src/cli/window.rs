@@ -16,7 +16,7 @@ pub(crate) fn open(_: Option<PathBuf>) -> Result<(), Failure> {
     let job = crate::sessions::files::bundled::job_in_the_terminal();
     let text = text!(
         "this build has no window; the main job in the terminal is: {job}",
-        job = job
+        job
     );
     Err(Failure::Failed(anyhow::Error::msg(text)))
 }

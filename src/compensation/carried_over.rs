@@ -76,15 +76,15 @@ pub(super) fn carried_over(
     let note = match (same_tool, same_targets) {
         (false, false) => text!(
             "the session has another tool and other targets than the model: its joints and links carry over, and the tool's position is fitted to these samples: {shift} in the tool frame",
-            shift = shift
+            shift
         ),
         (false, true) => text!(
             "the session has another tool than the model: its joints and links carry over, and the tool's position is fitted to these samples: {shift} in the tool frame",
-            shift = shift
+            shift
         ),
         (true, _) => text!(
             "the session has other targets than the model: its joints and links carry over, and the tool's position is fitted to these samples: {shift} in the tool frame",
-            shift = shift
+            shift
         ),
     };
     Some((carried, note))

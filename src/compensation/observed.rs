@@ -103,7 +103,7 @@ fn placed(layer: &Layer, model: &Model, session: &Session, notes: Option<&mut Ve
             let name = name(references, Place { kind, index });
             located.push(Text::named(
                 format!("{} {name}", about.id),
-                text!("{effect} {name}", effect = about.title, name = name),
+                text!("{effect} {name}", effect = about.title, name),
             ));
         }
         own = own.with_term(term);

@@ -66,15 +66,15 @@ impl Remainder {
             match s.joint {
                 Some(joint) => text!(
                     "{effect} of joint {joint} leaves {left}: {remedy}",
-                    effect = effect,
-                    joint = joint,
-                    left = left,
+                    effect,
+                    joint,
+                    left,
                     remedy = &s.remedy
                 ),
                 None => text!(
                     "{effect} leaves {left}: {remedy}",
-                    effect = effect,
-                    left = left,
+                    effect,
+                    left,
                     remedy = &s.remedy
                 ),
             }

@@ -86,8 +86,8 @@ pub(super) fn findings(
         problem(
             text!(
                 "samples {first} to {last} do not follow the model, {count} in a row",
-                first = first,
-                last = last,
+                first,
+                last,
                 count = run.len()
             ),
             text!("their RMS error is {error}", error = length(far(&run), 3)),

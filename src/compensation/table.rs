@@ -113,13 +113,13 @@ impl JointTable {
                 text!(
                     "commands and corrections are the controller's: it counts joint {joint} the other way as the model, whose value is {value} where the controller's is 0",
                     joint = joint + 1,
-                    value = value
+                    value
                 )
             } else {
                 text!(
                     "commands and corrections are the controller's: it counts joint {joint} the same way as the model, whose value is {value} where the controller's is 0",
                     joint = joint + 1,
-                    value = value
+                    value
                 )
             });
         }
@@ -183,12 +183,12 @@ impl JointTable {
             notes.push(if self.kind == JointKind::Revolute {
                 text!(
                     "the table cancels what joint {joint} does to its own angle; errors of the geometry depend on all joints and belong into the controller's kinematic data",
-                    joint = joint
+                    joint
                 )
             } else {
                 text!(
                     "the table cancels what joint {joint} does to its own travel; errors of the geometry depend on all joints and belong into the controller's kinematic data",
-                    joint = joint
+                    joint
                 )
             });
             let terms = calibration.model.terms().iter();
@@ -318,7 +318,7 @@ impl EqualSteps {
         differs.then(|| {
             text!(
                 "a step of {asked} does not divide the travel: the steps are {steps}",
-                asked = asked,
+                asked,
                 steps = tidy(self.step)
             )
         })

@@ -49,7 +49,7 @@ impl TableError {
         match self {
             Self::AlreadyCompensated(model) => text!(
                 "the model comes from a session that was measured with the table of model {model} active: it says what is left, and a table made from it would lack what that one does; measure without a table",
-                model = model
+                model
             ),
             Self::Gross { left_mm, size_mm } => text!(
                 "the model leaves an RMS error of {left_mm} on a robot that reaches {size_mm}: the session is not as it says (a unit, a sign, rows of other rows), and nothing is corrected with it",
@@ -58,24 +58,22 @@ impl TableError {
             ),
             Self::Conventions { joint, why } => text!(
                 "no table for joint {joint}: {why}, and the model corrected that; correct it in the controller or in the session, identify again and make the table from that model",
-                joint = joint,
-                why = why
+                joint,
+                why
             ),
-            Self::NoSuchJoint { joint, joints } => text!(
-                "joint {joint}: the robot has {joints}",
-                joint = joint,
-                joints = joints
-            ),
-            Self::Step(step) => text!("a step of {step}; expected a positive number", step = step),
+            Self::NoSuchJoint { joint, joints } => {
+                text!("joint {joint}: the robot has {joints}", joint, joints)
+            }
+            Self::Step(step) => text!("a step of {step}; expected a positive number", step),
             Self::TooMany {
                 step,
                 entries,
                 most,
             } => text!(
                 "a step of {step} makes {entries} entries; expected at most {most}",
-                step = step,
-                entries = entries,
-                most = most
+                step,
+                entries,
+                most
             ),
             Self::NoRange => text!(
                 "the joint has no limits and was measured at a single value: there is no range for a table"

@@ -158,8 +158,8 @@ impl VerifyError {
         match self {
             Self::DifferentRobots { session, model } => text!(
                 "the session's robot has {session} and the model's {model}: they are different robots",
-                session = session,
-                model = model
+                session,
+                model
             ),
             Self::NothingToVerify => text!(
                 "no sample can be used: every one lacks a joint value or a measured point (x_mm, y_mm)"
@@ -448,7 +448,7 @@ pub(super) fn model_for(
         }
         notes.push(text!(
             "the model knows no setup {name}: its frame is fitted to these samples",
-            name = name
+            name
         ));
         let inside = |i: usize| problem.usable[i] && setups.index[i] as usize == setup;
         if let Some(frame) = best_rigid_motion(session, &predicted, inside) {

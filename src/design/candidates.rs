@@ -255,11 +255,7 @@ impl CandidatePoses {
             temperatures: false,
         };
         let why = match self.ways.get(candidate.way) {
-            Some(way) => text!(
-                "{why}; measure {kinds}",
-                why = why,
-                kinds = way.describe(session)
-            ),
+            Some(way) => text!("{why}; measure {kinds}", why, kinds = way.describe(session)),
             None => why.clone(),
         };
         let pose = writing.pose(candidate, why);

@@ -303,15 +303,11 @@ fn words(shown: &[&Untestable], choice: &Candidate) -> Text {
     if more > 0 {
         text!(
             "makes {effects} and {more} more testable: {how}",
-            effects = effects,
-            more = more,
-            how = how
+            effects,
+            more,
+            how
         )
     } else {
-        text!(
-            "makes {effects} testable: {how}",
-            effects = effects,
-            how = how
-        )
+        text!("makes {effects} testable: {how}", effects, how)
     }
 }

@@ -313,7 +313,7 @@ fn two(prepared: &PreparedSearch, fit: &Fit, between: [Named; 2], most: usize) -
             let because = text!(
                 "{effect} cannot be seen: {because}",
                 effect = called(named.id),
-                because = because
+                because
             );
             return pair_separation::nothing(between, because);
         }

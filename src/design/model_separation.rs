@@ -120,11 +120,7 @@ impl Attempt {
                 .zip(joints)
                 .map(place);
             let places = places.collect::<Vec<String>>().join(", ");
-            let why = text!(
-                "{why}: they differ most at {places}",
-                why = why,
-                places = places
-            );
+            let why = text!("{why}: they differ most at {places}", why, places);
             self.candidates.poses(prepared, *k, &why)
         });
         poses.take(most).collect()

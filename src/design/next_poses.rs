@@ -207,10 +207,7 @@ pub(crate) fn separate_by(rival: &Rival, poses: &[NextPose]) -> Text {
         .map(|t| t.effect.about().confused_with);
     if poses.is_empty() {
         let hint = words.next().map_or_else(Text::default, Text::from);
-        return text!(
-            "no pose within the limits tells them apart; {hint}",
-            hint = hint
-        );
+        return text!("no pose within the limits tells them apart; {hint}", hint);
     }
     let mut conditions = Vec::new();
     if poses.iter().any(|p| p.target_mm.is_some()) {
@@ -229,15 +226,12 @@ pub(crate) fn separate_by(rival: &Rival, poses: &[NextPose]) -> Text {
     let conditions = Text::listed(conditions, ", ");
     match poses.len() {
         1 if none => text!("measure the proposed pose"),
-        1 => text!(
-            "measure the proposed pose ({conditions})",
-            conditions = conditions
-        ),
-        count if none => text!("measure the {count} proposed poses", count = count),
+        1 => text!("measure the proposed pose ({conditions})", conditions),
+        count if none => text!("measure the {count} proposed poses", count),
         count => text!(
             "measure the {count} proposed poses ({conditions})",
-            count = count,
-            conditions = conditions
+            count,
+            conditions
         ),
     }
 }

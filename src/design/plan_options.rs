@@ -85,35 +85,35 @@ impl PlanError {
         match self {
             Self::Poses(poses) => text!(
                 "--poses is {poses}; expected a whole number from 1 to {most}",
-                poses = poses,
+                poses,
                 most = MOST_POSES
             ),
             Self::Sigma(sigma) => text!(
                 "--sigma is {sigma}; expected a length above 0 in mm, such as 0.03",
-                sigma = sigma
+                sigma
             ),
             Self::Load(load) => text!(
                 "--load is {load}; expected a mass above 0 in kg, such as 3",
-                load = load
+                load
             ),
             Self::Joints(joints) => text!(
                 "a robot with {joints} joints; poses are planned for at most {most}",
-                joints = joints,
+                joints,
                 most = MOST_JOINTS
             ),
             Self::Accuracy(accuracy) => text!(
                 "--accuracy is {accuracy}; expected a length above 0 in mm, such as 0.1",
-                accuracy = accuracy
+                accuracy
             ),
             Self::OutOfReach { wanted, reached } => text!(
                 "--accuracy {wanted}: {most} poses are expected to leave {reached} mm (95th percentile over the joint ranges); expected a larger value, or a smaller --sigma",
-                wanted = wanted,
+                wanted,
                 most = MOST,
                 reached = format!("{:.4}", reached)
             ),
             Self::OnlyArms(option) => text!(
                 "{option} is for robots with several joints, measured without --separate; this plan has neither",
-                option = option
+                option
             ),
             Self::Cone(given) => text!(
                 "--cone is {cone}; expected an angle above 0 and up to 180 degrees, such as 60",
@@ -130,8 +130,8 @@ impl PlanError {
                 joints,
             } => text!(
                 "--separate {given}: expected an effect, or an effect and a joint from 1 to {joints} such as backlash:1",
-                given = given,
-                joints = joints
+                given,
+                joints
             ),
             Self::Same(given) => text!(
                 "--separate {one},{other}: expected two different effects",

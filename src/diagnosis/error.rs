@@ -25,11 +25,11 @@ impl DiagnoseError {
         match self {
             Self::UnknownEffect(effect) => text!(
                 "no effect is called '{effect}'; `truepose effects` lists them",
-                effect = effect
+                effect
             ),
             Self::HeldOutShare(share) => text!(
                 "--held-out is {share}; expected a share above 0 and below 1, such as 0.25",
-                share = share
+                share
             ),
             Self::NothingToFit => text!(
                 "no sample can be fitted: every one is held out, or lacks a joint value or a measured point (x_mm, y_mm)"

@@ -100,7 +100,7 @@ impl<'a> Fields<'a> {
         expected: impl Into<Text>,
     ) -> Option<&'n [Member]> {
         let members = self.object(root, &Path::Root, expected)?;
-        let mut expected = text!("\"{format}\"", format = format);
+        let mut expected = text!("\"{format}\"", format);
         let node = self.required(members, root.at, &Path::Root, "format", expected.clone())?;
         if let Value::Text(tag) = &node.value {
             if tag == format {
@@ -110,7 +110,7 @@ impl<'a> Fields<'a> {
             if tag.starts_with(name) {
                 expected = text!(
                     "{expected}; another version of truepose may have written this file",
-                    expected = expected
+                    expected
                 );
             }
         }

@@ -28,7 +28,7 @@ pub fn called(name: &str) -> Text {
     Text::named(
         name,
         match joint {
-            Some(joint) => text!("{effect}, joint {joint}", effect = title, joint = joint),
+            Some(joint) => text!("{effect}, joint {joint}", effect = title, joint),
             None => title.into(),
         },
     )

@@ -54,25 +54,23 @@ impl TermError {
         match self {
             Self::UnknownEffect(effect) => text!(
                 "no effect is called '{effect}'; `truepose effects` lists them",
-                effect = effect
+                effect
             ),
-            Self::NoSuchJoint { joint, joints } => text!(
-                "joint {joint}: the robot has {joints}",
-                joint = joint,
-                joints = joints
-            ),
+            Self::NoSuchJoint { joint, joints } => {
+                text!("joint {joint}: the robot has {joints}", joint, joints)
+            }
             Self::UnknownParameter {
                 effect,
                 name,
                 accepted: known,
             } => text!(
                 "'{effect}' has no parameter '{name}'; it has {known}",
-                effect = effect,
-                name = name,
-                known = known
+                effect,
+                name,
+                known
             ),
             Self::Missing { effect, name } => {
-                text!("'{effect}' needs '{name}'", effect = effect, name = name)
+                text!("'{effect}' needs '{name}'", effect, name)
             }
             Self::OutOfRange {
                 effect,
@@ -81,10 +79,10 @@ impl TermError {
                 expected,
             } => text!(
                 "'{effect}': {name} is {value}; expected {expected}",
-                effect = effect,
-                name = name,
-                value = value,
-                expected = expected
+                effect,
+                name,
+                value,
+                expected
             ),
         }
     }
@@ -206,9 +204,9 @@ fn check_setting(
             let inside = value >= f64::from(from) && value <= f64::from(to);
             (!(whole && inside)).then(|| {
                 if fraction {
-                    text!("a number from {from} to {to}", from = from, to = to)
+                    text!("a number from {from} to {to}", from, to)
                 } else {
-                    text!("a whole number from {from} to {to}", from = from, to = to)
+                    text!("a whole number from {from} to {to}", from, to)
                 }
             })
         }

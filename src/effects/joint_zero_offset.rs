@@ -48,7 +48,7 @@ fn remedy(robot: &Robot, term: &Term) -> Text {
     text!(
         "the joint stands {beyond}{unit} beyond its command: correct its zero in the controller, or home it again",
         beyond = format!("{:+.4}", beyond),
-        unit = unit
+        unit
     )
 }
 

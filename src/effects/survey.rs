@@ -113,7 +113,7 @@ impl Survey {
             text!(
                 one "the joint was measured at {count} value, at least {needed} are needed", "the joint was measured at {count} different values, at least {needed} are needed",
                 count = values,
-                needed = needed
+                needed
             )
         })
     }

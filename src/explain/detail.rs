@@ -73,7 +73,7 @@ impl Detail {
         let more = points.len().saturating_sub(self.most);
         points.truncate(self.most);
         if more > 0 {
-            points.push(say!("and {more} more", more = more));
+            points.push(say!("and {more} more", more));
         }
         points
     }
@@ -84,7 +84,7 @@ impl Detail {
         facts.truncate(self.most);
         let mut blocks = vec![Block::Facts(facts)];
         if more > 0 {
-            blocks.push(Block::Text(say!("and {more} more", more = more)));
+            blocks.push(Block::Text(say!("and {more} more", more)));
         }
         blocks
     }

@@ -159,12 +159,12 @@ pub(crate) fn expected(answer: &Identification, detail: Detail) -> Vec<Block> {
         blocks.push(Block::Warning(if detail.brief {
             say!(
                 "poorly observed: the measured poses show little of the joint ranges; measure near {q} as well (`truepose plan` proposes poses)",
-                q = q
+                q
             )
         } else {
             say!(
                 "Poorly observed: the measured poses show little of the joint ranges; measure near {q} as well",
-                q = q
+                q
             )
         }));
     }

@@ -112,7 +112,7 @@ fn evidence_in_facts(detail: Detail, found: &FoundEffect) -> [Fact; 3] {
         None => fitted,
         Some(unseen) => say!(
             "{fitted}; cross-validated {unseen}",
-            fitted = fitted,
+            fitted,
             unseen = detail.lengths(unseen)
         ),
     };

@@ -104,10 +104,10 @@ fn frames(estimates: &[Estimate], detail: Detail) -> Vec<Fact> {
     for estimate in estimates {
         let place = match (role(estimate.effect), &estimate.setup, &estimate.target) {
             (Role::FreeFrame, Some(setup), _) => {
-                say!("measuring frame, setup {setup}", setup = setup)
+                say!("measuring frame, setup {setup}", setup)
             }
             (Role::FreeFrame, None, _) => say!("measuring frame").to_owned(),
-            (Role::ToolPlace, _, Some(target)) => say!("target {target}", target = target),
+            (Role::ToolPlace, _, Some(target)) => say!("target {target}", target),
             (Role::ToolPlace, _, None) => say!("tool position").to_owned(),
             (Role::ToolTurn, ..) => say!("tool orientation").to_owned(),
             (Role::Place, ..) => format!(

@@ -35,7 +35,7 @@ pub(crate) fn identification(
     let title = if answer.regions.is_empty() {
         say!("Identification, full model")
     } else {
-        say!("Identification by region")
+        say!("Identification by region, errors in the plane of motion")
     };
     let mut blocks = vec![Block::Facts(errors(answer, detail))];
     if !answer.kinds.is_empty() {

@@ -148,7 +148,7 @@ pub(super) fn next_poses(d: &Diagnosis, detail: Detail) -> Option<Section> {
         }
         if poses.len() > detail.most {
             let more = poses.len() - detail.most;
-            blocks.push(Block::Text(say!("and {more} more", more = more)));
+            blocks.push(Block::Text(say!("and {more} more", more)));
         }
         blocks
     };

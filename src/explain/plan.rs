@@ -99,8 +99,8 @@ fn separated(separation: &Separation) -> Vec<String> {
     if let Some(because) = &separation.impossible {
         return vec![say!(
             "No pose distinguishes {a} from {b}: {because}",
-            a = a,
-            b = b,
+            a,
+            b,
             because = spoken(because)
         )];
     }
@@ -109,12 +109,12 @@ fn separated(separation: &Separation) -> Vec<String> {
     let [after, back_after] = separation.left_after.map(percent);
     let mut says = vec![say!(
         "Share of {a} that {b} cannot explain: {before} % now, {after} % with these poses; of {b} that {a} cannot explain: {back_before} % and {back_after} %",
-        b = b,
-        a = a,
-        before = before,
-        after = after,
-        back_before = back_before,
-        back_after = back_after
+        b,
+        a,
+        before,
+        after,
+        back_before,
+        back_after
     )];
     if separation.poses.is_empty() {
         says.push(say!("The samples decide already").to_owned());
@@ -210,7 +210,7 @@ fn geometry(geometry: &Geometry, plan: &Plan, detail: Detail) -> Section {
     if let Some((mm, poses)) = geometry.enough {
         blocks.push(Block::Text(say!(
             "{poses} poses are enough for {mm} at 95 % of the places",
-            poses = poses,
+            poses,
             mm = detail.length(mm)
         )));
     }

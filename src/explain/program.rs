@@ -90,7 +90,7 @@ fn first(lines: impl Iterator<Item = String>, most: usize) -> Option<Vec<Block>>
     if more > 0 {
         blocks.push(Block::Text(say!(
             "and {more} more: all of them are in the file beside the corrected one",
-            more = more
+            more
         )));
     }
     Some(blocks)
@@ -118,8 +118,8 @@ fn in_part(answer: &Answer, summary: &Summary, most: usize) -> Option<Section> {
         let says = say!(
             "{target}: {after} left of {before}",
             target = called(&target.name),
-            after = after,
-            before = before
+            after,
+            before
         );
         Some(at(target.place, &says))
     };
@@ -149,10 +149,5 @@ fn called(name: &str) -> String {
 
 /// What is said of a place in the file.
 fn at((line, column): LineColumn, says: &str) -> String {
-    say!(
-        "line {line}, column {column}: {says}",
-        line = line,
-        column = column,
-        says = says
-    )
+    say!("line {line}, column {column}: {says}", line, column, says)
 }

@@ -14,7 +14,7 @@ pub(crate) fn verification(v: &Verification, detail: Detail) -> Vec<Section> {
     if !v.outliers.is_empty() {
         let samples = v.outliers.iter().map(|sample| (sample + 1).to_string());
         let samples = samples.collect::<Vec<_>>().join(", ");
-        let listed = vec![Block::Text(say!("samples {samples}", samples = samples))];
+        let listed = vec![Block::Text(say!("samples {samples}", samples))];
         let title = say!("Suspected outliers");
         sections.push(Section::of(Topic::Outliers, title, listed));
     }

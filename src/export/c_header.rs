@@ -70,7 +70,7 @@ fn write(job: &Job, table: &Sheet, notes: &[Text]) -> String {
         "Correction of joint {joint} ({name}) in {unit}: add it to the command",
         joint = table.joint + 1,
         name = &table.name,
-        unit = unit
+        unit
     ))));
     text.push_str(" *\n");
     for note in notes {

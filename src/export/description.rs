@@ -277,11 +277,7 @@ fn name(term: &Term) -> Text {
         let joint = term.joint + 1;
         Text::named(
             format!("{} of joint {joint}", about.id),
-            text!(
-                "{effect}, joint {joint}",
-                effect = about.title,
-                joint = joint
-            ),
+            text!("{effect}, joint {joint}", effect = about.title, joint),
         )
     } else {
         Text::named(about.id, about.title)

@@ -71,13 +71,13 @@ impl Exporter for Dh {
             cannot_say.push(if parallels.is_empty() {
                 text!(
                     "no DH rows describe this robot completely: {far} remain at most over the measured range",
-                    far = far
+                    far
                 )
             } else {
                 text!(
                     "the rows cannot describe how parallel axes are turned against each other about y (joints {joints}): {far} remain at most over the measured range",
                     joints = Text::listed(parallels, ", "),
-                    far = far
+                    far
                 )
             });
         }

@@ -54,7 +54,7 @@ pub(super) fn choose(
     {
         return Err(ExportError::Refused(text!(
             "the model gives a correction of {wrong}: it cannot be inverted over this travel",
-            wrong = wrong
+            wrong
         )));
     }
     Ok(sheet)
@@ -70,7 +70,7 @@ fn asked(job: &Job, rules: &Rules, step: f64) -> Result<Sheet, ExportError> {
         return Err(ExportError::Refused(text!(
             "a step of {step} makes {entries} entries, and {format} takes at most {most} ({because}); a step of {wide} or more fits, or none: then the entries are chosen",
             step = format!("{step}{unit}"),
-            entries = entries,
+            entries,
             format = rules.title(),
             most = rules.most_entries,
             because = rules.limit_because,
@@ -131,9 +131,9 @@ pub(super) fn directions(
     }
     Err(ExportError::Refused(text!(
         "{says}, more than {allowed} ({limit}); {instead}",
-        says = says,
+        says,
         allowed = &allowance.is,
         limit = length(allowance.mm, 4),
-        instead = instead
+        instead
     )))
 }

@@ -80,7 +80,7 @@ impl ExportError {
                 after_mm,
             } => text!(
                 "with this table the RMS error of '{session}' would rise from {before_mm} to {after_mm}: nothing is written",
-                session = session,
+                session,
                 before_mm = length(before_mm, 6),
                 after_mm = length(after_mm, 6)
             ),
@@ -91,14 +91,11 @@ impl ExportError {
                 after_mm,
             } => text!(
                 "with this description of the robot, seen from the frame of the model, the RMS error of '{session}' would rise from {before_mm} to {after_mm}: nothing is written",
-                session = session,
+                session,
                 before_mm = length(before_mm, 6),
                 after_mm = length(after_mm, 6)
             ),
-            Self::ReadBack(what) => text!(
-                "the file does not read back as it should: {what}",
-                what = what
-            ),
+            Self::ReadBack(what) => text!("the file does not read back as it should: {what}", what),
         }
     }
 }

@@ -97,7 +97,7 @@ fn enter(job: &Job, sheet: &Sheet) -> Vec<Text> {
                 "[JOINT_{}] COMP_FILE = {}, COMP_FILE_TYPE = 1",
                 sheet.joint, job.file_name
             ),
-            unit = unit
+            unit
         ),
         text!("BACKLASH is ignored while COMP_FILE is set: the two columns carry it"),
     ]

@@ -245,27 +245,27 @@ impl ResidualError {
         let adds = if self.met() {
             text!(
                 "its {entries} entries add {added}, less than {allowed} ({limit})",
-                entries = entries,
-                added = added,
-                allowed = allowed,
-                limit = limit
+                entries,
+                added,
+                allowed,
+                limit
             )
         } else if asked {
             text!(
                 "its {entries} entries add {added}, more than {allowed} ({limit}): the step is wide",
-                entries = entries,
-                added = added,
-                allowed = allowed,
-                limit = limit
+                entries,
+                added,
+                allowed,
+                limit
             )
         } else {
             let step = rules.resolution.unwrap_or(0.0);
             text!(
                 "its {entries} entries add {added}, more than {allowed} ({limit}): {format} takes at most {most} entries in steps of {step}",
-                entries = entries,
-                added = added,
-                allowed = allowed,
-                limit = limit,
+                entries,
+                added,
+                allowed,
+                limit,
                 format = rules.title(),
                 most = rules.most_entries,
                 step = format!("{step}{}", sheet.kind.sign())
@@ -276,7 +276,7 @@ impl ResidualError {
                 "with this table the controller leaves {with} over the measured range, where an exact correction leaves {exact}; {adds}",
                 with = length(with, 4),
                 exact = length(exact, 4),
-                adds = adds
+                adds
             ),
             None => adds,
         }

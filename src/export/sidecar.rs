@@ -194,14 +194,14 @@ impl WorkedExample {
                 "commanded {commanded}, robot reached {reached}, table says {number}: send {sent}",
                 commanded = at,
                 reached = reached_there,
-                number = number,
+                number,
                 sent = send
             ),
             EntryMeaning::Deviation => text!(
                 "commanded {commanded}, robot reached {reached}, table says {number}: the controller sends {sent}",
                 commanded = at,
                 reached = reached_there,
-                number = number,
+                number,
                 sent = send
             ),
         };

@@ -148,14 +148,10 @@ fn enter(_: &Job, sheet: &Sheet) -> Vec<Text> {
     vec![if sheet.repeats {
         text!(
             "in the PLC: {call}; the axis counts in {unit}; the axis is a modulo axis of 360, else Modulo is FALSE",
-            call = call,
-            unit = unit
+            call,
+            unit
         )
     } else {
-        text!(
-            "in the PLC: {call}; the axis counts in {unit}",
-            call = call,
-            unit = unit
-        )
+        text!("in the PLC: {call}; the axis counts in {unit}", call, unit)
     }]
 }

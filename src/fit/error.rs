@@ -25,14 +25,14 @@ impl IdentifyError {
         match self {
             Self::UnknownEffect(effect) => text!(
                 "no effect is called '{effect}'; `truepose effects` lists them",
-                effect = effect
+                effect
             ),
             Self::NothingToFit => text!(
                 "no sample can be fitted: every one is held out, or lacks a joint value or a coordinate"
             ),
             Self::NotASingleRevoluteJoint(because) => text!(
                 "regional identification is for a single revolute joint; {because}",
-                because = because
+                because
             ),
             Self::Regions(given) => given.describe(),
             Self::Rejected(inner) => inner.describe(),

@@ -127,11 +127,11 @@ pub(super) fn with_gauge(problem: &Problem, start: &Model) -> (Model, Vec<NotIde
                 (true, false) => text!("the samples do not depend on it: it is held at zero"),
                 (false, true) => text!(
                     "only the combination is observable: {own} stays where it began, the others carry it",
-                    own = own
+                    own
                 ),
                 (false, false) => text!(
                     "only the combination is observable: {own} is held at zero, the others carry it",
-                    own = own
+                    own
                 ),
             },
         });

@@ -208,7 +208,7 @@ fn beside_uniform(
     let uniform = identify_regional(session, &RegionChoice::Uniform(number), values)?;
     Ok(text!(
         "{number} adaptive regions leave {adaptive}, {number} uniform ones {uniform}; an effect that explains the whole range is the better answer: try the full model first",
-        number = number,
+        number,
         adaptive = length(adaptive_mm, 4),
         uniform = length(uniform.gap.after.rms_mm, 4)
     ))

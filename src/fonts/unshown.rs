@@ -43,17 +43,17 @@ pub fn cannot_be_shown(unshown: &BTreeSet<char>) -> Text {
     let named = named.join(", ");
     let characters = match unshown.len().saturating_sub(NAMED) {
         0 => Text::verbatim(named),
-        more => text!("{first} and {more} more", first = named, more = more),
+        more => text!("{first} and {more} more", first = named, more),
     };
     if unshown.iter().any(|c| is_east_asian(*c)) {
         text!(
             "no font here has {characters}; install one, such as Noto Sans CJK, and start the program again",
-            characters = characters
+            characters
         )
     } else {
         text!(
             "no font here has {characters}; install one and start the program again",
-            characters = characters
+            characters
         )
     }
 }

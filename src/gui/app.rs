@@ -11,7 +11,7 @@ use egui::{CentralPanel, Context, Frame, Margin, Panel, Ui, ViewportCommand};
 use crate::fonts::Library;
 
 use super::file_state::watcher;
-use super::preferences::Preferences;
+use super::preferences::{Preferences, largest_zoom};
 use super::view::{Arrangement, Canvas, Sheet};
 use super::{actions, dialogs, files, layers, widgets};
 use crate::gui::core::compensated::CompensationRequest;
@@ -44,6 +44,8 @@ pub struct App {
     /// `None`: letters that the bundled fonts lack are not drawn.
     alphabet: Option<Alphabet>,
     shown: Preferences,
+    /// The size of text as it was set last: that which is wanted, or what the window has room for.
+    zoom: f32,
     /// The language where none is preferred.
     language: Language,
     /// The language that was wanted last.
@@ -90,6 +92,7 @@ impl App {
             unseen: 0,
             alphabet: None,
             shown: Preferences::default(),
+            zoom: 1.0,
             language: Language::English,
             wanted: Language::English,
             title: String::new(),
@@ -302,18 +305,22 @@ impl App {
     fn keep_preferences(&mut self, ctx: &Context) {
         let wanted = self.workbench.view().preferences;
         write_numbers(wanted.notation());
-        let zoom = ctx.zoom_factor();
-        if wanted.zoom == self.shown.zoom && (zoom - wanted.zoom).abs() > 1e-3 {
+        let (zoom, largest) = (ctx.zoom_factor(), largest_zoom(ctx));
+        if wanted.zoom == self.shown.zoom && (zoom - self.zoom).abs() > 1e-3 {
+            self.zoom = zoom;
+            let zoom = zoom.min(largest);
             let preferences = Preferences { zoom, ..wanted }.sound();
             self.shown.zoom = preferences.zoom;
             self.workbench.execute(Command::Prefer(preferences));
             return;
         }
+        let fits = wanted.zoom.min(largest);
+        if (fits - self.zoom).abs() > 1e-3 {
+            self.zoom = fits;
+            ctx.set_zoom_factor(fits);
+        }
         if wanted == self.shown {
             return;
-        }
-        if wanted.zoom != self.shown.zoom {
-            ctx.set_zoom_factor(wanted.zoom);
         }
         if wanted.theme != self.shown.theme {
             ctx.set_theme(wanted.theme.preference());
@@ -397,7 +404,7 @@ impl eframe::App for App {
     }
 }
 
-#[cfg(test)]
+#[cfg(any(test, feature = "window-tests"))]
 impl App {
     pub(crate) fn bench(&mut self) -> &mut Workbench {
         &mut self.workbench

@@ -55,6 +55,8 @@ use crate::sessions::files::bundled;
 pub use crate::text::Language;
 pub use app::App;
 pub use jobs::Runner;
+#[cfg(feature = "window-tests")]
+pub use workbench::walk;
 
 const TITLE: &str = "truepose";
 /// What helps where the driver that was chosen does not draw.
@@ -141,8 +143,9 @@ fn icon() -> Arc<egui::IconData> {
 }
 
 /// What the window's own tests start from: a workbench whose tasks run at once.
-#[cfg(test)]
+#[cfg(any(test, feature = "window-tests"))]
 mod testing {
+    #[cfg(test)]
     use std::path::{Path, PathBuf};
     use std::sync::Arc;
 
@@ -167,6 +170,7 @@ mod testing {
     }
 
     /// A session in this folder of one joint of a URDF, whose link looks like this mesh.
+    #[cfg(test)]
     pub(crate) fn session_of_a_urdf(folder: &Path, mesh: &str) -> PathBuf {
         let write = |name: &str, text: &str| {
             let path = folder.join(name);

@@ -1,7 +1,7 @@
 //! What the user wants to see: units, digits, light or dark, size of text. Kept from one day to the
 //! next by `file_state`.
 
-use egui::ThemePreference;
+use egui::{Context, ThemePreference, Vec2};
 use serde::{Deserialize, Serialize};
 
 use crate::present::numbers::Notation;
@@ -42,6 +42,16 @@ impl Theme {
 
 /// Smallest and largest size of text, in parts of the usual one.
 pub(crate) const ZOOM: std::ops::RangeInclusive<f32> = 0.6..=3.0;
+/// A window shows at least so much, points: text is no larger than that allows.
+const LEAST_ROOM: Vec2 = Vec2::new(600.0, 400.0);
+
+/// The largest size of text that this window has room for.
+pub(crate) fn largest_zoom(ctx: &Context) -> f32 {
+    let usual = ctx.zoom_factor() * ctx.content_rect().size();
+    let fits = (usual / LEAST_ROOM).min_elem();
+    fits.clamp(1.0, *ZOOM.end())
+}
+
 /// Most decimals of a length.
 const MOST_DECIMALS: u8 = 6;
 

@@ -169,7 +169,7 @@ impl Job<'_> {
         let said = if self.settings.scale {
             text!(
                 "brought into the base frame by {kept} reference points, which fit with {rms_mm} (root mean square), scaled by {scale} ({ppm} ppm)",
-                kept = kept,
+                kept,
                 rms_mm = rms,
                 scale = format!("{:.6}", alignment.scale),
                 ppm = format!("{:+.1}", 1e6 * (alignment.scale - 1.0))
@@ -177,7 +177,7 @@ impl Job<'_> {
         } else {
             text!(
                 "brought into the base frame by {kept} reference points, which fit with {rms_mm} (root mean square)",
-                kept = kept,
+                kept,
                 rms_mm = rms
             )
         };

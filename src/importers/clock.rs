@@ -487,8 +487,8 @@ mod tests {
         let robot = robot();
         let mut q = vec![0.0; 2];
         let mut points = Vec::new();
-        for i in 0..900 {
-            let time = path.start() + 3.0 + 0.05 * f64::from(i) + 0.003 * f64::from(i % 7);
+        for i in 0..225 {
+            let time = path.start() + 3.0 + 0.2 * f64::from(i) + 0.012 * f64::from(i % 7);
             if path.at(time, &mut q) {
                 let point = frame * robot.point_in_base(&q, &Point3::origin());
                 // A noise without chance: three incommensurable sines.

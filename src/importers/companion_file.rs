@@ -34,21 +34,11 @@ impl CompanionKind {
     /// What was read, from which file.
     fn read_from(self, file: &Text, encoding: &Text) -> Text {
         match self {
-            Self::Commands => text!(
-                "commands from {file}: {encoding}",
-                file = file,
-                encoding = encoding
-            ),
-            Self::ReferencePoints => text!(
-                "reference points from {file}: {encoding}",
-                file = file,
-                encoding = encoding
-            ),
-            Self::Targets => text!(
-                "targets from {file}: {encoding}",
-                file = file,
-                encoding = encoding
-            ),
+            Self::Commands => text!("commands from {file}: {encoding}", file, encoding),
+            Self::ReferencePoints => {
+                text!("reference points from {file}: {encoding}", file, encoding)
+            }
+            Self::Targets => text!("targets from {file}: {encoding}", file, encoding),
         }
     }
 }
@@ -127,10 +117,10 @@ impl Job<'_> {
                     diagnostic.expected = if are_commands {
                         text!(
                             "a header such as {header}, or --commands-columns with what each column is",
-                            header = header
+                            header
                         )
                     } else {
-                        text!("a header such as {header}", header = header)
+                        text!("a header such as {header}", header)
                     };
                 }
                 diagnostic
@@ -245,7 +235,7 @@ pub(crate) fn file_in_words(file: Option<&PathBuf>, bytes: &[u8]) -> Text {
     let hash = hexadecimal(&Sha256::digest(bytes));
     match file.and_then(|file| file.file_name()) {
         Some(name) => Text::verbatim(format!("{} (sha256 {hash})", name.to_string_lossy())),
-        None => text!("a file (sha256 {hash})", hash = hash),
+        None => text!("a file (sha256 {hash})", hash),
     }
 }
 

@@ -83,10 +83,7 @@ impl Job<'_> {
             return;
         };
         if columns.find(quantity).is_some() {
-            self.note(text!(
-                "--{option} is not used: a column states it",
-                option = option
-            ));
+            self.note(text!("--{option} is not used: a column states it", option));
             return;
         }
         let mut names = Names::default();
@@ -117,13 +114,13 @@ impl Job<'_> {
         let count = names.len();
         let said = match quantity {
             Quantity::Socket => {
-                text!(one "{count} socket is named", "{count} sockets are named", count = count)
+                text!(one "{count} socket is named", "{count} sockets are named", count)
             }
             Quantity::Plane => {
-                text!(one "{count} plane is named", "{count} planes are named", count = count)
+                text!(one "{count} plane is named", "{count} planes are named", count)
             }
             _ => {
-                text!(one "{count} station is named", "{count} stations are named", count = count)
+                text!(one "{count} station is named", "{count} stations are named", count)
             }
         };
         let said = with_unknown(said, &unknown);

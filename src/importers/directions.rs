@@ -42,7 +42,7 @@ impl Job<'_> {
             .map(|joint| (joint + 1).to_string())
             .collect();
         let joints = match &numbers[..] {
-            [joint] => text!("joint {joint}", joint = joint),
+            [joint] => text!("joint {joint}", joint),
             all => text!("joints {joints}", joints = all.join(", ")),
         };
         if !self.settings.in_measuring_order {
@@ -50,7 +50,7 @@ impl Job<'_> {
                 self.note(text!(
                     "the side of approach is not stated ({joints}), so that backlash cannot be tested: where the rows are in \
                      the order in which they were measured, --in-measuring-order derives it from the row before",
-                    joints = joints
+                    joints
                 ));
             }
             return;
@@ -63,7 +63,7 @@ impl Job<'_> {
         }
         let sentence = text!(
             "the side of approach ({joints}) is that of the motion since the row before: the rows are in measuring order, as stated",
-            joints = joints
+            joints
         );
         self.note(sentence.clone());
         self.sentences.push(sentence);

@@ -33,7 +33,7 @@ pub(super) fn with_unknown(said: Text, unknown: &[String]) -> Text {
     }
     text!(
         "{said}; not known where, and to be fitted: {unknown}",
-        said = said,
+        said,
         unknown = listed_names(unknown)
     )
 }
@@ -72,7 +72,7 @@ impl Job<'_> {
         if offset_mm.is_none() {
             said = text!(
                 "{said}; a constant offset of the distances is to be fitted",
-                said = said
+                said
             );
         }
         self.note(said.clone());

@@ -137,14 +137,14 @@ impl Convention {
                 if moving {
                     text!(
                         "the orientation is three angles about moving axes in the order {order}: R = {product}",
-                        order = order,
-                        product = product
+                        order,
+                        product
                     )
                 } else {
                     text!(
                         "the orientation is three angles about fixed axes in the order {order}: R = {product}",
-                        order = order,
-                        product = product
+                        order,
+                        product
                     )
                 }
             }
@@ -171,7 +171,7 @@ pub(crate) fn columns_of(roles: &[Role]) -> Option<Result<([usize; 3], bool), Te
         let count = found.iter().flatten().count();
         return Some(Err(text!(
             "{count} of the 3 numbers of an orientation",
-            count = count
+            count
         )));
     };
     if by_turn && by_axis {
@@ -218,7 +218,7 @@ impl ReadContext<'_> {
                 let [fixed, moving] = ["fixed", "moving"].map(|axes| format!("{order}-{axes}"));
                 let says = text!(
                     "the angles turn in the order {order}, and whether about fixed axes (of the measuring frame) or about moving ones (carried along) is not stated",
-                    order = order
+                    order
                 );
                 self.ask(About::Own(EULER), says, &[&fixed, &moving]);
             }

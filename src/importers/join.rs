@@ -148,8 +148,8 @@ pub(crate) fn by_time(
         if standing > 0 && inside > standing && timing.motion == Motion::Auto {
             let found = text!(
                 "{standing} of {inside} measurements were taken at stops: all are kept, with their speeds",
-                standing = standing,
-                inside = inside
+                standing,
+                inside
             );
             findings.push(Diagnostic::note(measured_place.clone(), found));
         }
@@ -320,7 +320,7 @@ impl Joining<'_> {
             "{groups} samples at the stops of the commands, each the mean of {max} measurements on average; {moving} measurements in motion or outside are excluded",
             groups = groups.len(),
             max = format!("{:.1}", averaged as f64 / groups.len().max(1) as f64),
-            moving = moving
+            moving
         );
         findings.push(Diagnostic::note(place.clone(), found));
         let means = Means::of(&measured, &groups);

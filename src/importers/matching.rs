@@ -95,7 +95,7 @@ pub(crate) fn by_order(measured: &Columns, commands: &Columns) -> Result<Pairs, 
     }
     let (more, fewer) = (m.max(c), m.min(c));
     let rest: Vec<usize> = (fewer..more).collect();
-    let mut found = vec![text!("{m} measurements and {c} commands", m = m, c = c)];
+    let mut found = vec![text!("{m} measurements and {c} commands", m, c)];
     found.push(if m > c {
         text!(
             "measurements without a command: {which}",
@@ -183,10 +183,10 @@ pub(crate) fn row_in_words(columns: &Columns, row: usize) -> Text {
     let line = columns.lines.get(row);
     match (name.filter(|name| !name.is_empty()), line) {
         (Some(name), Some(line)) => {
-            text!("{name} (line {line})", name = quoted(name), line = line)
+            text!("{name} (line {line})", name = quoted(name), line)
         }
         (Some(name), None) => Text::verbatim(quoted(name)),
-        (None, Some(line)) => text!("line {line}", line = line),
+        (None, Some(line)) => text!("line {line}", line),
         (None, None) => text!("row {rows}", rows = row + 1),
     }
 }
@@ -220,7 +220,7 @@ fn listed_up_to(words: &[Text], shown: usize) -> Text {
         more => text!(
             "{first} and {more} more",
             first = Text::listed(&words[..shown], ", "),
-            more = more
+            more
         ),
     }
 }

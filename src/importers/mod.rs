@@ -55,6 +55,8 @@ pub use inspect::{inspect, inspect_watched};
 pub use job::{Companion, Imported, Matched, Settings};
 pub use join::Motion;
 pub use matching::Matching;
+#[cfg(feature = "gui")]
+pub(crate) use options::EULER;
 pub use profile::Profile;
 pub use reference::{AlignError, Alignment, Landmark, Residual, align};
 pub use session::{import, import_watched};

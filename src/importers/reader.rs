@@ -125,7 +125,7 @@ impl<'a> ReadContext<'a> {
             let found = text!(
                 "{roles} columns given for a table of {width}",
                 roles = roles.len(),
-                width = width
+                width
             );
             self.refuse(
                 found,
@@ -310,10 +310,7 @@ impl<'a> ReadContext<'a> {
             && !lacks_length
         {
             if unit != heading {
-                let found = text!(
-                    "the headings name another unit than {symbol}",
-                    symbol = symbol
-                );
+                let found = text!("the headings name another unit than {symbol}", symbol);
                 self.warn(
                     found,
                     text!("the same unit as the headings, which are used"),

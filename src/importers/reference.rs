@@ -93,7 +93,7 @@ impl AlignError {
             Self::TooFew(count) => text!(
                 one "{count} point with a name that is known in the base frame; a place and an orientation take 3",
                 "{count} points with a name that is known in the base frame; a place and an orientation take 3",
-                count = count
+                count
             ),
             Self::OnALine => text!("the points lie on one line: nothing fixes the turn about it"),
             Self::TooFar => text!("a reference point is more than a million kilometres away"),

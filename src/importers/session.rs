@@ -145,7 +145,7 @@ impl Job<'_> {
         self.sentences.push(text!(
             "imported from {bytes} as {kind}: {read}",
             bytes = file_in_words(self.reading.file.as_ref(), bytes),
-            kind = kind,
+            kind,
             read = Text::listed(read, ", ")
         ));
     }

@@ -126,22 +126,18 @@ impl Question {
             ([], About::Columns) => {
                 text!(
                     "{option} with what each column is, for instance {option} name,x_mm,y_mm,z_mm,-",
-                    option = option
+                    option
                 )
             }
             ([], _) => Text::verbatim(option),
             ([proposal], About::Columns) => {
                 text!(
                     "--confirm if they are, else {option} with what each is, now {proposal}",
-                    option = option,
-                    proposal = proposal
+                    option,
+                    proposal
                 )
             }
-            (answers, _) => text!(
-                "{option} {answers}",
-                option = option,
-                answers = answers.join(" or ")
-            ),
+            (answers, _) => text!("{option} {answers}", option, answers = answers.join(" or ")),
         };
         Diagnostic::error(self.place.clone(), self.text.clone(), expected)
     }

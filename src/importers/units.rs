@@ -189,9 +189,9 @@ pub(crate) fn hint(spread: f64, reach_mm: Option<f64>) -> Text {
     };
     text!(
         "{would_be}; {unit} would suit, {whose}",
-        would_be = would_be,
+        would_be,
         unit = name,
-        whose = whose
+        whose
     )
 }
 

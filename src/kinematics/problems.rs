@@ -52,7 +52,7 @@ impl Robot {
                     text!(
                         "{joints} joints that move the tool in only {mobility} independent ways",
                         joints = self.joints.len(),
-                        mobility = mobility
+                        mobility
                     ),
                     text!("as many ways as joints; some joints are redundant"),
                 ));

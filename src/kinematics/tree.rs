@@ -77,10 +77,10 @@ impl BodyName {
     /// That there is none of this name, for the base or for the tip.
     fn lacking(self, name: &str, is_base: bool) -> Text {
         match (self, is_base) {
-            (Self::Link, true) => text!("no link '{name}' for the base", name = name),
-            (Self::Link, false) => text!("no link '{name}' for the tip", name = name),
-            (Self::BodyOrSite, true) => text!("no body or site '{name}' for the base", name = name),
-            (Self::BodyOrSite, false) => text!("no body or site '{name}' for the tip", name = name),
+            (Self::Link, true) => text!("no link '{name}' for the base", name),
+            (Self::Link, false) => text!("no link '{name}' for the tip", name),
+            (Self::BodyOrSite, true) => text!("no body or site '{name}' for the base", name),
+            (Self::BodyOrSite, false) => text!("no body or site '{name}' for the tip", name),
         }
     }
 }
@@ -255,16 +255,8 @@ impl Tree {
                     let above = chain.iter().skip(1).map(|k| self.bodies[*k].name.as_str());
                     let above = listed(above.filter(|name| !name.is_empty()));
                     return Err(self.refuse(
-                        text!(
-                            "no chain of joints from '{base}' to '{tip}'",
-                            base = base,
-                            tip = tip
-                        ),
-                        text!(
-                            "a tip below the base; above '{tip}': {above}",
-                            tip = tip,
-                            above = above
-                        ),
+                        text!("no chain of joints from '{base}' to '{tip}'", base, tip),
+                        text!("a tip below the base; above '{tip}': {above}", tip, above),
                     ));
                 }
             }
@@ -340,7 +332,7 @@ fn followed(joints: &mut [Joint], mimics: &[(usize, &BodyJoint, &Mimic)]) -> Vec
                 refuse(
                     text!(
                         "a joint that mimics '{of}', which is not between base and tip",
-                        of = of
+                        of
                     ),
                     text!(
                         "a base and a tip with both joints between, or a joint of type fixed in place of this one"

@@ -56,7 +56,7 @@ pub(super) fn tree(document: &Document, file: &Path) -> Result<Tree, Rejected> {
     for link in document.children(root, "link") {
         let name = document.required(link, "name")?.to_owned();
         if link_of.insert(name.clone(), tree.bodies.len()).is_some() {
-            let found = text!("two links called '{name}'", name = name);
+            let found = text!("two links called '{name}'", name);
             return Err(document.refuse(link, found, text!("a unique name for each link")));
         }
         tree.bodies.push(Body {
@@ -123,7 +123,7 @@ fn hang(
         };
         let link = document.required(element, "link")?;
         link_of.get(link).copied().ok_or_else(|| {
-            let found = text!("a link '{link}' that is not in the file", link = link);
+            let found = text!("a link '{link}' that is not in the file", link);
             document.refuse(element, found, text!("the name of a link"))
         })
     };
@@ -132,8 +132,8 @@ fn hang(
         let (child, other) = (&tree.bodies[child].name, &tree.bodies[other].name);
         let found = text!(
             "the link '{child}' hangs on '{other}' already",
-            child = child,
-            other = other
+            child,
+            other
         );
         return Err(document.refuse(joint, found, text!("one parent for each link")));
     }
@@ -154,7 +154,7 @@ fn moving(document: &Document, joint: usize) -> Result<Option<BodyJoint>, Reject
         "revolute" | "continuous" => Motion::Moves(JointKind::Revolute),
         "prismatic" => Motion::Moves(JointKind::Prismatic),
         "floating" | "planar" | "spherical" => {
-            Motion::Other(text!("a {kind} joint", kind = kind), SUPPORTED.into())
+            Motion::Other(text!("a {kind} joint", kind), SUPPORTED.into())
         }
         _ => return Err(document.refuse_value(joint, "type", SUPPORTED)),
     };

@@ -87,7 +87,7 @@ pub fn urdf_chain_of(text: &str, file: &Path, robot: &Robot) -> Result<UrdfChain
             .iter()
             .find(|joint| !joints.contains_key(joint.name.as_str()));
         let name = missing.map_or(first, |joint| &joint.name);
-        return refuse(text!("no joint '{name}' in it", name = name));
+        return refuse(text!("no joint '{name}' in it", name));
     };
     // Links that are fixed to where the chain begins and ends; a loop uses each joint once at most.
     let mut bases = vec![start.parent];
@@ -228,7 +228,7 @@ pub fn urdf_with(
             node.has_tag_name("joint") && node.attribute("name") == Some(name.as_str())
         };
         let joint = tree.root_element().children().find(is);
-        let joint = joint.ok_or_else(|| wrong(text!("no joint '{name}'", name = name)))?;
+        let joint = joint.ok_or_else(|| wrong(text!("no joint '{name}'", name)))?;
         let element = format!("<origin {}/>", origin(pose));
         let old = joint.children().find(|node| node.has_tag_name("origin"));
         let first = joint.children().find(Node::is_element);
@@ -238,7 +238,7 @@ pub fn urdf_with(
                 let at = first.range().start;
                 edits.push((at..at, format!("{element}{}", indent_before(text, at))));
             }
-            (None, None) => return Err(wrong(text!("an empty joint '{name}'", name = name))),
+            (None, None) => return Err(wrong(text!("an empty joint '{name}'", name))),
         }
     }
     if !added.is_empty() {

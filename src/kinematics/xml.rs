@@ -191,15 +191,12 @@ impl Document {
         }
         let (file, text) = include(&name).map_err(|mistake| refuse(self, mistake))?;
         if self.sources.iter().any(|source| source.file == file) {
-            let found = text!("'{name}' for the second time", name = name);
+            let found = text!("'{name}' for the second time", name);
             return Err(refuse(self, (found, text!("each file included once"))));
         }
         let so_far: usize = self.sources.iter().map(Source::length).sum();
         if so_far + text.len() > usize::try_from(LARGEST_FILE).unwrap_or(usize::MAX) {
-            let found = text!(
-                "'{name}', with which the files have more than 64 MiB",
-                name = name
-            );
+            let found = text!("'{name}', with which the files have more than 64 MiB", name);
             return Err(refuse(self, (found, text!("at most 64 MiB in all"))));
         }
         self.add(&text, &file)
@@ -259,11 +256,11 @@ impl Document {
     pub(super) fn required(&self, index: usize, name: &str) -> Result<&str, Rejected> {
         self.attribute(index, name).ok_or_else(|| {
             let element = self.name(index);
-            let found = text!("<{element}> without {name}", element = element, name = name);
+            let found = text!("<{element}> without {name}", element, name);
             self.refuse(
                 index,
                 found,
-                text!("<{element} {name}=\"…\">", element = element, name = name),
+                text!("<{element} {name}=\"…\">", element, name),
             )
         })
     }
@@ -305,9 +302,9 @@ impl Document {
         let element = self.name(index);
         let found = text!(
             "{name}=\"{value}\" in <{element}>",
-            name = name,
+            name,
             value = short(value),
-            element = element
+            element
         );
         let place = self.attribute_place(index, name);
         Rejected::because(Diagnostic::error(place, found, expected))
@@ -354,10 +351,10 @@ impl Document {
         }
         let expected = match N {
             1 => text!("one finite number"),
-            count => text!("{count} finite numbers with spaces between", count = count),
+            count => text!("{count} finite numbers with spaces between", count),
         };
         let expected = if text.split_ascii_whitespace().any(is_too_large) {
-            text!("{expected}, each of at most 1 000 000", expected = expected)
+            text!("{expected}, each of at most 1 000 000", expected)
         } else {
             expected
         };
@@ -413,7 +410,7 @@ fn short(value: &str) -> String {
 pub(super) fn read_text(path: &Path) -> Result<String, XmlProblem> {
     let bytes = guard::read_regular(path, LARGEST_FILE).map_err(|(found, expected)| {
         let found = if expected.to_string() == "a regular file" {
-            text!("{found}, not a regular file", found = found)
+            text!("{found}, not a regular file", found)
         } else {
             found
         };
@@ -438,18 +435,14 @@ pub(super) fn read_included(folder: &Path, name: &str) -> Result<(PathBuf, Strin
         let says = found.to_string();
         let leads = says.contains("leads upwards") || says.starts_with("an absolute path");
         let found = if leads {
-            text!("an include that leads elsewhere, {found}", found = found)
+            text!("an include that leads elsewhere, {found}", found)
         } else {
             found
         };
         (found, expected)
     })?;
-    let text = read_text(&path).map_err(|(found, expected)| {
-        (
-            text!("{found}: {name}", found = found, name = name),
-            expected,
-        )
-    })?;
+    let text = read_text(&path)
+        .map_err(|(found, expected)| (text!("{found}: {name}", found, name), expected))?;
     Ok((path, text))
 }
 

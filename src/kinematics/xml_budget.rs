@@ -61,7 +61,7 @@ fn attributes(text: &[u8]) -> Result<(), Refusal> {
         }
         in_all += own;
         let found = if own > MOST_ATTRIBUTES {
-            text!("an element with {own} attributes", own = own)
+            text!("an element with {own} attributes", own)
         } else if in_all > MOST_IN_ALL {
             text!("more than {most} attributes", most = MOST_IN_ALL)
         } else if namespaces > MOST_NAMESPACES {
@@ -119,10 +119,7 @@ fn entities(text: &str) -> Result<(), Refusal> {
     }
     let times = named(&text[..first]).len() + named(&text[end..]).len();
     if times.saturating_mul(end - first) > 2 * text.len() + (1 << 20) {
-        return refuse(
-            first,
-            text!("entities that are named {times} times", times = times),
-        );
+        return refuse(first, text!("entities that are named {times} times", times));
     }
     Ok(())
 }

@@ -121,8 +121,8 @@ impl Calibration {
                 let joint = term.joint.saturating_add(1);
                 wrong(
                     &field,
-                    text!("joint {joint}", joint = joint),
-                    text!("a joint from 1 to {joints}", joints = joints),
+                    text!("joint {joint}", joint),
+                    text!("a joint from 1 to {joints}", joints),
                 );
             }
             let (found, expected) = (term.coefficients.len(), about.form.coefficients());
@@ -148,7 +148,7 @@ impl Calibration {
             wrong(
                 "measured",
                 found,
-                text!("at most {joints}, one for each joint", joints = joints),
+                text!("at most {joints}, one for each joint", joints),
             );
         }
         let is_value = |value: f64| value.abs() <= LARGEST_JOINT_VALUE;
@@ -187,14 +187,10 @@ impl Calibration {
             return Ok(());
         }
         let place = Place::default().in_field("covariance");
-        let found = text!(
-            "{rows} by {columns} numbers",
-            rows = rows,
-            columns = columns
-        );
+        let found = text!("{rows} by {columns} numbers", rows, columns);
         let expected = text!(
             "{coefficients} by {coefficients}, as many as coefficients",
-            coefficients = coefficients
+            coefficients
         );
         Err(Rejected::because(Diagnostic::error(place, found, expected)))
     }

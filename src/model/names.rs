@@ -27,15 +27,15 @@ pub(crate) fn coefficient_names(model: &Model) -> Vec<Text> {
         let place = match (about.setting, &term.label) {
             (Setting::Setup, Some(name)) => Text::named(
                 format!("{} of setup {name}", about.id),
-                text!("{effect}, setup {name}", effect = about.title, name = name),
+                text!("{effect}, setup {name}", effect = about.title, name),
             ),
             (Setting::Place, Some(name)) => Text::named(
                 format!("{} {name}", about.id),
-                text!("{effect} {name}", effect = about.title, name = name),
+                text!("{effect} {name}", effect = about.title, name),
             ),
             (Setting::Target, Some(name)) => Text::named(
                 format!("{} of target {name}", about.id),
-                text!("{effect}, target {name}", effect = about.title, name = name),
+                text!("{effect}, target {name}", effect = about.title, name),
             ),
             _ => name_on_joint(term.effect, term.joint, &model.robot),
         };
@@ -53,6 +53,6 @@ pub(crate) fn coefficient_names(model: &Model) -> Vec<Text> {
 /// Coefficients that stand together.
 pub(crate) fn together(names: impl IntoIterator<Item = Text>) -> Text {
     let names = names.into_iter();
-    let all = names.reduce(|all, next| text!("{first} with {next}", first = all, next = next));
+    let all = names.reduce(|all, next| text!("{first} with {next}", first = all, next));
     all.unwrap_or_default()
 }

@@ -298,37 +298,29 @@ impl Shape {
                 "{shape} over the value of joint {joint}, {along}",
                 shape = what,
                 joint = j + 1,
-                along = along
+                along
             ),
-            Variable::Time => text!("{shape} over time, {along}", shape = what, along = along),
+            Variable::Time => text!("{shape} over time, {along}", shape = what, along),
             Variable::Side(j) => text!(
                 "{shape} over the side from which joint {joint} came, {along}",
                 shape = what,
                 joint = j + 1,
-                along = along
+                along
             ),
             Variable::Speed(j) => text!(
                 "{shape} over the speed of joint {joint}, {along}",
                 shape = what,
                 joint = j + 1,
-                along = along
+                along
             ),
-            Variable::Load => text!(
-                "{shape} over the load, {along}",
-                shape = what,
-                along = along
-            ),
+            Variable::Load => text!("{shape} over the load, {along}", shape = what, along),
             Variable::Warmth => {
-                text!(
-                    "{shape} over temperature, {along}",
-                    shape = what,
-                    along = along
-                )
+                text!("{shape} over temperature, {along}", shape = what, along)
             }
             Variable::Target(_) => text!(
                 "{shape} of one reflector against the others, {along}",
                 shape = what,
-                along = along
+                along
             ),
         }
     }

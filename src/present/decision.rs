@@ -15,7 +15,7 @@ pub fn title(outcome: Outcome) -> Template {
 
 /// That nothing is decided, and why.
 pub fn none(because: &str) -> String {
-    say!("No decision: {because}", because = because)
+    say!("No decision: {because}", because)
 }
 
 /// What a decision rests on.
@@ -32,9 +32,9 @@ pub fn rests_on(measured: &MeasuredDeviation, rule: Rule, tolerance_mm: f64) -> 
     say!(
         "largest deviation {largest} ({of}), expanded uncertainty U = {uncertainty} (k = 2), tolerance {tolerance} mm; decision rule: {rule}",
         largest = mm(measured.largest_mm),
-        of = of,
+        of,
         uncertainty = mm(measured.expanded_mm),
         tolerance = short(tolerance_mm),
-        rule = rule
+        rule
     )
 }

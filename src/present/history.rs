@@ -127,11 +127,7 @@ pub fn entries(robot: &RobotHistory) -> Table {
             if entry.changes.is_empty() {
                 dash()
             } else {
-                say!(
-                    "{changed} of {all}",
-                    changed = changed,
-                    all = entry.changes.len()
-                )
+                say!("{changed} of {all}", changed, all = entry.changes.len())
             },
         ]);
     }

@@ -40,7 +40,7 @@ pub(crate) fn joints_in_words(joints: &[usize]) -> String {
     }
     let joints = parts.join(", ");
     if sorted.len() > 1 {
-        say!("joints {joints}", joints = joints)
+        say!("joints {joints}", joints)
     } else {
         say!("joint {joint}", joint = joints)
     }
@@ -216,7 +216,7 @@ fn hidden_in_words(hidden: &[(String, Option<usize>)], limits: &[&Limit], all: b
     } else {
         names.join(", ")
     };
-    say!("not observable with these poses: {which}", which = which)
+    say!("not observable with these poses: {which}", which)
 }
 
 impl Sizes {
@@ -230,7 +230,7 @@ impl Sizes {
         let sizes = if from == to {
             from
         } else {
-            say!("{from} to {to}", from = from, to = to)
+            say!("{from} to {to}", from, to)
         };
         format!("{name} {sizes} {unit}")
             .replace(" °", "°")
@@ -256,8 +256,8 @@ pub(crate) fn detection_limit(limit: &Limit) -> String {
                 let (factor, unit) = Units::spoken().of_unit(unit);
                 format!("{name} {} {unit}", significant(factor * size, 3)).replace(" °", "°")
             }
-            Detectability::AtAnySize => say!("{name}: any size, there is no noise", name = name),
-            Detectability::AtNoSize => say!("{name}: not observable with these poses", name = name),
+            Detectability::AtAnySize => say!("{name}: any size, there is no noise", name),
+            Detectability::AtNoSize => say!("{name}: not observable with these poses", name),
         }
     });
     sizes.collect::<Vec<_>>().join(", ")

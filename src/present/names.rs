@@ -29,7 +29,7 @@ pub(crate) fn title_of(name: &str) -> String {
 
 /// The title of an effect on a joint, counted from 1.
 pub(crate) fn on_joint(id: &str, joint: &str) -> String {
-    say!("{effect}, joint {joint}", effect = title(id), joint = joint)
+    say!("{effect}, joint {joint}", effect = title(id), joint)
 }
 
 /// A parameter in words, and its unit as it is written behind a number.
@@ -82,7 +82,7 @@ pub(crate) fn figure((name, value): (&str, Option<f64>)) -> String {
     let (name, unit) = parameter(name);
     match value {
         Some(value) => format!("{name} {} {unit}", significant(value, 3)),
-        None => say!("{name}: not determined by these samples", name = name),
+        None => say!("{name}: not determined by these samples", name),
     }
 }
 

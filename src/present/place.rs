@@ -22,12 +22,7 @@ impl Where {
                 // Sides and reflectors are no range of numbers.
                 let Some(unit) = unit else { return what };
                 let [from, to] = [from, to].map(|value| format!("{}{unit}", trimmed(*value, 2)));
-                text!(
-                    "{quantity} from {from} to {to}",
-                    quantity = what,
-                    from = from,
-                    to = to
-                )
+                text!("{quantity} from {from} to {to}", quantity = what, from, to)
             }
             Self::Cycles {
                 variable,
@@ -39,13 +34,13 @@ impl Where {
                 if unit == Some("°") {
                     text!(
                         "{cycles} cycles per turn of {quantity}",
-                        cycles = cycles,
+                        cycles,
                         quantity = what
                     )
                 } else {
                     text!(
                         "{cycles} cycles per metre of {quantity}",
-                        cycles = cycles,
+                        cycles,
                         quantity = what
                     )
                 }
@@ -70,22 +65,19 @@ fn in_words(column: &str) -> (Text, Option<&'static str>) {
     if let Some(rest) = column.strip_prefix("speed") {
         for (ending, unit) in [("_deg_s", "°/s"), ("_mm_s", " mm/s")] {
             if let Some(joint) = joint(rest, ending) {
-                return (text!("speed of joint {joint}", joint = joint), Some(unit));
+                return (text!("speed of joint {joint}", joint), Some(unit));
             }
         }
     }
     if let Some(rest) = column.strip_prefix('q') {
         for (ending, unit) in [("_deg", "°"), ("_mm", " mm")] {
             if let Some(joint) = joint(rest, ending) {
-                return (text!("joint {joint}", joint = joint), Some(unit));
+                return (text!("joint {joint}", joint), Some(unit));
             }
         }
     }
     if let Some(joint) = column.strip_prefix("dir").and_then(|rest| joint(rest, "")) {
-        return (
-            text!("side from which joint {joint} came", joint = joint),
-            None,
-        );
+        return (text!("side from which joint {joint} came", joint), None);
     }
     match column {
         "time_s" => (text!("time"), Some(" s")),

@@ -30,7 +30,7 @@ pub(crate) fn table(poses: &[NextPose], robot: &Robot) -> Table {
 /// places where letters are equally wide.
 #[cfg(feature = "cli")]
 pub(crate) fn table_by_joint(poses: &[NextPose], robot: &Robot) -> Table {
-    let joints = (1..=robot.joints.len()).map(|joint| say!("joint {joint}", joint = joint));
+    let joints = (1..=robot.joints.len()).map(|joint| say!("joint {joint}", joint));
     let columns = [Column::numbers("")].into_iter();
     let columns = columns.chain(joints.map(Column::numbers)).chain([
         Column::words(say!("reflector")),
@@ -109,7 +109,7 @@ pub(crate) fn new_reflectors(poses: &[NextPose]) -> Vec<String> {
         let [x, y, z] = at.map(|mm| trimmed(mm, 2));
         let line = say!(
             "{name} is a new reflector: mount it at {place} in the tool frame, and survey where it really is",
-            name = name,
+            name,
             place = format!("({x}, {y}, {z}) mm")
         );
         if !lines.contains(&line) {

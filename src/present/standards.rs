@@ -105,10 +105,8 @@ fn of_axis(axis: &AxisTest, most: usize) -> Vec<Group> {
     }
     let more = axis.more + axis.series.len().saturating_sub(most);
     if let (1.., Some(last)) = (more, groups.last_mut()) {
-        last.missing.push(text!(
-            "{more} more series under other conditions",
-            more = more
-        ));
+        last.missing
+            .push(text!("{more} more series under other conditions", more));
     }
     groups
 }
@@ -160,8 +158,8 @@ fn of_poses(test: &PoseTest, compensated: bool) -> Group {
         conditions: text!(
             one "{count} pose with two cycles or more, {turned} from several directions, {paths} paths; the largest of each figure", "{count} poses with two cycles or more, {turned} from several directions, {paths} paths; the largest of each figure",
             count = poses,
-            turned = turned,
-            paths = paths
+            turned,
+            paths
         ),
         rows: before.into_iter().zip(after).filter_map(row).collect(),
         missing: test.missing.clone(),

@@ -155,7 +155,7 @@ pub(crate) fn typed_in(text: &str, usual: &str, into: &str) -> Result<f64, Strin
         return Ok(value * factor(usual, into).filter(|_| usual != into).unwrap_or(1.0));
     }
     let number = text.trim_end_matches(|c: char| !c.is_ascii_digit());
-    let value = typed(number).ok_or_else(|| say!("'{text}' is not a number", text = text))?;
+    let value = typed(number).ok_or_else(|| say!("'{text}' is not a number", text))?;
     let unit = text[number.len()..].trim();
     let known = [
         "mm, µm, m, in, thou",
@@ -170,12 +170,12 @@ pub(crate) fn typed_in(text: &str, usual: &str, into: &str) -> Result<f64, Strin
         (Some(factor), _) => Ok(value * factor),
         (None, Some(known)) => Err(say!(
             "'{unit}' is not a unit here; known are {known}",
-            unit = unit,
-            known = known
+            unit,
+            known
         )),
         (None, None) => Err(say!(
             "'{unit}' after the number: this number has no unit",
-            unit = unit
+            unit
         )),
     }
 }

@@ -67,7 +67,7 @@ impl Axes {
         let found = text!("a model with {own} axes of its own", own = self.own());
         let expected = text!(
             "at most 6; external axes are called {external} in the model",
-            external = external
+            external
         );
         Err(vec![Problem::new(0, found, expected)])
     }

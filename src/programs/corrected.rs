@@ -296,8 +296,8 @@ impl Corrector<'_> {
             let says = text!(
                 "with its correction joint {joint} would be at {value}, beyond its limit of {limit}",
                 joint = beyond.joint + 1,
-                value = value,
-                limit = limit
+                value,
+                limit
             );
             return Err(SkippedTarget::new(Reason::Unreachable, says));
         }

@@ -205,7 +205,7 @@ impl Table<'_> {
                 if self.of(Quantity::Commanded(joint)).is_none() {
                     let name = format!("q{}_{}", joint + 1, self.axes.kind(joint).unit());
                     return wrong(
-                        text!("no column {name}", name = name),
+                        text!("no column {name}", name),
                         phrase!("one for each joint"),
                     );
                 }
@@ -221,7 +221,7 @@ impl Table<'_> {
         for (place, name) in places.iter().zip(["x_mm", "y_mm", "z_mm"]) {
             if place.is_none() {
                 let expected = phrase!("q1_deg, … or x_mm, y_mm, z_mm with qw, qx, qy, qz");
-                return wrong(text!("no column {name}", name = name), expected);
+                return wrong(text!("no column {name}", name), expected);
             }
         }
         let turns = (0..4).filter(|k| self.of(Quantity::Orientation(*k)).is_some());
@@ -345,7 +345,7 @@ impl Table<'_> {
             let found = if shown.is_empty() {
                 text!("an empty cell")
             } else {
-                text!("'{shown}'", shown = shown)
+                text!("'{shown}'", shown)
             };
             Problem::new(range.start, found, reason.expected())
         };

@@ -133,7 +133,7 @@ fn motion(
         if let Some(number) = position_numbers(&upper.replace(' ', "")).first()
             && upper.replace(' ', "").starts_with(&format!("P[{number}]="))
         {
-            let says = text!("P[{number}] is changed at run time", number = number);
+            let says = text!("P[{number}] is changed at run time", number);
             program.at_run_time.push(Remark { at, text: says });
         }
         return;
@@ -149,10 +149,7 @@ fn motion(
     }
     for number in position_numbers(motion) {
         let Some(index) = by_number.get(&number) else {
-            let says = text!(
-                "P[{number}] is not in /POS, or not a target",
-                number = number
-            );
+            let says = text!("P[{number}] is not in /POS, or not a target", number);
             program.at_run_time.push(Remark { at, text: says });
             continue;
         };
@@ -160,7 +157,7 @@ fn motion(
             Some(&"INC") => {
                 let says = text!(
                     "P[{number}] is relative to the robot's position (INC)",
-                    number = number
+                    number
                 );
                 program.targets[*index].left =
                     Some(Box::new(SkippedTarget::new(Reason::Relative, says)));
@@ -168,8 +165,8 @@ fn motion(
             Some(offset) => {
                 let says = text!(
                     "the move to P[{number}] is shifted at run time ({offset})",
-                    number = number,
-                    offset = offset
+                    number,
+                    offset
                 );
                 program.at_run_time.push(Remark { at, text: says });
                 program.visits.push(*index);
@@ -189,7 +186,7 @@ fn set_by(line: &str, at: usize, program: &mut Program) {
     let kinds = [("UTOOL", "UT", true), ("UFRAME", "UF", false)];
     for (name, short, tool) in kinds {
         if let Some(n) = number(name) {
-            let says = text!("{name}[{n}] is set at run time", name = name, n = n);
+            let says = text!("{name}[{n}] is set at run time", name, n);
             let names = if tool {
                 &mut program.tools
             } else {
@@ -202,7 +199,7 @@ fn set_by(line: &str, at: usize, program: &mut Program) {
     if let Some(n) = number("PAYLOAD") {
         let says = text!(
             "PAYLOAD[{n}] has its mass in the controller: --load says it",
-            n = n
+            n
         );
         program.at_run_time.push(Remark { at, text: says });
     }

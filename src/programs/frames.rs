@@ -176,7 +176,7 @@ impl<'a> Known<'a> {
         let name = match referred {
             Referred::Unsaid => return Ok(stated),
             Referred::Unknown(says) => {
-                return Err(text!("its frame is not known: {says}", says = says));
+                return Err(text!("its frame is not known: {says}", says));
             }
             Referred::Named(name) => name,
         };
@@ -189,7 +189,7 @@ impl<'a> Known<'a> {
             None => Err(text!(
                 "its frame {name} is declared elsewhere: --frame says where it is in the base (one frame in \
                  a file)",
-                name = name
+                name
             )),
         }
     }
@@ -197,7 +197,7 @@ impl<'a> Known<'a> {
     fn on_flange(&self, name: &str) -> Result<Pose, Text> {
         match self.program.tools.get(&name.to_lowercase()) {
             Some(declared) => declared.pose.clone(),
-            None => Err(text!("its tool {name} is declared elsewhere", name = name)),
+            None => Err(text!("its tool {name} is declared elsewhere", name)),
         }
     }
 
@@ -206,7 +206,7 @@ impl<'a> Known<'a> {
             return Ok(tool_from_model);
         }
         if let Referred::Unknown(says) = referred {
-            return Err(text!("its tool is not known: {says}", says = says));
+            return Err(text!("its tool is not known: {says}", says));
         }
         let model = match &self.reading.tool {
             ToolReading::Given(tool_from_model) => return Ok(*tool_from_model),
@@ -215,7 +215,7 @@ impl<'a> Known<'a> {
                 let all = self.tools_in_words();
                 return Err(text!(
                     "poses of this file are of several tools ({all}): --tool says which one is the model's",
-                    all = all
+                    all
                 ));
             }
             ToolReading::Named(name) if referred.is(name) => return Ok(Pose::identity()),

@@ -86,7 +86,7 @@ pub(super) fn read(text: &Text, axes: &Axes) -> Result<Program, Vec<Problem>> {
     }
     if problems.is_empty() {
         Ok(reader.moves.finish(reader.program, |spelled| {
-            text!("{spelled} has its values elsewhere", spelled = spelled)
+            text!("{spelled} has its values elsewhere", spelled)
         }))
     } else {
         Err(problems)
@@ -189,10 +189,7 @@ impl KrlReader<'_> {
         let command = words.spelled(0);
         let at = words.at(1);
         if name.ends_with("_rel") {
-            self.run_time(
-                at,
-                text!("{command} is a relative motion", command = command),
-            );
+            self.run_time(at, text!("{command} is a relative motion", command));
             return Ok(());
         }
         let mut wanted = if name.contains("circ") { 2 } else { 1 };
@@ -217,8 +214,8 @@ impl KrlReader<'_> {
                 if words.is_sign(k, b'[') || words.is_sign(k, b'.') || words.is_sign(k, b'(') {
                     let says = text!(
                         "{command} goes to an element of {spelled}, which is chosen at run time",
-                        command = command,
-                        spelled = spelled
+                        command,
+                        spelled
                     );
                     self.run_time(at, says);
                     self.go(at, Goal::Mentioned(goal));
@@ -230,14 +227,13 @@ impl KrlReader<'_> {
                 }
                 self.go(at, Goal::Named(goal, spelled));
             } else {
-                return Err(words.problem(k, text!("the target of {command}", command = command)));
+                return Err(words.problem(k, text!("the target of {command}", command)));
             }
             if wanted > 0 {
                 if !words.is_sign(k, b',') {
-                    return Err(words.problem(
-                        k,
-                        text!("a comma and the end point of {command}", command = command),
-                    ));
+                    return Err(
+                        words.problem(k, text!("a comma and the end point of {command}", command))
+                    );
                 }
                 k += 1;
             }
@@ -247,7 +243,7 @@ impl KrlReader<'_> {
             return Err(Problem::new(
                 at,
                 found,
-                text!("the target of {command}", command = command),
+                text!("the target of {command}", command),
             ));
         }
         Ok(())
@@ -259,7 +255,7 @@ impl KrlReader<'_> {
         if composed {
             let says = text!(
                 "{command} goes to a product of frames, which is computed at run time",
-                command = command
+                command
             );
             self.run_time(at, says);
         }
@@ -294,7 +290,7 @@ impl KrlReader<'_> {
         let Some(target) = target else {
             let says = text!(
                 "{name} takes some of its components from where the robot is, or computes them at run time",
-                name = name
+                name
             );
             self.run_time(aggregate.at, says);
             return Ok(None);

@@ -115,44 +115,39 @@ impl Difference {
         let says = match self.what {
             DifferingNumber::Tool if named => text!(
                 "the program's tool {name} is {program}; the model's is {model}",
-                name = name,
-                program = program,
-                model = model
+                name,
+                program,
+                model
             ),
             DifferingNumber::Tool => text!(
                 "the program's tool is {program}; the model's is {model}",
-                program = program,
-                model = model
+                program,
+                model
             ),
             DifferingNumber::Frame if named => text!(
                 "the program's frame {name} is {program}; the model's is {model}",
-                name = name,
-                program = program,
-                model = model
+                name,
+                program,
+                model
             ),
             DifferingNumber::Frame => text!(
                 "the program's frame is {program}; the model's is {model}",
-                program = program,
-                model = model
+                program,
+                model
             ),
             DifferingNumber::Load if named => text!(
                 "the program's load {name} is {program}; the model's is {model}",
-                name = name,
-                program = program,
-                model = model
+                name,
+                program,
+                model
             ),
             DifferingNumber::Load => text!(
                 "the program's load is {program}; the model's is {model}",
-                program = program,
-                model = model
+                program,
+                model
             ),
         };
-        text!(
-            "line {line}, column {column}: {says}",
-            line = line,
-            column = column,
-            says = says
-        )
+        text!("line {line}, column {column}: {says}", line, column, says)
     }
 }
 

@@ -68,7 +68,7 @@ pub(super) fn read(text: &Text, axes: &Axes) -> Result<Program, Vec<Problem>> {
     }
     if reader.problems.is_empty() {
         Ok(reader.moves.finish(reader.program, |spelled| {
-            text!("{spelled} is declared elsewhere", spelled = spelled)
+            text!("{spelled} is declared elsewhere", spelled)
         }))
     } else {
         Err(reader.problems)
@@ -103,7 +103,7 @@ impl<'t, 'a> RapidReader<'t, 'a> {
                 Some(name) if is_move(name) => self.motion(k, name),
                 Some(name) => {
                     if SHIFTS.contains(&name) {
-                        let says = text!("{name} shifts the poses after it", name = name);
+                        let says = text!("{name} shifts the poses after it", name);
                         self.run_time(self.words.at(k), says);
                     }
                     self.other_name(k)
@@ -173,10 +173,9 @@ impl<'t, 'a> RapidReader<'t, 'a> {
             self.declared(&tree, &spelled, &spelled, kind == "robtarget", array);
         }
         if !self.words.is_sign(end, b';') {
-            let problem = self.words.problem(
-                end,
-                text!("a semicolon behind {spelled}", spelled = spelled),
-            );
+            let problem = self
+                .words
+                .problem(end, text!("a semicolon behind {spelled}", spelled));
             self.problems.push(problem);
         }
         end
@@ -214,7 +213,7 @@ impl<'t, 'a> RapidReader<'t, 'a> {
                     at,
                     text!(
                         "{spelled} has values that are computed at run time",
-                        spelled = spelled
+                        spelled
                     ),
                 );
             }
@@ -286,10 +285,7 @@ impl<'t, 'a> RapidReader<'t, 'a> {
             let end = self.words.until(k, b",;");
             let next_move = |j: &usize| self.words.name(*j).is_some_and(|n| is_move(&n));
             if let Some(j) = (k..end).find(next_move) {
-                let expected = text!(
-                    "a semicolon at the end of the {command} before it",
-                    command = command
-                );
+                let expected = text!("a semicolon at the end of the {command} before it", command);
                 self.problems.push(self.words.problem(j, expected));
                 return j;
             }
@@ -373,7 +369,7 @@ impl<'t, 'a> RapidReader<'t, 'a> {
                 at,
                 text!(
                     "{command} goes to {target}, which is computed at run time",
-                    command = command,
+                    command,
                     target = what
                 ),
             );
@@ -396,10 +392,7 @@ impl<'t, 'a> RapidReader<'t, 'a> {
             }
             Ok(None) => self.run_time(
                 at,
-                text!(
-                    "the target of {command} is computed at run time",
-                    command = command
-                ),
+                text!("the target of {command} is computed at run time", command),
             ),
             Err(problem) => self.problems.push(problem),
         }

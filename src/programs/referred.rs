@@ -123,10 +123,7 @@ pub(super) fn declare(names: &mut Names, spelled: &str, at: usize, pose: Result<
         .entry(spelled.to_lowercase())
         .and_modify(|known| {
             if known.pose != pose {
-                known.pose = Err(text!(
-                    "{spelled} is declared several times",
-                    spelled = spelled
-                ));
+                known.pose = Err(text!("{spelled} is declared several times", spelled));
             }
         })
         .or_insert(Declared {

@@ -85,12 +85,12 @@ impl CompensateError {
             Self::Model(inner) => inner.describe(),
             Self::Start { found, expected } => text!(
                 "{found} joint values to start from; expected {expected}, one for each joint of the model",
-                found = found,
-                expected = expected
+                found,
+                expected
             ),
             Self::NoNumber(option) => text!(
                 "{option}: expected finite numbers within a robot's range",
-                option = option
+                option
             ),
             Self::NoMeasuredFrame => text!(
                 "the model knows no measuring frame that was brought into the robot's base: --measured-frame has no meaning for it"
@@ -101,24 +101,21 @@ impl CompensateError {
                 names,
             } => text!(
                 "--tool gives one tool and the program has several ({names}): --as-programmed takes each as the program declares it",
-                names = names
+                names
             ),
             Self::Several {
                 is_tool: false,
                 names,
             } => text!(
                 "--frame gives one frame and the program has several ({names}): --as-programmed takes each as the program declares it",
-                names = names
+                names
             ),
             Self::Tool { found, expected } => text!(
                 "--tool {found}: the program has no such tool; expected one of its own ({expected}), or X,Y,Z,QW,QX,QY,QZ",
-                found = found,
-                expected = expected
+                found,
+                expected
             ),
-            Self::ReadBack(what) => text!(
-                "what was written reads back differently: {what}",
-                what = what
-            ),
+            Self::ReadBack(what) => text!("what was written reads back differently: {what}", what),
         }
     }
 }

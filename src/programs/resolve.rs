@@ -105,8 +105,8 @@ impl<'a> Resolver<'a> {
         let says = text!(
             "joint {joint} is at {value} in the file, beyond its limit of {limit}",
             joint = beyond.joint + 1,
-            value = value,
-            limit = limit
+            value,
+            limit
         );
         Err(SkippedTarget::new(Reason::Unreachable, says))
     }

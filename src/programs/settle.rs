@@ -163,7 +163,7 @@ pub(super) fn settled(
             text!(
                 "the poses are taken in the frame {frame} and not in the program's {name} ({own})",
                 frame = in_words(all, turns),
-                name = name,
+                name,
                 own = in_words(pose, turns)
             )
         }));
@@ -186,13 +186,13 @@ fn taken_for_others(request: &Request, tools: &Numeric<'_>, model: &Pose) -> Vec
         match request.frames.tool {
             Precedence::Model if !same(pose, model) => notes.push(text!(
                 "the program's tool {name} ({pose}) is taken for the model's",
-                name = name,
+                name,
                 pose = shown
             )),
             Precedence::Given(given) if !same(pose, &given) => notes.push(text!(
                 "the poses are taken of the tool {tool} and not of the program's {name} ({pose})",
                 tool = in_words(&given, turns),
-                name = name,
+                name,
                 pose = shown
             )),
             _ => {}

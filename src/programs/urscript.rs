@@ -187,7 +187,7 @@ impl UrscriptReader<'_, '_> {
             }
             let comma = self.words.is_sign(k, b',');
             if wanted > 0 && !comma {
-                let expected = text!("a comma and the next point of {command}", command = command);
+                let expected = text!("a comma and the next point of {command}", command);
                 self.problems.push(self.words.problem(k, expected));
                 return k;
             }
@@ -212,7 +212,7 @@ impl UrscriptReader<'_, '_> {
         if end == k {
             return Err(self
                 .words
-                .problem(k, text!("the target of {command}", command = command)));
+                .problem(k, text!("the target of {command}", command)));
         }
         if end >= self.words.len() {
             return Err(self
@@ -236,7 +236,7 @@ impl UrscriptReader<'_, '_> {
                 at,
                 text!(
                     "{command} goes to {target}, which is computed at run time",
-                    command = command,
+                    command,
                     target = what
                 ),
             );
@@ -260,10 +260,7 @@ impl UrscriptReader<'_, '_> {
     }
 
     fn run_time_goal(&mut self, at: usize, command: &str) {
-        let says = text!(
-            "the target of {command} is computed at run time",
-            command = command
-        );
+        let says = text!("the target of {command} is computed at run time", command);
         self.run_time(at, says);
     }
 
@@ -330,8 +327,7 @@ impl UrscriptReader<'_, '_> {
                 let joints = self.axes.joints();
                 if numbers.len() != joints {
                     let found = text!(one "a list of {count} number", "a list of {count} numbers", count = numbers.len());
-                    let expected =
-                        text!("{joints}, one for each joint of the model", joints = joints);
+                    let expected = text!("{joints}, one for each joint of the model", joints);
                     return Err(Problem::new(at, found, expected));
                 }
                 Shape::Joints {
@@ -365,7 +361,7 @@ impl UrscriptReader<'_, '_> {
             if gone_to.get(&name) == Some(&true) {
                 let says = text!(
                     "{name} is used here as well, with its corrected values",
-                    name = name
+                    name
                 );
                 self.program.notes.push(Remark { at, text: says });
             }
@@ -385,7 +381,7 @@ impl UrscriptReader<'_, '_> {
         let elsewhere = |spelled: &str| {
             text!(
                 "{spelled} is computed at run time, or has its values elsewhere",
-                spelled = spelled
+                spelled
             )
         };
         let mut program = self.moves.finish(self.program, elsewhere);
@@ -410,7 +406,7 @@ impl UrscriptReader<'_, '_> {
                     // A list that is no target of a move after all.
                     let says = text!(
                         "{name} is not corrected: {found}",
-                        name = name,
+                        name,
                         found = problem.found
                     );
                     self.run_time(at, says);

@@ -50,20 +50,20 @@ impl WriteError {
         match self {
             Self::Language(language) => text!(
                 "no program of joint moves is written as {language}; expected csv, rapid, krl or urscript",
-                language = language
+                language
             ),
             Self::Axes(axes, language) => text!(
                 "{axes} axes of the robot's own; expected at most 6 for {language}, external ones are called E1 to E6 (eax_a to eax_f) in the robot's file",
-                axes = axes,
-                language = language
+                axes,
+                language
             ),
             Self::Slide => {
                 text!("a sliding joint; expected turning joints, which URScript gives in rad")
             }
             Self::Pose { pose, joints } => text!(
                 "pose {pose}: expected {joints} joint values within a robot's range, one for each joint",
-                pose = pose,
-                joints = joints
+                pose,
+                joints
             ),
         }
     }

@@ -39,7 +39,7 @@ fn pose_blocks(test: &PoseTest, blocks: &mut Vec<Block>) {
     if test.poses.len() > shown {
         blocks.push(Block::Text(say!(
             "The {shown} poses of {all} with the largest AP:",
-            shown = shown,
+            shown,
             all = test.poses.len()
         )));
     }

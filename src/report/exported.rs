@@ -68,8 +68,8 @@ impl TableFileError {
                 path,
                 text!(
                     "line {line}, column {column}: {says}",
-                    line = line,
-                    column = column,
+                    line,
+                    column,
                     says = what
                 ),
             ),

@@ -165,7 +165,7 @@ fn write_table(table: &Table, out: &mut String) {
 /// The number of a page where the report is printed.
 fn numbered(language: Language) -> String {
     let [number, of] = ["\" counter(page) \"", "\" counter(pages) \""];
-    let says = text!("page {number} of {of}", number = number, of = of).spoken_in(language);
+    let says = text!("page {number} of {of}", number, of).spoken_in(language);
     format!(
         "@page {{ size: A4; margin: 18mm 18mm 20mm; @bottom-right {{ content: \"{says}\"; \
          font: 8pt \"Inter\", sans-serif; color: #5b6472; }} }}\n"

@@ -37,13 +37,7 @@ impl Logo {
     /// # Errors
     /// What is wrong with the file; [`Logo::EXPECTED`] was expected.
     pub fn read(path: &Path) -> Result<Self, Text> {
-        let wrong = |what: Text| {
-            text!(
-                "{path}: {what}",
-                path = path.display().to_string(),
-                what = what
-            )
-        };
+        let wrong = |what: Text| text!("{path}: {what}", path = path.display().to_string(), what);
         let bytes = read_regular(path, MOST_BYTES).map_err(|(found, _)| wrong(found))?;
         Self::decoded(path.to_path_buf(), &bytes).map_err(wrong)
     }
@@ -61,11 +55,7 @@ impl Logo {
         let size = [info.width, info.height];
         if size.iter().any(|side| *side > MOST_PIXELS) {
             let [width, height] = size;
-            return Err(text!(
-                "{width} × {height} pixels",
-                width = width,
-                height = height
-            ));
+            return Err(text!("{width} × {height} pixels", width, height));
         }
         let length = reader.output_buffer_size();
         let mut pixels = vec![0; length.ok_or_else(|| text!("too many pixels"))?];

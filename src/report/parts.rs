@@ -22,7 +22,7 @@ pub(super) fn robot_facts(robot: &Robot, measured: &[Range]) -> Vec<(String, Str
             let unit = joint.kind.sign();
             let [from, to] = [range.from, range.to]
                 .map(|end| format!("{}{unit}", short(joint.kind.to_display(end))));
-            say!("{from} to {to}", from = from, to = to)
+            say!("{from} to {to}", from, to)
         };
         if let Some(limits) = &joint.limits {
             let travel = say!("travel {range}", range = range(limits));
@@ -57,9 +57,9 @@ pub(super) fn instrument(instrument: &Instrument) -> String {
             let [x, y, z] = s.map(short);
             say!(
                 "noise {x}, {y}, {z} mm along x, y, z (one standard deviation)",
-                x = x,
-                y = y,
-                z = z
+                x,
+                y,
+                z
             )
         }
     };
@@ -153,8 +153,8 @@ pub(super) fn foot(subject: &str, samples_hash: &str) -> String {
     say!(
         "truepose {version} · {subject} · samples {hash}",
         version = env!("CARGO_PKG_VERSION"),
-        subject = subject,
-        hash = hash
+        subject,
+        hash
     )
 }
 

@@ -135,7 +135,7 @@ fn difference(model: &Calibration, found: &Calibration) -> Option<String> {
         let names: Vec<&str> = names.map(|id| title(id)).collect();
         (!names.is_empty()).then(|| names.join(", "))
     };
-    let less = lacks(&has, &had).map(|names| say!("without {names}", names = names));
+    let less = lacks(&has, &had).map(|names| say!("without {names}", names));
     let more = lacks(&had, &has).map(|names| say!("with {effect}", effect = names));
     let sentences: Vec<String> = [less, more].into_iter().flatten().collect();
     Some(if sentences.is_empty() {
@@ -167,10 +167,7 @@ impl ReportContext<'_> {
         let mut all = vec![explain::answer(self.found.verdict).to_owned()];
         all.extend(explain::remarks(self.found));
         if let Some(other) = &self.other {
-            all.push(say!(
-                "the model in use is another one: {other}",
-                other = other
-            ));
+            all.push(say!("the model in use is another one: {other}", other));
         }
         all.join("; ")
     }
@@ -315,7 +312,7 @@ impl ReportContext<'_> {
         }
         if let Some(held) = &self.session.samples.held_out {
             let held = held.iter().filter(|h| **h).count();
-            let held = say!("{held} held out by the file", held = held);
+            let held = say!("{held} held out by the file", held);
             text += &format!(", {held}");
         }
         let z = self.session.samples.z_mm.is_some();
@@ -409,7 +406,7 @@ impl ReportContext<'_> {
         if let Some(other) = &self.other {
             let (rms, max) = (v.model.rms_mm, v.model.max_mm);
             row(
-                &say!("with the model in use ({other})", other = other),
+                &say!("with the model in use ({other})", other),
                 rms,
                 None,
                 Some(max),

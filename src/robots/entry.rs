@@ -113,7 +113,7 @@ fn unchecked(part: &str) -> Text {
     match (of_joints, part) {
         (Some(joints), _) => text!(
             "joint ranges of {joints} (the second source has others)",
-            joints = joints
+            joints
         ),
         (_, "joint ranges") => text!("joint ranges"),
         (_, "height of the flange") => text!("height of the flange"),

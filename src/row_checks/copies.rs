@@ -56,7 +56,7 @@ pub(super) fn copied(session: &Session, _: JointValues) -> Vec<DataProblem> {
         ),
         count => text!(
             "{count} rows agree with an earlier one in every recorded value to the last digit; that they are copies is more than 1000 times likelier than chance",
-            count = count
+            count
         ),
     };
     vec![DataProblem {

@@ -63,11 +63,11 @@ pub(super) fn coarse(session: &Session, _: JointValues) -> Vec<DataProblem> {
     let evidence = match stated {
         Some(_) => text!(
             "every value is a multiple of it; rounding adds {added} mm to the noise of a coordinate, which is more than a third of the noise stated for the instrument",
-            added = added
+            added
         ),
         None => text!(
             "every value is a multiple of it; rounding adds {added} mm to the noise of a coordinate, which is more than a third of what an instrument usually has",
-            added = added
+            added
         ),
     };
     let mut problem = without_correction(

@@ -31,21 +31,21 @@ fn of_pair(session: &Session, first: usize, second: usize) -> Option<DataProblem
     Some(DataProblem {
         what: text!(
             "the directions of approach of joints {a} and {b} are exchanged",
-            a = a,
-            b = b
+            a,
+            b
         ),
         evidence: text!(
             "from row to row joint {a} moves as dir{b} says in {agree} of {moves}, and as its own column says in {own}",
-            a = a,
-            b = b,
+            a,
+            b,
             agree = crossed[0].0,
             moves = crossed[0].1,
             own = own[0].0
         ),
         proposal: text!(
             "they are exchanged; correct the headings dir{a} and dir{b}",
-            a = a,
-            b = b
+            a,
+            b
         ),
         mend: Some(SessionCorrection::ExchangeDirections { first, second }),
         samples: Vec::new(),

@@ -25,14 +25,14 @@ pub(super) fn out_of_order(session: &Session, _: JointValues) -> Vec<DataProblem
     let evidence = match sorted_by(samples) {
         None => text!(
             "the time runs backwards at {falls} of {rows} rows",
-            falls = falls,
-            rows = rows
+            falls,
+            rows
         ),
         Some(by) => text!(
             "the time runs backwards at {falls} of {rows} rows; they are sorted by {by}",
-            falls = falls,
-            rows = rows,
-            by = by
+            falls,
+            rows,
+            by
         ),
     };
     vec![without_correction(

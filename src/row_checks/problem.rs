@@ -39,6 +39,6 @@ pub(super) fn listed(rows: &[usize]) -> Text {
     match (rows.len(), more) {
         (1, _) => text!("row {rows}", rows = text),
         (_, 0) => text!("rows {rows}", rows = text),
-        _ => text!("rows {rows} and {more} more", rows = text, more = more),
+        _ => text!("rows {rows} and {more} more", rows = text, more),
     }
 }

@@ -154,7 +154,7 @@ fn unit(session: &Session, joint: usize, speed: &[f64]) -> Option<DataProblem> {
             "joint {joint} moves {median} times as fast from row to row as speed{joint} says, in {near} of {all} pairs of rows",
             joint = number,
             median = format!("{median:.4}"),
-            near = near,
+            near,
             all = ratios.len()
         ),
         proposal: text!(

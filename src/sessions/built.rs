@@ -169,7 +169,7 @@ impl SessionBuilder {
                     sample = sample + 1,
                     row = row.len()
                 );
-                let expected = text!("{joints}, one for each joint", joints = joints);
+                let expected = text!("{joints}, one for each joint", joints);
                 self.wrong.push(error(field, found, expected));
                 return vec![vec![f64::NAN; self.rows]; joints];
             }
@@ -293,7 +293,7 @@ impl SessionBuilder {
             let expected = text!("a unique name for each target");
             self.wrong.push(error(
                 "target",
-                text!("two targets called {name}", name = name),
+                text!("two targets called {name}", name),
                 expected,
             ));
         }
@@ -379,11 +379,7 @@ impl SessionBuilder {
     #[must_use]
     pub fn region(mut self, name: &str, from_rad: f64, to_rad: f64) -> Self {
         if !(from_rad < to_rad && from_rad.abs() <= 2e4 && to_rad.abs() <= 2e4) {
-            let found = text!(
-                "a region from {from_rad} to {to_rad} rad",
-                from_rad = from_rad,
-                to_rad = to_rad
-            );
+            let found = text!("a region from {from_rad} to {to_rad} rad", from_rad, to_rad);
             let expected = text!("a region from the smaller to the larger value");
             self.wrong.push(error("region", found, expected));
         }
@@ -421,7 +417,7 @@ impl SessionBuilder {
                     .iter()
                     .find(|name| !places.contains_key(name.as_str()));
                 let unknown = unknown.cloned().unwrap_or_default();
-                let found = text!("target '{unknown}' is not declared", unknown = unknown);
+                let found = text!("target '{unknown}' is not declared", unknown);
                 let expected = text!("the name of a target");
                 self.wrong.push(error("seen_target", found, expected));
             }

@@ -109,10 +109,10 @@ fn columns_of_joints(samples: &Samples) -> [(&'static str, usize, bool); 6] {
 }
 
 fn more_columns(field: &str, count: usize, joints: usize) -> Diagnostic {
-    let expected = text!("at most {joints}, one for each joint", joints = joints);
+    let expected = text!("at most {joints}, one for each joint", joints);
     error(
         field,
-        text!(one "{count} column", "{count} columns", count = count),
+        text!(one "{count} column", "{count} columns", count),
         expected,
     )
 }
@@ -128,10 +128,10 @@ fn inconsistent(session: &Session) -> Vec<Diagnostic> {
     }
     for (field, count, of_all) in columns_of_joints(samples) {
         if of_all && count != joints {
-            let expected = text!("{joints}, one for each joint", joints = joints);
+            let expected = text!("{joints}, one for each joint", joints);
             findings.push(error(
                 field,
-                text!(one "{count} column", "{count} columns", count = count),
+                text!(one "{count} column", "{count} columns", count),
                 expected,
             ));
         } else if count > joints {
@@ -149,7 +149,7 @@ fn unequal(session: &Session) -> Vec<Diagnostic> {
     let mut findings = Vec::new();
     for (field, length) in lengths(samples) {
         if length != rows {
-            let expected = text!("{rows}, as many as points (x_mm)", rows = rows);
+            let expected = text!("{rows}, as many as points (x_mm)", rows);
             findings.push(error(
                 field,
                 text!(one "{count} value", "{count} values", count = length),

@@ -237,13 +237,13 @@ impl SessionCorrection {
 fn scaled_joint(joint: usize, factor: f64) -> Text {
     let joint = joint + 1;
     if factor == -1.0 {
-        return text!("Reverse joint {joint}", joint = joint);
+        return text!("Reverse joint {joint}", joint);
     }
     match unit_of_joint(factor) {
-        Some(unit) => text!("Read joint {joint} as {unit}", joint = joint, unit = unit),
+        Some(unit) => text!("Read joint {joint} as {unit}", joint, unit),
         None => text!(
             "Divide joint {joint} by {ratio}",
-            joint = joint,
+            joint,
             ratio = divisor(factor)
         ),
     }
@@ -252,7 +252,7 @@ fn scaled_joint(joint: usize, factor: f64) -> Text {
 /// What multiplying those of all joints does, in words.
 fn scaled_joints(factor: f64) -> Text {
     match unit_of_joint(factor) {
-        Some(unit) => text!("Read all joints as {unit}", unit = unit),
+        Some(unit) => text!("Read all joints as {unit}", unit),
         None => text!("Divide all joints by {ratio}", ratio = divisor(factor)),
     }
 }
@@ -280,12 +280,12 @@ fn scaled_coordinate(axis: usize, factor: f64) -> Text {
         factor => {
             return text!(
                 "Multiply {axis} by {factor}",
-                axis = axis,
+                axis,
                 factor = format!("{factor:.6}")
             );
         }
     };
-    text!("Read {axis} as {unit}", axis = axis, unit = unit)
+    text!("Read {axis} as {unit}", axis, unit)
 }
 
 /// In which unit a joint's values are that have to be multiplied by so much, if it is one.

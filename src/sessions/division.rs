@@ -44,17 +44,17 @@ impl RegionError {
         match self {
             Self::Number(regions) => text!(
                 "{regions} regions; expected a number from 1 to {most}",
-                regions = regions,
+                regions,
                 most = MOST_REGIONS
             ),
             Self::NotAscending(first, next) => text!(
                 "region boundaries {first}° and {next}°; expected ascending numbers",
-                first = first,
-                next = next
+                first,
+                next
             ),
             Self::TooFewBoundaries(count) => text!(
                 one "{count} region boundary; expected at least two", "{count} region boundary; expected at least two",
-                count = count
+                count
             ),
             Self::NoRange => text!(
                 "all samples are at the same angle and the joint has no limits: there is no range to divide"

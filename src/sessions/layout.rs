@@ -75,7 +75,7 @@ fn unknown_column(place: Place, name: &str, hint: Option<&str>) -> Diagnostic {
         Some(hint) => Diagnostic::warning(
             place,
             found,
-            text!("{hint}, if that is what is meant", hint = hint),
+            text!("{hint}, if that is what is meant", hint),
         ),
         None => Diagnostic::note(place, found),
     }
@@ -97,7 +97,7 @@ pub(crate) fn check_joint(
         (None, _) => {
             findings.push(Diagnostic::error(
                 place,
-                text!("joint {number} does not exist", number = number),
+                text!("joint {number} does not exist", number),
                 text!(
                     "a joint of the robot, from 1 to {kinds}",
                     kinds = kinds.len()
@@ -110,14 +110,8 @@ pub(crate) fn check_joint(
         _ => return,
     };
     let found = match unit {
-        Unit::Length(_) => text!(
-            "a length for joint {number}, which is revolute",
-            number = number
-        ),
-        _ => text!(
-            "an angle for joint {number}, which is prismatic",
-            number = number
-        ),
+        Unit::Length(_) => text!("a length for joint {number}, which is revolute", number),
+        _ => text!("an angle for joint {number}, which is prismatic", number),
     };
     findings.push(Diagnostic::error(place, found, expected));
 }
@@ -139,9 +133,9 @@ fn require_columns(
             missing(
                 text!(
                     "no column for the commanded value of joint {number}",
-                    number = number
+                    number
                 ),
-                text!("q{number}_{unit}", number = number, unit = unit),
+                text!("q{number}_{unit}", number, unit),
             );
         }
     }
@@ -159,8 +153,8 @@ fn require_columns(
     for (quantity, name) in [(Quantity::X, "x"), (Quantity::Y, "y")] {
         if !has(quantity) && !has_other {
             missing(
-                text!("no column for the measured {name}", name = name),
-                text!("{name}_mm", name = name),
+                text!("no column for the measured {name}", name),
+                text!("{name}_mm", name),
             );
         }
     }
@@ -171,7 +165,7 @@ fn require_columns(
         missing(
             text!(
                 "{orientation} of the 4 columns of the measured orientation",
-                orientation = orientation
+                orientation
             ),
             text!("all of qw, qx, qy, qz or none"),
         );

@@ -36,7 +36,7 @@ pub(crate) fn indices(
     };
     for row in wrong.take(MOST_COMPLAINTS) {
         let name = quoted(&cells.list[of(row)]);
-        let found = text!("{name} is not declared", name = name);
+        let found = text!("{name} is not declared", name);
         findings.push(Diagnostic::error(locate(index, row), found, &expected));
     }
     // What was refused must not be missed besides.
@@ -82,7 +82,7 @@ pub(crate) fn complete(
         let names = first_of(references.named(Quantity::Anchor).into_iter());
         let expected = text!(
             "one of the anchors of the session in the column anchor: {names}",
-            names = names
+            names
         );
         complain(
             Quantity::Distance,
@@ -133,7 +133,7 @@ pub(crate) fn complete(
             let expected = text!(
                 "one of the stations of the session in the column station: {names}; or the key \
                  pointing, where the tool itself points",
-                names = names
+                names
             );
             complain(
                 Quantity::Azimuth,

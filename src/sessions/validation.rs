@@ -112,7 +112,7 @@ pub(super) fn sizes(session: &Session, file: &Place, findings: &mut Vec<Diagnost
         if count > most {
             findings.push(Diagnostic::error(
                 file.clone().in_field(field),
-                text!("{count} of them", count = count),
+                text!("{count} of them", count),
                 expected,
             ));
         }
@@ -122,11 +122,8 @@ pub(super) fn sizes(session: &Session, file: &Place, findings: &mut Vec<Diagnost
     if targets > most && session.robot.joints.len() > 1 {
         findings.push(Diagnostic::error(
             file.clone().in_field("targets"),
-            text!(
-                "{targets} targets of a robot with several joints",
-                targets = targets
-            ),
-            text!("at most {most} targets in one session", most = most),
+            text!("{targets} targets of a robot with several joints", targets),
+            text!("at most {most} targets in one session", most),
         ));
     }
 }
@@ -166,11 +163,7 @@ fn regions(session: &Session, file: &Place, findings: &mut Vec<Diagnostic>) {
         let (earlier, later) = (named(&all[earlier]), named(&all[later]));
         findings.push(Diagnostic::warning(
             place(),
-            text!(
-                "regions {earlier} and {later} overlap",
-                earlier = earlier,
-                later = later
-            ),
+            text!("regions {earlier} and {later} overlap", earlier, later),
             text!("regions that touch at most; the one listed first owns what both claim"),
         ));
     }
@@ -219,7 +212,7 @@ fn kinds(session: &Session, file: &Place, findings: &mut Vec<Diagnostic>) {
     if let Some(counts) = session.kinds_in_words() {
         findings.push(Diagnostic::note(
             file.clone(),
-            text!("measured: {counts}", counts = counts),
+            text!("measured: {counts}", counts),
         ));
     }
 }
@@ -379,11 +372,7 @@ fn limits(session: &Session, file: &Place, findings: &mut Vec<Diagnostic>) {
 fn conditions(samples: &Samples, file: &Place, findings: &mut Vec<Diagnostic>) {
     let mut warn = |field: &str, wrong: Vec<usize>, what: Template, expected: Template| {
         if !wrong.is_empty() {
-            let found = text!(
-                "{what}: {wrong}",
-                what = what,
-                wrong = which(samples, &wrong)
-            );
+            let found = text!("{what}: {wrong}", what, wrong = which(samples, &wrong));
             let place = file.clone().in_field(field);
             findings.push(Diagnostic::warning(place, found, expected).about(&wrong));
         }

@@ -64,8 +64,8 @@ pub(super) fn sign(joint: usize) -> Change {
 pub(super) fn exchange(first: usize, second: usize) -> Change {
     let (a, b) = (first + 1, second + 1);
     one(
-        text!("joints {a} and {b} are exchanged", a = a, b = b),
-        text!("exchange the columns of joints {a} and {b}", a = a, b = b),
+        text!("joints {a} and {b} are exchanged", a, b),
+        text!("exchange the columns of joints {a} and {b}", a, b),
         SessionCorrection::ExchangeJoints { first, second },
     )
 }

@@ -155,7 +155,7 @@ fn many(part: &Session, values: JointValues, before: f64, most: f64) -> Vec<Data
             "with the frame, the tool and the zero offsets fitted the median error is {before} as it stands and {after} with all {count} set-up errors corrected",
             before = median(before),
             after = length(after, 3),
-            count = count
+            count
         ),
         proposal: change.proposal,
         mend: change.mends.into_iter().next(),

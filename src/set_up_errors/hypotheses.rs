@@ -67,7 +67,7 @@ pub(super) fn home_off_by(joint: usize, degrees: f64) -> (Text, Text, SessionCor
         ),
         text!(
             "add {turn} to joint {joint} at home, or home the joint again",
-            turn = turn,
+            turn,
             joint = number
         ),
         turned_home(joint, degrees),
@@ -93,8 +93,8 @@ fn mistaken_travels(joint: usize) -> [(f64, Text); 4] {
     TRAVEL_UNITS_MM.map(|(factor, unit)| {
         let what = text!(
             "the values of joint {joint} are in {unit} but were read as millimetres",
-            joint = joint,
-            unit = unit
+            joint,
+            unit
         );
         (factor, what)
     })
@@ -106,28 +106,28 @@ fn mistaken_angles(joint: usize) -> [(f64, Text); 4] {
             rad_from_deg(1.0),
             text!(
                 "the values of joint {joint} are in degrees but were read as radians",
-                joint = joint
+                joint
             ),
         ),
         (
             deg_from_rad(1.0),
             text!(
                 "the values of joint {joint} are in radians but were read as degrees",
-                joint = joint
+                joint
             ),
         ),
         (
             GRADIAN_DEG,
             text!(
                 "the values of joint {joint} are in gradians but were read as degrees",
-                joint = joint
+                joint
             ),
         ),
         (
             TURN_DEG,
             text!(
                 "the values of joint {joint} are in turns but were read as degrees",
-                joint = joint
+                joint
             ),
         ),
     ]
@@ -198,7 +198,7 @@ pub(super) fn mistaken_coordinates(session: &Session) -> Vec<(usize, f64, Text)>
             let what = text!(
                 "the measured {axis} is in {unit} but was read as millimetres",
                 axis = name,
-                unit = unit
+                unit
             );
             (axis, factor, what)
         })

@@ -85,11 +85,11 @@ pub(super) fn mislocked(
                 what: text!(
                     one "the instrument saw reflector {name} instead in {count} sample: {which}",
                     "the instrument saw reflector {name} instead in {count} samples: {which}",
-                    name = name,
+                    name,
                     count = close.len(),
                     which = listed(&close)
                 ),
-                evidence: text!("the points lie where {name} should be", name = name),
+                evidence: text!("the points lie where {name} should be", name),
                 proposal: text!(
                     "these samples are excluded; correct their target or measure them again"
                 ),
@@ -134,6 +134,6 @@ fn listed(samples: &[usize]) -> Text {
     let first = first.join(", ");
     match more {
         0 => Text::verbatim(first),
-        more => text!("{first} and {more} more", first = first, more = more),
+        more => text!("{first} and {more} more", first, more),
     }
 }

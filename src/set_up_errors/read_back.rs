@@ -110,7 +110,7 @@ impl Lag {
             (
                 text!(
                     "read − commanded follows the speed over {samples} samples, and the measured points fit the commands better",
-                    samples = samples
+                    samples
                 ),
                 text!(
                     "the values read back from joint {joint} lag the command by {time} ms",
@@ -122,7 +122,7 @@ impl Lag {
             (
                 text!(
                     "read − commanded follows the side over {samples} samples, and the measured points fit the commands better",
-                    samples = samples
+                    samples
                 ),
                 text!(
                     "the values read back from joint {joint} lag the command by {turn} towards the side it came from",

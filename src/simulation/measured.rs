@@ -206,7 +206,7 @@ fn brought(
     let name = crate::effects::places::name(references, Place { kind, index });
     let found = text!(
         "'{name}' is not reached from stop {sample}",
-        name = name,
+        name,
         sample = sample + 1
     );
     let place = FilePlace::default().in_field("measure");

@@ -250,7 +250,7 @@ impl Scenario {
                     text!(
                         "{id} does nothing here: {reason}",
                         id = term.effect.about().id,
-                        reason = reason
+                        reason
                     ),
                     text!("a condition under which it shows"),
                 ));
@@ -340,7 +340,7 @@ impl Scenario {
             let at = format!("effects[{k}]");
             if term.joint >= joints {
                 let found = text!("joint {joint}", joint = term.joint.saturating_add(1));
-                let expected = text!("a joint from 1 to {joints}", joints = joints);
+                let expected = text!("a joint from 1 to {joints}", joints);
                 problems.push(Diagnostic::error(field(&at), found, expected));
             }
             let (found, expected) = (
@@ -350,7 +350,7 @@ impl Scenario {
             let finite = term.coefficients.iter().all(|value| value.is_finite());
             if found != expected || !finite {
                 let found = text!(one "{count} coefficient", "{count} coefficients", count = found);
-                let expected = text!("{expected} finite ones", expected = expected);
+                let expected = text!("{expected} finite ones", expected);
                 problems.push(Diagnostic::error(field(&at), found, expected));
             }
         }

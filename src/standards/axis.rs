@@ -215,7 +215,7 @@ impl<'p, 's> Sweep<'p, 's> {
             missing.push(text!(
                 one "{count} of {all} positions has fewer approaches than the others and is excluded", "{count} of {all} positions have fewer approaches than the others and are excluded",
                 count = left_out,
-                all = all
+                all
             ));
         }
         let before = Positioning::new(&self.deviations(false)?);

@@ -109,7 +109,7 @@ pub fn at_least(times: usize) -> Text {
         0 => text!("never"),
         1 => text!("once or more"),
         2 => text!("twice or more"),
-        many => text!("{many} times or more", many = many),
+        many => text!("{many} times or more", many),
     }
 }
 

@@ -127,7 +127,7 @@ impl PoseTest {
         if let Some(fewest) = cycles.min().filter(|n| *n < PATH_CYCLES) {
             test.missing.push(text!(
                 "paths with as few as {fewest} cycles; the standard asks for {standard}",
-                fewest = fewest,
+                fewest,
                 standard = PATH_CYCLES
             ));
         }
@@ -143,7 +143,7 @@ impl PoseTest {
             if fewest < STANDARD_CYCLES {
                 test.missing.push(text!(
                     "poses with as few as {fewest} cycles; the standard asks for {standard}",
-                    fewest = fewest,
+                    fewest,
                     standard = STANDARD_CYCLES
                 ));
             }

@@ -100,7 +100,7 @@ impl NoCube {
             ),
             Self::Flat(joints) => text!(
                 "the robot's {joints} joints move the tool in fewer than three directions: no cube fits its workspace",
-                joints = joints
+                joints
             ),
             Self::TooSmall { reach_mm } => text!(
                 "no test cube of ISO 9283 fits the workspace (reach {reach_mm} mm): the smallest has edges of 250 mm, and nowhere do all its corners and poses lie within the joint limits in one configuration",
@@ -108,7 +108,7 @@ impl NoCube {
             ),
             Self::Joints(joints) => text!(
                 "a robot with {joints} joints; poses are looked for with at most {most}",
-                joints = joints,
+                joints,
                 most = MOST_JOINTS
             ),
             Self::Rejected(inner) => inner.describe(),

@@ -204,7 +204,7 @@ impl<'a> Grid<'a> {
             } else {
                 let found = match row.cells.len() {
                     1 => text!("1 cell, {cells}", cells = quoted(&row.cells[0])),
-                    count => text!(one "{count} cell", "{count} cells", count = count),
+                    count => text!(one "{count} cell", "{count} cells", count),
                 };
                 let expected = text!(
                     "{width} between {separator}, as in the rows before",

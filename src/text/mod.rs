@@ -10,28 +10,38 @@
 //! | `say!` | the sentence in the language of this thread | what is shown at once |
 //! | `phrase!` | a [`Template`] | a constant: a name in a table, a label of an action |
 //!
-//! Arguments have names (`text!("joint {joint} turns", joint = 3)`) that are checked while compiling, as languages
-//! have orders of their own. The same English of two meanings is told apart by a context (`text!(in "table", "from")`),
+//! Arguments have names (`text!("joint {joint} turns", joint = 3)`, or `joint` alone where a variable is called so) that
+//! are checked while compiling, as languages have orders of their own. The same English of two meanings is told apart by a context (`text!(in "table", "from")`),
 //! and what is counted has a form for one (`say!(one "{count} sample", "{count} samples", count = n)`).
 //!
 //! Every template is listed where the tests are built, and a test fails for one that a catalogue lacks.
 
+/// The value of an argument: its name says it where no value stands beside it.
+macro_rules! argument {
+    ($name:ident) => {
+        $name
+    };
+    ($name:ident, $value:expr) => {
+        $value
+    };
+}
+
 /// A sentence as a value; see the module.
 macro_rules! text {
-    (in $context:literal, $english:literal $(, $name:ident = $value:expr)* $(,)?) => {
+    (in $context:literal, $english:literal $(, $name:ident $(= $value:expr)?)* $(,)?) => {
         $crate::text::Text::of(
             template!($context, $english, ""; $($name)*),
-            vec![$((stringify!($name), $crate::text::Argument::from($value))),*],
+            vec![$((stringify!($name), $crate::text::Argument::from(argument!($name $(, $value)?)))),*],
         )
     };
-    (one $one:literal, $many:literal, $($name:ident = $value:expr),+ $(,)?) => {
+    (one $one:literal, $many:literal, $($name:ident $(= $value:expr)?),+ $(,)?) => {
         $crate::text::Text::of(
             template!("", $one, $many; $($name)*),
-            vec![$((stringify!($name), $crate::text::Argument::from($value))),+],
+            vec![$((stringify!($name), $crate::text::Argument::from(argument!($name $(, $value)?)))),+],
         )
     };
-    ($english:literal $(, $name:ident = $value:expr)* $(,)?) => {
-        text!(in "", $english $(, $name = $value)*)
+    ($english:literal $($arguments:tt)*) => {
+        text!(in "", $english $($arguments)*)
     };
 }
 
@@ -41,23 +51,20 @@ macro_rules! say {
     (in $context:literal, $english:literal $(,)?) => {
         $crate::text::spoken(template!($context, $english, "";))
     };
-    (in $context:literal, $english:literal, $($name:ident = $value:expr),+ $(,)?) => {
+    (in $context:literal, $english:literal, $($name:ident $(= $value:expr)?),+ $(,)?) => {
         $crate::text::filled(
             template!($context, $english, ""; $($name)*),
-            &[$((stringify!($name), &$value as &dyn ::std::fmt::Display)),+],
+            &[$((stringify!($name), &argument!($name $(, $value)?) as &dyn ::std::fmt::Display)),+],
         )
     };
-    (one $one:literal, $many:literal, $($name:ident = $value:expr),+ $(,)?) => {
+    (one $one:literal, $many:literal, $($name:ident $(= $value:expr)?),+ $(,)?) => {
         $crate::text::filled(
             template!("", $one, $many; $($name)*),
-            &[$((stringify!($name), &$value as &dyn ::std::fmt::Display)),+],
+            &[$((stringify!($name), &argument!($name $(, $value)?) as &dyn ::std::fmt::Display)),+],
         )
     };
-    ($english:literal $(,)?) => {
-        say!(in "", $english)
-    };
-    ($english:literal, $($name:ident = $value:expr),+ $(,)?) => {
-        say!(in "", $english, $($name = $value),+)
+    ($english:literal $($arguments:tt)*) => {
+        say!(in "", $english $($arguments)*)
     };
 }
 

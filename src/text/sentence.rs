@@ -283,7 +283,7 @@ mod tests {
     #[test]
     fn a_sentence_is_english_until_it_is_spoken() {
         let folder = text!("the session's folder");
-        let expected = text!("a file in {folder} or below it", folder = folder);
+        let expected = text!("a file in {folder} or below it", folder);
         let english = "a file in the session's folder or below it";
         assert_eq!(expected.to_string(), english);
         let marked = "⟦a file in ⟧⟦the session's folder⟧⟦ or below it⟧";

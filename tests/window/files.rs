@@ -412,3 +412,32 @@ fn a_click_beside_a_form_leaves_it_open_and_escape_closes_it() {
     keys(&mut window, Modifiers::NONE, Key::Escape);
     assert!(!there(&window, "Path to save to"));
 }
+
+#[test]
+fn what_was_identified_is_not_in_the_file_and_that_is_said() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let session = copy_of("paper-30", folder.path());
+    let mut window = window_at(Some(session), None);
+    let not_in_it = "What was identified is not in it";
+    type_tolerance(&mut window, "3");
+    keys(&mut window, Modifiers::COMMAND, Key::S);
+    assert!(says(&window, "Saved") && !says(&window, not_in_it));
+    keys(&mut window, Modifiers::COMMAND, Key::I);
+    type_tolerance(&mut window, "2");
+    keys(&mut window, Modifiers::COMMAND, Key::S);
+    assert!(says(&window, "Saved") && says(&window, not_in_it));
+}
+
+#[test]
+fn a_tolerance_in_inches_is_typed_in_inches_and_saved_in_millimetres() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let session = copy_of("paper-30", folder.path());
+    let mut window = window_at(Some(session.clone()), None);
+    keys(&mut window, Modifiers::COMMAND, Key::Comma);
+    press(&mut window, "inch");
+    press(&mut window, "Done");
+    type_tolerance(&mut window, "0.25");
+    keys(&mut window, Modifiers::COMMAND, Key::S);
+    let saved = fs::read_to_string(&session).expect("the session");
+    assert!(saved.contains("\"tolerance_mm\": 6.35"), "{saved}");
+}

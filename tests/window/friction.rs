@@ -28,7 +28,7 @@ fn one_joint_has_five_steps_and_regions_are_marked_as_optional() {
     press(&mut window, "2 Regions");
     assert!(says(&window, "Optional: fills the next step, Identify"));
     press(&mut window, "Identify by region");
-    assert!(says(&window, "RMS error, by region"));
+    assert!(says(&window, "RMS error in the plane of motion, by region"));
 }
 
 #[test]
@@ -58,7 +58,7 @@ fn the_search_says_that_the_full_model_takes_the_place_of_the_regions() {
     assert!(says(&window, "in place of the identification by region"));
     press(&mut window, "Undo identify");
     press(&mut window, "3 Identify");
-    assert!(says(&window, "RMS error, by region"));
+    assert!(says(&window, "RMS error in the plane of motion, by region"));
 }
 
 /// Where everything with a name is.

@@ -4,6 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use crate::window::{Window, gaps, open, press, says, there, type_into, window};
+use egui::Key;
 use egui_kittest::kittest::Queryable;
 
 /// The bundled run as another program would have written it.
@@ -354,4 +355,81 @@ fn a_robot_of_a_urdf_file_is_named_by_its_links() {
     assert!(says(&window, "column: one joint that turns, tool 391 mm"));
     press(&mut window, "Import");
     assert!(says(&window, "361 samples · RMS error"));
+}
+
+#[test]
+fn what_was_said_of_a_file_is_there_when_it_is_opened_again() {
+    let mut window = window(None);
+    let left = "tracker.txt was not imported";
+    open(&mut window, &walk("tracker.txt"));
+    press(&mut window, "Cancel");
+    assert!(!says(&window, left), "nothing was said that could be lost");
+    open(&mut window, &walk("tracker.txt"));
+    press(&mut window, "It is mm");
+    take_column_for(&mut window, 1, "reflector");
+    press(&mut window, "The columns are right");
+    window.key_press(Key::Escape);
+    window.run_steps(4);
+    assert!(says(&window, left) && !says(&window, "Import tracker.txt"));
+    // Another file in between takes nothing from it.
+    open(&mut window, &quirk("motive.csv"));
+    assert!(!says(&window, "as you said"));
+    press(&mut window, "Cancel");
+    open(&mut window, &walk("tracker.txt"));
+    assert!(says(&window, "as you said") && !says(&window, "columns are guessed"));
+    assert!(says(&window, "Choose the robot that was measured"));
+}
+
+#[test]
+fn a_robot_of_the_library_is_found_by_typing() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = foreign(folder.path(), "q1_deg,x_mm,y_mm", ",", false, 1.0);
+    let mut window = window(None);
+    open(&mut window, &path);
+    type_into(&mut window, "Find a robot", "no such thing");
+    assert!(says(&window, "No robot has this name"));
+    assert!(says(&window, "Choose the robot that was measured"));
+    type_into(&mut window, "Find a robot", "ur5e");
+    assert!(says(&window, "UR5e: 6 joints, 6 of which turn"));
+    // The reason of a refusal stands in the foot as long as it cannot be read where it stands.
+    let reason = "the commanded value of joint 2 is not stated";
+    assert_eq!(window.query_all_by_label_contains(reason).count(), 2);
+    let above = window.get_all_by_label_contains(reason).next();
+    above.expect("it stands in its place").scroll_to_me();
+    window.run_steps(6);
+    assert_eq!(window.query_all_by_label_contains(reason).count(), 1);
+    press(&mut window, "that of the example The paper's full run");
+    assert!(!says(&window, "UR5e"), "what was typed is gone with it");
+}
+
+#[test]
+fn reflectors_of_the_open_session_are_taken_again() {
+    let mut window = window(None);
+    let mut import = |reflectors: &mut dyn FnMut(&mut Window)| {
+        open(&mut window, &walk("tracker.txt"));
+        if there(&window, "Open without saving") {
+            press(&mut window, "Open without saving");
+        }
+        press(&mut window, "It is mm");
+        press(&mut window, "The columns are right");
+        press(&mut window, "from this file");
+        type_path(&mut window, "File of the robot", &walk("robot.json"));
+        type_path(&mut window, "File of the commands", &walk("commands.csv"));
+        press(&mut window, "by name");
+        reflectors(&mut window);
+        type_path(
+            &mut window,
+            "File of the known points",
+            &walk("base-points.csv"),
+        );
+        press(&mut window, "Import");
+        gaps(&window).0
+    };
+    let from_file = import(&mut |window| {
+        type_path(window, "File of the reflectors", &walk("reflectors.csv"));
+    });
+    let from_session = import(&mut |window| {
+        press(window, "those of the open session: T1, T2");
+    });
+    assert!((from_file - from_session).abs() < 1e-9, "{from_session}");
 }

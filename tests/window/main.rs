@@ -46,5 +46,6 @@ mod session;
 mod setup;
 mod sizes;
 mod space;
+mod walk;
 mod walk_through;
 mod workspace;

@@ -1,8 +1,11 @@
 //! Units, digits, colours, size of text, keys and help, as a person finds them.
 
-use crate::window::{Window, choose, keys, press, says, status, there, window, window_at};
+use crate::window::{
+    Window, choose, keys, press, says, status, there, window, window_at, window_of,
+};
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::Queryable;
+use truepose::gui::Runner;
 
 /// What the status bar says of the gap, without the floor behind it.
 fn gap_said(window: &Window) -> String {
@@ -57,6 +60,24 @@ fn text_grows_with_the_keys_and_stays_so() {
     let mut window = window_at(None, Some(&home));
     window.run_steps(4);
     assert!((window.ctx.zoom_factor() - zoom).abs() < 1e-3);
+}
+
+/// Larger text than a window has room for would lie over itself.
+#[test]
+fn text_is_no_larger_than_the_window_has_room_for() {
+    let mut small = window_of([1024.0, 700.0], None, Runner::AtOnce);
+    for _ in 0..20 {
+        keys(&mut small, Modifiers::COMMAND, Key::Plus);
+    }
+    let zoom = small.ctx.zoom_factor();
+    assert!(zoom > 1.65 && zoom < 1.75, "{zoom}");
+    keys(&mut small, Modifiers::COMMAND, Key::Minus);
+    assert!(small.ctx.zoom_factor() < zoom - 0.05, "not stuck there");
+    let mut large = window_of([1920.0, 1080.0], None, Runner::AtOnce);
+    for _ in 0..20 {
+        keys(&mut large, Modifiers::COMMAND, Key::Plus);
+    }
+    assert!(large.ctx.zoom_factor() > 2.6);
 }
 
 #[test]

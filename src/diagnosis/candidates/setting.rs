@@ -15,19 +15,15 @@ pub(crate) fn setting(term: &Term) -> Text {
     let (value, effect) = (shown(value(term)), called(term.effect.about().id));
     match term.effect.about().setting {
         Setting::Order { .. } => {
-            text!("order {value} of {effect}", value = value, effect = effect)
+            text!("order {value} of {effect}", value, effect)
         }
         Setting::Listed(listed) => text!(
             "{quantity} {value} of {effect}",
             quantity = setting_in_words(listed.quantity.name),
-            value = value,
-            effect = effect
+            value,
+            effect
         ),
-        _ => text!(
-            "setting {value} of {effect}",
-            value = value,
-            effect = effect
-        ),
+        _ => text!("setting {value} of {effect}", value, effect),
     }
 }
 

@@ -79,13 +79,13 @@ impl Folds {
         let how = if n < FEW {
             text!(
                 "each of {sectors} parts of the range of joint {joint} predicted by a fit that has not seen it",
-                sectors = sectors,
-                joint = joint
+                sectors,
+                joint
             )
         } else {
             text!(
                 "each fifth of the positions of joint {joint} (spread over its range) predicted by a fit that has not seen it",
-                joint = joint
+                joint
             )
         };
         Self { fold, count, how }

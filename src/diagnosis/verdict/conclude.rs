@@ -459,7 +459,7 @@ fn equivalents(
         let orders = orders.collect::<Vec<_>>().join(", ");
         one.separate_by = text!(
             "orders (or leads) {orders}, the same at these steps: {separate_by}",
-            orders = orders,
+            orders,
             separate_by = &one.separate_by
         );
     }

@@ -34,7 +34,7 @@ pub(crate) fn equal_steps(prepared: &PreparedSearch, rivals: &[Rival]) -> Option
             Some(step) => text!(
                 "the values of joint {joint} are equal steps of {step}: {setting} looks the same as {others}, and the cross-validated error holds for these values alone",
                 joint = joint + 1,
-                step = step,
+                step,
                 setting = setting(term),
                 others = settings.join(", ")
             ),

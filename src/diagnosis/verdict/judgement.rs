@@ -160,23 +160,23 @@ fn flag(
     unexplained.description = match excess.kind.map(kind_in_words) {
         Some(kind) if returns => text!(
             "the remaining error of {kind} is {times} times what returns to the same pose show, without a structure that the search knows",
-            kind = kind,
-            times = times
+            kind,
+            times
         ),
         Some(kind) => text!(
             "the remaining error of {kind} is {times} times what is stated for the instrument, without a structure that the search knows",
-            kind = kind,
-            times = times
+            kind,
+            times
         ),
         None if returns => text!(
             "the remaining error is {times} times what returns to the same pose show ({size}), without a structure that the search knows",
-            times = times,
-            size = size
+            times,
+            size
         ),
         None => text!(
             "the remaining error is {times} times what is stated for the instrument ({size}), without a structure that the search knows",
-            times = times,
-            size = size
+            times,
+            size
         ),
     };
     if floor.from == FloorFrom::Instrument {

@@ -103,24 +103,24 @@ pub(crate) fn describe(
     let evidence = match next {
         Some(next) if odds > 1000.0 => text!(
             "p {p} (chance that noise alone looks like this); more than 1000 times likelier than the next candidate ({next})",
-            p = p,
+            p,
             next = called(next)
         ),
         Some(next) => text!(
             "p {p} (chance that noise alone looks like this); {times} times likelier than the next candidate ({next})",
-            p = p,
+            p,
             times = format!("{odds:.1}"),
             next = called(next)
         ),
         None => text!(
             "p {p} (chance that noise alone looks like this); no other effect was a candidate",
-            p = p
+            p
         ),
     };
     match step.held_out_mm {
         Some([without, with]) => text!(
             "{evidence}; cross-validated RMS error {change}, floor {floor}",
-            evidence = evidence,
+            evidence,
             change = lengths([without, with], 4),
             floor = format!("{:.4}", floor.mm)
         ),

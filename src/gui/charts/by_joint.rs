@@ -155,13 +155,13 @@ impl ChartKind for ByJoint {
         )
         .unwrap_or_default();
         Ok(Shown {
-            chart: made.chart(say!("{name} deviation by joint", name = name), note),
-            name: say!("deviation by joint, {name}", name = name),
+            chart: made.chart(say!("{name} deviation by joint", name), note),
+            name: say!("deviation by joint, {name}", name),
             description: say!(
                 "{name} deviation of {samples} samples over {joints} joints, {from} to {to}",
-                name = name,
+                name,
                 samples = scene.usable().len(),
-                joints = joints,
+                joints,
                 from = scene.units.length(mm[0]),
                 to = scene.units.length(mm[1])
             ),

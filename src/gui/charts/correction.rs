@@ -112,7 +112,7 @@ fn chart(made: &ExportPreview) -> Option<Chart> {
     Some(Chart {
         title: say!("correction table").to_owned(),
         across: Axis::turning(format!("{}, {unit}", made.joint), degrees),
-        upwards: Axis::numbers(say!("correction, {unit}", unit = unit)),
+        upwards: Axis::numbers(say!("correction, {unit}", unit)),
         bounds: [[from - beside, low - by], [to + beside, high + by]],
         items,
         legend: Vec::new(),

@@ -98,11 +98,11 @@ impl ChartKind for Along {
         }
         let component = scene.component.name();
         let name = match self.variable {
-            Variable::Joint => say!("deviation chart, {component}", component = component),
+            Variable::Joint => say!("deviation chart, {component}", component),
             _ => say!(
                 "{chart} chart, {component}",
                 chart = within(self.about.name()),
-                component = component
+                component
             ),
         };
         let number = |mm: f64| significant(scene.units.length_value(mm), 3);
@@ -269,7 +269,7 @@ impl<'a> DrawnDeviations<'a> {
             series,
         };
         made.chart(
-            say!("{name} deviation over {label}", name = name, label = label),
+            say!("{name} deviation over {label}", name, label),
             String::new(),
         )
     }

@@ -246,10 +246,10 @@ fn drawn(scene: &Scene, found: &Distribution) -> Chart {
     }
     let name = component.name();
     Chart {
-        title: say!("samples by {name} deviation", name = name),
+        title: say!("samples by {name} deviation", name),
         across: Axis::numbers(say!(
             "{name} deviation, {units}",
-            name = name,
+            name,
             units = units.length_name()
         )),
         upwards: Axis::numbers(say!("samples")),
@@ -276,10 +276,10 @@ fn note(scene: &Scene, found: &Distribution, counted: &Counted) -> String {
         let tolerance = units.length(tolerance);
         notes.push(say!(
             "within {sign}{tolerance}: {counts} of {all}",
-            sign = sign,
-            tolerance = tolerance,
-            counts = counts,
-            all = all
+            sign,
+            tolerance,
+            counts,
+            all
         ));
     }
     if counted.beyond > 0 {
@@ -292,7 +292,7 @@ fn note(scene: &Scene, found: &Distribution, counted: &Counted) -> String {
     let width = significant(units.length_value(counted.bins.width_mm), 2);
     notes.push(say!(
         "bars {width} {unit} wide, as the spread of the samples asks for",
-        width = width,
+        width,
         unit = units.length_name()
     ));
     notes.join(" · ")
@@ -309,8 +309,8 @@ fn describe(scene: &Scene, found: &Distribution) -> String {
         Some(say!(
             "most, {bin}, from {from} to {to}",
             bin = counts[bin],
-            from = from,
-            to = to
+            from,
+            to
         ))
     };
     let mut says = say!(

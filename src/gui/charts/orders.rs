@@ -114,10 +114,7 @@ fn spectrum<'a>(scene: &Scene<'a>) -> Result<&'a Spectrum, ChartPlaceholder> {
     if !scene.loaded_session.joint_turns(joint) {
         let name = &scene.loaded_session.session.robot.joints[joint].name;
         let why = say!("Orders are cycles per turn. Choose a joint that turns");
-        return Err(ChartPlaceholder::new(
-            say!("{name} slides", name = name),
-            why,
-        ));
+        return Err(ChartPlaceholder::new(say!("{name} slides", name), why));
     }
     let spectrum: &Spectrum = scene.found().ok_or_else(ChartPlaceholder::yet)?;
     if spectrum.orders.is_empty() {
@@ -152,7 +149,7 @@ impl Bars for DrawnOrders<'_> {
             let Some(amplitude) = amplitude else { continue };
             lines.push((name.to_owned(), units.length(amplitude.mm)));
             if let Some(line) = amplitude.line_mm {
-                lines.push((say!("noise, {name}", name = name), units.length(line)));
+                lines.push((say!("noise, {name}", name), units.length(line)));
             }
         }
         Some(Facts {
@@ -241,13 +238,9 @@ fn drawn(scene: &Scene, spectrum: &Spectrum) -> Chart {
         false,
     ));
     Chart {
-        title: say!(
-            "{name} deviation by order over {joint}",
-            name = name,
-            joint = joint
-        ),
+        title: say!("{name} deviation by order over {joint}", name, joint),
         across: Axis {
-            label: say!("cycles per turn of {joint}", joint = joint),
+            label: say!("cycles per turn of {joint}", joint),
             ticks: Ticks::Words(ticks.collect()),
         },
         upwards: Axis::numbers(say!("amplitude, {unit}", unit = units.length_name())),
@@ -317,15 +310,11 @@ fn describe(scene: &Scene, spectrum: &Spectrum) -> String {
             match cause(spectrum, *order) {
                 Some(cause) => say!(
                     "order {order} ({cause}) with {amplitude}",
-                    order = order,
-                    cause = cause,
-                    amplitude = amplitude
+                    order,
+                    cause,
+                    amplitude
                 ),
-                None => say!(
-                    "order {order} with {amplitude}",
-                    order = order,
-                    amplitude = amplitude
-                ),
+                None => say!("order {order} with {amplitude}", order, amplitude),
             }
         });
         let words: Vec<String> = words.collect();
@@ -340,17 +329,17 @@ fn describe(scene: &Scene, spectrum: &Spectrum) -> String {
     let says = if scene.answer.is_some() {
         say!(
             "{orders} orders of the {component} deviation; before: {before}; after: {after}",
-            orders = orders,
-            component = component,
-            before = before,
+            orders,
+            component,
+            before,
             after = out(|o| o.after)
         )
     } else {
         say!(
             "{orders} orders of the {component} deviation; before: {before}",
-            orders = orders,
-            component = component,
-            before = before
+            orders,
+            component,
+            before
         )
     };
     format!("{says}; {}", note(spectrum))
@@ -369,19 +358,19 @@ fn limits(spectrum: &Spectrum) -> Option<String> {
     Some(match spectrum.unseen {
         0 => say!(
             "range {range}: orders nearer than {apart} cannot be told apart",
-            range = range,
-            apart = apart
+            range,
+            apart
         ),
         1 => say!(
             "range {range}: orders nearer than {apart} cannot be told apart, and order 1 cannot be seen",
-            range = range,
-            apart = apart
+            range,
+            apart
         ),
         n => say!(
             "range {range}: orders nearer than {apart} cannot be told apart, and orders up to {n} cannot be seen",
-            range = range,
-            apart = apart,
-            n = n
+            range,
+            apart,
+            n
         ),
     })
 }

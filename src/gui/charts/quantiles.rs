@@ -75,12 +75,12 @@ impl ChartKind for Quantiles {
         let sigma = scene.units.length(ranked.line().1);
         Ok(Shown {
             chart: ranked.drawn(scene),
-            name: say!("normal quantiles, {name}", name = name),
+            name: say!("normal quantiles, {name}", name),
             description: say!(
                 "{name} residuals of {samples} samples over normal quantiles; the middle half is spread like noise of {sigma}",
-                name = name,
+                name,
                 samples = scene.usable().len(),
-                sigma = sigma
+                sigma
             ),
             pointed: HoverTarget::Samples(Box::new((scene, ranked))),
         })
@@ -137,7 +137,7 @@ impl Ranked {
         };
         let name = scene.component.name();
         Chart {
-            title: say!("{name} residuals over normal quantiles", name = name),
+            title: say!("{name} residuals over normal quantiles", name),
             across: Axis::numbers(say!("what noise alone would be, σ")),
             upwards: Axis::numbers(format!("{name}, {}", scene.units.length_name())),
             bounds: [[-far, -high], [far, high]],

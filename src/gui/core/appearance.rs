@@ -207,7 +207,7 @@ impl Chain {
         });
         let Some(found) = found.filter(|_| plain && package != ".") else {
             let expected = text!("a folder with the name of the package above the URDF file");
-            return Err((text!("no package {package}", package = package), expected));
+            return Err((text!("no package {package}", package), expected));
         };
         open::samples_path(&found, rest).map_err(of_a_mesh)
     }

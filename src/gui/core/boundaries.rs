@@ -189,16 +189,16 @@ pub(crate) fn angle(text: &str, units: Units) -> Result<f64, String> {
     if text.is_empty() {
         return Err(say!(
             "the angle is missing; type it in {name}, such as {example}",
-            name = name,
-            example = example
+            name,
+            example
         ));
     }
     typed_in(text, units.angle_name().trim(), "rad").map_err(|_| {
         say!(
             "'{text}' is not an angle; type a number of {name}, such as {example}",
-            text = text,
-            name = name,
-            example = example
+            text,
+            name,
+            example
         )
     })
 }
@@ -225,13 +225,13 @@ pub(crate) fn placed(
             Some(same) => say!(
                 "{at} is outside of the joint's range {range}; {same} is the same direction: type that",
                 at = say(at_rad),
-                range = range,
+                range,
                 same = say(same)
             ),
             None => say!(
                 "{at} is outside of the joint's range {range}; type an angle in it",
                 at = say(at_rad),
-                range = range
+                range
             ),
         });
     }
@@ -266,7 +266,7 @@ pub(crate) fn placed(
                 other = other.name,
                 from = say(other.from_rad),
                 to = say(other.to_rad),
-                free = free
+                free
             ));
         }
     }
@@ -298,24 +298,24 @@ fn wide_enough(region: &Region, at_its_end: bool, units: Units) -> Result<(), St
     if width.abs() < SAME_RAD {
         return Err(say!(
             "region {name} would begin and end at {from}; {instead}",
-            name = name,
+            name,
             from = say(*from_rad),
-            instead = instead
+            instead
         ));
     }
     if width > 0.0 {
         return Err(say!(
             "region {name} would be {width} wide, less than {least}; {instead}",
-            name = name,
+            name,
             width = say(width),
             least = say(NARROWEST_RAD),
-            instead = instead
+            instead
         ));
     }
     if *from_rad > quarter && *to_rad < -quarter {
         return Err(say!(
             "region {name} would run from {from} over {limit} to {to}; no region does: make two, one to {first} and one from {second}",
-            name = name,
+            name,
             from = say(*from_rad),
             limit = say(rad_from_deg(180.0)),
             to = say(*to_rad),
@@ -325,10 +325,10 @@ fn wide_enough(region: &Region, at_its_end: bool, units: Units) -> Result<(), St
     }
     Err(say!(
         "region {name} would begin at {from}, after its end at {to}; {instead}",
-        name = name,
+        name,
         from = say(*from_rad),
         to = say(*to_rad),
-        instead = instead
+        instead
     ))
 }
 

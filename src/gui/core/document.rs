@@ -321,13 +321,13 @@ impl Decision {
         match (self.left_mm, self.even_mm) {
             (Some(left), Some(even)) => say!(
                 "{n} regions: a boundary where the deviation changes by more than the noise. They leave {left}, {n} even ones {even}",
-                n = n,
+                n,
                 left = units.length(left),
                 even = units.length(even)
             ),
             _ => say!(
                 "{n} regions: a boundary where the deviation changes by more than the noise",
-                n = n
+                n
             ),
         }
     }

@@ -141,8 +141,8 @@ fn read_stl(bytes: &[u8]) -> Result<Vec<Triangle>, Flaw> {
         (length, Some(count)) => {
             text!(
                 "{length} bytes, and at byte 80 the number of {count} triangles",
-                length = length,
-                count = count
+                length,
+                count
             )
         }
     };
@@ -169,7 +169,7 @@ fn binary(bytes: &[u8]) -> Result<Vec<Triangle>, Flaw> {
             let at = HEAD + EACH * k;
             let found = text!(
                 "a corner that is not a number in the triangle at byte {at}",
-                at = at
+                at
             );
             Err(Flaw::new(None, found, text!("three finite numbers")))
         }

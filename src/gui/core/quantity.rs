@@ -159,8 +159,8 @@ impl Over {
             Variable::Time => say!("time since the first sample").to_owned(),
             Variable::Load => say!("load").to_owned(),
             Variable::Temperature => say!("temperature").to_owned(),
-            Variable::Speed => say!("speed of {joint}", joint = joint),
-            Variable::Travel => say!("travel of {joint} since it reversed", joint = joint),
+            Variable::Speed => say!("speed of {joint}", joint),
+            Variable::Travel => say!("travel of {joint} since it reversed", joint),
         }
     }
 

@@ -186,7 +186,7 @@ impl SetupForm {
                     say!("a reflector needs a name").to_owned(),
                 ));
             } else if self.targets[..k].iter().any(|t| t.name.trim() == name) {
-                let says = say!("another reflector is called {name}", name = name);
+                let says = say!("another reflector is called {name}", name);
                 problems.push((Field::Target(k), says));
             }
         }

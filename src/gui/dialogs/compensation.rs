@@ -34,7 +34,7 @@ pub(super) fn compensation(ui: &mut Ui, workbench: &Workbench, commands: &mut Ve
     };
     ui.set_width(WIDE.min(ui.ctx().content_rect().width() - 96.0));
     let name = name_of(&compensated.wanted.path);
-    widgets::heading(ui, &say!("Compensate {name}", name = name));
+    widgets::heading(ui, &say!("Compensate {name}", name));
     let differs: &[DifferingNumber] = match &compensated.result {
         Err(not_corrected) => &not_corrected.differs,
         Ok(_) => &[],

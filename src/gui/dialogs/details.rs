@@ -58,7 +58,7 @@ pub(super) fn details(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Com
     views::session::tolerance(ui, workbench, commands);
     let now = workbench.document().tolerance_mm;
     if let (None, Some(last)) = (now, stated.details.tolerance_mm) {
-        let says = say!("Last time it was {last} mm", last = last);
+        let says = say!("Last time it was {last} mm", last);
         ui.horizontal(|ui| {
             ui.label(RichText::new(says).size(size::SMALL).color(muted));
             if ui.small_button(say!("Use it")).clicked() {

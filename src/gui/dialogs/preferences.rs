@@ -3,7 +3,7 @@
 use crate::text::LANGUAGES;
 use egui::{Slider, Ui};
 
-use crate::gui::preferences::{Preferences, Theme, ZOOM};
+use crate::gui::preferences::{Preferences, Theme, ZOOM, largest_zoom};
 use crate::gui::widgets;
 use crate::gui::workbench::{Command, Letters, ViewChange, Workbench};
 use crate::present::units::{AngleUnit, LengthUnit};
@@ -92,6 +92,14 @@ pub(super) fn preferences(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec
             next.zoom = percent / 100.0;
         }
     });
+    let largest = largest_zoom(ui.ctx());
+    if now.zoom > largest + 1e-3 {
+        let percent = (100.0 * largest).floor();
+        widgets::hint(
+            ui,
+            say!("This window has room for text of {percent} %", percent),
+        );
+    }
     widgets::hint(
         ui,
         say!("Files are read and written in their own units, whatever is shown here"),

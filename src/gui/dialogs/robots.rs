@@ -12,6 +12,7 @@ use crate::gui::view::{Camera, Sheet, What};
 use crate::gui::widgets;
 use crate::gui::workbench::{Asked, Command, Workbench};
 use crate::gui::workspace::robot_alone;
+use crate::kinematics;
 use crate::present::robots_v1::figure;
 use crate::robots::{LibraryRobot, find, library, source};
 
@@ -47,14 +48,14 @@ struct RobotsInput {
 
 /// One of the list.
 #[derive(Clone, Copy)]
-enum Robot<'w> {
+pub(super) enum Robot<'w> {
     Own(&'w RobotTable),
     Library(&'static LibraryRobot),
 }
 
 impl<'w> Robot<'w> {
     /// What the list has of this text: one's own first.
-    fn found(own: &'w [RobotTable], text: &str) -> Vec<Self> {
+    pub(super) fn found(own: &'w [RobotTable], text: &str) -> Vec<Self> {
         let words = text.to_lowercase();
         let has = |table: &&RobotTable| {
             let name = table.name.to_lowercase();
@@ -73,7 +74,7 @@ impl<'w> Robot<'w> {
         }
     }
 
-    fn title(self) -> String {
+    pub(super) fn title(self) -> String {
         match self {
             Self::Own(table) => table.name.clone(),
             Self::Library(robot) => robot.title(),
@@ -99,6 +100,14 @@ impl<'w> Robot<'w> {
                 table.name = robot.title();
                 table
             }
+        }
+    }
+
+    /// Itself; none where what was typed is no robot yet.
+    pub(super) fn robot(self) -> Option<kinematics::Robot> {
+        match self {
+            Self::Own(table) => table.robot().ok(),
+            Self::Library(robot) => Some(robot.robot.clone()),
         }
     }
 
@@ -129,8 +138,7 @@ pub(super) fn robots(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comm
     let first = pass > typed.shown + 1;
     typed.shown = pass;
     let steps = [(Key::ArrowUp, -1), (Key::ArrowDown, 1)];
-    let field =
-        TextEdit::singleline(&mut typed.text).hint_text(say!("such as ur5e, kuka kr 6, scara"));
+    let field = TextEdit::singleline(&mut typed.text).hint_text(examples());
     let wide = vec2(ui.available_width(), space::PRIMARY);
     let field = ui.add_sized(wide, field.align(egui::Align2::LEFT_CENTER));
     widgets::label(&field, say!("Find a robot"));
@@ -171,6 +179,11 @@ pub(super) fn robots(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comm
         typed = RobotsInput::default();
     }
     ui.data_mut(|data| data.insert_temp(id, typed));
+}
+
+/// What may be typed to find a robot.
+pub(super) fn examples() -> &'static str {
+    say!("such as ur5e, kuka kr 6, scara")
 }
 
 /// The robots that were found; which was clicked.

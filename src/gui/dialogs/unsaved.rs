@@ -42,16 +42,16 @@ pub(super) fn losses(
         ui.label(match file {
             Some(file) => say!(
                 "Changes of {name} are not in its file, {file}",
-                name = name,
+                name,
                 file = file.to_string_lossy()
             ),
-            None => say!("The session {name} has not been saved", name = name),
+            None => say!("The session {name} has not been saved", name),
         });
     }
     if losses.model {
         ui.label(say!(
             "What was identified from {name} has not been saved",
-            name = name
+            name
         ));
     }
     let save = match (losses.session, losses.model) {
@@ -177,7 +177,7 @@ fn discard(ui: &mut Ui, index: usize, path: &Path, commands: &mut Vec<Command>) 
 
 /// Discards everything on the second press.
 fn discard_all(ui: &mut Ui, count: usize, commands: &mut Vec<Command>) {
-    let sure = say!("Discard all {count} for good", count = count);
+    let sure = say!("Discard all {count} for good", count);
     if pressed_twice(ui, "all", say!("Discard all"), &sure) {
         commands.push(Command::Left(LeftBehind::DiscardAll));
     }
@@ -276,14 +276,7 @@ fn path_form(
     let place = workbench.placed(typed.trim().as_ref());
     if let (Some(folder), Some(name)) = (place.parent(), place.file_name()) {
         let (folder, name) = (folder.display(), name.to_string_lossy());
-        widgets::hint(
-            ui,
-            say!(
-                "{name}, in the folder {folder}",
-                name = name,
-                folder = folder
-            ),
-        );
+        widgets::hint(ui, say!("{name}, in the folder {folder}", name, folder));
     }
     ui.checkbox(&mut allowed, say!("replace the file if it exists"));
     widgets::hint(ui, says);

@@ -138,16 +138,13 @@ fn looked_through(
 
 /// Says that a file was not opened.
 fn not_opened(name: impl Display, error: &ReadError) -> Message {
-    let title = say!(
-        "{name} could not be opened; nothing was changed",
-        name = name
-    );
+    let title = say!("{name} could not be opened; nothing was changed", name);
     Message::wrong(title, why(error))
 }
 
 /// Says that a file was not read.
 fn not_read(name: impl Display, error: &ReadError) -> Message {
-    let title = say!("{name} could not be read; nothing was changed", name = name);
+    let title = say!("{name} could not be read; nothing was changed", name);
     Message::wrong(title, why(error))
 }
 

@@ -102,7 +102,7 @@ fn make(
         let says = spoken(fonts::cannot_be_shown(&written.unshown));
         details.push(say!(
             "Some letters are written in it as codes: {says}",
-            says = says
+            says
         ));
     }
     files::write_one(path, replace, &written.bytes, watch)

@@ -55,6 +55,8 @@ pub(crate) struct ImportDraft {
     pub(crate) answers: ImportAnswers,
     /// What was seen last.
     pub(crate) seen: Arc<InspectedDraft>,
+    /// What was seen before anything was said.
+    first: Arc<InspectedDraft>,
     /// The meanings of the columns that the user has looked at.
     confirmed: Option<Vec<String>>,
 }
@@ -136,15 +138,33 @@ impl ImportDraft {
             }
             .into());
         }
+        let seen = Arc::new(seen);
         Ok(Self {
             path: path.to_path_buf(),
             bytes: Arc::new(bytes),
             neighbours: Arc::new(neighbours),
             taken,
             answers,
-            seen: Arc::new(seen),
+            first: Arc::clone(&seen),
+            seen,
             confirmed: None,
         })
+    }
+
+    /// Whether something was said or confirmed that would be lost with it.
+    pub(crate) fn holds_answers(&self) -> bool {
+        self.answers != self.first.answers || self.confirmed.is_some()
+    }
+
+    /// Whether this is the same file with the same contents.
+    pub(crate) fn is_of_the_file_of(&self, other: &Self) -> bool {
+        self.path == other.path && self.bytes == other.bytes
+    }
+
+    /// Goes on with what was said of the same file before.
+    pub(crate) fn resume(&mut self, before: Self) {
+        self.answers = before.answers;
+        self.confirmed = before.confirmed;
     }
 
     /// Looks again, with what was said since.
@@ -186,18 +206,8 @@ impl ImportDraft {
         columns.map(|column| column.meaning.clone()).collect()
     }
 
-    /// What stands in the way of an import, in words; `None`: nothing.
-    pub(crate) fn missing(&self) -> Option<String> {
-        let says = match self.hindrance()? {
-            // The reason itself: where it stands in full may be out of sight.
-            (says, Some(reason)) => format!("{says}: {reason}"),
-            (says, None) => says.to_owned(),
-        };
-        Some(says)
-    }
-
-    /// What stands in the way, and the first reason that was found.
-    fn hindrance(&self) -> Option<(&'static str, Option<String>)> {
+    /// What stands in the way of an import, in words, and the first reason that was found; `None`: nothing.
+    pub(crate) fn hindrance(&self) -> Option<(&'static str, Option<String>)> {
         let inspection = &self.seen.inspection;
         let is_wrong = |finding: &Diagnostic| finding.severity == Severity::Error;
         let so = |says: &'static str| Some((says, None));
@@ -240,7 +250,7 @@ impl ImportDraft {
 
     /// What the import brings, if nothing stands in its way.
     pub(crate) fn result(&self) -> Option<&Trial> {
-        self.trial().filter(|_| self.missing().is_none())
+        self.trial().filter(|_| self.hindrance().is_none())
     }
 }
 

@@ -285,12 +285,7 @@ fn entry(ui: &mut Ui, entry: &Entry, shown: Option<bool>) -> bool {
     let name = &entry.name;
     match shown {
         Some(shown) => response.widget_info(|| {
-            WidgetInfo::selected(
-                Role::CheckBox,
-                true,
-                shown,
-                say!("show {name}", name = name),
-            )
+            WidgetInfo::selected(Role::CheckBox, true, shown, say!("show {name}", name))
         }),
         None => response.widget_info(|| WidgetInfo::labeled(Role::Label, true, name)),
     }

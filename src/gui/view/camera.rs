@@ -284,8 +284,8 @@ impl Camera {
             .map(|a| crate::present::numbers::trimmed(a.to_degrees(), 0));
         say!(
             "seen from azimuth {azimuth}°, elevation {elevation}°",
-            azimuth = azimuth,
-            elevation = elevation
+            azimuth,
+            elevation
         )
     }
 }

@@ -35,9 +35,9 @@ pub(super) fn button(ui: &mut Ui, of: &str, text: impl FnOnce() -> String) {
     let button = Button::new(RichText::new(says).size(size::SMALL));
     let button = ui.add(button.min_size(vec2(78.0, 22.0)));
     let name = if copied {
-        say!("Copied table of {of}", of = of)
+        say!("Copied table of {of}", of)
     } else {
-        say!("Copy table of {of}", of = of)
+        say!("Copy table of {of}", of)
     };
     widgets::label(&button, name);
     if button.clicked() {

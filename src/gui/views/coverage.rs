@@ -66,7 +66,7 @@ fn gap(ui: &mut Ui, workbench: &Workbench) {
             widgets::fact_of(
                 ui,
                 phrase!("within tolerance"),
-                say!("{inside} of {all}", inside = inside, all = all),
+                say!("{inside} of {all}", inside, all),
             );
         }
         if let Some(floor_mm) = loaded_session.coverage.floor_mm {
@@ -159,7 +159,7 @@ fn range(ends: Option<[f64; 2]>, unit: &str, decimals: usize) -> String {
         Some([from, to]) if from == to => say!(
             "{decimals} {unit} throughout",
             decimals = trimmed(from, decimals),
-            unit = unit
+            unit
         ),
         Some([from, to]) => {
             format!(
@@ -222,9 +222,9 @@ fn testable(ui: &mut Ui, workbench: &Workbench) {
         widgets::fact_of(
             ui,
             phrase!("testable effects"),
-            say!("{yes} of {no}", yes = yes, no = yes + no),
+            say!("{yes} of {no}", yes, no = yes + no),
         );
-        let can = say!("{yes} can be tested", yes = yes);
+        let can = say!("{yes} can be tested", yes);
         widgets::folded(ui, &can, size::NOTE, |ui| {
             let names: Vec<String> = loaded_session
                 .coverage
@@ -237,7 +237,7 @@ fn testable(ui: &mut Ui, workbench: &Workbench) {
         if no == 0 {
             return;
         }
-        let cannot = say!("{no} cannot, and why", no = no);
+        let cannot = say!("{no} cannot, and why", no);
         widgets::folded(ui, &cannot, size::NOTE, |ui| {
             for one in &loaded_session.coverage.not_testable {
                 ui.label(name(one.effect));
@@ -311,8 +311,8 @@ fn speeds(joint: &JointSurvey) -> String {
     match joint.speeds {
         0 => say!("not recorded").to_owned(),
         1 if joint.largest_speed == 0.0 => say!("standstill").to_owned(),
-        1 => say!("{speed} throughout", speed = speed),
-        _ => say!("up to {speed}", speed = speed),
+        1 => say!("{speed} throughout", speed),
+        _ => say!("up to {speed}", speed),
     }
 }
 

@@ -67,7 +67,7 @@ fn not_added(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let names = names.collect::<Vec<_>>().join("; ");
     let says = say!(
         "Found, but not in the model, so not corrected: {names}",
-        names = names
+        names
     );
     ui.label(RichText::new(says).color(Palette::of(ui).warning));
     if widgets::secondary(ui, &add_all(missing.len())).clicked() {
@@ -79,7 +79,7 @@ fn not_added(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
 pub(super) fn add_all(n: usize) -> String {
     match n {
         1 => say!("Add it to the model").to_owned(),
-        n => say!("Add all {n} to the model", n = n),
+        n => say!("Add all {n} to the model", n),
     }
 }
 
@@ -233,7 +233,8 @@ fn text_of(made: &ExportPreview) -> String {
 pub(crate) fn preview(ui: &mut Ui, workbench: &Workbench) {
     match workbench.export() {
         Some(Ok(made)) => made_preview(ui, workbench, made),
-        Some(Err(because)) => widgets::hint(ui, because),
+        // Why stands at the left, beside what can be done instead.
+        Some(Err(_)) => widgets::hint(ui, say!("No preview: this export is refused")),
         None if workbench.answer().is_none() => super::coverage::show(ui, workbench),
         None => widgets::hint(ui, say!("The table is being prepared")),
     }
@@ -331,9 +332,9 @@ fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let format = find(workbench.document().export.format);
     let title = format.map_or(say!("table"), |f| f.extension);
     let says = if format.is_some_and(|f| f.rules.is_none()) {
-        say!("Save robot as .{title}…", title = title)
+        say!("Save robot as .{title}…", title)
     } else {
-        say!("Save table as .{title}…", title = title)
+        say!("Save table as .{title}…", title)
     };
     let ready = matches!(workbench.export(), Some(Ok(_)));
     if is_refused_for_an_arm(workbench) {

@@ -302,10 +302,7 @@ fn next_poses(ui: &mut Ui, workbench: &Workbench, poses: &[NextPose], commands: 
     }
     if poses.len() > MOST {
         let more = poses.len() - MOST;
-        widgets::hint(
-            ui,
-            say!("and {more} more, in the measuring list", more = more),
-        );
+        widgets::hint(ui, say!("and {more} more, in the measuring list", more));
     }
     copies::button(ui, say!("poses"), || copies::poses(poses, robot));
     if widgets::secondary(ui, say!("Save measuring list…")).clicked() {

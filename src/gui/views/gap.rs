@@ -115,7 +115,7 @@ fn before(ui: &mut Ui, workbench: &Workbench) {
     widgets::fact_of(
         ui,
         phrase!("testable effects"),
-        say!("{yes} of {no}", yes = yes, no = yes + no),
+        say!("{yes} of {no}", yes, no = yes + no),
     );
     if no > 0 {
         widgets::hint(
@@ -195,13 +195,13 @@ fn state(workbench: &Workbench) -> (String, Progress) {
     let on = workbench.document().in_the_model().count();
     let caption = match (workbench.diagnosis(), on) {
         (_, 1) => say!("one effect in the model").to_owned(),
-        (_, 2..) => say!("{on} effects in the model", on = on),
+        (_, 2..) => say!("{on} effects in the model", on),
         (None, _) => return (say!("not yet").to_owned(), Progress::Open),
         (Some(diagnosis), _) => match (diagnosis.verdict, diagnosis.found.len()) {
             (Verdict::Noise, _) => say!("nothing is missing").to_owned(),
             (Verdict::Unexplained, _) => say!("something unexplained").to_owned(),
             (_, 1) => say!("one effect found").to_owned(),
-            (_, n) => say!("{n} effects found", n = n),
+            (_, n) => say!("{n} effects found", n),
         },
     };
     (caption, Progress::Done)

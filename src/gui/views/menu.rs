@@ -10,7 +10,7 @@ use egui::{
 use crate::gui::actions::{self, Action, OPEN_EXAMPLE, OPEN_LATEST, WindowState};
 use crate::gui::core::disk::{EXAMPLES, name_of};
 use crate::gui::core::loaded_session::Origin;
-use crate::gui::preferences::ZOOM;
+use crate::gui::preferences::{ZOOM, largest_zoom};
 use crate::gui::style::{Palette, size, space, strong};
 use crate::gui::widgets;
 use crate::gui::workbench::{Command, ViewChange, Workbench};
@@ -106,16 +106,16 @@ fn name(ui: &mut Ui, workbench: &Workbench) {
         (None, Origin::File(path) | Origin::Model(path)) => name_of(path).into_owned(),
     };
     let origin = match (&workbench.document().loaded_model, &loaded_session.origin) {
-        (Some(_), Origin::Model(_)) => say!("model {origin}", origin = origin),
+        (Some(_), Origin::Model(_)) => say!("model {origin}", origin),
         (Some(given), _) => say!(
             "{origin} · model {given}",
-            origin = origin,
+            origin,
             given = given.file_name()
         ),
         (None, _) => origin,
     };
     let says = if workbench.unsaved() {
-        say!("{origin} · not saved", origin = origin)
+        say!("{origin} · not saved", origin)
     } else {
         origin
     };
@@ -280,10 +280,7 @@ fn recent(ui: &mut Ui, menu: &mut Menu<'_>) {
                     let warning = Palette::of(ui).warning;
                     let says = RichText::new(say!("file not found")).size(size::SMALL);
                     ui.label(says.color(warning));
-                    if ui
-                        .small_button(say!("Forget {name}", name = name))
-                        .clicked()
-                    {
+                    if ui.small_button(say!("Forget {name}", name)).clicked() {
                         menu.commands.push(Command::Forget(path.to_path_buf()));
                     }
                 }
@@ -336,7 +333,7 @@ fn view(ui: &mut Ui, menu: &mut Menu<'_>) {
             say!("Larger"),
             kb_shortcuts::ZOOM_IN,
             zoom_in as fn(&Context),
-            now < *ZOOM.end(),
+            now + 1e-3 < largest_zoom(ui.ctx()),
         ),
         (
             say!("Smaller"),

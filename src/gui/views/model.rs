@@ -39,7 +39,7 @@ fn state(workbench: &Workbench) -> (String, Progress) {
         (true, Method::Exact) => match workbench.answer() {
             Some(answer) => {
                 let count = answer.identification.parameters.len();
-                say!(one "full model, {count} parameter", "full model, {count} parameters", count = count)
+                say!(one "full model, {count} parameter", "full model, {count} parameters", count)
             }
             None => say!("full model").to_owned(),
         },
@@ -224,7 +224,7 @@ fn history(ui: &mut Ui, units: Units, answer: &Answer) {
         let gap = match step.held_out_mm {
             Some(held_out) => say!(
                 "{gap}, held out {held_out}",
-                gap = gap,
+                gap,
                 held_out = units.length(held_out)
             ),
             None => gap,

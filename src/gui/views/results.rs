@@ -131,7 +131,7 @@ fn gap_card(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
     let number = |mm: f64| units.length_number(mm);
     widgets::card(ui, |ui| {
         let method = match found.method {
-            "regional" => say!("RMS error, by region"),
+            "regional" => say!("RMS error in the plane of motion, by region"),
             answer::METHOD => say!("RMS error, model from a file"),
             _ => say!("RMS error, full model"),
         };
@@ -179,12 +179,7 @@ fn gap_card(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
             widgets::fact_of(
                 ui,
                 label,
-                say!(
-                    "{before} → {after} of {all}",
-                    before = before,
-                    after = after,
-                    all = all
-                ),
+                say!("{before} → {after} of {all}", before, after, all),
             );
             let share = after as f32 / all.max(1) as f32;
             widgets::share_bar(ui, share, palette.within);

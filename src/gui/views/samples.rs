@@ -152,9 +152,9 @@ fn brought(ui: &Ui, workbench: &Workbench) -> Option<(usize, Option<Align>)> {
 fn heads(header: &mut TableRow<'_, '_>, [angle, length]: [&str; 2], sorting: Sorting) -> Sorting {
     let heads = [
         say!("sample").to_owned(),
-        say!("angle, {angle}", angle = angle),
-        say!("before, {length}", length = length),
-        say!("after, {length}", length = length),
+        say!("angle, {angle}", angle),
+        say!("before, {length}", length),
+        say!("after, {length}", length),
         String::new(),
     ];
     let mut after = sorting;
@@ -193,9 +193,9 @@ fn heading(header: &mut TableRow<'_, '_>, head: &str, by: By, sorting: Sorting) 
         head
     };
     let name = match sorted {
-        None => say!("column {name}", name = name),
-        Some(true) => say!("column {name}, largest first", name = name),
-        Some(false) => say!("column {name}, smallest first", name = name),
+        None => say!("column {name}", name),
+        Some(true) => say!("column {name}, largest first", name),
+        Some(false) => say!("column {name}, smallest first", name),
     };
     cell.widget_info(|| WidgetInfo::labeled(Role::ColumnHeader, true, name.clone()));
     let cell = cell.on_hover_cursor(CursorIcon::PointingHand);
@@ -234,7 +234,7 @@ fn out(ui: &mut Ui) {
 
 /// A cell of a row; it can be pressed, and so it has a name.
 fn cell(row: &mut TableRow<'_, '_>, sample: usize, what: &str, contents: impl FnOnce(&mut Ui)) {
-    let name = say!("row {sample}, {what}", sample = sample + 1, what = what);
+    let name = say!("row {sample}, {what}", sample = sample + 1, what);
     let (_, response) = row.col(|ui| {
         // Text that can be selected would keep clicks on the numbers from the row.
         ui.style_mut().interaction.selectable_labels = false;

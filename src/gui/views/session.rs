@@ -76,11 +76,11 @@ fn recent(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
             }
             continue;
         }
-        let says = say!("{name}: file not found", name = name);
+        let says = say!("{name}: file not found", name);
         let says = RichText::new(says).size(size::NOTE);
         let says = ui.add(egui::Label::new(says.color(palette.muted)).wrap());
         says.on_hover_text(whole);
-        if ui.link(say!("Forget {name}", name = name)).clicked() {
+        if ui.link(say!("Forget {name}", name)).clicked() {
             commands.push(Command::Forget(path.to_path_buf()));
         }
     }

@@ -165,7 +165,7 @@ const XYZ: [&str; 3] = ["x", "y", "z"];
 fn joint(ui: &mut Ui, joint: &mut JointForm, k: usize, fields: &mut Fields) {
     let n = k + 1;
     fields.n = n;
-    text(ui, &say!("Name of joint {n}", n = n), &mut joint.name);
+    text(ui, &say!("Name of joint {n}", n), &mut joint.name);
     fields.message(ui, Field::JointName(k));
     let kinds = [
         (JointKind::Revolute, say!("turns")),
@@ -190,10 +190,7 @@ fn joint(ui: &mut Ui, joint: &mut JointForm, k: usize, fields: &mut Fields) {
     let unit = joint.kind.sign().trim();
     let mut limited = joint.limits.is_some();
     if ui
-        .checkbox(
-            &mut limited,
-            say!("limits of joint {n}, {unit}", n = n, unit = unit),
-        )
+        .checkbox(&mut limited, say!("limits of joint {n}, {unit}", n, unit))
         .changed()
     {
         joint.limits = limited.then_some([-90.0, 90.0]);
@@ -211,7 +208,7 @@ fn joint(ui: &mut Ui, joint: &mut JointForm, k: usize, fields: &mut Fields) {
     }
     let mut heavy = joint.link.is_some();
     if ui
-        .checkbox(&mut heavy, say!("mass of link {n}, kg", n = n))
+        .checkbox(&mut heavy, say!("mass of link {n}, kg", n))
         .changed()
     {
         joint.link = heavy.then_some((1.0, joint.point_mm));
@@ -261,7 +258,7 @@ fn targets(ui: &mut Ui, form: &mut SetupForm, last_is_free: bool, fields: &mut F
     for (k, target) in form.targets.iter_mut().enumerate() {
         let n = k + 1;
         fields.n = n;
-        text(ui, &say!("Name of reflector {n}", n = n), &mut target.name);
+        text(ui, &say!("Name of reflector {n}", n), &mut target.name);
         fields.numbers(
             ui,
             phrase!("Reflector {n}"; n),

@@ -50,13 +50,9 @@ fn line(workbench: &Workbench) -> String {
             );
             gaps.push(gap.after.rms_mm);
             let gaps: Vec<String> = gaps.into_iter().map(mm).collect();
-            say!(
-                "RMS error {gaps} {unit}",
-                gaps = gaps.join(" → "),
-                unit = unit
-            )
+            say!("RMS error {gaps} {unit}", gaps = gaps.join(" → "), unit)
         }
-        (None, Some(gap)) => say!("RMS error {rms} {unit}", rms = mm(gap.rms_mm), unit = unit),
+        (None, Some(gap)) => say!("RMS error {rms} {unit}", rms = mm(gap.rms_mm), unit),
         (None, None) => say!("no sample can be used").to_owned(),
     };
     let floor = match (workbench.diagnosis(), loaded_session.coverage.floor_mm) {
@@ -68,8 +64,8 @@ fn line(workbench: &Workbench) -> String {
         let floor = say!(
             "floor {floor} {unit} ({from})",
             floor = mm(floor_mm),
-            unit = unit,
-            from = from
+            unit,
+            from
         );
         format!(" · {floor}")
     });
@@ -98,7 +94,7 @@ fn idle(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         if ui.small_button(say!("Stop following")).clicked() {
             commands.push(Command::Follow(false));
         }
-        let says = say!("following the file · {came} new", came = came);
+        let says = say!("following the file · {came} new", came);
         ui.label(small(says).color(palette.accent));
     } else if !workbench.characters().unshown.is_empty() {
         if ui.small_button(say!("Understood")).clicked() {
@@ -306,13 +302,13 @@ fn file_that_changed(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comm
     let name = name_of(&on_disk.path);
     let (title, says) = match on_disk.change {
         FileChange::Changed => (
-            say!("{name} was changed by another program", name = name),
+            say!("{name} was changed by another program", name),
             say!(
                 "Reload reads it again; undo brings back what is here now. If you keep this version, you will be asked before overwriting"
             ),
         ),
         FileChange::Vanished => (
-            say!("{name}: file not found", name = name),
+            say!("{name}: file not found", name),
             say!("What was read is here still: saving writes it again, or put the file back"),
         ),
     };

@@ -153,7 +153,7 @@ pub(crate) fn grip(ui: &Ui, name: &str, panel: Rect, x: f32) -> Option<Gripped> 
     let inwards = (panel.center().x - x).signum();
     let middle = x + inwards * REACH;
     let rect = Rect::from_x_y_ranges(middle - REACH..=middle + REACH, panel.y_range());
-    let says = say!("width of {name}", name = name);
+    let says = say!("width of {name}", name);
     let id = Id::unique("grip").with(name);
     let gripped = pulled(ui, id, &says, rect, true)?;
     Some(match gripped {

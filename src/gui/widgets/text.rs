@@ -156,7 +156,7 @@ pub(crate) fn explained_effect(response: Response, id: &str) -> Response {
         bold(ui, crate::present::names::title(id));
         ui.label(spoken(about.cause));
         let usual_size = spoken(about.usual_size);
-        hint(ui, say!("usually {usual_size}", usual_size = usual_size));
+        hint(ui, say!("usually {usual_size}", usual_size));
         hint(ui, about.equation);
     })
 }

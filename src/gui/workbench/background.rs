@@ -84,7 +84,7 @@ impl Workbench {
         let samples = say!(one "{count} sample", "{count} samples", count = grouped(question.loaded_session.len()));
         self.jobs.start(
             Kind::Identifies,
-            say!("identifying, {samples}", samples = samples),
+            say!("identifying, {samples}", samples),
             move |watch| IdentifiedAnswer::of(question, watch),
             |bench: &mut Self, outcome| {
                 let before = bench.identified.replace(Arc::new(outcome));
@@ -204,7 +204,7 @@ impl Workbench {
             Ok(Opened::Session(loaded_session)) => {
                 self.execute(Command::Edit(Edit::Open(loaded_session)));
             }
-            Ok(Opened::Foreign(foreign)) => self.view.sheet = Some(Sheet::Import(foreign)),
+            Ok(Opened::Foreign(draft)) => self.ask_about(draft),
             Ok(Opened::Model(given)) => {
                 let beside = self.has_a_session_for(&given);
                 self.execute(Command::Edit(Edit::OpenModel {

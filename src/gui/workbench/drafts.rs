@@ -8,13 +8,14 @@ use crate::sessions::Region;
 
 use crate::gui::cache::cloud::Cloud;
 use crate::gui::core::boundaries::{End, Typed};
+use crate::gui::core::disk::name_of;
 use crate::gui::core::document::{Decision, adapt};
 use crate::gui::core::edit::Edit;
 use crate::gui::core::loaded_session::LoadedSession;
 use crate::gui::files;
 use crate::gui::import_draft::{Companion, ImportAnswers, ImportDraft, InspectedDraft};
 use crate::gui::jobs::{Kind, Running, Watch};
-use crate::gui::view::Sheet;
+use crate::gui::view::{Message, Sheet};
 
 use super::{Command, Workbench};
 
@@ -24,6 +25,32 @@ impl Workbench {
             Some(Sheet::Import(foreign)) => Some(foreign),
             _ => None,
         }
+    }
+
+    /// Shows a file that an instrument wrote; with what had been said of it when it was left.
+    pub(super) fn ask_about(&mut self, mut draft: Box<ImportDraft>) {
+        let before = self
+            .left_draft
+            .take_if(|left| left.is_of_the_file_of(&draft));
+        if let Some(before) = before {
+            draft.resume(before);
+        }
+        self.view.sheet = Some(Sheet::Import(draft));
+        self.keep_looking();
+    }
+
+    /// The sheet is closed without an import: what was said is kept for when the file is opened again.
+    pub(super) fn leave_draft(&mut self) {
+        self.cancel_look();
+        let left = self.import_draft().filter(|draft| draft.holds_answers());
+        let Some(left) = left.map(|draft| draft.clone()) else {
+            return;
+        };
+        self.view.message = Some(Message::done(
+            say!("{file} was not imported", file = name_of(&left.path)),
+            vec![say!("What was entered is kept: open the file again to go on").to_owned()],
+        ));
+        self.left_draft = Some(left);
     }
 
     /// Takes what was said, and looks at the file with it.
@@ -118,6 +145,7 @@ impl Workbench {
         });
         if let Some(loaded_session) = result {
             self.view.sheet = None;
+            self.left_draft = None;
             self.execute(Command::Edit(Edit::Open(loaded_session)));
         }
     }

@@ -305,7 +305,7 @@ impl Workbench {
         };
         let model = self.name_of(What::Model);
         let name = name_of(&wanted.path);
-        let says = say!("correcting the targets of {name}", name = name);
+        let says = say!("correcting the targets of {name}", name);
         let work = move |_: &Watch| {
             Some(match outcome.handed_out() {
                 Ok(verified) => Compensated::of(&verified, &model, wanted),

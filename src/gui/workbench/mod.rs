@@ -20,8 +20,10 @@ mod tests;
 #[cfg(test)]
 mod under_way;
 mod unsaved;
-#[cfg(test)]
-mod walk;
+/// What the tests of the window do at random; built optimised, as they are.
+#[cfg(feature = "window-tests")]
+#[path = "../../../tests/support/walk/mod.rs"]
+pub mod walk;
 
 use std::path::Path;
 use std::sync::Arc;
@@ -289,7 +291,7 @@ impl Workbench {
                     | Sheet::SavePath { .. }
                     | Sheet::ExportPath { .. },
                 ) => self.cancel_pending_action(),
-                Some(Sheet::Import(_)) => self.cancel_look(),
+                Some(Sheet::Import(_)) => self.leave_draft(),
                 _ => {}
             }
         }

@@ -30,14 +30,13 @@ impl Workbench {
         self.file_state.meshes = settings.meshes;
         let keeper = RecoveryFile::new(&home);
         let mut details = Vec::new();
-        details
-            .extend(damaged.map(|says| say!("Preferences could not be read: {says}", says = says)));
+        details.extend(damaged.map(|says| say!("Preferences could not be read: {says}", says)));
         match keeper {
             Ok(keeper) => self.file_state.recovery_file = Some(keeper),
             Err(error) => details.push(say!(
                 "What is not saved cannot be kept against a crash: {home}: {error}",
                 home = home.display(),
-                error = error
+                error
             )),
         }
         if !details.is_empty() {

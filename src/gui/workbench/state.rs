@@ -21,6 +21,7 @@ use crate::gui::file_state::machines::{Machine, Stated};
 use crate::gui::file_state::recording::UnderWay;
 use crate::gui::file_state::recovery::{OrphanedRecovery, RecoveryFile};
 use crate::gui::file_state::watcher::Watcher;
+use crate::gui::import_draft::ImportDraft;
 use crate::gui::jobs::{Jobs, Latest};
 use crate::gui::style::font_fallback::Characters;
 use crate::gui::view::{NextAction, Plot, ViewState};
@@ -50,6 +51,8 @@ pub(crate) struct Workbench {
     /// Samples that came meanwhile, and whether they take the place of all others.
     pub(super) waiting_samples: Option<(Samples, bool)>,
     pub(super) view: ViewState,
+    /// The import that was left without being done, with what was said.
+    pub(super) left_draft: Option<ImportDraft>,
     pub(super) identified: Option<Arc<IdentifiedAnswer>>,
     pub(super) searched: Option<Arc<Search>>,
     /// A chart and its numbers, ready to be copied.
@@ -85,6 +88,7 @@ impl Workbench {
             waiting_samples: None,
             history,
             view: ViewState::default(),
+            left_draft: None,
             identified: None,
             searched: None,
             copied: None,

@@ -117,7 +117,7 @@ fn blend_says(blend: f32) -> String {
         let percent = trimmed(100.0 * f64::from(blend), 0);
         say!(
             "shown: {percent} % of the way from before to after",
-            percent = percent
+            percent
         )
     }
 }
@@ -125,7 +125,7 @@ fn blend_says(blend: f32) -> String {
 /// How long the vectors are drawn and for whose lengths, where there is little room.
 pub(super) fn length_folded(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let now = significant(magnification_of(workbench), 2);
-    let name = say!("vectors × {now}", now = now);
+    let name = say!("vectors × {now}", now);
     folded(ui, &name, say!("Length of vectors"), |ui| {
         widgets::row(ui, |ui| magnification(ui, workbench, commands));
         widgets::row(ui, |ui| scale_for(ui, workbench, commands));

@@ -201,10 +201,10 @@ fn badge(
 /// A region in a line.
 fn describe(name: &str, held: &RegionContents, units: Units) -> String {
     match held.correction() {
-        None => say!("{name}: no samples", name = name),
+        None => say!("{name}: no samples", name),
         Some((theta_rad, l1_mm, left_mm)) => say!(
             "{name}: {samples}, Δθ {theta}, Δl1 {l1}, left {left}",
-            name = name,
+            name,
             samples = say!(one "{count} sample", "{count} samples", count = grouped(held.samples)),
             theta = units.angle(theta_rad),
             l1 = units.length(l1_mm),

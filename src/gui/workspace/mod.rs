@@ -165,7 +165,7 @@ fn plane(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         WidgetInfo::labeled(
             Role::Figure,
             true,
-            say!("workspace plot, {samples} samples", samples = samples),
+            say!("workspace plot, {samples} samples", samples),
         )
     });
     let about = (&shown, robot.as_ref());

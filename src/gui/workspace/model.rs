@@ -185,13 +185,13 @@ impl Shown {
         vec![if self.with_largest {
             say!(
                 "{drawn} of {samples} samples, the largest deviations among them",
-                drawn = drawn,
+                drawn,
                 samples = self.samples
             )
         } else {
             say!(
                 "{drawn} of {samples} samples",
-                drawn = drawn,
+                drawn,
                 samples = self.samples
             )
         }]

@@ -159,11 +159,7 @@ fn card(ctx: &Context, workbench: &Workbench, sample: usize, pointer: Pos2, fram
 /// The card in one line.
 fn spoken(title: &str, lines: &[Line]) -> String {
     let parts: Vec<String> = lines.iter().map(|(n, v)| format!("{n} {v}")).collect();
-    say!(
-        "card of {title}: {parts}",
-        title = title,
-        parts = parts.join(", ")
-    )
+    say!("card of {title}: {parts}", title, parts = parts.join(", "))
 }
 
 /// Where names and values of these sizes stand, with values flush right in each column; and width

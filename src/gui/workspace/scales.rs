@@ -166,7 +166,7 @@ pub(super) fn entry(ui: &mut Ui, room: f32, name: &str, palette: &Palette) -> Re
     let between = if name.is_empty() { 0.0 } else { 5.0 };
     let wide = room + between + galley.size().x;
     let (rect, response) = ui.allocate_exact_size(vec2(wide, HIGH), Sense::hover());
-    let label = say!("legend: {name}", name = name);
+    let label = say!("legend: {name}", name);
     response.widget_info(|| WidgetInfo::labeled(Role::Image, true, label.clone()));
     let at = pos2(rect.right(), rect.center().y);
     let place = Align2::RIGHT_CENTER.anchor_size(at, galley.size());

@@ -1,7 +1,7 @@
 //! The bar over the workspace plot: from where it is looked at, what is shown, and how.
 
 use crate::text::stretch;
-use egui::{Align, Layout, Ui};
+use egui::{Align, ComboBox, Layout, Ui};
 
 use crate::gui::plots::{gestures, picture};
 use crate::gui::style::space;
@@ -146,7 +146,7 @@ impl Row {
             if ui.available_width() > self.least * stretch() {
                 title(ui, say!("Workspace"));
             }
-            ways(ui, workbench, commands);
+            ways(ui, workbench, self.fold, commands);
             if open {
                 component(ui, workbench, commands);
             }
@@ -174,7 +174,7 @@ impl Row {
 }
 
 /// The ways to look at the workspace.
-fn ways(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+fn ways(ui: &mut Ui, workbench: &Workbench, fold: Fold, commands: &mut Vec<Command>) {
     let view = workbench.view();
     let planes = Plane::ALL.map(|plane| ((Aspect::Plane, plane), plane.name()));
     let [space, polar] = [Aspect::Space, Aspect::Around].map(|aspect| (aspect, view.plane));
@@ -185,7 +185,22 @@ fn ways(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         (space, say!("3-D")),
         (polar, say!("polar")),
     ];
-    match widgets::segmented(ui, &views, (view.aspect, view.plane)) {
+    let now = (view.aspect, view.plane);
+    let beside = if fold == Fold::Tight {
+        ICONS + DISPLAY
+    } else {
+        ICONS
+    };
+    let room = ui.available_width() - beside * stretch();
+    let chosen = if widgets::width_of_segments(ui, &views) <= room {
+        widgets::segmented(ui, &views, now)
+    } else {
+        let named = views.iter().find(|(one, _)| *one == now);
+        let list = ComboBox::from_id_salt("ways to look").width(NARROW_LIST);
+        let list = list.selected_text(named.map_or("", |(_, name)| *name));
+        widgets::list(ui, say!("View"), list, views, now)
+    };
+    match chosen {
         Some((Aspect::Plane, plane)) => commands.push(Command::View(ViewChange::Look(plane))),
         Some((Aspect::Space, _)) => commands.push(Command::View(ViewChange::LookFrom(None))),
         Some((Aspect::Around, _)) => commands.push(Command::View(ViewChange::LookAround)),
@@ -200,6 +215,14 @@ fn plot_of(aspect: Aspect) -> Plot {
         Aspect::Around => Plot::Polar,
     }
 }
+
+/// What stands beside the ways to look, which become a list where both have no room, points: two icons, and the button
+/// for how anything is drawn.
+const ICONS: f32 = 76.0;
+
+const DISPLAY: f32 = 78.0;
+
+const NARROW_LIST: f32 = 64.0;
 
 /// With less room the plot has no title, and before and after stand in a row of their own, points.
 const TITLED: f32 = 440.0;

@@ -100,7 +100,7 @@ fn read(context: &mut ReadContext<'_>) -> Option<Columns> {
         columns.put(Column::made(Quantity::Distance, Unit::Length(1.0), values));
         context.note(text!(
             "{length_mm} mm were added to every reading, as stated",
-            length_mm = length_mm
+            length_mm
         ));
     }
     Some(columns)

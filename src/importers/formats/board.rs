@@ -197,7 +197,7 @@ fn into_tool_poses(
     if unseen > 0 {
         let found = text!(
             "the board was not seen in {unseen} of {poses} images",
-            unseen = unseen,
+            unseen,
             poses = poses.len()
         );
         context.warn(found, Text::default());

@@ -126,7 +126,7 @@ fn propose(context: &mut ReadContext<'_>, names: &[String], roles: &[Role], prop
         changed = changed.join(", ")
     );
     if context.reading.confirmed {
-        context.note(text!("{says}; taken so, as was confirmed", says = says));
+        context.note(text!("{says}; taken so, as was confirmed", says));
         return;
     }
     let words: Vec<String> = proposed.iter().map(ToString::to_string).collect();
@@ -148,7 +148,7 @@ fn headerless_commands(context: &mut ReadContext<'_>, grid: &Grid<'_>) -> Vec<Ro
             let says = text!(
                 "{width} columns and no header, for a robot of {joints} joints",
                 width = grid.width,
-                joints = joints
+                joints
             );
             context.ask(About::Columns, says, &[]);
             return vec![Role::Left; grid.width];

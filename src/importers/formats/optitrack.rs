@@ -429,7 +429,7 @@ fn frames(
         let found = text!(
             "{thing} was occluded in {count} of {chosen} frames, first in line {unwrap_or}: these have no position",
             thing = quoted(&thing.name),
-            count = count,
+            count,
             chosen = frames.frame.len() / chosen.len(),
             unwrap_or = first_occluded.unwrap_or(0)
         );

@@ -161,9 +161,9 @@ fn read(context: &mut ReadContext<'_>) -> Option<Columns> {
         let minutes = rest.first().copied().unwrap_or(0.0);
         context.note(text!(
             "{caption}; latitude {degrees}° {minutes}′: it plays no part in an altazimuth run",
-            caption = caption,
-            degrees = degrees,
-            minutes = minutes
+            caption,
+            degrees,
+            minutes
         ));
     }
     Some(columns(context, values, rows))

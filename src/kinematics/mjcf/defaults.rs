@@ -61,7 +61,7 @@ impl Defaults {
             within_budget(document, element, own.len())?;
             all.index(document, element)?;
             if all.classes.insert(name.to_owned(), own.clone()).is_some() {
-                let found = text!("two default classes called '{name}'", name = name);
+                let found = text!("two default classes called '{name}'", name);
                 return Err(document.refuse(element, found, text!("a unique name for each class")));
             }
             open.extend(

@@ -43,7 +43,7 @@ const MM_PER_M: f64 = 1e3;
 /// joint. Each names the file, the line and the column.
 pub fn robot_from_mjcf(text: &str, file: &Path, base: &str, tip: &str) -> Result<Robot, Rejected> {
     let alone = |name: &str| {
-        let found = text!("the included file '{name}'", name = name);
+        let found = text!("the included file '{name}'", name);
         Err((found, text!("a document that needs no other file")))
     };
     let mut document = Document::parse(text, file)?;
@@ -250,10 +250,7 @@ impl Reader<'_> {
         let mut levels = vec![element];
         if let Some(name) = own.or(class) {
             let of_class = self.defaults.of(kind, name).ok_or_else(|| {
-                let found = text!(
-                    "a default class '{name}' that is not in the file",
-                    name = name
-                );
+                let found = text!("a default class '{name}' that is not in the file", name);
                 self.document
                     .refuse(element, found, text!("the name of a class"))
             })?;
@@ -299,7 +296,7 @@ impl Reader<'_> {
         });
         let other = |kind: &str| {
             let expected = text!("hinge or slide joints between base and tip");
-            Motion::Other(text!("a {kind} joint", kind = kind), expected)
+            Motion::Other(text!("a {kind} joint", kind), expected)
         };
         let motion = match kind {
             _ if free => other("free"),
@@ -390,7 +387,7 @@ fn tie(document: &Document, root: usize, bodies: &mut [Body]) {
         if let Some(of) = followed.get(joint.name.as_str()) {
             let expected = text!("joints with values of their own");
             let found = match of {
-                Some(of) => text!("a joint that follows {of}", of = of),
+                Some(of) => text!("a joint that follows {of}", of),
                 None => text!("a joint that follows a constant"),
             };
             joint.motion = Motion::Other(found, expected);

@@ -86,7 +86,7 @@ impl Angles {
                 [] => {}
                 [name] => return self.one(document, element, name),
                 [first, second, ..] => {
-                    let found = text!("both {first} and {second}", first = first, second = second);
+                    let found = text!("both {first} and {second}", first, second);
                     return Err(document.refuse(element, found, text!("one orientation")));
                 }
             }

@@ -85,10 +85,7 @@ fn declare(o: &mut Object<'_, '_>, own: &mut Points) {
                 let there = length(0, *d) > 0 || length(1, *d) > 0;
                 there && length(*list, *d) != expected
             });
-            let expected = text!(
-                "an array of {expected} numbers, one a knot",
-                expected = expected
-            );
+            let expected = text!("an array of {expected} numbers, one a knot", expected);
             let Some((list, d)) = wrong else {
                 return o.error(Text::verbatim(error.to_string()), expected);
             };
@@ -135,7 +132,7 @@ pub(super) fn unexplained(
 ) -> Option<Term> {
     let (fields, node, path) = (&mut *at.fields, at.node, at.path);
     if joint == 0 || joint > joints {
-        let expected = text!("a joint from 1 to {joints}", joints = joints);
+        let expected = text!("a joint from 1 to {joints}", joints);
         fields.error(
             node.at,
             &path.key("joint"),

@@ -198,7 +198,7 @@ fn calibration(o: &mut Object<'_, '_>, own: &mut Calibration) {
         o.field("measured", &mut own.measured, &RANGES);
         if o.has_read_well() && own.measured.len() != joints {
             let found = text!(one "{count} range", "{count} ranges", count = own.measured.len());
-            let expected = text!("one range for each of {joints} joints", joints = joints);
+            let expected = text!("one range for each of {joints} joints", joints);
             o.error_in("measured", found, expected);
         }
     }
@@ -221,7 +221,7 @@ fn covariance(o: &mut Object<'_, '_>, own: &mut Calibration) {
     let size = own.model.coefficient_count();
     let expected = text!(
         "{size} arrays of {size} numbers, one for each coefficient",
-        size = size
+        size
     );
     let read = |at: &mut Cursor<'_, '_>| {
         // A number that could not be written is null there and NaN here.
@@ -297,7 +297,7 @@ fn region(o: &mut Object<'_, '_>, own: &mut RegionalCorrection) {
     if o.has_read_well() && from >= to {
         let expected = text!("a region from the smaller to the larger value");
         o.error(
-            text!("a region from {from} to {to} rad", from = from, to = to),
+            text!("a region from {from} to {to} rad", from, to),
             expected,
         );
     }
@@ -315,11 +315,7 @@ const LOADS: Kind<[f64; 2]> = Kind {
     read: |at| {
         let [least, most] = at.numbers::<2>()?;
         if least > most {
-            let found = text!(
-                "loads from {least} to {most} kg",
-                least = least,
-                most = most
-            );
+            let found = text!("loads from {least} to {most} kg", least, most);
             return at.error(found, text!("the least load and the largest"));
         }
         Some([least, most])
@@ -340,10 +336,7 @@ fn range(o: &mut Object<'_, '_>, own: &mut Range) {
     let (from, to) = (own.from, own.to);
     if o.has_read_well() && from > to {
         let expected = text!("a range from the smaller to the larger value");
-        o.error(
-            text!("a range from {from} to {to}", from = from, to = to),
-            expected,
-        );
+        o.error(text!("a range from {from} to {to}", from, to), expected);
     }
 }
 

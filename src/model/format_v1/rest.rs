@@ -127,7 +127,7 @@ pub(super) fn unnamed(
 ) -> Option<Term> {
     let (fields, node, path) = (&mut *at.fields, at.node, at.path);
     if joint == 0 || joint > joints {
-        let expected = text!("a joint from 1 to {joints}", joints = joints);
+        let expected = text!("a joint from 1 to {joints}", joints);
         fields.error(
             node.at,
             &path.key("joint"),

@@ -36,7 +36,7 @@ pub(crate) fn term(at: &mut Cursor<'_, '_>, robot: &Robot) -> Option<Term> {
     ];
     fields.unknown_keys(members, path, &known);
     if find(&id).is_none() {
-        let found = text!("no effect is called '{id}'", id = id);
+        let found = text!("no effect is called '{id}'", id);
         let expected = text!("a name that `truepose effects` lists");
         fields.error(node.at, &path.key("effect"), found, expected);
         return None;

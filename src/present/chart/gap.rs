@@ -172,7 +172,7 @@ fn row(what: &str) -> String {
             // The number of the joint is not what is cut.
             Some((id, joint)) => {
                 let effect = shortened(&step(id), 21);
-                return say!("{effect}, joint {joint}", effect = effect, joint = joint);
+                return say!("{effect}, joint {joint}", effect, joint);
             }
             None => step(first),
         },

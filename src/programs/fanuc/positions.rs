@@ -77,7 +77,7 @@ impl Positions<'_, '_, '_> {
         if self.by_number.contains_key(&number) {
             return Err(Problem::new(
                 at,
-                text!("{name} a second time", name = name),
+                text!("{name} a second time", name),
                 text!("every position once"),
             ));
         }
@@ -132,10 +132,7 @@ impl Positions<'_, '_, '_> {
                 .iter()
                 .any(|n| n.text.to_string().contains("of group"))
             {
-                let says = text!(
-                    "positions of group {number} are left as they are",
-                    number = number
-                );
+                let says = text!("positions of group {number} are left as they are", number);
                 self.program.notes.push(Remark {
                     at: begins,
                     text: says,
@@ -233,7 +230,7 @@ impl Positions<'_, '_, '_> {
         begins: usize,
     ) -> Result<Option<Target>, Problem> {
         if group.values.values().any(|v| matches!(v, Value::Nothing)) {
-            let says = text!("{name} was never taught", name = name);
+            let says = text!("{name} was never taught", name);
             self.program.at_run_time.push(Remark { at, text: says });
             return Ok(None);
         }
@@ -243,8 +240,8 @@ impl Positions<'_, '_, '_> {
                 let found = text!(
                     "{component} in {found} in {name}",
                     component = key.to_uppercase(),
-                    found = found,
-                    name = name
+                    found,
+                    name
                 );
                 Err(Problem::new(
                     number.range().start,
@@ -255,7 +252,7 @@ impl Positions<'_, '_, '_> {
             _ => {
                 let found = text!(
                     "{name} without {component}",
-                    name = name,
+                    name,
                     component = key.to_uppercase()
                 );
                 Err(Problem::new(
@@ -286,7 +283,7 @@ impl Positions<'_, '_, '_> {
                 let found = text!(
                     "{component} in {name}",
                     component = key.to_uppercase(),
-                    name = name
+                    name
                 );
                 return Err(Problem::new(
                     at,

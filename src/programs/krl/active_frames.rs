@@ -232,7 +232,7 @@ fn declare_aggregate(line: &Words, k: usize, equals: usize, program: &mut Progra
 
 fn pose_of(aggregate: &Aggregate, spelled: &str) -> Result<Pose, crate::text::Text> {
     let pose = aggregate.pose();
-    pose.ok_or_else(|| text!("{spelled} is not written out in numbers", spelled = spelled))
+    pose.ok_or_else(|| text!("{spelled} is not written out in numbers", spelled))
 }
 
 /// The numbers of base and tool by the names, in small letters, that are declared with them.
@@ -265,7 +265,7 @@ fn set_by_numbers(name: &str, numbers: &Numbers) -> Set {
     let of = |number: Option<f64>, table: &str, zero: Referred| {
         Some(match number {
             Some(number) => numbered(table, &number.to_string(), zero),
-            None => Referred::Unknown(text!("{name} has its numbers elsewhere", name = name)),
+            None => Referred::Unknown(text!("{name} has its numbers elsewhere", name)),
         })
     };
     [

@@ -73,7 +73,7 @@ impl Aggregate {
                 let found = text!(
                     "component {component} in {name}",
                     component = key.to_uppercase(),
-                    name = name
+                    name
                 );
                 let expected = text!("one of {names}", names = keys.join(", ").to_uppercase());
                 return Err(Problem::new(at, found, expected));
@@ -98,8 +98,8 @@ impl Aggregate {
                     let found = text!(
                         "{component} {value} in {name}",
                         component = key.to_uppercase(),
-                        value = value,
-                        name = name
+                        value,
+                        name
                     );
                     return Err(Problem::new(
                         number.range().start,

@@ -95,10 +95,7 @@ impl Lists<'_, '_, '_> {
         match tree.list() {
             Some([hold, frame, ..]) if tool => {
                 if !is(hold, "true") {
-                    return Err(text!(
-                        "{spelled} does not sit on the robot",
-                        spelled = spelled
-                    ));
+                    return Err(text!("{spelled} does not sit on the robot", spelled));
                 }
                 pose_of(frame)
             }
@@ -106,14 +103,14 @@ impl Lists<'_, '_, '_> {
                 if !is(hold, "false") || !is(fixed, "true") {
                     return Err(text!(
                         "{spelled} is moved by the robot or by another unit",
-                        spelled = spelled
+                        spelled
                     ));
                 }
                 pose_of(user).zip(pose_of(object)).map(|(u, o)| u * o)
             }
             _ => None,
         }
-        .ok_or_else(|| text!("{spelled} is not written out in numbers", spelled = spelled))
+        .ok_or_else(|| text!("{spelled} is not written out in numbers", spelled))
     }
 
     /// A target of a list; `None` where a part of it is worked out at run time. `pose`: what it has
@@ -141,7 +138,7 @@ impl Lists<'_, '_, '_> {
             )
         };
         if parts.len() != sizes.len() {
-            let found = text!(one "{count} part in {name}", "{count} parts in {name}", count = parts.len(), name = name);
+            let found = text!(one "{count} part in {name}", "{count} parts in {name}", count = parts.len(), name);
             return Err(Problem::new(*at, found, expected));
         }
         let mut numbers: Vec<Vec<Number>> = Vec::new();
@@ -149,7 +146,7 @@ impl Lists<'_, '_, '_> {
             let (elements, at) = match part {
                 Tree::List(elements, at) => (elements, *at),
                 Tree::Number(number) => {
-                    let found = text!("a number in {name}", name = name);
+                    let found = text!("a number in {name}", name);
                     return Err(Problem::new(number.range().start, found, expected));
                 }
                 Tree::Other(_) => return Ok(None),
@@ -158,12 +155,12 @@ impl Lists<'_, '_, '_> {
                 let found = text!(
                     one "{count} number in {name}", "{count} numbers in {name}",
                     count = elements.len(),
-                    name = name
+                    name
                 );
                 return Err(Problem::new(
                     at,
                     found,
-                    text!("{size}, as in {expected}", size = size, expected = expected),
+                    text!("{size}, as in {expected}", size, expected),
                 ));
             }
             let mut own = Vec::new();
@@ -171,12 +168,8 @@ impl Lists<'_, '_, '_> {
                 match element {
                     Tree::Number(number) => own.push(*number),
                     Tree::List(_, at) => {
-                        let expected = text!("a number, as in {expected}", expected = expected);
-                        return Err(Problem::new(
-                            *at,
-                            text!("a list in {name}", name = name),
-                            expected,
-                        ));
+                        let expected = text!("a number, as in {expected}", expected);
+                        return Err(Problem::new(*at, text!("a list in {name}", name), expected));
                     }
                     Tree::Other(_) => return Ok(None),
                 }
@@ -211,7 +204,7 @@ impl Lists<'_, '_, '_> {
                 let found = text!(
                     "{value} in the configuration of {name}",
                     value = number.value,
-                    name = name
+                    name
                 );
                 Err(Problem::new(
                     number.range().start,
@@ -227,7 +220,7 @@ impl Lists<'_, '_, '_> {
             orientation: Orientation::Quaternion,
         };
         if frame.goal().is_none() {
-            let found = text!("a quaternion of no length in {name}", name = name);
+            let found = text!("a quaternion of no length in {name}", name);
             return Err(Problem::new(
                 turn[0].range().start,
                 found,
@@ -304,7 +297,7 @@ fn external_axis<'n>(number: &'n Number, name: &str) -> Result<&'n Number, Probl
     if number.value.abs() < NOT_THERE {
         return Ok(number);
     }
-    let found = text!("{name} leaves an external axis out", name = name);
+    let found = text!("{name} leaves an external axis out", name);
     let expected = text!("its value: the model has that axis");
     Err(Problem::new(number.range().start, found, expected))
 }

@@ -80,7 +80,7 @@ fn foot(page: &mut Drawing, report: &Report, number: usize, of: usize, fonts: &F
         shown.push('…');
     }
     page.text(Label::new([LEFT, y], shown, 7.2, MUTED));
-    let number = text!("page {number} of {of}", number = number, of = of);
+    let number = text!("page {number} of {of}", number, of);
     let number = number.spoken_in(report.language);
     let label = Label::new([LEFT + FULL_WIDTH, y], number, 7.2, MUTED);
     page.text(label.anchored(Anchor::End));

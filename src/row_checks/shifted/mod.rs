@@ -184,12 +184,12 @@ impl BelievedPath {
             .unwrap_or(1);
         let cause = self.path.in_words();
         let what = if largest == 1 {
-            text!("rows shifted by one: {cause}", cause = cause)
+            text!("rows shifted by one: {cause}", cause)
         } else {
             text!(
                 "rows shifted by one (or up to {largest}): {cause}",
                 largest = largest.unsigned_abs(),
-                cause = cause
+                cause
             )
         };
         let proposal = if lost.is_empty() {

@@ -176,18 +176,10 @@ impl Path {
                     "all points belong to the command {count} rows above",
                     count = away
                 ),
-                (_, 1.., 1) => text!("one point missing at row {row}", row = row),
-                (_, 1.., _) => text!(
-                    "{count} points missing at row {row}",
-                    count = count,
-                    row = row
-                ),
-                (_, _, 1) => text!("one point too many at row {row}", row = row),
-                _ => text!(
-                    "{count} points too many at row {row}",
-                    count = count,
-                    row = row
-                ),
+                (_, 1.., 1) => text!("one point missing at row {row}", row),
+                (_, 1.., _) => text!("{count} points missing at row {row}", count, row),
+                (_, _, 1) => text!("one point too many at row {row}", row),
+                _ => text!("{count} points too many at row {row}", count, row),
             };
             before = *by;
         }

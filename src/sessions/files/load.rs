@@ -207,16 +207,12 @@ fn samples_file(
             return samples_from(bytes, None, &file, place, wanted, findings);
         }
         CompanionFile::Nothing => Err((
-            text!("samples in a file: {name}", name = name),
+            text!("samples in a file: {name}", name),
             text!("samples inside the document, as it was read without a folder"),
         )),
         CompanionFile::Folder(folder) => open::samples_path(folder, name).and_then(|path| {
-            let (file, length) = open::open_regular(&path).map_err(|(found, expected)| {
-                (
-                    text!("{found}: {name}", found = found, name = name),
-                    expected,
-                )
-            })?;
+            let (file, length) = open::open_regular(&path)
+                .map_err(|(found, expected)| (text!("{found}: {name}", found, name), expected))?;
             Ok((path, file, length))
         }),
     };
@@ -269,7 +265,7 @@ fn others_samples(found: &str, own: &str, file: &Place, named_at: &Place) -> Dia
     let found = text!(
         "the samples in {csv} are not those that this session was saved with: their sha256 is {found}…, \
          the session's {own}…",
-        csv = csv,
+        csv,
         found = &found[..12],
         own = &own[..12]
     );

@@ -321,7 +321,7 @@ fn problem(session: &Session, suspicion: &Suspicion, evidence: Text) -> DataProb
         Some(from) => (
             text!(
                 "{thing} is elsewhere from sample {sample} on",
-                thing = thing,
+                thing,
                 sample = from + 1
             ),
             text!(
@@ -329,7 +329,7 @@ fn problem(session: &Session, suspicion: &Suspicion, evidence: Text) -> DataProb
             ),
         ),
         None => (
-            text!("{thing} is not where the session states", thing = thing),
+            text!("{thing} is not where the session states", thing),
             text!("its place is fitted; measure it again, or leave it out of the session"),
         ),
     };

@@ -295,7 +295,7 @@ impl<'a> Shown<'a> {
             text!(
                 one "{what}, in {count} sample",
                 "{what}, in {count} samples",
-                what = what,
+                what,
                 count = rows.len()
             )
         } else if own.len() == rows.len() {
@@ -303,13 +303,13 @@ impl<'a> Shown<'a> {
         } else if own.last() == Some(&last.0) {
             text!(
                 "{what}, from sample {sample} on",
-                what = what,
+                what,
                 sample = first.0 + 1
             )
         } else {
             text!(
                 "{what}, from sample {sample} to {last}",
-                what = what,
+                what,
                 sample = first.0 + 1,
                 last = last.0 + 1
             )

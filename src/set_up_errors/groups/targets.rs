@@ -245,7 +245,7 @@ pub(super) fn problem(
     DataProblem {
         what: text!(
             "target {name} is elsewhere: {size} from its stated place in the tool",
-            name = name,
+            name,
             size = length(size, 3)
         ),
         evidence,

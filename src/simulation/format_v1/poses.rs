@@ -134,10 +134,7 @@ fn stop(fields: &mut Fields<'_>, node: &Node, path: &Path<'_>, robot: &Robot) ->
     )?;
     fields.unknown_keys(members, path, &["q_deg", "dir"]);
     let joints = robot.joints.len();
-    let expected = text!(
-        "an array of {joints} numbers, one for each joint",
-        joints = joints
-    );
+    let expected = text!("an array of {joints} numbers, one for each joint", joints);
     let mut each = |node: &Node, key: &str| match &node.value {
         Value::Numbers(values)
             if values.len() == joints && values.iter().all(|v| v.is_finite()) =>

@@ -116,7 +116,7 @@ fn wrong_dialect(names: &[String], file: &Place, findings: &mut Vec<Diagnostic>)
                     place,
                     text!(
                         "headings separated by {called}: {only}",
-                        called = called,
+                        called,
                         only = quoted(only)
                     ),
                     text!(

@@ -371,22 +371,22 @@ fn describe(
         Some(period) => text!(
             "a smooth correction over joint {joint} from {from} to {to} with {knots} knots, repeating every {period}",
             joint = joint + 1,
-            from = from,
-            to = to,
+            from,
+            to,
             knots = knots.count,
             period = format!("{:.4}{unit}", outer(period))
         ),
         None => text!(
             "a smooth correction over joint {joint} from {from} to {to} with {knots} knots",
             joint = joint + 1,
-            from = from,
-            to = to,
+            from,
+            to,
             knots = knots.count
         ),
     };
     let says = text!(
         "{curve}: {sizes}; cross-validated RMS error {change}; outside that range its end values are held and nothing is known; it has no name and no cause",
-        curve = curve,
+        curve,
         sizes = Text::listed(parts, ", "),
         change = lengths([held_out[0], held_out[1]], 4)
     );
@@ -395,7 +395,7 @@ fn describe(
     } else {
         text!(
             "{says}; what follows {others} stays",
-            says = says,
+            says,
             others = others.join(", ")
         )
     }

@@ -307,6 +307,6 @@ impl Family {
                 text!("{count} cycles per turn", count = format!("{order:.1}"))
             }
         };
-        text!("joint {joint} ({what})", joint = own, what = what)
+        text!("joint {joint} ({what})", joint = own, what)
     }
 }

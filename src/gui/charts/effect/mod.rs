@@ -202,7 +202,7 @@ fn drawn(scene: &Scene, curve: &EffectCurve) -> Chart {
     Chart {
         title: say!(
             "{component} residual without {effect}, and what it does",
-            component = component,
+            component,
             effect = what
         ),
         across: Axis::turning(
@@ -248,7 +248,7 @@ fn describe(scene: &Scene, curve: &EffectCurve) -> String {
         component = scene.component.name(),
         from = ends[0],
         to = ends[1],
-        before = before,
-        after = after
+        before,
+        after
     )
 }

@@ -262,11 +262,7 @@ impl ChartKind for Scatter {
         let [across, upwards] = drawn.names();
         Ok(Shown {
             chart: drawn.chart(extent),
-            name: say!(
-                "scatter, {upwards} over {across}",
-                upwards = upwards,
-                across = across
-            ),
+            name: say!("scatter, {upwards} over {across}", upwards, across),
             description: drawn.describe(extent),
             pointed: HoverTarget::Samples(Box::new(drawn)),
         })

@@ -186,7 +186,7 @@ fn renamed(document: &Document, region: usize, name: &str) -> Result<Document, S
     if document.regions.iter().enumerate().any(taken) {
         return Err(say!(
             "another region is called {name}; choose another name",
-            name = name
+            name
         ));
     }
     let mut regions = document.regions.to_vec();

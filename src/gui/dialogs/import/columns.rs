@@ -36,7 +36,7 @@ fn meanings(kind: Option<&Importer>, joints: usize) -> Vec<Meaning> {
         one("target", say!("reflector")),
     ]);
     for axis in ["x", "y", "z"] {
-        all.push(one(axis, &say!("{axis}, unit as chosen", axis = axis)));
+        all.push(one(axis, &say!("{axis}, unit as chosen", axis)));
         for unit in ["mm", "m", "in"] {
             all.push(one(&format!("{axis}_{unit}"), &format!("{axis}, {unit}")));
         }
@@ -44,26 +44,20 @@ fn meanings(kind: Option<&Importer>, joints: usize) -> Vec<Meaning> {
     for n in 1..=joints {
         for (unit, sign) in [("deg", "°"), ("rad", "rad"), ("mm", "mm")] {
             let word = format!("q{n}_{unit}");
-            all.push(one(
-                &word,
-                &say!("joint {n} commanded, {sign}", n = n, sign = sign),
-            ));
+            all.push(one(&word, &say!("joint {n} commanded, {sign}", n, sign)));
         }
     }
     for n in 1..=joints {
         for (unit, sign) in [("deg", "°"), ("rad", "rad"), ("mm", "mm")] {
             let word = format!("q{n}_read_{unit}");
-            all.push(one(
-                &word,
-                &say!("joint {n} read back, {sign}", n = n, sign = sign),
-            ));
+            all.push(one(&word, &say!("joint {n} read back, {sign}", n, sign)));
         }
     }
     for n in 1..=joints {
         let word = format!("dir{n}");
-        all.push(one(&word, &say!("side joint {n} came from", n = n)));
+        all.push(one(&word, &say!("side joint {n} came from", n)));
         let word = format!("speed{n}_deg_s");
-        all.push(one(&word, &say!("speed of joint {n}, °/s", n = n)));
+        all.push(one(&word, &say!("speed of joint {n}, °/s", n)));
     }
     all.extend([
         one("load_kg", say!("load, kg")),
@@ -73,10 +67,7 @@ fn meanings(kind: Option<&Importer>, joints: usize) -> Vec<Meaning> {
         one("use", say!("fit, held-out or excluded")),
     ]);
     for part in ["w", "x", "y", "z"] {
-        all.push(one(
-            &format!("q{part}"),
-            &say!("orientation {part}", part = part),
-        ));
+        all.push(one(&format!("q{part}"), &say!("orientation {part}", part)));
     }
     all
 }

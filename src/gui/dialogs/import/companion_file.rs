@@ -147,16 +147,12 @@ fn residuals(ui: &mut Ui, alignment: &Alignment) {
     let says = if left_out > 0 {
         say!(
             "{used} points fit with {rms} (root mean square), {left_out} excluded: measured or surveyed wrongly, or moved since",
-            used = used,
-            rms = rms,
-            left_out = left_out
+            used,
+            rms,
+            left_out
         )
     } else {
-        say!(
-            "{used} points fit with {rms} (root mean square)",
-            used = used,
-            rms = rms
-        )
+        say!("{used} points fit with {rms} (root mean square)", used, rms)
     };
     widgets::hint(ui, says);
     if (alignment.scale - 1.0).abs() > 0.0 {
@@ -260,7 +256,7 @@ pub(super) fn path(
         widgets::label(&field, label);
         changed = field.changed();
         let button = ui.button(say!("Choose…"));
-        widgets::label(&button, say!("Choose: {label}", label = label));
+        widgets::label(&button, say!("Choose: {label}", label));
         if button.clicked() {
             commands.push(Command::Ask(Asked::Beside(which)));
         }
@@ -278,12 +274,9 @@ pub(super) fn path(
     ui.horizontal_wrapped(|ui| {
         for path in now.neighbours.suiting(which) {
             let file = name_of(path);
-            let text = say!("Use {file} from the same folder", file = file);
+            let text = say!("Use {file} from the same folder", file);
             let link = ui.link(RichText::new(text).size(size::SMALL));
-            widgets::label(
-                &link,
-                say!("Use {file}: {label}", file = file, label = label),
-            );
+            widgets::label(&link, say!("Use {file}: {label}", file, label));
             if link.clicked() {
                 *typed = path.display().to_string();
                 changed = true;

@@ -9,10 +9,11 @@ use crate::gui::import_draft::{ImportAnswers, ImportDraft, in_the_sheets_words};
 use crate::gui::style::{Palette, size, space};
 use crate::gui::widgets;
 use crate::importers::{
-    About, AngleUnit, Decimal, IMPORTERS, Importer, LengthUnit, OwnOption, Question, Questions,
-    Separator,
+    About, AngleUnit, Decimal, EULER, IMPORTERS, Importer, LengthUnit, OwnOption, Question,
+    Questions, Reading, Separator,
 };
 use crate::language::spoken;
+use crate::text::stretch;
 
 /// The file in a line: rows, separator, encoding, unit.
 pub(super) fn found_out(now: &ImportDraft) -> String {
@@ -25,7 +26,7 @@ pub(super) fn found_out(now: &ImportDraft) -> String {
     );
     parts.extend(found.decimal.map(|d| spoken(d.name())));
     parts.push(match found.header_line {
-        Some(line) => say!("header in line {line}", line = line),
+        Some(line) => say!("header in line {line}", line),
         None => say!("no header").to_owned(),
     });
     parts.push(found.encoding.to_string());
@@ -34,6 +35,30 @@ pub(super) fn found_out(now: &ImportDraft) -> String {
     }
     parts.join(" · ")
 }
+
+/// With less room what stands in one row stands in two, points.
+const ONE_ROW: f32 = 660.0;
+
+/// Two answers with their names, side by side where there is room.
+fn two_in_a_row(
+    ui: &mut Ui,
+    (name, first): (&str, impl FnOnce(&mut Ui)),
+    (caption, second): (&str, impl FnOnce(&mut Ui)),
+) {
+    if ui.available_width() >= ONE_ROW * stretch() {
+        widgets::form_row(ui, name, |ui| {
+            first(ui);
+            widgets::caption(ui, caption);
+            second(ui);
+        });
+    } else {
+        widgets::form_row(ui, name, first);
+        widgets::form_row(ui, caption, second);
+    }
+}
+
+/// Width of the list of formats, points.
+const SOURCE: f32 = 430.0;
 
 /// The rows of the form.
 pub(super) fn show(ui: &mut Ui, now: &ImportDraft, next: &mut ImportAnswers) {
@@ -48,7 +73,8 @@ pub(super) fn show(ui: &mut Ui, now: &ImportDraft, next: &mut ImportAnswers) {
     let asks = kind.map_or(Questions::TABLE, |importer| importer.asks);
     widgets::form_row(ui, say!("Source"), |ui| {
         let title = |importer: &Importer| spoken(importer.title);
-        let list = ComboBox::from_id_salt("what wrote it").width(430.0);
+        let width = SOURCE.min(ui.available_width());
+        let list = ComboBox::from_id_salt("what wrote it").width(width);
         let list = list.selected_text(kind.map_or_else(String::new, title));
         let offered = IMPORTERS.iter().map(|one| (Some(*one), title(one)));
         let chosen = widgets::list(ui, say!("What wrote the file"), list, offered, kind);
@@ -65,13 +91,22 @@ pub(super) fn show(ui: &mut Ui, now: &ImportDraft, next: &mut ImportAnswers) {
             (Some(Separator::Spaces), say!("spaces")),
         ];
         let separator = reading.separator.or(found.separator);
-        widgets::form_row(ui, say!("Separated by"), |ui| {
-            if let Some(chosen) = widgets::segmented(ui, &separators, separator) {
-                reading.separator = chosen;
-            }
-            widgets::caption(ui, say!("header"));
-            header(ui, found.header_line, &mut reading.header);
-        });
+        let Reading {
+            separator: said,
+            header: line,
+            ..
+        } = &mut *reading;
+        two_in_a_row(
+            ui,
+            (say!("Separated by"), |ui: &mut Ui| {
+                if let Some(chosen) = widgets::segmented(ui, &separators, separator) {
+                    *said = chosen;
+                }
+            }),
+            (say!("header"), |ui: &mut Ui| {
+                header(ui, found.header_line, line);
+            }),
+        );
     }
     let decimal = reading.decimal.or(found.decimal);
     let signs = [(Some(Decimal::Point), "1.5"), (Some(Decimal::Comma), "1,5")];
@@ -80,13 +115,22 @@ pub(super) fn show(ui: &mut Ui, now: &ImportDraft, next: &mut ImportAnswers) {
         (Some(AngleUnit::Degrees), say!("degrees")),
         (Some(AngleUnit::Radians), say!("radians")),
     ];
-    widgets::form_row(ui, say!("Decimal sign"), |ui| {
-        if let Some(chosen) = widgets::segmented(ui, &signs, decimal) {
-            reading.decimal = chosen;
-        }
-        widgets::caption(ui, say!("angles in"));
-        widgets::choice(ui, &units, &mut reading.angle_unit);
-    });
+    let Reading {
+        decimal: said,
+        angle_unit,
+        ..
+    } = &mut *reading;
+    two_in_a_row(
+        ui,
+        (say!("Decimal sign"), |ui: &mut Ui| {
+            if let Some(chosen) = widgets::segmented(ui, &signs, decimal) {
+                *said = chosen;
+            }
+        }),
+        (say!("angles in"), |ui: &mut Ui| {
+            widgets::choice(ui, &units, angle_unit);
+        }),
+    );
     let units = [
         (None, say!("as the file says")),
         (Some(LengthUnit::Millimetres), "mm"),
@@ -110,7 +154,18 @@ pub(super) fn show(ui: &mut Ui, now: &ImportDraft, next: &mut ImportAnswers) {
             reading.joint = usize::try_from(joint).map_or(0, |joint| joint.saturating_sub(1));
         }
     }
-    let own = kind.map_or(&[][..], |importer| importer.options);
+    own_options(ui, kind, reading);
+}
+
+/// So many options of a format are shown at once.
+const FEW_OPTIONS: usize = 2;
+
+/// What only this format can be told.
+fn own_options(ui: &mut Ui, kind: Option<&Importer>, reading: &mut Reading) {
+    let own = kind.map_or(&[][..], |importer| importer.options).iter();
+    // Where there are such angles they are asked about.
+    let own = own.filter(|option| option.name != EULER || reading.options.contains_key(EULER));
+    let own: Vec<&OwnOption> = own.collect();
     // Of several few are needed: below them the columns, which always are, would be out of sight.
     if own.len() > FEW_OPTIONS {
         widgets::folded(
@@ -129,9 +184,6 @@ pub(super) fn show(ui: &mut Ui, now: &ImportDraft, next: &mut ImportAnswers) {
         }
     }
 }
-
-/// So many options of a format are shown at once.
-const FEW_OPTIONS: usize = 2;
 
 /// An option that only this format has.
 fn own_option(ui: &mut Ui, option: &OwnOption, given: &mut BTreeMap<&'static str, String>) {
@@ -241,7 +293,7 @@ fn ask(ui: &mut Ui, question: &Question, next: &mut ImportAnswers) {
     }
     ui.horizontal_wrapped(|ui| {
         for answer in &question.answers {
-            if ui.button(say!("It is {answer}", answer = answer)).clicked() {
+            if ui.button(say!("It is {answer}", answer)).clicked() {
                 answered(next, question.about, answer);
             }
         }

@@ -10,15 +10,14 @@ use std::sync::Arc;
 
 use egui::text::LayoutJob;
 use egui::{
-    Align, ComboBox, DragValue, FontId, Layout, ProgressBar, RadioButton, RichText, ScrollArea,
-    TextEdit, Ui, vec2,
+    Align, DragValue, FontId, Key, Layout, ProgressBar, RadioButton, Response, RichText,
+    ScrollArea, TextEdit, Ui, vec2,
 };
 
 use crate::diagnostic::Severity;
 use crate::kinematics::{JointKind, Robot};
 use crate::language;
 use crate::present::units::Units;
-use crate::robots::library;
 use crate::text::{length, spoken};
 
 use crate::gui::core::disk::{EXAMPLES, name_of};
@@ -32,11 +31,13 @@ use crate::gui::views::blocks;
 use crate::gui::widgets;
 use crate::gui::workbench::{Command, Task, Workbench};
 
+use super::robots::{self, Robot as ListedRobot};
+
 /// Width of the sheet, points.
 const WIDTH: f32 = 780.0;
 /// What stands around the part that scrolls, points.
 const AROUND: f32 = 228.0;
-/// Width of the list of robots, points.
+/// Width of the field in which a robot is looked for, points.
 const LIST: f32 = 300.0;
 /// Two lines of what is in the way, points.
 const FOOT: f32 = 34.0;
@@ -50,7 +51,7 @@ pub(super) fn show(
     let window = ui.ctx().content_rect();
     ui.set_width(WIDTH.min(window.width() - 80.0));
     let name = name_of(&now.path);
-    widgets::heading(ui, &say!("Import {name}", name = name));
+    widgets::heading(ui, &say!("Import {name}", name));
     widgets::hint(ui, file::found_out(now));
     let mut next = now.answers.clone();
     let height = (window.height() - AROUND).max(200.0);
@@ -63,19 +64,24 @@ pub(super) fn show(
         file::show(ui, now, &mut next);
         columns::show(ui, now, &mut next, commands);
         file::questions(ui, now, &mut next);
-        findings(ui, now);
-        robot(ui, workbench, now, &mut next, commands);
+        let mut reason_in_sight = findings(ui, now);
+        reason_in_sight |= robot(ui, workbench, now, &mut next, commands);
         companion_file::commanded(ui, now, &mut next, commands);
         companion_file::order_of_rows(ui, &mut next);
         companion_file::base_frame(ui, now, &mut next, commands);
         let open = &workbench.loaded_session().session.targets;
         companion_file::reflectors(ui, open, now, &mut next, commands);
-        result(ui, now, workbench.units());
+        reason_in_sight |= result(ui, now, workbench.units());
         widgets::focus_in_sight(ui);
-        ui.max_rect().width()
+        (ui.max_rect().width(), reason_in_sight)
     });
+    let (width, reason_in_sight) = scrolled.inner;
     let missing = if next == now.answers {
-        now.missing()
+        // The reason too, unless it can be read above.
+        now.hindrance().map(|(says, reason)| match reason {
+            Some(reason) if !reason_in_sight => format!("{says}: {reason}"),
+            _ => says.to_owned(),
+        })
     } else {
         Some(spoken(LOOKING).to_owned())
     };
@@ -87,7 +93,7 @@ pub(super) fn show(
     });
     // They end where what is above them ends.
     let pressed = ui.scope(|ui| {
-        ui.set_max_width(scrolled.inner);
+        ui.set_max_width(width);
         widgets::sheet_buttons_without_enter(ui, say!("Import"), missing.is_none(), commands)
     });
     if pressed.inner {
@@ -138,34 +144,42 @@ fn looking(ui: &mut Ui, running: &Running, commands: &mut Vec<Command>) {
     widgets::look_again_soon(ui);
 }
 
-/// What is wrong with the file, and what to know about it.
-fn findings(ui: &mut Ui, now: &ImportDraft) {
+/// What is wrong with the file, and what to know about it. Whether an error can be read where it stands.
+fn findings(ui: &mut Ui, now: &ImportDraft) -> bool {
+    let mut error_in_sight = false;
     for finding in now.seen.inspection.findings.iter().take(8) {
-        line(
-            ui,
-            finding.severity,
-            &in_the_sheets_words(&language::finding(finding)),
-        );
+        let says = in_the_sheets_words(&language::finding(finding));
+        let shown = line(ui, finding.severity, &says);
+        error_in_sight |= finding.severity == Severity::Error && in_sight(ui, &shown);
     }
+    error_in_sight
+}
+
+/// Whether all of it is within what scrolls.
+fn in_sight(ui: &Ui, shown: &Response) -> bool {
+    ui.clip_rect().contains_rect(shown.rect)
 }
 
 /// Lines of the result that are shown.
 const MOST: usize = 8;
 
-/// What the import would bring or why it is refused, once there is nothing left to ask.
-fn result(ui: &mut Ui, now: &ImportDraft, units: Units) {
+/// What the import would bring or why it is refused, once there is nothing left to ask. Whether the reason of a refusal
+/// can be read where it stands.
+fn result(ui: &mut Ui, now: &ImportDraft, units: Units) -> bool {
     // As high as it ever was for this file: the fields above keep their place while it changes.
     let id = ui.scope_id().with(("highest result", &now.path));
     let highest: f32 = ui.data_mut(|data| data.get_temp(id)).unwrap_or_default();
     let shown = ui.scope(|ui| {
         ui.set_min_height(highest);
-        contents(ui, now, units);
+        contents(ui, now, units)
     });
     let height = shown.response.rect.height().max(highest);
     ui.data_mut(|data| data.insert_temp(id, height));
+    shown.inner
 }
 
-fn contents(ui: &mut Ui, now: &ImportDraft, units: Units) {
+fn contents(ui: &mut Ui, now: &ImportDraft, units: Units) -> bool {
+    let mut reason_in_sight = false;
     match &now.seen.trial {
         None => {}
         Some(Ok(trial)) => {
@@ -175,10 +189,12 @@ fn contents(ui: &mut Ui, now: &ImportDraft, units: Units) {
         Some(Err(because)) => {
             widgets::section(ui, say!("To fix"));
             for says in because {
-                line(ui, Severity::Error, says);
+                let shown = line(ui, Severity::Error, says);
+                reason_in_sight |= in_sight(ui, &shown);
             }
         }
     }
+    reason_in_sight
 }
 
 fn brings(ui: &mut Ui, trial: &Trial, units: Units) {
@@ -191,14 +207,14 @@ fn brings(ui: &mut Ui, trial: &Trial, units: Units) {
     }
 }
 
-/// Whose robot was measured.
+/// Whose robot was measured. Whether what is wrong with it can be read where it stands.
 fn robot(
     ui: &mut Ui,
     workbench: &Workbench,
     now: &ImportDraft,
     next: &mut ImportAnswers,
     commands: &mut Vec<Command>,
-) {
+) -> bool {
     widgets::section(ui, say!("Robot model"));
     let here = &workbench.loaded_session().session.robot;
     let is = |robot: &RobotFrom, other: &RobotFrom| {
@@ -260,43 +276,77 @@ fn robot(
     if let RobotFrom::Typed(typed) = &mut next.robot {
         axis(ui, typed);
     }
+    let mut error_in_sight = false;
     match &now.seen.robot {
         None => {}
         Some(Ok(robot)) => widgets::hint(ui, in_words(robot)),
         Some(Err(because)) => {
-            for line in because {
-                widgets::wrong(ui, line);
+            for says in because {
+                let shown = line(ui, Severity::Error, says);
+                error_in_sight |= in_sight(ui, &shown);
             }
         }
     }
+    error_in_sight
 }
 
-/// One of the library, or one's own.
+/// So many robots are offered for what was typed.
+const OFFERED: usize = 8;
+
+/// What was typed to find a robot, and which one had been chosen by it.
+#[derive(Clone, Default)]
+struct RobotSearch {
+    text: String,
+    chosen: Option<String>,
+}
+
+/// One of the library, or one's own, found by typing.
 fn listed(ui: &mut Ui, workbench: &Workbench, next: &mut ImportAnswers) {
-    let own = workbench.typed_robots().iter();
-    let own = own.filter_map(|table| Some((table.name.clone(), table.robot().ok()?)));
-    let own: Vec<(String, Robot)> = own.collect();
-    let of_library = library().iter().map(|robot| (robot.title(), &robot.robot));
-    let all = own.iter().map(|(title, robot)| (title.clone(), robot));
-    let all: Vec<(String, &Robot)> = all.chain(of_library).collect();
     let chosen = match &next.robot {
-        RobotFrom::Listed(title, _) => all.iter().position(|(other, _)| other == title),
+        RobotFrom::Listed(title, _) => Some(title.clone()),
         _ => None,
     };
-    ui.horizontal(|ui| {
-        // Which one is chosen in the list: a press here would have to guess it.
+    let id = ui.scope_id().with("robot that was looked for");
+    let mut search: RobotSearch = ui.data(|data| data.get_temp(id)).unwrap_or_default();
+    if chosen != search.chosen {
+        search.text = chosen.clone().unwrap_or_default();
+        search.chosen.clone_from(&chosen);
+    }
+    let field = ui.horizontal(|ui| {
+        // Which one is chosen by typing: a press here would have to guess it.
         let radio = RadioButton::new(chosen.is_some(), say!("one of the library"));
         ui.add_enabled(chosen.is_some(), radio);
-        let list = ComboBox::from_id_salt("robot of the library").width(LIST);
-        let says = chosen.map_or(say!("Choose…"), |k| &all[k].0);
-        let list = list.selected_text(says);
-        let offered = all.iter().enumerate();
-        let offered = offered.map(|(k, (title, _))| (Some(k), title));
-        let pressed = widgets::list(ui, say!("Robot of the library"), list, offered, chosen);
-        if let Some(Some(k)) = pressed {
-            next.robot = RobotFrom::Listed(all[k].0.clone(), Box::new(all[k].1.clone()));
-        }
+        let field = TextEdit::singleline(&mut search.text).hint_text(robots::examples());
+        let field = ui.add(field.desired_width(LIST));
+        widgets::label(&field, say!("Find a robot"));
+        field
     });
+    let field = field.inner;
+    if field.gained_focus() {
+        widgets::select_all(ui, field.id, &search.text);
+    }
+    if !search.text.trim().is_empty() && chosen.as_ref() != Some(&search.text) {
+        let found = ListedRobot::found(workbench.typed_robots(), &search.text);
+        let entered = field.lost_focus() && ui.input(|i| i.key_pressed(Key::Enter));
+        let mut taken = found.first().copied().filter(|_| entered);
+        ui.horizontal_wrapped(|ui| {
+            for robot in found.iter().take(OFFERED) {
+                if ui.small_button(robot.title()).clicked() {
+                    taken = Some(*robot);
+                }
+            }
+            match found.len().checked_sub(OFFERED) {
+                _ if found.is_empty() => widgets::hint(ui, say!("No robot has this name")),
+                Some(more @ 1..) => widgets::hint(ui, say!("and {more} more", more)),
+                _ => {}
+            }
+        });
+        if let Some((robot, title)) = taken.and_then(|taken| Some((taken.robot()?, taken.title())))
+        {
+            next.robot = RobotFrom::Listed(title, Box::new(robot));
+        }
+    }
+    ui.data_mut(|data| data.insert_temp(id, search));
 }
 
 /// One axis that turns: its name, where it stands, where the tool is, how far it goes.
@@ -354,29 +404,25 @@ fn in_words(robot: &Robot) -> String {
     let joints = match (count, turns) {
         (1, 1) => say!("one joint that turns").to_owned(),
         (1, 0) => say!("one joint that slides").to_owned(),
-        (count, turns) => say!(
-            "{count} joints, {turns} of which turn",
-            count = count,
-            turns = turns
-        ),
+        (count, turns) => say!("{count} joints, {turns} of which turn", count, turns),
     };
     let reach = robot.base_from_tool.translation.vector.norm();
     say!(
         "{robot}: {joints}, tool {reach} from the base",
         robot = robot.name,
-        joints = joints,
+        joints,
         reach = language::spoken(length(reach, 0))
     )
 }
 
 /// A finding as a line; its kind is a word as well as a colour.
-fn line(ui: &mut Ui, severity: Severity, says: &str) {
+fn line(ui: &mut Ui, severity: Severity, says: &str) -> Response {
     let palette = Palette::of(ui);
     let (text, color) = match severity {
         Severity::Note => (says.to_owned(), palette.muted),
-        Severity::Warning => (say!("Warning: {says}", says = says), palette.warning),
-        Severity::Error => (say!("Error: {says}", says = says), palette.outside),
+        Severity::Warning => (say!("Warning: {says}", says), palette.warning),
+        Severity::Error => (say!("Error: {says}", says), palette.outside),
     };
     let text = RichText::new(text);
-    ui.add(egui::Label::new(text.size(size::SMALL).color(color)).wrap());
+    ui.add(egui::Label::new(text.size(size::SMALL).color(color)).wrap())
 }

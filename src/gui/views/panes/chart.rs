@@ -362,7 +362,7 @@ fn signs(ui: &mut Ui, (place, kind): (Place<'_>, &dyn ChartKind), commands: &mut
     let before = commands.len();
     picture(ui, Plot::Chart(about.id), commands);
     let plot = Plot::Chart(about.id).title();
-    let says = say!("Save data of the {plot}…", plot = plot);
+    let says = say!("Save data of the {plot}…", plot);
     if widgets::data_button(ui, &says).clicked() {
         commands.push(Command::Ask(Asked::WhereToExport(What::Numbers(about.id))));
     }

@@ -235,9 +235,9 @@ fn pulled(
             let name = first(&part.tile).map(|pane| name_of(workbench, pane));
             let name = name.unwrap_or_default();
             let says = if side_by_side {
-                say!("width of {name}", name = name)
+                say!("width of {name}", name)
             } else {
-                say!("height of {name}", name = name)
+                say!("height of {name}", name)
             };
             let id = Id::unique("between panes").with((&*way, k));
             let Some(gripped) = widgets::grip_between(ui, id, &says, gap, side_by_side) else {

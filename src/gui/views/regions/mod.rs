@@ -44,7 +44,7 @@ fn state(workbench: &Workbench) -> (String, Progress) {
     let caption = if used {
         regions
     } else {
-        say!("optional, {regions}", regions = regions)
+        say!("optional, {regions}", regions)
     };
     (caption, Progress::of(used))
 }
@@ -182,14 +182,14 @@ fn left_out(ui: &mut Ui, workbench: &Workbench, counts: &[Count]) {
         let gap = format!("{} … {}", units.angle(*from), units.angle(*to));
         let more = match gaps.len() {
             1 => gap,
-            n => say!("{gap} and {n} more", gap = gap, n = n - 1),
+            n => say!("{gap} and {n} more", gap, n = n - 1),
         };
         let says = match outside {
-            0 => say!("{more}: in no region, and no sample is there", more = more),
+            0 => say!("{more}: in no region, and no sample is there", more),
             n => say!(
                 one "{more}: in no region; {count} sample there gets no correction",
                 "{more}: in no region; {count} samples there get no correction",
-                more = more,
+                more,
                 count = n
             ),
         };
@@ -206,6 +206,9 @@ fn left_out(ui: &mut Ui, workbench: &Workbench, counts: &[Count]) {
     }
 }
 
+/// Height of a window that has room for more than the button, points.
+const ROOMY: f32 = 480.0;
+
 fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let document = workbench.document();
     let regional = document.identified && document.method == Method::Regional;
@@ -214,11 +217,17 @@ fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         && !loaded_session.is_empty()
         && !document.regions.is_empty();
     if possible && !regional {
-        widgets::hint(
-            ui,
-            say!("Optional: fills the next step, Identify, region by region"),
-        );
-        if widgets::primary(ui, say!("Identify by region")).clicked() {
+        let says = say!("Optional: fills the next step, Identify, region by region");
+        // In a low window the regions need the room.
+        let roomy = ui.ctx().content_rect().height() >= ROOMY;
+        if roomy {
+            widgets::hint(ui, says);
+        }
+        let mut identify = widgets::primary(ui, say!("Identify by region"));
+        if !roomy {
+            identify = identify.on_hover_text(says);
+        }
+        if identify.clicked() {
             commands.push(Command::Edit(Edit::IdentifyBy(Method::Regional)));
         }
         return;

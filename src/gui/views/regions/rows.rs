@@ -75,8 +75,8 @@ fn head(ui: &mut Ui, columns: [f32; 5], units: Units) {
     let unit = units.angle_name().trim();
     let names = [
         say!("name").to_owned(),
-        say!("from, {unit}", unit = unit),
-        say!("to, {unit}", unit = unit),
+        say!("from, {unit}", unit),
+        say!("to, {unit}", unit),
         say!("samples").to_owned(),
     ];
     ui.horizontal(|ui| {
@@ -142,7 +142,7 @@ fn name(ui: &mut Ui, region: usize, name: &str, commands: &mut Vec<Command>) {
         .align(egui::Align2::LEFT_CENTER)
         .clip_text(true);
     let field = ui.add_sized([COLUMNS[0], HEIGHT], edit);
-    widgets::label(&field, say!("Name of region {name}", name = name));
+    widgets::label(&field, say!("Name of region {name}", name));
     let field = field.on_hover_text(name);
     let escaped = ui.input(|i| i.key_pressed(Key::Escape));
     if field.has_focus() {
@@ -300,14 +300,14 @@ fn problem(ui: &mut Ui, workbench: &Workbench, region: &Region, k: usize, end: E
             End::From => say!(
                 "Region {region}, from: {says}. Until then it stays at {stays}",
                 region = region.name,
-                says = says,
-                stays = stays
+                says,
+                stays
             ),
             End::To => say!(
                 "Region {region}, to: {says}. Until then it stays at {stays}",
                 region = region.name,
-                says = says,
-                stays = stays
+                says,
+                stays
             ),
         },
     );

@@ -76,7 +76,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, polar: &Polar, commands: 
         let says = say!(
             "polar view, {component}, {samples} samples, {polar}",
             component = name,
-            samples = samples,
+            samples,
             polar = scale(polar, workbench.units())
         );
         WidgetInfo::labeled(Role::Figure, true, says)
@@ -161,10 +161,7 @@ pub(crate) fn sheet(workbench: &Workbench) -> Result<(drawing::Drawing, String),
     };
     let scene = scene(workbench, &polar, camera.points_per_mm());
     let session = crate::report::document::clean(&workbench.loaded_session().session.name);
-    let says = say!(
-        "{session}: the deviation around the angle",
-        session = session
-    );
+    let says = say!("{session}: the deviation around the angle", session);
     Ok((sheet.with(&scene, &camera), says))
 }
 

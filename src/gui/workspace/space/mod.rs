@@ -102,15 +102,11 @@ fn describe(response: &egui::Response, workbench: &Workbench) {
     let name = match view.selected {
         Some(sample) => say!(
             "3-D view, {samples} samples, {camera}, sample {sample} selected",
-            samples = samples,
-            camera = camera,
+            samples,
+            camera,
             sample = sample + 1
         ),
-        None => say!(
-            "3-D view, {samples} samples, {camera}",
-            samples = samples,
-            camera = camera
-        ),
+        None => say!("3-D view, {samples} samples, {camera}", samples, camera),
     };
     response.widget_info(|| WidgetInfo::labeled(Role::Figure, true, name.clone()));
     let how =
@@ -151,18 +147,18 @@ pub(crate) fn sheet(workbench: &Workbench) -> Result<(Drawing, String), String> 
     let title = if shown.look.answered {
         say!(
             "{session}: {samples} samples, {camera}, deviations after magnified {magnified} times",
-            session = session,
-            samples = samples,
-            camera = camera,
-            magnified = magnified
+            session,
+            samples,
+            camera,
+            magnified
         )
     } else {
         say!(
             "{session}: {samples} samples, {camera}, deviations before magnified {magnified} times",
-            session = session,
-            samples = samples,
-            camera = camera,
-            magnified = magnified
+            session,
+            samples,
+            camera,
+            magnified
         )
     };
     let sheet = Sheet {

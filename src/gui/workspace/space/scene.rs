@@ -134,11 +134,7 @@ fn side_of_squares(scene: &mut Scene, workbench: &Workbench, shown: &Shown, spac
         units.length_value(square_mm(&space.ball, units.length_value(1.0))),
         3,
     );
-    let says = say!(
-        "grid {square} {unit}",
-        square = square,
-        unit = units.length_name()
-    );
+    let says = say!("grid {square} {unit}", square, unit = units.length_name());
     let camera = &space.camera;
     let corner = camera
         .transform()

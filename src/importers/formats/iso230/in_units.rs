@@ -58,11 +58,7 @@ pub(super) fn units_of(
             (text!("a length for a joint that turns"), text!("an angle"))
         };
         context.refuse(
-            text!(
-                "{index}: {kind}",
-                index = quoted(&headings[index]),
-                kind = kind
-            ),
+            text!("{index}: {kind}", index = quoted(&headings[index]), kind),
             expected,
         );
         return None;

@@ -96,7 +96,7 @@ pub(super) fn parts(
         let names: Vec<String> = headings.iter().map(|heading| quoted(heading)).collect();
         let says = text!(
             "{targets} columns of targets and {wide} of positions among {names}",
-            targets = targets,
+            targets,
             wide = long + wide,
             names = names.join(", ")
         );

@@ -52,7 +52,7 @@ impl<'a> Cdr<'a> {
             let length = self.body.len() + 4;
             text!(
                 "a message that ends within a field (it has {length} bytes)",
-                length = length
+                length
             )
         })?;
         self.at += length;
@@ -92,7 +92,7 @@ impl<'a> Cdr<'a> {
             return Err(text!(
                 "{elements} elements in the {left} bytes that are left",
                 elements = count,
-                left = left
+                left
             ));
         }
         Ok(count)

@@ -236,7 +236,7 @@ impl Reader {
                 let Some(&channel) = self.numbers.get(&number) else {
                     let found = text!(
                         "a message of channel {number}, which nothing announces",
-                        number = number
+                        number
                     );
                     return Err(Broken::new(
                         byte,
@@ -324,7 +324,7 @@ fn unpacked(content: &[u8], byte: usize) -> Result<Vec<u8>, Broken> {
     };
     let length = header.uncompressed_size;
     if length > LONGEST_CHUNK {
-        let found = text!("a chunk of {length} bytes", length = length);
+        let found = text!("a chunk of {length} bytes", length);
         return Err(Broken::new(
             byte,
             found,
@@ -339,19 +339,19 @@ fn unpacked(content: &[u8], byte: usize) -> Result<Vec<u8>, Broken> {
             Err(error) => Err(error.to_string()),
         },
         other => {
-            let found = text!("a chunk with the compression '{other}'", other = other);
+            let found = text!("a chunk with the compression '{other}'", other);
             return Err(Broken::new(byte, found, phrase!("none, lz4 or zstd")));
         }
     };
     let records = records.map_err(|error| {
-        let found = text!("a chunk that cannot be unpacked ({error})", error = error);
+        let found = text!("a chunk that cannot be unpacked ({error})", error);
         Broken::new(byte, found, phrase!("a chunk as it was recorded"))
     })?;
     if records.len() as u64 != length {
         let found = text!(
             "a chunk of {records} bytes that states {length}",
             records = records.len(),
-            length = length
+            length
         );
         return Err(Broken::new(
             byte,

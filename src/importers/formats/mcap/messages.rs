@@ -82,7 +82,7 @@ pub(super) fn read(type_: Type, encoding: &str, data: &[u8]) -> Result<Content, 
         "json" => from_json(type_, data),
         other => Err(text!(
             "messages encoded as '{other}', not as cdr or json",
-            other = other
+            other
         )),
     }
 }
@@ -144,8 +144,8 @@ fn joints(header: Header, names: Vec<String>, values: Vec<f64>) -> Result<Conten
         let (names, values) = (names.len(), values.len());
         return Err(text!(
             "{names} names and {values} positions of joints",
-            names = names,
-            values = values
+            names,
+            values
         ));
     }
     Ok(Content::Joints(Joints {

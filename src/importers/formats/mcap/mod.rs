@@ -134,7 +134,7 @@ fn gathered(context: &mut ReadContext<'_>) -> Option<Topics> {
         );
         let place = context.place.clone();
         if broken.is_cut && topics.messages() > 0 {
-            let found = text!("{found}; everything before it is read", found = found);
+            let found = text!("{found}; everything before it is read", found);
             let diagnostic = Diagnostic::warning(place, found, broken.expected);
             context.found.findings.push(diagnostic);
         } else {

@@ -66,7 +66,7 @@ pub(super) fn path(context: &mut ReadContext<'_>, topic: &Topic) -> Option<Path>
         let found = text!(
             one "{count} of {all} joint states is excluded: a joint has no value there", "{count} of {all} joint states are left out: a joint has no value there",
             count = all - rows.len(),
-            all = all
+            all
         );
         context.warn(found, Text::default());
     }
@@ -109,14 +109,10 @@ fn joints_of(context: &mut ReadContext<'_>, topic: &Topic) -> Option<Vec<String>
             None => return Some(names),
         };
         context.refuse(
-            text!(
-                "--{joint_names}: {found}",
-                joint_names = JOINT_NAMES,
-                found = found
-            ),
+            text!("--{joint_names}: {found}", joint_names = JOINT_NAMES, found),
             text!(
                 "as many names as the robot has joints, of {recorded}",
-                recorded = recorded
+                recorded
             ),
         );
         return None;
@@ -132,7 +128,7 @@ fn joints_of(context: &mut ReadContext<'_>, topic: &Topic) -> Option<Vec<String>
     }
     let says = text!(
         "the recorded joints ({recorded}) are not called like the robot's ({robot}), and their order in a message is not the order of the robot",
-        recorded = recorded,
+        recorded,
         robot = robot.join(", ")
     );
     let answer = topic.joint_names.join(",");

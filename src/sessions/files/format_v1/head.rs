@@ -275,10 +275,7 @@ fn region(o: &mut Object<'_, '_>, own: &mut Region) {
     if o.has_read_well() && own.from_rad >= own.to_rad {
         let (from, to) = (degrees(own.from_rad), degrees(own.to_rad));
         let expected = text!("a region from the smaller to the larger value");
-        o.error(
-            text!("a region from {from} to {to}", from = from, to = to),
-            expected,
-        );
+        o.error(text!("a region from {from} to {to}", from, to), expected);
     }
 }
 

@@ -87,7 +87,7 @@ pub(crate) fn read(
                 let found = text!(one "{count} value", "{count} values", count = cells.len());
                 let expected = text!(
                     "{rows} values, as in '{columns}'",
-                    rows = rows,
+                    rows,
                     columns = &columns[0].0
                 );
                 fields.error(*at, &path.key(name), found, expected);

@@ -104,7 +104,7 @@ const GRAVITY: Kind<Vector3<f64>> = Kind {
         let size = gravity.norm();
         if size != 0.0 && !(9.0..=10.5).contains(&size) {
             let place = at.fields.place(at.node.at, at.path);
-            let found = text!("gravity of {size} m/s²", size = size);
+            let found = text!("gravity of {size} m/s²", size);
             let warning = Diagnostic::warning(place, found, text!("about 9.81 m/s²"));
             at.fields.findings.push(warning);
         }

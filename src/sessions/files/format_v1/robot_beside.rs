@@ -36,7 +36,7 @@ pub(super) fn with(o: &mut Object<'_, '_>, robot: &mut Robot, source: &str) {
         &mut robot.joints,
         text!(
             "an array with one pair of limits for each of {joints} joints",
-            joints = joints
+            joints
         ),
         |joint, at| {
             if at.node.value == Value::Null {
@@ -53,7 +53,7 @@ pub(super) fn with(o: &mut Object<'_, '_>, robot: &mut Robot, source: &str) {
         &mut robot.joints,
         text!(
             "an array with one mass, or null, for each of {joints} joints",
-            joints = joints
+            joints
         ),
         |joint, at| {
             joint.link = None;
@@ -139,7 +139,7 @@ const MASS_KG: Kind<f64> = Kind {
     read: |at| {
         let kg = (NUMBER.read)(at)?;
         if kg < 0.0 {
-            return at.error(text!("{kg} kg", kg = kg), text!("a mass of 0 kg or more"));
+            return at.error(text!("{kg} kg", kg), text!("a mass of 0 kg or more"));
         }
         Some(kg)
     },

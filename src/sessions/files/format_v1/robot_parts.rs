@@ -31,7 +31,7 @@ pub(super) const ENDS: Kind<[f64; 2]> = Kind {
     read: |at| {
         let [from, to] = at.numbers::<2>()?;
         if from >= to {
-            let found = text!("limits from {from} to {to}", from = from, to = to);
+            let found = text!("limits from {from} to {to}", from, to);
             return at.error(found, text!("limits from the smaller to the larger value"));
         }
         Some([from, to])

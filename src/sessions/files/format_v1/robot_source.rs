@@ -130,8 +130,8 @@ pub(super) fn source(o: &mut Object<'_, '_>, robot: &mut Robot) {
             RobotSource::Links(frames) => frames.len(),
         };
         if count != joints && joints > 0 {
-            let found = text!("a source of {count} joints", count = count);
-            return at.error(found, text!("one of {joints} joints", joints = joints));
+            let found = text!("a source of {count} joints", count);
+            return at.error(found, text!("one of {joints} joints", joints));
         }
         Some(source)
     };

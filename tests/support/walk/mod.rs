@@ -1,9 +1,11 @@
 //! Thousands of commands at random, of every kind, with a frame drawn now and then: the workbench
 //! stays consistent, undo and redo give the same document back, and what is on the disk is whole.
+//!
+//! A module of the window, of which it sees everything (`src/gui/workbench/mod.rs`), run by `tests/window/walk.rs`.
 
 mod any;
 mod kinds;
-mod live;
+pub mod live;
 mod looks;
 
 use std::collections::{BTreeSet, VecDeque};
@@ -32,8 +34,11 @@ const COMMANDS: usize = 900;
 /// Commands that are told when something is wrong.
 const TAIL: usize = 25;
 
-#[test]
-fn thousands_of_commands_at_random_leave_a_consistent_workbench() {
+/// Thousands of commands at random leave a consistent workbench.
+///
+/// # Panics
+/// They do not.
+pub fn thousands_of_commands() {
     let walks = std::thread::scope(|scope| {
         let walks: Vec<_> = (0..SEEDS)
             .map(|seed| scope.spawn(move || walk(seed)))

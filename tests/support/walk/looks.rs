@@ -191,7 +191,7 @@ fn stated(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Files) -> Stat
     let mut stated = workbench.stated();
     let texts = ["", "L-17", "<b>ß·∆\u{202e}", "22 Nov 2026"];
     if let (Some(line), Some(text)) = (one_of(random, Details::LINES), one_of(random, &texts)) {
-        *(line.of)(&mut stated.details) = (*text).to_owned();
+        (*text).clone_into((line.of)(&mut stated.details));
     }
     stated.details.rule = one_of(random, &Rule::ALL).copied();
     stated.details.tolerance_mm = one_of(random, &[None, Some(0.2)]).copied().flatten();

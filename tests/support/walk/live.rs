@@ -61,12 +61,15 @@ fn serve(server: &TcpListener) -> std::io::Result<()> {
 /// Commands that come meanwhile, at least.
 const LEAST: usize = 20;
 
-#[test]
+/// Lines that come meanwhile become samples, and none is lost.
+///
+/// # Panics
+/// One is lost, or the workbench is not consistent.
 #[allow(
     clippy::disallowed_methods,
     reason = "a test that waits for a socket needs an end"
 )]
-fn lines_that_come_meanwhile_become_samples_and_none_is_lost() {
+pub fn lines_that_come_meanwhile() {
     let folder = tempfile::tempdir().expect("a folder");
     let files = prepared(folder.path());
     let mut bench = workbench();
