@@ -30,6 +30,12 @@ pub(crate) fn files(folder: &Path) -> Vec<PathBuf> {
     found
 }
 
+/// What stands above what only tests see, those of the window too.
+const OF_TESTS: [&str; 2] = [
+    "#[cfg(test)]",
+    "#[cfg(any(test, feature = \"window-tests\"))]",
+];
+
 /// Modules that their parent declares under `#[cfg(test)]`.
 fn test_modules(all: &[(PathBuf, String)]) -> Vec<PathBuf> {
     let mut modules = Vec::new();
@@ -80,7 +86,7 @@ pub(crate) fn code() -> Vec<Line> {
             move |(_, line)| {
                 let module =
                     line.starts_with("mod ") || line.starts_with("pub") && line.contains(" mod ");
-                let tests = before == "#[cfg(test)]" && module && line.ends_with('{');
+                let tests = OF_TESTS.contains(&before) && module && line.ends_with('{');
                 before = line;
                 !tests
             }
