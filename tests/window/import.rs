@@ -191,9 +191,10 @@ fn alignment_shows_how_far_each_point_is_off() {
     type_path(&mut window, "File of the robot", &walk("robot.json"));
     assert!(says(&window, "inspection column: one joint that turns"));
     assert!(
-        says(&window, "the commanded value of joint 1 is not stated"),
-        "what is missing is said in the sheet's words"
+        says(&window, "Choose the file of the commanded positions"),
+        "what is missing is asked for"
     );
+    assert!(!says(&window, "To fix"), "nothing has been done wrong yet");
     assert!(!says(&window, "--"), "no option of the command line");
     type_path(&mut window, "File of the commands", &walk("commands.csv"));
     assert!(says(&window, "181 measurements and 168 commands"));

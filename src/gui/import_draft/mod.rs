@@ -41,6 +41,8 @@ pub(crate) struct InspectedDraft {
     pub(crate) robot: Option<Result<Robot, Vec<String>>>,
     /// What the import brings, or why it is refused; `None` while something is open.
     pub(crate) trial: Option<Result<Trial, Vec<String>>>,
+    /// Whether only the file of the commands is missing, which is no error yet.
+    lacks_commands: bool,
 }
 
 #[derive(Debug, Clone)]
@@ -239,6 +241,9 @@ impl ImportDraft {
         match &self.seen.trial {
             Some(Ok(_)) => None,
             Some(Err(because)) => Some((say!("To fix"), because.first().cloned())),
+            None if self.seen.lacks_commands => so(say!(
+                "Choose the file of the commanded positions: this one has none"
+            )),
             None => so(spoken(LOOKING)),
         }
     }
@@ -282,21 +287,29 @@ impl InspectedDraft {
         let inspection = inspect_watched(bytes, &reading, part.part(0.0, inspecting).watch())?;
         let is_wrong = |finding: &Diagnostic| finding.severity == Severity::Error;
         let is_open = !inspection.questions.is_empty() || inspection.findings.iter().any(is_wrong);
-        let trial = known.filter(|_| !is_open).map(|robot| {
-            let part = part.part(inspecting, 1.0);
-            match Trial::of(bytes, path, answers, robot, part) {
-                Ok(trial) => Ok(Ok(trial)),
-                Err(ReadError::Rejected(r)) => Ok(Err(trial::in_words(&r.diagnostics))),
-                Err(ReadError::Cancelled(cancelled)) => Err(cancelled),
-            }
-        });
-        let trial = trial.transpose()?;
+        let mut lacks_commands = false;
+        let trial = match known.filter(|_| !is_open) {
+            None => None,
+            Some(robot) => match Trial::of(bytes, path, answers, robot, part.part(inspecting, 1.0))
+            {
+                Ok(trial) => Some(Ok(trial)),
+                Err(ReadError::Cancelled(cancelled)) => return Err(cancelled),
+                Err(ReadError::Rejected(rejected)) => {
+                    let mut errors = rejected.diagnostics.iter().filter(|d| is_wrong(d));
+                    lacks_commands = answers.commands.trim().is_empty()
+                        && !inspection.columns.iter().any(is_command)
+                        && errors.all(|error| error.expected.contains("--commands"));
+                    (!lacks_commands).then(|| Err(trial::in_words(&rejected.diagnostics)))
+                }
+            },
+        };
         part.reached(1.0)?;
         Ok(Self {
             answers: answers.clone(),
             inspection,
             robot,
             trial,
+            lacks_commands,
         })
     }
 }
