@@ -42,8 +42,8 @@ impl Theme {
 
 /// Smallest and largest size of text, in parts of the usual one.
 pub(crate) const ZOOM: std::ops::RangeInclusive<f32> = 0.6..=3.0;
-/// A window shows at least so much, points: text is no larger than that allows.
-const LEAST_ROOM: Vec2 = Vec2::new(600.0, 400.0);
+/// A window shows at least so much, points (1280 × 800 with text of 200 %), in which everything fits: text is no larger.
+const LEAST_ROOM: Vec2 = Vec2::new(640.0, 400.0);
 
 /// The largest size of text that this window has room for.
 pub(crate) fn largest_zoom(ctx: &Context) -> f32 {

@@ -399,8 +399,18 @@ fn a_robot_of_the_library_is_found_by_typing() {
     above.expect("it stands in its place").scroll_to_me();
     window.run_steps(6);
     assert_eq!(window.query_all_by_label_contains(reason).count(), 1);
+    window.get_by_label("Find a robot").click();
+    window.run_steps(2);
+    window.get_by_label("Find a robot").type_text("kr 6");
+    window.run_steps(4);
+    assert!(!says(&window, "UR5e"), "typing looks for another");
+    press(&mut window, "KUKA KR 6 R900 sixx");
+    assert!(says(&window, "KR 6 R900"));
     press(&mut window, "that of the example The paper's full run");
-    assert!(!says(&window, "UR5e"), "what was typed is gone with it");
+    assert!(
+        !says(&window, "KR 6 R900"),
+        "what was typed is gone with it"
+    );
 }
 
 #[test]

@@ -8,9 +8,9 @@ use egui::{Color32, FontFamily, FontId, Rect, Shape};
 use egui_kittest::kittest::{NodeT, Queryable};
 use truepose::gui::Runner;
 
-/// Width and height in points; the last four are 1920 × 1080, 1366 × 768, 1280 × 800 and 1024 × 700
-/// with text of 150 %.
-const SIZES: [[f32; 2]; 8] = [
+/// Width and height in points; the last five are 1920 × 1080, 1366 × 768, 1280 × 800 and 1024 × 700
+/// with text of 150 %, and 1280 × 800 with text of 200 %, the largest that it has room for.
+const SIZES: [[f32; 2]; 9] = [
     [1024.0, 700.0],
     [1280.0, 800.0],
     [1920.0, 1080.0],
@@ -19,14 +19,16 @@ const SIZES: [[f32; 2]; 8] = [
     [911.0, 512.0],
     [853.0, 533.0],
     [683.0, 467.0],
+    [640.0, 400.0],
 ];
 
 /// Inner margin of the side panels, points.
 const MARGIN: f32 = 16.0;
 /// Rounding to whole pixels, points.
 const ROUNDING: f32 = 1.5;
-/// The least that the workspace and a chart may be, points: in a low window, where one of them is
+/// The least that the workspace and a chart may be, points: with text of 200 %, in a low window, where one of them is
 /// shown, and else.
+const LEAST_LARGE_TEXT: [[f32; 2]; 2] = [[270.0, 130.0], [270.0, 130.0]];
 const LEAST_LOW: [[f32; 2]; 2] = [[300.0, 150.0], [300.0, 150.0]];
 const LEAST: [[f32; 2]; 2] = [[300.0, 220.0], [300.0, 130.0]];
 
@@ -232,8 +234,11 @@ pub(crate) fn look(window: &Window, at: &str) {
             assert!(apart, "{at}: {a:?} lies on {b:?}");
         }
     }
-    let low = whole.height() < 600.0;
-    let [workspace, chart] = if low { LEAST_LOW } else { LEAST };
+    let [workspace, chart] = match whole.height() {
+        ..450.0 => LEAST_LARGE_TEXT,
+        ..600.0 => LEAST_LOW,
+        _ => LEAST,
+    };
     for (name, least) in [
         ("workspace plot", workspace),
         ("deviation chart", chart),

@@ -57,8 +57,8 @@ pub(crate) struct ImportDraft {
     pub(crate) answers: ImportAnswers,
     /// What was seen last.
     pub(crate) seen: Arc<InspectedDraft>,
-    /// What was seen before anything was said.
-    first: Arc<InspectedDraft>,
+    /// What was taken for said before a person said anything.
+    first: Box<ImportAnswers>,
     /// The meanings of the columns that the user has looked at.
     confirmed: Option<Vec<String>>,
 }
@@ -140,22 +140,21 @@ impl ImportDraft {
             }
             .into());
         }
-        let seen = Arc::new(seen);
         Ok(Self {
             path: path.to_path_buf(),
             bytes: Arc::new(bytes),
             neighbours: Arc::new(neighbours),
             taken,
             answers,
-            first: Arc::clone(&seen),
-            seen,
+            first: Box::new(seen.answers.clone()),
+            seen: Arc::new(seen),
             confirmed: None,
         })
     }
 
     /// Whether something was said or confirmed that would be lost with it.
     pub(crate) fn holds_answers(&self) -> bool {
-        self.answers != self.first.answers || self.confirmed.is_some()
+        self.answers != *self.first || self.confirmed.is_some()
     }
 
     /// Whether this is the same file with the same contents.

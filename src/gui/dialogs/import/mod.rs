@@ -302,7 +302,7 @@ struct RobotSearch {
 
 /// One of the library, or one's own, found by typing.
 fn listed(ui: &mut Ui, workbench: &Workbench, next: &mut ImportAnswers) {
-    let chosen = match &next.robot {
+    let mut chosen = match &next.robot {
         RobotFrom::Listed(title, _) => Some(title.clone()),
         _ => None,
     };
@@ -324,6 +324,11 @@ fn listed(ui: &mut Ui, workbench: &Workbench, next: &mut ImportAnswers) {
     let field = field.inner;
     if field.gained_focus() {
         widgets::select_all(ui, field.id, &search.text);
+    }
+    if field.changed() && chosen.is_some() {
+        // Another is looked for.
+        next.robot = RobotFrom::Open;
+        (chosen, search.chosen) = (None, None);
     }
     if !search.text.trim().is_empty() && chosen.as_ref() != Some(&search.text) {
         let found = ListedRobot::found(workbench.typed_robots(), &search.text);
