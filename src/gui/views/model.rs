@@ -166,7 +166,7 @@ fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         return;
     }
     if document.loaded_model.is_none() {
-        widgets::hint(ui, say!("Identified; the result follows every change"));
+        widgets::hint_above_the_button(ui, say!("Identified; the result follows every change"));
     }
     if widgets::primary(ui, say!("Continue to diagnose")).clicked() {
         commands.push(Command::View(ViewChange::GoTo(Step::Gap)));

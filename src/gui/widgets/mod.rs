@@ -15,7 +15,7 @@ pub(crate) use fields::{
 };
 pub(crate) use text::{
     bold, caption, cell_right, cut, dense, explained, explained_effect, fact, fact_of, facts, fine,
-    folded, heading, hint, label, question, section, title, width_of, wrong,
+    folded, heading, hint, hint_above_the_button, label, question, section, title, width_of, wrong,
 };
 
 use egui::{

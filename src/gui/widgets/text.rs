@@ -74,6 +74,16 @@ pub(crate) fn hint(ui: &mut Ui, text: impl Into<String>) {
     sentence(ui, RichText::new(text).size(size::NOTE).color(muted));
 }
 
+/// Height of a window that has room for more than what is done, points.
+const ROOMY: f32 = 480.0;
+
+/// The same above a button that is always in sight: in a low window the controls of the step need the room.
+pub(crate) fn hint_above_the_button(ui: &mut Ui, text: impl Into<String>) {
+    if ui.ctx().content_rect().height() >= ROOMY {
+        hint(ui, text);
+    }
+}
+
 /// Text whose lines are no longer than can be read.
 fn sentence(ui: &mut Ui, text: RichText) -> Response {
     ui.scope(|ui| {

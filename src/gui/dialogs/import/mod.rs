@@ -37,6 +37,8 @@ use super::robots::{self, Robot as ListedRobot};
 const WIDTH: f32 = 780.0;
 /// What stands around the part that scrolls, points.
 const AROUND: f32 = 228.0;
+/// The least height of that, points.
+const LEAST: f32 = 150.0;
 /// Width of the field in which a robot is looked for, points.
 const LIST: f32 = 300.0;
 /// Two lines of what is in the way, points.
@@ -54,7 +56,7 @@ pub(super) fn show(
     widgets::heading(ui, &say!("Import {name}", name));
     widgets::hint(ui, file::found_out(now));
     let mut next = now.answers.clone();
-    let height = (window.height() - AROUND).max(200.0);
+    let height = (window.height() - AROUND).max(LEAST);
     // Another file begins at its head.
     let of_this = Arc::as_ptr(&now.neighbours).addr();
     let area = ScrollArea::vertical().id_salt(of_this).max_height(height);

@@ -206,9 +206,6 @@ fn left_out(ui: &mut Ui, workbench: &Workbench, counts: &[Count]) {
     }
 }
 
-/// Height of a window that has room for more than the button, points.
-const ROOMY: f32 = 480.0;
-
 fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let document = workbench.document();
     let regional = document.identified && document.method == Method::Regional;
@@ -218,16 +215,8 @@ fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         && !document.regions.is_empty();
     if possible && !regional {
         let says = say!("Optional: fills the next step, Identify, region by region");
-        // In a low window the regions need the room.
-        let roomy = ui.ctx().content_rect().height() >= ROOMY;
-        if roomy {
-            widgets::hint(ui, says);
-        }
-        let mut identify = widgets::primary(ui, say!("Identify by region"));
-        if !roomy {
-            identify = identify.on_hover_text(says);
-        }
-        if identify.clicked() {
+        widgets::hint_above_the_button(ui, says);
+        if widgets::primary(ui, say!("Identify by region")).clicked() {
             commands.push(Command::Edit(Edit::IdentifyBy(Method::Regional)));
         }
         return;
