@@ -44,6 +44,10 @@ fn a_table_with_semicolons_and_commas_becomes_a_session() {
     press(&mut window, "Import");
     assert!(says(&window, "361 samples · RMS error"));
     assert!(says(&window, "not saved"));
+    assert!(says(&window, "the side of approach is not stated"));
+    for word in ["--", "sigma_mm"] {
+        assert!(!says(&window, word), "{word} is no word of the window");
+    }
     let (gap, _) = gaps(&window);
     assert!(gap > 5.0 && gap < 20.0, "{gap}: in mm");
 }

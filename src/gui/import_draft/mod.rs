@@ -22,7 +22,7 @@ use crate::gui::jobs::Watch;
 
 pub(crate) use answers::{Companion, ImportAnswers, RobotFrom, TypedAxis};
 pub(crate) use answers::{Neighbours, ROBOTS, TABLES};
-pub(crate) use trial::{Trial, in_the_sheets_words};
+pub(crate) use trial::{Trial, in_the_sheets_words, in_the_windows_words};
 
 /// A file that is longer, in bytes, is not read into memory.
 const LONGEST: u64 = 1 << 30;

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::answers::ImportAnswers;
-use crate::diagnostic::{Diagnostic, Rejected, Severity};
+use crate::diagnostic::{Diagnostic, Place, Rejected, Severity};
 use crate::explain::{Detail, Section, imported};
 use crate::gui::core::appearance::seen;
 use crate::gui::core::loaded_session::{LoadedSession, Origin};
@@ -70,12 +70,7 @@ impl Trial {
         let appearance = seen(answers.robot.chain(), &mut findings);
         let notes = findings
             .iter()
-            .map(|finding| {
-                (
-                    finding.severity,
-                    in_the_sheets_words(&crate::language::finding(finding)),
-                )
-            })
+            .map(|finding| (finding.severity, in_the_windows_words(finding)))
             .collect();
         let origin = Origin::Imported(path.to_path_buf());
         let looking = part.part(0.6, 1.0);
@@ -140,9 +135,7 @@ pub(super) fn in_words(findings: &[Diagnostic]) -> Vec<String> {
     let is_error = |finding: &&Diagnostic| finding.severity == Severity::Error;
     let errors: Vec<&Diagnostic> = findings.iter().filter(is_error).collect();
     let shown = errors.iter().take(MOST);
-    let mut lines: Vec<String> = shown
-        .map(|finding| in_the_sheets_words(&crate::language::finding(finding)))
-        .collect();
+    let mut lines: Vec<String> = shown.map(|finding| in_the_windows_words(finding)).collect();
     if errors.len() > MOST {
         lines.push(say!(in "common", "and {more} more", more = errors.len() - MOST));
     }
@@ -173,6 +166,18 @@ const OPTIONS: [(&str, Template); 18] = [
     ("--joint", phrase!("“Joint measured”")),
     ("--unit", phrase!("“Lengths in”")),
 ];
+
+/// A finding in the words of the window: what is only noted needs no key of the document.
+pub(crate) fn in_the_windows_words(finding: &Diagnostic) -> String {
+    let mut finding = finding.clone();
+    let Place { file, field, .. } = &mut finding.place;
+    let of_a_document = file.as_ref().and_then(|file| file.extension()) == Some("json".as_ref());
+    let is_key = of_a_document || field.as_ref().is_some_and(|field| field.contains('.'));
+    if finding.severity == Severity::Note && is_key {
+        *field = None;
+    }
+    in_the_sheets_words(&crate::language::finding(&finding))
+}
 
 /// The same sentence with the names that the sheet has for the command line's options.
 pub(crate) fn in_the_sheets_words(sentence: &str) -> String {

@@ -10,6 +10,7 @@ use crate::gui::core::edit::Edit;
 use crate::gui::core::loaded_session::Origin;
 use crate::gui::core::quantity::joint_value;
 use crate::gui::core::simulate::Form;
+use crate::gui::import_draft::in_the_windows_words;
 use crate::gui::style::{Palette, size, space, strong};
 use crate::gui::view::{Sheet, Step};
 use crate::gui::widgets::{self, or_none};
@@ -237,13 +238,7 @@ fn finding_line(ui: &mut Ui, finding: &Diagnostic, commands: &mut Vec<Command>) 
     };
     ui.horizontal_wrapped(|ui| {
         ui.label(RichText::new(mark).font(strong(size::SMALL)).color(color));
-        let mut named = finding.clone().without_folder();
-        let ending = named.place.file.as_ref().and_then(|f| f.extension());
-        if named.severity == Severity::Note && ending.is_some_and(|e| e == "json") {
-            // What is noted of the document needs no key of it, which is no word of the window.
-            named.place.field = None;
-        }
-        let text = language::finding(&named);
+        let text = in_the_windows_words(&finding.clone().without_folder());
         let text = RichText::new(text).size(size::SMALL);
         if finding.samples.is_empty() {
             ui.label(text);

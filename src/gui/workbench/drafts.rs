@@ -48,7 +48,7 @@ impl Workbench {
         };
         self.view.message = Some(Message::done(
             say!("{file} was not imported", file = name_of(&left.path)),
-            vec![say!("What was entered is kept: open the file again to go on").to_owned()],
+            vec![say!("What was entered is kept: open it again to go on").to_owned()],
         ));
         self.left_draft = Some(left);
     }

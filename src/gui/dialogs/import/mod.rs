@@ -23,7 +23,7 @@ use crate::text::{length, spoken};
 use crate::gui::core::disk::{EXAMPLES, name_of};
 use crate::gui::import_draft::{
     Companion, ImportAnswers, ImportDraft, LOOKING, RobotFrom, Trial, TypedAxis,
-    in_the_sheets_words,
+    in_the_windows_words,
 };
 use crate::gui::jobs::Running;
 use crate::gui::style::{Palette, size, space};
@@ -150,7 +150,7 @@ fn looking(ui: &mut Ui, running: &Running, commands: &mut Vec<Command>) {
 fn findings(ui: &mut Ui, now: &ImportDraft) -> bool {
     let mut error_in_sight = false;
     for finding in now.seen.inspection.findings.iter().take(8) {
-        let says = in_the_sheets_words(&language::finding(finding));
+        let says = in_the_windows_words(finding);
         let shown = line(ui, finding.severity, &says);
         error_in_sight |= finding.severity == Severity::Error && in_sight(ui, &shown);
     }
