@@ -42,7 +42,8 @@ impl Theme {
 
 /// Smallest and largest size of text, in parts of the usual one.
 pub(crate) const ZOOM: std::ops::RangeInclusive<f32> = 0.6..=3.0;
-/// A window shows at least so much, points (1280 × 800 with text of 200 %), in which everything fits: text is no larger.
+/// The smallest window in which everything fits, points (1280 × 800 with text of 200 %, see `tests/window/sizes.rs`):
+/// larger text would overlap.
 const LEAST_ROOM: Vec2 = Vec2::new(640.0, 400.0);
 
 /// The largest size of text that this window has room for.

@@ -16,7 +16,7 @@
 //!
 //! Every template is listed where the tests are built, and a test fails for one that a catalogue lacks.
 
-/// The value of an argument: its name says it where no value stands beside it.
+/// The value of an argument; without one, the variable of its name.
 macro_rules! argument {
     ($name:ident) => {
         $name

@@ -291,7 +291,7 @@ mod tests {
         assert!(found.is_empty(), "{found:#?}");
     }
 
-    /// Of two entries of a sentence a reader takes one, and whoever corrects the other corrects nothing.
+    /// Only one of two entries of a sentence is read: correcting the other would have no effect.
     #[test]
     fn no_catalogue_has_a_sentence_twice() {
         for language in TRANSLATED {

@@ -57,7 +57,7 @@ pub(crate) struct ImportDraft {
     pub(crate) answers: ImportAnswers,
     /// What was seen last.
     pub(crate) seen: Arc<InspectedDraft>,
-    /// What was taken for said before a person said anything.
+    /// The answers as the file was opened, before the user changed any.
     first: Box<ImportAnswers>,
     /// The meanings of the columns that the user has looked at.
     confirmed: Option<Vec<String>>,
@@ -152,7 +152,7 @@ impl ImportDraft {
         })
     }
 
-    /// Whether something was said or confirmed that would be lost with it.
+    /// Whether the user answered or confirmed something that would be lost with it.
     pub(crate) fn holds_answers(&self) -> bool {
         self.answers != *self.first || self.confirmed.is_some()
     }
@@ -162,7 +162,7 @@ impl ImportDraft {
         self.path == other.path && self.bytes == other.bytes
     }
 
-    /// Goes on with what was said of the same file before.
+    /// Takes over the answers of an earlier draft of the same file.
     pub(crate) fn resume(&mut self, before: Self) {
         self.answers = before.answers;
         self.confirmed = before.confirmed;
@@ -207,7 +207,7 @@ impl ImportDraft {
         columns.map(|column| column.meaning.clone()).collect()
     }
 
-    /// What stands in the way of an import, in words, and the first reason that was found; `None`: nothing.
+    /// Why the import is not possible yet, in words, and the first reason that was found; `None`: it is possible.
     pub(crate) fn hindrance(&self) -> Option<(&'static str, Option<String>)> {
         let inspection = &self.seen.inspection;
         let is_wrong = |finding: &Diagnostic| finding.severity == Severity::Error;

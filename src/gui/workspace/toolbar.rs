@@ -216,8 +216,8 @@ fn plot_of(aspect: Aspect) -> Plot {
     }
 }
 
-/// What stands beside the ways to look, which become a list where both have no room, points: two icons, and the button
-/// for how anything is drawn.
+/// Widths in the same row as the choice of view, points: two icons, and the *display* button. The choice becomes a list
+/// where the row is too narrow for all of them.
 const ICONS: f32 = 76.0;
 
 const DISPLAY: f32 = 78.0;
