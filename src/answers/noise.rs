@@ -16,6 +16,11 @@ pub struct Noise {
     pub sigma_mm: [f64; 3],
     /// The slow part, where the residuals show one.
     pub slow: Option<Slow>,
+    /// What every joint that turns is off by at every pose anew, rad (one that slides: in units of the robot's reach);
+    /// 0 where the samples show none of it.
+    pub joints_rad: f64,
+    /// RMS length of what the robot does not repeat, a pose's own error, mm; `None` where the samples cannot tell.
+    pub robot_mm: Option<f64>,
     /// Whether the axes were found, or stated, to differ.
     pub unequal: bool,
     /// Twice the logarithm by which the slow part makes the residuals likelier.
@@ -31,6 +36,8 @@ impl Noise {
         Self {
             sigma_mm: [sigma_mm; 3],
             slow: None,
+            joints_rad: 0.0,
+            robot_mm: None,
             unequal: false,
             slow_evidence: 0.0,
             alternatives: Vec::new(),
@@ -65,6 +72,7 @@ impl Noise {
     pub fn scaled(&self, factor: f64) -> Self {
         let mut noise = self.clone();
         noise.sigma_mm = noise.sigma_mm.map(|s| s * factor);
+        noise.joints_rad *= factor;
         if let Some(slow) = &mut noise.slow {
             slow.rms_mm = slow.rms_mm.map(|s| s * factor);
         }
@@ -78,6 +86,20 @@ impl Noise {
             *sigma = sigma.max(least);
         }
         self
+    }
+
+    /// What the robot does not repeat, in words.
+    pub fn describe_robot(&self) -> Option<Text> {
+        let robot_mm = self.robot_mm?;
+        Some(text!(
+            "the robot repeats to {size} (root mean square of a pose's own error)",
+            size = length(robot_mm, 4)
+        ))
+    }
+
+    /// Whether rows are independent of one another.
+    pub(crate) fn is_white(&self) -> bool {
+        self.slow.is_none() && self.joints_rad == 0.0
     }
 
     /// Root mean square of both parts over some axes, mm.

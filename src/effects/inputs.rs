@@ -9,6 +9,7 @@
 use std::borrow::Cow;
 
 use crate::sessions::measuring_order::measuring_order;
+use crate::sessions::poses::poses;
 use crate::sessions::{Samples, Session};
 
 /// Which joint values the simulation starts from.
@@ -44,6 +45,8 @@ pub struct Inputs<'a> {
     pub time_s: Option<Cow<'a, [f64]>>,
     /// Index of the measuring frame, a whole number.
     pub setup: Option<Vec<f64>>,
+    /// The [pose](crate::sessions::poses) of each sample; `None`: each has its own.
+    pub(crate) pose: Option<Vec<u32>>,
     /// Index into `reflectors_at_home`; `None`: always the first.
     pub target: Option<Cow<'a, [u32]>>,
     /// Reflectors at home, base frame, mm; at least one.
@@ -104,6 +107,7 @@ impl<'a> Inputs<'a> {
                 .as_ref()
                 .filter(|setups| setups.index.len() == rows)
                 .map(|s| s.index.iter().map(|&i| f64::from(i)).collect()),
+            pose: poses(samples),
             target: samples
                 .target
                 .as_deref()
@@ -153,6 +157,10 @@ impl<'a> Inputs<'a> {
             torque_nm: each(&self.torque_nm),
             time_s: self.time_s.as_deref().map(owned),
             setup: self.setup.as_deref().map(pick),
+            pose: self.pose.as_deref().map(|pose| {
+                let own = samples.iter().map(|i| pose.get(*i).copied());
+                own.map(Option::unwrap_or_default).collect()
+            }),
             target: self.target.as_deref().map(|t| {
                 Cow::Owned(
                     samples
@@ -184,6 +192,7 @@ impl<'a> Inputs<'a> {
             torque_nm: vec![None; joints],
             time_s: None,
             setup: None,
+            pose: None,
             target: None,
             reflectors_at_home,
             start_s: None,

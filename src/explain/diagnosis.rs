@@ -133,9 +133,11 @@ fn figures(d: &Diagnosis, detail: Detail) -> Vec<Fact> {
 pub(crate) fn noise(d: &Diagnosis) -> Vec<Fact> {
     let stated = d.unexplained.noise.as_ref();
     let stated = stated.map(|noise| fact(say!("Measurement noise"), spoken(noise.describe())));
+    let robot = d.noise.describe_robot();
+    let robot = robot.map(|robot| fact(say!("Repeatability of the robot"), spoken(robot)));
     let slow = d.noise.slow.as_ref();
     let slow = slow.map(|slow| fact(say!("Slow noise"), spoken(slow.describe())));
-    stated.into_iter().chain(slow).collect()
+    stated.into_iter().chain(robot).chain(slow).collect()
 }
 
 /// The error that the model is expected to make over the joint ranges, where that is known; and where the

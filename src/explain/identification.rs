@@ -197,7 +197,9 @@ fn noise(answer: &Identification, session: &Session) -> Vec<Fact> {
         let says = slow.says_of_remaining_error(answer.gap.after.rms_mm);
         fact(say!("Slow noise"), spoken(&says))
     });
-    stated.into_iter().chain(slow).collect()
+    let robot = noise.describe_robot();
+    let robot = robot.map(|robot| fact(say!("Repeatability of the robot"), spoken(robot)));
+    stated.into_iter().chain(robot).chain(slow).collect()
 }
 
 /// Samples that could not be used, each with the reason.

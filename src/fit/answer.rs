@@ -11,8 +11,10 @@ use crate::model::Model;
 use crate::sessions::{Session, Sigma};
 
 use super::gap::{Deviations, Spread, deviations, lengths_mm, suspects};
+use super::noise::Noise;
 use super::observed;
 use super::problem::{Problem, unusable};
+use super::regression::Rows;
 use super::solver::{Solution, Stopped, spectrum_at};
 use super::uncertainty::{estimates, half_width_factor};
 use super::unidentifiable::undetermined_combinations;
@@ -51,7 +53,7 @@ pub(crate) fn report(
         left_out: left_out(problem),
         noise_mm: noise_by_axis(problem, &after, rank),
         kinds: observed::figures(problem, nominal, &solution.model),
-        noise: problem.noise.clone(),
+        noise: noise_with_robot(problem, &solution.model),
         quality: Quality {
             stopped: solution.stopped.describe(),
             converged: matches!(solution.stopped, Stopped::Converged | Stopped::NothingToDo),
@@ -64,6 +66,17 @@ pub(crate) fn report(
         model: solution.model,
         covariance: covariance.map(|c| c.view((0, 0), (own, own)).into_owned()),
     }
+}
+
+/// The noise of a problem, with what it says of the robot.
+fn noise_with_robot(problem: &Problem, model: &Model) -> Option<Noise> {
+    let noise = problem.noise.clone()?;
+    let shows_robot = noise.joints_rad > 0.0;
+    let robot_mm = shows_robot.then(|| Rows::of(problem).seen_by(model).unrepeated_mm(&noise));
+    Some(Noise {
+        robot_mm: robot_mm.flatten(),
+        ..noise
+    })
 }
 
 fn noise_by_axis(problem: &Problem, after: &Deviations, rank: usize) -> Option<[f64; 3]> {
@@ -122,7 +135,7 @@ fn averaged(problem: &Problem, solution: &Solution, freedom: usize) -> Option<DM
     let mut sum: Option<DMatrix<f64>> = None;
     for (share, noise) in possible {
         let mut other = problem.clone();
-        other.set_noise(&noise);
+        other.set_noise(&noise, &solution.model);
         let (spectrum, cost, step) = spectrum_at(&other, solution);
         let variance = cost.max(0.0) / freedom as f64;
         let own = (spectrum.inverse() * variance + &step * step.transpose()) * share;

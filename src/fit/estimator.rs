@@ -53,7 +53,7 @@ pub(crate) fn fit_without_outliers(problem: &mut Problem, start: &Model) -> Solu
         let first = problem.noise.is_none();
         let before = problem.axis_weights;
         if let Some(noise) = noise {
-            problem.set_noise(&noise);
+            problem.set_noise(&noise, &solution.model);
         }
         let full = solution.spectrum.rank() == solution.model.coefficient_count();
         let weak = problem.priors.weak;
@@ -96,7 +96,7 @@ fn of_all_kinds(problem: &mut Problem, mut solution: Solution) -> Solution {
 /// The factor of the weights where white noise on all axes alike has become known: the fit is the
 /// same, in other units.
 fn only_rescaled(problem: &Problem, before: [f64; 3]) -> Option<f64> {
-    let white = problem.noise.as_ref().is_some_and(|n| n.slow.is_none());
+    let white = problem.noise.as_ref().is_some_and(|n| n.is_white());
     let now = problem.axis_weights;
     let factors = (0..3)
         .filter(|a| before[*a] > 0.0)
@@ -144,7 +144,8 @@ pub(crate) fn noise_beside(problem: &Problem, model: &Model, extra_coefficients:
     let rows = match stretches(problem) {
         Some(samples) => Rows::of_samples(problem, samples),
         None => Rows::of(problem),
-    };
+    }
+    .seen_by(model);
     let (mut residual, columns) = rows.extract(model);
     let shapes: Vec<DVector<f64>> = problem
         .extra_columns

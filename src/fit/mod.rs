@@ -6,6 +6,7 @@ pub(crate) mod expected;
 pub(crate) mod gap;
 pub(crate) mod gauge;
 pub(crate) mod levels;
+pub(crate) mod levers;
 pub(crate) mod noise;
 pub(crate) mod normal;
 pub(crate) mod priors;
@@ -22,7 +23,7 @@ mod error;
 mod estimator;
 mod exact;
 #[cfg(test)]
-mod example;
+pub(crate) mod example;
 mod frames;
 pub(crate) mod observed;
 pub(crate) mod plane;
@@ -32,6 +33,7 @@ mod regional;
 pub(crate) mod spread;
 pub(crate) mod target_places;
 mod unidentifiable;
+mod unrepeated;
 mod usual_noise;
 
 pub use crate::answers::errors::{Errors, Expected, Level, Spread, UnusableReason};

@@ -1,15 +1,19 @@
 //! A least-squares problem: the samples of a session, which of them count, and how much each
 //! axis weighs.
 
+use std::sync::Arc;
+
 pub(crate) use crate::answers::errors::UnusableReason;
 use crate::effects::block::Block;
 use crate::effects::{Inputs, JointValues};
 use crate::lanes::{LANES, Lanes};
+use crate::model::Model;
 use crate::observations::Layer;
 use crate::sessions::measuring_order::falls_of_the_clock;
 use crate::sessions::resolution::{is_rounded_to, resolution_mm};
 use crate::sessions::{Session, Sigma};
 
+use super::levers::Levers;
 use super::noise::Noise;
 use super::priors::Priors;
 
@@ -39,6 +43,8 @@ pub struct Problem<'a> {
     pub(super) digits_mm: [f64; 3],
     /// The noise, where it is known; its white part is in `axis_weights` as well.
     pub noise: Option<Noise>,
+    /// How samples move with the joints, where the noise has what these do not repeat.
+    pub(super) levers: Option<Arc<Levers>>,
     /// What is known of the coefficients beforehand; nothing of a robot with a single joint.
     pub priors: Priors,
     /// Whether anybody still wants the answer.
@@ -166,6 +172,7 @@ impl<'a> Problem<'a> {
             out_of_time_order,
             digits_mm,
             noise: None,
+            levers: None,
             priors: Priors::default(),
             watch: Watch::default(),
             observed: None,
@@ -259,6 +266,7 @@ impl<'a> Problem<'a> {
             out_of_time_order: self.out_of_time_order,
             digits_mm: self.digits_mm,
             noise: None,
+            levers: None,
             priors: self.priors.clone(),
             watch: self.watch,
             observed: None,
@@ -351,8 +359,11 @@ impl<'a> Problem<'a> {
         }
     }
 
-    /// Takes the noise as known.
-    pub fn set_noise(&mut self, noise: &Noise) {
+    /// Takes the noise as known; how far joints move what is measured is as a model has it.
+    pub fn set_noise(&mut self, noise: &Noise, model: &Model) {
+        if noise.joints_rad > 0.0 && self.levers.is_none() {
+            self.levers = Some(Arc::new(Levers::new(&self.inputs, model)));
+        }
         for (axis, weight) in self.axis_weights.iter_mut().enumerate() {
             if *weight > 0.0 {
                 *weight = noise.sigma_mm[axis].powi(-2);
@@ -425,7 +436,6 @@ mod tests {
     use crate::effects::{Term, joint_zero};
     use crate::fit::example::sweep;
     use crate::fit::solver::solve;
-    use crate::model::Model;
 
     #[test]
     fn a_reflector_is_lost_where_all_coordinates_are_zero_and_nowhere_else() {

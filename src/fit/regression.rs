@@ -2,13 +2,17 @@
 //! within an axis in measuring order. Where other things than plain points were measured, a row of
 //! observations ([`crate::observations::rows`]) stands for a coordinate of samples.
 
+use std::sync::Arc;
+
 use nalgebra::{DMatrix, DVector};
 
 use crate::effects::Inputs;
 use crate::model::Model;
 use crate::observations::rows::ObservedRows;
 
+use super::levers::{levers, moving_joints};
 use super::noise::Noise;
+use super::noise::joints::Moves;
 use super::priors::Priors;
 use super::problem::Problem;
 
@@ -30,6 +34,8 @@ pub struct Rows<'a> {
     /// Standard deviation of what rounding to the digit of each coordinate adds, mm.
     pub digits_mm: [f64; 3],
     measured_mm: Vec<Vec<f64>>,
+    /// How rows move with the joints, where samples share poses and a model has shown it.
+    levers: Option<Arc<DMatrix<f64>>>,
     observed: Option<ObservedRows<'a>>,
 }
 
@@ -46,6 +52,7 @@ impl<'a> Rows<'a> {
                 inputs: problem.inputs.select(&of_session),
                 digits_mm: [0.0; 3],
                 measured_mm: Vec::new(),
+                levers: None,
                 samples,
                 observed: Some(rows),
             };
@@ -74,6 +81,7 @@ impl<'a> Rows<'a> {
             digits_mm: problem.digits_mm,
             samples,
             axes,
+            levers: None,
             observed: None,
         }
     }
@@ -104,17 +112,40 @@ impl<'a> Rows<'a> {
                 let of = |axis: &Vec<f64>| at.iter().map(|k| axis[*k]).collect();
                 self.measured_mm.iter().map(of).collect()
             },
+            levers: None,
             observed: self.observed.as_ref().map(|rows| rows.only(&marked)),
         }
     }
 
-    /// The same with the lengths of angles as a model has them.
+    /// The same with the lengths of angles, and of what the joints move, as a model has them.
     #[must_use]
     pub fn seen_by(mut self, model: &Model) -> Self {
         if let Some(rows) = &mut self.observed {
             rows.see_by(model);
         }
+        if self.inputs.pose.is_some() {
+            let columns = self.extract(&moving_joints(model)).1;
+            self.levers = Some(Arc::new(levers(columns, model)));
+        }
         self
+    }
+
+    /// Which samples share a pose, and how rows move with the joints; `None` where every sample has its own.
+    pub(super) fn moves(&self) -> Option<Moves<'_>> {
+        Some(Moves {
+            poses: self.inputs.pose.as_deref()?,
+            levers: self.levers.as_deref()?,
+        })
+    }
+
+    /// RMS length of what the joints do not repeat by a noise, mm; `None` where it has none of it.
+    pub(crate) fn unrepeated_mm(&self, noise: &Noise) -> Option<f64> {
+        let levers = self.moves().filter(|_| noise.joints_rad > 0.0)?.levers;
+        let each = levers.row_iter().enumerate();
+        let square: f64 = each
+            .map(|(row, lever)| self.mm(row).powi(2) * lever.norm_squared())
+            .sum();
+        Some(noise.joints_rad * (square / self.lengths().max(1) as f64).sqrt())
     }
 
     /// The observations, where more than plain points was measured.

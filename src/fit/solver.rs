@@ -22,6 +22,7 @@ use crate::text::Template;
 use super::normal::{Normal, Sums, Whitening};
 use super::problem::Problem;
 use super::spectrum::{Spectrum, StepSolver};
+use super::unrepeated::Unrepeated;
 
 /// Why the solver stopped.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -206,6 +207,7 @@ fn sum(problem: &Problem, state: &State, blocks: &[usize], sums: Sums) -> Normal
         problem.priors.add(&state.model, &mut normal);
         return normal;
     }
+    let mut unrepeated = Unrepeated::new(problem, columns);
     let mut whitening = Whitening::new(problem.noise.as_ref(), columns);
     let starts = blocks.iter().copied();
     state
@@ -219,7 +221,9 @@ fn sum(problem: &Problem, state: &State, blocks: &[usize], sums: Sums) -> Normal
                 join(&mut joined, problem, state, start);
                 &joined
             };
-            if let Some(whitening) = &mut whitening {
+            if let Some(unrepeated) = &mut unrepeated {
+                normal.add_beside_joints(problem, start, block, sums, unrepeated);
+            } else if let Some(whitening) = &mut whitening {
                 normal.add_whitened(problem, start, block, sums, whitening);
             } else {
                 normal.add(problem, start, block, sums);

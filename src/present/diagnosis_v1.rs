@@ -179,6 +179,7 @@ fn noise(noise: &Noise) -> Json {
             "time_constant_s": slow.time_constant_s,
             "says": slow.describe().to_string(),
         }),
+        "robot_mm": noise.robot_mm,
     }
 }
 

@@ -23,6 +23,7 @@ mod group_samples;
 pub(crate) mod layout;
 pub(crate) mod measuring_order;
 mod observed;
+pub(crate) mod poses;
 mod references;
 pub(crate) mod regions;
 pub(crate) mod resolution;

@@ -2,7 +2,7 @@
 //! is predicted by a fit without it, its settings scanned afresh (cross-fitting, Stone 1974).
 //!
 //! Blocks are stretches of the joint angles where the joints move at random, and stretches of
-//! time besides; several small ones make one fold, so that no fold lies beyond the others.
+//! time besides; several small ones make one fold, so that no fold lies beyond the others. All rows of a pose are in one.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -17,11 +17,14 @@ use super::regression::Regression;
 use super::rescanned::{FEW, Rescanned, has_near_rivals, is_scanned};
 use super::surroundings::Without;
 use crate::sessions::cells::{cells, folds_of_groups};
+use crate::sessions::poses::ByPose;
 
 /// Which fold each sample of the rows is in.
 #[derive(Debug, Clone)]
 pub(crate) struct Folds {
     fold: Vec<usize>,
+    /// Number of poses.
+    poses: usize,
     count: usize,
     /// In words.
     pub(crate) how: Text,
@@ -40,8 +43,13 @@ pub(crate) struct HeldOutResiduals {
 const SURELY: f64 = 1.04;
 const FOLDS: usize = 5;
 const _: () = assert!(FOLDS == 5, "the answer speaks of fifths");
-/// Below this number of samples nothing is said about unseen ones.
+/// Below this number of poses nothing is said about unseen ones.
 pub(crate) const FEWEST: usize = 6;
+
+/// The samples of rows by their poses.
+fn poses_of(rows: &Rows) -> ByPose {
+    ByPose::of(rows.inputs.pose.as_deref(), rows.samples.len())
+}
 
 impl Folds {
     /// Folds over the samples of a regression, by the angle of the first joint that moves most.
@@ -59,10 +67,11 @@ impl Folds {
         };
         let widest = (0..q.len()).max_by(|a, b| range(&q[*a]).total_cmp(&range(&q[*b])));
         let column = widest.map_or(&[][..], |j| &*q[j]);
-        let n = regression.rows.samples.len();
+        let poses = poses_of(&regression.rows);
+        let n = poses.first.len();
         let mut order: Vec<usize> = (0..n).collect();
         order.sort_by(|a, b| {
-            let value = |k: usize| column.get(k).copied().unwrap_or(0.0);
+            let value = |k: usize| column.get(poses.first[k]).copied().unwrap_or(0.0);
             value(*a).total_cmp(&value(*b)).then(a.cmp(b))
         });
         let (count, sectors) = if n < FEW {
@@ -72,8 +81,8 @@ impl Folds {
             (FOLDS, 4 * FOLDS)
         };
         let mut fold = vec![0; n];
-        for (rank, sample) in order.iter().enumerate() {
-            fold[*sample] = (rank * sectors / n.max(1)) % count;
+        for (rank, pose) in order.iter().enumerate() {
+            fold[*pose] = (rank * sectors / n.max(1)) % count;
         }
         let joint = widest.map_or(1, |j| j + 1);
         let how = if n < FEW {
@@ -88,7 +97,17 @@ impl Folds {
                 joint
             )
         };
-        Self { fold, count, how }
+        Self::of_poses(&poses, &fold, count, how)
+    }
+
+    /// The folds of samples, of those of their poses: rows of a pose share what the robot did not repeat.
+    fn of_poses(poses: &ByPose, fold: &[usize], count: usize, how: Text) -> Self {
+        Self {
+            fold: poses.to_samples(fold),
+            poses: poses.first.len(),
+            count,
+            how,
+        }
     }
 
     /// Whole stretches of the only joint, each of which a fit has to predict from beyond; `None` of several
@@ -97,55 +116,53 @@ impl Folds {
         let [q] = regression.rows.inputs.q.as_slice() else {
             return None;
         };
-        let n = regression.rows.samples.len();
+        let poses = poses_of(&regression.rows);
+        let n = poses.first.len();
         if n < FEW {
             return None;
         }
         let mut order: Vec<usize> = (0..n).collect();
-        order.sort_by(|a, b| q[*a].total_cmp(&q[*b]).then(a.cmp(b)));
+        let q = |pose: usize| q[poses.first[pose]];
+        order.sort_by(|a, b| q(*a).total_cmp(&q(*b)).then(a.cmp(b)));
         let mut fold = vec![0; n];
-        for (rank, sample) in order.into_iter().enumerate() {
-            fold[sample] = rank * FOLDS / n;
+        for (rank, pose) in order.into_iter().enumerate() {
+            fold[pose] = rank * FOLDS / n;
         }
-        Some(Self {
-            fold,
-            count: FOLDS,
-            how: Text::default(),
-        })
+        Some(Self::of_poses(&poses, &fold, FOLDS, Text::default()))
     }
 
     /// Folds over cells of the workspace, for a robot with several joints.
     pub(crate) fn over_cells(rows: &Rows, model: &Model) -> Self {
         let points = rows.points(model);
+        let poses = poses_of(rows);
+        let points: Vec<[f64; 3]> = poses.first.iter().map(|k| points[*k]).collect();
         let n = points.len();
         if let Some(rows) = rows.observed() {
-            return Self {
-                fold: folds_of_groups(&points, &rows.layer().references(), FOLDS),
-                count: FOLDS,
-                how: text!(
-                    "each fifth of the measurements, of every reference its own, predicted by a fit that has not seen it"
-                ),
-            };
+            let references = rows.layer().references();
+            let references: Vec<usize> = poses.first.iter().map(|k| references[*k]).collect();
+            let fold = folds_of_groups(&points, &references, FOLDS);
+            let how = text!(
+                "each fifth of the measurements, of every reference its own, predicted by a fit that has not seen it"
+            );
+            return Self::of_poses(&poses, &fold, FOLDS, how);
         }
         let few = n < FEW;
         let wanted = if few { (n / 3).clamp(2, 10) } else { 4 * FOLDS };
         let cell = cells(&points, wanted);
         let made = cell.iter().max().map_or(1, |c| c + 1);
         let count = if few { made } else { FOLDS };
-        Self {
-            fold: cell.into_iter().map(|c| c % count).collect(),
-            count,
-            how: if few {
-                text!(
-                    "each of {count} cells of the workspace predicted by a fit that has not seen it",
-                    count = made
-                )
-            } else {
-                text!(
-                    "each fifth of the cells of the workspace predicted by a fit that has not seen it"
-                )
-            },
-        }
+        let fold: Vec<usize> = cell.into_iter().map(|c| c % count).collect();
+        let how = if few {
+            text!(
+                "each of {count} cells of the workspace predicted by a fit that has not seen it",
+                count = made
+            )
+        } else {
+            text!(
+                "each fifth of the cells of the workspace predicted by a fit that has not seen it"
+            )
+        };
+        Self::of_poses(&poses, &fold, count, how)
     }
 
     /// Number of samples.
@@ -163,9 +180,9 @@ impl Folds {
         self.fold[sample]
     }
 
-    /// Whether there are enough samples to say anything.
+    /// Whether there are enough poses to say anything.
     pub(crate) fn say_something(&self) -> bool {
-        self.fold.len() >= FEWEST
+        self.poses >= FEWEST
     }
 
     /// Root mean square length of the deviations of samples that the fit has not seen, mm; of other
@@ -273,5 +290,39 @@ impl Folds {
             rms_mm: (sum_mm / lengths as f64).sqrt(),
             rows: left,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::diagnosis::Options;
+    use crate::diagnosis::search::prepare::PreparedSearch;
+    use crate::fit::example::unrepeated;
+
+    #[test]
+    fn rows_of_a_pose_are_in_one_fold() {
+        let session = unrepeated(0.0, 1);
+        let options = Options {
+            held_out: Some(0.2),
+            ..Options::default()
+        };
+        let prepared = PreparedSearch::new(&session, &options).unwrap();
+        let samples = &prepared.regression.rows.samples;
+        let mut of_pose = vec![None; 60];
+        for (k, sample) in samples.iter().enumerate() {
+            let fold = of_pose[sample / 3].get_or_insert(prepared.folds.of(k));
+            assert_eq!(*fold, prepared.folds.of(k), "{sample}");
+        }
+        for fold in 0..prepared.folds.count() {
+            assert!(of_pose.contains(&Some(fold)));
+        }
+        // What is locked away is so by poses too.
+        assert!(prepared.locked.contains(&true));
+        assert!(
+            prepared
+                .locked
+                .chunks(3)
+                .all(|pose| pose.iter().all(|l| *l == pose[0]))
+        );
     }
 }

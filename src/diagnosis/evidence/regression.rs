@@ -118,7 +118,8 @@ impl<'a> Regression<'a> {
             .map_or(0.0, |slow| choice_of_axes(&rows, slow.rms_mm));
         let numbers_of_a_basis = (rows.len() + beside) * base.coefficient_count();
         let last_fits = (LAST_FITS / numbers_of_a_basis.max(1)).min(MOST_FITS);
-        let price = PRICE_OF_A_VARIANCE * numbers + choice;
+        let of_robot = f64::from(u8::from(noise.joints_rad > 0.0));
+        let price = PRICE_OF_A_VARIANCE * (numbers + of_robot) + choice;
         let ln_noise = -0.5 * filter.ln_determinant() - price;
         Self {
             ln_noise,

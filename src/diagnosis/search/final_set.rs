@@ -159,7 +159,7 @@ fn denied_by_stretches(prepared: &PreparedSearch, fit: &Fit) -> Option<Fit> {
     let regression = &prepared.regression;
     let of_angle = |t: &&Term| t.effect.about().over == Over::Angle;
     let terms: Vec<&Term> = regression.added(fit).into_iter().filter(of_angle).collect();
-    if terms.is_empty() || !fit.shapes.is_empty() || regression.noise.slow.is_some() {
+    if terms.is_empty() || !fit.shapes.is_empty() || !regression.noise.is_white() {
         return None;
     }
     let stretches = Folds::stretches(regression)?;

@@ -1,12 +1,16 @@
 //! The noise floor: the smallest gap that noise allows, from returns to the same pose, else from
 //! the instrument's maker, else from what the final model leaves.
 
+use std::collections::BTreeSet;
+
+use crate::effects::Inputs;
 use crate::row_checks::returns::WORST_REPEATABILITY;
 use crate::sessions::Sigma;
+use crate::sessions::poses::ByPose;
 
 use super::prepare::PreparedSearch;
 use crate::answers::diagnosis::{Floor, FloorFrom};
-use crate::diagnosis::evidence::Fit;
+use crate::diagnosis::evidence::{Fit, Regression};
 
 /// From returns to the same pose, else the instrument, else the residuals of the final fit; never below
 /// what rounding to the digit of the coordinates leaves.
@@ -35,10 +39,9 @@ fn as_shown(prepared: &PreparedSearch, fit: &Fit) -> Floor {
             from: FloorFrom::Repeats,
         };
     }
-    let axes = regression.rows.axes.len() as f64;
     match prepared.problem.session.instrument.sigma_mm {
         Some(Sigma::Overall(sigma)) => Floor {
-            mm: sigma * axes.sqrt(),
+            mm: sigma * (regression.rows.axes.len() as f64).sqrt(),
             from: FloorFrom::Instrument,
         },
         Some(Sigma::PerAxis(sigma)) => Floor {
@@ -52,11 +55,19 @@ fn as_shown(prepared: &PreparedSearch, fit: &Fit) -> Floor {
             from: FloorFrom::Instrument,
         },
         None => Floor {
-            mm: regression.noise.total_mm(&regression.rows.axes)
-                * axes.sqrt()
-                * regression.scale(fit),
+            mm: estimated_mm(regression) * regression.scale(fit),
             from: FloorFrom::Estimated,
         },
+    }
+}
+
+/// Root mean square length of all layers of the noise, mm.
+fn estimated_mm(regression: &Regression) -> f64 {
+    let (rows, noise) = (&regression.rows, &regression.noise);
+    let of_rows = noise.total_mm(&rows.axes) * (rows.axes.len() as f64).sqrt();
+    match rows.unrepeated_mm(noise) {
+        Some(robot_mm) => of_rows.hypot(robot_mm),
+        None => of_rows,
     }
 }
 
@@ -97,7 +108,7 @@ pub(crate) struct PureError {
 }
 
 /// Spread between samples of the same pose, side, target, speed and load, reached again after
-/// another pose.
+/// another pose. Two shots in one pose tell of the instrument alone.
 pub(crate) fn pure_error(prepared: &PreparedSearch) -> Option<PureError> {
     let rows = &prepared.regression.rows;
     let inputs = &rows.inputs;
@@ -129,12 +140,9 @@ pub(crate) fn pure_error(prepared: &PreparedSearch) -> Option<PureError> {
         let end = (start..n)
             .find(|k| keys[order[*k]] != keys[order[start]])
             .unwrap_or(n);
-        // Reached again: something else was measured in between.
-        let group: Vec<usize> = order[start..end]
-            .iter()
-            .enumerate()
-            .filter(|(k, i)| *k == 0 || **i > order[start + k - 1] + 1)
-            .map(|(_, i)| *i)
+        let group: Vec<usize> = (start..end)
+            .filter(|k| *k == start || is_reached_again(inputs, order[*k - 1], order[*k]))
+            .map(|k| order[k])
             .collect();
         if group.len() > 1 {
             freedom += group.len() - 1;
@@ -159,9 +167,65 @@ pub(crate) fn pure_error(prepared: &PreparedSearch) -> Option<PureError> {
     // What is farther apart is no return: the commands are not the robot's.
     let worst_mm = WORST_REPEATABILITY * prepared.problem.session.robot.reach_mm();
     let are_returns = mm.is_none_or(|mm| mm <= worst_mm);
+    let of_poses = returned_poses(inputs).map(|count| (rows.axes.len() * count) as f64);
     (freedom >= FEWEST_REPEATS && are_returns).then(|| PureError {
         mm,
         variance: weighted / all,
-        freedom: all,
+        freedom: of_poses.map_or(all, |of_poses| all.min(of_poses)),
     })
+}
+
+/// Whether a sample was reached again after one before it: something else was measured in between, in another pose.
+fn is_reached_again(inputs: &Inputs, before: usize, now: usize) -> bool {
+    match &inputs.pose {
+        Some(pose) => pose[before] != pose[now],
+        None => now > before + 1,
+    }
+}
+
+/// How often a pose was reached again, where several samples share one: all that is measured in it tells of its return
+/// but once.
+fn returned_poses(inputs: &Inputs) -> Option<usize> {
+    let pose = inputs.pose.as_deref()?;
+    let commands = |i: usize| -> Vec<u64> { inputs.q.iter().map(|q| q[i].to_bits()).collect() };
+    let first = ByPose::of(Some(pose), pose.len()).first;
+    let different: BTreeSet<Vec<u64>> = first.iter().map(|i| commands(*i)).collect();
+    Some(first.len() - different.len())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diagnosis::Options;
+    use crate::fit::example::unrepeated;
+
+    /// Two rounds of shots in each pose are no returns; the same poses once more, behind the others, are.
+    #[test]
+    fn shots_in_one_pose_tell_nothing_of_returns() {
+        let once = unrepeated(2e-4, 1);
+        let again = |rows: &[usize]| {
+            let mut session = once.clone();
+            let pick =
+                |column: &mut Vec<f64>| *column = rows.iter().map(|row| column[*row]).collect();
+            let samples = &mut session.samples;
+            samples.q.iter_mut().for_each(pick);
+            [&mut samples.x_mm, &mut samples.y_mm]
+                .into_iter()
+                .for_each(pick);
+            samples.z_mm.iter_mut().for_each(pick);
+            let target = samples.target.iter_mut();
+            target.for_each(|t| *t = rows.iter().map(|row| t[*row]).collect());
+            session
+        };
+        let shots: Vec<usize> = (0..20)
+            .flat_map(|k| [0, 1, 2, 0, 1, 2].map(|t| 3 * k + t))
+            .collect();
+        let twice: Vec<usize> = (0..60).chain(0..60).collect();
+        for (rows, returns) in [(shots, None), (twice, Some(60.0))] {
+            let session = again(&rows);
+            let prepared = PreparedSearch::new(&session, &Options::default()).unwrap();
+            // Of three reflectors a return counts once.
+            assert_eq!(pure_error(&prepared).map(|pure| pure.freedom), returns);
+        }
+    }
 }

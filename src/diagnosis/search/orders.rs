@@ -210,7 +210,7 @@ impl OrderSpread {
             return None;
         }
         let part = thinned(problem, MOST_SAMPLES);
-        let rows = Rows::of(&part);
+        let rows = Rows::of(&part).seen_by(model);
         let moved = |order: &Term, by: f64| {
             let terms = model.terms().iter().map(|t| Term {
                 setting: t.setting + if t.same_column(order) { by } else { 0.0 },

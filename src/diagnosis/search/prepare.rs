@@ -17,6 +17,7 @@ use crate::model::Model;
 use crate::observations::figures::judge;
 use crate::sessions::Session;
 use crate::sessions::cells::cells;
+use crate::sessions::poses::ByPose;
 use crate::set_up_errors::DataProblem;
 use crate::side_by_side::Threads;
 use nalgebra::DMatrix;
@@ -411,7 +412,10 @@ fn locked(problem: &Problem, share: Option<f64>) -> Vec<bool> {
     let mut locked = vec![false; n];
     let Some(share) = share else { return locked };
     let q = &problem.inputs.q[0];
-    let mut order: Vec<usize> = (0..n).filter(|i| problem.fit[*i]).collect();
+    let fit: Vec<usize> = (0..n).filter(|i| problem.fit[*i]).collect();
+    let pose = problem.inputs.select(&fit).pose;
+    let poses = ByPose::of(pose.as_deref(), fit.len());
+    let mut order: Vec<usize> = poses.first.iter().map(|k| fit[*k]).collect();
     if base_model::is_arm(problem.session) {
         // Neighbours in the workspace are locked away together.
         let predicted = Model::nominal(problem.session.robot.clone()).predict(&problem.inputs);
@@ -429,6 +433,11 @@ fn locked(problem: &Problem, share: Option<f64>) -> Vec<bool> {
         // Sectors are taken whenever their share is due.
         let due = |k: usize| (k as f64 * share + 0.5).floor();
         locked[sample] = due(sector + 1) > due(sector);
+    }
+    // Rows of a pose share what the robot did not repeat.
+    let of_poses: Vec<bool> = poses.first.iter().map(|k| locked[fit[*k]]).collect();
+    for (sample, is_locked) in fit.into_iter().zip(poses.to_samples(&of_poses)) {
+        locked[sample] = is_locked;
     }
     locked
 }

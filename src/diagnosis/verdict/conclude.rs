@@ -17,6 +17,7 @@ use crate::text::Text;
 
 use super::named_effects::found;
 use super::remainder::unexplained;
+use super::repeatability::robot_mm;
 use super::testable::not_testable;
 use super::unseen::held_out;
 use super::values::{Values, corrected_for_selection};
@@ -27,7 +28,6 @@ use crate::answers::noise::Noise;
 use crate::answers::pose::{NextPose, to_raw};
 use crate::diagnosis::candidates::table::NotTestable;
 use crate::diagnosis::evidence::Fit;
-use crate::diagnosis::evidence::Regression;
 use crate::diagnosis::search::CHANCE_OF_A_STEP;
 use crate::diagnosis::search::SearchResult as SearchEnd;
 use crate::diagnosis::search::floor;
@@ -198,7 +198,7 @@ pub(crate) fn answer(
         outliers: identification.outliers.clone(),
         identification,
         next_poses,
-        noise: noise_of(own, regression),
+        noise: noise_of(prepared, own),
         model: own.model.settled(),
         history,
         set_up,
@@ -227,11 +227,13 @@ fn without_dropped<'f>(prepared: &PreparedSearch, fit: &'f Fit, dropped: &[Term]
 
 /// The noise as it is said. Of several kinds of measurement the search knows one number, which stands for σ of
 /// each; in mm it is what lengths are left with.
-fn noise_of(values: &Values, regression: &Regression) -> Noise {
+fn noise_of(prepared: &PreparedSearch, values: &Values) -> Noise {
+    let regression = &prepared.regression;
     let own = values.problem.noise.clone();
     let noise = own.unwrap_or_else(|| regression.noise.clone());
     if values.problem.observed.is_none() {
-        return noise;
+        let robot_mm = robot_mm(prepared, values);
+        return Noise { robot_mm, ..noise };
     }
     let [found_mm, searched_mm] = [values.sigma_mm()[0], noise.sigma_mm[0]];
     noise.scaled(found_mm / searched_mm.max(f64::MIN_POSITIVE))

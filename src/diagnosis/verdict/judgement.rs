@@ -23,6 +23,7 @@ use crate::observations::{Layer, kind_in_words};
 
 use super::excess::{Excess, MOST_OVER_THE_FLOOR, excess_of};
 use super::group_excess;
+use super::repeatability::robot_mm;
 use super::unpredicted;
 use super::values::Values;
 use super::withheld::stand_in;
@@ -156,6 +157,7 @@ fn flag(
     unexplained.place = group_excess::place(session, &lengths_mm(&values.problem, &values.model));
     let times = format!("{:.2}", excess.ratio);
     let returns = floor.from == FloorFrom::Repeats;
+    let shared = robot_mm(prepared, values).filter(|_| !returns);
     let size = length(floor.mm, 4);
     unexplained.description = match excess.kind.map(kind_in_words) {
         Some(kind) if returns => text!(
@@ -167,6 +169,10 @@ fn flag(
             "the remaining error of {kind} is {times} times what is stated for the instrument, without a structure that the search knows",
             kind,
             times
+        ),
+        None if shared.is_some() => text!(
+            "the rows of a pose share an error of {size}: the robot does not repeat, or something is missing that has no name; poses that are reached again tell which",
+            size = length(shared.unwrap_or_default(), 4)
         ),
         None if returns => text!(
             "the remaining error is {times} times what returns to the same pose show ({size}), without a structure that the search knows",
@@ -197,7 +203,7 @@ fn against_stated(prepared: &PreparedSearch, values: &Values) -> Option<StatedNo
 
 /// F of the lack of fit against pure error.
 fn lack_of_fit(values: &Values, pure: &PureError) -> Excess {
-    let (variance, freedom, _) = values.white();
+    let (variance, freedom) = values.beside_returns();
     let beyond = freedom - pure.freedom;
     let none = Excess {
         ratio: 1.0,

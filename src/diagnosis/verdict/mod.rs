@@ -4,7 +4,7 @@
 //! - `conclude`: the answer put together; `values`, `selection`: parameters and their intervals.
 //! - `named_effects`, `step_time`: the names; `equal_steps`: orders that equal steps cannot part.
 //! - `judgement`, `excess`, `group_excess`, `remainder`, `unpredicted`, `withheld`: what is left, and whether noise explains it.
-//! - `limits`, `testable`: what would have been seen, and what cannot be.
+//! - `limits`, `testable`: what would have been seen, and what cannot be; `repeatability`: what the robot does not repeat.
 //! - `handed_out`, `divergent_terms`, `unseen`: which model is handed out; `unnamed`: what predicts without a name.
 
 mod conclude;
@@ -17,6 +17,7 @@ mod judgement;
 pub(crate) mod limits;
 mod named_effects;
 mod remainder;
+mod repeatability;
 mod selection;
 mod step_time;
 mod testable;

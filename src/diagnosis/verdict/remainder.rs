@@ -92,7 +92,7 @@ fn place_of(shape: &Shape, range: (f64, f64), prepared: &PreparedSearch) -> Wher
 /// the samples, mm.
 fn of_the_shapes_mm(regression: &Regression, fit: &Fit) -> f64 {
     let n = regression.rows.samples.len().max(1) as f64;
-    if regression.noise.slow.is_none() || regression.rows.observed().is_some() {
+    if regression.noise.is_white() || regression.rows.observed().is_some() {
         let names = regression.fit(&fit.model, &[]);
         let gain = (names.rss - fit.rss).max(0.0);
         return (gain / n).sqrt() * mean_sigma_mm(regression);

@@ -16,6 +16,7 @@ use crate::fit::{
 };
 use crate::model::Model;
 use crate::observations::figures::{coordinate_mm, whitened};
+use crate::sessions::poses::ByPose;
 
 use super::selection::Selection;
 use crate::diagnosis::evidence::Fit;
@@ -67,7 +68,7 @@ impl<'a> Values<'a> {
         }
         let of_kinds = problem.observed.is_some();
         if !of_kinds {
-            problem.set_noise(&prepared.regression.noise);
+            problem.set_noise(&prepared.regression.noise, &fit.model);
         }
         let mut solution = solve(&problem, &fit.model);
         let rounds = if stopped || of_kinds { 0 } else { 2 };
@@ -77,7 +78,7 @@ impl<'a> Values<'a> {
             if known.is_some_and(|known| noise.whitens_like(known)) {
                 break;
             }
-            problem.set_noise(&noise);
+            problem.set_noise(&noise, &solution.model);
             solution = solve(&problem, &solution.model);
         }
         let mut covariance = covariance_of(&problem, &solution);
@@ -125,6 +126,28 @@ impl<'a> Values<'a> {
         let unit = self.problem.observed.as_ref().map_or(1.0, |l| l.unit_mm);
         let cost = self.solution.cost / (unit * unit);
         (cost / freedom, freedom, self.tails.0)
+    }
+
+    /// What returns to the same poses are held against: mean square of a coordinate in units of its axis's white noise,
+    /// with what the robot does not repeat in it, and its degrees of freedom, of poses then.
+    pub(crate) fn beside_returns(&self) -> (f64, f64) {
+        let (white, freedom, _) = self.white();
+        let noise = self.problem.noise.as_ref();
+        if noise.is_none_or(|noise| noise.joints_rad == 0.0) {
+            return (white, freedom);
+        }
+        let left = deviations(&self.problem, &self.model).axes_mm;
+        let used = (0..self.problem.used.len()).filter(|i| self.problem.used[*i]);
+        let used: Vec<usize> = used.collect();
+        let axes = self.problem.axis_weights.iter().zip(&left);
+        let square: f64 = axes
+            .filter(|(weight, _)| **weight > 0.0)
+            .map(|(weight, e)| used.iter().map(|i| weight * e[*i] * e[*i]).sum::<f64>())
+            .sum();
+        let pose = self.problem.inputs.select(&used).pose;
+        let poses = ByPose::of(pose.as_deref(), used.len()).first.len();
+        let of_poses = (poses * self.problem.axes()) as f64 - self.rank();
+        (square / freedom, of_poses.max(1.0))
     }
 
     /// Size of the bulk of what is left, from the median, in units of the noise.
@@ -286,7 +309,7 @@ impl<'a> Values<'a> {
         let mut now = self.clone();
         now.problem = problem.clone();
         if let (Some(noise), None) = (&self.problem.noise, &problem.observed) {
-            now.problem.set_noise(noise);
+            now.problem.set_noise(noise, &self.model);
         }
         now
     }

@@ -1,6 +1,8 @@
 //! The Kalman filter that whitens columns at a cost linear in the number of samples; its equations
 //! stand in [the module above](super).
 
+use super::joints::JointFilter;
+
 /// What one sample does in the filter of an axis.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Step {
@@ -23,6 +25,8 @@ pub(super) enum Axis {
 pub struct Filter {
     pub(super) axes: Vec<Axis>,
     pub(super) samples: usize,
+    /// Where rows share what the robot did not repeat: this in the place of the axes.
+    pub(super) joints: Option<JointFilter>,
 }
 
 /// Columns that go through the filter together, so that they do not wait for one another.
@@ -31,6 +35,9 @@ const TOGETHER: usize = 8;
 impl Filter {
     /// Whitens columns of rows, one column after the other, an axis after the other in each.
     pub fn whiten(&self, values: &mut [f64]) {
+        if let Some(joints) = &self.joints {
+            return joints.whiten(values);
+        }
         self.through(values, |steps, columns, at| {
             let mut state = [0.0; TOGETHER];
             for (k, step) in steps.iter().enumerate() {
@@ -50,6 +57,9 @@ impl Filter {
     /// y_k = z_k/√S_k + K_k λ_k,   λ_(k−1) = a_k (λ_k − y_k),   from the last sample back
     /// ```
     pub fn whiten_transposed(&self, values: &mut [f64]) {
+        if let Some(joints) = &self.joints {
+            return joints.whiten_transposed(values);
+        }
         self.through(values, |steps, columns, at| {
             let mut later = [0.0; TOGETHER];
             for (k, step) in steps.iter().enumerate().rev() {
@@ -88,6 +98,9 @@ impl Filter {
 
     /// Logarithm of the determinant of the covariance that the filter takes out.
     pub fn ln_determinant(&self) -> f64 {
+        if let Some(joints) = &self.joints {
+            return joints.ln_determinant();
+        }
         let one = |axis: &Axis| match axis {
             Axis::White(scale) => -2.0 * self.samples as f64 * scale.ln(),
             Axis::Slow(steps) => steps.iter().map(|s| -2.0 * s.inverse_spread.ln()).sum(),

@@ -1,5 +1,6 @@
-//! The noise of a measurement: white along each axis, plus a part that wanders slowly in time (a
-//! tripod that settles, air, a tracker that warms up).
+//! The noise of a measurement in three layers: white along each axis (the instrument), what the robot does not repeat
+//! and all rows of a pose share ([`joints`]), and a part that wanders slowly in time (a tripod that settles, air, a
+//! tracker that warms up).
 //!
 //! ```text
 //! y_a(t_k) = model + w_a(t_k) + ε_k,   ε ~ N(0, σ_a²),   E w_a(t) w_a(u) = s_a² exp(−|t − u|/τ)
@@ -30,12 +31,14 @@ use filter::{Axis, steps};
 use restricted::{NoiseShape, Restricted};
 
 mod filter;
+pub(crate) mod joints;
 mod restricted;
 mod slow_part;
 
 use crate::answers::noise::Trial;
 pub(crate) use crate::answers::noise::{Noise, Slow, StatedNoise};
 pub(crate) use filter::{Filter, Step, carried};
+use joints::JointFilter;
 pub(crate) use restricted::SMALLEST_SIGMA_MM;
 
 /// Twice the logarithm of a likelihood ratio (two degrees of freedom) from which on the axes
@@ -51,6 +54,13 @@ const FEWEST_SAMPLES: usize = 20;
 /// session of a hundred (`hidden_effects noise`).
 /// 0 of 40 sessions of white noise of `hidden_effects slow` exceed it.
 const SLOW_EVIDENCE: f64 = 12.0;
+/// Twice the logarithm of the likelihood ratio from which on the robot does not repeat: a variance on the boundary of its
+/// range, which noise alone exceeds in one session of 200 (half of χ² with one degree of freedom).
+const JOINTS_EVIDENCE: f64 = 6.63;
+/// Variances of what the joints do not repeat that are tried, in units of the white part's …
+const SHARES: [f64; 6] = [0.1, 1.0, 10.0, 100.0, 1e3, 1e4];
+/// … and factors of the search around the likeliest.
+const CLOSER_SHARES: [f64; 4] = [3.2, 1.8, 1.3, 1.15];
 /// What a slow part pays for each of its numbers (a time constant and a size for each axis), as a
 /// logarithm: each is known to about a factor of two within a range of some hundred to one:
 /// ln(4.6/(0.7 √(2π))) ≈ 1. (Laplace's ½ ln m is that of a mean over all rows, which a variance of a
@@ -66,7 +76,7 @@ impl Noise {
         residual: &DVector<f64>,
         columns: &DMatrix<f64>,
     ) -> Self {
-        Self::likeliest(stated, rows, residual, columns, false)
+        Self::likeliest(stated, rows, (residual, columns), false, true)
     }
 
     /// The same with everything that it may be besides, for intervals: a search does without.
@@ -76,15 +86,15 @@ impl Noise {
         residual: &DVector<f64>,
         columns: &DMatrix<f64>,
     ) -> Self {
-        Self::likeliest(stated, rows, residual, columns, true)
+        Self::likeliest(stated, rows, (residual, columns), true, true)
     }
 
     fn likeliest(
         stated: Option<Sigma>,
         rows: &Rows,
-        residual: &DVector<f64>,
-        columns: &DMatrix<f64>,
+        (residual, columns): (&DVector<f64>, &DMatrix<f64>),
         with_alternatives: bool,
+        may_not_repeat: bool,
     ) -> Self {
         let mut noise = Self::white(1.0);
         if let Some(Sigma::PerAxis(sigma)) = stated {
@@ -98,9 +108,21 @@ impl Noise {
         let mut slow = NoiseShape::white(noise.sigma_mm);
         let enough = rows.samples.len() >= FEWEST_SAMPLES;
         if enough {
-            let alike = noise.clone();
+            let mut alike = noise.clone();
             noise.balance_axes(&restricted, slow);
             let white = restricted.likelihood(NoiseShape::white(noise.sigma_mm));
+            if may_not_repeat
+                && let Some((joints_rad, _)) = alike.unrepeated(&restricted, slow, white)
+            {
+                // An error of the joints makes the axes look unequal as well.
+                (alike.joints_rad, slow.joints_rad) = (joints_rad, joints_rad);
+                noise = alike.clone();
+                noise.balance_axes(&restricted, slow);
+            }
+            let white = restricted.likelihood(NoiseShape {
+                sigma: noise.sigma_mm,
+                ..slow
+            });
             let mut best = noise.slowest(&restricted, white);
             // What wanders along some axes only makes them look unequal as well.
             if noise.unequal && !alike.unequal {
@@ -110,6 +132,34 @@ impl Noise {
                 if let Some(other) = other.filter(|t| slow(t) && better(t)) {
                     (noise, best) = (alike, Some(other));
                 }
+            }
+            let is_slow = best.is_some_and(|b| 2.0 * (b.0 - white) > SLOW_EVIDENCE);
+            if noise.joints_rad > 0.0
+                && is_slow
+                && let Some((_, tau, ratio)) = best
+            {
+                // What wanders is the same in the rows of a pose as well.
+                let sigma = noise.sigma_mm;
+                let beside = NoiseShape {
+                    tau,
+                    ratio,
+                    sigma,
+                    joints_rad: 0.0,
+                };
+                let alone = restricted.likelihood(beside);
+                let Some((joints_rad, likelihood)) = noise.unrepeated(&restricted, beside, alone)
+                else {
+                    return Self::likeliest(
+                        stated,
+                        rows,
+                        (residual, columns),
+                        with_alternatives,
+                        false,
+                    );
+                };
+                noise.joints_rad = joints_rad;
+                slow.joints_rad = joints_rad;
+                best = Some((likelihood, tau, ratio));
             }
             if with_alternatives {
                 noise.alternatives = noise.alternatives(&restricted, white, best);
@@ -121,6 +171,7 @@ impl Noise {
                         tau,
                         ratio,
                         sigma: noise.sigma_mm,
+                        joints_rad: noise.joints_rad,
                     };
                     noise.balance_axes(&restricted, slow);
                     let rms = |a: usize| ratio[a].sqrt() * noise.sigma_mm[a];
@@ -137,6 +188,39 @@ impl Noise {
             .max(SMALLEST_SIGMA_MM);
         // What was rounded away is noise, whatever the residuals of few digits look like.
         noise.scaled(scale).at_least(rows.digits_mm)
+    }
+
+    /// What the joints do not repeat beside a noise of so much likelihood, and the likelihood with it; `None` where the
+    /// rows of a pose show none of it, or no pose has several.
+    fn unrepeated(
+        &self,
+        restricted: &Restricted,
+        shape: NoiseShape,
+        without: f64,
+    ) -> Option<(f64, f64)> {
+        let unit = self.total_mm(&restricted.axes) / restricted.lever_mm()?;
+        let at = |ratio: f64| {
+            let joints_rad = unit * ratio.sqrt();
+            (
+                ratio,
+                restricted.likelihood(NoiseShape {
+                    joints_rad,
+                    ..shape
+                }),
+            )
+        };
+        let better = |a: (f64, f64), b: (f64, f64)| if b.1 > a.1 { b } else { a };
+        let mut best = better(at(SHARES[0]), at(SHARES[1]));
+        if best.1 <= without {
+            return None;
+        }
+        for share in &SHARES[2..] {
+            best = better(best, at(*share));
+        }
+        for factor in CLOSER_SHARES {
+            best = better(better(best, at(best.0 * factor)), at(best.0 / factor));
+        }
+        (2.0 * (best.1 - without) > JOINTS_EVIDENCE).then(|| (unit * best.0.sqrt(), best.1))
     }
 
     /// Sizes of the axes relative to each other, where they clearly differ beside a slow part.
@@ -186,7 +270,11 @@ impl Noise {
 
     /// The filter that whitens rows.
     pub fn filter(&self, rows: &Rows) -> Filter {
-        self.filter_over(&rows.times, &rows.axes)
+        let moves = rows.moves().filter(|_| self.joints_rad > 0.0);
+        Filter {
+            joints: moves.map(|moves| JointFilter::new(self, &rows.times, &rows.axes, &moves)),
+            ..self.filter_over(&rows.times, &rows.axes)
+        }
     }
 
     /// The filter for samples at these times.
@@ -206,6 +294,7 @@ impl Noise {
         Filter {
             axes: axes.iter().map(one).collect(),
             samples: times.len(),
+            joints: None,
         }
     }
 
@@ -231,7 +320,9 @@ impl Noise {
             let total = n.total_mm(&[0, 1, 2]).max(SMALLEST_SIGMA_MM);
             (n.sigma_mm[axis] / total).max(1e-3).ln()
         };
+        let joints = |n: &Self| n.joints_rad.max(f64::MIN_POSITIVE).ln();
         self.slow.is_some() == other.slow.is_some()
+            && (joints(self) - joints(other)).abs() < 0.1
             && (share(self) - share(other)).abs() < 0.1
             && (time(self) - time(other)).abs() < 0.5
             && (0..3).all(|axis| (size(self, axis) - size(other, axis)).abs() < 0.05)

@@ -102,6 +102,7 @@ impl Noise {
             tau,
             ratio,
             sigma: self.sigma_mm,
+            joints_rad: self.joints_rad,
         })
     }
 

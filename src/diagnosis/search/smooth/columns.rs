@@ -53,7 +53,7 @@ impl<'a> Columns<'a> {
     pub(super) fn new(problem: &Problem<'a>, noise: &Noise, model: &Model, joint: usize) -> Self {
         let mut problem = problem.clone();
         problem.thin(MOST_SAMPLES);
-        let rows = Rows::of(&problem);
+        let rows = Rows::of(&problem).seen_by(model);
         let probe = Term::absent(&EACH_DIRECTION, joint, 0.0);
         let model = model.with_term(probe.clone());
         let before = model.terms().iter().take_while(|t| !t.same_column(&probe));

@@ -132,7 +132,7 @@ impl<'a> Design<'a> {
                 white[(m + known.len() + row, column)] = columns[(row, *place)];
             }
         }
-        let mut raw = noise.slow.is_some().then_some(geometry);
+        let mut raw = (!noise.is_white()).then_some(geometry);
         let kept: Vec<usize> = (0..white.ncols())
             .filter(|k| white.column(*k).norm() > 0.0)
             .collect();
@@ -283,7 +283,7 @@ impl<'a> Design<'a> {
 
     /// The joint and the order that what is left shows beyond all noise, if any.
     pub(super) fn next_order(&self, strengths: &[f64]) -> Option<(usize, f64)> {
-        if self.orders >= MOST_ORDERS || self.noise.slow.is_some() {
+        if self.orders >= MOST_ORDERS || !self.noise.is_white() {
             return None;
         }
         let solved = self.solved(&self.total, strengths)?;
@@ -318,7 +318,7 @@ impl<'a> Design<'a> {
         let mut left = all.column(all.ncols() - 1).into_owned();
         let columns = &all.as_slice()[..all.nrows() * coefficients.len()];
         subtract(columns, coefficients, left.as_mut_slice());
-        // Without a slow part a whitened row is one in units of its axis's noise.
+        // Of rows that are independent a whitened one is one in units of its axis's noise.
         let unit = |row: usize| match self.raw {
             Some(_) => 1.0,
             None => self.noise.sigma_mm[self.rows.axes[row / n]],

@@ -3,13 +3,15 @@
 //! The frame of a setup, and whatever else touches a stretch of the samples only, has columns that are zero everywhere
 //! else. Where there are many stretches their columns are taken out one stretch after the other
 //! ([`stretches`]), so that a session of many setups costs what its samples cost; otherwise all columns are carried
-//! through the filter ([`whole`]).
+//! through the filter ([`whole`]). What a robot does not repeat ties the axes together: then all columns go through the
+//! filter along all axes at once.
 
 mod stretches;
 mod summed;
 mod whole;
 
 use crate::fit::regression::Rows;
+use crate::linear::gram;
 use nalgebra::{DMatrix, DVector};
 
 use stretches::Stretches;
@@ -22,6 +24,8 @@ pub(super) struct Restricted<'r> {
     rows: &'r Rows<'r>,
     pub(super) axes: Vec<usize>,
     columns: Columns,
+    /// Columns and residual along all axes, where poses have several rows.
+    together: Option<DMatrix<f64>>,
 }
 
 enum Columns {
@@ -31,13 +35,33 @@ enum Columns {
 
 impl<'r> Restricted<'r> {
     pub(super) fn new(rows: &'r Rows<'r>, residual: &DVector<f64>, columns: &DMatrix<f64>) -> Self {
+        let products = columns.ncols() * columns.ncols() * columns.nrows();
+        if rows.moves().is_some() && products <= MOST_PRODUCTS {
+            let whole = Whole::new(rows, residual, columns);
+            return Self {
+                rows,
+                axes: rows.axes.clone(),
+                together: Some(whole.together()),
+                columns: Columns::Whole(whole),
+            };
+        }
         let by_stretch = Stretches::of(rows, residual, columns).map(Columns::Stretches);
         Self {
             rows,
             axes: rows.axes.clone(),
             columns: by_stretch
                 .unwrap_or_else(|| Columns::Whole(Whole::new(rows, residual, columns))),
+            together: None,
         }
+    }
+
+    /// How far a row moves with the joints, root mean square over samples, mm for each rad; `None` where no pose has
+    /// several rows.
+    pub(super) fn lever_mm(&self) -> Option<f64> {
+        self.together.as_ref()?;
+        let moves = self.rows.moves()?;
+        let lever = moves.levers.norm() / (self.rows.len().max(1) as f64).sqrt();
+        (lever > 0.0).then_some(lever)
     }
 
     /// Shortest and longest time constant that the samples can tell. What does not come back
@@ -55,6 +79,15 @@ impl<'r> Restricted<'r> {
     }
 
     fn summed(&self, shape: NoiseShape) -> Option<Summed> {
+        if shape.joints_rad > 0.0 {
+            let mut white = self.together.clone()?;
+            let filter = shape.noise().filter(self.rows);
+            filter.whiten(white.as_mut_slice());
+            return Some(Summed {
+                gram: gram(&white),
+                ln_determinant: filter.ln_determinant(),
+            });
+        }
         match &self.columns {
             Columns::Whole(whole) => Some(whole.summed(self.rows, shape)),
             Columns::Stretches(stretches) => stretches.summed(self.rows, shape),
@@ -81,11 +114,33 @@ impl<'r> Restricted<'r> {
     /// Variance along each axis in units of σ², with its degrees of freedom.
     pub(super) fn spread(&self, shape: NoiseShape) -> Vec<(f64, f64)> {
         let spread = match &self.columns {
+            _ if shape.joints_rad > 0.0 => self.spread_by_differences(shape),
             Columns::Whole(whole) => whole.spread(self.rows, shape),
-            Columns::Stretches(stretches) => stretches.spread(self.rows, shape),
+            Columns::Stretches(_) => self.spread_by_differences(shape),
         };
         let n = self.rows.samples.len() as f64;
         spread.unwrap_or_else(|| vec![(1.0, n); self.axes.len()])
+    }
+
+    /// The same by differences: where `σ` along an axis grows, the square that is left falls by twice that of the axis,
+    /// and the determinant grows by twice the freedom.
+    fn spread_by_differences(&self, shape: NoiseShape) -> Option<Vec<(f64, f64)>> {
+        let at = |axis: usize, by: f64| {
+            let mut shape = shape;
+            shape.sigma[axis] *= by.exp();
+            let summed = self.summed(shape)?;
+            let solved = summed.solved()?;
+            let ln_determinant = solved.ln_determinant() + summed.ln_determinant;
+            Some((solved.left, ln_determinant))
+        };
+        let one = |axis: &usize| {
+            let (more, less) = (at(*axis, DIFFERENCE)?, at(*axis, -DIFFERENCE)?);
+            let by = 4.0 * DIFFERENCE;
+            let freedom = ((more.1 - less.1) / by).max(1.0);
+            let square = ((less.0 - more.0) / by).max(0.0);
+            Some((square / freedom, freedom))
+        };
+        self.axes.iter().map(one).collect()
     }
 
     /// Logarithm, up to a constant, with the common size profiled out.
@@ -101,6 +156,12 @@ impl<'r> Restricted<'r> {
         -0.5 * (freedom * variance.ln() + ln_determinant)
     }
 }
+
+/// Step of the derivatives by differences, of the logarithm of σ.
+const DIFFERENCE: f64 = 1e-4;
+/// Products of columns along all axes, at most, for one noise: a tenth of a second. With more, as of many setups, what the
+/// robot does not repeat is not looked for.
+const MOST_PRODUCTS: usize = 200_000_000;
 
 /// Below this noise is rounding, mm.
 pub(crate) const SMALLEST_SIGMA_MM: f64 = 1e-6;
@@ -119,6 +180,7 @@ mod tests {
         tau: TAU,
         ratio: RATIO,
         sigma: SIGMA,
+        joints_rad: 0.0,
     };
 
     fn ln_determinant(a: &DMatrix<f64>) -> f64 {

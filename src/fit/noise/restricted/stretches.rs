@@ -31,8 +31,6 @@ const FEWEST_STRETCHES: usize = 4;
 const FEWEST_COLUMNS: usize = 3;
 /// A column of which less than this share is left beside those of the stretches is one of theirs.
 const DEPENDENT: f64 = 1e-6;
-/// Step of the derivatives by differences, of the logarithm of σ.
-const DIFFERENCE: f64 = 1e-4;
 
 /// The columns of a fit by the stretches of samples that they touch.
 pub(super) struct Stretches {
@@ -154,27 +152,6 @@ impl Stretches {
             ln_determinant,
         })
     }
-
-    /// Variance along each axis in units of σ², with its degrees of freedom, by differences: where `σ` along an axis
-    /// grows, the square that is left falls by twice that of the axis, and the determinant grows by twice the freedom.
-    pub(super) fn spread(&self, rows: &Rows, shape: NoiseShape) -> Option<Vec<(f64, f64)>> {
-        let at = |axis: usize, by: f64| {
-            let mut shape = shape;
-            shape.sigma[axis] *= by.exp();
-            let summed = self.summed(rows, shape)?;
-            let solved = summed.solved()?;
-            let ln_determinant = solved.ln_determinant() + summed.ln_determinant;
-            Some((solved.left, ln_determinant))
-        };
-        let one = |axis: &usize| {
-            let (more, less) = (at(*axis, DIFFERENCE)?, at(*axis, -DIFFERENCE)?);
-            let by = 4.0 * DIFFERENCE;
-            let freedom = ((more.1 - less.1) / by).max(1.0);
-            let square = ((less.0 - more.0) / by).max(0.0);
-            Some((square / freedom, freedom))
-        };
-        rows.axes.iter().map(one).collect()
-    }
 }
 
 /// The samples from the first to the last that each column touches.
@@ -289,6 +266,7 @@ impl Stretch {
         let filter = Filter {
             axes: filters.collect(),
             samples: height,
+            joints: None,
         };
         filter.whiten(white.as_mut_slice());
         for (state, (a, of_end)) in slow.iter().zip(of_ends).enumerate().take(after) {
@@ -408,12 +386,14 @@ mod tests {
             rows: &rows,
             axes: rows.axes.clone(),
             columns: Columns::Whole(super::super::whole::Whole::new(&rows, &residual, &columns)),
+            together: None,
         };
         assert_eq!(apart.rank(), whole.rank());
         let shape = |tau: f64, ratio: [f64; 3]| NoiseShape {
             tau,
             ratio,
             sigma: SIGMA,
+            joints_rad: 0.0,
         };
         let mut constant = None;
         for shape in [

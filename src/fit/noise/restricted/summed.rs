@@ -2,6 +2,7 @@
 
 use nalgebra::{Cholesky, DMatrix, DVector};
 
+use crate::fit::noise::{Noise, Slow};
 use crate::linear::cholesky;
 
 /// White part, slow part in units of it.
@@ -12,14 +13,31 @@ pub(in crate::fit::noise) struct NoiseShape {
     pub(in crate::fit::noise) ratio: [f64; 3],
     /// Standard deviations of the white part.
     pub(in crate::fit::noise) sigma: [f64; 3],
+    /// What the joints do not repeat.
+    pub(in crate::fit::noise) joints_rad: f64,
 }
 
 impl NoiseShape {
+    /// The noise of this shape.
+    pub(super) fn noise(self) -> Noise {
+        let rms = |axis: usize| self.ratio[axis].sqrt() * self.sigma[axis];
+        Noise {
+            sigma_mm: self.sigma,
+            slow: self.ratio.iter().any(|r| *r > 0.0).then(|| Slow {
+                rms_mm: [rms(0), rms(1), rms(2)],
+                time_constant_s: self.tau,
+            }),
+            joints_rad: self.joints_rad,
+            ..Noise::white(1.0)
+        }
+    }
+
     pub(in crate::fit::noise) fn white(sigma: [f64; 3]) -> Self {
         Self {
             tau: 0.0,
             ratio: [0.0; 3],
             sigma,
+            joints_rad: 0.0,
         }
     }
 }

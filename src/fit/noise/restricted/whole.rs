@@ -48,6 +48,16 @@ impl Whole {
         }
     }
 
+    /// Columns and residual along all axes.
+    pub(super) fn together(&self) -> DMatrix<f64> {
+        let n = self.parts.first().map_or(0, DMatrix::nrows);
+        let mut all = DMatrix::zeros(self.parts.len() * n, self.p + 1);
+        for (a, part) in self.parts.iter().enumerate() {
+            all.rows_mut(a * n, n).copy_from(part);
+        }
+        all
+    }
+
     pub(super) fn rank(&self) -> usize {
         self.p
     }
@@ -77,10 +87,10 @@ impl Whole {
     }
 
     pub(super) fn summed(&self, rows: &Rows, shape: NoiseShape) -> Summed {
-        self.together(rows, &self.sums(rows, shape), shape)
+        self.added(rows, &self.sums(rows, shape), shape)
     }
 
-    fn together(&self, rows: &Rows, sums: &[Rc<AxisSums>], shape: NoiseShape) -> Summed {
+    fn added(&self, rows: &Rows, sums: &[Rc<AxisSums>], shape: NoiseShape) -> Summed {
         let mut gram = DMatrix::zeros(self.p + 1, self.p + 1);
         for (own, axis) in sums.iter().zip(&rows.axes) {
             gram += &own.gram / shape.sigma[*axis].powi(2);
@@ -102,7 +112,7 @@ impl Whole {
         let p = self.p;
         let n = rows.samples.len() as f64;
         let sums = self.sums(rows, shape);
-        let solved = self.together(rows, &sums, shape).solved()?;
+        let solved = self.added(rows, &sums, shape).solved()?;
         let step = &solved.step;
         let inverse = solved.factor.inverse();
         let one = |(own, axis): (&Rc<AxisSums>, &usize)| {

@@ -1,0 +1,35 @@
+//! What the robot does not repeat: a pose's own error, which a pose that is reached again has anew and which all that is
+//! measured in one pose shares.
+
+use crate::sessions::Sigma;
+
+use super::excess::excess_of;
+use super::values::Values;
+use crate::diagnosis::search::prepare::PreparedSearch;
+use crate::diagnosis::search::pure_error;
+
+/// RMS length of a pose's own error, mm: what returns after other poses show beyond the instrument, where there are any,
+/// else what the rows of a pose share beside the model. `None` where the samples cannot tell.
+pub(crate) fn robot_mm(prepared: &PreparedSearch, values: &Values) -> Option<f64> {
+    let rows = &prepared.regression.rows;
+    if rows.observed().is_some() {
+        return None;
+    }
+    let Some((returned_mm, freedom)) = pure_error(prepared).and_then(|p| Some((p.mm?, p.freedom)))
+    else {
+        return rows.unrepeated_mm(values.problem.noise.as_ref()?);
+    };
+    let sigma = match prepared.problem.session.instrument.sigma_mm {
+        // Rows of one pose show what the instrument does.
+        _ if rows.inputs.pose.is_some() => values.sigma_mm(),
+        Some(Sigma::Overall(sigma)) => [sigma; 3],
+        Some(Sigma::PerAxis(sigma)) => sigma,
+        None => return None,
+    };
+    let instrument: f64 = rows.axes.iter().map(|axis| sigma[*axis].powi(2)).sum();
+    let square = returned_mm * returned_mm;
+    let excess = excess_of(square / instrument, freedom, f64::INFINITY, 3.0);
+    excess
+        .is_more_than_noise()
+        .then(|| (square - instrument).max(0.0).sqrt())
+}
