@@ -96,7 +96,7 @@ fn of_all_kinds(problem: &mut Problem, mut solution: Solution) -> Solution {
 /// The factor of the weights where white noise on all axes alike has become known: the fit is the
 /// same, in other units.
 fn only_rescaled(problem: &Problem, before: [f64; 3]) -> Option<f64> {
-    let white = problem.noise.as_ref().is_some_and(|n| n.is_white());
+    let white = problem.noise.as_ref().is_some_and(Noise::is_white);
     let now = problem.axis_weights;
     let factors = (0..3)
         .filter(|a| before[*a] > 0.0)

@@ -32,7 +32,7 @@ pub(super) fn moving_joints(model: &Model) -> Model {
 }
 
 /// Of the columns of [`moving_joints`] those of the joints, in their order.
-pub(super) fn levers(columns: DMatrix<f64>, model: &Model) -> DMatrix<f64> {
+pub(super) fn levers(columns: &DMatrix<f64>, model: &Model) -> DMatrix<f64> {
     let mut own = columns.select_columns(&places(&moving_joints(model)));
     for (joint, mut column) in model.robot.joints.iter().zip(own.column_iter_mut()) {
         if joint.kind == JointKind::Prismatic {
@@ -47,6 +47,12 @@ fn places(model: &Model) -> Vec<usize> {
     let columns = model.columns().enumerate();
     let own = columns.filter(|(_, (t, _))| t.effect.about().id == joint_zero().about().id);
     own.map(|(place, _)| place).collect()
+}
+
+/// How rows move with the joints, one after the other, and which samples share a pose.
+pub(crate) struct Moves<'a> {
+    pub(crate) poses: &'a [u32],
+    pub(crate) levers: &'a DMatrix<f64>,
 }
 
 /// The same for every sample along x, y, z, joint by joint.

@@ -10,9 +10,8 @@ use crate::effects::Inputs;
 use crate::model::Model;
 use crate::observations::rows::ObservedRows;
 
-use super::levers::{levers, moving_joints};
+use super::levers::{Moves, levers, moving_joints};
 use super::noise::Noise;
-use super::noise::joints::Moves;
 use super::priors::Priors;
 use super::problem::Problem;
 
@@ -125,7 +124,7 @@ impl<'a> Rows<'a> {
         }
         if self.inputs.pose.is_some() {
             let columns = self.extract(&moving_joints(model)).1;
-            self.levers = Some(Arc::new(levers(columns, model)));
+            self.levers = Some(Arc::new(levers(&columns, model)));
         }
         self
     }

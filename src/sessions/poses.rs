@@ -67,7 +67,7 @@ fn stands_still(samples: &Samples, before: usize, now: usize) -> bool {
     // An unknown side is any.
     let from_other_side = |dir: &Vec<f64>| matches!(both(dir), (a, b) if a * b < 0.0);
     let moves = |speed: &Vec<f64>| matches!(both(speed), (a, b) if a.abs() > 0.0 || b.abs() > 0.0);
-    let loaded = |load: &Vec<f64>| matches!(both(load), (a, b) if a < b || a > b);
+    let loaded = |load: &Vec<f64>| matches!(both(load), (a, b) if (a - b).abs() > 0.0);
     samples.q.iter().all(same)
         && !samples.dir.iter().flatten().any(from_other_side)
         && !samples.speed.iter().flatten().any(moves)

@@ -1,7 +1,7 @@
 //! The Kalman filter that whitens columns at a cost linear in the number of samples; its equations
 //! stand in [the module above](super).
 
-use super::joints::JointFilter;
+use super::joints::{JointFilter, carried};
 
 /// What one sample does in the filter of an axis.
 #[derive(Debug, Clone, Copy, Default)]
@@ -119,16 +119,6 @@ pub(super) fn steps(times: &[f64], tau: f64, sigma: f64, rms: f64) -> Vec<Step> 
         Step::after(decay, sigma, rms, &mut variance)
     };
     times.iter().map(step).collect()
-}
-
-/// How much of the state is left after so long. A clock that jumps back is a restart, after an
-/// unknown time.
-pub(crate) fn carried(apart: f64, tau: f64) -> f64 {
-    if apart >= 0.0 {
-        (-apart / tau).exp()
-    } else {
-        0.0
-    }
 }
 
 impl Step {

@@ -14,7 +14,7 @@
 //! ```
 
 use super::Noise;
-use super::filter::carried;
+use crate::fit::levers::Moves;
 
 /// Predicts one row after the other from those before: the covariance of the states on the way.
 #[derive(Debug, Clone)]
@@ -137,6 +137,16 @@ impl Passage {
     }
 }
 
+/// How much of the state is left after so long. A clock that jumps back is a restart, after an
+/// unknown time.
+pub(crate) fn carried(apart: f64, tau: f64) -> f64 {
+    if apart >= 0.0 {
+        (-apart / tau).exp()
+    } else {
+        0.0
+    }
+}
+
 /// What is new in a value of a row beside the states of its column, whitened; the states take it in.
 #[inline]
 pub(crate) fn whitened(row: &[f64], states: &mut [f64], value: f64) -> f64 {
@@ -159,12 +169,6 @@ pub(crate) struct JointFilter {
     passages: Vec<Passage>,
     /// Sample by sample, axis by axis.
     rows: Vec<f64>,
-}
-
-/// How rows move with the joints, one after the other, and which samples share a pose.
-pub(crate) struct Moves<'a> {
-    pub(crate) poses: &'a [u32],
-    pub(crate) levers: &'a nalgebra::DMatrix<f64>,
 }
 
 impl JointFilter {

@@ -37,7 +37,8 @@ mod slow_part;
 
 use crate::answers::noise::Trial;
 pub(crate) use crate::answers::noise::{Noise, Slow, StatedNoise};
-pub(crate) use filter::{Filter, Step, carried};
+pub(crate) use filter::{Filter, Step};
+pub(crate) use joints::carried;
 use joints::JointFilter;
 pub(crate) use restricted::SMALLEST_SIGMA_MM;
 

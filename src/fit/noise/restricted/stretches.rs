@@ -19,7 +19,8 @@ use std::ops::Range;
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::fit::noise::filter::{Axis, Filter, Step, carried};
+use crate::fit::noise::carried;
+use crate::fit::noise::filter::{Axis, Filter, Step};
 use crate::fit::regression::Rows;
 use crate::linear::{Basis, cholesky, gram};
 
