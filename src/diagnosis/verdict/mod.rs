@@ -17,6 +17,7 @@ mod judgement;
 pub(crate) mod limits;
 mod named_effects;
 mod remainder;
+mod repeating;
 mod selection;
 mod step_time;
 mod testable;
