@@ -31,7 +31,7 @@ pub(super) fn add(
         return None;
     }
     let base = &prepared.regression.base;
-    let found = repeating(&values.problem, &model, base, joint, None)?;
+    let found = repeating(&values.problem, &model, base, joint)?;
     // In a single run the axis and time cannot be told apart: what the noise explains as a wander stays one.
     if values.noise_is_slow() && found.runs_held_out_mm.is_none() && !unexplained.present {
         return None;
@@ -112,7 +112,6 @@ fn of_held_out_samples(
             model,
             &prepared.regression.base,
             found.term.joint,
-            None,
         )?
         .term
     } else {

@@ -8,8 +8,7 @@
 //!
 //! r is a Gaussian process of which kernels, sizes and parts are chosen by one restricted likelihood ([`likelihood`]).
 //! The names keep the values that are handed out; the base is fitted anew beside r, and what it moves by is a
-//! constant of the curve. What comes back in another run is of the axis; in a single run the axis and time cannot be
-//! told apart, and the curve takes what was seen.
+//! constant of the curve. What comes back in another run is of the axis, and time has what is left.
 //!
 //! It is handed out where unseen runs, or in a single run unseen values, are predicted better with it ([`folds`]).
 
@@ -38,17 +37,15 @@ use likelihood::{Kernels, NamesAlone, Prior, SIDES, Sums};
 const BEYOND_DOUBT: f64 = 50.0;
 /// Most knots over a range …
 const MOST_KNOTS: usize = 61;
-/// … over a turn …
+/// … and over a turn.
 const MOST_IN_A_TURN: usize = 72;
-/// … and over a shorter period.
-const MOST_IN_A_PERIOD: usize = 24;
 /// With fewer different values of the joint there is nothing between which a curve could be drawn (ISO 230-2 asks
 /// for five targets).
 const FEWEST_VALUES: usize = 5;
 /// How often samples that were suspected are looked at again.
 const MOST_ROUNDS: usize = 4;
 /// The samples have to be so much likelier with a curve, as a logarithm. Kernels, sizes and parts are chosen, so that
-/// noise alone gains something: `tests/reference/axis_tables.py --kinds none`.
+/// noise alone gains something: `tests/reference/axis_tables.py --kinds noise`.
 const LIKELIER: f64 = 6.0;
 
 /// What repeats over a joint beside a model.
@@ -72,9 +69,8 @@ pub(crate) fn repeating(
     model: &Model,
     base: &Model,
     joint: usize,
-    period: Option<f64>,
 ) -> Option<Repeating> {
-    let (problem, fitted) = settled(problem, model, joint, period)?;
+    let (problem, fitted) = settled(problem, model, joint)?;
     if fitted.ln_odds() < LIKELIER {
         return None;
     }
@@ -108,12 +104,10 @@ fn settled<'a>(
     problem: &Problem<'a>,
     model: &Model,
     joint: usize,
-    period: Option<f64>,
 ) -> Option<(Problem<'a>, OverJoint<'a>)> {
     let mut problem = problem.clone();
     problem.extra_columns.clear();
-    let mut fitted =
-        OverJoint::fitted(Columns::new(&problem, model, joint, is_base), model, period)?;
+    let mut fitted = OverJoint::fitted(Columns::new(&problem, model, joint, is_base), model)?;
     for _ in 0..MOST_ROUNDS {
         let with = model.with_term(Term::unexplained(joint, fitted.curve()?));
         // Beside the names alone the peak of a bump looks like an outlier, and an outlier beside a bump like none.
@@ -128,13 +122,13 @@ fn settled<'a>(
         }
         problem.used = used;
         let columns = Columns::new(&problem, model, joint, is_base);
-        fitted = OverJoint::fitted(columns, model, period)?;
+        fitted = OverJoint::fitted(columns, model)?;
     }
     // Time has what is left once the curve has taken what comes back.
     let left = fitted.left();
     let mut columns = Columns::new(&problem, model, joint, is_base);
     if columns.wander(&left) {
-        fitted = OverJoint::fitted(columns, model, period).unwrap_or(fitted);
+        fitted = OverJoint::fitted(columns, model).unwrap_or(fitted);
     }
     Some((problem, fitted))
 }
@@ -159,7 +153,7 @@ pub(crate) fn free_curve(
     joint: usize,
 ) -> Option<FreeCurve> {
     let columns = Columns::new(&prepared.regression.problem, model, joint, |_| true);
-    let over = OverJoint::fitted(columns, model, None)?;
+    let over = OverJoint::fitted(columns, model)?;
     let priors = over
         .parts
         .iter()
@@ -209,15 +203,14 @@ impl Part {
 
 impl<'a> OverJoint<'a> {
     /// `None` where no curve makes the samples likelier, or there are too few values.
-    /// `period`: after so much, rad or mm, what is left repeats, as a search found.
-    fn fitted(columns: Columns<'a>, model: &Model, period: Option<f64>) -> Option<Self> {
+    fn fitted(columns: Columns<'a>, model: &Model) -> Option<Self> {
         if columns.values.len() < FEWEST_VALUES {
             return None;
         }
         let turns = model.robot.joints[columns.joint].kind == JointKind::Revolute;
         let ln_odds = |parts: &[Part]| parts.iter().map(|part| part.ln_odds).sum::<f64>();
         let mut best: Option<(Knots, Kernels, Vec<Part>)> = None;
-        for knots in knots(&columns, turns, period) {
+        for knots in knots(&columns, turns) {
             let kernels = Kernels::new(knots.count, knots.period.is_some())?;
             let directions = 0..columns.along.len();
             let parts = directions.filter_map(|k| Part::of(&columns, k, &knots, &kernels));
@@ -332,9 +325,8 @@ fn alone(columns: &Columns, folds: &Folds) -> f64 {
     (squares / folds.samples().max(1) as f64).sqrt()
 }
 
-/// Knots over the range, twice as many as there are values, over a turn where the joint goes round, and over a period
-/// that comes round twice: what does not is not known to repeat.
-fn knots(columns: &Columns, turns: bool, period: Option<f64>) -> Vec<Knots> {
+/// Knots over the range, twice as many as there are values, and over a turn where the joint goes round.
+fn knots(columns: &Columns, turns: bool) -> Vec<Knots> {
     let values = columns.values.len();
     let range = Knots {
         from: columns.from(),
@@ -346,13 +338,6 @@ fn knots(columns: &Columns, turns: bool, period: Option<f64>) -> Vec<Knots> {
     let around = std::f64::consts::TAU;
     let step = span / (values - 1).max(1) as f64;
     let mut all = vec![range];
-    if let Some(period) = period.filter(|period| 2.0 * period <= span) {
-        all.push(Knots {
-            period: Some(period),
-            count: values.clamp(4, MOST_IN_A_PERIOD),
-            ..range
-        });
-    }
     // The first value of the next turn is a step behind the last one of this.
     if turns && span + 1.5 * step >= around {
         all.push(Knots {
