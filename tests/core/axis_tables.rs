@@ -44,27 +44,6 @@ impl Slide {
         all
     }
 
-    fn session(&self, readings: &[(f64, f64, f64)]) -> Session {
-        let column = |of: &dyn Fn(&(f64, f64, f64)) -> f64| -> String {
-            let all = readings.iter().map(|r| format!("{}", of(r)));
-            all.collect::<Vec<_>>().join(",")
-        };
-        let times = (0..readings.len()).map(|k| (8 * k).to_string());
-        let text = format!(
-            r#"{{"format":"truepose-session/1","name":"slide","robot":{{"name":"slide","joints":[{{"name":"x",
-            "kind":"prismatic","axis":[1,0,0],"point_mm":[0,0,0],"limits":[0,{TRAVEL}]}}],
-            "tool":{{"position_mm":[0,0,0],"quaternion_wxyz":[1,0,0,0]}}}},
-            "instrument":{{"name":"laser","sigma_mm":{SIGMA}}},"samples":{{"columns":{{"q1_mm":[{}],"x_mm":[{}],
-            "y_mm":[{nulls}],"z_mm":[{nulls}],"dir1":[{}],"time_s":[{}]}}}}}}"#,
-            column(&|r| r.0),
-            column(&|r| r.0 + r.2),
-            column(&|r| r.1),
-            times.collect::<Vec<_>>().join(","),
-            nulls = vec!["null"; readings.len()].join(","),
-        );
-        parse(text.as_bytes()).unwrap().session
-    }
-
     /// What a correction leaves of the true axis, root mean square over the travel and both sides, mm.
     fn left(&self, correction: impl Fn(f64, f64) -> f64) -> f64 {
         let places = (0..=1200).map(|k| TRAVEL * f64::from(k) / 1200.0);
@@ -94,6 +73,28 @@ impl Slide {
             -((1.0 - t) * mean(a, side) + t * mean(b, side))
         })
     }
+}
+
+/// What the laser reads as a session.
+fn session(readings: &[(f64, f64, f64)]) -> Session {
+    let column = |of: &dyn Fn(&(f64, f64, f64)) -> f64| -> String {
+        let all = readings.iter().map(|r| format!("{}", of(r)));
+        all.collect::<Vec<_>>().join(",")
+    };
+    let times = (0..readings.len()).map(|k| (8 * k).to_string());
+    let text = format!(
+        r#"{{"format":"truepose-session/1","name":"slide","robot":{{"name":"slide","joints":[{{"name":"x",
+        "kind":"prismatic","axis":[1,0,0],"point_mm":[0,0,0],"limits":[0,{TRAVEL}]}}],
+        "tool":{{"position_mm":[0,0,0],"quaternion_wxyz":[1,0,0,0]}}}},
+        "instrument":{{"name":"laser","sigma_mm":{SIGMA}}},"samples":{{"columns":{{"q1_mm":[{}],"x_mm":[{}],
+        "y_mm":[{nulls}],"z_mm":[{nulls}],"dir1":[{}],"time_s":[{}]}}}}}}"#,
+        column(&|r| r.0),
+        column(&|r| r.0 + r.2),
+        column(&|r| r.1),
+        times.collect::<Vec<_>>().join(","),
+        nulls = vec!["null"; readings.len()].join(","),
+    );
+    parse(text.as_bytes()).unwrap().session
 }
 
 fn answered(session: &Session) -> (Diagnosis, Export) {
@@ -128,7 +129,7 @@ fn a_lead_error_without_a_name_is_in_the_table_and_what_is_left_is_said() {
             seed,
         };
         let readings = slide.readings();
-        let (d, table) = answered(&slide.session(&readings));
+        let (d, table) = answered(&session(&readings));
         let names: Vec<_> = d
             .found
             .iter()
@@ -167,7 +168,7 @@ fn at_equal_steps_the_table_follows_the_slowest_wave() {
         seed: 3,
     };
     let readings = slide.readings();
-    let (d, table) = answered(&slide.session(&readings));
+    let (d, table) = answered(&session(&readings));
     assert!(d.found.is_empty(), "{:?}", d.found);
     assert!(d.unexplained.present);
     assert!(d.unexplained.resembles.contains(&"screw-pitch".to_owned()));
@@ -193,7 +194,7 @@ fn a_reversal_that_depends_on_the_position_is_in_the_column_of_each_side() {
     for (q, side, read) in &mut readings {
         *read -= *side * half(*q);
     }
-    let (d, table) = answered(&slide.session(&readings));
+    let (d, table) = answered(&session(&readings));
     let verified = table.reads_as.unwrap();
     for q in [100.0, 313.0, 450.0] {
         let [forward, reverse] =

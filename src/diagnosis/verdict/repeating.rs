@@ -6,6 +6,7 @@ use crate::fit::gap::{Spread, lengths_mm};
 use crate::fit::problem::Problem;
 use crate::kinematics::JointKind;
 use crate::model::Model;
+use crate::model::shapes::{Profile, Variable};
 use crate::numeric::median;
 use crate::text::Text;
 use crate::text::{length, lengths};
@@ -31,7 +32,16 @@ pub(super) fn add(
         return None;
     }
     let base = &prepared.regression.base;
-    let found = repeating(&values.problem, &model, base, joint)?;
+    let period = unexplained
+        .shapes
+        .iter()
+        .find_map(|(shape, _)| match shape.profile {
+            Profile::Periodic { cycles, .. } if shape.variable == Variable::Joint(joint) => {
+                Some(std::f64::consts::TAU / cycles)
+            }
+            _ => None,
+        });
+    let found = repeating(&values.problem, &model, base, joint, period)?;
     // In a single run the axis and time cannot be told apart: what the noise explains as a wander stays one.
     if values.noise_is_slow() && found.runs_held_out_mm.is_none() && !unexplained.present {
         return None;
@@ -41,7 +51,7 @@ pub(super) fn add(
     let gaps = held_out.gaps.as_mut()?;
     let mut identified_mm = gaps.identified_mm;
     let held_out_mm = if unseen::held_out_samples(prepared).contains(&true) {
-        let own = of_held_out_samples(prepared, values, &model, &found)?;
+        let own = of_held_out_samples(prepared, values, &model, &found, period)?;
         (own[1] < own[0] && own[1] <= gaps.identified_mm).then_some(own)?
     } else {
         let [identified, before, after] = found.held_out_mm;
@@ -104,6 +114,7 @@ fn of_held_out_samples(
     values: &Values,
     model: &Model,
     found: &Repeating,
+    period: Option<f64>,
 ) -> Option<[f64; 2]> {
     let term = if prepared.locked.contains(&true) {
         let seen = values.on(&prepared.problem);
@@ -112,6 +123,7 @@ fn of_held_out_samples(
             model,
             &prepared.regression.base,
             found.term.joint,
+            period,
         )?
         .term
     } else {

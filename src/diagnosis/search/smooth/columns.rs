@@ -18,6 +18,7 @@ use crate::fit::regression::Rows;
 use crate::linear::Basis;
 use crate::model::Model;
 
+use super::MOST_KNOTS;
 use super::likelihood::{SIDES, Sums};
 
 /// A longer session is thinned evenly to so many samples: there are hundreds for each knot then.
@@ -27,6 +28,9 @@ pub(super) const SAME: f64 = 1e-6;
 /// A direction of which less than this share is left beside the others was not measured; a column of which less is
 /// along a direction does nothing there.
 const MEASURED: f64 = 1e-3;
+
+/// With fewer different values of a joint no curve rivals a name.
+const FEWEST_TO_RIVAL: usize = 10;
 
 /// See the module.
 pub(super) struct Columns<'a> {
@@ -93,9 +97,7 @@ impl<'a> Columns<'a> {
         let q = rows.inputs.q[joint].to_vec();
         let dir = rows.inputs.dir[joint].as_deref();
         let dir = dir.map_or_else(|| vec![0.0; q.len()], <[f64]>::to_vec);
-        let mut values = q.clone();
-        values.sort_by(f64::total_cmp);
-        values.dedup_by(|a, b| (*a - *b).abs() < SAME);
+        let values = different(&q);
         Self {
             joint,
             along: Along::each(&rows, &directions, &names, &residual),
@@ -258,4 +260,78 @@ impl Along {
             .copied()
             .unwrap_or(0.0)
     }
+}
+
+/// Knots over the range and products of the columns of a curve common to both sides, in all directions together and
+/// whitened by a noise, with all columns of a model beside them; `None` with too few values of the joint.
+pub(super) fn together(
+    problem: &Problem,
+    noise: &Noise,
+    model: &Model,
+    joint: usize,
+) -> Option<(Knots, Sums)> {
+    let mut problem = problem.clone();
+    problem.thin(MOST_SAMPLES);
+    let rows = Rows::of(&problem);
+    let n = rows.samples.len();
+    let probe = Term::absent(&EACH_DIRECTION, joint, 0.0);
+    let with = model.with_term(probe.clone());
+    let (mut residual, all) = rows.extract(&with);
+    let is_probe: Vec<bool> = with.columns().map(|(t, _)| t.same_column(&probe)).collect();
+    let (unit, own): (Vec<usize>, Vec<usize>) = (0..all.ncols()).partition(|k| is_probe[*k]);
+    let (directions, mut names) = (all.select_columns(&unit), all.select_columns(&own));
+    let q = &rows.inputs.q[joint];
+    let values = different(q);
+    if values.len() < FEWEST_TO_RIVAL {
+        return None;
+    }
+    let knots = Knots {
+        from: values[0],
+        to: values[values.len() - 1],
+        period: None,
+        count: values.len().clamp(4, MOST_KNOTS),
+    };
+    let filter = noise.filter(&rows);
+    // One unit of the curve moves a sample by one unit of its noise, root mean square.
+    let mut white = directions.clone();
+    filter.whiten(white.as_mut_slice());
+    let size = |d: usize| (white.column(d).norm_squared() / n as f64).sqrt();
+    let scale: [f64; DIRECTIONS] = std::array::from_fn(|d| match size(d) {
+        size if size > 0.0 => 1.0 / size,
+        _ => 0.0,
+    });
+    let mut curve = DMatrix::zeros(rows.len(), DIRECTIONS * knots.count);
+    for (sample, q) in q.iter().enumerate() {
+        for (k, weight) in knots.weights(*q) {
+            for row in (sample..rows.len()).step_by(n) {
+                for d in 0..DIRECTIONS {
+                    curve[(row, d * knots.count + k)] += weight * scale[d] * directions[(row, d)];
+                }
+            }
+        }
+    }
+    filter.whiten(curve.as_mut_slice());
+    filter.whiten(names.as_mut_slice());
+    filter.whiten(residual.as_mut_slice());
+    for mut column in names.column_iter_mut() {
+        let norm = column.norm();
+        if norm > 0.0 {
+            column.unscale_mut(norm);
+        }
+    }
+    let sigma = rows.axes.iter().map(|a| noise.sigma_mm[*a]);
+    let smallest = sigma.fold(f64::INFINITY, f64::min);
+    let floor = (SMALLEST_SIGMA_MM / smallest).powi(2);
+    let measured: Vec<usize> = (0..rows.len()).filter(|row| rows.has(*row)).collect();
+    let [curve, names] = [curve, names].map(|all| all.select_rows(&measured));
+    let sums = Sums::of(&curve, &names, &residual.select_rows(&measured), floor)?;
+    Some((knots, sums))
+}
+
+/// Different values of a joint, in ascending order.
+fn different(q: &[f64]) -> Vec<f64> {
+    let mut values = q.to_vec();
+    values.sort_by(f64::total_cmp);
+    values.dedup_by(|a, b| (*a - *b).abs() < SAME);
+    values
 }

@@ -161,7 +161,7 @@ fn ln_determinant(factor: &Cholesky<f64, Dyn>) -> f64 {
 
 /// The prior of each part: its kernel, by its number among those that are tried, and its size in units of the
 /// noise; `None`: the part is nothing.
-pub(super) type Prior = [Option<(usize, f64)>; SIDES];
+pub(super) type Prior = Vec<Option<(usize, f64)>>;
 
 /// Kernels of a range (of a period): of every length and smoothness, lengths in ascending order for each.
 #[derive(Debug, Clone)]
@@ -221,8 +221,9 @@ pub(super) struct Fitted {
 /// A curve of some parts: everything but the sizes.
 struct OfParts<'k> {
     kernels: Vec<&'k Kernel>,
-    /// Where their values stand among those of all parts.
+    /// Where their values stand among those of all parts, and how many those are.
     own: Vec<usize>,
+    of_all: usize,
     bb: DMatrix<f64>,
     g: DVector<f64>,
     conditions: DMatrix<f64>,
@@ -249,7 +250,7 @@ fn sizes_of(prior: &Prior) -> Vec<f64> {
 impl<'k> OfParts<'k> {
     /// Of the parts that have a size; `None` where the conditions leave nothing of it.
     fn new(sums: &Sums, kernels: &'k Kernels, prior: &Prior) -> Option<Self> {
-        let parts: Vec<usize> = (0..SIDES).filter(|p| prior[*p].is_some()).collect();
+        let parts: Vec<usize> = (0..prior.len()).filter(|p| prior[*p].is_some()).collect();
         let kernels: Vec<&Kernel> = prior
             .iter()
             .flatten()
@@ -273,6 +274,7 @@ impl<'k> OfParts<'k> {
             kernels,
             conditions,
             own,
+            of_all: sums.by.len(),
         })
     }
 
@@ -301,8 +303,8 @@ impl<'k> OfParts<'k> {
             return None;
         }
         let ln_evidence = 0.5 * (ln_prior - ln_posterior) - 0.5 * names.freedom * left.ln();
-        let mut all = DVector::zeros(SIDES * knots);
-        let mut sigma = DVector::zeros(SIDES * knots);
+        let mut all = DVector::zeros(self.of_all);
+        let mut sigma = DVector::zeros(self.of_all);
         for (k, at) in self.own.iter().enumerate() {
             all[*at] = values[k];
         }
@@ -373,11 +375,12 @@ const WORTH: f64 = 3.0;
 
 /// The likeliest prior: parts one after the other, while each is worth it; `None` where no part is.
 pub(super) fn likeliest(sums: &Sums, names: &NamesAlone, kernels: &Kernels) -> Option<Prior> {
-    let mut best: (Prior, f64) = ([None; SIDES], names.ln_evidence);
+    let parts = sums.by.len() / kernels.get(0).knots();
+    let mut best: (Prior, f64) = (vec![None; parts], names.ln_evidence);
     let mut left = sums.clone();
     let mut without = names.clone();
     while let Some((part, own)) = one_more(&left, &without, kernels, &best.0) {
-        let mut with = best.0;
+        let mut with = best.0.clone();
         with[part] = Some(own);
         let with = refined(sums, names, kernels, with);
         let Some(fitted) = fit(sums, names, kernels, &with, false) else {
@@ -398,11 +401,11 @@ type OneMore = (usize, (usize, f64));
 
 /// The part that alone says most of what the others leave, with its kernel and size.
 fn one_more(left: &Sums, names: &NamesAlone, kernels: &Kernels, before: &Prior) -> Option<OneMore> {
-    let free = (0..SIDES).filter(|part| before[*part].is_none());
+    let free = (0..before.len()).filter(|part| before[*part].is_none());
     let all = free.flat_map(|part| (0..kernels.0.len()).map(move |kernel| (part, kernel)));
     let mut best: Option<(OneMore, f64)> = None;
     for (part, kernel) in all {
-        let mut prior: Prior = [None; SIDES];
+        let mut prior: Prior = vec![None; before.len()];
         prior[part] = Some((kernel, 1.0));
         let Some(alone) = OfParts::new(left, kernels, &prior) else {
             continue;
@@ -425,9 +428,10 @@ pub(super) fn refined(sums: &Sums, names: &NamesAlone, kernels: &Kernels, start:
         let fitted = fit(sums, names, kernels, prior, false);
         fitted.map_or(f64::NEG_INFINITY, |f| f.ln_evidence)
     };
-    let mut best = (start, value(&start));
+    let first = value(&start);
+    let mut best = (start, first);
     for step in [2.0, 1.4, 1.2] {
-        for part in 0..SIDES {
+        for part in 0..best.0.len() {
             let Some((kernel, size)) = best.0[part] else {
                 continue;
             };
@@ -437,7 +441,7 @@ pub(super) fn refined(sums: &Sums, names: &NamesAlone, kernels: &Kernels, start:
                 .map(|other| (other, size));
             let sizes = [step, 1.0 / step].map(|factor| (kernel, size * factor));
             for own in sizes.into_iter().chain(others) {
-                let mut trial = best.0;
+                let mut trial = best.0.clone();
                 trial[part] = Some(own);
                 let here = value(&trial);
                 if here > best.1 {

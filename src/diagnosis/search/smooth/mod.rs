@@ -28,7 +28,7 @@ use crate::model::Model;
 use crate::text::Text;
 
 use super::prepare::PreparedSearch;
-use columns::{Along, Columns};
+use columns::{Along, Columns, together};
 use folds::Folds;
 use likelihood::{Kernels, NamesAlone, Prior, SIDES, Sums};
 
@@ -37,8 +37,10 @@ use likelihood::{Kernels, NamesAlone, Prior, SIDES, Sums};
 const BEYOND_DOUBT: f64 = 50.0;
 /// Most knots over a range …
 const MOST_KNOTS: usize = 61;
-/// … and over a turn.
+/// … over a turn …
 const MOST_IN_A_TURN: usize = 72;
+/// … and over a shorter period.
+const MOST_IN_A_PERIOD: usize = 24;
 /// With fewer different values of the joint there is nothing between which a curve could be drawn (ISO 230-2 asks
 /// for five targets).
 const FEWEST_VALUES: usize = 5;
@@ -69,8 +71,9 @@ pub(crate) fn repeating(
     model: &Model,
     base: &Model,
     joint: usize,
+    period: Option<f64>,
 ) -> Option<Repeating> {
-    let (problem, fitted) = settled(problem, model, joint)?;
+    let (problem, fitted) = settled(problem, model, joint, period)?;
     if fitted.ln_odds() < LIKELIER {
         return None;
     }
@@ -104,10 +107,12 @@ fn settled<'a>(
     problem: &Problem<'a>,
     model: &Model,
     joint: usize,
+    period: Option<f64>,
 ) -> Option<(Problem<'a>, OverJoint<'a>)> {
     let mut problem = problem.clone();
     problem.extra_columns.clear();
-    let mut fitted = OverJoint::fitted(Columns::new(&problem, model, joint, is_base), model)?;
+    let mut fitted =
+        OverJoint::fitted(Columns::new(&problem, model, joint, is_base), model, period)?;
     for _ in 0..MOST_ROUNDS {
         let with = model.with_term(Term::unexplained(joint, fitted.curve()?));
         // Beside the names alone the peak of a bump looks like an outlier, and an outlier beside a bump like none.
@@ -122,13 +127,13 @@ fn settled<'a>(
         }
         problem.used = used;
         let columns = Columns::new(&problem, model, joint, is_base);
-        fitted = OverJoint::fitted(columns, model)?;
+        fitted = OverJoint::fitted(columns, model, period)?;
     }
     // Time has what is left once the curve has taken what comes back.
     let left = fitted.left();
     let mut columns = Columns::new(&problem, model, joint, is_base);
     if columns.wander(&left) {
-        fitted = OverJoint::fitted(columns, model).unwrap_or(fitted);
+        fitted = OverJoint::fitted(columns, model, period).unwrap_or(fitted);
     }
     Some((problem, fitted))
 }
@@ -146,21 +151,23 @@ pub(crate) struct FreeCurve {
     pub(crate) freedom: usize,
 }
 
-/// The likeliest free curve over a joint beside a model, on the samples that a search looks at.
+/// The likeliest free curve over a joint beside a model, common to both sides, on the samples that a search looks at
+/// and beside its noise: its likelihood stands beside those of names.
 pub(crate) fn free_curve(
     prepared: &PreparedSearch,
     model: &Model,
     joint: usize,
 ) -> Option<FreeCurve> {
-    let columns = Columns::new(&prepared.regression.problem, model, joint, |_| true);
-    let over = OverJoint::fitted(columns, model)?;
-    let priors = over
-        .parts
-        .iter()
-        .flat_map(|part| part.prior.iter().flatten());
-    let pieces = priors.map(|(kernel, _)| over.kernels.get(*kernel).pieces());
+    let regression = &prepared.regression;
+    let (knots, sums) = together(&regression.problem, &regression.noise, model, joint)?;
+    let names = NamesAlone::new(&sums);
+    let kernels = Kernels::new(knots.count, false)?;
+    let prior = likelihood::likeliest(&sums, &names, &kernels)?;
+    let fitted = likelihood::fit(&sums, &names, &kernels, &prior, false)?;
+    let pieces = prior.iter().flatten();
+    let pieces = pieces.map(|(kernel, _)| kernels.get(*kernel).pieces());
     Some(FreeCurve {
-        ln_odds: over.ln_odds(),
+        ln_odds: fitted.ln_evidence - names.ln_evidence,
         freedom: pieces.fold(0.0, f64::max).ceil() as usize,
     })
 }
@@ -203,14 +210,15 @@ impl Part {
 
 impl<'a> OverJoint<'a> {
     /// `None` where no curve makes the samples likelier, or there are too few values.
-    fn fitted(columns: Columns<'a>, model: &Model) -> Option<Self> {
+    /// `period`: after so much, rad or mm, what is left repeats, as the search found.
+    fn fitted(columns: Columns<'a>, model: &Model, period: Option<f64>) -> Option<Self> {
         if columns.values.len() < FEWEST_VALUES {
             return None;
         }
         let turns = model.robot.joints[columns.joint].kind == JointKind::Revolute;
         let ln_odds = |parts: &[Part]| parts.iter().map(|part| part.ln_odds).sum::<f64>();
         let mut best: Option<(Knots, Kernels, Vec<Part>)> = None;
-        for knots in knots(&columns, turns) {
+        for knots in knots(&columns, turns, period) {
             let kernels = Kernels::new(knots.count, knots.period.is_some())?;
             let directions = 0..columns.along.len();
             let parts = directions.filter_map(|k| Part::of(&columns, k, &knots, &kernels));
@@ -288,7 +296,8 @@ impl<'a> OverJoint<'a> {
                 };
                 let names = NamesAlone::new(&seen);
                 let fitted = part.and_then(|part| {
-                    let prior = likelihood::refined(&seen, &names, &self.kernels, part.prior);
+                    let prior =
+                        likelihood::refined(&seen, &names, &self.kernels, part.prior.clone());
                     likelihood::fit(&seen, &names, &self.kernels, &prior, false)
                 });
                 for row in along.rows(|sample| folds.is_in(sample, fold)) {
@@ -325,8 +334,8 @@ fn alone(columns: &Columns, folds: &Folds) -> f64 {
     (squares / folds.samples().max(1) as f64).sqrt()
 }
 
-/// Knots over the range, twice as many as there are values, and over a turn where the joint goes round.
-fn knots(columns: &Columns, turns: bool) -> Vec<Knots> {
+/// Knots over the range, twice as many as there are values, over a turn where the joint goes round, and over a period.
+fn knots(columns: &Columns, turns: bool, period: Option<f64>) -> Vec<Knots> {
     let values = columns.values.len();
     let range = Knots {
         from: columns.from(),
@@ -338,6 +347,14 @@ fn knots(columns: &Columns, turns: bool) -> Vec<Knots> {
     let around = std::f64::consts::TAU;
     let step = span / (values - 1).max(1) as f64;
     let mut all = vec![range];
+    // What does not come round twice is not known to repeat, and what has fewer than four values in a period may be a
+    // slower wave.
+    let comes_round = |period: &f64| 2.0 * period <= span && *period >= 4.0 * step;
+    all.extend(period.filter(comes_round).map(|period| Knots {
+        period: Some(period),
+        count: values.clamp(4, MOST_IN_A_PERIOD),
+        ..range
+    }));
     // The first value of the next turn is a step behind the last one of this.
     if turns && span + 1.5 * step >= around {
         all.push(Knots {
