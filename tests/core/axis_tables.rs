@@ -154,6 +154,10 @@ fn a_lead_error_without_a_name_is_in_the_table_and_what_is_left_is_said() {
         );
         assert!(!leaves.are_targets_too_far_apart(), "{leaves:?}");
         assert!(d.gap.end_mm < 1.2 * SIGMA && d.gap.end_mm <= d.gap.identified_mm);
+        assert!(
+            d.noise.slow.is_none(),
+            "what comes back is no frame that wanders"
+        );
     }
 }
 

@@ -170,6 +170,7 @@ pub(crate) fn answer(
         &mut gap,
         &mut held_out,
     );
+    let (repeating, noise_beside) = repeating.unzip();
     if let Some(curve) = repeating.as_ref().and_then(|own| own.curve.as_ref()) {
         // On the samples that the curve is judged by.
         names_held_out = held_out.clone();
@@ -223,7 +224,9 @@ pub(crate) fn answer(
         outliers: identification.outliers.clone(),
         identification,
         next_poses,
-        noise: noise_of(own, regression),
+        noise: noise_beside
+            .flatten()
+            .unwrap_or_else(|| noise_of(own, regression)),
         model: own.model.settled(),
         history,
         set_up,

@@ -15,20 +15,22 @@ use crate::units::deg_from_rad;
 use super::unseen;
 use super::values::Values;
 use crate::answers::diagnosis::{Correction, Gaps, HeldOut, Unexplained, Unnamed};
+use crate::answers::noise::Noise;
 use crate::diagnosis::search::prepare::PreparedSearch;
 use crate::diagnosis::search::smooth::{Repeating, repeating};
 
-/// What repeats; the gaps with it take the place of those of the names alone.
+/// What repeats, and the noise beside it where that is known better with it; the gaps with it take the place of those of the names alone.
 pub(super) fn add(
     prepared: &PreparedSearch,
     values: &Values,
     unexplained: &Unexplained,
     gap: &mut Gaps,
     held_out: &mut HeldOut,
-) -> Option<Unnamed> {
+) -> Option<(Unnamed, Option<Noise>)> {
     let model = values.model.settled();
     let joint = 0;
-    if prepared.options().without_unnamed || model.robot.joints.len() != 1 {
+    let stopped = prepared.regression.work.was_stopped();
+    if stopped || prepared.options().without_unnamed || model.robot.joints.len() != 1 {
         return None;
     }
     let base = &prepared.regression.base;
@@ -91,7 +93,7 @@ pub(super) fn add(
         over: vec![Text::verbatim(format!("q{}_{}", joint + 1, kind.unit()))],
         curve: Some(curve),
     };
-    Some(unnamed)
+    Some((unnamed, found.noise))
 }
 
 /// The median deviation of all samples that may be fitted, mm.

@@ -19,7 +19,7 @@ use crate::linear::Basis;
 use crate::model::Model;
 
 use super::MOST_KNOTS;
-use super::likelihood::{SIDES, Sums};
+use super::likelihood::{NamesAlone, SIDES, Sums};
 
 /// A longer session is thinned evenly to so many samples: there are hundreds for each knot then.
 const MOST_SAMPLES: usize = 3000;
@@ -248,6 +248,15 @@ impl Along {
             .slow
             .map(|slow| [noise.sigma_mm[0], slow.rms_mm[0], slow.time_constant_s]);
         self.slow.is_some()
+    }
+
+    /// The constant by which what is fitted beside the curve moves without one.
+    pub(super) fn constant_alone(&self) -> f64 {
+        let none = DMatrix::zeros(self.samples.len(), 0);
+        let step = self
+            .sums(&none, |_| true)
+            .map(|sums| NamesAlone::new(&sums).step);
+        step.map_or(0.0, |step| self.as_constant(&step))
     }
 
     /// The constant of the curve, in its unit, that moves the samples as a step of what is fitted beside it does.

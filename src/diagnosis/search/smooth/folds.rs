@@ -41,8 +41,16 @@ impl Folds {
     /// Runs: how often the joint had been at the value from the same side before; of a single run there and back its
     /// two ways. `None` where the joint was at each value once.
     pub(super) fn runs(columns: &Columns) -> Option<Self> {
+        Self::of_each_side(columns).or_else(|| Self::visits(columns, |_| 0))
+    }
+
+    /// Whether values come back from the same side.
+    pub(super) fn come_back(columns: &Columns) -> bool {
+        Self::of_each_side(columns).is_some()
+    }
+
+    fn of_each_side(columns: &Columns) -> Option<Self> {
         Self::visits(columns, |dir| i8::from(dir > 0.0) - i8::from(dir < 0.0))
-            .or_else(|| Self::visits(columns, |_| 0))
     }
 
     fn visits(columns: &Columns, side: impl Fn(f64) -> i8) -> Option<Self> {

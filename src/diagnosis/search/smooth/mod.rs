@@ -20,9 +20,10 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::effects::Term;
 use crate::effects::curve::{Curve, DIRECTIONS, Knots, Parts};
-use crate::fit::base_model;
 use crate::fit::gap::{deviations, suspects};
+use crate::fit::noise::{Noise, SMALLEST_SIGMA_MM};
 use crate::fit::problem::Problem;
+use crate::fit::{base_model, noise_beside};
 use crate::kinematics::JointKind;
 use crate::model::Model;
 use crate::text::Text;
@@ -62,6 +63,8 @@ pub(crate) struct Repeating {
     pub(crate) how: Text,
     /// RMS deviation of unseen runs with the curve, mm; `None` of a single run.
     pub(crate) runs_held_out_mm: Option<f64>,
+    /// The noise beside it, where values come back from the same side: then time has what the curve leaves.
+    pub(crate) noise: Option<Noise>,
 }
 
 /// What repeats over a joint beside a model, or `None` where there is nothing, or it predicts nothing.
@@ -93,8 +96,11 @@ pub(crate) fn repeating(
     let ([before, after], folds) = said.or(by_values.as_ref())?;
     let curve = fitted.curve()?;
     let identified = Columns::new(&problem, base, joint, is_base);
+    let term = Term::unexplained(joint, curve);
+    let comes_back = Folds::come_back(&fitted.columns);
     Some(Repeating {
-        term: Term::unexplained(joint, curve),
+        noise: comes_back.then(|| noise_beside(&problem, &model.with_term(term.clone()), &[])),
+        term,
         held_out_mm: [alone(&identified, folds), *before, *after],
         samples: folds.samples(),
         how: folds.how.clone(),
@@ -247,8 +253,15 @@ impl<'a> OverJoint<'a> {
     fn curve(&self) -> Option<Curve> {
         let (mut values, mut sigma) = (Parts::default(), Parts::default());
         let n = self.knots.count;
-        for part in &self.parts {
-            let along = &self.columns.along[part.along];
+        for (k, along) in self.columns.along.iter().enumerate() {
+            let Some(part) = self.parts.iter().find(|part| part.along == k) else {
+                let constant = along.constant_alone();
+                if constant.abs() > SMALLEST_SIGMA_MM {
+                    values[along.direction] = vec![constant * along.unit; n];
+                    sigma[along.direction] = vec![0.0; n];
+                }
+                continue;
+            };
             let fitted =
                 likelihood::fit(&part.sums, &part.names, &self.kernels, &part.prior, true)?;
             let constant = along.as_constant(&part.names.step);
