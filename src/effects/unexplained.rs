@@ -4,6 +4,8 @@
 //! p = exp([ξ] s_t(q, dir)) (p + s_r(q, dir) r + s_a(q, dir) a),   s a [`Curve`], r and a turning with the joint
 //! ```
 //!
+//! Of a sliding joint r leads away from its axis and a is across both, so that the three directions are orthogonal.
+//!
 //! Not an effect of the catalogue: it has no cause, so no search may name it. It has no
 //! coefficients either. Its curve comes from a diagnosis, where it was fitted beside the base and the
 //! names, and every later fit holds it still.
@@ -92,7 +94,7 @@ pub(super) fn carried(
                 (to, jacobian, [])
             }
             JointKind::Prismatic => {
-                let moved = add_scaled(add_scaled(x, out, radial), me.frame.across_2, axial);
+                let moved = add_scaled(add_scaled(x, out, radial), cross(along, out), axial);
                 (add_scaled(moved, along, motion), AXES, [])
             }
         }
@@ -109,7 +111,7 @@ pub(super) fn carried(
                     add_scaled(shift, cross(along, minus(x, me.frame.origin_mm)), turn)
                 }
                 JointKind::Prismatic => {
-                    let shift = add_scaled(out.map(|v| v * radial), me.frame.across_2, axial);
+                    let shift = add_scaled(out.map(|v| v * radial), cross(along, out), axial);
                     add_scaled(shift, along, turn)
                 }
             }
@@ -139,7 +141,7 @@ fn differentiate(me: &Placed, block: &mut Block) {
     block.transform(me, |x, _| {
         let columns = match kind {
             JointKind::Revolute => [cross(along, minus(x, me.frame.origin_mm)), out, along],
-            JointKind::Prismatic => [along, out, me.frame.across_2],
+            JointKind::Prismatic => [along, out, cross(along, out)],
         };
         (x, AXES, columns)
     });
