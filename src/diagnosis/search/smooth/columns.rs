@@ -18,11 +18,12 @@ use crate::fit::regression::Rows;
 use crate::linear::Basis;
 use crate::model::Model;
 
-use super::MOST_KNOTS;
 use super::likelihood::{NamesAlone, SIDES, Sums};
 
 /// A longer session is thinned evenly to so many samples: there are hundreds for each knot then.
 const MOST_SAMPLES: usize = 3000;
+/// Most knots of a curve over a range.
+pub(super) const MOST_KNOTS: usize = 61;
 /// Values of the joint closer than this (rad or mm) are the same pose.
 pub(super) const SAME: f64 = 1e-6;
 /// A direction of which less than this share is left beside the others was not measured; a column of which less is

@@ -29,16 +29,14 @@ use crate::model::Model;
 use crate::text::Text;
 
 use super::prepare::PreparedSearch;
-use columns::{Along, Columns, together};
+use columns::{Along, Columns, MOST_KNOTS, together};
 use folds::Folds;
 use likelihood::{Kernels, NamesAlone, Prior, SIDES, Sums};
 
 /// The samples are beyond doubt so much likelier, as a logarithm (as in `verdict::unnamed`): what stands at the ends of
 /// the range shows in no fold of the values between them.
 const BEYOND_DOUBT: f64 = 50.0;
-/// Most knots over a range …
-const MOST_KNOTS: usize = 61;
-/// … over a turn …
+/// Most knots over a turn …
 const MOST_IN_A_TURN: usize = 72;
 /// … and over a shorter period.
 const MOST_IN_A_PERIOD: usize = 24;
