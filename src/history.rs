@@ -270,26 +270,6 @@ fn compare(
     })
 }
 
-/// The sessions of a folder by name, numbers in it by their value; not those of folders in it. A
-/// damaged session counts: reading it says what is wrong.
-///
-/// # Errors
-/// The folder cannot be read, or no session is in it.
-pub fn sessions_of_folder(folder: &Path) -> Result<Vec<PathBuf>, Rejected> {
-    let is_session = |path: &PathBuf| {
-        let bytes = open::read_document(path);
-        bytes.is_ok_and(|bytes| source_of(&bytes) == Some(Source::Session))
-    };
-    let mut paths = documents(folder)?;
-    paths.retain(is_session);
-    if paths.is_empty() {
-        let expected = text!("a folder with truepose-session/1 documents (*.json)");
-        let found = Diagnostic::error(Place::file(folder), text!("no session"), expected);
-        return Err(Rejected::because(found));
-    }
-    Ok(paths)
-}
-
 /// What a document is by its key `format`; of a damaged one, what it was meant to be.
 fn source_of(bytes: &[u8]) -> Option<Source> {
     const SESSION: &str = "truepose-session/";

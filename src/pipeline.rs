@@ -46,7 +46,7 @@ use crate::text::Text;
 
 pub use crate::design::{measuring_list, measuring_program};
 pub use crate::design::{plan_robot, plan_session};
-pub use crate::history::{history, history_of_robot, history_watched, sessions_of_folder};
+pub use crate::history::{history, history_of_robot, history_watched};
 pub use crate::importers::{import, import_watched};
 pub use crate::model::format_v1::is_model;
 pub use crate::paper::{RegionalStart, regional_start};
@@ -175,6 +175,7 @@ fn history_of_steps(
                 fitted_with(&terms[..n])?
             },
             held_out_mm: None,
+            runs_held_out_mm: None,
         })
     };
     (0..=terms.len()).map(step).collect()

@@ -175,31 +175,27 @@ pub struct Unexplained {
     pub shapes: Vec<(Shape, Vec<f64>)>,
     /// Noise as stated and as found, where they differ; whether anything is unexplained or not.
     pub noise: Option<StatedNoise>,
-    /// A smooth correction of it, or why there is none; `None` where it was not asked for.
-    pub correction: Option<Result<Correction, Text>>,
 }
 
-impl Unexplained {
-    /// The smooth correction, where there is one.
-    pub fn corrected(&self) -> Option<&Correction> {
-        self.correction.as_ref()?.as_ref().ok()
-    }
-}
-
-/// What predicts poses that no fit has seen and has no name; its terms are in the model.
+/// What predicts samples that no fit has seen and has no name; its terms are in the model.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Unnamed {
     /// Root mean square of what it takes out of the fit, mm.
     pub rms_mm: f64,
     /// RMS error on samples that the fit has not seen, without and with it, mm.
     pub held_out_mm: [f64; 2],
-    /// What it follows, as in `joint 2 (gravity)`.
+    /// What it follows: a column as in `q1_deg`, of several joints as in `joint 2 (gravity)`.
     pub over: Vec<Text>,
+    /// The curve over the joint, of a robot with a single one.
+    pub curve: Option<Correction>,
 }
 
 impl Unnamed {
     /// In words.
     pub fn describe(&self) -> Text {
+        if let Some(curve) = &self.curve {
+            return curve.description.clone();
+        }
         text!(
             "{size} that no name is proven for predict unseen poses all the same and are in the model: cross-validated {change}, over {over}; outside the measured range they fade to nothing",
             size = length(self.rms_mm, 4),
@@ -260,10 +256,25 @@ pub struct Diagnosis {
 }
 
 impl Diagnosis {
-    /// The answer without the smooth correction of what no name explains.
+    /// What repeats over the only joint and has no name, if anything.
+    pub fn correction(&self) -> Option<&Correction> {
+        self.unnamed.as_ref()?.curve.as_ref()
+    }
+
+    /// The answer without what repeats over the only joint and has no name.
     #[must_use]
     pub fn uncorrected(mut self) -> Self {
-        self.unexplained.correction = None;
+        if let Some(curve) = self
+            .unnamed
+            .take_if(|own| own.curve.is_some())
+            .and_then(|own| own.curve)
+        {
+            self.gap.end_mm = curve.gap_mm[0];
+            if let Some(held_out) = &mut self.held_out.gaps {
+                held_out.end_mm = curve.held_out_mm[0];
+            }
+            self.history.pop();
+        }
         self
     }
 
@@ -276,28 +287,22 @@ impl Diagnosis {
     /// The calibration that goes with this answer, to be saved and exported; with the smooth
     /// correction of what is unexplained, where there is one.
     pub fn calibration(&self, session: &Session) -> Calibration {
-        let mut history = self.history.clone();
         let mut model = self.model.clone();
-        if let Some(correction) = self.unexplained.corrected() {
+        if let Some(correction) = self.correction() {
             model = model.with_term(correction.term.clone());
-            history.push(ResidualStep {
-                what: format!("with {}", correction.term.effect.about().id),
-                gap_mm: correction.gap_mm[1],
-                held_out_mm: Some(correction.held_out_mm[1]),
-            });
         }
         let read = self.set_up.applied(session, true);
         let inputs = Inputs::new(&read, JointValues::Commanded);
         Calibration {
             model,
-            history,
+            history: self.history.clone(),
             set_up: self.set_up.clone(),
             ..self.identification.calibration(&read, &inputs)
         }
     }
 }
 
-/// A smooth correction, and what it brings.
+/// What repeats over the only joint and has no name, as a smooth curve, and what it brings.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Correction {
     /// The model's term under the name `unexplained`.
@@ -306,6 +311,8 @@ pub struct Correction {
     pub gap_mm: [f64; 2],
     /// Gap on samples that the fit has not seen, without and with it, mm.
     pub held_out_mm: [f64; 2],
+    /// Gap with it on runs that the fit has not seen, mm; `None` where there is one run.
+    pub runs_held_out_mm: Option<f64>,
     /// How they were held out.
     pub how: Text,
     /// In words.

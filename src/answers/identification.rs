@@ -265,6 +265,7 @@ impl Identification {
             what: what.to_owned(),
             gap_mm: pick(&self.gap).rms_mm,
             held_out_mm: self.held_out.as_ref().map(|g| pick(g).rms_mm),
+            runs_held_out_mm: None,
         };
         Calibration {
             session: self.session.clone(),

@@ -1,6 +1,5 @@
 //! `truepose diagnose`: what is missing, its name, and how sure that is.
 
-use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
 use clap::Args;
@@ -15,9 +14,9 @@ use super::diagnosed::{in_words, start_in_words};
 use super::failure::Failure;
 use super::identify::Values;
 use super::interrupt::Stopping;
+use super::output;
 use super::progress_line::ProgressLine;
 use super::words::effects;
-use super::{fleet, output};
 
 /// Find what is missing in the model of a session, name it, and prove it on unseen samples
 #[derive(Debug, Args)]
@@ -26,9 +25,8 @@ use super::{fleet, output};
     reason = "each is a flag of the command line"
 )]
 pub(crate) struct Diagnose {
-    /// Session to diagnose; several, or a folder of them, give a line each
-    #[arg(required = true, value_name = "SESSION")]
-    sessions: Vec<PathBuf>,
+    /// Session to diagnose
+    session: PathBuf,
     /// An effect that does not exist for this run; may be given several times
     #[arg(long, value_name = "ID", value_delimiter = ',')]
     without: Vec<String>,
@@ -50,10 +48,10 @@ pub(crate) struct Diagnose {
     /// Start from the exact model, or show what the paper's regional model misses
     #[arg(long, value_enum, default_value = "exact")]
     start: Start,
-    /// Correct what no name explains by a smooth curve over the joint, if that helps on unseen samples
-    #[arg(long)]
+    /// Accepted and without effect: what repeats and has no name is in the model
+    #[arg(long, hide = true)]
     correct_unexplained: bool,
-    /// Keep the model to geometry and names, without what predicts unseen poses and has no name
+    /// Keep the model to geometry and names, without what repeats or predicts unseen poses and has no name
     #[arg(long)]
     no_unnamed: bool,
     /// Write the model with what was found to this file; - is standard output
@@ -65,12 +63,6 @@ pub(crate) struct Diagnose {
     /// Print JSON
     #[arg(long)]
     json: bool,
-    /// Print one line of JSON for each session: its file, then the answer, or why there is none
-    #[arg(long, conflicts_with = "json")]
-    json_lines: bool,
-    /// How many of several sessions are diagnosed at the same time [default: the number of cores]
-    #[arg(long, value_name = "N")]
-    jobs: Option<NonZeroUsize>,
 }
 
 impl From<DiagnoseError> for Failure {
@@ -86,9 +78,6 @@ impl Diagnose {
     pub(crate) fn run(self) -> Result<(), Failure> {
         let to_stdout = output::is_standard_output(self.out.as_deref());
         output::one_use_of_standard_output(self.json, to_stdout, "--json", "--out -")?;
-        // Of several sessions each has its line: an interrupt ends them.
-        let one_session =
-            self.sessions.len() == 1 && !self.json_lines && !self.sessions[0].is_dir();
         let asked = IdentificationTask {
             options: Options {
                 allowed: Allowed {
@@ -99,29 +88,14 @@ impl Diagnose {
                 held_out: self.held_out,
                 seed: self.seed,
                 joint_values: self.joint_values.into(),
-                correct_unexplained: self.correct_unexplained,
-                keep_when_stopped: one_session,
+                keep_when_stopped: true,
                 without_unnamed: self.no_unnamed,
-                // Several sessions are each on a thread of its own.
-                threads: (!one_session).then_some(1),
+                names_one_by_one: false,
+                threads: None,
             },
             start: self.start,
         };
-        let one = match &self.sessions[..] {
-            [session] if !self.json_lines && !session.is_dir() => session,
-            sessions => {
-                for (is_given, option) in [(self.json, "--json"), (self.out.is_some(), "--out")] {
-                    if is_given {
-                        return Err(Failure::WrongInput(text!(
-                            "{option} is for one session; expected --json-lines, or nothing for a table",
-                            option
-                        )));
-                    }
-                }
-                return fleet::run(sessions, &asked, self.jobs, self.json_lines);
-            }
-        };
-        let loaded = output::session(one)?;
+        let loaded = output::session(&self.session)?;
         let session = &loaded.session;
         let (answer, start) = answer_of(&asked, session)?;
         let calibration = || answer.calibration(session);

@@ -156,12 +156,15 @@ impl Export {
         }
         if self.json {
             let notes = export.notes.iter().chain(&of_session);
+            let leaves = export.left.as_ref().and_then(|left| left.leaves);
             return output::json(&json!({
                 "format": "truepose-exported/1",
                 "model": self.model,
                 "to": self.to,
                 "joint": self.joint,
                 "files": places,
+                "leaves_mm": leaves.map(|leaves| leaves.leaves_mm),
+                "between_targets_mm": leaves.map(|leaves| leaves.between_targets_mm),
                 // A document is English.
                 "notes": notes.map(Text::to_string).collect::<Vec<_>>(),
             }));

@@ -7,11 +7,10 @@ use clap::Args;
 use clap::builder::PossibleValuesParser;
 
 use crate::atomic::refuse_to_replace_inputs;
-use crate::diagnostic::Place;
 use crate::explain::{self, Detail};
 use crate::importers::{
-    AngleUnit, Companion, Decimal, IMPORTERS, LengthUnit, Matching, Motion, Profile, Reading,
-    Separator, Settings, find,
+    AngleUnit, Companion, Decimal, IMPORTERS, LengthUnit, Matching, Motion, Reading, Separator,
+    Settings, find,
 };
 use crate::pipeline::{self, import, save, save_with_samples, write_inline};
 use crate::present::import_v1::document;
@@ -31,8 +30,8 @@ pub(crate) struct Import {
     /// Measured file
     file: PathBuf,
     /// What wrote it
-    #[arg(long = "as", value_name = "FORMAT", required_unless_present = "profile", value_parser = PossibleValuesParser::new(IMPORTERS.iter().map(|importer| importer.id)))]
-    format: Option<String>,
+    #[arg(long = "as", value_name = "FORMAT", value_parser = PossibleValuesParser::new(IMPORTERS.iter().map(|importer| importer.id)))]
+    format: String,
     /// Robot that was measured: the robot object of a session in a file, or a name that `truepose robots` lists
     #[arg(long, value_name = "ROBOT")]
     robot: PathBuf,
@@ -88,12 +87,6 @@ pub(crate) struct Import {
     /// follows from the row before
     #[arg(long)]
     in_measuring_order: bool,
-    /// What was said about an earlier file of this kind; options on the command line come first
-    #[arg(long, value_name = "FILE")]
-    profile: Option<PathBuf>,
-    /// Write what was said and found out to this file, for --profile
-    #[arg(long, value_name = "FILE")]
-    save_profile: Option<PathBuf>,
     /// Rigid bodies or markers to take
     #[arg(long, value_name = "NAME")]
     name: Vec<String>,
@@ -142,34 +135,18 @@ impl Import {
         let commands = read_companion(self.commands.as_deref())?;
         let reference = read_companion(self.reference.as_deref())?;
         let targets = read_companion(self.targets.as_deref())?;
-        let profile = self.read_profile()?;
-        let mut reading = self.reading()?;
-        if let Some(profile) = &profile {
-            profile.complete(&mut reading);
-        }
-        if reading.kind.is_none() {
-            return Err(Failure::WrongInput(text!(
-                "the format of the file is not stated: --as, or a profile with \"as\""
-            )));
-        }
-        if let Some(profile) = &self.save_profile {
-            output::can_be_written(profile, self.force)?;
-        }
+        let reading = self.reading()?;
         let matching = self.matching.as_deref().map(|how| match how {
             "time" => Matching::Time,
             "name" => Matching::Name,
             _ => Matching::Order,
         });
-        let matching = matching.or_else(|| profile.as_ref().and_then(Profile::matching));
-        let in_measuring_order =
-            self.in_measuring_order || profile.as_ref().is_some_and(Profile::in_measuring_order);
         let settings = Settings {
             name: session_name(if to_stdout { &self.file } else { &self.out }),
             commands: companion(self.commands.as_deref(), commands.as_deref()),
             matching,
             commands_columns: self.commands_columns.clone(),
-            commands_by_heading: profile.as_ref().map(Profile::commands).unwrap_or_default(),
-            in_measuring_order,
+            in_measuring_order: self.in_measuring_order,
             motion: match self.motion.as_str() {
                 "stops" => Motion::Stops,
                 "all" => Motion::All,
@@ -179,7 +156,7 @@ impl Import {
             reference: companion(self.reference.as_deref(), reference.as_deref()),
             scale: self.scale,
             targets: companion(self.targets.as_deref(), targets.as_deref()),
-            ..Settings::new(reading.clone(), &robot)
+            ..Settings::new(reading, &robot)
         };
         let imported = import(&bytes, &settings)?;
         output::findings(&imported.findings);
@@ -194,12 +171,6 @@ impl Import {
                 inputs: &inputs,
             };
             self.save(&imported.session, replacing)?;
-        }
-        if let Some(file) = &self.save_profile {
-            let by = matching.filter(|_| self.commands.is_some());
-            let profile = Profile::of(&imported, &reading, by, in_measuring_order);
-            let inputs: Vec<PathBuf> = self.inputs().into_iter().map(Path::to_path_buf).collect();
-            output::document(file, profile.written().as_bytes(), self.force, &inputs)?;
         }
         if self.json {
             output::json(&document(&imported))?;
@@ -233,22 +204,9 @@ impl Import {
         Ok(())
     }
 
-    fn read_profile(&self) -> Result<Option<Profile>, Failure> {
-        let Some(file) = &self.profile else {
-            return Ok(None);
-        };
-        let bytes = read_whole(file)?;
-        Ok(Some(Profile::parse(&bytes, &Place::file(file))?))
-    }
-
     /// Every file that was read: no output may replace one.
     fn inputs(&self) -> Vec<&Path> {
-        let beside = [
-            &self.commands,
-            &self.reference,
-            &self.targets,
-            &self.profile,
-        ];
+        let beside = [&self.commands, &self.reference, &self.targets];
         let beside = beside.into_iter().flatten().map(PathBuf::as_path);
         [self.file.as_path(), self.robot.as_path()]
             .into_iter()
@@ -263,7 +221,7 @@ impl Import {
             )));
         };
         Ok(Reading {
-            kind: self.format.as_deref().and_then(find),
+            kind: find(&self.format),
             options: self.own.values.clone(),
             file: Some(self.file.clone()),
             unit: self.unit.as_deref().map(|unit| match unit {

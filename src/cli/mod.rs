@@ -13,11 +13,9 @@ mod diagnosed;
 mod effects;
 mod export;
 mod failure;
-mod fleet;
 mod history;
 mod identify;
 mod import;
-mod in_order;
 mod integrate;
 mod interrupt;
 mod output;
@@ -50,7 +48,7 @@ use crate::unfinished;
 use failure::Failure;
 
 const EXIT_STATUS: &str = "Exit status: 0 done; 2 the input or the arguments are wrong, and nothing was \
-written; 1 the program failed, or some of many sessions or targets could not be worked on.";
+written; 1 the program failed, or some of many targets could not be worked on.";
 
 /// Calibrates a robot: finds where measurement and simulation disagree, and writes the table
 /// that the controller reads
@@ -179,7 +177,7 @@ fn end_at_signals() -> std::io::Result<()> {
 }
 
 /// Does it in a thread with the stack that Linux gives: of a program's first thread Windows makes an eighth of that, and
-/// the C library of the GNU toolchain calculates with other rounding there than in threads, which a fleet works in.
+/// the C library of the GNU toolchain calculates with other rounding there than in threads.
 fn with_large_stack(work: impl FnOnce() -> Result<(), Failure> + Send) -> Result<(), Failure> {
     let spoken = current();
     thread::scope(|scope| {

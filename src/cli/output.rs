@@ -42,18 +42,6 @@ pub(crate) fn bytes(bytes: &[u8]) -> Result<(), Failure> {
     }
 }
 
-/// Prints one line; whether anybody still reads.
-pub(crate) fn line(line: &str) -> Result<bool, Failure> {
-    let mut stdout = std::io::stdout().lock();
-    let written = writeln!(stdout, "{line}").and_then(|()| stdout.flush());
-    match written {
-        Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(false),
-        other => Ok(other
-            .map(|()| true)
-            .context(text!("cannot write to standard output"))?),
-    }
-}
-
 /// Reads a session, and tells what was noticed.
 pub(crate) fn session(path: &Path) -> Result<Loaded, Failure> {
     let loaded = load(path)?;

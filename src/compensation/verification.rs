@@ -250,6 +250,13 @@ pub(super) fn moved(compensation: &Compensation, inputs: &Inputs, model: &Positi
     reached
 }
 
+/// How far the table moves poses of a calibration's own session, mm: reached − model, as of its samples.
+pub(crate) fn moved_at(calibration: &Calibration, inputs: &Inputs) -> Positions {
+    let compensation = Compensation::new(calibration);
+    let model = where_the_model_is(&compensation, &calibration.model, inputs, None);
+    moved(&compensation, inputs, &model)
+}
+
 /// Samples that a question about a whole session is asked of: without excluded ones.
 fn over_all(problem: &Problem) -> impl Fn(usize) -> bool {
     let usable = problem.usable.clone();

@@ -18,13 +18,14 @@ pub struct Options {
     pub seed: u64,
     /// Joint values to start from.
     pub joint_values: JointValues,
-    /// Whether what no name explains is to be corrected by a smooth curve.
-    pub correct_unexplained: bool,
     /// Whether a watcher that stops the search gets what is proven until then, said to be that; else
     /// [`DiagnoseError::Cancelled`].
     pub keep_when_stopped: bool,
     /// Whether the model holds names and geometry only, and nothing that predicts without a name.
     pub without_unnamed: bool,
+    /// Whether names are added to a model one by one, as in the window: what predicts without a name and is a part of
+    /// a whole model (of several joints) stays out of it.
+    pub names_one_by_one: bool,
     /// On how many threads the parts of a search are done that do not depend on each other; `None`: on two where
     /// the machine has them. The answer is the same to the last bit.
     pub threads: Option<usize>,

@@ -1,15 +1,19 @@
-//! A smooth function of a joint's value in three directions, given by its values at equal steps.
+//! A smooth function of a joint's value and of the side from which it came in three directions, given by its
+//! values at equal steps.
 //!
 //! ```text
-//! s(q) = Σ_k w_k(u) v_k,   u = (q − from)/step,   w the cubic weights of Catmull & Rom (1974)
+//! s(q, dir) = Σ_k w_k(u) (v_k + dir h_k),   u = (q − from)/step,   w the cubic weights of Catmull & Rom (1974)
 //! ```
 //!
+//! v is common to both sides, h half of the reversal: dir is +1 moving positive, −1 moving negative, 0 unknown.
 //! It runs through the values at the knots and has no kink between them. Outside the range the
 //! value at its end is held: nothing was measured there. With a period the knots cover one period
 //! and repeat.
 
 /// Directions of a curve, in order: along the joint's motion, along its radius, along its axis.
 pub(crate) const DIRECTIONS: usize = 3;
+/// Parts of a curve: what is common to both sides in each direction, then half of the reversal in each.
+pub(crate) const PARTS: usize = 2 * DIRECTIONS;
 /// More knots than this are a mistake.
 pub(crate) const MOST_KNOTS: usize = 10_000;
 
@@ -179,26 +183,28 @@ fn split(u: f64, largest: usize) -> (usize, f64) {
     (whole, u - whole as f64)
 }
 
+/// Values at the knots, or their standard deviations, part by part: rad (a sliding joint: mm) along the motion, mm
+/// across it; none where the curve does nothing.
+pub(crate) type Parts = [Vec<f64>; PARTS];
+
 /// A cubic spline over a joint's value in three directions, given at equal steps.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Curve {
     knots: Knots,
-    /// Values at the knots by direction: rad (a sliding joint: mm), mm, mm. None where the curve
-    /// does nothing in a direction.
-    values: [Vec<f64>; DIRECTIONS],
-    /// Standard deviations of the values, in the same units; none where `values` has none.
-    sigma: [Vec<f64>; DIRECTIONS],
+    values: Parts,
+    sigma: Parts,
 }
 
 impl Curve {
-    /// A curve from its values at the knots and their standard deviations.
+    /// A curve from its values at the knots and their standard deviations, each along the joint's motion, along
+    /// its radius and along its axis: first those common to both sides, then half of the reversal.
     ///
     /// # Errors
     /// See [`CurveError`].
     pub fn new(
         knots: Knots,
-        values: [Vec<f64>; DIRECTIONS],
-        sigma: [Vec<f64>; DIRECTIONS],
+        values: [Vec<f64>; PARTS],
+        sigma: [Vec<f64>; PARTS],
     ) -> Result<Self, CurveError> {
         knots.check()?;
         for (values, sigma) in values.iter().zip(&sigma) {
@@ -229,40 +235,41 @@ impl Curve {
         &self.knots
     }
 
-    /// Values at the knots in a direction (0 to 2); empty where the curve does nothing.
-    pub fn values(&self, direction: usize) -> &[f64] {
-        self.values.get(direction).map_or(&[], Vec::as_slice)
+    /// Values at the knots of a part (0 to 5); empty where the curve does nothing.
+    pub fn values(&self, part: usize) -> &[f64] {
+        self.values.get(part).map_or(&[], Vec::as_slice)
     }
 
     /// Their standard deviations.
-    pub fn sigma(&self, direction: usize) -> &[f64] {
-        self.sigma.get(direction).map_or(&[], Vec::as_slice)
+    pub fn sigma(&self, part: usize) -> &[f64] {
+        self.sigma.get(part).map_or(&[], Vec::as_slice)
     }
 
     /// The curve at a joint's value: along the joint's motion (rad or mm), along its radius and
     /// along its axis (mm). Outside the measured range the end values are held.
-    pub fn at(&self, q: f64) -> [f64; DIRECTIONS] {
-        self.weighed(&self.knots.weights(q))
+    pub fn at(&self, q: f64, dir: f64) -> [f64; DIRECTIONS] {
+        self.weighed(&self.knots.weights(q), dir)
     }
 
     /// The derivatives of the curve by the joint's value, per rad or per mm.
-    pub fn slope(&self, q: f64) -> [f64; DIRECTIONS] {
-        self.weighed(&self.knots.slopes(q))
+    pub fn slope(&self, q: f64, dir: f64) -> [f64; DIRECTIONS] {
+        self.weighed(&self.knots.slopes(q), dir)
     }
 
-    fn weighed(&self, weights: &[(usize, f64); 4]) -> [f64; DIRECTIONS] {
-        std::array::from_fn(|d| {
-            let values = &self.values[d];
+    fn weighed(&self, weights: &[(usize, f64); 4], dir: f64) -> [f64; DIRECTIONS] {
+        let part = |part: usize| {
+            let values = &self.values[part];
             if values.is_empty() {
                 return 0.0;
             }
-            weights.iter().map(|(k, w)| w * values[*k]).sum()
-        })
+            weights.iter().map(|(k, w)| w * values[*k]).sum::<f64>()
+        };
+        std::array::from_fn(|d| part(d) + dir * part(DIRECTIONS + d))
     }
 
     /// How sure the curve is there, one standard deviation; `None` outside the measured range:
     /// not measured.
-    pub fn sigma_at(&self, q: f64) -> Option<[f64; DIRECTIONS]> {
+    pub fn sigma_at(&self, q: f64, dir: f64) -> Option<[f64; DIRECTIONS]> {
         if !self.knots.covers(q) {
             return None;
         }
@@ -270,19 +277,31 @@ impl Curve {
         let n = self.knots.count;
         let (first, t) = self.knots.split(q);
         let next = (first + 1) % n;
-        Some(std::array::from_fn(|d| {
-            let sigma = &self.sigma[d];
+        let part = |part: usize| {
+            let sigma = &self.sigma[part];
             if sigma.is_empty() {
                 return 0.0;
             }
             (1.0 - t) * sigma[first] + t * sigma[next]
+        };
+        Some(std::array::from_fn(|d| {
+            part(d).hypot(dir * part(DIRECTIONS + d))
         }))
     }
 
     /// The same curve along the joint's motion alone.
     #[must_use]
     pub fn along_the_motion(&self) -> Self {
-        let only = |all: &[Vec<f64>; DIRECTIONS]| [all[0].clone(), Vec::new(), Vec::new()];
+        let only = |all: &Parts| {
+            let kept = |part: usize| part.is_multiple_of(DIRECTIONS);
+            std::array::from_fn(|part| {
+                if kept(part) {
+                    all[part].clone()
+                } else {
+                    Vec::new()
+                }
+            })
+        };
         Self {
             knots: self.knots,
             values: only(&self.values),
@@ -290,9 +309,13 @@ impl Curve {
         }
     }
 
-    /// The largest value at a knot by direction, without its sign.
+    /// The largest value at a knot by direction, on either side, without its sign.
     pub fn largest(&self) -> [f64; DIRECTIONS] {
-        std::array::from_fn(|d| self.values[d].iter().fold(0.0_f64, |m, v| m.max(v.abs())))
+        let places = self.knots.places().into_iter();
+        let both = places.flat_map(|q| [-1.0, 1.0].map(|dir| self.at(q, dir)));
+        both.fold([0.0; DIRECTIONS], |most, here| {
+            std::array::from_fn(|d| most[d].max(here[d].abs()))
+        })
     }
 }
 
@@ -312,8 +335,14 @@ mod tests {
     fn curve(knots: Knots, f: impl Fn(f64) -> f64) -> Curve {
         let values: Vec<f64> = knots.places().into_iter().map(f).collect();
         let sigma = vec![0.1; values.len()];
-        let none = Vec::new;
-        Curve::new(knots, [values, none(), none()], [sigma, none(), none()]).unwrap()
+        Curve::new(knots, along(values), along(sigma)).unwrap()
+    }
+
+    /// Along the motion, the same on both sides.
+    fn along(values: Vec<f64>) -> Parts {
+        let mut parts = Parts::default();
+        parts[0] = values;
+        parts
     }
 
     #[test]
@@ -321,22 +350,22 @@ mod tests {
         let line = curve(knots(None), |q| 3.0 - 2.0 * q);
         for k in 0..=300 {
             let q = -1.0 + 0.01 * f64::from(k);
-            assert!((line.at(q)[0] - (3.0 - 2.0 * q)).abs() < 1e-12, "{q}");
+            assert!((line.at(q, 0.0)[0] - (3.0 - 2.0 * q)).abs() < 1e-12, "{q}");
         }
         let wave = curve(knots(None), |q| (2.0 * q).sin());
         for (q, v) in wave.knots().places().iter().zip(wave.values(0)) {
-            assert!((wave.at(*q)[0] - v).abs() < 1e-12);
+            assert!((wave.at(*q, 0.0)[0] - v).abs() < 1e-12);
         }
     }
 
     #[test]
     fn outside_the_range_the_end_is_held_and_nothing_is_known() {
         let line = curve(knots(None), |q| q);
-        assert_eq!(line.at(-7.0), line.at(-1.0));
-        assert_eq!(line.at(9.0), line.at(2.0));
-        assert_eq!(line.sigma_at(9.0), None);
-        assert_eq!(line.sigma_at(-1.1), None);
-        assert_eq!(line.sigma_at(0.3), Some([0.1, 0.0, 0.0]));
+        assert_eq!(line.at(-7.0, 1.0), line.at(-1.0, -1.0));
+        assert_eq!(line.at(9.0, 0.0), line.at(2.0, 0.0));
+        assert_eq!(line.sigma_at(9.0, 0.0), None);
+        assert_eq!(line.sigma_at(-1.1, 0.0), None);
+        assert_eq!(line.sigma_at(0.3, 0.0), Some([0.1, 0.0, 0.0]));
     }
 
     #[test]
@@ -345,10 +374,10 @@ mod tests {
             (std::f64::consts::TAU * q / 0.5).sin()
         });
         for q in [-0.9, -0.51, 0.0, 0.13] {
-            let [here, next] = [q, q + 0.5].map(|q| wave.at(q)[0]);
+            let [here, next] = [q, q + 0.5].map(|q| wave.at(q, 0.0)[0]);
             assert!((here - next).abs() < 1e-12, "{q}");
         }
-        let seam = [-0.5 - 1e-9, -0.5 + 1e-9].map(|q| wave.at(q)[0]);
+        let seam = [-0.5 - 1e-9, -0.5 + 1e-9].map(|q| wave.at(q, 0.0)[0]);
         assert!((seam[0] - seam[1]).abs() < 1e-6);
     }
 
@@ -358,12 +387,12 @@ mod tests {
             let wave = curve(knots(period), |q| (2.0 * q).sin());
             for k in 1..300 {
                 let q = -1.0 + 0.01 * f64::from(k) + 0.0037;
-                let [below, above] = [q - 1e-6, q + 1e-6].map(|q| wave.at(q)[0]);
+                let [below, above] = [q - 1e-6, q + 1e-6].map(|q| wave.at(q, 0.0)[0]);
                 let by_difference = (above - below) / 2e-6;
-                assert!((wave.slope(q)[0] - by_difference).abs() < 1e-7, "{q}");
+                assert!((wave.slope(q, 0.0)[0] - by_difference).abs() < 1e-7, "{q}");
             }
-            assert_eq!(wave.slope(-1.5), [0.0; 3]);
-            assert_eq!(wave.slope(2.5), [0.0; 3]);
+            assert_eq!(wave.slope(-1.5, 0.0), [0.0; 3]);
+            assert_eq!(wave.slope(2.5, 0.0), [0.0; 3]);
         }
     }
 
@@ -373,7 +402,7 @@ mod tests {
             count: 2,
             ..knots(None)
         };
-        assert!((curve(two, |q| q).at(0.5)[0] - 0.5).abs() < 1e-12);
+        assert!((curve(two, |q| q).at(0.5, 0.0)[0] - 0.5).abs() < 1e-12);
         let bad = [
             Knots { count: 1, ..two },
             Knots { to: -1.0, ..two },
@@ -389,8 +418,26 @@ mod tests {
         for knots in bad {
             assert!(knots.check().is_err(), "{knots:?}");
         }
-        let none = Vec::new;
-        let short = [vec![1.0], none(), none()];
+        let short = along(vec![1.0]);
         assert!(Curve::new(two, short.clone(), short).is_err());
+    }
+
+    #[test]
+    fn half_of_the_reversal_is_added_on_one_side_and_taken_away_on_the_other() {
+        let knots = knots(None);
+        let mut values = along(knots.places());
+        values[DIRECTIONS] = vec![0.5; knots.count];
+        let mut sigma = along(vec![0.3; knots.count]);
+        sigma[DIRECTIONS] = vec![0.4; knots.count];
+        let curve = Curve::new(knots, values, sigma).unwrap();
+        let at = [-1.0, 0.0, 1.0].map(|dir| curve.at(0.25, dir)[0]);
+        for (found, wanted) in at.iter().zip([-0.25, 0.25, 0.75]) {
+            assert!((found - wanted).abs() < 1e-12, "{at:?}");
+        }
+        assert_eq!(curve.slope(0.25, 1.0)[0], curve.slope(0.25, -1.0)[0]);
+        let sure = [0.0, -1.0].map(|dir| curve.sigma_at(0.25, dir).unwrap()[0]);
+        assert!((sure[0] - 0.3).abs() < 1e-12 && (sure[1] - 0.5).abs() < 1e-12);
+        assert_eq!(curve.largest(), [2.5, 0.0, 0.0]);
+        assert_eq!(curve.along_the_motion(), curve);
     }
 }

@@ -1,12 +1,14 @@
 //! What no name explains, as a smooth correction over a joint's commanded value.
 //!
 //! ```text
-//! p = exp([ξ] s_t(q)) (p + s_r(q) r + s_a(q) a),   s a [`Curve`], r and a turning with the joint
+//! p = exp([ξ] s_t(q, dir)) (p + s_r(q, dir) r + s_a(q, dir) a),   s a [`Curve`], r and a turning with the joint
 //! ```
 //!
+//! Of a sliding joint r leads away from its axis and a is across both, so that the three directions are orthogonal.
+//!
 //! Not an effect of the catalogue: it has no cause, so no search may name it. It has no
-//! coefficients either. Its curve comes from a diagnosis, where it was made orthogonal to the
-//! names beside it, and every later fit holds it still; so it never moves the value of a name.
+//! coefficients either. Its curve comes from a diagnosis, where it was fitted beside the base and the
+//! names, and every later fit holds it still.
 
 use std::sync::Arc;
 
@@ -47,20 +49,21 @@ const ABOUT: About = About {
 /// It has no name by which it could be fitted.
 const NO_NAME: Need = Need::of_samples(phrase!("a smooth correction"), |_, _| {
     Some(text!(
-        "it is not an effect that can be fitted by its name: `truepose diagnose \
-         --correct-unexplained` makes the correction"
+        "it is not an effect that can be fitted by its name: `truepose diagnose` finds what repeats"
     ))
 });
 
-/// The effect `unexplained`: a smooth curve over one joint, asked for with `--correct-unexplained`.
+/// The effect `unexplained`: what repeats over one joint and has no name.
 pub static SMOOTH: Effect = Effect::new(ABOUT, act);
 
 fn act(me: &Placed, block: &mut Block) {
     let Some(curve) = &me.curve else { return };
     let q = |lane: usize| block.command(me.joint, lane);
-    let values = std::array::from_fn(|lane| curve.at(q(lane)));
+    let dir = |lane: usize| block.side(me.joint, lane);
+    let values = std::array::from_fn(|lane| curve.at(q(lane), dir(lane)));
+    let slope = |lane| curve.slope(q(lane), dir(lane));
     let slopes = if block.by_command() {
-        vec![(me.joint, std::array::from_fn(|lane| curve.slope(q(lane))))]
+        vec![(me.joint, std::array::from_fn(slope))]
     } else {
         Vec::new()
     };
@@ -91,7 +94,7 @@ pub(super) fn carried(
                 (to, jacobian, [])
             }
             JointKind::Prismatic => {
-                let moved = add_scaled(add_scaled(x, out, radial), me.frame.across_2, axial);
+                let moved = add_scaled(add_scaled(x, out, radial), cross(along, out), axial);
                 (add_scaled(moved, along, motion), AXES, [])
             }
         }
@@ -108,7 +111,7 @@ pub(super) fn carried(
                     add_scaled(shift, cross(along, minus(x, me.frame.origin_mm)), turn)
                 }
                 JointKind::Prismatic => {
-                    let shift = add_scaled(out.map(|v| v * radial), me.frame.across_2, axial);
+                    let shift = add_scaled(out.map(|v| v * radial), cross(along, out), axial);
                     add_scaled(shift, along, turn)
                 }
             }
@@ -138,7 +141,7 @@ fn differentiate(me: &Placed, block: &mut Block) {
     block.transform(me, |x, _| {
         let columns = match kind {
             JointKind::Revolute => [cross(along, minus(x, me.frame.origin_mm)), out, along],
-            JointKind::Prismatic => [along, out, me.frame.across_2],
+            JointKind::Prismatic => [along, out, cross(along, out)],
         };
         (x, AXES, columns)
     });
@@ -168,7 +171,7 @@ impl Term {
 mod tests {
     use super::*;
     use crate::effects::Inputs;
-    use crate::effects::curve::Knots;
+    use crate::effects::curve::{Knots, Parts};
     use crate::kinematics::testing::column;
     use crate::model::Model;
 
@@ -183,7 +186,15 @@ mod tests {
             let places = knots.places();
             places.iter().map(|q| a * (k * q).cos()).collect()
         };
-        let values = [wave(1e-3, 2.0), wave(0.2, 3.0), wave(-0.1, 1.0)];
+        let values = [
+            (1e-3, 2.0),
+            (0.2, 3.0),
+            (-0.1, 1.0),
+            (2e-4, 1.0),
+            (0.03, 2.0),
+            (0.01, 3.0),
+        ];
+        let values = values.map(|(a, k)| wave(a, k));
         let sigma = values.clone().map(|v| vec![0.0; v.len()]);
         Curve::new(knots, values, sigma).unwrap()
     }
@@ -199,7 +210,7 @@ mod tests {
         let inputs = inputs();
         let predicted = model.predict(&inputs);
         for (i, q) in inputs.q[0].iter().enumerate() {
-            let [t, r, a] = curve().at(*q);
+            let [t, r, a] = curve().at(*q, 0.0);
             let (sin, cos) = (q + t).sin_cos();
             let expected = [(250.0 + r) * cos, (250.0 + r) * sin, 300.0 + a];
             let left = minus(predicted.get(i), expected);
@@ -247,7 +258,7 @@ mod tests {
         for d in 0..3 {
             let moved = |by: f64| {
                 let knots = *curve().knots();
-                let mut values = [vec![], vec![], vec![]];
+                let mut values = Parts::default();
                 values[d] = vec![by; knots.count];
                 let sigma = values.clone().map(|v| vec![0.0; v.len()]);
                 let constant = Curve::new(knots, values, sigma).unwrap();

@@ -3,20 +3,16 @@
 use super::{Block, Detail, Section};
 use crate::history::Order;
 use crate::history::RobotHistory;
-use crate::present::history::{CHANGED, chart, entries, parameters, rows};
+use crate::present::history::{CHANGED, entries, parameters};
 
 /// Sessions whose values stand side by side on a page.
 const MOST: usize = 4;
-/// Parameters that are charted: those that changed.
-const CHARTS: usize = 3;
-/// Width of a chart on paper, mm.
-const WIDE_MM: f64 = 150.0;
 
 /// The section of one robot.
 pub(crate) fn history(robot: &RobotHistory, detail: Detail) -> Section {
     let last = robot.entries.len();
     let shown: Vec<usize> = (last.saturating_sub(MOST)..last).collect();
-    let mut blocks = vec![
+    let blocks = vec![
         Block::Text(
             match robot.ordered_by {
                 Order::Time => say!(
@@ -36,19 +32,6 @@ pub(crate) fn history(robot: &RobotHistory, detail: Detail) -> Section {
         )),
         Block::Table(parameters(robot, &shown)),
     ];
-    if !detail.brief {
-        let rows = rows(robot);
-        let changed = rows
-            .iter()
-            .filter(|row| row.values.iter().flatten().any(|value| value.changed));
-        for row in changed.take(CHARTS) {
-            let drawing = chart(robot, row).in_page(WIDE_MM);
-            blocks.push(Block::Plot(
-                drawing,
-                say!("{parameter} over the sessions", parameter = row.name),
-            ));
-        }
-    }
     // A report is about one robot, which it names before; the terminal lists all of a folder.
     let title = if detail.brief {
         robot.robot.clone()

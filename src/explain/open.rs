@@ -2,7 +2,7 @@
 //! do not count, what the samples do not determine.
 
 use super::{Block, Detail, Section, Topic, clean, cleaned, fact};
-use crate::diagnosis::{Correction, Diagnosis};
+use crate::diagnosis::{Correction, Diagnosis, Unnamed};
 use crate::fit::{Identification, NotIdentifiable};
 use crate::present::names::title_of;
 use crate::present::numbers::{grouped, significant};
@@ -72,34 +72,17 @@ pub(super) fn unexplained(d: &Diagnosis, detail: Detail) -> Option<Section> {
             facts.push(fact(say!("Resembles in part"), names));
         }
     }
-    // That nothing is left needs no correction is an answer only where one was asked for.
-    let correction = left.correction.iter();
-    let correction = correction.filter(|own| left.present || detail.brief || own.is_ok());
-    facts.extend(correction.map(|correction| match correction {
-        Ok(correction) => fact(say!("Smooth correction"), corrected(detail, correction)),
-        Err(because) => fact(
-            say!("Smooth correction"),
-            say!("none: {because}", because = cleaned(because)),
-        ),
-    }));
     (!facts.is_empty()).then(|| {
         let title = say!("Left without a name");
         Section::of(Topic::Unexplained, title, vec![Block::Facts(facts)])
     })
 }
 
-fn corrected(detail: Detail, correction: &Correction) -> String {
-    say!(
-        "{says}; RMS error {fit}, cross-validated {unseen} ({how})",
-        says = cleaned(&correction.description),
-        fit = detail.lengths(correction.gap_mm),
-        unseen = detail.lengths(correction.held_out_mm),
-        how = cleaned(&correction.how)
-    )
-}
-
 pub(super) fn unnamed(d: &Diagnosis, detail: Detail) -> Option<Section> {
     let unnamed = d.unnamed.as_ref()?;
+    if let Some(curve) = &unnamed.curve {
+        return Some(repeating(unnamed, curve, detail));
+    }
     let over: Vec<_> = unnamed.over.iter().map(cleaned).collect();
     let facts = vec![
         fact(say!("Size"), detail.length(unnamed.rms_mm)),
@@ -115,6 +98,41 @@ pub(super) fn unnamed(d: &Diagnosis, detail: Detail) -> Option<Section> {
     let blocks = vec![Block::Facts(facts), Block::Text(says.to_owned())];
     let title = say!("Predictive, not attributed to an effect");
     Some(Section::of(Topic::Unnamed, title, blocks))
+}
+
+/// What repeats over the only joint.
+fn repeating(unnamed: &Unnamed, curve: &Correction, detail: Detail) -> Section {
+    let mut facts = vec![
+        fact(
+            say!("Without a name"),
+            say!(
+                "{size}, over joint {joint}, in the table",
+                size = detail.length(unnamed.rms_mm),
+                joint = curve.term.joint + 1
+            ),
+        ),
+        fact(
+            say!("RMS error, cross-validated"),
+            say!(
+                "{change} ({how})",
+                change = detail.lengths(curve.held_out_mm),
+                how = cleaned(&curve.how)
+            ),
+        ),
+    ];
+    if let Some(runs_mm) = curve.runs_held_out_mm {
+        facts.push(fact(say!("Of another run"), detail.length(runs_mm)));
+    } else {
+        facts.push(fact(
+            say!("Of another run"),
+            say!("not known: in a single run what repeats and what drifts look the same"),
+        ));
+    }
+    let blocks = vec![
+        Block::Facts(facts),
+        Block::Text(cleaned(&curve.description)),
+    ];
+    Section::of(Topic::Unnamed, say!("Repeats, and has no name"), blocks)
 }
 
 pub(super) fn next_poses(d: &Diagnosis, detail: Detail) -> Option<Section> {

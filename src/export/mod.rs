@@ -75,7 +75,6 @@ register! {
     ur_kinematics,
     frames,
     lerobot,
-    tpoint,
 }
 
 /// The format of this name.

@@ -31,6 +31,8 @@ const LEAST_STAND_IN_MM: f64 = 0.01;
 /// Closely spaced points: per degree or mm, and within these bounds.
 const PER_UNIT: f64 = 16.0;
 const POINTS: [f64; 2] = [2000.0, 20_000.0];
+/// Neighbours predict a target where what they leave is noise: √2 is as much again.
+const TOO_FAR_APART: f64 = std::f64::consts::SQRT_2;
 /// Half a difference quotient, rad (mm: a thousand times as much).
 const STEP: f64 = 1e-4;
 
@@ -217,17 +219,56 @@ pub struct ResidualError {
     /// The gap that is left over the measured range with the table, and with the exact correction,
     /// root mean square, mm; for a robot with a single joint.
     pub gap_mm: Option<[f64; 2]>,
+    /// What the controller leaves with the table, by samples that no fit has seen; for a robot with a single joint.
+    pub leaves: Option<Leaves>,
     /// What it may add.
     pub allowance: Allowance,
+}
+
+/// What a controller leaves with a table: what samples that no fit has seen are off the model, and what the table,
+/// with its interpolation and its digits, leaves of the model,
+///
+/// ```text
+/// leaves² = e² + t²
+/// ```
+///
+/// e over runs that were held out where there are several, else over held-out values of the joint; between the
+/// targets e over held-out values, which their neighbours predict.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Leaves {
+    /// At the targets, in another run, mm.
+    pub leaves_mm: f64,
+    /// Between the targets, mm.
+    pub between_targets_mm: f64,
+}
+
+impl Leaves {
+    fn of(calibration: &Calibration, table_mm: f64) -> Option<Self> {
+        let last = calibration.history.last()?;
+        let between_mm = last.held_out_mm.unwrap_or(last.gap_mm);
+        let at_targets_mm = last.runs_held_out_mm.unwrap_or(between_mm);
+        Some(Self {
+            leaves_mm: at_targets_mm.hypot(table_mm),
+            between_targets_mm: between_mm.hypot(table_mm),
+        })
+    }
+
+    /// Whether neighbours do not predict a target.
+    pub fn are_targets_too_far_apart(&self) -> bool {
+        self.between_targets_mm > TOO_FAR_APART * self.leaves_mm
+    }
 }
 
 impl ResidualError {
     pub(super) fn new(job: &Job, exact: &Exact, read: &ReadBack) -> Self {
         let [added_rms_mm, added_max_mm] = exact.added(read, false);
+        let single = job.calibration.model.robot.joints.len() == 1;
+        let gap_mm = single.then(|| gaps(job, read));
         Self {
             added_rms_mm,
             added_max_mm,
-            gap_mm: (job.calibration.model.robot.joints.len() == 1).then(|| gaps(job, read)),
+            leaves: gap_mm.and_then(|[with, _]| Leaves::of(job.calibration, with)),
+            gap_mm,
             allowance: Allowance::of(job.calibration),
         }
     }
@@ -271,14 +312,36 @@ impl ResidualError {
                 step = format!("{step}{}", sheet.kind.sign())
             )
         };
-        match self.gap_mm {
-            Some([with, exact]) => text!(
-                "with this table the controller leaves {with} over the measured range, where an exact correction leaves {exact}; {adds}",
-                with = length(with, 4),
-                exact = length(exact, 4),
+        let Some(leaves) = self.leaves else {
+            // A model whose samples are not known.
+            return match self.gap_mm {
+                Some([with, exact]) => text!(
+                    "with this table the controller leaves {with} over the measured range, where an exact correction leaves {exact}; {adds}",
+                    with = length(with, 4),
+                    exact = length(exact, 4),
+                    adds
+                ),
+                None => adds,
+            };
+        };
+        let (at, between) = (
+            length(leaves.leaves_mm, 4),
+            length(leaves.between_targets_mm, 4),
+        );
+        if leaves.are_targets_too_far_apart() {
+            text!(
+                "with this table the controller leaves {at} at the measured positions and {between} between them, by samples that the fit has not seen: neighbours do not predict a position, measure in smaller steps; {adds}",
+                at,
+                between,
                 adds
-            ),
-            None => adds,
+            )
+        } else {
+            text!(
+                "with this table the controller leaves {at}, and {between} between the measured positions, by samples that the fit has not seen; {adds}",
+                at,
+                between,
+                adds
+            )
         }
     }
 }

@@ -91,8 +91,10 @@ impl Sidecar<'_> {
                 "load_kg": sheet.conditions.load_kg,
                 "temperature_c": sheet.conditions.temperature_c,
             },
-            // What the controller leaves with this table, over the measured range.
+            // What the controller leaves with this table: by samples that no fit has seen, and beside the model alone.
             "leaves": object! {
+                "leaves_mm": left.leaves.map(|leaves| leaves.leaves_mm),
+                "between_targets_mm": left.leaves.map(|leaves| leaves.between_targets_mm),
                 "gap_mm": left.gap_mm.map(|gap| gap[0]),
                 "gap_of_an_exact_correction_mm": left.gap_mm.map(|gap| gap[1]),
                 "added_rms_mm": left.added_rms_mm,

@@ -85,6 +85,19 @@ impl<'a> Rows<'a> {
         }
     }
 
+    /// Rows of some samples, one for each; what they are of is up to the caller.
+    pub(crate) fn of_one_axis(&self, samples: &[usize]) -> Rows<'static> {
+        Rows {
+            samples: samples.to_vec(),
+            axes: vec![0],
+            times: samples.iter().map(|k| self.times[*k]).collect(),
+            inputs: self.inputs.select(samples),
+            digits_mm: [0.0; 3],
+            measured_mm: Vec::new(),
+            observed: None,
+        }
+    }
+
     /// The rows of so many samples, spread evenly over all. What they are in mm is not known.
     pub(crate) fn spread(&self, samples: usize) -> Self {
         let own = |k: usize| match &self.observed {

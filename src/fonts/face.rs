@@ -1,12 +1,11 @@
-//! One face of a font file: which glyph a character has, how wide it is, how it is drawn, and what its
-//! licence lets one do. The tables are read by `skrifa`, which the window's text layout uses too.
+//! One face of a font file: which glyph a character has, how wide it is, and what its licence lets one
+//! do. The tables are read by `skrifa`, which the window's text layout uses too.
 
 use skrifa::charmap::Charmap;
 use skrifa::instance::{LocationRef, Size};
 use skrifa::metrics::{GlyphMetrics, Metrics};
-use skrifa::outline::{DrawSettings, OutlinePen};
 use skrifa::raw::TableProvider;
-use skrifa::{FontRef, GlyphId, MetadataProvider, OutlineGlyphCollection, Tag};
+use skrifa::{FontRef, GlyphId, MetadataProvider, Tag};
 
 /// Outlines of newer variable fonts.
 const CFF2: Tag = Tag::new(b"CFF2");
@@ -19,7 +18,6 @@ pub(crate) struct Face<'f> {
     font: FontRef<'f>,
     characters: Charmap<'f>,
     widths: GlyphMetrics<'f>,
-    outlines: OutlineGlyphCollection<'f>,
     metrics: Metrics,
 }
 
@@ -35,7 +33,6 @@ impl<'f> Face<'f> {
         sound.then(|| Self {
             characters: font.charmap(),
             widths: GlyphMetrics::new(&font, Size::unscaled(), LocationRef::default()),
-            outlines: font.outline_glyphs(),
             font,
             metrics,
         })
@@ -69,15 +66,6 @@ impl<'f> Face<'f> {
         let metrics = &self.metrics;
         let capital = metrics.cap_height.unwrap_or(metrics.ascent);
         [metrics.ascent, metrics.descent, capital].map(f64::from)
-    }
-
-    /// Draws a glyph, y up; nothing where it has no outline.
-    pub(crate) fn draw(&self, glyph: u16, pen: &mut impl OutlinePen) {
-        if let Some(outline) = self.outlines.get(GlyphId::from(glyph)) {
-            let settings = DrawSettings::unhinted(Size::unscaled(), LocationRef::default());
-            // A glyph that is broken shows what could be drawn of it.
-            let _ = outline.draw(settings, pen);
-        }
     }
 
     fn has(&self, tag: Tag) -> bool {

@@ -145,8 +145,6 @@ fn icon() -> Arc<egui::IconData> {
 /// What the window's own tests start from: a workbench whose tasks run at once.
 #[cfg(any(test, feature = "window-tests"))]
 mod testing {
-    #[cfg(test)]
-    use std::path::{Path, PathBuf};
     use std::sync::Arc;
 
     use crate::simulation::unwatched;
@@ -167,29 +165,5 @@ mod testing {
         let loaded_session = LoadedSession::new(session, Vec::new(), Origin::Simulated);
         let jobs = Jobs::new(Runner::AtOnce, Arc::new(|| {}));
         Workbench::new(Arc::new(loaded_session), jobs, drawing)
-    }
-
-    /// A session in this folder of one joint of a URDF, whose link looks like this mesh.
-    #[cfg(test)]
-    pub(crate) fn session_of_a_urdf(folder: &Path, mesh: &str) -> PathBuf {
-        let write = |name: &str, text: &str| {
-            let path = folder.join(name);
-            std::fs::write(&path, text).expect("written");
-            path
-        };
-        write("arm.obj", mesh);
-        write(
-            "arm.urdf",
-            r#"<robot name="arm"><link name="base"/><link name="arm"><visual><geometry>
-        <mesh filename="arm.obj"/></geometry></visual></link><joint name="j" type="continuous">
-        <parent link="base"/><child link="arm"/><axis xyz="0 0 1"/></joint></robot>"#,
-        );
-        write(
-            "session.json",
-            r#"{"format": "truepose-session/1", "name": "arm", "targets": {"SMR": [250, 0, 300]},
-        "robot": {"name": "arm", "urdf": {"file": "arm.urdf", "base": "base", "tip": "arm"}},
-        "samples": {"columns": {"q1_deg": [0, 30, 60], "x_mm": [250, 216.5, 125],
-        "y_mm": [0, 125, 216.5], "z_mm": [300, 300, 300]}}}"#,
-        )
     }
 }

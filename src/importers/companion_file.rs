@@ -6,13 +6,11 @@ use std::path::PathBuf;
 use nalgebra::Point3;
 use sha2::{Digest, Sha256};
 
-use crate::diagnostic::{Diagnostic, Rejected};
+use crate::diagnostic::Rejected;
 use crate::document::number::{hexadecimal, quoted};
-use crate::importers::by_heading::ByHeading;
 use crate::importers::columns::Columns;
 use crate::importers::formats::{csv, tracker};
 use crate::importers::job::{Companion, Job};
-use crate::importers::lists;
 use crate::importers::matching::listed_names;
 use crate::importers::role::Role;
 use crate::importers::settings::{About, Inspection, ReadContext, Reading};
@@ -58,9 +56,6 @@ impl Job<'_> {
             Ok(decoded) => decoded,
             Err(error) => return self.refused(vec![*error]),
         };
-        let mut says = None;
-        let text = lists::as_rows(text, &mut says);
-        findings.extend(says.map(|says| Diagnostic::note(companion.place(), says)));
         let are_commands = kind == CompanionKind::Commands;
         let read_with = |asked: &[About]| {
             let given = self.reading;
@@ -77,11 +72,6 @@ impl Job<'_> {
                     self.settings.commands_columns.clone()
                 } else {
                     Vec::new()
-                },
-                by_heading: if are_commands {
-                    self.settings.commands_by_heading.clone()
-                } else {
-                    ByHeading::default()
                 },
                 ..Reading::default()
             };
@@ -107,9 +97,6 @@ impl Job<'_> {
             (found, columns) = read_with(&asked);
         }
         findings.append(&mut found.findings);
-        if are_commands {
-            self.commands_columns = std::mem::take(&mut found.columns);
-        }
         let Some(columns) = columns else {
             findings.extend(found.questions.iter().map(|question| {
                 let mut diagnostic = question.as_diagnostic();

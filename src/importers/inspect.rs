@@ -6,9 +6,9 @@ use std::borrow::Cow;
 use std::ops::ControlFlow;
 
 use super::columns::Columns;
+use super::formats;
 use super::formats::{IMPORTERS, Importer, KnownBy, Suits, Trial};
 use super::settings::{About, Inspection, ReadContext, Reading};
-use super::{formats, lists};
 use crate::tables::encoding::{self, Encoding};
 
 /// Looks at a file: what it is, what its columns are taken for, and what has to be answered before
@@ -63,11 +63,6 @@ pub(super) fn read(
         }
     };
     found.encoding = encoding;
-    let mut says = None;
-    let text = lists::as_rows(text, &mut says);
-    found
-        .findings
-        .extend(says.map(|says| Diagnostic::note(place.clone(), says)));
     let known = binary.or(reading.kind);
     let importer = known.unwrap_or_else(|| proposed(&text, reading, part));
     found.kind = Some(importer);

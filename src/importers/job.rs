@@ -1,12 +1,11 @@
 //! What an import is given, what it makes, and the work between.
 
 use crate::diagnostic::{Diagnostic, Place, Rejected};
-use crate::importers::by_heading::ByHeading;
 use crate::importers::clock::ClockOffset;
 use crate::importers::join::Motion;
 use crate::importers::matching::Matching;
 use crate::importers::reference::Alignment;
-use crate::importers::settings::{ColumnGuess, Inspection, Reading};
+use crate::importers::settings::{Inspection, Reading};
 use crate::kinematics::Robot;
 use crate::progress::ProgressSpan;
 use crate::sessions::Session;
@@ -49,8 +48,6 @@ pub struct Settings<'a> {
     /// What the columns of the commands are, in the words of [`Reading::columns`]; empty: their
     /// headings say.
     pub commands_columns: Vec<String>,
-    /// What columns of such commands were said to be, by their headings: from a profile.
-    pub commands_by_heading: ByHeading,
     /// Whether the rows are in the order in which they were measured, so that the side from which a
     /// joint came follows from the row before.
     pub in_measuring_order: bool,
@@ -74,7 +71,6 @@ impl<'a> Settings<'a> {
             motion: Motion::Auto,
             clock_offset_s: None,
             commands_columns: Vec::new(),
-            commands_by_heading: ByHeading::default(),
             in_measuring_order: false,
             reference: None,
             scale: false,
@@ -107,8 +103,6 @@ pub struct Imported {
     pub findings: Vec<Diagnostic>,
     /// What was found out about the measured file.
     pub inspection: Inspection,
-    /// What the columns of the commands are taken for; empty without such a file.
-    pub commands_columns: Vec<ColumnGuess>,
     /// How commands were matched; `None` if the measured file has them.
     pub matched: Option<Matched>,
     /// How the points came into the base frame; `None` if they were taken as they are.
@@ -123,8 +117,6 @@ pub(crate) struct Job<'s> {
     pub(crate) findings: Vec<Diagnostic>,
     /// Sentences of the note.
     pub(crate) sentences: Vec<Text>,
-    /// What the columns of the commands are taken for.
-    pub(crate) commands_columns: Vec<ColumnGuess>,
     /// The work that reading the files beside it is a part of.
     pub(crate) part: ProgressSpan<'s>,
 }

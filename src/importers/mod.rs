@@ -14,7 +14,6 @@
 mod assembled;
 mod averages;
 mod base;
-mod by_heading;
 mod clock;
 mod clock_text;
 mod columns;
@@ -32,11 +31,9 @@ pub(crate) mod inspect;
 mod job;
 mod join;
 mod joint_names;
-mod lists;
 mod matching;
 mod options;
 mod path;
-mod profile;
 mod reader;
 mod reference;
 mod role;
@@ -48,7 +45,6 @@ mod upwards;
 #[cfg(test)]
 mod watched;
 
-pub use by_heading::ByHeading;
 pub use clock::ClockOffset;
 pub use formats::{IMPORTERS, Importer, Meanings, OwnOption, Questions, find};
 pub use inspect::{inspect, inspect_watched};
@@ -57,7 +53,6 @@ pub use join::Motion;
 pub use matching::Matching;
 #[cfg(feature = "gui")]
 pub(crate) use options::EULER;
-pub use profile::Profile;
 pub use reference::{AlignError, Alignment, Landmark, Residual, align};
 pub use session::{import, import_watched};
 pub use settings::{About, ColumnGuess, Inspection, Known, Question, Reading};

@@ -96,7 +96,7 @@ impl<'a> ReadContext<'a> {
     ) -> Option<Vec<Role>> {
         let width = grid.width;
         let headings = grid.header.as_ref().map_or(&[][..], |header| &header.1);
-        let words = self.words_of(headings);
+        let words = self.reading.columns.clone();
         if words.is_empty() {
             return None;
         }
@@ -137,21 +137,6 @@ impl<'a> ReadContext<'a> {
         Some(roles)
     }
 
-    /// The words for the columns: those that were given, else those of a profile for these headings;
-    /// empty where there are neither.
-    fn words_of(&self, headings: &[String]) -> Vec<String> {
-        if !self.reading.columns.is_empty() {
-            return self.reading.columns.clone();
-        }
-        self.reading.by_heading.words_for(headings)
-    }
-
-    /// Whether a person, or a profile, has said what the columns are.
-    pub(crate) fn has_said_columns(&self, grid: &Grid<'_>) -> bool {
-        let headings = grid.header.as_ref().map_or(&[][..], |header| &header.1);
-        !self.words_of(headings).is_empty()
-    }
-
     /// Reads the cells of a table whose columns have these roles. `None` while something is asked
     /// or wrong.
     pub(crate) fn columns(&mut self, grid: &Grid<'a>, mut roles: Vec<Role>) -> Option<Columns> {
@@ -178,7 +163,7 @@ impl<'a> ReadContext<'a> {
         self.found.rows = lines.len();
         self.found.names = distinct(&roles, &cells);
         self.settle_units(grid, &mut roles, &cells);
-        let words = self.words_of(&headings);
+        let words = &self.reading.columns;
         self.found.columns = roles
             .iter()
             .enumerate()

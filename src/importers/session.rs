@@ -60,7 +60,6 @@ fn import_in(
         place: reading.place(),
         findings,
         sentences: Vec::new(),
-        commands_columns: Vec::new(),
         part: part.part(0.7, 0.95),
     };
     job.say_source(bytes, &inspection);
@@ -99,7 +98,6 @@ fn import_in(
         session,
         findings: job.findings,
         inspection,
-        commands_columns: job.commands_columns,
         matched,
         alignment,
     })

@@ -2,7 +2,6 @@
 //! ask.
 
 use crate::diagnostic::{Diagnostic, Place};
-use crate::importers::by_heading::ByHeading;
 use crate::importers::columns::Columns;
 use crate::importers::role::Role;
 use crate::importers::units::{AngleUnit, LengthUnit};
@@ -36,9 +35,6 @@ pub struct Reading {
     /// What the columns are, in the words of a session: `name`, `group`, `x`, `x_mm`, `q1_deg`,
     /// `time_s`, …; `-` leaves one out, `auto` takes what its heading says. Empty: all headings say.
     pub columns: Vec<String>,
-    /// What the columns of such files were said to be, by their headings: from a profile. Used where
-    /// `columns` is empty.
-    pub by_heading: ByHeading,
     /// Whether columns that are only guessed by their headings are taken as they are proposed.
     pub confirmed: bool,
     /// Rigid bodies or markers to take.

@@ -62,7 +62,6 @@ pub(crate) mod screw;
 mod tree;
 pub(crate) mod urdf;
 mod urdf_edit;
-mod visuals;
 mod xml;
 mod xml_budget;
 mod xml_source;
@@ -84,4 +83,3 @@ pub use robot::{
 };
 pub use urdf::robot_from_urdf;
 pub use urdf_edit::{UrdfChain, UrdfJoint, urdf_chain_of, urdf_with};
-pub use visuals::{Visual, visuals_of_urdf};

@@ -114,16 +114,6 @@ struct Carried {
     carrier: Option<usize>,
 }
 
-/// Where a body of a chain is at home.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct AtHome {
-    /// Its place in the list.
-    pub(super) index: usize,
-    pub(super) base_from_body: Pose,
-    /// Moving joints before it.
-    pub(super) behind: usize,
-}
-
 impl Tree {
     /// The chain from `base` to `tip`.
     ///
@@ -131,24 +121,6 @@ impl Tree {
     /// Names that are not there or not connected, joints that no chain can have, a chain without a
     /// moving joint, numbers too large to add up.
     pub(super) fn robot(&self, base: &str, tip: &str) -> Result<Robot, Rejected> {
-        Ok(self.built(base, tip)?.0)
-    }
-
-    /// The bodies from `base` to `tip`, at home.
-    ///
-    /// # Errors
-    /// As [`Tree::robot`].
-    pub(super) fn at_home(&self, base: &str, tip: &str) -> Result<Vec<AtHome>, Rejected> {
-        let (_, carried) = self.built(base, tip)?;
-        let at_home = carried.into_iter().map(|body| AtHome {
-            index: body.body,
-            base_from_body: body.base_from_body,
-            behind: body.carrier.map_or(0, |joint| joint + 1),
-        });
-        Ok(at_home.collect())
-    }
-
-    fn built(&self, base: &str, tip: &str) -> Result<(Robot, Vec<Carried>), Rejected> {
         let chain = self.chain(base, tip)?;
         let mut robot = Robot {
             name: self.name.clone(),
@@ -216,9 +188,9 @@ impl Tree {
         }
         robot.base_from_tool = base_from_body;
         robot.source = RobotSource::Links(frames);
-        self.add_masses(&mut robot.joints, carried.clone());
+        self.add_masses(&mut robot.joints, carried);
         if robot.out_of_range(&self.place).is_empty() {
-            Ok((robot, carried))
+            Ok(robot)
         } else {
             Err(self.refuse(
                 text!("numbers that are too large to add up"),

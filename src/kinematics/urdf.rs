@@ -9,7 +9,7 @@
 //!
 //! Metres become mm; fixed joints are folded into what they carry. `continuous` is a revolute joint
 //! without limits. Gear ratios are those of `<transmission>` elements. Gravity is not part of URDF, so it stays unknown. Only what matters to kinematics
-//! is looked at here: meshes (`visuals`), materials, plug-ins of simulators, and mistakes in them, are not.
+//! is looked at here: meshes, materials, plug-ins of simulators, and mistakes in them, are not.
 //!
 //! Source: the XML specification at wiki.ros.org/urdf/XML. No input makes this panic.
 

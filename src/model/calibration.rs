@@ -47,6 +47,8 @@ pub struct ResidualStep {
     pub gap_mm: f64,
     /// The gap on samples that no fit has seen, mm.
     pub held_out_mm: Option<f64>,
+    /// The gap on runs that no fit has seen, at values of the joint that it has seen, mm; where there are several runs.
+    pub runs_held_out_mm: Option<f64>,
 }
 
 /// The conditions that a session covered; `None` where it says nothing of them.

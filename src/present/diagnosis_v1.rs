@@ -46,13 +46,14 @@ pub fn document(d: &Diagnosis, session: &Session, start: Option<&RegionalStart>)
             "separate_by": &e.separate_by,
             "orders": list(&e.orders, |order| Json::from(*order)),
         }),
-        "unexplained": unexplained(&d.unexplained, session),
+        "unexplained": unexplained(&d.unexplained),
         "unnamed": d.unnamed.as_ref().map(|u| object! {
             "rms_mm": u.rms_mm,
             "held_out_before_mm": u.held_out_mm[0],
             "held_out_after_mm": u.held_out_mm[1],
             "over": &u.over,
             "says": u.describe(),
+            "curve": optional(u.curve.as_ref().and_then(|c| curve(c, session))),
         }),
         "expected_error": super::identification_v1::expected(&d.identification),
         "not_testable": list(&d.not_testable, |n| object! {
@@ -102,8 +103,7 @@ fn found(f: &FoundEffect) -> Json {
     }
 }
 
-fn unexplained(left: &Unexplained, session: &Session) -> Json {
-    let asked = left.correction.as_ref();
+fn unexplained(left: &Unexplained) -> Json {
     object! {
         "present": left.present,
         "p": left.p,
@@ -121,32 +121,23 @@ fn unexplained(left: &Unexplained, session: &Session) -> Json {
         "noise": optional(left.noise.map(|n| {
             object! { "stated_mm": n.stated_mm, "found_mm": n.found_mm }
         })),
-        // Only where it was asked for; null where there is none.
-        "correction": asked.map_or(Json::Absent, |c| {
-            c.as_ref().ok().and_then(|c| correction(c, session)).into()
-        }),
-        "no_correction_because": optional(asked.and_then(|c| c.as_ref().err())),
     }
 }
 
-/// A smooth correction of what no name explains.
-fn correction(c: &Correction, session: &Session) -> Option<Json> {
+/// What repeats over the only joint.
+fn curve(c: &Correction, session: &Session) -> Option<Json> {
     let knots = c.curve()?.knots();
     let joint = c.term.joint;
     let turns = session.robot.joints[joint].kind == JointKind::Revolute;
     let range = [knots.from, knots.to];
     Some(object! {
         "joint": joint + 1,
-        "gap_before_mm": c.gap_mm[0],
-        "gap_after_mm": c.gap_mm[1],
-        "held_out_before_mm": c.held_out_mm[0],
-        "held_out_after_mm": c.held_out_mm[1],
+        "runs_held_out_mm": optional(c.runs_held_out_mm),
         "held_out": &c.how,
         "knots": knots.count,
         "range_deg": optional(turns.then(|| range.map(deg_from_rad))),
         "range_mm": optional((!turns).then_some(range)),
         "period_deg": optional(knots.period.filter(|_| turns).map(deg_from_rad)),
-        "says": &c.description,
     })
 }
 

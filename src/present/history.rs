@@ -1,18 +1,15 @@
-//! How a robot changed from session to session: as tables and as a chart of one parameter.
+//! How a robot changed from session to session, as tables.
 //!
 //! Values are in the units of the files. What belongs to the measuring set-up is left out.
 
-use crate::numeric::extent;
 use std::path::Path;
 
-use super::chart::{
-    Axis, Chart, ColourRole, Entry as Named, Form, Item, LegendSymbol, Mark, Ticks, shortened,
-};
+use super::chart::shortened;
 use super::names::{parameter, title_on};
 use super::numbers::{grouped, plain, with_interval};
 use super::table::{Cell, Column, Table};
 use crate::fit::Estimate;
-use crate::history::{Change, Entry, Order, RobotHistory, Source, changes, is_of_set_up, is_same};
+use crate::history::{Change, Entry, RobotHistory, Source, is_of_set_up, is_same};
 
 /// What stands behind a value that changed by more than its interval.
 pub const CHANGED: &str = "●";
@@ -76,14 +73,6 @@ fn name(one: &Estimate, joints: usize) -> String {
         name += &format!(", {place}");
     }
     format!("{name}: {}", parameter(one.name).0)
-}
-
-/// By what the entries are ordered, in words.
-pub fn ordered_by(order: Order) -> &'static str {
-    match order {
-        Order::Time => say!(in "chart-word", "by the time of the first sample"),
-        Order::Name => say!(in "chart-word", "by file name, numbers in it by their value"),
-    }
 }
 
 /// What an entry comes from, in words.
@@ -159,121 +148,4 @@ fn describe(value: Option<Value>) -> String {
     let [shown, half, _] = with_interval(value.value, value.ci95);
     let changed = if value.changed { CHANGED } else { "" };
     format!("{shown} {half} {changed}").trim_end().to_owned()
-}
-
-/// One entry beside another: what was, what is, and whether that is a change.
-pub fn compared(robot: &RobotHistory, before: usize, now: usize) -> Option<Table> {
-    let (before, now) = (robot.entries.get(before)?, robot.entries.get(now)?);
-    let joints = now.parameters.iter().filter_map(|one| one.joint).max();
-    let mut table = Table::of([
-        Column::words(say!(in "history-heading", "Parameter")),
-        Column::words(say!(in "history-heading", "Unit")),
-        Column::numbers(say!(in "history-heading", "Before")),
-        Column::numbers(say!(in "history-heading", "After")),
-        Column::numbers(say!(in "history-heading", "Difference")),
-        Column::words(say!(in "history-heading", "Beyond its interval")),
-    ]);
-    for change in changes(before, now) {
-        let one = &now.parameters[change.parameter];
-        let was = before.parameters.iter().find(|other| is_same(other, one));
-        let [is, half, _] = with_interval(one.value, one.ci95);
-        let [was, was_half, _] = with_interval(change.from, was.and_then(|was| was.ci95));
-        let [difference, about, _] = with_interval(change.difference, change.ci95);
-        let (unit, verdict) = (parameter(one.name).1, verdict(&change));
-        table.row([
-            name(one, joints.unwrap_or(1)),
-            unit.to_owned(),
-            format!("{was} {was_half}"),
-            format!("{is} {half}"),
-            format!("{difference} {about}"),
-            verdict,
-        ]);
-    }
-    Some(table)
-}
-
-fn verdict(change: &Change) -> String {
-    match change.ci95 {
-        None => say!(in "history-cell", "not determined").to_owned(),
-        Some(_) if change.is_significant() => {
-            format!("{CHANGED} {}", say!(in "history-cell", "changed"))
-        }
-        Some(_) => say!(in "history-cell", "no").to_owned(),
-    }
-}
-
-/// A parameter with its intervals over the entries.
-pub fn chart(robot: &RobotHistory, row: &Row<'_>) -> Chart {
-    let there = row.values.iter().enumerate();
-    let there: Vec<(f64, Value)> = there
-        .filter_map(|(k, value)| Some((k as f64, (*value)?)))
-        .collect();
-    let ends = there
-        .iter()
-        .flat_map(|(_, v)| v.ci95.unwrap_or([v.value; 2]));
-    let range = extent(ends);
-    let [low, high] = super::chart::panel::padded(range);
-    let by = 0.08 * (high - low);
-    let way: Vec<[f64; 2]> = there.iter().map(|(x, v)| [*x, v.value]).collect();
-    let mut items = vec![Item::Line(way, ColourRole::Reference, 1.0, true)];
-    for (x, value) in &there {
-        if let Some([from, to]) = value.ci95 {
-            items.push(Item::Line(
-                vec![[*x, from], [*x, to]],
-                ColourRole::After,
-                2.0,
-                false,
-            ));
-        }
-    }
-    let marks = |changed: bool, form: Form| {
-        let those = there.iter().filter(|(_, v)| v.changed == changed);
-        let marks = those.map(|(x, v)| Mark {
-            at: [*x, v.value],
-            form,
-        });
-        marks.collect::<Vec<_>>()
-    };
-    items.push(Item::Marks(
-        marks(false, Form::Disc),
-        ColourRole::After,
-        true,
-    ));
-    items.push(Item::Marks(
-        marks(true, Form::Diamond),
-        ColourRole::Before,
-        true,
-    ));
-    let names = robot.entries.iter().enumerate();
-    let names = names.map(|(k, entry)| (k as f64, shortened(&short_name(entry), 18)));
-    let disc = LegendSymbol::Mark(Form::Disc);
-    let diamond = LegendSymbol::Mark(Form::Diamond);
-    Chart {
-        title: row.name.clone(),
-        across: Axis {
-            label: ordered_by(robot.ordered_by).to_owned(),
-            ticks: Ticks::Words(names.collect()),
-        },
-        upwards: Axis::numbers(row.unit),
-        bounds: [
-            [-0.5, low - by],
-            [robot.entries.len() as f64 - 0.5, high + by],
-        ],
-        items,
-        legend: vec![
-            Named::new(
-                say!(in "chart-word", "value, 95 % interval"),
-                disc,
-                ColourRole::After,
-                true,
-            ),
-            Named::new(
-                say!(in "chart-word", "changed"),
-                diamond,
-                ColourRole::Before,
-                true,
-            ),
-        ],
-        note: String::new(),
-    }
 }

@@ -1,5 +1,8 @@
 //! The standards' figures in a report.
 
+use crate::kinematics::JointKind;
+use crate::present::chart::{Axis, AxisDeviation, AxisStage, FULL_WIDTH, shortened};
+use crate::present::drawing::Drawing;
 use crate::present::poses::sides;
 use crate::standards::Standards;
 use crate::standards::pose::PoseTest;
@@ -10,6 +13,10 @@ use crate::present::numbers::{plain, short};
 
 /// Poses that the table shows, those of the largest error first.
 const POSES: usize = 8;
+/// Axes that are plotted: the joints of an arm that are tested one by one.
+const MOST_PLOTS: usize = 7;
+/// Height of a plot of two, points.
+const HEIGHT: f64 = 120.0;
 
 pub(super) fn section(standards: &Standards) -> Section {
     let mut blocks = vec![Block::Text(
@@ -18,12 +25,63 @@ pub(super) fn section(standards: &Standards) -> Section {
         )
         .to_owned(),
     )];
+    blocks.extend(plots(standards));
     for section in explain::standards(standards, 1) {
         blocks.push(Block::Heading(section.title));
         blocks.extend(section.blocks);
     }
     pose_blocks(&standards.poses, &mut blocks);
     Section::new(say!("Accuracy and repeatability"), blocks)
+}
+
+/// The deviation of each axis over its position, run by run: as measured with what the table corrects, and below it
+/// what is left as predicted with the table, in a scale of its own.
+fn plots(standards: &Standards) -> impl Iterator<Item = Block> {
+    let tested = standards.axes.iter().take(MOST_PLOTS);
+    tested.filter_map(|axis| {
+        let series = axis.series.first()?;
+        let chart = |stage, title: &str| {
+            let made = AxisDeviation {
+                axis,
+                series,
+                stage,
+                across: Axis::turning(
+                    say!(
+                        "joint {joint} ({name}), {unit}",
+                        joint = axis.joint + 1,
+                        name = shortened(&clean(&axis.name), 40),
+                        unit = axis.kind.sign().trim()
+                    ),
+                    axis.kind == JointKind::Revolute,
+                ),
+                position: &|at| at,
+                unit: (axis.unit, 1.0),
+            };
+            let mut chart = made.chart(title.to_owned(), String::new());
+            // The title says what the runs are.
+            chart.legend.remove(0);
+            chart.in_page(HEIGHT)
+        };
+        let mut sheet = Drawing::new(FULL_WIDTH, 0.0);
+        let mut place = |drawing: &Drawing| {
+            sheet.place(drawing, [0.0, sheet.height]);
+            sheet.height += drawing.height;
+        };
+        place(&chart(AxisStage::Measured, say!(in "chart-word", "As measured")));
+        let caption = if series.corrected.is_some() {
+            place(&chart(AxisStage::Predicted, say!("As predicted with the table")));
+            say!(
+                "Deviation over the position of {axis}, a line for each run: whole in positive, dashed in negative direction. The thick line is what the table corrects, with its 95 % interval; the scales differ",
+                axis = clean(&axis.name)
+            )
+        } else {
+            say!(
+                "Deviation over the position of {axis}, a line for each run: whole in positive, dashed in negative direction",
+                axis = clean(&axis.name)
+            )
+        };
+        Some(Block::Plot(sheet, caption))
+    })
 }
 
 /// The poses of the largest error.

@@ -7,7 +7,7 @@
 //!
 //! - [`document`]: sections and blocks. `session`, `findings`, `stages`,
 //!   `calibration`, `accuracy`, `parts`: what goes in.
-//! - [`plots`] are drawings ([`crate::present::drawing`]), [`svg`](mod@svg) and [`raster`] write them.
+//! - [`plots`] are drawings ([`crate::present::drawing`]), [`svg`](mod@svg) writes them.
 //! - [`html`](mod@html), [`pdf`](mod@pdf): the formats.
 //! - [`details`]: customer, serial numbers, tolerance and decision rule.
 //! - [`exported`]: tables that were written for a controller, by their hashes.
@@ -18,7 +18,6 @@ pub mod exported;
 pub mod html;
 pub mod pdf;
 pub mod plots;
-pub mod raster;
 pub mod svg;
 
 mod accuracy;

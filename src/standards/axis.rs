@@ -11,23 +11,19 @@
 //! offset of the base does to the angle is part of the deviation. A joint that slides:
 //! x = a · (measured − commanded).
 
-use nalgebra::{Point3, Unit, Vector3};
-
 use crate::kinematics::JointKind;
 use crate::text::Text;
 
 use super::grouping::{Keys, once_per_stay, stays};
 use super::points::Points;
 use super::positioning::{Position, Positioning};
+use super::sweep::Sweep;
+use super::table_curve::TableCurve;
 
 /// Approaches from each side that ISO 230-2 asks for.
 pub(crate) const STANDARD_RUNS: usize = 5;
 /// Series that are listed for an axis, best first.
 const MOST_SERIES: usize = 12;
-/// Below this radius, mm, a point says nothing of an angle.
-const LEAST_RADIUS_MM: f64 = 1e-3;
-/// One radian in seconds of arc.
-const ARCSEC: f64 = 3600.0 * 180.0 / std::f64::consts::PI;
 
 /// What was held fixed in a series.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -84,6 +80,12 @@ pub struct Series {
     pub before: Positioning,
     /// As it would be with corrected commands.
     pub after: Option<Positioning>,
+    /// The deviations behind the figures, approach by approach.
+    pub deviations: Vec<Position>,
+    /// The same with corrected commands.
+    pub corrected: Option<Vec<Position>>,
+    /// What the table corrects.
+    pub curve: Option<TableCurve>,
     /// What the standard asks for and the session does not have.
     pub missing: Vec<Text>,
 }
@@ -164,48 +166,7 @@ impl AxisTest {
     }
 }
 
-/// The samples of one series.
-struct Sweep<'p, 's> {
-    points: &'p Points<'s>,
-    joint: usize,
-    axis: Unit<Vector3<f64>>,
-    on_axis: Point3<f64>,
-    first: usize,
-    /// Samples by position in ascending order: from below, from above.
-    positions: Vec<(f64, [Vec<usize>; 2])>,
-}
-
-impl<'p, 's> Sweep<'p, 's> {
-    /// `None` with fewer than two positions.
-    fn new(points: &'p Points<'s>, joint: usize, samples: &[usize]) -> Option<Self> {
-        let first = *samples.first()?;
-        let q = &points.inputs.q[joint];
-        let dir = points.inputs.dir[joint].as_ref()?;
-        let mut order = samples.to_vec();
-        order.sort_by(|a, b| q[*a].total_cmp(&q[*b]).then(a.cmp(b)));
-        let positions: Vec<_> = order
-            .chunk_by(|a, b| q[*a] == q[*b])
-            .map(|at| {
-                let from = |side: f64| at.iter().copied().filter(|i| dir[*i] == side).collect();
-                (q[at[0]], [from(1.0), from(-1.0)])
-            })
-            .collect();
-        if positions.len() < 2 {
-            return None;
-        }
-        let pose: Vec<f64> = points.inputs.q.iter().map(|q| q[first]).collect();
-        let motion = points.robot.motions_from_home(&pose)[joint];
-        let axis = &points.robot.joints[joint].axis;
-        Some(Self {
-            points,
-            joint,
-            axis: motion.rotation * axis.direction,
-            on_axis: motion * axis.point_mm,
-            first,
-            positions,
-        })
-    }
-
+impl Sweep<'_, '_> {
     fn series(mut self) -> Option<Series> {
         let mut missing = Vec::new();
         let all = self.positions.len();
@@ -218,66 +179,23 @@ impl<'p, 's> Sweep<'p, 's> {
                 all
             ));
         }
-        let before = Positioning::new(&self.deviations(false)?);
-        let after = if self.points.compensated() {
-            Some(Positioning::new(&self.deviations(true)?))
+        let deviations = self.deviations(false)?;
+        let corrected = if self.points.compensated() {
+            Some(self.deviations(true)?)
         } else {
             None
         };
+        let before = Positioning::new(&deviations);
         self.shortcomings(&before, &mut missing);
         Some(Series {
             fixed: self.fixed(),
             before,
-            after,
+            after: corrected.as_deref().map(Positioning::new),
+            curve: TableCurve::of(&self),
+            deviations,
+            corrected,
             missing,
         })
-    }
-
-    /// Positions with few approaches do not take the figures from the others: the positions that
-    /// give most stay, where there are two of them.
-    fn keep_the_most_useful(&mut self) {
-        for wanted in [[2, 2], [1, 1], [2, 0], [0, 2], [1, 0], [0, 1]] {
-            let serves =
-                |p: &(f64, [Vec<usize>; 2])| p.1[0].len() >= wanted[0] && p.1[1].len() >= wanted[1];
-            if self.positions.iter().filter(|p| serves(p)).count() >= 2 {
-                self.positions.retain(serves);
-                return;
-            }
-        }
-    }
-
-    /// `None` if a point is too near to the axis.
-    fn deviations(&self, compensated: bool) -> Option<Vec<Position>> {
-        let outer = |q: f64| self.points.robot.joints[self.joint].kind.to_display(q);
-        let position = |(q, sides): &(f64, [Vec<usize>; 2])| {
-            let deviations = |side: &Vec<usize>| -> Option<Vec<f64>> {
-                side.iter()
-                    .map(|i| self.deviation(*i, compensated))
-                    .collect()
-            };
-            Some(Position {
-                commanded: outer(*q),
-                up: deviations(&sides[0])?,
-                down: deviations(&sides[1])?,
-            })
-        };
-        self.positions.iter().map(position).collect()
-    }
-
-    fn deviation(&self, sample: usize, compensated: bool) -> Option<f64> {
-        let commanded = self.points.commanded(sample);
-        let attained = self.points.attained(sample, compensated);
-        let axis = self.axis.into_inner();
-        if self.points.robot.joints[self.joint].kind == JointKind::Prismatic {
-            return Some(axis.dot(&(attained - commanded)));
-        }
-        let across = |point: Point3<f64>| {
-            let lever = point - self.on_axis;
-            lever - axis * axis.dot(&lever)
-        };
-        let (wanted, real) = (across(commanded), across(attained));
-        let far = wanted.norm() > LEAST_RADIUS_MM && real.norm() > LEAST_RADIUS_MM;
-        far.then(|| axis.dot(&wanted.cross(&real)).atan2(wanted.dot(&real)) * ARCSEC)
     }
 
     fn fixed(&self) -> Fixed {

@@ -2,6 +2,7 @@
 //!
 //! - `positioning`: one axis after ISO 230-2, from approaches of the same positions from both
 //!   sides; `axis` finds them in a session and takes the axis' deviation from the measured points.
+//!   `sweep`: the samples of one series; `table_curve`: what a table corrects along the axis, with its band.
 //! - `pose`: pose accuracy and repeatability after ISO 9283.
 //! - `test_cube`: the cube, poses and paths that ISO 9283 has a robot measured at.
 //! - `path`: path accuracy and repeatability after ISO 9283.
@@ -20,12 +21,15 @@ pub(crate) mod test_cube;
 mod attained;
 mod grouping;
 mod points;
+mod sweep;
+mod table_curve;
 
 pub use attained::{Attained, Turned};
 pub use axis::{AxisTest, Fixed, Series};
 pub use path::{PathAttained, PathFigures};
 pub use pose::{Largest, PoseFigures, PoseTest, Variation};
 pub use positioning::{AtPosition, Position, Positioning};
+pub use table_curve::{CurvePoint, TableCurve};
 pub use test_cube::{NoCube, TestCube, TestPose};
 
 use crate::compensation::verification::VerifyError;
@@ -101,6 +105,21 @@ pub fn standards(
         compensated: points.compensated(),
         notes,
     })
+}
+
+/// The tests of one joint, counted from 0, as in [`standards`]: without the others and the poses.
+///
+/// # Errors
+/// As [`standards`].
+pub fn axis_test(
+    session: &Session,
+    calibration: Option<&Calibration>,
+    joint: usize,
+) -> Result<AxisTest, VerifyError> {
+    let session = &*session.whole()?;
+    calibration.map_or(Ok(()), Calibration::sound)?;
+    let points = Points::new(session, calibration)?;
+    Ok(AxisTest::new(&points, joint))
 }
 
 /// At least so many times, in words.

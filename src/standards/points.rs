@@ -22,6 +22,7 @@ pub(super) struct Points<'a> {
     pub(super) usable: Vec<bool>,
     nominal: Positions,
     moved: Option<Positions>,
+    calibration: Option<&'a Calibration>,
 }
 
 impl<'a> Points<'a> {
@@ -45,7 +46,13 @@ impl<'a> Points<'a> {
             inputs: problem.inputs,
             nominal,
             moved: moved.flatten(),
+            calibration,
         })
+    }
+
+    /// The calibration whose commands are compared, where there is anything to say of compensation.
+    pub(super) fn correcting(&self) -> Option<&'a Calibration> {
+        self.calibration.filter(|_| self.compensated())
     }
 
     /// Whether there is anything to say of compensation.

@@ -137,3 +137,22 @@ fn the_commissioning_run_holds_more_than_offset_and_length_explain() {
         all.gap
     );
 }
+
+#[test]
+fn the_slide_is_what_its_script_makes() {
+    let scratch = tempfile::tempdir().unwrap();
+    let script = folder().join("../tests/reference/lead_error_slide.py");
+    let ran = std::process::Command::new("python3")
+        .arg(script)
+        .arg(scratch.path())
+        .status();
+    assert!(ran.unwrap().success());
+    for file in ["slide-lead-error.json", "slide-lead-error.csv"] {
+        let text = |path: PathBuf| std::fs::read_to_string(path).unwrap();
+        assert!(
+            text(scratch.path().join(file)) == text(folder().join(file)),
+            "{file}"
+        );
+    }
+    assert_eq!(bundled("slide-lead-error").samples.len(), 250);
+}

@@ -400,7 +400,7 @@ fn effects_that_nothing_can_show_leave_nothing_to_fit_and_say_so() {
     // No side of approach in it, and what is unexplained is no effect to ask for.
     for (id, because) in [
         ("backlash", "not_identifiable"),
-        ("unexplained", "--correct-unexplained"),
+        ("unexplained", "finds what repeats"),
     ] {
         let output = truepose(&["identify", &session, "--effects", id, "--json"]);
         let answer = json(&output);

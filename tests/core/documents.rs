@@ -286,36 +286,6 @@ fn every_page_is_in_the_books_contents_and_every_link_leads_somewhere() {
 }
 
 #[test]
-fn the_script_for_python_says_what_is_wrong_with_the_machines_of_a_folder() {
-    if !has_numpy() {
-        return;
-    }
-    let folder = tempfile::tempdir().expect("a folder");
-    copy_files(&root().join("sessions/arm"), folder.path());
-    fs::write(
-        folder.path().join("cut.json"),
-        "{\"format\": \"truepose-session/1\"",
-    )
-    .expect("written");
-    let ran = crate::program::english(Command::new("python3"))
-        .arg(root().join("docs/examples/fleet.py"))
-        .arg(folder.path())
-        .env("TRUEPOSE", env!("CARGO_BIN_EXE_truepose"))
-        .output()
-        .expect("it runs");
-    let said = String::from_utf8([ran.stdout, ran.stderr].concat()).expect("UTF-8");
-    assert!(ran.status.success(), "{said}");
-    for part in [
-        "not diagnosed: ",
-        "six-axis arm",
-        "width_deg",
-        "to look at: none",
-    ] {
-        assert!(said.contains(part), "{part}:\n{said}");
-    }
-}
-
-#[test]
 fn the_example_of_the_library_calibrates_an_arm() {
     calibrate_an_arm::main().expect("it runs to its end");
 }

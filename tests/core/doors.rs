@@ -1,6 +1,5 @@
-//! Files as their sources write them, through the terminal: joints without points, angles, headings of
-//! other programs and profiles, lists, and names that clash. The robot is a pan and tilt head of exact
-//! geometry, worked out here.
+//! Files as their sources write them, through the terminal: joints without points, angles, headings of other
+//! programs, and names that clash. The robot is a pan and tilt head of exact geometry, worked out here.
 
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
 
@@ -312,7 +311,7 @@ fn angles_are_orientations_once_their_order_is_said() {
 }
 
 #[test]
-fn the_robots_own_joint_names_are_certain_and_other_headings_are_asked_for_once() {
+fn the_robots_own_joint_names_are_certain_and_other_headings_are_asked_for() {
     let desk = Desk::new();
     let row = |_: usize, pose: [f64; 2]| format!("1.5,{},{},{},0.2", pose[0], pose[1], xyz(pose));
     let header = "stamp,shoulder_pan_joint,tilt,polaris_position_x,polaris_position_y,polaris_position_z,polaris_error";
@@ -320,46 +319,10 @@ fn the_robots_own_joint_names_are_certain_and_other_headings_are_asked_for_once(
     let asked = desk.refused("a.csv --as csv --angle-unit rad --unit mm");
     assert!(asked.contains("'polaris_position_x' as x"), "{asked}");
     assert!(asked.contains("--columns"), "{asked}");
-    let (session, _) = desk.import(
-        "a.csv --as csv --angle-unit rad --unit mm --confirm --save-profile polaris.json --out a.json",
-    );
+    let (session, _) =
+        desk.import("a.csv --as csv --angle-unit rad --unit mm --confirm --out a.json");
     assert!(off_the_commands(&session) < 1e-12);
     assert!(off_the_points(&session) < 1e-6);
-    let profile: Value =
-        serde_json::from_slice(&std::fs::read(desk.path().join("polaris.json")).unwrap()).unwrap();
-    assert_eq!(profile["format"], "truepose-import-profile/1");
-    // The next file has its columns elsewhere, and needs nothing more.
-    let header =
-        "polaris_position_z,polaris_position_y,polaris_position_x,note,tilt,shoulder_pan_joint";
-    desk.put(
-        "b.csv",
-        &table(header, |_, pose| {
-            let [x, y, z] = tool(pose[0], pose[1]).0;
-            format!("{z},{y},{x},ok,{},{}", pose[1], pose[0])
-        }),
-    );
-    let (session, _) = desk.import("b.csv --profile polaris.json --out b.json");
-    assert!(off_the_commands(&session) < 1e-12);
-    assert!(off_the_points(&session) < 1e-6);
-    for (wrong, told) in [
-        ("{", "an import profile"),
-        (
-            "{\"format\": \"truepose-import-profile/1\", \"as\": \"xls\"}",
-            "'xls'",
-        ),
-        (
-            "{\"format\": \"truepose-import-profile/1\", \"columns\": [{\"heading\": \"a\", \"is\": \"furlongs\"}]}",
-            "'furlongs'",
-        ),
-        (
-            "{\"format\": \"truepose-import-profile/1\", \"colums\": []}",
-            "colums",
-        ),
-    ] {
-        desk.put("wrong.json", wrong);
-        let refused = desk.refused("b.csv --as csv --profile wrong.json");
-        assert!(refused.contains(told), "{refused}");
-    }
     // `measurement_x` says by itself what it is.
     desk.put(
         "m.csv",
@@ -373,42 +336,18 @@ fn the_robots_own_joint_names_are_certain_and_other_headings_are_asked_for_once(
 }
 
 #[test]
-fn commands_come_without_a_header_and_as_lists() {
+fn commands_come_without_a_header() {
     let desk = Desk::new();
     desk.put(
         "measured.csv",
         &table("x_mm,y_mm,z_mm", |_, pose| xyz(pose)),
     );
-    let lists = [
+    let tables = [
         table("", |_, [p, t]| format!("{p}, {t}")),
         table("", |_, [p, t]| format!("{p};{t}")),
-        table("", |_, [p, t]| format!("[{p}, {t}]")),
-        table("", |_, [p, t]| format!("- [{p}, {t}]")),
-        table("", |_, [p, t]| format!("- - {p}\n  - {t}")),
-        table("# from MoveIt\nposes:", |_, [p, t]| {
-            format!("  - [{p}, {t}]")
-        }),
-        table("", |_, [p, t]| format!("[{p} {t}]")),
-        format!("q = [{}];", table("", |_, [p, t]| format!("{p} {t};"))),
-        format!(
-            "[{}]",
-            table("", |_, [p, t]| format!("[{p}, {t}],")).trim_end_matches([',', '\n'])
-        ),
-        table("", |k, [p, t]| format!("pose_{k}: [{p}, {t}]")),
-        table("", |_, [p, t]| {
-            format!("name: [shoulder_pan_joint, tilt]\nposition: [{p}, {t}]\n---")
-        }),
-        table("", |_, [p, t]| {
-            format!(
-                "name:\n- tilt\n- shoulder_pan_joint\nposition:\n- {t}\n- {p}\nvelocity: []\n---"
-            )
-        }),
-        poses().iter().fold(String::new(), |mut text, [p, t]| {
-            let _ = write!(text, "{p} {t}; ");
-            text
-        }),
+        table("", |_, [p, t]| format!("{p} {t}")),
     ];
-    for commands in lists {
+    for commands in tables {
         desk.put("commands.txt", &commands);
         let (session, said) = desk
             .import("measured.csv --as csv --commands commands.txt --angle-unit rad --out s.json");
@@ -426,16 +365,6 @@ fn commands_come_without_a_header_and_as_lists() {
         "measured.csv --as csv --commands wide.txt --commands-columns q1,q2,- --angle-unit rad --out s.json",
     );
     assert!(off_the_commands(&session) < 1e-12);
-    // A measured file of lists.
-    desk.put(
-        "measured.yaml",
-        &table("", |_, pose| {
-            format!("- [{}, {}, {}]", pose[0], pose[1], xyz(pose))
-        }),
-    );
-    let (session, _) =
-        desk.import("measured.yaml --as csv --columns q1_rad,q2_rad,x_mm,y_mm,z_mm --out y.json");
-    assert!(off_the_points(&session) < 1e-6);
 }
 
 #[test]
@@ -698,107 +627,6 @@ fn a_parallelogram_is_measured_by_its_drives_and_corrected_in_its_own_file() {
         "{}",
         String::from_utf8_lossy(&done.stderr)
     );
-}
-
-/// Azimuth (from north through east) and elevation, degrees, of a direction in north, west, up.
-fn horizon([north, west, up]: [f64; 3]) -> [f64; 2] {
-    [(-west).atan2(north).to_degrees(), up.asin().to_degrees()]
-}
-
-#[test]
-fn a_pointing_run_of_a_mount_is_read_as_its_observatory_writes_it() {
-    let desk = Desk::new();
-    // North is x; azimuth turns from north through east, which is about −z; elevation lifts x towards z.
-    desk.put(
-        "robot.json",
-        &json!({
-            "name": "mount",
-            "joints": [
-                { "name": "azimuth", "kind": "revolute", "axis": [0, 0, -1], "point_mm": [0, 0, 0] },
-                { "name": "elevation", "kind": "revolute", "axis": [0, -1, 0], "point_mm": [0, 0, 0] }
-            ],
-            "tool": { "position_mm": [0, 0, 0], "quaternion_wxyz": [1, 0, 0, 0] }
-        })
-        .to_string(),
-    );
-    // The mount is 0.3° ahead in elevation and leans 0.2° to the west.
-    let (index, lean) = (0.3_f64.to_radians(), 0.2_f64.to_radians());
-    let mut run = "! Caption record:\nNight of the test\n: ALTAZ\n! latitude\n-29 00 26.8  2019 07 15  13 777 2282.0 0.06\n\n! star az, el   mount az, el   rotator\n".to_owned();
-    for k in 0..60 {
-        let share = |step: f64| (f64::from(k) * step).fract();
-        let (azimuth, elevation) = (
-            360.0 * share(0.618_034) - 180.0,
-            15.0 + 65.0 * share(0.414_214),
-        );
-        let (a, e) = (azimuth.to_radians(), elevation.to_radians() + index);
-        // North, west, up of the mount, then leaned about north.
-        let [n, w, u] = [a.cos() * e.cos(), -a.sin() * e.cos(), e.sin()];
-        let [star_az, star_el] = horizon([
-            n,
-            w * lean.cos() + u * lean.sin(),
-            u * lean.cos() - w * lean.sin(),
-        ]);
-        let _ = writeln!(
-            run,
-            "{star_az:.7} {star_el:.7} {azimuth:.7} {elevation:.7} 10.0"
-        );
-    }
-    run += "END\nwhat stands behind is nothing\n";
-    desk.put("run.dat", &run);
-    let (session, said) = desk.import("run.dat --as tpoint --out p.json");
-    assert_eq!(session.samples.len(), 60);
-    assert!(session.instrument.references.pointing.is_some());
-    assert!(said.contains("Night of the test"), "{said}");
-    let done = desk.run("identify p.json --json --out mount.json");
-    assert_eq!(
-        done.status.code(),
-        Some(0),
-        "{}",
-        String::from_utf8_lossy(&done.stderr)
-    );
-    let answer: Value = serde_json::from_slice(&done.stdout).unwrap();
-    // Out again as the terms of an observer's software: 0.3° of index, 0.2° of lean, nothing else.
-    let done = desk.run("export mount.json --to tpoint --out mount.mod");
-    assert_eq!(
-        done.status.code(),
-        Some(0),
-        "{}",
-        String::from_utf8_lossy(&done.stderr)
-    );
-    let model = std::fs::read_to_string(desk.path().join("mount.mod")).unwrap();
-    assert!(model.ends_with("END\n"), "{model}");
-    for (term, arcsec) in [
-        ("IA", 0.0),
-        ("IE", -1080.0),
-        ("CA", 0.0),
-        ("NPAE", 0.0),
-        ("AN", 0.0),
-        ("AW", -720.0),
-    ] {
-        let line = model
-            .lines()
-            .find(|line| line.split_whitespace().next() == Some(term))
-            .unwrap();
-        let value: f64 = line.split_whitespace().nth(1).unwrap().parse().unwrap();
-        // The terms are of first order: 0.3° times 0.2° is 4″.
-        assert!((value - arcsec).abs() < 8.0, "{model}");
-    }
-    let text = answer.to_string();
-    let after = answer["kinds"][0]["after"].as_f64();
-    assert!(after.is_some_and(|mrad| mrad < 1e-3), "{text}");
-    for (wrong, told) in [
-        (run.replace(": ALTAZ", ": EQUAT\n: NODA"), "EQUAT, NODA"),
-        (
-            run.replace("END\n", "1 2 3\nEND\n"),
-            "azimuth and elevation of the star",
-        ),
-        ("caption\n: ALTAZ\n-29 0 0\nEND\n".to_owned(), "no row"),
-        ("caption\n: ALTAZ\n".to_owned(), "no line of run parameters"),
-    ] {
-        desk.put("wrong.dat", &wrong);
-        let refused = desk.refused("wrong.dat --as tpoint");
-        assert!(refused.contains(told), "{refused}");
-    }
 }
 
 /// The answer about an arm fits on a page, says one line a reason, and nothing of what never applies.

@@ -257,7 +257,15 @@ fn what_has_no_name_differentiates_by_the_commands_too() {
         let wave = |a: f64, k: f64| -> Vec<f64> {
             knots.places().iter().map(|q| a * (k * q).cos()).collect()
         };
-        let values = [wave(1e-2, 2.0), wave(0.2, 3.0), wave(-0.1, 1.0)];
+        let values = [
+            (1e-2, 2.0),
+            (0.2, 3.0),
+            (-0.1, 1.0),
+            (3e-3, 1.0),
+            (0.05, 2.0),
+            (0.02, 3.0),
+        ];
+        let values = values.map(|(a, k)| wave(a, k));
         let sigma = values.clone().map(|v| vec![0.0; v.len()]);
         let curve = Curve::new(knots, values, sigma).unwrap();
         let model = Model::nominal(robot).with_term(Term::unexplained(joint, curve));

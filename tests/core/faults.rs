@@ -180,7 +180,7 @@ fn standard_output_that_takes_nothing_is_a_failure_and_one_that_is_closed_is_non
         &["identify", "s.json"],
         &["identify", "s.json", "--json"],
         &["identify", "s.json", "--out", "-"],
-        &["diagnose", "s.json", "--json-lines"],
+        &["diagnose", "s.json", "--json"],
         &["simulate", "lamp.scenario.json", "--out", "-"],
         &["man"],
     ];

@@ -353,7 +353,7 @@ proptest! {
 }
 
 /// A small file of every foreign format.
-const FOREIGN: [(&str, &[u8]); 16] = [
+const FOREIGN: [(&str, &[u8]); 15] = [
     ("csv", b"Report\nPoint Name;Theta [deg];X [mm];Y [mm];Z [mm];t;Direction\nP1;0;1,5;2,5;\"3\";0:00:01,5;+\nP2;90;-1,5;2;3;2;-\n"),
     ("csv", b"\xff\xfeq\x001\0_\0d\0e\0g\0,\0x\0_\0m\0,\0y\0_\0m\0\n\x001\0,\x002\0,\x003\0\n\0"),
     ("tracker", b"// export\nA, R1, 1.5, 2.5, 3.5, 1\nA, R2, 101.5, 2.5, 3.5, 1\nA, R3, 1.5, 93, 6.5, 1\nA, P, 9, 8, 7, 1\n"),
@@ -367,7 +367,6 @@ const FOREIGN: [(&str, &[u8]); 16] = [
     ("csv", b"poses:\n- - 0.1\n  - [2, 3]\n- name: [a, b]\n  position: {x: 1, y: [2, 3]}\n---\nq: 'x'\n"),
     ("csv", b"q = np.array([[0.1, -2, 3]; [4 5 6]\n(7, 8, \"9\")], dtype=f)\n"),
     ("csv", b"j1;rx [deg];ry;rz;cam_x_mm;cam_y_mm;cam_z_mm;socket\n0;1;2;3;4;5;6;S\n1;2;3;4;5;6;7;S\n"),
-    ("tpoint", b"caption\n: ALTAZ :NODA\n-29 0 26 2019 7 15\n! az el\n10 20 11 21 5\n30.5 40 31 41\nEND\n"),
     ("mcap", include_bytes!("../data/imports/tiny.mcap")),
     ("mcap", include_bytes!("../data/imports/tiny-zstd.mcap")),
 ];

@@ -166,7 +166,6 @@ fn a_name_in_a_file_does_not_command_the_terminal() {
     for arguments in [
         &["identify", "name.json"][..],
         &["diagnose", "name.json"],
-        &["diagnose", "name.json", "bad.json"],
         &["history", "."],
         &["standards", "name.json"],
     ] {

@@ -258,7 +258,7 @@ fn the_core_knows_nothing_of_the_window() {
 }
 
 /// The steps of the job: module and function. Terminal and window reach them by `pipeline` alone.
-const STEPS: [(&str, &str); 29] = [
+const STEPS: [(&str, &str); 28] = [
     ("sessions", "load"),
     ("sessions", "load_robot"),
     ("sessions", "load_watched"),
@@ -287,7 +287,6 @@ const STEPS: [(&str, &str); 29] = [
     ("importers", "import"),
     ("importers", "import_watched"),
     ("history", "history"),
-    ("history", "sessions_of_folder"),
 ];
 
 /// The paths that `use` brings into a file.

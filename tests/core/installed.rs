@@ -174,11 +174,11 @@ fn shells_complete_every_command_and_its_options() {
         }
     }
     let script = format!(
-        "{bash}\nCOMP_WORDS=(truepose diagnose --json-l); COMP_CWORD=2\n\
-         _truepose truepose --json-l diagnose\necho \"${{COMPREPLY[*]}}\""
+        "{bash}\nCOMP_WORDS=(truepose history --js); COMP_CWORD=2\n\
+         _truepose truepose --js history\necho \"${{COMPREPLY[*]}}\""
     );
     if let Some(ran) = tool("bash", &["-c", &script]) {
-        assert_eq!(String::from_utf8_lossy(&ran.stdout), "--json-lines\n");
+        assert_eq!(String::from_utf8_lossy(&ran.stdout), "--json\n");
     }
 }
 

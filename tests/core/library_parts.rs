@@ -348,11 +348,12 @@ fn inputs_and_models_of_different_robots_do_not_meet() {
                 knots.slopes(f64::NAN),
                 knots.places(),
             );
-            let ends = [vec![0.0; count], vec![], vec![]];
+            let mut ends = <[Vec<f64>; 6]>::default();
+            ends[0] = vec![0.0; count];
             if let Ok(curve) = Curve::new(knots, ends.clone(), ends) {
                 let _ = (
-                    curve.at(f64::NAN),
-                    curve.sigma_at(0.5),
+                    curve.at(f64::NAN, 1.0),
+                    curve.sigma_at(0.5, 0.0),
                     curve.values(9),
                     curve.sigma(9),
                 );

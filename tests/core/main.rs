@@ -18,6 +18,7 @@ mod tiny_font;
 
 mod arms;
 mod arms_verdicts;
+mod axis_tables;
 mod bad_files;
 mod bundled_sessions;
 mod cli;
@@ -35,7 +36,6 @@ mod effects_as_data;
 mod export_consumers;
 mod exports;
 mod faults;
-mod fleet;
 mod fuzz_smoke;
 mod gate;
 mod gear_ratio;

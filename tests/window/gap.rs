@@ -263,7 +263,7 @@ fn what_no_name_explains_is_corrected_without_a_name_and_taken_back() {
         "Partly explained: an error is left that no effect of the catalogue explains"
     ));
     let identified = gap_mm(&window);
-    assert!(says(&window, "Smooth correction"));
+    assert!(says(&window, "Repeats, and has no name"));
     // It stands below the fold of the list.
     window.get_by_label("Add smooth correction").scroll_to_me();
     window.run_steps(4);

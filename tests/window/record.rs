@@ -172,25 +172,6 @@ fn the_sessions_of_a_machine_are_compared_and_a_repair_stands_out() {
         2,
         "the offset of day 2, and what it means"
     );
-    let offset = "Joint zero offset: offset";
-    assert!(there(&window, &format!("{offset} over the sessions")));
-    press(&mut window, "Link length: delta");
-    assert!(there(&window, "Link length: delta over the sessions"));
-
-    press(&mut window, "Before and after");
-    window.run_steps(4);
-    assert!(
-        says(&window, "0 of 2 parameters changed"),
-        "day 2 and day 3"
-    );
-    window
-        .get_by_role_and_label(Role::ComboBox, "Before")
-        .click();
-    window.run_steps(4);
-    press(&mut window, "day 0 (session)");
-    window.run_steps(4);
-    assert!(says(&window, "1 of 2 parameters changed"));
-    assert!(says(&window, "● changed"));
     press(&mut window, "Done");
     assert!(!says(&window, "History of lamp"));
 }
@@ -340,9 +321,6 @@ pub(crate) fn open_records(window: &mut Window, see: &mut dyn FnMut(&Window, &st
     window.state_mut().compare_sessions(folder.path());
     window.run_steps(8);
     see(window, "history");
-    press(window, "⟦Before and after⟧");
-    window.run_steps(4);
-    see(window, "history, before and after");
     press(window, "⟦Done⟧");
     std::fs::remove_dir_all(folder.path()).expect("the sessions");
     window.state_mut().compare_sessions(folder.path());

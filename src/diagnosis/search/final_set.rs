@@ -183,6 +183,7 @@ pub(crate) fn self_supporting(prepared: &PreparedSearch, fit: Fit) -> Option<Fit
         fit: tested(prepared, fit, watch).ok()?,
         base_misfit: false,
         other_ends: Vec::new(),
+        withdrawn: Vec::new(),
     };
     test_as_reported(prepared, &mut found, watch).ok()?;
     Some(found.fit)
@@ -224,6 +225,7 @@ mod tests {
             fit,
             base_misfit: false,
             other_ends: Vec::new(),
+            withdrawn: Vec::new(),
         };
         test_as_reported(&prepared, &mut found, &|_| true).unwrap();
         let added = regression.added(&found.fit);

@@ -88,6 +88,7 @@ impl Search<'_, '_> {
             named_effects_only,
             base_misfit: false,
             other_ends: Vec::new(),
+            withdrawn: Vec::new(),
         })
     }
 
@@ -109,6 +110,7 @@ impl Search<'_, '_> {
             named_effects_only,
             base_misfit: false,
             other_ends: Vec::new(),
+            withdrawn: Vec::new(),
         })
     }
 
@@ -302,6 +304,7 @@ impl<'a> PreparedSearch<'a> {
             named_effects_only: self.refitted(&from.named_effects_only),
             base_misfit: false,
             other_ends: Vec::new(),
+            withdrawn: Vec::new(),
         };
         Ok(self.searcher(watch).resume(&from)?)
     }

@@ -1,6 +1,7 @@
 //! What a search ends with.
 
 use crate::diagnosis::evidence::Fit;
+use crate::effects::Term;
 
 /// How the search ended.
 pub(crate) struct SearchResult {
@@ -10,6 +11,8 @@ pub(crate) struct SearchResult {
     pub(crate) named_effects_only: Fit,
     /// Whether the names were withdrawn, as the geometry of several joints does not fit.
     pub(crate) base_misfit: bool,
+    /// Waves that equal steps cannot tell from slower ones, which their names have no setting for.
+    pub(crate) withdrawn: Vec<Term>,
     /// Ends of other searches, under another noise, that the samples do not rule out.
     pub(crate) other_ends: Vec<Fit>,
 }

@@ -8,6 +8,7 @@
 use std::collections::BTreeMap;
 
 use crate::effects::{Over, Term};
+use crate::model::Model;
 
 use super::found::SearchResult;
 use super::prepare::PreparedSearch;
@@ -62,6 +63,63 @@ pub(crate) fn rival(prepared: &PreparedSearch, found: &mut SearchResult) {
     }
 }
 
+/// Takes out, one after the other, names over the only joint without which the samples are likelier, a free curve over
+/// it beside the names in both cases: what repeats is in the model with or without a name, and a name has to beat it.
+pub(crate) fn withdraw(prepared: &PreparedSearch, found: &mut SearchResult) {
+    let regression = &prepared.regression;
+    // What wanders is held against the names elsewhere.
+    if prepared.survey.joints.len() != 1 || regression.noise.slow.is_some() {
+        return;
+    }
+    let joint = 0;
+    let over_joint =
+        |s: &crate::diagnosis::candidates::Placed| s.shape.variable == Variable::Joint(joint);
+    let kept = found.fit.shapes.iter().filter(|s| !over_joint(s)).cloned();
+    let kept: Vec<_> = kept.collect();
+    let with_rest = |model: &Model| {
+        let fit = regression.fit(model, &kept);
+        let curve = smooth::free_curve(prepared, model, joint);
+        let own = curve
+            .as_ref()
+            .map_or(0.0, |curve| (curve.ln_odds - PRICE).max(0.0));
+        (fit.ln_evidence + own, fit, curve.filter(|_| own > 0.0))
+    };
+    let mut model = found.fit.model.clone();
+    let mut withdrawn = None;
+    let mut most = f64::NAN;
+    loop {
+        let of_base = |t: &Term| regression.base.terms().iter().any(|b| b.same_column(t));
+        let own = |t: &&Term| !of_base(t) && follows_only(t, joint);
+        let over: Vec<Term> = model.terms().iter().filter(own).cloned().collect();
+        if over.is_empty() {
+            break;
+        }
+        if most.is_nan() {
+            most = with_rest(&model).0;
+        }
+        let without = over.iter().map(|term| {
+            let model = model.without(|t| t.same_column(term));
+            let (value, fit, curve) = with_rest(&model);
+            (value, model, fit, curve)
+        });
+        let best = without.max_by(|a, b| a.0.total_cmp(&b.0));
+        let Some((value, without, fit, curve)) = best.filter(|best| best.0 > most) else {
+            break;
+        };
+        (most, model) = (value, without);
+        withdrawn = Some((value, fit, curve));
+    }
+    if let Some((value, fit, curve)) = withdrawn {
+        found.fit = match curve {
+            Some(curve) => {
+                let pieces = curve.freedom.clamp(4, MOST_PIECES);
+                with_curve(regression, &fit, joint, pieces, value)
+            }
+            None => fit,
+        };
+    }
+}
+
 /// The free curve that takes the place of a slow part of the noise, beside the names that do not
 /// follow the same joint: what comes back at the same value of the joint is no frame that wanders,
 /// however quickly both change. `None` where no curve is as likely as what was found.
@@ -100,6 +158,7 @@ pub(crate) fn instead_of_slow(
         fit,
         named_effects_only: regression.fit(&found.named_effects_only.model, &[]),
         other_ends: Vec::new(),
+        withdrawn: Vec::new(),
         base_misfit: false,
     })
 }

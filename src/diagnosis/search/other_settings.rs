@@ -20,7 +20,7 @@ const ALIKE: f64 = 0.02;
 const MOST: usize = 40;
 
 /// Whether a term comes round with a setting: of others, as the time of a step, neighbours are an interval.
-fn comes_round(term: &Term) -> bool {
+pub(super) fn comes_round(term: &Term) -> bool {
     let setting = term.effect.about().setting;
     matches!(setting, Setting::Order { .. } | Setting::Listed(_)) && term.coefficients.len() == 2
 }
@@ -84,8 +84,9 @@ fn of_term(regression: &Regression, fit: &Fit, term: &Term) -> Vec<Rival> {
 mod tests {
     use super::*;
     use crate::diagnosis::Options;
+    use crate::diagnosis::candidates::steps::step_of;
     use crate::diagnosis::search::prepare::PreparedSearch;
-    use crate::diagnosis::verdict::equal_steps::{equal_steps, step_of};
+    use crate::diagnosis::verdict::equal_steps::equal_steps;
     use crate::simulation::{parse_scenario, simulate, unwatched};
 
     /// One axis with a gear's error of order 88, at these angles.

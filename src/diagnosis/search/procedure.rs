@@ -8,7 +8,7 @@ use crate::set_up_errors::CorrectedSession;
 
 use super::found::SearchResult;
 use super::prepare::PreparedSearch;
-use super::{base_misfit, final_set, free_curve, gross_error, smooth_rival};
+use super::{base_misfit, final_set, free_curve, gross_error, slowest, smooth_rival};
 use crate::diagnosis::error::DiagnoseError;
 use crate::diagnosis::evidence::rival;
 use crate::diagnosis::evidence::{FIRST_SEARCH, OTHER_SETS, RIVALS, SECOND_SEARCH, Work};
@@ -66,9 +66,12 @@ pub(crate) fn searched<'a>(
     // 4. Against a slow part of the noise and against free curves: the likelier end wins.
     work.up_to(RIVALS);
     (prepared, found) = hold_rivals_against(prepared, found, watch)?;
+    slowest::readings(&prepared, &mut found);
+    free_curve::withdraw(&prepared, &mut found);
     // 5. Each name against the rest, and against other sets that are as likely.
     work.up_to(OTHER_SETS);
     test_at_the_end(&prepared, &mut found, watch)?;
+    slowest::readings(&prepared, &mut found);
     // 6. No name for what the geometry, the rows or the set-up leave.
     base_misfit::withdraw(&prepared, &mut found);
     gross_error::withdraw(&prepared, &mut found);

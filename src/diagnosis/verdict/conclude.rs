@@ -21,7 +21,7 @@ use super::repeatability::robot_mm;
 use super::testable::not_testable;
 use super::unseen::held_out;
 use super::values::{Values, corrected_for_selection};
-use super::{handed_out, judgement, limits, unnamed};
+use super::{handed_out, judgement, limits, repeating, unnamed};
 use crate::answers::diagnosis::{Diagnosis, Equivalent, Gaps, HeldOut, Unexplained};
 use crate::answers::identification::Identification;
 use crate::answers::noise::Noise;
@@ -33,7 +33,7 @@ use crate::diagnosis::search::SearchResult as SearchEnd;
 use crate::diagnosis::search::floor;
 use crate::diagnosis::search::prepare::PreparedSearch;
 use crate::diagnosis::search::{Step, steps};
-use crate::diagnosis::search::{aliases, other_settings, smooth};
+use crate::diagnosis::search::{aliases, other_settings};
 use crate::diagnosis::search::{is_above, stands_above};
 use crate::diagnosis::{DiagnoseError, Progress, Watch};
 use crate::set_up_errors::{CorrectedSession, DataProblem};
@@ -161,16 +161,42 @@ pub(crate) fn answer(
     // What predicts without a name joins the model once everything is said of the names, whose fits need no room
     // any more.
     regression.forget();
-    let (names_gap, names_held_out) = (gap, held_out.clone());
+    let (names_gap, mut names_held_out) = (gap, held_out.clone());
     let unnamed = unnamed::add(prepared, &mut handed_out, &mut gap, &mut held_out);
+    let repeating = repeating::add(
+        prepared,
+        &handed_out.values,
+        &unexplained,
+        &mut gap,
+        &mut held_out,
+    );
+    let (repeating, noise_beside) = repeating.unzip();
+    if let Some(curve) = repeating.as_ref().and_then(|own| own.curve.as_ref()) {
+        // On the samples that the curve is judged by.
+        names_held_out = held_out.clone();
+        if let Some(gaps) = &mut names_held_out.gaps {
+            gaps.end_mm = curve.held_out_mm[0].min(gaps.identified_mm);
+        }
+    }
     let own = &handed_out.values;
-    unexplained.correction = smooth::asked(prepared, &unexplained, &own.model.settled());
     let mut history = history(session, &names_gap, &names_held_out, &steps);
     history.extend(unnamed.as_ref().map(|_| ResidualStep {
         what: "with what predicts without a name".to_owned(),
         gap_mm: gap.end_mm,
         held_out_mm: held_out.gaps.map(|g| g.end_mm),
+        runs_held_out_mm: None,
     }));
+    history.extend(
+        repeating
+            .iter()
+            .flat_map(|own| &own.curve)
+            .map(|curve| ResidualStep {
+                what: format!("with {}", crate::effects::UNEXPLAINED),
+                gap_mm: gap.end_mm,
+                held_out_mm: held_out.gaps.map(|g| g.end_mm),
+                runs_held_out_mm: curve.runs_held_out_mm,
+            }),
+    );
     let identification = identification(prepared, fit, own);
     Ok(Diagnosis {
         session: session.name.clone(),
@@ -192,13 +218,15 @@ pub(crate) fn answer(
         found,
         equivalent: equivalents(&equivalent, with_shapes, &proposal, is_dropped),
         unexplained,
-        unnamed,
+        unnamed: unnamed.or(repeating),
         not_testable,
         not_found: limits::limits(regression, with_shapes),
         outliers: identification.outliers.clone(),
         identification,
         next_poses,
-        noise: noise_of(prepared, own),
+        noise: noise_beside
+            .flatten()
+            .unwrap_or_else(|| noise_of(prepared, own)),
         model: own.model.settled(),
         history,
         set_up,
@@ -265,6 +293,8 @@ fn open_questions(
     ));
     let settings = other_settings::open_settings(regression, fit);
     let equal_steps = super::equal_steps::equal_steps(prepared, &settings);
+    let equal_steps =
+        equal_steps.or_else(|| super::equal_steps::of_withdrawn(prepared, &end.withdrawn));
     rivals.extend(settings);
     (rivals, equal_steps)
 }
@@ -308,13 +338,10 @@ fn values<'a>(
     [alone, with_shapes]: [&Fit; 2],
     capped: bool,
 ) -> Values<'a> {
-    // A smooth correction takes the place of the shapes, for names that are fitted alone; then what no
-    // name explains is no noise either. A shape over a joint of several takes of their geometry, which
-    // then predicts nothing without it.
+    // A shape over a joint of several takes of their geometry, which then predicts nothing without it.
     let several = prepared.regression.base.robot.joints.len() > 1;
-    let corrected = prepared.options().correct_unexplained;
     let of_kinds = problem.observed.is_some();
-    let without = corrected || (several || of_kinds) && !with_shapes.shapes.is_empty();
+    let without = (several || of_kinds) && !with_shapes.shapes.is_empty();
     let own = if without { alone } else { with_shapes };
     let values = Values::of(prepared, problem, own, capped || without);
     corrected_for_selection(prepared, with_shapes, values)
@@ -325,16 +352,19 @@ fn history(session: &Session, gap: &Gaps, held_out: &HeldOut, steps: &[Step]) ->
         what: "nominal robot".to_owned(),
         gap_mm: gap.start_mm,
         held_out_mm: held_out.gaps.map(|g| g.start_mm),
+        runs_held_out_mm: None,
     }];
     history.push(ResidualStep {
         what: base_in_words(&session.robot).to_owned(),
         gap_mm: gap.identified_mm,
         held_out_mm: held_out.gaps.map(|g| g.identified_mm),
+        runs_held_out_mm: None,
     });
     history.extend(steps.iter().map(|step| ResidualStep {
         what: format!("with {}", step.term.name_on(&session.robot)),
         gap_mm: step.gap_mm[1],
         held_out_mm: step.held_out_mm.map(|h| h[1]),
+        runs_held_out_mm: None,
     }));
     if let (Some(last), false) = (history.last_mut(), steps.is_empty()) {
         // The steps are those of the search; the last is what is handed out.

@@ -4,15 +4,14 @@ use std::f64::consts::TAU;
 
 use crate::answers::diagnosis::DataProblem;
 use crate::kinematics::JointKind;
+use crate::text::Text;
 use crate::units::deg_from_rad;
 
+use crate::diagnosis::candidates::steps::{EQUAL, step_of};
 use crate::diagnosis::candidates::{setting, shown};
 use crate::diagnosis::evidence::rival::Rival;
 use crate::diagnosis::search::prepare::PreparedSearch;
 use crate::effects::Term;
-
-/// Steps are equal where none differs by more than this share from their median.
-const EQUAL: f64 = 0.02;
 
 /// What is said of steps that are equal, where settings cannot be told apart by them.
 pub(crate) fn equal_steps(prepared: &PreparedSearch, rivals: &[Rival]) -> Option<DataProblem> {
@@ -51,6 +50,26 @@ pub(crate) fn equal_steps(prepared: &PreparedSearch, rivals: &[Rival]) -> Option
     })
 }
 
+/// What is said of waves that were withdrawn, as equal steps cannot tell them from slower ones.
+pub(crate) fn of_withdrawn(prepared: &PreparedSearch, withdrawn: &[Term]) -> Option<DataProblem> {
+    let joint = withdrawn.first()?.joint;
+    let kind = prepared.problem.session.robot.joints[joint].kind;
+    let step = step_of(&prepared.regression.rows.inputs.q[joint])?;
+    let step = format!("{:.3}{}", kind.to_display(step), kind.sign());
+    Some(DataProblem {
+        what: text!("equal steps"),
+        evidence: text!(
+            "the values of joint {joint} are equal steps of {step}: a slower wave and {settings} are the same samples; the table follows the slower one, and between the steps nothing shows which is right",
+            joint = joint + 1,
+            step,
+            settings = Text::listed(withdrawn.iter().map(setting), ", ")
+        ),
+        proposal: text!("measure at uneven steps"),
+        mend: None,
+        samples: Vec::new(),
+    })
+}
+
 /// Orders of a gear that are listed.
 const LISTED: usize = 4;
 
@@ -72,25 +91,4 @@ pub(crate) fn orders_that_look_alike(
     let whole = whole as u32;
     let alike = (1..).flat_map(|k| [k * whole - own, k * whole + own]);
     Some((step, alike.take(LISTED).collect()))
-}
-
-/// The step of values that are equal steps, inner units.
-pub(crate) fn step_of(values: &[f64]) -> Option<f64> {
-    let mut sorted = values.to_vec();
-    sorted.sort_by(f64::total_cmp);
-    let span = sorted.last()? - sorted.first()?;
-    let same = 1e-4 * span;
-    let mut steps: Vec<f64> = sorted.windows(2).map(|w| w[1] - w[0]).collect();
-    steps.retain(|step| *step > same);
-    if steps.len() < 3 {
-        return None;
-    }
-    steps.sort_by(f64::total_cmp);
-    let median = steps[steps.len() / 2];
-    // A value that is left out makes a step of two.
-    let off = |step: &f64| (step / median - (step / median).round()).abs();
-    steps
-        .iter()
-        .all(|s| off(s) < EQUAL && *s > 0.5 * median)
-        .then_some(median)
 }

@@ -123,17 +123,6 @@ pub(crate) fn choose<'a>(
             return handed_out(own, Vec::new());
         }
     }
-    // A smooth correction is orthogonal to the names alone, as they are fitted beside this noise.
-    let for_a_curve = prepared.options().correct_unexplained && !with_shapes.shapes.is_empty();
-    if for_a_curve && found == 0 {
-        // They are the identification itself, beside this noise.
-        let own = candidate(corrected.clone().sure_as(unsure), names, Procedure::Names);
-        return HandedOut {
-            identified_mm: own.end_mm,
-            held_out_mm: own.held_out_mm.map(|own| [own, own]),
-            ..handed_out(own, Vec::new())
-        };
-    }
     if found == 0 && has_set_aside(problem) {
         let own = candidate(corrected.clone().sure_as(unsure), names, Procedure::Names);
         if against.gains(&own) {

@@ -18,6 +18,7 @@ pub(crate) mod limits;
 mod named_effects;
 mod remainder;
 mod repeatability;
+mod repeating;
 mod selection;
 mod step_time;
 mod testable;

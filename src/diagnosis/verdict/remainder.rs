@@ -37,8 +37,10 @@ pub(crate) fn unexplained(
     let kept = names(fit);
     let mut resembles: Vec<String> = names(&end.named_effects_only)
         .into_iter()
+        .chain(end.withdrawn.iter().map(|t| t.name_on(&session.robot)))
         .filter(|n| !kept.contains(n))
         .collect();
+    resembles.sort();
     resembles.dedup();
     // The largest shape comes first.
     let gain = |index: usize| regression.without_shape(fit, index).rss - fit.rss;
@@ -71,7 +73,6 @@ pub(crate) fn unexplained(
             })
             .collect(),
         noise: None,
-        correction: None,
     }
 }
 
@@ -158,6 +159,5 @@ pub(crate) fn without_shapes(prepared: &PreparedSearch, fit: &Fit) -> Unexplaine
         }),
         shapes: Vec::new(),
         noise: None,
-        correction: None,
     }
 }

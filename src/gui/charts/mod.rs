@@ -37,6 +37,7 @@ register! {
     histogram: HISTOGRAM;
     quantiles: QUANTILES;
     gap: GAP;
+    axis_test: OF_AXIS;
     effect: EFFECT;
     correction: CORRECTION;
     scatter: SCATTER;

@@ -295,9 +295,7 @@ impl Search {
 /// How the window searches.
 pub(crate) fn options() -> Options {
     Options {
-        correct_unexplained: true,
-        // Names are added one by one here; what predicts without one is a part of a whole model.
-        without_unnamed: true,
+        names_one_by_one: true,
         keep_when_stopped: true,
         ..Options::default()
     }
@@ -330,7 +328,7 @@ pub(crate) fn progress_callback(watch: &Watch) -> impl Fn(&Progress) -> bool {
 /// of what no name explains.
 pub(crate) fn terms(diagnosis: &Diagnosis) -> Vec<Option<Term>> {
     let found = diagnosis.found.iter().map(|f| term_of(diagnosis, f));
-    let smooth = diagnosis.unexplained.corrected();
+    let smooth = diagnosis.correction();
     found.chain(smooth.map(|c| Some(c.term.clone()))).collect()
 }
 

@@ -244,7 +244,7 @@ impl RequestedSearch {
         let same = |terms: &[Term]| {
             terms.len() == with.len() && terms.iter().all(|term| with.contains(term))
         };
-        let corrected = diagnosis.unexplained.corrected().is_some();
+        let corrected = diagnosis.correction().is_some();
         let all = same(&terms);
         let all_names = corrected && terms.pop().is_some() && same(&terms);
         (all || all_names).then(|| Self {

@@ -75,7 +75,7 @@ pub(crate) fn answer(question: &Question, watch: &Watch) -> Result<Answer, Strin
 fn of_search(session: &Session, diagnosis: &Diagnosis) -> Identified {
     let calibration = diagnosis.calibration(session);
     let mut identification = diagnosis.identification.clone();
-    if diagnosis.unexplained.corrected().is_some() {
+    if diagnosis.correction().is_some() {
         // The correction was made beside the fit: only the error that remains is another.
         let problem = Problem::new(session, JointValues::Commanded);
         let left = deviations(&problem, &calibration.model).length_mm;

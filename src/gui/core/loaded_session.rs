@@ -20,7 +20,6 @@ use crate::model::Positions;
 use crate::progress::{Cancelled, ProgressSpan};
 use crate::sessions::Session;
 
-use super::appearance::Appearance;
 use super::by_angle::{Angles, RegionTotals};
 use super::overview::{Attached, Coverage, Overview, measuring_from_base};
 use crate::gui::core::disk::Fingerprint;
@@ -122,8 +121,6 @@ pub(crate) struct LoadedSession {
     /// The files that it was read from, as they looked then: the document first.
     pub(crate) files: Vec<Fingerprint>,
     pub(crate) samples_file: Option<PathBuf>,
-    /// What the robot looks like, where its URDF has meshes.
-    pub(crate) appearance: Option<Arc<Appearance>>,
     /// What was hidden in it, where it was simulated here.
     pub(crate) hidden: Option<Arc<[Term]>>,
     /// The range of joint 1 that a model was measured in, where there are no samples, rad or mm.
@@ -208,7 +205,6 @@ impl LoadedSession {
             lineage: OPENINGS.fetch_add(1, Ordering::Relaxed),
             files: Vec::new(),
             samples_file: None,
-            appearance: None,
             hidden: None,
             measured_range: None,
         };
@@ -222,7 +218,6 @@ impl LoadedSession {
             lineage: self.lineage,
             files: self.files.clone(),
             samples_file: self.samples_file.clone(),
-            appearance: self.appearance.clone(),
             ..Self::new(session, self.findings.clone(), self.origin.clone())
         }
     }

@@ -2,7 +2,6 @@
 //! follows from it, the document, its changes and their history.
 
 pub(crate) mod answer;
-pub(crate) mod appearance;
 pub(crate) mod boundaries;
 pub(crate) mod by_angle;
 pub(crate) mod compensated;
@@ -11,7 +10,6 @@ pub(crate) mod document;
 pub(crate) mod edit;
 pub(crate) mod identify;
 pub(crate) mod loaded_session;
-pub(crate) mod mesh;
 pub(crate) mod overview;
 pub(crate) mod quantity;
 pub(crate) mod robot_table;
@@ -19,3 +17,4 @@ pub(crate) mod scale;
 pub(crate) mod setup;
 pub(crate) mod simulate;
 mod simulate_robot;
+pub(crate) mod skeleton;

@@ -8,8 +8,8 @@ use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
 
 use crate::effects::term::travel_of;
 use crate::effects::{CATALOGUE, Inputs, Role, Survey};
-use crate::gui::core::appearance::robot_extent;
 use crate::gui::core::scale::{Readable, stride};
+use crate::gui::core::skeleton::robot_extent;
 use crate::model::{Model, Positions};
 use crate::numeric::{Ascending, extent, whole};
 use crate::sessions::{Session, Sigma};

@@ -334,10 +334,7 @@ pub(super) fn export(
                 "A name that ends in .html or .pdf; a session without a diagnosis is diagnosed first"
             ),
         ),
-        What::Picture(_) => (
-            say!("Save picture"),
-            say!("A name that ends in .svg or .png"),
-        ),
+        What::Picture(_) => (say!("Save picture"), say!("A name that ends in .svg")),
         What::Numbers(_) => (
             say!("Save data"),
             say!("A CSV table of what the chart shows, with all digits"),

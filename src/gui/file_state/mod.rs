@@ -1,6 +1,6 @@
 //! What outlives the window, and what changes under it.
 //!
-//! - here: preferences, recent files and whose meshes are drawn, in one small file of the data folder;
+//! - here: preferences and recent files, in one small file of the data folder;
 //! - `machines`: what the reports of machines state;
 //! - `recording`: writes what an instrument sends;
 //! - `recovery`: what is not saved, kept against a crash;
@@ -18,7 +18,6 @@ use serde::{Deserialize, Deserializer, Serialize};
 
 use crate::atomic::{WriteError, write_atomically};
 
-use crate::gui::core::appearance::Chain;
 use crate::gui::core::robot_table::RobotTable;
 use crate::gui::preferences::Preferences;
 use crate::gui::view::Panes;
@@ -56,9 +55,6 @@ pub(crate) struct Settings {
     /// Robots that were typed, newest first.
     #[serde(default)]
     pub(crate) robots: Vec<RobotTable>,
-    /// Whose meshes saved sessions are drawn from, newest first.
-    #[serde(default)]
-    pub(crate) meshes: Vec<DrawnFrom>,
     /// Workspace and charts as they were arranged.
     #[serde(default, deserialize_with = "panes")]
     pub(crate) panes: Panes,
@@ -78,7 +74,6 @@ impl Default for Settings {
             recent: Vec::new(),
             machines: Vec::new(),
             robots: Vec::new(),
-            meshes: Vec::new(),
             panes: Panes::default(),
         }
     }
@@ -148,53 +143,6 @@ pub(crate) fn change(folder: &Path, change: impl FnOnce(&mut Settings)) -> Resul
     change(&mut settings);
     let document = serde_json::to_vec_pretty(&settings).map_err(|e| failed(e.into()))?;
     write_atomically(&path, true, |output| output.write_all(&document))
-}
-
-/// Sessions that are remembered.
-const MOST: usize = 500;
-
-/// A saved session and whose meshes it is drawn from, since a session names the axes of its robot and
-/// no file of meshes.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
-pub(crate) struct DrawnFrom {
-    session: PathBuf,
-    /// Its file is named as seen from the folder of the session where it lies in there.
-    chain: Chain,
-}
-
-impl DrawnFrom {
-    pub(crate) fn new(session: &Path, chain: &Chain) -> Self {
-        let session = absolute(session);
-        let file = absolute(&chain.file);
-        let folder = session.parent();
-        let below = folder.and_then(|folder| file.strip_prefix(folder).ok());
-        let chain = Chain {
-            file: below.map_or(file.clone(), Path::to_path_buf),
-            ..chain.clone()
-        };
-        Self { session, chain }
-    }
-}
-
-fn absolute(path: &Path) -> PathBuf {
-    std::path::absolute(path).unwrap_or_else(|_| path.to_path_buf())
-}
-
-/// The list with this one in front, in place of what it said of the same session.
-pub(crate) fn remember_meshes(list: &mut Vec<DrawnFrom>, one: DrawnFrom) {
-    list.retain(|other| other.session != one.session);
-    list.insert(0, one);
-    list.truncate(MOST);
-}
-
-/// Whose meshes a session is drawn from, as far as that is remembered.
-pub(crate) fn remembered_meshes(list: &[DrawnFrom], session: &Path) -> Option<Chain> {
-    let session = absolute(session);
-    let one = list.iter().find(|one| one.session == session)?;
-    Some(Chain {
-        file: session.parent()?.join(&one.chain.file),
-        ..one.chain.clone()
-    })
 }
 
 #[cfg(test)]
@@ -300,36 +248,5 @@ mod tests {
         fs::write(file(folder.path()), text).unwrap();
         let preferences = read(folder.path()).0.preferences;
         assert!(preferences.zoom <= 3.0 && preferences.decimals.is_none_or(|d| d <= 6));
-    }
-
-    #[test]
-    fn a_session_has_its_last_chain_back_and_another_has_none() {
-        let chain = |file: &str| Chain {
-            file: absolute(Path::new(file)),
-            base: "base".to_owned(),
-            tip: "tip".to_owned(),
-        };
-        let mut list = Vec::new();
-        for (session, file) in [
-            ("/a/one.json", "/b/old.urdf"),
-            ("/a/two.json", "/b/arm.urdf"),
-            ("/a/one.json", "/a/urdf/arm.urdf"),
-        ] {
-            remember_meshes(&mut list, DrawnFrom::new(Path::new(session), &chain(file)));
-        }
-        assert_eq!(list.len(), 2);
-        let of = |session: &str| remembered_meshes(&list, Path::new(session));
-        assert_eq!(of("/a/one.json"), Some(chain("/a/urdf/arm.urdf")));
-        assert_eq!(of("/a/two.json"), Some(chain("/b/arm.urdf")));
-        assert_eq!(of("/b/one.json"), None);
-        assert_eq!(list[0].chain.file, Path::new("urdf/arm.urdf"));
-        for k in 0..2 * MOST {
-            let session = format!("/c/{k}.json");
-            remember_meshes(
-                &mut list,
-                DrawnFrom::new(Path::new(&session), &chain("/arm.urdf")),
-            );
-        }
-        assert_eq!(list.len(), MOST);
     }
 }

@@ -20,7 +20,6 @@ use std::path::Path;
 use std::sync::Arc;
 
 use crate::diagnostic::Diagnostic;
-use crate::kinematics::RobotSource;
 use crate::language::{finding, spoken};
 use crate::pipeline::{self, load_model};
 use crate::programs::LANGUAGES;
@@ -29,7 +28,6 @@ use crate::sessions::{Loaded, Session};
 
 use crate::gui::cache::cloud::Cloud;
 use crate::gui::core::answer::LoadedModel;
-use crate::gui::core::appearance::{Appearance, Chain, seen, seen_again};
 use crate::gui::core::disk::EXAMPLES;
 use crate::gui::core::disk::Fingerprint;
 use crate::gui::core::document::plain;
@@ -63,13 +61,8 @@ pub(crate) enum Opened {
     Foreign(Box<ImportDraft>),
 }
 
-/// Reads a session or a model: its key `format` says which it is. A session that names no URDF is drawn
-/// from the one that is `remembered`.
-pub(crate) fn open(
-    path: &Path,
-    remembered: Option<Chain>,
-    watch: &Watch,
-) -> Result<Opened, Message> {
+/// Reads a session or a model: its key `format` says which it is.
+pub(crate) fn open(path: &Path, watch: &Watch) -> Result<Opened, Message> {
     if is_model(path) {
         return match load_model(path) {
             Ok(calibration) => Ok(Opened::Model(Arc::new(LoadedModel::new(calibration, path)))),
@@ -87,31 +80,24 @@ pub(crate) fn open(
         }
     }
     let loaded = pipeline::load_watched(path, whole.part(0.0, READING).watch());
-    let loaded_session = loaded.and_then(|mut loaded| {
-        let is_of_links = matches!(loaded.session.robot.source, RobotSource::Links(_));
-        let own = is_of_links.then(|| Chain::of_session(path)).flatten();
-        let appearance = match (own, remembered.filter(|_| is_of_links)) {
-            (None, Some(chain)) => seen_again(&chain, &loaded.session.robot, &mut loaded.findings),
-            (own, _) => seen(own, &mut loaded.findings),
-        };
+    let loaded_session = loaded.and_then(|loaded| {
         watch.doing(say!(
             "checking {samples} samples",
             samples = loaded.session.samples.len()
         ));
         let origin = Origin::File(path.to_path_buf());
         let part = whole.part(READING, 1.0);
-        Ok(looked_through(loaded, origin, appearance, part)?)
+        Ok(looked_through(loaded, origin, part)?)
     });
     loaded_session
         .map(Opened::Session)
         .map_err(|error| not_opened(path.display(), &error))
 }
 
-/// Everything that follows from a session that was read, of a robot that looks like this.
+/// Everything that follows from a session that was read.
 fn looked_through(
     loaded: Loaded,
     origin: Origin,
-    appearance: Option<Appearance>,
     part: ProgressSpan<'_>,
 ) -> Result<Arc<LoadedSession>, Cancelled> {
     let in_a_file = !loaded.session.samples.line.is_empty();
@@ -124,7 +110,6 @@ fn looked_through(
         .iter()
         .filter_map(|f| Fingerprint::of(f))
         .collect();
-    loaded_session.appearance = appearance.map(Arc::new);
     loaded_session.samples_file = samples_file.filter(|_| !loaded_session.files.is_empty());
     // Made here, so that the window never waits for it.
     Cloud::of(&loaded_session);
@@ -209,8 +194,8 @@ pub(crate) fn open_example(index: usize) -> Result<Opened, Message> {
     let loaded = pipeline::parse_with_csv(document, samples);
     let progress = Progress::new(&unwatched);
     let loaded_session = loaded.map_err(ReadError::from);
-    let loaded_session = loaded_session
-        .and_then(|l| Ok(looked_through(l, Origin::Bundled, None, progress.whole())?));
+    let loaded_session =
+        loaded_session.and_then(|l| Ok(looked_through(l, Origin::Bundled, progress.whole())?));
     loaded_session
         .map(Opened::Session)
         .map_err(|error| not_opened(example.name(), &error))
@@ -220,7 +205,6 @@ pub(crate) fn open_example(index: usize) -> Result<Opened, Message> {
 mod tests {
     use super::*;
     use crate::gui::core::disk::EXAMPLES;
-    use crate::gui::testing::session_of_a_urdf;
     use crate::progress::testing::{assert_grows, no_at, report_to};
 
     #[test]
@@ -232,7 +216,7 @@ mod tests {
                 pipeline::parse_with_csv(document, samples)
             };
             let progress = Progress::new(watch);
-            looked_through(loaded.unwrap(), Origin::Bundled, None, progress.whole())
+            looked_through(loaded.unwrap(), Origin::Bundled, progress.whole())
         };
         let (shares, loaded_session) = report_to(through);
         assert_grows(&shares);
@@ -240,36 +224,6 @@ mod tests {
         for number in 0..shares.len() {
             assert!(through(&no_at(number)).is_err(), "{number}");
         }
-    }
-
-    #[test]
-    fn a_session_of_a_urdf_brings_its_meshes_and_a_damaged_one_is_a_warning() {
-        let folder = tempfile::tempdir().expect("a folder");
-        let write = |mesh: &str| session_of_a_urdf(folder.path(), mesh);
-        let path = write("v 0 0 0\nv 1 0 0\nv 0 0 1\nf 1 2 3\n");
-        let opened = || match open(&path, None, &Watch::default()) {
-            Ok(Opened::Session(loaded_session)) => loaded_session,
-            other => panic!("{other:?}"),
-        };
-        let loaded_session = opened();
-        let parts = loaded_session.appearance.as_deref().map(|a| a.parts.len());
-        assert_eq!(parts, Some(1));
-        // Whatever is changed of the session, the robot looks as it did.
-        assert!(
-            loaded_session
-                .with(loaded_session.session.clone())
-                .appearance
-                .is_some()
-        );
-        write("v 0 0 0\nv 1 0 0\nf 1 2 3\n");
-        let loaded_session = opened();
-        assert!(loaded_session.appearance.is_none());
-        let warned = loaded_session.findings.iter().map(ToString::to_string);
-        let warned: Vec<String> = warned.filter(|says| says.contains("arm.obj")).collect();
-        assert!(
-            warned.len() == 1 && warned[0].contains("line 3"),
-            "{warned:?}"
-        );
     }
 
     #[test]

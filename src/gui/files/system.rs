@@ -123,9 +123,7 @@ pub(crate) fn choose_to_export(what: What, path: &Path) -> Option<PathBuf> {
         What::Report(_) => dialog
             .add_filter(say!("HTML or PDF (*.html, *.pdf)"), &["html", "pdf"])
             .add_filter(say!("PDF (*.pdf)"), &["pdf"]),
-        What::Picture(_) => dialog
-            .add_filter(say!("SVG or PNG picture (*.svg, *.png)"), &["svg", "png"])
-            .add_filter(say!("PNG pictures"), &["png"]),
+        What::Picture(_) => dialog.add_filter(say!("SVG picture (*.svg)"), &["svg"]),
         What::Model => dialog.add_filter(say!("Model (*.json)"), &["json"]),
         What::Robot(_) | What::TypedRobot => dialog.add_filter(say!("Robot (*.json)"), &["json"]),
         What::Poses | What::Numbers(_) => dialog.add_filter(say!("CSV table (*.csv)"), &["csv"]),

@@ -7,7 +7,6 @@ use crate::atomic::{
     StagedFile, WriteError, commit_both, refuse_to_replace_inputs, write_atomically,
 };
 use crate::export::{Document, Job};
-use crate::fonts::Library;
 use crate::gui::cache::identified::PreviewRequest;
 use crate::gui::core::compensated::Compensated;
 use crate::gui::core::disk::{FileChange, Fingerprint, name_of};
@@ -18,7 +17,6 @@ use crate::pipeline;
 use crate::present::drawing::Drawing;
 use crate::progress::Cancelled;
 use crate::report::exported::sidecar_of;
-use crate::report::raster::png_file;
 use crate::report::svg::svg_file;
 use crate::sessions::{Replacing, samples_path};
 
@@ -284,20 +282,12 @@ pub(crate) fn write_picture(
     watch: &Watch,
 ) -> Message {
     let make = || {
-        let ending = ending(path);
-        let as_pixels = match ending.as_deref() {
-            Some("svg") => false,
-            Some("png") => true,
-            _ => return Err(say!("expected a file name that ends in .svg or .png").to_owned()),
-        };
+        if ending(path).as_deref() != Some("svg") {
+            return Err(say!("expected a file name that ends in .svg").to_owned());
+        }
         can_be_written(path, replace, inputs)?;
         let (drawing, title) = draw()?;
-        let bytes = if as_pixels {
-            png_file(&drawing, &Library::system()).map_err(|e| e.to_string())?
-        } else {
-            svg_file(&drawing, &title).into_bytes()
-        };
-        write_one(path, replace, &bytes, watch)
+        write_one(path, replace, svg_file(&drawing, &title).as_bytes(), watch)
     };
     match make() {
         Ok(()) => saved(path, Vec::new()),

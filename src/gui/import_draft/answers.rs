@@ -14,7 +14,6 @@ use crate::sessions::Target;
 use crate::text::Text;
 use crate::units::rad_from_deg;
 
-use crate::gui::core::appearance::Chain;
 use crate::gui::core::disk::EXAMPLES;
 
 /// What a person said.
@@ -186,18 +185,6 @@ impl RobotFrom {
     pub(crate) fn is_urdf(path: &str) -> bool {
         let ending = Path::new(path.trim()).extension();
         ending.is_some_and(|e| e.eq_ignore_ascii_case("urdf") || e.eq_ignore_ascii_case("xml"))
-    }
-
-    /// The chain of a URDF file, where it is one.
-    pub(crate) fn chain(&self) -> Option<Chain> {
-        match self {
-            Self::File { path, base, tip } if Self::is_urdf(path) => Some(Chain {
-                file: path.trim().into(),
-                base: base.trim().to_owned(),
-                tip: tip.trim().to_owned(),
-            }),
-            _ => None,
-        }
     }
 
     /// The robot, or why there is none; `None` while it is not said which.

@@ -7,7 +7,6 @@ use std::sync::Arc;
 use super::answers::ImportAnswers;
 use crate::diagnostic::{Diagnostic, Place, Rejected, Severity};
 use crate::explain::{Detail, Section, imported};
-use crate::gui::core::appearance::seen;
 use crate::gui::core::loaded_session::{LoadedSession, Origin};
 use crate::importers::{Alignment, Companion, IMPORTERS, Matched, Settings};
 use crate::kinematics::Robot;
@@ -66,17 +65,14 @@ impl Trial {
             ..Settings::new(answers.reading.clone(), robot)
         };
         let imported = import_watched(bytes, &settings, part.part(0.0, 0.6).watch())?;
-        let mut findings = imported.findings;
-        let appearance = seen(answers.robot.chain(), &mut findings);
+        let findings = imported.findings;
         let notes = findings
             .iter()
             .map(|finding| (finding.severity, in_the_windows_words(finding)))
             .collect();
         let origin = Origin::Imported(path.to_path_buf());
         let looking = part.part(0.6, 1.0);
-        let mut loaded_session =
-            LoadedSession::watched(imported.session, findings, origin, looking)?;
-        loaded_session.appearance = appearance.map(Arc::new);
+        let loaded_session = LoadedSession::watched(imported.session, findings, origin, looking)?;
         Ok(Self {
             loaded_session: Arc::new(loaded_session),
             matched: imported.matched,

@@ -6,8 +6,8 @@
 
 use std::sync::{Arc, Weak};
 
-use egui_wgpu::wgpu::util::{BufferInitDescriptor, DeviceExt as _};
-use egui_wgpu::wgpu::{self, Buffer, BufferUsages, Device, Queue};
+use wgpu::util::{BufferInitDescriptor, DeviceExt as _};
+use wgpu::{Buffer, BufferUsages, Device, Queue};
 
 use crate::gui::cache::cloud::{Cloud, Place, Remainder, RemainderRow};
 use crate::gui::cache::heat::Heat;

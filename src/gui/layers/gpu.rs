@@ -9,8 +9,8 @@
 use std::sync::Arc;
 
 use egui::{PaintCallbackInfo, Rect, Shape};
-use egui_wgpu::wgpu::{self, Device, Queue};
 use egui_wgpu::{Callback, CallbackResources, CallbackTrait, RenderState, ScreenDescriptor};
+use wgpu::{Device, Queue};
 
 use crate::gui::cache::cloud::{Cloud, Remainder};
 use crate::gui::cache::heat::Heat;

@@ -21,7 +21,7 @@ mod tests;
 
 use egui::{Color32, Rect};
 use egui_plot::{PlotPoint, PlotTransform};
-use egui_wgpu::wgpu::{self, Device};
+use wgpu::Device;
 
 use crate::numeric::single;
 

@@ -22,8 +22,8 @@ use crate::gui::cache::heat::Heat;
 const SIZE: Vec2 = egui::vec2(240.0, 160.0);
 
 pub(super) fn can_draw() -> bool {
-    let instance = egui_wgpu::wgpu::Instance::default();
-    let adapters = instance.enumerate_adapters(egui_wgpu::wgpu::Backends::all());
+    let instance = wgpu::Instance::default();
+    let adapters = instance.enumerate_adapters(wgpu::Backends::all());
     let found = !pollster::block_on(adapters).is_empty();
     let in_ci = std::env::var("CI").is_ok_and(|ci| ci == "true");
     assert!(found || !in_ci, "CI has to have an adapter to draw with");

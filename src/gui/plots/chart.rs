@@ -144,6 +144,7 @@ impl Canvas<'_> {
                 }
             }
             Item::Columns(bars, _, filled) => shapes.push(self.columns(bars, color, *filled)),
+            Item::Ribbon(places, _) => shapes.push(self.ribbon(places, color.gamma_multiply(0.28))),
             Item::Line(points, _, width, dashed) => {
                 let points: Vec<_> = points.iter().map(|p| self.at(*p)).collect();
                 let stroke = Stroke::new(*width, color);
@@ -188,6 +189,21 @@ impl Canvas<'_> {
         }
     }
 
+    /// The area between two lines.
+    fn ribbon(&self, places: &[[f64; 3]], color: Color32) -> Shape {
+        let mut mesh = Mesh::default();
+        for ([x, low, high], k) in places.iter().zip(0_u32..) {
+            mesh.colored_vertex(self.at([*x, *low]), color);
+            mesh.colored_vertex(self.at([*x, *high]), color);
+            if k > 0 {
+                let [a, b, c, d] = [2 * k - 2, 2 * k - 1, 2 * k, 2 * k + 1];
+                mesh.add_triangle(a, b, c);
+                mesh.add_triangle(c, b, d);
+            }
+        }
+        Shape::mesh(mesh)
+    }
+
     /// All columns as one mesh: solid, or as a pale band with edges.
     fn columns(&self, bars: &[Bar], color: Color32, filled: bool) -> Shape {
         let mut mesh = Mesh::default();
@@ -213,6 +229,8 @@ impl Canvas<'_> {
 const HEIGHT: f32 = 18.0;
 /// Width of a mark, points.
 const MARK: f32 = 16.0;
+/// A chart of this height has room for a line more, points.
+const HIGH: f32 = 220.0;
 /// Between names, points.
 const BETWEEN: f32 = 12.0;
 
@@ -222,7 +240,11 @@ const BETWEEN: f32 = 12.0;
 pub(crate) fn legend(ui: &mut Ui, chart: &Chart, shown: Option<bool>, commands: &mut Vec<Command>) {
     let font = FontId::proportional(size::SMALL);
     let wide = |one: &Entry| MARK + widgets::width_of(ui, &one.name, font.clone()) + BETWEEN;
-    if chart.legend.iter().map(wide).sum::<f32>() > ui.available_width() {
+    let names = chart.legend.iter().map(wide).sum::<f32>();
+    let said = widgets::width_of(ui, &chart.note, font.clone());
+    // In a high chart what has to be said is not cut.
+    let cut = names + said > ui.available_width() && ui.available_height() > HIGH;
+    if names > ui.available_width() || cut {
         return in_lines(ui, chart, shown, commands);
     }
     let room = vec2(ui.available_width(), HEIGHT);

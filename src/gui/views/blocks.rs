@@ -286,7 +286,7 @@ pub(super) fn unexplained(
     d: &Diagnosis,
     commands: &mut Vec<Command>,
 ) {
-    if let Some(found) = d.unexplained.corrected() {
+    if let Some(found) = d.correction() {
         correction(ui, workbench, found, commands);
         curve_link(ui, workbench, d.found.len(), commands);
     }

@@ -153,7 +153,7 @@ fn buttons(
             in_the_model(ui, workbench, d, index, commands);
             curve_link(ui, workbench, index, commands);
         }
-        Topic::Unexplained => blocks::unexplained(ui, workbench, d, commands),
+        Topic::Unnamed => blocks::unexplained(ui, workbench, d, commands),
         _ => {}
     }
 }

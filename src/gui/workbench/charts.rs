@@ -295,7 +295,7 @@ mod tests {
 
     use super::*;
 
-    const ANGLE: &str = "deviation";
+    const POSITION: &str = "deviation over position";
     const TIME: &str = "deviation over time";
     const ORDERS: &str = "order spectrum";
     const HISTOGRAM: &str = "histogram";
@@ -324,11 +324,11 @@ mod tests {
     fn every_step_shows_what_suits_it_until_somebody_chooses() {
         let mut workbench = workbench();
         for step in Step::ALL {
-            assert_eq!(go(&mut workbench, step), ANGLE, "nothing is identified");
+            assert_eq!(go(&mut workbench, step), POSITION, "nothing is identified");
         }
         workbench.execute(Command::Edit(Edit::Identify));
         workbench.receive();
-        assert_eq!(go(&mut workbench, Step::Identify), ANGLE);
+        assert_eq!(go(&mut workbench, Step::Identify), POSITION);
         assert_eq!(go(&mut workbench, Step::Gap), GAP);
         assert_eq!(go(&mut workbench, Step::Export), TABLE);
         choose(&mut workbench, ORDERS);
@@ -341,7 +341,7 @@ mod tests {
         assert_eq!(go(&mut workbench, Step::Gap), GAP);
         go(&mut workbench, Step::Identify);
         choose(&mut workbench, TIME);
-        choose(&mut workbench, ANGLE);
+        choose(&mut workbench, POSITION);
         assert_eq!(go(&mut workbench, Step::Gap), GAP);
         choose(&mut workbench, TIME);
         workbench.execute(Command::Edit(Edit::Identify));
@@ -420,7 +420,11 @@ mod tests {
     fn the_curve_of_a_found_effect_is_charted_in_the_component_that_it_has() {
         let mut workbench = workbench();
         workbench.execute(Command::View(ViewChange::ShowEffect(0)));
-        assert_eq!(workbench.chart().about().id, ANGLE, "nothing was found yet");
+        assert_eq!(
+            workbench.chart().about().id,
+            POSITION,
+            "nothing was found yet"
+        );
         workbench.execute(Command::Search);
         workbench.receive();
         workbench.execute(Command::View(ViewChange::Component(Component::Axial)));

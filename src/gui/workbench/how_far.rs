@@ -139,7 +139,7 @@ fn a_session_that_is_opened_says_how_far_it_is_and_is_cancelled() {
     let path = saved(folder.path());
     let mut bench = on_threads();
     let before = bench.document().clone();
-    let (work, arrived, go, ends) = halfway(move |watch| files::open(&path, None, watch));
+    let (work, arrived, go, ends) = halfway(move |watch| files::open(&path, watch));
     bench.open("reading session.json", work);
     arrived.recv().unwrap();
     let bar = bar();

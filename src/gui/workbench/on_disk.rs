@@ -9,7 +9,7 @@ use crate::gui::core::document::Document;
 use crate::gui::core::loaded_session::{LoadedSession, Origin};
 use crate::gui::file_state::recovery::{self, OrphanedRecovery, RecoveryFile};
 use crate::gui::file_state::watcher::{Order, Seen, Watched, Watcher};
-use crate::gui::file_state::{self, DrawnFrom, Recent, Settings};
+use crate::gui::file_state::{self, Recent, Settings};
 use crate::gui::files;
 use crate::gui::jobs::{Jobs, Kind, Runner, Watch};
 use crate::gui::view::{OnDisk, Sheet};
@@ -27,7 +27,6 @@ impl Workbench {
         self.file_state.recent = settings.recent;
         self.file_state.machines = settings.machines;
         self.file_state.robots = settings.robots;
-        self.file_state.meshes = settings.meshes;
         let keeper = RecoveryFile::new(&home);
         let mut details = Vec::new();
         details.extend(damaged.map(|says| say!("Preferences could not be read: {says}", says)));
@@ -195,16 +194,6 @@ impl Workbench {
         self.keep(move |kept| recent.apply(&mut kept.recent));
     }
 
-    /// Keeps from which URDF the robot of a session is drawn that was saved here.
-    pub(super) fn keep_meshes(&mut self, document: &Document, path: &Path) {
-        let Some(appearance) = document.loaded_session.appearance.as_deref() else {
-            return;
-        };
-        let one = DrawnFrom::new(path, &appearance.chain);
-        file_state::remember_meshes(&mut self.file_state.meshes, one.clone());
-        self.keep(move |kept| file_state::remember_meshes(&mut kept.meshes, one));
-    }
-
     /// Keeps the preferences for tomorrow.
     pub(super) fn keep_preferences(&mut self) {
         let preferences = self.view.preferences;
@@ -221,12 +210,11 @@ impl Workbench {
         self.file_state.then = None;
         self.view.sheet = None;
         let what = say!("reading {path}", path = path.display());
-        let chain = file_state::remembered_meshes(&self.file_state.meshes, &path);
         let work = move |watch: &Watch| {
             // What is not there cannot be read again; it can be written again.
             match files.into_iter().find(|file| !file.path.exists()) {
                 Some(gone) => Err(gone.path),
-                None => Ok(files::open(&path, chain, watch)),
+                None => Ok(files::open(&path, watch)),
             }
         };
         self.jobs.start(

@@ -16,7 +16,6 @@ use crate::gui::core::document::{Document, ExportChoice, Question};
 use crate::gui::core::edit::History;
 use crate::gui::core::loaded_session::LoadedSession;
 use crate::gui::core::robot_table::RobotTable;
-use crate::gui::file_state::DrawnFrom;
 use crate::gui::file_state::machines::{Machine, Stated};
 use crate::gui::file_state::recording::UnderWay;
 use crate::gui::file_state::recovery::{OrphanedRecovery, RecoveryFile};
@@ -136,8 +135,6 @@ pub(super) struct FileState {
     pub(super) machines: Vec<Machine>,
     /// Robots that were typed, newest first.
     pub(super) robots: Vec<RobotTable>,
-    /// Whose meshes saved sessions are drawn from, newest first.
-    pub(super) meshes: Vec<DrawnFrom>,
     pub(super) recording: Option<UnderWay>,
     /// The session of a recording, which is followed once it is open.
     pub(super) to_follow: Option<PathBuf>,

@@ -15,7 +15,7 @@ use crate::gui::core::edit::Edit;
 use crate::gui::core::loaded_session::{LoadedSession, Origin};
 use crate::gui::core::setup::SetupForm;
 use crate::gui::jobs::{Jobs, Runner};
-use crate::gui::testing::{session_of_a_urdf, workbench};
+use crate::gui::testing::workbench;
 use crate::gui::view::{About, Step, What};
 use crate::units::rad_from_deg;
 
@@ -63,7 +63,7 @@ fn all_that_a_search_found_is_one_model_to_the_last_bit_wherever_it_goes() {
     let shown = width(&answer.identification.parameters);
     assert_eq!(shown, width(&found.found[0].parameters));
     // There is one fit: what is shown of it is what the search answered.
-    if found.unexplained.corrected().is_none() {
+    if found.correction().is_none() {
         assert_eq!(answer.identification, found.identification);
     }
     assert_eq!(found.identification.outliers, found.outliers);
@@ -361,73 +361,4 @@ fn new_files_belong_beside_what_they_were_made_of() {
     let report = workbench.name_of(What::Report(About::Session));
     let report = workbench.placed(report.as_ref());
     assert_eq!(report.parent(), Some(folder.path()));
-}
-
-#[test]
-fn a_saved_session_is_drawn_from_the_meshes_of_its_urdf_as_long_as_that_describes_its_robot() {
-    let folder = tempfile::tempdir().unwrap();
-    let at = |name: &str| folder.path().join(name);
-    let triangle = "v 0 0 0\nv 1 0 0\nv 0 0 1\nf 1 2 3\n";
-    let path = session_of_a_urdf(folder.path(), triangle);
-    let fresh = || {
-        let mut bench = workbench();
-        bench.at_home(at("home"));
-        bench.receive();
-        bench
-    };
-    let mut bench = fresh();
-    bench.execute(Command::OpenFile(path));
-    bench.receive();
-    bench.execute(Command::SaveAs {
-        path: at("saved.json"),
-        replace: false,
-    });
-    bench.receive();
-    let saved = std::fs::read_to_string(at("saved.json")).unwrap();
-    assert!(!saved.contains("arm.urdf"), "a session names its axes");
-    let settings = std::fs::read_to_string(at("home/settings.json")).unwrap();
-    assert!(settings.contains(r#""file": "arm.urdf""#), "{settings}");
-
-    // What is seen of it in another window, and what is said of its URDF.
-    let opened = || {
-        let mut bench = fresh();
-        bench.execute(Command::OpenFile(at("saved.json")));
-        bench.receive();
-        let loaded_session = bench.loaded_session();
-        assert_eq!(loaded_session.session.name, "arm");
-        let mut said = loaded_session.findings.iter();
-        let said = said.find(|f| f.to_string().contains("drawn from its axes"));
-        let said = said.map(|f| (f.severity, f.to_string()));
-        (loaded_session.appearance.is_some(), said)
-    };
-    assert_eq!(opened(), (true, None));
-    let urdf = std::fs::read_to_string(at("arm.urdf")).unwrap();
-    for (change, says) in [
-        (
-            Some(urdf.replace("0 0 1", "0 1 0")),
-            "describes another robot",
-        ),
-        (Some("root:x:0:0:secret".to_owned()), "arm.urdf"),
-        (None, "no such file"),
-    ] {
-        match change {
-            Some(text) => std::fs::write(at("arm.urdf"), text).unwrap(),
-            None => std::fs::remove_file(at("arm.urdf")).unwrap(),
-        }
-        let (drawn, said) = opened();
-        let (severity, said) = said.expect("it is said");
-        assert!(!drawn && severity == crate::diagnostic::Severity::Note);
-        assert!(said.contains(says) && !said.contains("secret"), "{said}");
-    }
-    // A pipe would wait for ever.
-    #[cfg(unix)]
-    {
-        let made = std::process::Command::new("mkfifo")
-            .arg(at("arm.urdf"))
-            .status();
-        if made.is_ok_and(|status| status.success()) {
-            let (drawn, said) = opened();
-            assert!(!drawn && said.unwrap().1.contains("not a regular file"));
-        }
-    }
 }

@@ -7,8 +7,8 @@ use std::sync::Arc;
 use crate::gui::core::document::Document;
 use crate::gui::core::edit::Edit;
 use crate::gui::core::loaded_session::{LoadedSession, Origin};
+use crate::gui::file_state::Recent;
 use crate::gui::file_state::recovery::{self, OrphanedRecovery, SavedDocument};
-use crate::gui::file_state::{self, Recent};
 use crate::gui::files::{self, NotSaved, Opened, Replace, Saved};
 use crate::gui::jobs::{Kind, Running, Watch};
 use crate::gui::view::{Message, NextAction, Sheet, What};
@@ -96,8 +96,7 @@ impl Workbench {
             NextAction::Leave => self.view.leaving = true,
             NextAction::Open(path) => {
                 let what = say!("reading {path}", path = path.display());
-                let chain = file_state::remembered_meshes(&self.file_state.meshes, &path);
-                self.open(what, move |watch| files::open(&path, chain, watch));
+                self.open(what, move |watch| files::open(&path, watch));
             }
             NextAction::Example(index) => {
                 self.open(say!("reading an example"), move |_| {
@@ -228,7 +227,6 @@ impl Workbench {
                 self.file_state
                     .on_file
                     .retain(|d| d.loaded_session.lineage != lineage);
-                self.keep_meshes(&document, &path);
                 self.remember_on_file(document);
                 self.file_state.places.insert(lineage, place);
                 self.view.on_disk = None;

@@ -46,7 +46,7 @@ pub(super) fn plane(
     heat(&mut scene, workbench, shown);
     path(&mut scene, shown);
     if let Some(robot) = robot {
-        body::body(&mut scene, robot, &workbench.base(), camera, None);
+        body::body(&mut scene, robot, &workbench.base(), camera);
     }
     samples(&mut scene, workbench, shown, camera);
     emphasised(&mut scene, workbench, shown);

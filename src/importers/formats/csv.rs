@@ -56,7 +56,7 @@ fn table<'a>(context: &mut ReadContext<'a>, measured: bool) -> Option<(Grid<'a>,
     let grid = context.grid()?;
     let roles = match (context.given_roles(&grid, None), &grid.header) {
         (Some(roles), _) => roles,
-        (None, Some((_, names))) if !context.has_said_columns(&grid) => {
+        (None, Some((_, names))) if context.reading.columns.is_empty() => {
             let mut roles: Vec<Role> = names
                 .iter()
                 .map(|name| understand(name, &context.reading.joints))

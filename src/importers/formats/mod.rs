@@ -27,7 +27,6 @@ register! {
     mcap,
     board,
     ballbar,
-    tpoint,
 }
 
 /// The format with this name.
@@ -70,9 +69,8 @@ mod tests {
         }
     }
 
-    /// The tables that commands and reference points come in are read by two of the formats, and TPOINT's
-    /// terms are an export of that name.
-    const USED_BESIDE: [&str; 3] = ["csv", "tracker", "tpoint"];
+    /// The tables that commands and reference points come in are read by two of the formats.
+    const USED_BESIDE: [&str; 2] = ["csv", "tracker"];
 
     #[test]
     fn nothing_else_knows_a_format_by_its_name() {

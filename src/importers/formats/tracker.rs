@@ -44,7 +44,7 @@ pub(crate) fn read(context: &mut ReadContext<'_>) -> Option<Columns> {
     });
     let roles = match (context.given_roles(&grid, found.as_deref()), found) {
         (Some(given), _) => given,
-        (None, _) if context.has_said_columns(&grid) => return None,
+        (None, _) if !context.reading.columns.is_empty() => return None,
         (None, Some(found)) => found,
         (None, None) => {
             let says = text!(

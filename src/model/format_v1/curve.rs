@@ -10,25 +10,39 @@ use super::exact::{DISAGREES, agrees};
 use crate::document::kinds::{NUMBER, count};
 use crate::document::object::{Cursor, Kind, Object, written};
 use crate::document::{Fields, Member, Node, Path, Value, optional};
-use crate::effects::curve::{Curve, CurveError, Knots};
+use crate::effects::curve::{Curve, CurveError, Knots, PARTS, Parts};
 use crate::effects::{Parameter, SMOOTH, Term};
 use crate::kinematics::JointKind;
 use crate::sessions::files::format_v1::robot::to_display;
 use crate::units::rad_from_deg;
 
-/// Keys of the values and of their standard deviations, by direction.
-const KEYS: [[&str; 3]; 2] = [
-    ["motion_inner", "radial_mm", "axial_mm"],
-    ["sigma_motion_inner", "sigma_radial_mm", "sigma_axial_mm"],
+/// Keys of the values and of their standard deviations, part by part.
+const KEYS: [[&str; PARTS]; 2] = [
+    [
+        "motion_inner",
+        "radial_mm",
+        "axial_mm",
+        "half_reversal_motion_inner",
+        "half_reversal_radial_mm",
+        "half_reversal_axial_mm",
+    ],
+    [
+        "sigma_motion_inner",
+        "sigma_radial_mm",
+        "sigma_axial_mm",
+        "sigma_half_reversal_motion_inner",
+        "sigma_half_reversal_radial_mm",
+        "sigma_half_reversal_axial_mm",
+    ],
 ];
 const CURVE: Template = phrase!("an object with from_inner, to_inner, knots and values");
 
-/// What a curve is made from: values and standard deviations by direction, rad or mm; a direction
+/// What a curve is made from: values and standard deviations part by part, rad or mm; a part
 /// without values is left out.
 #[derive(Clone)]
 struct Points {
     knots: Knots,
-    lists: [[Vec<f64>; 3]; 2],
+    lists: [Parts; 2],
 }
 
 impl Points {
@@ -39,7 +53,9 @@ impl Points {
 }
 
 pub(super) fn written_curve(curve: &Curve) -> Value {
-    let all = |list: fn(&Curve, usize) -> &[f64]| [0, 1, 2].map(|d| list(curve, d).to_vec());
+    let all = |list: fn(&Curve, usize) -> &[f64]| -> Parts {
+        std::array::from_fn(|part| list(curve, part).to_vec())
+    };
     let points = Points {
         knots: *curve.knots(),
         lists: [all(Curve::values), all(Curve::sigma)],
@@ -81,10 +97,12 @@ fn declare(o: &mut Object<'_, '_>, own: &mut Points) {
         }
         CurveError::Lengths { expected, .. } => {
             let length = |list: usize, d: usize| own.lists[list][d].len();
-            let wrong = (0..6).map(|k| (k / 3, k % 3)).find(|(list, d)| {
-                let there = length(0, *d) > 0 || length(1, *d) > 0;
-                there && length(*list, *d) != expected
-            });
+            let wrong = (0..2 * PARTS)
+                .map(|k| (k / PARTS, k % PARTS))
+                .find(|(list, d)| {
+                    let there = length(0, *d) > 0 || length(1, *d) > 0;
+                    there && length(*list, *d) != expected
+                });
             let expected = text!("an array of {expected} numbers, one a knot", expected);
             let Some((list, d)) = wrong else {
                 return o.error(Text::verbatim(error.to_string()), expected);
@@ -155,7 +173,7 @@ pub(super) fn unexplained(
             period: None,
             count: 0,
         },
-        lists: [const { [const { Vec::new() }; 3] }; 2],
+        lists: Default::default(),
     };
     let curve = at.object(blank, declare)?.curve().ok()?;
     if let Some(given) = optional(members, "parameters") {

@@ -395,6 +395,7 @@ const STEP: Kind<ResidualStep> = Kind {
             what: String::new(),
             gap_mm: f64::NAN,
             held_out_mm: None,
+            runs_held_out_mm: None,
         };
         at.object(blank, step)
     },
@@ -405,6 +406,7 @@ fn step(o: &mut Object<'_, '_>, own: &mut ResidualStep) {
     o.required("what", &mut own.what, &TEXT);
     o.usual("gap_mm", &mut own.gap_mm, &NUMBER);
     o.usual_or_null("held_out_mm", &mut own.held_out_mm, &NUMBER);
+    o.optional("runs_held_out_mm", &mut own.runs_held_out_mm, &NUMBER);
 }
 
 /// What the key `format` says.

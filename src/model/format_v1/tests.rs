@@ -148,6 +148,7 @@ fn any_calibration() -> impl Strategy<Value = Calibration> {
                 what: "nominal robot".to_owned(),
                 gap_mm: number * 3.0,
                 held_out_mm: None,
+                runs_held_out_mm: None,
             }],
             load_kg: Some([0.0, 2.5]),
             samples_hash: "00ff".to_owned(),

@@ -19,6 +19,8 @@ pub(crate) const HEIGHT: f64 = 200.0;
 const ROW: f64 = 17.0;
 /// What a tolerance is filled with.
 const BAND: Colour = Colour(0xdf, 0xee, 0xe9);
+/// What the interval of a curve is filled with.
+const RIBBON: Colour = Colour(0xcf, 0xd4, 0xdb);
 const DASH: [f64; 2] = [3.5, 2.5];
 
 impl ColourRole {
@@ -89,6 +91,14 @@ impl Chart {
         let foot = if self.note.is_empty() { 0.0 } else { 18.0 };
         let mut drawing = Drawing::new(FULL_WIDTH, top + height + BELOW + foot);
         for item in &self.items {
+            if let Item::Ribbon(places, _) = item {
+                let corners = |[a, b]: [[f64; 3]; 2]| {
+                    let round = [[a[0], a[1]], [b[0], b[1]], [b[0], b[2]], [a[0], a[2]]];
+                    (round.map(|[x, y]| panel.at(x, y)).to_vec(), RIBBON)
+                };
+                let areas = places.windows(2).map(|w| corners([w[0], w[1]]));
+                drawing.items.push(drawing::Item::Areas(areas.collect()));
+            }
             if let Item::Band([from, to], _) = item {
                 let [[left, top], [right, bottom]] =
                     [panel.at(low[0], *to), panel.at(high[0], *from)];
@@ -120,7 +130,7 @@ impl Chart {
         let [low, high] = self.bounds;
         let at = |p: [f64; 2]| panel.at(p[0].clamp(low[0], high[0]), p[1].clamp(low[1], high[1]));
         match item {
-            Item::Band(..) => {}
+            Item::Band(..) | Item::Ribbon(..) => {}
             Item::Bars(bars, stands, filled) | Item::Columns(bars, stands, filled) => {
                 for [from, to] in bars {
                     let ([a, b], [c, d]) = (at(*from), at(*to));

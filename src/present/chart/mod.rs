@@ -3,8 +3,10 @@
 //! is saved, and what the report holds, is what is seen.
 //!
 //! - [`Deviation`]: samples over the value of a joint, time, load or temperature.
+//! - [`AxisDeviation`]: one axis over its position, run by run, and what a table corrects.
 //! - [`gap`](fn@gap): the RMS error step by step.
 
+mod axis_test;
 mod deviation;
 mod drawing;
 mod gap;
@@ -12,6 +14,7 @@ pub(crate) mod panel;
 mod spec;
 mod ticks;
 
+pub use axis_test::{AxisDeviation, AxisStage, axis_figures};
 pub use deviation::{Deviation, LEAST_SPAN, Series};
 pub use gap::{gap, in_words};
 pub(crate) use ticks::among;

@@ -66,6 +66,8 @@ pub enum Item {
     Bars(Vec<Bar>, ColourRole, bool),
     /// Bars from the smallest to the largest of many samples, filled or pale.
     Columns(Vec<Bar>, ColourRole, bool),
+    /// Between two lines: places across, and from where to where upwards.
+    Ribbon(Vec<[f64; 3]>, ColourRole),
     /// Through its points; width in points of the screen, dashed or whole.
     Line(Vec<[f64; 2]>, ColourRole, f32, bool),
     /// Marks, filled or outlined.
@@ -81,6 +83,7 @@ impl Item {
             Self::Band(_, stands)
             | Self::Bars(_, stands, _)
             | Self::Columns(_, stands, _)
+            | Self::Ribbon(_, stands)
             | Self::Line(_, stands, ..)
             | Self::Marks(_, stands, _) => Some(*stands),
             Self::Word(_) => None,

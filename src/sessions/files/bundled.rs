@@ -21,10 +21,11 @@ macro_rules! bundled {
 }
 
 /// All of them; the window opens on the first.
-pub(crate) const BUNDLED: [Bundled; 3] = [
+pub(crate) const BUNDLED: [Bundled; 4] = [
     bundled!("lamp-commissioning"),
     bundled!("paper-30"),
     bundled!("paper-run"),
+    bundled!("slide-lead-error"),
 ];
 
 /// Where `truepose integrate` puts them, below the prefix.

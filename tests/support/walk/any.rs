@@ -262,7 +262,7 @@ fn what(random: &mut ChaCha8Rng) -> (What, &'static str) {
         6 => (What::Report(About::Model), "html"),
         7 => (What::Report(About::Model), "pdf"),
         8 if random.random() => (What::Numbers(chart(random)), "csv"),
-        _ => (What::Picture(plot(random)), pick(random, &["svg", "png"])),
+        _ => (What::Picture(plot(random)), "svg"),
     }
 }
 

@@ -1,106 +1,112 @@
-//! The columns that a smooth correction is fitted with: residuals of the named model, its names'
-//! columns, and those of the curve's values at its knots; and which samples are held out.
+//! What a curve over a joint is fitted to: the residuals of a model along the joint's motion, across it and along its
+//! axis, each a problem of its own with its own noise,
+//!
+//! ```text
+//! y_d = J_d β_d + m_d (c_d(q) + dir h_d(q)) + e_d
+//! ```
+//!
+//! `m_d`: mm by which the point moves for a unit of the curve (along a turning joint's motion its radius). The three are
+//! orthogonal, so that a coordinate that was not measured, or was computed from the others, adds nothing to them.
 
 use nalgebra::{DMatrix, DVector};
 
 use crate::effects::curve::{DIRECTIONS, Knots};
 use crate::effects::{EACH_DIRECTION, Term};
-use crate::fit::noise::{Noise, SMALLEST_SIGMA_MM};
+use crate::fit::noise::{Noise, SMALLEST_SIGMA_MM, Slow};
 use crate::fit::problem::Problem;
 use crate::fit::regression::Rows;
+use crate::linear::Basis;
 use crate::model::Model;
-use crate::text::Text;
 
-use super::likelihood::Sums;
+use super::likelihood::{NamesAlone, SIDES, Sums};
 
 /// A longer session is thinned evenly to so many samples: there are hundreds for each knot then.
 const MOST_SAMPLES: usize = 3000;
+/// Most knots of a curve over a range.
+pub(super) const MOST_KNOTS: usize = 61;
 /// Values of the joint closer than this (rad or mm) are the same pose.
-const SAME: f64 = 1e-6;
-/// Parts into which the samples are cut to be held out.
-const PARTS: usize = 5;
+pub(super) const SAME: f64 = 1e-6;
+/// A direction of which less than this share is left beside the others was not measured; a column of which less is
+/// along a direction does nothing there.
+const MEASURED: f64 = 1e-3;
 
-/// See the module. Columns of names are scaled to length 1 and those of the curve to an effect of
-/// one unit of noise a sample; only products with their coefficients leave this module.
+/// With fewer different values of a joint no curve rivals a name.
+const FEWEST_TO_RIVAL: usize = 10;
+
+/// See the module.
 pub(super) struct Columns<'a> {
-    rows: Rows<'a>,
-    noise: Noise,
-    q: Vec<f64>,
+    /// Counted from 0.
+    pub(super) joint: usize,
+    pub(super) rows: Rows<'a>,
+    pub(super) q: Vec<f64>,
+    /// The side from which the joint came: 1, −1, or 0 where it is not known.
+    pub(super) dir: Vec<f64>,
     /// Different values of the joint, in ascending order.
     pub(super) values: Vec<f64>,
-    /// Derivatives of the rows by a constant in each direction, scaled.
-    directions: DMatrix<f64>,
-    /// A value of 1 at a knot, in rad or mm.
-    pub(super) unit: [f64; DIRECTIONS],
-    pub(super) names: DMatrix<f64>,
-    pub(super) white_names: DMatrix<f64>,
-    pub(super) residual: DVector<f64>,
-    pub(super) white_residual: DVector<f64>,
-    /// What rounding leaves in a whitened row, squared.
-    pub(super) floor: f64,
+    /// The directions that were measured.
+    pub(super) along: Vec<Along>,
 }
 
-/// Which part each sample is in.
-pub(super) struct Folds {
-    pub(super) of: Vec<usize>,
-    pub(super) count: usize,
-    /// In words.
-    pub(super) how: Text,
+/// One direction: a row for each sample in which it was measured.
+pub(super) struct Along {
+    /// Along the motion, the radius, the axis.
+    pub(super) direction: usize,
+    /// Which samples.
+    pub(super) samples: Vec<usize>,
+    /// A value of 1 at a knot, in rad or mm: it moves the samples by 1 mm, root mean square.
+    pub(super) unit: f64,
+    /// Residual, mm.
+    pub(super) residual: DVector<f64>,
+    /// Of what is fitted beside the curve, scaled to length 1.
+    pub(super) names: DMatrix<f64>,
+    /// mm by which a unit of the curve moves each sample.
+    moves: DVector<f64>,
+    /// Standard deviation of the white part and of the slow part, mm, and its time constant, s; where it wanders.
+    slow: Option<[f64; 3]>,
+    times: Vec<f64>,
 }
 
 impl<'a> Columns<'a> {
-    /// Of the samples of a problem that count.
-    pub(super) fn new(problem: &Problem<'a>, noise: &Noise, model: &Model, joint: usize) -> Self {
+    /// Of the samples of a problem that count; `beside` says which terms of the model are fitted beside the curve,
+    /// which takes nothing from them.
+    pub(super) fn new(
+        problem: &Problem<'a>,
+        model: &Model,
+        joint: usize,
+        beside: impl Fn(&Term) -> bool,
+    ) -> Self {
         let mut problem = problem.clone();
         problem.thin(MOST_SAMPLES);
         let rows = Rows::of(&problem).seen_by(model);
         let probe = Term::absent(&EACH_DIRECTION, joint, 0.0);
         let model = model.with_term(probe.clone());
-        let before = model.terms().iter().take_while(|t| !t.same_column(&probe));
-        let first: usize = before.map(|t| t.coefficients.len()).sum();
-        let (residual, all) = rows.extract(&model);
-        let mut directions = all.columns(first, DIRECTIONS).into_owned();
-        let probe: Vec<usize> = (first..first + DIRECTIONS).collect();
-        let mut names = all.remove_columns_at(&probe);
-        let samples = rows.samples.len().max(1) as f64;
-        let mut unit = [0.0; DIRECTIONS];
-        let white = noise.whitened(&rows, &directions);
-        for d in 0..DIRECTIONS {
-            let size = (white.column(d).norm_squared() / samples).sqrt();
-            unit[d] = if size > 0.0 { 1.0 / size } else { 0.0 };
-            directions.column_mut(d).scale_mut(unit[d]);
+        let (mut residual, mut all) = rows.extract(&model);
+        for row in 0..rows.len() {
+            let mm = rows.mm(row);
+            residual[row] *= mm;
+            all.row_mut(row).scale_mut(mm);
         }
-        let mut white_names = noise.whitened(&rows, &names);
-        for k in 0..names.ncols() {
-            let norm = white_names.column(k).norm();
-            if norm > 0.0 {
-                names.column_mut(k).unscale_mut(norm);
-                white_names.column_mut(k).unscale_mut(norm);
-            }
-        }
+        let of = |pick: &dyn Fn(&Term) -> bool| -> Vec<usize> {
+            let all = model.columns().enumerate();
+            all.filter(|(_, (term, _))| pick(term))
+                .map(|(k, _)| k)
+                .collect()
+        };
+        let is_probe = |term: &Term| term.same_column(&probe);
+        let directions = all.select_columns(&of(&is_probe));
+        let names = all.select_columns(&of(&|term| !is_probe(term) && beside(term)));
         let q = rows.inputs.q[joint].to_vec();
-        let mut values = q.clone();
-        values.sort_by(f64::total_cmp);
-        values.dedup_by(|a, b| (*a - *b).abs() < SAME);
-        let sigma = rows.axes.iter().map(|a| noise.sigma_mm[*a]);
-        let smallest = sigma.fold(f64::INFINITY, f64::min);
+        let dir = rows.inputs.dir[joint].as_deref();
+        let dir = dir.map_or_else(|| vec![0.0; q.len()], <[f64]>::to_vec);
+        let values = different(&q);
         Self {
-            white_residual: noise.whitened_vector(&rows, &residual),
-            residual,
-            white_names,
-            names,
-            unit,
-            directions,
-            values,
-            q,
-            floor: (SMALLEST_SIGMA_MM / smallest).powi(2),
-            noise: noise.clone(),
+            joint,
+            along: Along::each(&rows, &directions, &names, &residual),
             rows,
+            q,
+            dir,
+            values,
         }
-    }
-
-    pub(super) fn samples(&self) -> usize {
-        self.rows.samples.len()
     }
 
     pub(super) fn from(&self) -> f64 {
@@ -111,64 +117,231 @@ impl<'a> Columns<'a> {
         self.q.iter().copied().fold(f64::NEG_INFINITY, f64::max)
     }
 
-    /// Rows of the samples that `pick` picks.
-    pub(super) fn rows(&self, pick: impl Fn(usize) -> bool) -> Vec<usize> {
-        let n = self.samples();
-        let rows = (0..self.rows.len()).filter(|row| self.rows.has(*row));
-        rows.filter(|row| pick(row % n)).collect()
+    /// Sets the noise of each direction by what is left of its samples; whether it wanders in any.
+    pub(super) fn wander(&mut self, left: &[DVector<f64>]) -> bool {
+        let mut slow = false;
+        for (along, left) in self.along.iter_mut().zip(left) {
+            slow |= along.wander(&self.rows, left);
+        }
+        slow
+    }
+}
+
+impl Along {
+    fn each(
+        rows: &Rows,
+        directions: &DMatrix<f64>,
+        names: &DMatrix<f64>,
+        residual: &DVector<f64>,
+    ) -> Vec<Self> {
+        let (n, axes) = (rows.samples.len(), rows.axes.len());
+        let mut taken: Vec<Vec<Vec<f64>>> = vec![Vec::new(); n];
+        let mut all = Vec::new();
+        for direction in 0..DIRECTIONS {
+            let mut own: Vec<(usize, Vec<f64>, f64)> = Vec::new();
+            for (sample, taken) in taken.iter_mut().enumerate() {
+                let whole: Vec<f64> = (0..axes)
+                    .map(|a| directions[(a * n + sample, direction)])
+                    .collect();
+                let mut v = whole.clone();
+                for u in taken.iter() {
+                    let along: f64 = u.iter().zip(&v).map(|(u, v)| u * v).sum();
+                    for (v, u) in v.iter_mut().zip(u) {
+                        *v -= along * u;
+                    }
+                }
+                let length = |v: &[f64]| v.iter().map(|x| x * x).sum::<f64>().sqrt();
+                let left = length(&v);
+                if left > 0.0 && left > MEASURED * length(&whole) {
+                    for x in &mut v {
+                        *x /= left;
+                    }
+                    taken.push(v.clone());
+                    own.push((sample, v, left));
+                }
+            }
+            if own.is_empty() {
+                continue;
+            }
+            let along = |k: usize, of: &dyn Fn(usize) -> f64| -> f64 {
+                let (sample, u, _) = &own[k];
+                u.iter()
+                    .enumerate()
+                    .map(|(a, u)| u * of(a * n + sample))
+                    .sum()
+            };
+            let m = own.len();
+            let mut beside =
+                DMatrix::from_fn(m, names.ncols(), |k, c| along(k, &|row| names[(row, c)]));
+            for (mut column, whole) in beside.column_iter_mut().zip(names.column_iter()) {
+                let norm = column.norm();
+                // What moves nothing in this direction leaves rounding there.
+                if norm > MEASURED * whole.norm() {
+                    column.unscale_mut(norm);
+                } else {
+                    column.fill(0.0);
+                }
+            }
+            let moves = DVector::from_iterator(m, own.iter().map(|o| o.2));
+            all.push(Self {
+                direction,
+                unit: (m as f64).sqrt() / moves.norm(),
+                residual: DVector::from_fn(m, |k, _| along(k, &|row| residual[row])),
+                names: beside,
+                moves,
+                slow: None,
+                times: own.iter().map(|o| rows.times[o.0]).collect(),
+                samples: own.into_iter().map(|o| o.0).collect(),
+            });
+        }
+        all
     }
 
-    /// Columns of the values at the knots, direction by direction, as they are and whitened.
-    pub(super) fn curve(&self, knots: &Knots) -> (DMatrix<f64>, DMatrix<f64>) {
-        let n = self.samples();
-        let mut raw = DMatrix::zeros(self.rows.len(), DIRECTIONS * knots.count);
-        for (sample, q) in self.q.iter().enumerate() {
-            for (k, weight) in knots.weights(*q) {
-                for row in (sample..self.rows.len()).step_by(n) {
-                    for d in 0..DIRECTIONS {
-                        raw[(row, d * knots.count + k)] += weight * self.directions[(row, d)];
-                    }
+    /// Columns of the values at the knots in mm, those of both sides and those of half the reversal.
+    pub(super) fn curve(&self, columns: &Columns, knots: &Knots) -> DMatrix<f64> {
+        let mut raw = DMatrix::zeros(self.samples.len(), SIDES * knots.count);
+        for (row, sample) in self.samples.iter().enumerate() {
+            for (k, weight) in knots.weights(columns.q[*sample]) {
+                let by = weight * self.moves[row] * self.unit;
+                raw[(row, k)] += by;
+                raw[(row, knots.count + k)] += columns.dir[*sample] * by;
+            }
+        }
+        raw
+    }
+
+    /// Rows of the samples that `pick` picks.
+    pub(super) fn rows(&self, pick: impl Fn(usize) -> bool) -> impl Iterator<Item = usize> {
+        (0..self.samples.len()).filter(move |row| pick(self.samples[*row]))
+    }
+
+    /// Products over the rows that `keep` keeps, whitened where the noise wanders.
+    pub(super) fn sums(&self, curve: &DMatrix<f64>, keep: impl Fn(usize) -> bool) -> Option<Sums> {
+        let rows: Vec<usize> = self.rows(keep).collect();
+        let mut b = curve.select_rows(&rows);
+        let mut j = self.names.select_rows(&rows);
+        let mut y = self.residual.select_rows(&rows);
+        if let Some([sigma, rms, tau]) = self.slow {
+            let times: Vec<f64> = rows.iter().map(|row| self.times[*row]).collect();
+            let noise = Noise {
+                sigma_mm: [sigma; 3],
+                slow: Some(Slow {
+                    rms_mm: [rms; 3],
+                    time_constant_s: tau,
+                }),
+                ..Noise::white(sigma)
+            };
+            let filter = noise.filter_over(&times, &[0]);
+            filter.whiten(b.as_mut_slice());
+            filter.whiten(j.as_mut_slice());
+            filter.whiten(y.as_mut_slice());
+        }
+        let rounded = self
+            .slow
+            .map_or(SMALLEST_SIGMA_MM, |[s, ..]| SMALLEST_SIGMA_MM / s);
+        Sums::of(&b, &j, &y, rounded * rounded)
+    }
+
+    /// Sets the noise by what is left of the samples; whether it wanders.
+    fn wander(&mut self, rows: &Rows, left: &DVector<f64>) -> bool {
+        let noise = Noise::estimate(None, &rows.of_one_axis(&self.samples), left, &self.names);
+        self.slow = noise
+            .slow
+            .map(|slow| [noise.sigma_mm[0], slow.rms_mm[0], slow.time_constant_s]);
+        self.slow.is_some()
+    }
+
+    /// The constant by which what is fitted beside the curve moves without one.
+    pub(super) fn constant_alone(&self) -> f64 {
+        let none = DMatrix::zeros(self.samples.len(), 0);
+        let step = self
+            .sums(&none, |_| true)
+            .map(|sums| NamesAlone::new(&sums).step);
+        step.map_or(0.0, |step| self.as_constant(&step))
+    }
+
+    /// The constant of the curve, in its unit, that moves the samples as a step of what is fitted beside it does.
+    pub(super) fn as_constant(&self, step: &DVector<f64>) -> f64 {
+        let moved = &self.names * step;
+        let unit = DMatrix::from_columns(&[self.moves.scale(self.unit)]);
+        Basis::new(&unit)
+            .solve(&moved)
+            .get(0)
+            .copied()
+            .unwrap_or(0.0)
+    }
+}
+
+/// Knots over the range and products of the columns of a curve common to both sides, in all directions together and
+/// whitened by a noise, with all columns of a model beside them; `None` with too few values of the joint.
+pub(super) fn together(
+    problem: &Problem,
+    noise: &Noise,
+    model: &Model,
+    joint: usize,
+) -> Option<(Knots, Sums)> {
+    let mut problem = problem.clone();
+    problem.thin(MOST_SAMPLES);
+    let rows = Rows::of(&problem);
+    let n = rows.samples.len();
+    let probe = Term::absent(&EACH_DIRECTION, joint, 0.0);
+    let with = model.with_term(probe.clone());
+    let (mut residual, all) = rows.extract(&with);
+    let is_probe: Vec<bool> = with.columns().map(|(t, _)| t.same_column(&probe)).collect();
+    let (unit, own): (Vec<usize>, Vec<usize>) = (0..all.ncols()).partition(|k| is_probe[*k]);
+    let (directions, mut names) = (all.select_columns(&unit), all.select_columns(&own));
+    let q = &rows.inputs.q[joint];
+    let values = different(q);
+    if values.len() < FEWEST_TO_RIVAL {
+        return None;
+    }
+    let knots = Knots {
+        from: values[0],
+        to: values[values.len() - 1],
+        period: None,
+        count: values.len().clamp(4, MOST_KNOTS),
+    };
+    let filter = noise.filter(&rows);
+    // One unit of the curve moves a sample by one unit of its noise, root mean square.
+    let mut white = directions.clone();
+    filter.whiten(white.as_mut_slice());
+    let size = |d: usize| (white.column(d).norm_squared() / n as f64).sqrt();
+    let scale: [f64; DIRECTIONS] = std::array::from_fn(|d| match size(d) {
+        size if size > 0.0 => 1.0 / size,
+        _ => 0.0,
+    });
+    let mut curve = DMatrix::zeros(rows.len(), DIRECTIONS * knots.count);
+    for (sample, q) in q.iter().enumerate() {
+        for (k, weight) in knots.weights(*q) {
+            for row in (sample..rows.len()).step_by(n) {
+                for d in 0..DIRECTIONS {
+                    curve[(row, d * knots.count + k)] += weight * scale[d] * directions[(row, d)];
                 }
             }
         }
-        let white = self.noise.whitened(&self.rows, &raw);
-        (raw, white)
     }
-
-    /// Products over all rows.
-    pub(super) fn sums(&self, knots: &Knots) -> Option<Sums> {
-        let (_, white) = self.curve(knots);
-        let all = self.rows(|_| true);
-        let sums = Sums::of(&white, &self.white_names, &self.white_residual, &all);
-        Sums::total([sums].iter(), self.floor)
-    }
-
-    /// How samples are held out: values of the joint between others, which the curve has to
-    /// predict from its neighbours. Noise that is correlated in time looks smooth over an ordered
-    /// sweep; against that, stretches of time.
-    pub(super) fn folds(&self, joint: usize) -> Vec<Folds> {
-        let rank = |q: f64| self.values.partition_point(|v| *v < q - SAME);
-        let values = Folds {
-            of: self.q.iter().map(|q| rank(*q) % PARTS).collect(),
-            count: PARTS,
-            how: text!(
-                "every {parts}th value of joint {joint}, each held out in turn and predicted by a fit without it",
-                parts = PARTS,
-                joint = joint + 1
-            ),
-        };
-        let n = self.samples().max(1);
-        let mut folds = vec![values];
-        if self.noise.slow.is_some() {
-            folds.push(Folds {
-                of: (0..n).map(|k| k * PARTS / n).collect(),
-                count: PARTS,
-                how: text!(
-                    "{parts} stretches of time, as the noise is correlated in time",
-                    parts = PARTS
-                ),
-            });
+    filter.whiten(curve.as_mut_slice());
+    filter.whiten(names.as_mut_slice());
+    filter.whiten(residual.as_mut_slice());
+    for mut column in names.column_iter_mut() {
+        let norm = column.norm();
+        if norm > 0.0 {
+            column.unscale_mut(norm);
         }
-        folds
     }
+    let sigma = rows.axes.iter().map(|a| noise.sigma_mm[*a]);
+    let smallest = sigma.fold(f64::INFINITY, f64::min);
+    let floor = (SMALLEST_SIGMA_MM / smallest).powi(2);
+    let measured: Vec<usize> = (0..rows.len()).filter(|row| rows.has(*row)).collect();
+    let [curve, names] = [curve, names].map(|all| all.select_rows(&measured));
+    let sums = Sums::of(&curve, &names, &residual.select_rows(&measured), floor)?;
+    Some((knots, sums))
+}
+
+/// Different values of a joint, in ascending order.
+fn different(q: &[f64]) -> Vec<f64> {
+    let mut values = q.to_vec();
+    values.sort_by(f64::total_cmp);
+    values.dedup_by(|a, b| (*a - *b).abs() < SAME);
+    values
 }

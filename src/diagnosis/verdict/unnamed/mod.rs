@@ -46,7 +46,8 @@ pub(super) fn add(
 ) -> Option<Unnamed> {
     let values = &handed_out.values;
     let arm = base_model::is_arm(values.problem.session);
-    if prepared.options().without_unnamed || !arm {
+    let options = prepared.options();
+    if options.without_unnamed || options.names_one_by_one || !arm {
         return None;
     }
     let gaps = held_out.gaps.as_mut()?;
@@ -67,6 +68,7 @@ pub(super) fn add(
         rms_mm: (before * before - after * after).max(0.0).sqrt(),
         held_out_mm,
         over: found.over,
+        curve: None,
     })
 }
 

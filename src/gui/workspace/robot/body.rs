@@ -1,15 +1,13 @@
-//! The robot in a scene: its surface where meshes are known, or else links as rods and joints as drums
-//! about their axes, lit, what is near over what is far. Rods and drums are as thick at any zoom: they are
-//! signs, not the machine; a robot that is drawn large has them thicker, as far as a hand's breadth. The real robot is a line with a filled tool: form says what colour says.
+//! The robot in a scene: links as rods and joints as drums about their axes, lit, what is near over what is far.
+//! Rods and drums are as thick at any zoom: they are signs, not the machine; a robot that is drawn large has them
+//! thicker, as far as a hand's breadth. The real robot is a line with a filled tool: form says what colour says.
 
 use std::f64::consts::TAU;
 
 use nalgebra::{Isometry3, Point3, Vector3};
 
-use crate::gui::core::appearance::Appearance;
 use crate::gui::scene::paint::Camera;
-use crate::gui::scene::{ColourToken, Form, Item, Mark, Place, Scene, Stroke, Tint, Triangle};
-use crate::gui::view::Facing;
+use crate::gui::scene::{ColourToken, Form, Item, Mark, Place, Scene, Stroke, Tint};
 
 use super::{Drawn, JointSymbol};
 
@@ -33,18 +31,10 @@ const ROUND: [(f32, f32); 4] = [(1.0, 0.35), (0.72, 0.55), (0.46, 0.72), (0.2, 0
 const DRUM_LIT: [f32; 2] = [0.95, 0.4];
 /// How much of the robot is seen that was not asked for.
 const FAINT: f32 = 0.8;
-/// The light: from above and from the left, over the shoulder.
-const LIGHT: [f64; 3] = [-0.35, 0.55, 0.76];
 
-/// Both robots, beneath what was measured. `base` is the base in the measuring frame, `surface` that
-/// of the nominal robot.
-pub(crate) fn body(
-    scene: &mut Scene,
-    drawn: &Drawn,
-    base: &Isometry3<f64>,
-    camera: &Camera,
-    surface: Option<Vec<(Triangle, Tint)>>,
-) {
+/// Both robots, beneath what was measured. `base` is the base in the measuring
+/// frame.
+pub(crate) fn body(scene: &mut Scene, drawn: &Drawn, base: &Isometry3<f64>, camera: &Camera) {
     let points_per_mm = camera.points_per_mm();
     let pen = Pen {
         camera,
@@ -59,10 +49,7 @@ pub(crate) fn body(
         let fill = Some(ColourToken::Surface.into());
         scene.items.push(Item::Area(plate, fill, Some(edge)));
     }
-    match surface {
-        Some(triangles) => scene.items.push(Item::Triangles(triangles)),
-        None => links_and_joints(scene, drawn, &pen),
-    }
+    links_and_joints(scene, drawn, &pen);
     tool(scene, drawn);
     real(scene, drawn);
 }
@@ -122,7 +109,7 @@ fn real(scene: &mut Scene, drawn: &Drawn) {
     }
 }
 
-/// Rods and drums, where the screws are all that is known.
+/// Rods and drums.
 fn links_and_joints(scene: &mut Scene, drawn: &Drawn, pen: &Pen<'_>) {
     let [edge, ink] = [ColourToken::Nominal, ColourToken::Text].map(|token| seen(drawn, token));
     let nearness = |p: Point3<f64>| pen.camera.nearness(p.into());
@@ -218,65 +205,4 @@ impl Pen<'_> {
             Item::Mark(Mark::filled(place(&near), Form::Disc, 1.6, edge.colour)),
         ]
     }
-}
-
-/// The robot's meshes at a pose, every triangle in one shade by how it is turned to a light that goes
-/// with the viewer, the farthest first, so that what is near covers what is far. `motions` are those
-/// from home, in the measuring frame.
-pub(crate) fn surface(
-    appearance: &Appearance,
-    motions: &[Isometry3<f64>],
-    facing: &Facing,
-    asked_for: bool,
-) -> Vec<(Triangle, Tint)> {
-    let [right, up, towards] = [facing.right, facing.up, facing.towards].map(Vector3::from);
-    let light = right * LIGHT[0] + up * LIGHT[1] + towards * LIGHT[2];
-    let part = if asked_for { 1.0 } else { FAINT };
-    let mut faces: Vec<(f64, (Triangle, Tint))> = Vec::new();
-    for (behind, triangles) in &appearance.parts {
-        let Some(motion) = motions.get(*behind) else {
-            continue;
-        };
-        faces.extend(triangles.iter().map(|triangle| {
-            let corners = triangle.map(|p| motion * Point3::from(p.map(f64::from)));
-            let normal = (corners[1] - corners[0]).cross(&(corners[2] - corners[0]));
-            // Meshes do not agree on which side is outside.
-            let turned = normal.dot(&light).abs() / normal.norm().max(f64::MIN_POSITIVE);
-            let near: f64 = corners.iter().map(|p| p.coords.dot(&towards)).sum();
-            let ink = ColourToken::Lit(crate::numeric::single(turned.min(1.0))).pale(part);
-            let corners = corners.map(|p| [p.x, p.y, p.z].map(crate::numeric::single));
-            (near, (corners, ink))
-        }));
-    }
-    faces.retain(|(near, _)| near.is_finite());
-    faces.sort_by(|a, b| a.0.total_cmp(&b.0));
-    faces.into_iter().map(|(_, face)| face).collect()
-}
-
-#[cfg(test)]
-#[test]
-fn what_is_near_is_drawn_over_what_is_far_at_the_pose_of_its_link() {
-    use crate::gui::core::appearance::Chain;
-    use crate::gui::view::Plane;
-    let at = |z: f32| [[0.0, 0.0, z], [10.0, 0.0, z], [0.0, 10.0, z]];
-    let appearance = Appearance {
-        parts: vec![
-            (1, vec![at(5.0)]),
-            (0, vec![at(0.0), at(2.0)]),
-            (7, vec![at(0.0)]),
-        ],
-        chain: Chain::default(),
-    };
-    let motions = [
-        Isometry3::identity(),
-        Isometry3::translation(100.0, 0.0, -20.0),
-    ];
-    let facing = Plane::Xy.facing();
-    let faces = surface(&appearance, &motions, &facing, true);
-    let firsts: Vec<[f32; 2]> = faces.iter().map(|(c, _)| [c[0][0], c[0][2]]).collect();
-    assert_eq!(
-        firsts,
-        [[100.0, -15.0], [0.0, 0.0], [0.0, 2.0]],
-        "from far to near"
-    );
 }

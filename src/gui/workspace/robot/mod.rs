@@ -8,9 +8,9 @@ pub(super) mod body;
 
 use nalgebra::{Isometry3, Point3, Vector3};
 
-use crate::gui::core::appearance::Skeleton;
 use crate::gui::core::quantity::joint_value;
 use crate::gui::core::scale::round_down;
+use crate::gui::core::skeleton::Skeleton;
 use crate::gui::workbench::Workbench;
 use crate::kinematics::{JointKind, Robot};
 

@@ -43,7 +43,7 @@ pub(crate) fn robot_alone(
     let seen_along = Projection::Parallel(camera.facing());
     let seen = scene::paint::Camera::showing(seen_along, camera.bounds(&ball, sides), rect);
     let mut scene = Scene::default();
-    body(&mut scene, &drawn, &Isometry3::identity(), &seen, None);
+    body(&mut scene, &drawn, &Isometry3::identity(), &seen);
     let mut shapes = Vec::new();
     let mut screen = Screen::new(&painter, &palette, &mut shapes);
     paint(&scene, &seen, &mut screen);

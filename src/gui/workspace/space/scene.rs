@@ -65,14 +65,7 @@ pub(super) fn scene(
     grid(&mut scene, workbench, space);
     path(&mut scene, shown);
     if let Some(robot) = robot {
-        let loaded_session = workbench.loaded_session();
-        let surface = loaded_session.appearance.as_deref().map(|appearance| {
-            let motions = loaded_session.session.robot.motions_from_home(&robot.q);
-            let motions: Vec<_> = motions.iter().map(|motion| space.base * motion).collect();
-            let facing = &shown.look.facing;
-            body::surface(appearance, &motions, facing, robot.asked_for)
-        });
-        body::body(&mut scene, robot, &space.base, camera, surface);
+        body::body(&mut scene, robot, &space.base, camera);
     }
     samples(&mut scene, workbench, shown, camera);
     proposed(&mut scene, workbench, space);

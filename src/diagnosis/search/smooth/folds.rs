@@ -1,0 +1,96 @@
+//! How samples are held out of a curve: values of the joint, which a controller interpolates between, and runs,
+//! which show what comes back.
+
+use std::collections::BTreeMap;
+
+use super::columns::{Columns, SAME};
+use crate::text::Text;
+
+/// Parts into which the samples are cut to be held out.
+const PARTS: usize = 5;
+
+/// Which part each sample is in; `None`: no fit goes without it.
+pub(super) struct Folds {
+    of: Vec<Option<usize>>,
+    pub(super) count: usize,
+    /// In words.
+    pub(super) how: Text,
+}
+
+impl Folds {
+    /// Values of the joint between others, which the curve has to predict from its neighbours. The ends of the
+    /// range stay: no table is asked for what lies beyond them.
+    pub(super) fn values(columns: &Columns, joint: usize) -> Option<Self> {
+        let last = columns.values.len().checked_sub(1)?;
+        let part = |q: &f64| {
+            let rank = rank(columns, *q);
+            (rank > 0 && rank < last).then_some(rank % PARTS)
+        };
+        Self {
+            of: columns.q.iter().map(part).collect(),
+            count: PARTS,
+            how: text!(
+                "every {parts}th value of joint {joint}, each held out in turn and predicted by a fit without it",
+                parts = PARTS,
+                joint = joint + 1
+            ),
+        }
+        .that_say_something()
+    }
+
+    /// Runs: how often the joint had been at the value from the same side before; of a single run there and back its
+    /// two ways. `None` where the joint was at each value once.
+    pub(super) fn runs(columns: &Columns) -> Option<Self> {
+        Self::of_each_side(columns).or_else(|| Self::visits(columns, |_| 0))
+    }
+
+    /// Whether values come back from the same side.
+    pub(super) fn come_back(columns: &Columns) -> bool {
+        Self::of_each_side(columns).is_some()
+    }
+
+    fn of_each_side(columns: &Columns) -> Option<Self> {
+        Self::visits(columns, |dir| i8::from(dir > 0.0) - i8::from(dir < 0.0))
+    }
+
+    fn visits(columns: &Columns, side: impl Fn(f64) -> i8) -> Option<Self> {
+        let mut seen: BTreeMap<(usize, i8), usize> = BTreeMap::new();
+        let visits = columns.q.iter().zip(&columns.dir).map(|(q, dir)| {
+            let visit = seen.entry((rank(columns, *q), side(*dir))).or_insert(0);
+            *visit += 1;
+            *visit - 1
+        });
+        let visits: Vec<usize> = visits.collect();
+        let runs = visits.iter().max().map_or(0, |last| last + 1);
+        let count = runs.min(PARTS);
+        Self {
+            of: visits
+                .iter()
+                .map(|visit| Some(visit * count / runs.max(1)))
+                .collect(),
+            count,
+            how: text!("runs, each held out in turn and predicted by a fit without it"),
+        }
+        .that_say_something()
+    }
+
+    /// Folds of which at least two hold samples out, and half of the samples are held out once.
+    fn that_say_something(self) -> Option<Self> {
+        let out = self.of.iter().flatten().count();
+        (self.count > 1 && 2 * out >= self.of.len() && out > 0).then_some(self)
+    }
+
+    pub(super) fn is_in(&self, sample: usize, fold: usize) -> bool {
+        self.of[sample] == Some(fold)
+    }
+
+    /// Samples that are held out once.
+    pub(super) fn samples(&self) -> usize {
+        self.of.iter().flatten().count()
+    }
+}
+
+/// Which of the different values a value is.
+fn rank(columns: &Columns, q: f64) -> usize {
+    columns.values.partition_point(|v| *v < q - SAME)
+}

@@ -1,0 +1,196 @@
+//! What repeats over the only joint and has no name, in the model that is handed out: every table, program and report
+//! carries it. The verdict is about names and does not know of it.
+
+use crate::effects::curve::Curve;
+use crate::fit::gap::{Spread, lengths_mm};
+use crate::fit::problem::Problem;
+use crate::kinematics::JointKind;
+use crate::model::Model;
+use crate::model::shapes::{Profile, Variable};
+use crate::numeric::median;
+use crate::text::Text;
+use crate::text::{length, lengths};
+use crate::units::deg_from_rad;
+
+use super::unseen;
+use super::values::Values;
+use crate::answers::diagnosis::{Correction, Gaps, HeldOut, Unexplained, Unnamed};
+use crate::answers::noise::Noise;
+use crate::diagnosis::search::prepare::PreparedSearch;
+use crate::diagnosis::search::smooth::{Repeating, repeating};
+
+/// What repeats, and the noise beside it where that is known better with it; the gaps with it take the place of those of the names alone.
+pub(super) fn add(
+    prepared: &PreparedSearch,
+    values: &Values,
+    unexplained: &Unexplained,
+    gap: &mut Gaps,
+    held_out: &mut HeldOut,
+) -> Option<(Unnamed, Option<Noise>)> {
+    let model = values.model.settled();
+    let joint = 0;
+    let stopped = prepared.regression.work.was_stopped();
+    if stopped || prepared.options().without_unnamed || model.robot.joints.len() != 1 {
+        return None;
+    }
+    let base = &prepared.regression.base;
+    let period = unexplained
+        .shapes
+        .iter()
+        .find_map(|(shape, _)| match shape.profile {
+            Profile::Periodic { cycles, .. } if shape.variable == Variable::Joint(joint) => {
+                Some(std::f64::consts::TAU / cycles)
+            }
+            _ => None,
+        });
+    let found = repeating(&values.problem, &model, base, joint, period)?;
+    // In a single run the axis and time cannot be told apart: what the noise explains as a wander stays one.
+    if values.noise_is_slow() && found.runs_held_out_mm.is_none() && !unexplained.present {
+        return None;
+    }
+    let with = model.with_term(found.term.clone());
+    let [before, after] = [&model, &with].map(|model| rms_mm(&values.problem, model));
+    let gaps = held_out.gaps.as_mut()?;
+    let mut identified_mm = gaps.identified_mm;
+    let held_out_mm = if unseen::held_out_samples(prepared).contains(&true) {
+        let own = of_held_out_samples(prepared, values, &model, &found, period)?;
+        (own[1] < own[0] && own[1] <= gaps.identified_mm).then_some(own)?
+    } else {
+        let [identified, before, after] = found.held_out_mm;
+        identified_mm = identified.max(after);
+        [before, after]
+    };
+    // Rows are never set aside by the tenth to follow the others.
+    let fitted = values.problem.fit.iter().filter(|fit| **fit).count();
+    let set_aside = values.problem.fit.iter().zip(&values.problem.used);
+    if 10 * set_aside.filter(|(fit, used)| **fit && !**used).count() > fitted {
+        return None;
+    }
+    // Rows that are none of the robot have the largest deviations, and the sum of squares is theirs.
+    let medians = [&model, &with].map(|model| median_mm(&values.problem, model));
+    if after >= before || after > gap.identified_mm || medians[1] > medians[0] {
+        return None;
+    }
+    gap.end_mm = after;
+    gaps.identified_mm = identified_mm;
+    gaps.end_mm = held_out_mm[1];
+    if !unseen::held_out_samples(prepared).contains(&true) {
+        held_out.how = found.how.clone();
+        held_out.samples = found.samples;
+    }
+    let kind = model.robot.joints[joint].kind;
+    let curve = Correction {
+        description: describe(found.term.curve()?, joint, kind, held_out_mm),
+        gap_mm: [before, after],
+        held_out_mm,
+        runs_held_out_mm: found.runs_held_out_mm,
+        how: held_out.how.clone(),
+        term: found.term,
+    };
+    let unnamed = Unnamed {
+        rms_mm: (before * before - after * after).sqrt(),
+        held_out_mm,
+        over: vec![Text::verbatim(format!("q{}_{}", joint + 1, kind.unit()))],
+        curve: Some(curve),
+    };
+    Some((unnamed, found.noise))
+}
+
+/// The median deviation of all samples that may be fitted, mm.
+fn median_mm(problem: &Problem, model: &Model) -> f64 {
+    let left_mm = lengths_mm(problem, model);
+    let fitted = left_mm.iter().zip(&problem.fit).filter(|own| *own.1);
+    median(fitted.map(|own| *own.0).filter(|mm| mm.is_finite())).unwrap_or(0.0)
+}
+
+fn rms_mm(problem: &Problem, model: &Model) -> f64 {
+    let left_mm = lengths_mm(problem, model);
+    let spread = Spread::of(&left_mm, |i| problem.fit[i], |i| !problem.used[i]);
+    spread.map_or(0.0, |s| s.rms_mm)
+}
+
+/// The RMS error of samples that the session or an option holds out, without and with the curve, which has not
+/// seen them.
+fn of_held_out_samples(
+    prepared: &PreparedSearch,
+    values: &Values,
+    model: &Model,
+    found: &Repeating,
+    period: Option<f64>,
+) -> Option<[f64; 2]> {
+    let term = if prepared.locked.contains(&true) {
+        let seen = values.on(&prepared.problem);
+        repeating(
+            &seen.problem,
+            model,
+            &prepared.regression.base,
+            found.term.joint,
+            period,
+        )?
+        .term
+    } else {
+        found.term.clone()
+    };
+    let with = model.with_term(term);
+    Some([model, &with].map(|model| {
+        let left_mm = lengths_mm(&prepared.problem, model);
+        unseen::rms_apart_mm(prepared, &left_mm)
+    }))
+}
+
+/// The curve in words.
+fn describe(curve: &Curve, joint: usize, kind: JointKind, held_out: [f64; 2]) -> Text {
+    let (unit, outer): (&str, fn(f64) -> f64) = if kind == JointKind::Prismatic {
+        (" mm", |v| v)
+    } else {
+        ("°", deg_from_rad)
+    };
+    let knots = curve.knots();
+    let [motion, radial, axial] = curve.largest();
+    let mut parts = Vec::new();
+    if motion > 0.0 {
+        parts.push(text!(
+            "up to {size} along its motion",
+            size = format!("{:.4}{unit}", outer(motion))
+        ));
+    }
+    if radial > 0.0 {
+        parts.push(text!(
+            "up to {size} across it, which no table over the joint can correct",
+            size = length(radial, 4)
+        ));
+    }
+    if axial > 0.0 {
+        parts.push(text!(
+            "up to {size} along its axis, which no table over the joint can correct",
+            size = length(axial, 4)
+        ));
+    }
+    let (from, to) = (
+        format!("{:.2}", outer(knots.from)),
+        format!("{:.2}{unit}", outer(knots.to)),
+    );
+    let curve = match knots.period {
+        Some(period) => text!(
+            "a smooth correction over joint {joint} from {from} to {to} with {knots} knots, repeating every {period}",
+            joint = joint + 1,
+            from,
+            to,
+            knots = knots.count,
+            period = format!("{:.4}{unit}", outer(period))
+        ),
+        None => text!(
+            "a smooth correction over joint {joint} from {from} to {to} with {knots} knots",
+            joint = joint + 1,
+            from,
+            to,
+            knots = knots.count
+        ),
+    };
+    text!(
+        "{curve}: {sizes}; cross-validated RMS error {change}; outside that range its end values are held and nothing is known; it has no name and no cause",
+        curve,
+        sizes = Text::listed(parts, ", "),
+        change = lengths([held_out[0], held_out[1]], 4)
+    )
+}

@@ -1,0 +1,210 @@
+//! What the table of one axis leaves on the true axis: a slide read along its travel by a laser, with a lead error that
+//! has no name in the catalogue, beside the table that anyone makes by hand. Exact geometry, no code of the model.
+
+#![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
+
+use std::f64::consts::PI;
+
+use crate::rig::Random;
+use truepose::compensation::Side;
+use truepose::diagnosis::{Diagnosis, Options, Verdict};
+use truepose::export::{Export, Job};
+use truepose::pipeline::{diagnose, export, hand_out};
+use truepose::sessions::{Session, parse};
+
+/// The laser's noise, mm.
+const SIGMA: f64 = 0.0005;
+/// The travel, mm.
+const TRAVEL: f64 = 600.0;
+
+/// A slide: its error at a position, moving to one side or the other, mm.
+struct Slide {
+    lead: fn(f64) -> f64,
+    reversal_mm: f64,
+    targets: Vec<f64>,
+    runs: usize,
+    seed: u64,
+}
+
+impl Slide {
+    fn error(&self, q: f64, side: f64) -> f64 {
+        (self.lead)(q) - 0.5 * side * self.reversal_mm
+    }
+
+    /// Every run there and back, with what the laser reads: position, side, deviation.
+    fn readings(&self) -> Vec<(f64, f64, f64)> {
+        let mut random = Random(self.seed);
+        let mut all = Vec::new();
+        for _ in 0..self.runs {
+            let back = self.targets.iter().rev().map(|q| (*q, -1.0));
+            for (q, side) in self.targets.iter().map(|q| (*q, 1.0)).chain(back) {
+                all.push((q, side, self.error(q, side) + SIGMA * random.normal()));
+            }
+        }
+        all
+    }
+
+    /// What a correction leaves of the true axis, root mean square over the travel and both sides, mm.
+    fn left(&self, correction: impl Fn(f64, f64) -> f64) -> f64 {
+        let places = (0..=1200).map(|k| TRAVEL * f64::from(k) / 1200.0);
+        let squares = places.flat_map(|q| {
+            [-1.0, 1.0].map(|side| {
+                let by = correction(q, side);
+                (self.error(q + by, side) + by).powi(2)
+            })
+        });
+        (squares.sum::<f64>() / 2402.0).sqrt()
+    }
+
+    /// The mean of the readings at each target by side, linear between them.
+    fn left_by_hand(&self, readings: &[(f64, f64, f64)]) -> f64 {
+        let mean = |target: f64, side: f64| {
+            let own = readings.iter().filter(|r| r.0 == target && r.1 == side);
+            own.map(|r| r.2).sum::<f64>() / self.runs as f64
+        };
+        self.left(|q, side| {
+            let next = self
+                .targets
+                .iter()
+                .position(|t| *t >= q)
+                .unwrap_or(self.targets.len() - 1);
+            let (a, b) = (self.targets[next.max(1) - 1], self.targets[next.max(1)]);
+            let t = (q - a) / (b - a);
+            -((1.0 - t) * mean(a, side) + t * mean(b, side))
+        })
+    }
+}
+
+/// What the laser reads as a session.
+fn session(readings: &[(f64, f64, f64)]) -> Session {
+    let column = |of: &dyn Fn(&(f64, f64, f64)) -> f64| -> String {
+        let all = readings.iter().map(|r| format!("{}", of(r)));
+        all.collect::<Vec<_>>().join(",")
+    };
+    let times = (0..readings.len()).map(|k| (8 * k).to_string());
+    let text = format!(
+        r#"{{"format":"truepose-session/1","name":"slide","robot":{{"name":"slide","joints":[{{"name":"x",
+        "kind":"prismatic","axis":[1,0,0],"point_mm":[0,0,0],"limits":[0,{TRAVEL}]}}],
+        "tool":{{"position_mm":[0,0,0],"quaternion_wxyz":[1,0,0,0]}}}},
+        "instrument":{{"name":"laser","sigma_mm":{SIGMA}}},"samples":{{"columns":{{"q1_mm":[{}],"x_mm":[{}],
+        "y_mm":[{nulls}],"z_mm":[{nulls}],"dir1":[{}],"time_s":[{}]}}}}}}"#,
+        column(&|r| r.0),
+        column(&|r| r.0 + r.2),
+        column(&|r| r.1),
+        times.collect::<Vec<_>>().join(","),
+        nulls = vec!["null"; readings.len()].join(","),
+    );
+    parse(text.as_bytes()).unwrap().session
+}
+
+fn answered(session: &Session) -> (Diagnosis, Export) {
+    let d = diagnose(session, &Options::default(), &|_| true).unwrap();
+    let verified = hand_out(&d.calibration(session), session).unwrap();
+    let table = export("csv", &Job::new(&verified, "table.csv")).unwrap();
+    (d, table)
+}
+
+fn left(slide: &Slide, table: &Export) -> f64 {
+    let read = table.reads_as.as_ref().unwrap();
+    slide.left(|q, side| read.correction(q, side))
+}
+
+fn equal_targets(count: u32) -> Vec<f64> {
+    let step = TRAVEL / f64::from(count - 1);
+    (0..count).map(|k| step * f64::from(k)).collect()
+}
+
+fn bow(q: f64) -> f64 {
+    0.012 * (PI * q / TRAVEL).sin() + 0.004 * (2.7 * PI * q / TRAVEL).cos()
+}
+
+#[test]
+fn a_lead_error_without_a_name_is_in_the_table_and_what_is_left_is_said() {
+    for (seed, reversal_mm) in [(1, 0.0), (2, 0.006)] {
+        let slide = Slide {
+            lead: bow,
+            reversal_mm,
+            targets: equal_targets(25),
+            runs: 5,
+            seed,
+        };
+        let readings = slide.readings();
+        let (d, table) = answered(&session(&readings));
+        let names: Vec<_> = d
+            .found
+            .iter()
+            .map(|f| f.effect)
+            .filter(|id| *id != "backlash")
+            .collect();
+        assert!(names.is_empty(), "{names:?}");
+        let wanted = [Verdict::Unexplained, Verdict::PartlyExplained];
+        assert!(wanted.contains(&d.verdict), "{:?}", d.verdict);
+        let (own, by_hand) = (left(&slide, &table), slide.left_by_hand(&readings));
+        assert!(
+            own < by_hand,
+            "{own} where a table by hand leaves {by_hand}"
+        );
+        assert!(own < 0.5 * SIGMA, "{own}");
+        // What is left of the machine, with the laser's noise.
+        let leaves = table.left.unwrap().leaves.unwrap();
+        let truth = own.hypot(SIGMA);
+        assert!(
+            (0.8..1.3).contains(&(leaves.leaves_mm / truth)),
+            "{leaves:?}, {truth}"
+        );
+        assert!(!leaves.are_targets_too_far_apart(), "{leaves:?}");
+        assert!(d.gap.end_mm < 1.2 * SIGMA && d.gap.end_mm <= d.gap.identified_mm);
+        assert!(
+            d.noise.slow.is_none(),
+            "what comes back is no frame that wanders"
+        );
+    }
+}
+
+#[test]
+fn at_equal_steps_the_table_follows_the_slowest_wave() {
+    // Three waves over the travel; at steps of 25 mm a screw with a lead of 8 mm looks the same.
+    let slide = Slide {
+        lead: |q| 0.012 * (6.0 * PI * q / TRAVEL + 0.4).sin(),
+        reversal_mm: 0.0,
+        targets: equal_targets(25),
+        runs: 3,
+        seed: 3,
+    };
+    let readings = slide.readings();
+    let (d, table) = answered(&session(&readings));
+    assert!(d.found.is_empty(), "{:?}", d.found);
+    assert!(d.unexplained.present);
+    assert!(d.unexplained.resembles.contains(&"screw-pitch".to_owned()));
+    assert!(
+        d.data_problems
+            .iter()
+            .any(|p| p.what.contains("equal steps"))
+    );
+    assert!(left(&slide, &table) < SIGMA, "{}", left(&slide, &table));
+}
+
+#[test]
+fn a_reversal_that_depends_on_the_position_is_in_the_column_of_each_side() {
+    let slide = Slide {
+        lead: |_| 0.0,
+        reversal_mm: 0.0,
+        targets: equal_targets(21),
+        runs: 3,
+        seed: 7,
+    };
+    let half = |q: f64| 0.004 * (PI * q / TRAVEL).sin();
+    let mut readings = slide.readings();
+    for (q, side, read) in &mut readings {
+        *read -= *side * half(*q);
+    }
+    let (d, table) = answered(&session(&readings));
+    let verified = table.reads_as.unwrap();
+    for q in [100.0, 313.0, 450.0] {
+        let [forward, reverse] =
+            [Side::Forward, Side::Reverse].map(|s| verified.correction(q, s.sign()));
+        let off = [forward - half(q), reverse + half(q)];
+        assert!(off.iter().all(|v| v.abs() < 3.0 * SIGMA), "{q}: {off:?}");
+    }
+    assert!(d.unnamed.is_some());
+}
