@@ -162,6 +162,7 @@ pub(crate) fn answer(
     // any more.
     regression.forget();
     let (names_gap, names_held_out) = (gap, held_out.clone());
+    handed_out.values = handed_out.values.completed();
     let unnamed = unnamed::add(prepared, &mut handed_out, &mut gap, &mut held_out);
     let own = &handed_out.values;
     unexplained.correction = smooth::asked(prepared, &unexplained, &own.model.settled());
@@ -293,8 +294,8 @@ fn identification(prepared: &PreparedSearch, fit: &Fit, own: &Values) -> Identif
     tell_unseen(prepared, fit, &mut identification.kinds);
     if base_model::is_arm(own.problem.session) {
         let covariance = own.covariance.as_ref();
-        identification.expected =
-            covariance.and_then(|c| expected_error(&own.problem, &own.model, c));
+        identification.expected = covariance
+            .and_then(|c| expected_error(&own.problem, &own.model, c, own.is_completed()));
     }
     identification
 }
