@@ -50,7 +50,8 @@ pub(crate) fn rigid_motion(pairs: &[(Vector3<f64>, Vector3<f64>)]) -> Option<Iso
         .iter()
         .map(|(from, to)| (to - to_centre).norm() * (from - from_centre).norm())
         .sum();
-    let moment = moment + Matrix3::identity() * (NOT_SHOWN * spread).max(f64::MIN_POSITIVE);
+    // With a thousandth of a millimetre of each, where all stand on one point.
+    let moment = moment + Matrix3::identity() * (NOT_SHOWN * (spread + n));
     let svd = crate::decompose::svd(moment)?;
     let (u, v_t) = (svd.u?, svd.v_t?);
     // A reflection would fit a flat set of points as well; it is no motion.
