@@ -29,7 +29,7 @@ use crate::compensation::decision::{FittedErrors, MeasuredDeviation};
 use crate::compensation::{NotHandedOut, Verification, VerifiedCalibration, VerifyError};
 use crate::diagnosis::{DiagnoseError, Diagnosis, Options, Watch};
 use crate::diagnostic::Rejected;
-use crate::effects::{Inputs, JointValues, Term};
+use crate::effects::{Inputs, JointValues, MEASURING_FRAME, Role, Term, called};
 use crate::export::{Export, ExportError, Job, find, gaps_of_export};
 use crate::fit::gap::{Spread, deviations};
 use crate::fit::problem::Problem;
@@ -266,6 +266,98 @@ pub fn hand_out(
     VerifiedCalibration::on(calibration, session)
 }
 
+/// What is handed out, and what it takes the place of.
+#[derive(Debug, Clone)]
+pub struct HandedOut {
+    /// The calibration.
+    pub calibration: VerifiedCalibration,
+    /// Where it is not the one that was asked for: what it is, and why the other is refused.
+    pub instead: Option<Text>,
+}
+
+/// Like [`hand_out`]; what is refused is replaced by the next best that holds: the model with fewer names, that of
+/// [`identify`], the nominal robot where its frame is.
+///
+/// # Errors
+/// Why the calibration is refused, where nothing else holds either.
+pub fn hand_out_next_best(
+    calibration: &Calibration,
+    session: &Session,
+) -> Result<HandedOut, NotHandedOut> {
+    let why = match hand_out(calibration, session) {
+        Ok(calibration) => {
+            return Ok(HandedOut {
+                calibration,
+                instead: None,
+            });
+        }
+        // A session that this robot cannot follow has nothing else either.
+        Err(why @ NotHandedOut::Verify(_)) => return Err(why),
+        Err(why) => why,
+    };
+    if !calibration.regions.is_empty() {
+        return Err(why);
+    }
+    let is_read = |made: &&SessionCorrection| **made == SessionCorrection::TakeReadBack;
+    let mut made = calibration.set_up.corrections().iter();
+    let values = match made.find(is_read) {
+        Some(_) => JointValues::Read,
+        None => JointValues::Commanded,
+    };
+    let held = |method: &Method| {
+        let next = identify_checked(session, method, values).ok()?;
+        hand_out(&next.calibration, session).ok()
+    };
+    let terms = calibration.model.terms().iter();
+    let names: Vec<Term> = terms
+        .filter(|term| term.effect.about().role == Role::Candidate)
+        .cloned()
+        .collect();
+    let with = |kept: usize| Method::Exact {
+        effects: DEFAULT_EFFECTS.map(str::to_owned).to_vec(),
+        with: names[..kept].to_vec(),
+        priors: true,
+    };
+    let instead = |calibration, what: Text| HandedOut {
+        calibration,
+        instead: Some(text!(
+            "{why}; in its place: {what}",
+            why = why.describe(),
+            what
+        )),
+    };
+    for kept in (0..=names.len()).rev() {
+        if let Some(next) = held(&with(kept)) {
+            let what = match kept {
+                0 => text!("the model of identify, without names"),
+                _ => text!(
+                    "the model with {names}",
+                    names = Text::listed(
+                        names[..kept]
+                            .iter()
+                            .map(|term| called(term.effect.about().id)),
+                        ", "
+                    )
+                ),
+            };
+            return Ok(instead(next, what));
+        }
+    }
+    let frame = [MEASURING_FRAME.about().id];
+    let of_frame = if session.samples.setups.is_some() {
+        &frame[..0]
+    } else {
+        &frame
+    };
+    match held(&Method::exact(of_frame)) {
+        Some(next) => Ok(instead(
+            next,
+            text!("the nominal robot in its measuring frame"),
+        )),
+        None => Err(why),
+    }
+}
+
 /// The calibration of a model file.
 ///
 /// # Errors
@@ -380,7 +472,7 @@ pub fn report_of_diagnosis(
     let session = &*session;
     // What is reported is the session that was diagnosed: without its set-up errors.
     let mended = corrected_session(session, options.joint_values).session;
-    let all_found = hand_out(&found.calibration(session), session)?;
+    let all_found = hand_out_next_best(&found.calibration(session), session)?.calibration;
     let calibration = in_use.unwrap_or(&all_found);
     let evidence = Evidence {
         session: &mended,

@@ -153,8 +153,8 @@ pub(crate) fn document(
     })?)
 }
 
-/// Writes the model of an answer, where one is asked for. What is handed back is why it is not handed out: the answer
-/// says all the same what was found, and is printed before that.
+/// Writes the model of an answer, where one is asked for, or the next best that holds, and says so. What is handed
+/// back is why nothing is handed out: the answer says all the same what was found, and is printed before that.
 pub(crate) fn model(
     out: Option<&Path>,
     calibration: impl FnOnce() -> Calibration,
@@ -164,9 +164,10 @@ pub(crate) fn model(
     let Some(out) = out else {
         return Ok(None);
     };
-    match pipeline::hand_out(&calibration(), &loaded.session) {
-        Ok(verified) => {
-            let text = pipeline::write_model(&verified);
+    match pipeline::hand_out_next_best(&calibration(), &loaded.session) {
+        Ok(handed_out) => {
+            messages(handed_out.instead.as_slice());
+            let text = pipeline::write_model(&handed_out.calibration);
             document(out, text.as_bytes(), force, &loaded.files)?;
             Ok(None)
         }
@@ -185,9 +186,9 @@ mod tests {
     use crate::effects::JointValues;
     use crate::pipeline::Method;
 
-    /// The caller prints the answer before the refusal, so that this is no failure.
+    /// The model of another robot is refused; what these samples show takes its place.
     #[test]
-    fn a_model_that_is_not_handed_out_leaves_no_file_and_no_failure() {
+    fn what_is_refused_is_replaced_by_the_next_best() {
         let folder = tempfile::tempdir().expect("a folder");
         let bundled = |name: &str| {
             let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("sessions");
@@ -213,7 +214,11 @@ mod tests {
             .iter_mut()
             .for_each(|x| *x += 5.0);
         let out = folder.path().join("n.json");
-        let written = model(Some(&out), || calibration, &other, false);
-        assert!(matches!(written, Ok(Some(_))) && !out.exists());
+        assert!(pipeline::hand_out(&calibration, &other.session).is_err());
+        let written = model(Some(&out), || calibration.clone(), &other, false);
+        assert!(matches!(written, Ok(None)));
+        let instead = pipeline::load_model(&out).expect("written");
+        assert_eq!(instead.model.terms().len(), calibration.model.terms().len());
+        assert_ne!(instead.model, calibration.model);
     }
 }

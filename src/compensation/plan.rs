@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use nalgebra::Point3;
 
-use crate::effects::{Inputs, Owner, Setting, Term};
+use crate::effects::{Inputs, Owner, Role, Setting, Term};
 use crate::lanes::minus;
 use crate::model::{Calibration, Model, Positions};
 use crate::sessions::Target;
@@ -12,12 +12,12 @@ use crate::sessions::Target;
 use super::inverse::{closest_commands, places};
 use super::regional::Regional;
 
-/// Whether a term is none of the robot's: the instrument's, or the own error of a target that only
-/// the measurement knows.
+/// Whether a term is none of the robot's: the instrument's, the own error of a target that only the measurement knows,
+/// or how the measured body is turned. A probe that is mounted turned by 20° does not turn what the robot works with.
 pub(crate) fn is_of_the_measurement(term: &Term) -> bool {
     let about = term.effect.about();
     let own_target = about.setting == Setting::Target && term.setting > 0.0;
-    own_target || about.owner != Owner::Robot
+    own_target || about.owner != Owner::Robot || about.role == Role::ToolTurn
 }
 
 /// So many poses go through the inversion at once: enough to fill blocks, little enough to stay

@@ -13,12 +13,13 @@ use crate::model::names::name_on_joint;
 use crate::sessions::Session;
 use crate::text::Text;
 
-use super::answer::report;
+use super::answer::{covariance_of, parameters_of, report};
 use super::estimator::fit_without_outliers;
 use super::expected::expected_error;
 use super::levels::levels;
 use super::problem::{Problem, Watch};
 use super::solver::{Solution, Stopped};
+use super::unseen::completed;
 use super::{IdentifyError, base_model, observed, scan};
 
 /// The effects that every calibration identifies.
@@ -116,12 +117,23 @@ impl<'a> Fresh<'a> {
             notes,
             base,
         } = self;
-        let mut answer = report(session, &problem, fitted, &nominal, not_identifiable);
+        let is_arm = base != BaseModel::Absent && base_model::is_arm(session);
+        let seen = covariance_of(&problem, &fitted);
+        let completed = is_arm.then(|| completed(&problem, &fitted, seen.as_ref()));
+        let completed = completed.flatten();
+        let shown = completed.as_ref().map_or(fitted, |c| c.solution.clone());
+        let mut answer = report(session, &problem, shown, &nominal, not_identifiable);
         answer.notes.extend(notes);
-        if base != BaseModel::Absent && base_model::is_arm(session) {
+        if let Some(completed) = &completed {
+            let own = completed.covariance.as_ref();
+            answer.parameters = parameters_of(&problem, &completed.solution, own).concat();
+            answer.covariance = own.cloned();
+        }
+        if is_arm {
             answer.levels = levels(&problem, &answer.model);
-            let covariance = answer.covariance.as_ref();
-            answer.expected = covariance.and_then(|c| expected_error(&problem, &answer.model, c));
+            let own = answer.covariance.as_ref();
+            let expected = |c| expected_error(&problem, &answer.model, c, completed.is_some());
+            answer.expected = own.and_then(expected);
         }
         answer
     }

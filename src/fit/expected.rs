@@ -13,39 +13,39 @@
 //! J d = 0 at the measured poses,   var p(q) += σ_d² |J(q) d|²,   1/σ_d² = Σ_k (d_k/σ_k)²
 //! ```
 //!
+//! unless the model and its covariance hold them already ([`super::unseen`]).
+//!
 //! Poses are spread evenly over the joint limits (an additive recurrence, Roberts 2018), where there
 //! are none over the values that were measured.
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DMatrix;
 
 pub(crate) use crate::answers::errors::Expected;
-use crate::effects::{FixedMask, Inputs, LINK_GEOMETRY, Role, Term};
-use crate::linear::Kept;
+use crate::effects::Inputs;
 use crate::model::Model;
 
-use super::gauge::{COPY, columns};
 use super::priors::Priors;
 use super::problem::Problem;
 use super::spread::spread;
+use super::unseen::{Unseen, beforehand};
 
 /// Poses over the joint ranges.
 const POSES: usize = 400;
-/// Of a combination that is not seen at most this share of its held coefficient's own column is left.
-const MOST_SEEN: f64 = 10.0 * COPY;
-/// How far an instrument may stand from where it is thought to stand, where nothing is known: any turn alike, of which
-/// the standard deviation is π/√3, and a room of some metres, rad and mm.
-const ANYWHERE: [f64; 2] = [1.8, 1000.0];
 
-/// The expected error of a model with the covariance of its coefficients.
+/// The expected error of a model with the covariance of its coefficients; `completed`: it holds what the samples do not
+/// show as well ([`super::unseen`]).
 pub(crate) fn expected_error(
     problem: &Problem,
     model: &Model,
     covariance: &DMatrix<f64>,
+    completed: bool,
 ) -> Option<Expected> {
     let inputs = over_the_ranges(problem);
     let mut over = uncertainties_mm(model, &inputs, covariance)?;
-    for (own, unseen) in over.iter_mut().zip(unseen_mm(problem, model, &inputs)) {
-        *own = own.hypot(unseen);
+    if !completed {
+        for (own, unseen) in over.iter_mut().zip(unseen_mm(problem, model, &inputs)) {
+            *own = own.hypot(unseen);
+        }
     }
     let some = spread(&problem.used, POSES);
     let measured = uncertainties_mm(model, &problem.inputs.select(&some), covariance)?;
@@ -96,93 +96,21 @@ pub(crate) fn uncertainties_mm(
 
 /// What the combinations that the samples do not show may move every pose by, mm; of a robot with several joints.
 pub(crate) fn unseen_mm(problem: &Problem, model: &Model, inputs: &Inputs) -> Vec<f64> {
-    let model = with_every_link(model);
-    let sigma = beforehand(problem, &model);
-    let held: Vec<bool> = model
-        .columns()
-        .map(|(term, k)| term.held.contains(k))
-        .collect();
-    // What is held has no column.
-    let model = model.with_each(|_, term| {
-        if term.effect.about().role != Role::Place {
-            term.held = FixedMask::default();
-        }
-    });
-    let rows = columns(problem, &model);
-    let mut basis = Kept::new(rows.nrows());
-    for k in (0..held.len()).filter(|k| !held[*k]) {
-        let column = rows.column(k).into_owned();
-        let free = basis.reject(&column);
-        if free.norm() > COPY * column.norm() {
-            basis.push(k, &column, &free);
-        }
-    }
-    let mut unseen = Vec::new();
-    for k in (0..held.len()).filter(|k| held[*k]) {
-        let column = rows.column(k).into_owned();
-        if basis.reject(&column).norm() > MOST_SEEN * column.norm() {
-            continue;
-        }
-        let mut own = DVector::zeros(held.len());
-        for (of, part) in basis.parts(&column) {
-            own[of] = -part;
-        }
-        own[k] = 1.0;
-        let known = own.iter().zip(&sigma).map(|(d, sigma)| (d / sigma).powi(2));
-        let known: f64 = known.sum();
-        unseen.push(own / known.sqrt());
-    }
-    let mut all = Vec::with_capacity(inputs.len());
-    model.visit(inputs, true, |_, block| {
-        for i in 0..block.len {
-            let mut square = 0.0;
-            for (own, axis) in unseen.iter().flat_map(|own| [(own, 0), (own, 1), (own, 2)]) {
-                let along = own.iter().zip(&block.columns);
-                let moved: f64 = along.map(|(d, column)| d * column[axis][i]).sum();
-                square += moved * moved;
-            }
-            all.push(square.sqrt());
-        }
-    });
-    all
-}
-
-/// The model with the links that the gauge has left out, as nothing of them is seen.
-fn with_every_link(model: &Model) -> Model {
-    let id = LINK_GEOMETRY.about().id;
-    let is_there = |joint: usize| {
-        model
-            .terms()
-            .iter()
-            .any(|t| t.effect.about().id == id && t.joint == joint)
-    };
-    let joints = 0..model.robot.joints.len();
-    let left_out: Vec<usize> = joints.filter(|joint| !is_there(*joint)).collect();
-    left_out.into_iter().fold(model.clone(), |model, joint| {
-        let mut term = Term::absent(&LINK_GEOMETRY, joint, 0.0);
-        for k in 0..term.coefficients.len() {
-            term.held = term.held.with(k);
-        }
-        model.with_term(term)
-    })
-}
-
-/// What is known of every coefficient beforehand, whether or not priors hold in the fit.
-fn beforehand(problem: &Problem, model: &Model) -> Vec<f64> {
+    let unseen = Unseen::of(problem, model);
     let priors = Priors {
         aligned: problem.priors.aligned,
         ..Priors::unmeasured(None)
     };
-    let known = |(term, k): (&Term, usize)| {
-        let about = term.effect.about();
-        let [turn, move_mm] = ANYWHERE;
-        let turns = about.form.turns(k, model.robot.joints[term.joint].kind);
-        let of_base = about.role.is_of_every_calibration();
-        let anywhere = if turns { turn } else { move_mm };
-        let unknown = if of_base { anywhere } else { f64::INFINITY };
-        priors.sigma(model, term, k).unwrap_or(unknown)
-    };
-    model.columns().map(known).collect()
+    let sigma = beforehand(&priors, &unseen.model);
+    let mut square = vec![0.0; inputs.len()];
+    for (own, moved) in unseen.combinations.iter().zip(unseen.moved_mm(inputs)) {
+        let known = own.iter().zip(&sigma).map(|(d, sigma)| (d / sigma).powi(2));
+        let known: f64 = known.sum();
+        for (square, moved) in square.iter_mut().zip(moved) {
+            *square += moved * moved / known;
+        }
+    }
+    square.into_iter().map(f64::sqrt).collect()
 }
 
 /// Poses over the limits of the joints, on the targets in turn.

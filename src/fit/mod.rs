@@ -16,6 +16,7 @@ pub(crate) mod scan;
 pub(crate) mod solver;
 pub(crate) mod spectrum;
 pub(crate) mod uncertainty;
+pub(crate) mod unseen;
 
 mod adaptive;
 mod answer;

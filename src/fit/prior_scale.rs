@@ -1,8 +1,9 @@
-//! How wide the weak priors of a robot's zero offsets and links are: as wide as the robot's own are large.
+//! How wide the weak priors of a robot's zero offsets and links, and of its tool and frame, are: as wide as its own are
+//! large.
 //!
 //! A prior says what any robot may be off by. Of one that its maker has calibrated all of it is smaller by tens, and few
-//! poses close to each other, fitted with the wide prior, turn noise into angles that lead far off elsewhere. So both
-//! widths are shrunk by the factor of the largest marginal likelihood (empirical Bayes), over the equations at a
+//! poses close to each other, fitted with the wide prior, turn noise into angles that lead far off elsewhere, and
+//! whatever they show into a move of the tool. So the widths are shrunk by the factor of the largest marginal likelihood (empirical Bayes), over the equations at a
 //! solution x, with N, g and the cost e² of the samples alone and P(c) = s² diag(1/(c σ)²):
 //!
 //! ```text
@@ -21,16 +22,19 @@ use super::normal::Normal;
 use super::priors::{Priors, group};
 
 /// Factors that are tried, each half of the one before it, of zero offsets down to 1.6 mrad and of links down to what
-/// machining leaves of any robot: 0.13 mm, 0.25 mrad.
-const HALVINGS: [u8; 2] = [6, 4];
+/// machining leaves of any robot: 0.13 mm, 0.25 mrad; of tool and frame each a quarter of the one before it, down to
+/// 0.8 mm of a tool.
+const HALVINGS: [&[u8]; 3] = [&[0, 1, 2, 3, 4, 5], &[0, 1, 2, 3], &[0, 2, 4, 6]];
+/// What has a smaller share of all that are possible changes nothing that is said.
+const LEAST_SHARE: f64 = 1e-3;
 /// Variances that are tried beside the one of a fit, each twice the one before it.
 const DOUBLINGS: std::ops::RangeInclusive<i8> = -8..=4;
 
-/// What is known of a robot's zero offsets and links, and of the noise.
+/// What is known of a robot's zero offsets, links and set-up, and of the noise.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Widths {
-    /// Logarithms of the factors, of zero offsets and of links.
-    pub(super) ln_scale: [f64; 2],
+    /// Logarithms of the factors, of zero offsets, of links, and of tool and frame.
+    pub(super) ln_scale: [f64; 3],
     /// Variance of a coordinate of weight one.
     pub(super) variance: f64,
 }
@@ -42,6 +46,52 @@ pub(super) fn likeliest(
     normal: &Normal,
     rows: usize,
 ) -> Option<Widths> {
+    let mut best: Option<(Widths, f64)> = None;
+    for (widths, likelihood) in likelihoods(priors, model, normal, rows)? {
+        // The wider one, where nothing tells them apart.
+        if best.is_none_or(|best| likelihood > best.1 + 1e-6) {
+            best = Some((widths, likelihood));
+        }
+    }
+    best.map(|best| best.0)
+}
+
+/// All that are possible, each with its share, by the same likelihood: few poses leave the width itself open, and what
+/// is unsure is unsure of that as well.
+pub(super) fn possible(
+    priors: &Priors,
+    model: &Model,
+    normal: &Normal,
+    rows: usize,
+) -> Option<Vec<([f64; 3], f64)>> {
+    let all = likelihoods(priors, model, normal, rows)?;
+    let most = all
+        .iter()
+        .map(|own| own.1)
+        .fold(f64::NEG_INFINITY, f64::max);
+    let mut shares: Vec<([f64; 3], f64)> = Vec::new();
+    for (widths, likelihood) in all {
+        let share = (likelihood - most).exp();
+        match shares.iter_mut().find(|own| own.0 == widths.ln_scale) {
+            Some(own) => own.1 += share,
+            None => shares.push((widths.ln_scale, share)),
+        }
+    }
+    let sum: f64 = shares.iter().map(|own| own.1).sum();
+    shares.retain_mut(|own| {
+        own.1 /= sum;
+        own.1 > LEAST_SHARE
+    });
+    Some(shares)
+}
+
+/// The logarithm of the likelihood of all widths that are tried, the widest first.
+fn likelihoods(
+    priors: &Priors,
+    model: &Model,
+    normal: &Normal,
+    rows: usize,
+) -> Option<Vec<(Widths, f64)>> {
     let all: Vec<Coefficient> = coefficients(priors, model);
     let (known, free): (Vec<&Coefficient>, Vec<&Coefficient>) =
         all.iter().partition(|c| c.sigma.is_some());
@@ -49,26 +99,23 @@ pub(super) fn likeliest(
         return None;
     }
     let samples = without(normal, &known, &free, (rows - free.len()) as f64)?;
-    let mut best: Option<(Widths, f64)> = None;
+    let [zeros, links, set_up] = HALVINGS;
+    let halved = |halvings: &u8| -f64::from(*halvings) * std::f64::consts::LN_2;
+    let mut likelihoods = Vec::new();
     for doublings in DOUBLINGS {
-        for zeros in 0..HALVINGS[0] {
-            for links in 0..HALVINGS[1] {
-                let halved = |halvings: u8| -f64::from(halvings) * std::f64::consts::LN_2;
+        let of_links = |z| links.iter().map(move |l| [z, l]);
+        for [z, l] in zeros.iter().flat_map(of_links) {
+            for s in set_up {
                 let widths = Widths {
-                    ln_scale: [halved(zeros), halved(links)],
+                    ln_scale: [z, l, s].map(halved),
                     variance: priors.variance * f64::from(doublings).exp2(),
                 };
-                let Some(likelihood) = samples.ln_likelihood(&known, widths) else {
-                    continue;
-                };
-                // The wider one, where nothing tells them apart.
-                if best.is_none_or(|best| likelihood > best.1 + 1e-6) {
-                    best = Some((widths, likelihood));
-                }
+                let likelihood = samples.ln_likelihood(&known, widths);
+                likelihoods.extend(likelihood.map(|own| (widths, own)));
             }
         }
     }
-    best.map(|best| best.0)
+    Some(likelihoods)
 }
 
 /// A coefficient that is not held.
@@ -79,7 +126,7 @@ struct Coefficient {
     sigma: Option<f64>,
     /// Its prior's weight among the equations.
     weight: f64,
-    /// Whose factor its prior has: 0 of zero offsets, 1 of links.
+    /// Whose factor its prior has ([`group`]).
     group: Option<usize>,
 }
 
@@ -94,7 +141,7 @@ fn coefficients(priors: &Priors, model: &Model) -> Vec<Coefficient> {
             weight: priors
                 .sigma(model, term, k)
                 .map_or(0.0, |sigma| priors.variance / (sigma * sigma)),
-            group: group(term.effect.about().role),
+            group: group(term),
         })
         .collect()
 }
@@ -201,7 +248,7 @@ mod tests {
         let measured = DVector::from_fn(7, |i, _| ((i * i) as f64).cos() * 0.8);
         // Nothing is known of the third; equations at some place, with the priors of other widths.
         let sigma = [Some(0.5), Some(2.0), None, Some(0.1)];
-        let group = [Some(0), Some(1), None, None];
+        let group = [Some(0), Some(1), None, Some(2)];
         let value = DVector::from_vec(vec![0.3, -0.2, 0.7, 0.05]);
         let weight = [1.5, 0.4, 0.0, 9.0];
         let all: Vec<Coefficient> = (0..4)
@@ -239,7 +286,7 @@ mod tests {
             -0.5 * (ln_det + measured.dot(&factor.solve(&measured)))
         };
         let widths = |zeros: f64, links: f64, variance: f64| Widths {
-            ln_scale: [zeros, links],
+            ln_scale: [zeros, links, 0.5 * zeros],
             variance,
         };
         let [first, second] = [widths(0.0, 0.0, 0.3), widths(-1.4, -0.7, 0.05)];

@@ -34,9 +34,9 @@ pub struct Priors {
     pub targets_mm: Option<f64>,
     /// Variance of a coordinate of weight one.
     pub variance: f64,
-    /// How much narrower the weak ones are of this robot's zero offsets and links, as logarithms
-    /// ([`super::prior_scale`]).
-    pub(super) ln_scale: [f64; 2],
+    /// How much narrower the weak ones are of this robot's zero offsets, of its links, and of what was set up (tool,
+    /// frame), as logarithms ([`super::prior_scale`]).
+    pub(super) ln_scale: [f64; 3],
     /// How large everything is, where no measurement shows it: a sum of coefficients that is held at
     /// zero ([`crate::observations::gauge`]).
     pub(super) size: Vec<(Key, f64)>,
@@ -72,7 +72,7 @@ impl Priors {
         }
         let prior = about.priors.get(coefficient)?;
         let holds = self.aligned || !prior.if_aligned;
-        let scale = group(about.role).map_or(1.0, |own| self.ln_scale[own].exp());
+        let scale = group(term).map_or(1.0, |own| self.ln_scale[own].exp());
         holds.then(|| match model.robot.joints[term.joint].kind {
             JointKind::Revolute => scale * prior.sigma,
             JointKind::Prismatic => scale * prior.sigma_on_slide,
@@ -82,7 +82,7 @@ impl Priors {
     /// How many of a model's coefficients have a prior of this robot's own width.
     pub(super) fn of_its_own(&self, model: &Model) -> usize {
         let is_own = |(term, k): &(&Term, usize)| {
-            let own = group(term.effect.about().role);
+            let own = group(term);
             let narrowed = own.is_some_and(|own| self.ln_scale[own] < 0.0);
             narrowed && !term.held.contains(*k) && self.sigma(model, term, *k).is_some()
         };
@@ -92,7 +92,7 @@ impl Priors {
     /// The same priors for any robot.
     pub(crate) fn of_any_robot(&self) -> Self {
         Self {
-            ln_scale: [0.0; 2],
+            ln_scale: [0.0; 3],
             ..self.clone()
         }
     }
@@ -175,10 +175,11 @@ impl Priors {
 }
 
 /// Whose factor of [`Priors::ln_scale`] a prior has.
-pub(super) fn group(role: Role) -> Option<usize> {
-    match role {
+pub(super) fn group(term: &Term) -> Option<usize> {
+    match term.effect.about().role {
         Role::JointZero => Some(0),
         Role::JointAxis => Some(1),
+        Role::ToolPlace | Role::ToolTurn | Role::FreeFrame if !of_one_target(term) => Some(2),
         _ => None,
     }
 }

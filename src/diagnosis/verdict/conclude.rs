@@ -19,7 +19,7 @@ use super::named_effects::found;
 use super::remainder::unexplained;
 use super::repeatability::robot_mm;
 use super::testable::not_testable;
-use super::unseen::held_out;
+use super::unseen::{self, held_out};
 use super::values::{Values, corrected_for_selection};
 use super::{handed_out, judgement, limits, repeating, unnamed};
 use crate::answers::diagnosis::{Diagnosis, Equivalent, Gaps, HeldOut, Unexplained};
@@ -161,6 +161,9 @@ pub(crate) fn answer(
     // What predicts without a name joins the model once everything is said of the names, whose fits need no room
     // any more.
     regression.forget();
+    if let Some(completed) = completed(prepared, &handed_out.values, found.len(), &mut held_out) {
+        handed_out.values = completed;
+    }
     let (names_gap, mut names_held_out) = (gap, held_out.clone());
     let unnamed = unnamed::add(prepared, &mut handed_out, &mut gap, &mut held_out);
     let repeating = repeating::add(
@@ -318,6 +321,27 @@ fn tell_what_is_open(
     !dropped.is_empty() || ended.is_some()
 }
 
+/// The values with what no sample shows where it is expected; samples that are held out are predicted with it, and
+/// where names stand in the model no worse than `identify` does.
+fn completed<'a>(
+    prepared: &PreparedSearch,
+    values: &Values<'a>,
+    names: usize,
+    held_out: &mut HeldOut,
+) -> Option<Values<'a>> {
+    let completed = values.clone().completed();
+    let apart = unseen::of_model(prepared, &completed.model);
+    if let (Some(end_mm), Some(gaps)) = (apart, &mut held_out.gaps) {
+        if names == 0 {
+            gaps.identified_mm = end_mm;
+        } else if end_mm > gaps.identified_mm {
+            return None;
+        }
+        gaps.end_mm = end_mm;
+    }
+    Some(completed)
+}
+
 /// What is handed out, as `identify` would say it.
 fn identification(prepared: &PreparedSearch, fit: &Fit, own: &Values) -> Identification {
     let held = prepared.not_identifiable.clone();
@@ -325,8 +349,8 @@ fn identification(prepared: &PreparedSearch, fit: &Fit, own: &Values) -> Identif
     tell_unseen(prepared, fit, &mut identification.kinds);
     if base_model::is_arm(own.problem.session) {
         let covariance = own.covariance.as_ref();
-        identification.expected =
-            covariance.and_then(|c| expected_error(&own.problem, &own.model, c));
+        identification.expected = covariance
+            .and_then(|c| expected_error(&own.problem, &own.model, c, own.is_completed()));
     }
     identification
 }

@@ -10,6 +10,7 @@ use crate::effects::Term;
 use crate::fit::gap::{Spread, deviations, lengths_mm};
 use crate::fit::problem::Problem;
 use crate::fit::solver::{Solution, solve};
+use crate::fit::unseen::completed;
 use crate::fit::{
     DEFAULT_EFFECTS, Estimate, Identification, NotIdentifiable, base_model, covariance_of,
     noise_beside, outliers, parameters_of, report,
@@ -46,6 +47,8 @@ pub(crate) struct Values<'a> {
     tails: (f64, f64),
     /// Whether a size was corrected for the selection.
     corrected: bool,
+    /// Whether it holds what no sample shows.
+    is_completed: bool,
 }
 
 impl<'a> Values<'a> {
@@ -103,6 +106,7 @@ impl<'a> Values<'a> {
             solution,
             problem,
             corrected: false,
+            is_completed: false,
         }
     }
 
@@ -302,6 +306,35 @@ impl<'a> Values<'a> {
             self.estimates.clone_from(&before.estimates);
         }
         self.solution.model = self.model.clone();
+    }
+
+    /// With what no sample shows where it is likeliest ([`crate::fit::unseen`]).
+    #[must_use]
+    pub(crate) fn completed(mut self) -> Self {
+        let known = self.covariance.as_ref();
+        let Some(own) = completed(&self.problem, &self.solution, known) else {
+            return self;
+        };
+        let anew = parameters_of(&self.problem, &own.solution, own.covariance.as_ref());
+        self.estimates
+            .resize(own.solution.model.terms().len(), Vec::new());
+        for ((term, anew), estimates) in
+            (own.solution.model.terms().iter().zip(anew)).zip(&mut self.estimates)
+        {
+            if base_model::belongs(term.effect.about().id) {
+                *estimates = anew;
+            }
+        }
+        self.model = own.solution.model.clone();
+        self.solution = own.solution;
+        self.covariance = own.covariance;
+        self.is_completed = true;
+        self
+    }
+
+    /// Whether it holds what no sample shows.
+    pub(crate) fn is_completed(&self) -> bool {
+        self.is_completed
     }
 
     /// The same values on other samples of the session.

@@ -1,0 +1,296 @@
+//! What the measured poses do not show of a robot, as it is known beforehand.
+//!
+//! The gauge holds at zero what the samples cannot tell from what comes before it, and so hands all of it to the
+//! frame and the tool. Where every pose of the joint ranges does alike that is a choice of names. Where the *measured*
+//! poses do (two of them, one joint that was swept) it is a claim about all others: a tool 3 mm to the side that was a
+//! zero offset leads off wherever the wrist is turned. Such a combination d moves along its line to where it is
+//! expected, by the priors of this robot's own width ([`super::prior_scale`]), and is as unsure as they are:
+//!
+//! ```text
+//! J d = 0 at the measured poses and not over the joint ranges,   D = (d₁ d₂ …)
+//! x += D a,   a = −(Dᵀ P D)⁻¹ Dᵀ P x,   C += D (Dᵀ P D)⁻¹ Dᵀ,   P = diag(1/σ²)
+//! ```
+//!
+//! averaged over the widths that are possible, each by its likelihood.
+//! That is the mean of the posterior, and no model is expected to be nearer to the real robot under the same prior,
+//! the nominal one included.
+
+use nalgebra::{DMatrix, DVector};
+
+use crate::effects::{FixedMask, Inputs, LINK_GEOMETRY, Role, Term};
+use crate::linear::Kept;
+use crate::model::Model;
+
+use super::base_model;
+use super::expected::over_the_ranges;
+use super::gauge::{COPY, columns};
+use super::prior_scale;
+use super::priors::Priors;
+use super::problem::Problem;
+use super::solver::{Solution, equations_at, solve, spectrum_at};
+
+/// Of a combination that is not seen at most this share of its held coefficient's own column is left.
+const MOST_SEEN: f64 = 10.0 * COPY;
+/// How far an instrument may stand from where it is thought to stand, where nothing is known: any turn alike, of which
+/// the standard deviation is π/√3, and a room of some metres, rad and mm.
+const ANYWHERE: [f64; 2] = [1.8, 1000.0];
+/// What is not linear over so long a line may cost at most this of the RMS error.
+const MOST_WORSE: f64 = 1.002;
+
+/// Combinations of coefficients that no sample shows, of a model with every link in it.
+pub(super) struct Unseen {
+    /// The model with every link, and nothing held but places.
+    pub(super) model: Model,
+    /// What was held in it.
+    held: Vec<bool>,
+    /// One combination a column, over all coefficients.
+    pub(super) combinations: Vec<DVector<f64>>,
+}
+
+impl Unseen {
+    pub(super) fn of(problem: &Problem, model: &Model) -> Self {
+        let model = with_every_link(model);
+        let held: Vec<bool> = model
+            .columns()
+            .map(|(term, k)| term.held.contains(k))
+            .collect();
+        // What is held has no column.
+        let model = model.with_each(|_, term| {
+            if term.effect.about().role != Role::Place {
+                term.held = FixedMask::default();
+            }
+        });
+        let rows = columns(problem, &model);
+        let mut basis = Kept::new(rows.nrows());
+        for k in (0..held.len()).filter(|k| !held[*k]) {
+            let column = rows.column(k).into_owned();
+            let free = basis.reject(&column);
+            if free.norm() > COPY * column.norm() {
+                basis.push(k, &column, &free);
+            }
+        }
+        let mut combinations = Vec::new();
+        for k in (0..held.len()).filter(|k| held[*k]) {
+            let column = rows.column(k).into_owned();
+            if basis.reject(&column).norm() > MOST_SEEN * column.norm() {
+                continue;
+            }
+            let mut own = DVector::zeros(held.len());
+            for (of, part) in basis.parts(&column) {
+                own[of] = -part;
+            }
+            own[k] = 1.0;
+            combinations.push(own);
+        }
+        Self {
+            model,
+            held,
+            combinations,
+        }
+    }
+
+    /// How far each combination moves every pose, mm: one column a combination.
+    pub(super) fn moved_mm(&self, inputs: &Inputs) -> Vec<Vec<f64>> {
+        let mut all = vec![Vec::with_capacity(inputs.len()); self.combinations.len()];
+        self.model.visit(inputs, true, |_, block| {
+            for (own, moved) in self.combinations.iter().zip(&mut all) {
+                for i in 0..block.len {
+                    let along = |axis: usize| -> f64 {
+                        let along = own.iter().zip(&block.columns);
+                        along.map(|(d, column)| d * column[axis][i]).sum()
+                    };
+                    moved.push((0..3).map(|axis| along(axis).powi(2)).sum::<f64>().sqrt());
+                }
+            }
+        });
+        all
+    }
+
+    /// Keeps those that do anything over the joint ranges: where one does not it is another name for the same.
+    fn retain_what_matters(&mut self, inputs: &Inputs) {
+        let own = Self {
+            model: self.model.clone(),
+            held: Vec::new(),
+            combinations: self.combinations.iter().map(|d| d.map(f64::abs)).collect(),
+        };
+        let largest = |moved: &Vec<f64>| moved.iter().copied().fold(0.0, f64::max);
+        let moved: Vec<f64> = self.moved_mm(inputs).iter().map(largest).collect();
+        let parts: Vec<f64> = own.moved_mm(inputs).iter().map(largest).collect();
+        let mut matters = moved
+            .iter()
+            .zip(&parts)
+            .map(|(all, parts)| *all > MOST_SEEN * parts);
+        self.combinations
+            .retain(|_| matters.next().unwrap_or(false));
+    }
+}
+
+/// What is known of every coefficient beforehand, whether or not priors hold in the fit.
+pub(super) fn beforehand(priors: &Priors, model: &Model) -> Vec<f64> {
+    let known = |(term, k): (&Term, usize)| {
+        let about = term.effect.about();
+        let [turn, move_mm] = ANYWHERE;
+        let turns = about.form.turns(k, model.robot.joints[term.joint].kind);
+        let of_base = about.role.is_of_every_calibration();
+        let anywhere = if turns { turn } else { move_mm };
+        let unknown = if of_base { anywhere } else { f64::INFINITY };
+        priors.sigma(model, term, k).unwrap_or(unknown)
+    };
+    model.columns().map(known).collect()
+}
+
+/// A solution with what no sample shows where it is likeliest.
+pub(crate) struct Completed {
+    /// It, with links that the gauge had left out.
+    pub(crate) solution: Solution,
+    /// Of its coefficients.
+    pub(crate) covariance: Option<DMatrix<f64>>,
+}
+
+/// `None` where the samples show everything that matters, or nothing is known beforehand.
+pub(crate) fn completed(
+    problem: &Problem,
+    solution: &Solution,
+    covariance: Option<&DMatrix<f64>>,
+) -> Option<Completed> {
+    let several = solution.model.robot.joints.len() > 1;
+    if !several || !problem.priors.weak || !problem.priors.size.is_empty() {
+        return None;
+    }
+    let mut unseen = Unseen::of(problem, &solution.model);
+    unseen.retain_what_matters(&over_the_ranges(problem));
+    if unseen.combinations.is_empty() {
+        return None;
+    }
+    let free = Solution {
+        model: unseen.model.clone(),
+        ..solution.clone()
+    };
+    let normal = equations_at(problem, &free);
+    let possible = prior_scale::possible(&problem.priors, &free.model, &normal, problem.rows());
+    let possible = possible.unwrap_or_else(|| vec![(problem.priors.ln_scale, 1.0)]);
+    let before = DVector::from_vec(free.model.coefficients());
+    let all = DMatrix::from_columns(&unseen.combinations);
+    let mut along = Vec::new();
+    for (ln_scale, share) in possible {
+        let priors = Priors {
+            ln_scale,
+            ..problem.priors.clone()
+        };
+        let sigma = beforehand(&priors, &free.model);
+        let weighted = DMatrix::from_fn(all.nrows(), all.ncols(), |i, j| {
+            all[(i, j)] / (sigma[i] * sigma[i])
+        });
+        let spread = all.tr_mul(&weighted).cholesky()?;
+        along.push((
+            share,
+            -spread.solve(&weighted.tr_mul(&before)),
+            spread.inverse(),
+        ));
+    }
+    let shares: f64 = along.iter().map(|own| own.0).sum();
+    let mut mean = DVector::zeros(all.ncols());
+    for (share, by, _) in &along {
+        mean += by * (share / shares);
+    }
+    let mut open = DMatrix::zeros(all.ncols(), all.ncols());
+    for (share, by, spread) in &along {
+        let off = by - &mean;
+        open += (spread + &off * off.transpose()) * (share / shares);
+    }
+    let likeliest = &before + &all * mean;
+    let completed = followed(problem, solution, &unseen, &likeliest)?;
+    let of_seen = covariance.map(|seen| {
+        let mut own = &all * open * all.transpose();
+        let at = places(&solution.model, &unseen.model);
+        for (i, a) in at.iter().enumerate() {
+            for (j, b) in at.iter().enumerate() {
+                own[(*a, *b)] += seen[(i, j)];
+            }
+        }
+        own
+    });
+    Some(Completed {
+        solution: completed,
+        covariance: of_seen,
+    })
+}
+
+/// The geometry that follows the samples with what they do not show at these values; what is not linear would lead
+/// off otherwise. `None` where it does not.
+fn followed(
+    problem: &Problem,
+    solution: &Solution,
+    unseen: &Unseen,
+    coefficients: &DVector<f64>,
+) -> Option<Solution> {
+    let model = unseen.model.with_coefficients(coefficients.as_slice());
+    let mut held = unseen.held.iter();
+    let gauged = model.with_each(|_, _| {});
+    let terms = gauged.terms().iter().map(|term| {
+        let mut term = term.clone();
+        for k in 0..term.coefficients.len() {
+            if *held.next().unwrap_or(&true) {
+                term.held = term.held.with(k);
+            }
+        }
+        term
+    });
+    let gauged = Model::new(model.robot.clone(), terms.collect());
+    let start = gauged.with_each(|_, term| {
+        if !base_model::belongs(term.effect.about().id) {
+            term.held = (0..term.coefficients.len()).fold(term.held, FixedMask::with);
+        }
+    });
+    let fitted = solve(problem, &start);
+    let there = Solution {
+        model: gauged.with_coefficients(&fitted.model.coefficients()),
+        ..solution.clone()
+    };
+    let (spectrum, cost, _) = spectrum_at(problem, &there);
+    let most = MOST_WORSE * MOST_WORSE * solution.cost;
+    (cost <= most).then_some(Solution {
+        spectrum,
+        cost,
+        ..there
+    })
+}
+
+/// Where the coefficients of a model are among those of the same with more terms.
+fn places(model: &Model, wider: &Model) -> Vec<usize> {
+    let mut first = 0;
+    let wide: Vec<(usize, &Term)> = wider
+        .terms()
+        .iter()
+        .map(|term| {
+            let at = first;
+            first += term.coefficients.len();
+            (at, term)
+        })
+        .collect();
+    let of = |term: &Term| wide.iter().find(|(_, own)| own.same_column(term));
+    let at = |term: &Term| of(term).map_or(0, |own| own.0);
+    let all = model.terms().iter();
+    all.flat_map(|term| (0..term.coefficients.len()).map(move |k| at(term) + k))
+        .collect()
+}
+
+/// The model with the links that the gauge has left out, as nothing of them is seen.
+fn with_every_link(model: &Model) -> Model {
+    let id = LINK_GEOMETRY.about().id;
+    let is_there = |joint: usize| {
+        model
+            .terms()
+            .iter()
+            .any(|t| t.effect.about().id == id && t.joint == joint)
+    };
+    let joints = 0..model.robot.joints.len();
+    let left_out: Vec<usize> = joints.filter(|joint| !is_there(*joint)).collect();
+    left_out.into_iter().fold(model.clone(), |model, joint| {
+        let mut term = Term::absent(&LINK_GEOMETRY, joint, 0.0);
+        for k in 0..term.coefficients.len() {
+            term.held = term.held.with(k);
+        }
+        model.with_term(term)
+    })
+}
