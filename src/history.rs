@@ -470,7 +470,8 @@ pub fn changes(before: &Entry, now: &Entry) -> Vec<Change> {
 
 /// Compares names as people order them: `run 9` before `run 10`.
 fn by_name(a: &str, b: &str) -> Ordering {
-    let parts = |name: &str| -> Vec<(Option<u128>, String)> {
+    // Digits without zeros before them are the larger number the more there are of them.
+    let parts = |name: &str| -> Vec<(Option<(usize, String)>, String)> {
         let mut parts: Vec<String> = Vec::new();
         let mut in_number = None;
         for letter in name.chars() {
@@ -481,12 +482,16 @@ fn by_name(a: &str, b: &str) -> Ordering {
             }
             in_number = Some(is_digit);
         }
-        let with_value = |part: String| (part.parse().ok(), part);
+        let with_value = |part: String| {
+            let number = part.starts_with(|c: char| c.is_ascii_digit());
+            let digits = part.trim_start_matches('0').to_owned();
+            (number.then_some((digits.len(), digits)), part)
+        };
         parts.into_iter().map(with_value).collect()
     };
     let (first, second) = (parts(a), parts(b));
-    let each = first.iter().zip(&second).map(|(a, b)| match (a.0, b.0) {
-        (Some(x), Some(y)) => x.cmp(&y),
+    let each = first.iter().zip(&second).map(|(a, b)| match (&a.0, &b.0) {
+        (Some(x), Some(y)) => x.cmp(y),
         _ => a.1.cmp(&b.1),
     });
     let lengths = first.len().cmp(&second.len());
@@ -498,6 +503,30 @@ fn by_name(a: &str, b: &str) -> Ordering {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn names_have_one_order_however_long_their_numbers_are() {
+        let long = "1".repeat(40);
+        let names = [
+            "run 9",
+            "run 10",
+            "run 010",
+            &format!("run 9{long}"),
+            &format!("run 10{long}"),
+            "run x",
+        ];
+        for a in &names {
+            for b in &names {
+                assert_eq!(by_name(a, b), by_name(b, a).reverse(), "{a} {b}");
+                for c in &names {
+                    let falls =
+                        by_name(a, b).is_lt() && by_name(b, c).is_lt() && !by_name(a, c).is_lt();
+                    assert!(!falls, "{a} {b} {c}");
+                }
+            }
+        }
+        assert!(by_name("run 9", "run 10").is_lt());
+    }
 
     #[test]
     fn names_are_ordered_as_people_count() {

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use truepose::importers::{
-    AngleUnit, Companion, Decimal, Importer, LengthUnit, Matching, Motion, Reading, Settings, import, inspect,
+    AngleUnit, Companion, Decimal, Importer, LengthUnit, Matching, Motion, Reading, Settings, TimeUnit, import, inspect,
 };
 use truepose::sessions::{parse, parse_robot, write_inline};
 
@@ -28,6 +28,7 @@ pub fn import_any(importer: &'static Importer, data: &[u8]) {
         kind: (choice & 128 == 0).then_some(importer),
         unit: said.then_some(LengthUnit::Millimetres),
         angle_unit: said.then_some(AngleUnit::Degrees),
+        time_unit: said.then_some(TimeUnit::Seconds),
         decimal: (choice & 2 != 0).then_some(Decimal::Comma),
         z_up: choice & 4 != 0,
         options: if said { OPTIONS.map(|(name, value)| (name, value.to_owned())).into() } else { BTreeMap::new() },

@@ -9,8 +9,7 @@ use clap::builder::PossibleValuesParser;
 use crate::atomic::refuse_to_replace_inputs;
 use crate::explain::{self, Detail};
 use crate::importers::{
-    AngleUnit, Companion, Decimal, IMPORTERS, LengthUnit, Matching, Motion, Reading, Separator,
-    Settings, find,
+    AngleUnit, Companion, Decimal, IMPORTERS, LengthUnit, Matching, Motion, Reading, Separator, Settings, TimeUnit, find,
 };
 use crate::pipeline::{self, import, save, save_with_samples, write_inline};
 use crate::present::import_v1::document;
@@ -49,11 +48,14 @@ pub(crate) struct Import {
     #[arg(long = "match", value_name = "HOW", help = "How commands find their measurements [default: order; name where both have the same names in another order]", value_parser = PossibleValuesParser::new(["order", "time", "name"]))]
     matching: Option<String>,
     /// Unit of coordinates whose heading does not say it
-    #[arg(long, value_parser = PossibleValuesParser::new(["mm", "m", "in"]))]
+    #[arg(long, value_parser = PossibleValuesParser::new(LengthUnit::ALL.map(LengthUnit::symbol)))]
     unit: Option<String>,
     /// Unit of joint values whose heading does not say it
-    #[arg(long, value_parser = PossibleValuesParser::new(["deg", "rad"]))]
+    #[arg(long, value_parser = PossibleValuesParser::new(AngleUnit::ALL.map(AngleUnit::symbol)))]
     angle_unit: Option<String>,
+    /// Unit of times whose heading does not say it; d: days, as spreadsheets count them
+    #[arg(long, value_parser = PossibleValuesParser::new(TimeUnit::ALL.map(TimeUnit::symbol)))]
+    time_unit: Option<String>,
     /// Decimal sign
     #[arg(long, value_name = "SIGN", value_parser = PossibleValuesParser::new([".", ","]))]
     decimal: Option<String>,
@@ -224,15 +226,9 @@ impl Import {
             kind: find(&self.format),
             options: self.own.values.clone(),
             file: Some(self.file.clone()),
-            unit: self.unit.as_deref().map(|unit| match unit {
-                "m" => LengthUnit::Metres,
-                "in" => LengthUnit::Inches,
-                _ => LengthUnit::Millimetres,
-            }),
-            angle_unit: self.angle_unit.as_deref().map(|unit| match unit {
-                "rad" => AngleUnit::Radians,
-                _ => AngleUnit::Degrees,
-            }),
+            unit: self.unit.as_deref().and_then(LengthUnit::of),
+            angle_unit: self.angle_unit.as_deref().and_then(AngleUnit::of),
+            time_unit: self.time_unit.as_deref().and_then(TimeUnit::of),
             decimal: self.decimal.as_deref().map(|sign| match sign {
                 "," => Decimal::Comma,
                 _ => Decimal::Point,

@@ -129,6 +129,9 @@ pub(crate) fn is_standard_output(out: Option<&Path>) -> bool {
 
 /// Refuses a file that exists and may not be replaced, before anything else is written.
 pub(crate) fn can_be_written(out: &Path, force: bool) -> Result<(), Failure> {
+    if out.exists() && !out.is_file() {
+        return Err(WriteError::NotAFile(out.to_path_buf()).into());
+    }
     if out.exists() && !force {
         return Err(WriteError::Exists(out.to_path_buf()).into());
     }

@@ -250,13 +250,24 @@ pub(crate) fn hexadecimal(bytes: &[u8]) -> String {
     digits.map(digit).collect()
 }
 
-/// Text in a message: in quotes, without control characters, and no longer than a line can bear.
+/// Text in a message: in quotes, without control characters, signs that cannot be seen by their number, and no longer
+/// than a line can bear.
 pub(crate) fn quoted(text: &str) -> String {
     const LONGEST: usize = 40;
     let shown: String = text
         .chars()
         .take(LONGEST)
-        .map(|c| if c.is_control() { '\u{fffd}' } else { c })
+        .map(|c| match c {
+            c if c.is_control() => "\u{fffd}".to_owned(),
+            '\u{a0}'
+            | '\u{ad}'
+            | '\u{2000}'..='\u{200f}'
+            | '\u{2028}'..='\u{202f}'
+            | '\u{205f}'..='\u{206f}'
+            | '\u{3000}'
+            | '\u{feff}' => format!("<U+{:04X}>", u32::from(c)),
+            c => c.to_string(),
+        })
         .collect();
     let rest = if text.chars().nth(LONGEST).is_some() {
         "…"

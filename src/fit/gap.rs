@@ -15,6 +15,9 @@ use super::problem::Problem;
 /// or the description. (Derived: a set-up error moves the tool by more than a hundredth of the robot's size.)
 pub(crate) const GROSS_SHARE: f64 = 0.01;
 
+/// The same of an angle: a hundredth of a turn.
+pub(crate) const GROSS_TURN_RAD: f64 = GROSS_SHARE * std::f64::consts::TAU;
+
 /// With fewer samples the axes are taken as stated.
 const FEWEST_TO_BALANCE: usize = 30;
 

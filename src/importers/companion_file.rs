@@ -65,6 +65,7 @@ impl Job<'_> {
                 file: companion.file.clone(),
                 unit: given.unit.filter(|_| asks(About::Unit)),
                 angle_unit: given.angle_unit.filter(|_| asks(About::AngleUnit)),
+                time_unit: given.time_unit.filter(|_| asks(About::TimeUnit)),
                 decimal: given.decimal.filter(|_| asks(About::Decimal)),
                 reach_mm: given.reach_mm,
                 joints: given.joints.clone(),

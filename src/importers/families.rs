@@ -19,16 +19,26 @@ const NOT_MEASURED: Words = "nominal nom dev deviation delta error err sigma std
 /// Words of families that are an orientation.
 const ORIENTATION: Words = "orientation quat quaternion rotation rot q";
 
-/// What the columns are proposed to be, where one family of them has x and y; roles that are known
-/// already stay.
-pub(crate) fn proposed(headings: &[String], roles: &[Role]) -> Option<Vec<Role>> {
+/// What families of columns there are.
+#[derive(Debug, PartialEq)]
+pub(crate) enum Families {
+    /// None with x and y, or these are known by themselves.
+    None,
+    /// One: what the columns are proposed to be; roles that are known already stay.
+    One(Vec<Role>),
+    /// Several, by their names.
+    Several(Vec<String>),
+}
+
+/// Looks for families that have x and y.
+pub(crate) fn proposed(headings: &[String], roles: &[Role]) -> Families {
     let has = |wanted| {
         roles
             .iter()
             .any(|role: &Role| role.quantity() == Some(wanted))
     };
     if has(Quantity::X) || has(Quantity::Y) || has(Quantity::Z) {
-        return None;
+        return Families::None;
     }
     let mut positions: BTreeMap<String, Vec<(usize, Quantity, Option<Unit>)>> = BTreeMap::new();
     let mut orientations: BTreeMap<String, Vec<(usize, usize)>> = BTreeMap::new();
@@ -68,12 +78,14 @@ pub(crate) fn proposed(headings: &[String], roles: &[Role]) -> Option<Vec<Role>>
         }
     }
     positions.retain(|_, members| members.len() == 3 || members.len() == 2);
-    let [members] = &positions.into_values().collect::<Vec<_>>()[..] else {
-        return None;
+    let members = match positions.len() {
+        0 => return Families::None,
+        1 => positions.into_values().flatten(),
+        _ => return Families::Several(positions.into_keys().collect()),
     };
     let mut all = roles.to_vec();
     for (index, quantity, unit) in members {
-        all[*index] = Role::Known(*quantity, *unit);
+        all[index] = Role::Known(quantity, unit);
     }
     orientations.retain(|_, members| members.len() == 4);
     let is_known = |role: &Role| matches!(role.quantity(), Some(Quantity::Orientation(_)));
@@ -84,7 +96,7 @@ pub(crate) fn proposed(headings: &[String], roles: &[Role]) -> Option<Vec<Role>>
             all[*index] = Role::Known(Quantity::Orientation(*part), Some(Unit::Fixed));
         }
     }
-    Some(all)
+    Families::One(all)
 }
 
 #[cfg(test)]
@@ -95,7 +107,9 @@ mod tests {
     fn proposal(headings: &str) -> Option<String> {
         let headings: Vec<String> = headings.split(',').map(str::to_owned).collect();
         let roles: Vec<Role> = headings.iter().map(|heading| understand(heading)).collect();
-        let words = proposed(&headings, &roles)?;
+        let Families::One(words) = proposed(&headings, &roles) else {
+            return None;
+        };
         Some(
             words
                 .iter()

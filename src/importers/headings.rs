@@ -36,13 +36,18 @@ pub(crate) fn understand(heading: &str) -> Role {
             // An angle called x is an angle about x; a load in mm is no load.
             _ => Role::Kept,
         },
-        (Role::Time(_), Some(Word::Time(seconds))) => Role::Time(seconds),
-        (Role::Time(_), Some(_))
-        | (Role::Known(Quantity::Load | Quantity::Temperature, _), Some(Word::Time(_))) => {
-            Role::Kept
-        }
+        (Role::Time(_), Some(Word::Time(seconds))) => Role::Time(Some(seconds)),
+        (Role::Time(_), Some(_)) | (Role::Known(..), Some(Word::Time(_))) => Role::Kept,
         (role, _) => role,
     }
+}
+
+/// Whether a heading has a word for time in it.
+pub(crate) fn names_a_time(heading: &str) -> bool {
+    const TIME: Words =
+        "time timestamp zeit zeitstempel uhrzeit clock date datum datetime secs nsecs";
+    let (words, _) = words_and_unit(&heading.trim().to_lowercase());
+    words.iter().any(|word| is_among(word, TIME))
 }
 
 /// The words of a heading and its unit: in brackets, behind a slash, or as the last word.
@@ -116,7 +121,8 @@ fn role_of(words: &[&str]) -> Role {
             return Role::Known(Quantity::Target, Some(Unit::Fixed));
         }
         "time" | "timestamp" | "time stamp" | "t" | "zeit" | "zeitstempel" | "elapsed time"
-        | "datetime" | "date time" => return Role::Time(1.0),
+        | "datetime" | "date time" | "uhrzeit" | "clock" | "utc" | "time utc" | "utc time"
+        | "local time" | "elapsed" => return Role::Time(None),
         "load" | "payload" | "nutzlast" | "load kg" => {
             return Role::Known(Quantity::Load, Some(Unit::Fixed));
         }
@@ -145,6 +151,12 @@ fn role_of(words: &[&str]) -> Role {
             return Role::Known(quantity, None);
         }
     }
+    if let ["p", frames @ .., letter] = words
+        && are_frames(frames)
+        && let Some(axis) = ["x", "y", "z"].iter().position(|axis| axis == letter)
+    {
+        return Role::Known([Quantity::X, Quantity::Y, Quantity::Z][axis], None);
+    }
     if let Some(role) = orientation(words) {
         return role;
     }
@@ -152,6 +164,11 @@ fn role_of(words: &[&str]) -> Role {
         return Role::Turn(turn, None);
     }
     joint_role(words)
+}
+
+/// Names of frames are letters, as in `p_RS_R_x`.
+fn are_frames(words: &[&str]) -> bool {
+    words.iter().all(|word| word.len() <= 2)
 }
 
 /// `qw`, `quat w`, `Rotation X`.
@@ -162,7 +179,12 @@ fn orientation(words: &[&str]) -> Option<Role> {
             .position(|other| *other == letter)
     };
     let part = match words {
-        ["quat" | "quaternion" | "orientation", letter] => part(letter)?,
+        // Between them stand names of frames: `q_RS_w`.
+        [
+            "q" | "quat" | "quaternion" | "orientation",
+            frames @ ..,
+            letter,
+        ] if are_frames(frames) => part(letter)?,
         [word] => part(word.strip_prefix("quat")?)?,
         _ => return None,
     };
@@ -263,7 +285,12 @@ mod tests {
             ("q1_read_deg", "q1_read_deg"),
             ("Speed 1 [deg/s]", "speed1_deg_s"),
             ("Time (Seconds)", "time_s"),
-            ("Timestamp [ms]", "time_s"),
+            ("Timestamp [ms]", "time_ms"),
+            ("Zeit [h]", "time_h"),
+            ("p_RS_R_x [m]", "x_m"),
+            ("q_RS_w []", "qw"),
+            ("%time", "time"),
+            ("Winkel J2 [gon]", "q2"),
             ("Payload [kg]", "load_kg"),
             ("Temperature (°C)", "temperature_c"),
             ("Direction", "dir1"),
@@ -277,7 +304,7 @@ mod tests {
         ] {
             assert_eq!(word(heading), meant, "{heading}");
         }
-        assert_eq!(understand("Timestamp [ms]"), Role::Time(1e-3));
+        assert_eq!(understand("Timestamp [ms]"), Role::Time(Some(1e-3)));
     }
 
     #[test]

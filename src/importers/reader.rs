@@ -8,8 +8,9 @@ use crate::importers::columns::{Column, Columns};
 use crate::importers::options::{PLANE, SOCKET};
 use crate::importers::role::Role;
 use crate::importers::settings::{About, ColumnGuess, Known, Question};
+use crate::importers::times::Kinds;
 use crate::importers::units::AngleUnit;
-use crate::importers::{clock_text, euler, headings, joint_names, units};
+use crate::importers::{euler, headings, joint_names, units};
 use crate::sessions::Lines;
 use crate::sessions::columns::{BESIDE_POINTS, Quantity, Unit};
 use crate::tables::decimals::{Decimal, value};
@@ -100,15 +101,29 @@ impl<'a> ReadContext<'a> {
         if words.is_empty() {
             return None;
         }
+        if words
+            .iter()
+            .all(|word| Role::from_word(word.trim()) == Some(Role::Left))
+        {
+            self.refuse(
+                text!("--columns leaves every column out"),
+                text!("what at least one column is"),
+            );
+        }
+        let open = words
+            .iter()
+            .zip(headings)
+            .map(|(word, heading)| match word.trim() {
+                AUTO => heading.clone(),
+                _ => String::new(),
+            });
+        let by_heading = self.roles_of(grid, &open.collect::<Vec<String>>());
         let mut roles = Vec::new();
         for (index, word) in words.iter().enumerate() {
             let role = match word.trim() {
                 AUTO => match found.and_then(|found| found.get(index)) {
                     Some(role) => Some(*role),
-                    None => Some(joint_names::understand(
-                        heading_at(headings, index),
-                        &self.reading.joints,
-                    )),
+                    None => by_heading.get(index).copied().or(Some(Role::Kept)),
                 },
                 word => Role::from_word(word),
             };
@@ -158,11 +173,15 @@ impl<'a> ReadContext<'a> {
                 reader.read(row, &headings, &self.place, complaints);
             });
         }
-        complaints.into(&self.place, &mut self.found.findings, others_like_these);
-        let (cells, lines) = (reader.cells, reader.lines);
+        // While the sign is asked for, what does not fit the one that is tried says nothing.
+        if decimal.is_some() {
+            complaints.into(&self.place, &mut self.found.findings, others_like_these);
+        }
+        let (mut cells, lines, times) = (reader.cells, reader.lines, reader.times);
         self.found.rows = lines.len();
         self.found.names = distinct(&roles, &cells);
         self.settle_units(grid, &mut roles, &cells);
+        self.settle_times(&mut roles, &mut cells, &times, &headings);
         let words = &self.reading.columns;
         self.found.columns = roles
             .iter()
@@ -253,7 +272,14 @@ impl<'a> ReadContext<'a> {
             }
             _ => false,
         };
-        let named = units::of_preamble(&grid.preamble);
+        let comments = grid.comments.iter().map(std::slice::from_ref);
+        let before: Vec<&[String]> = grid
+            .preamble
+            .iter()
+            .map(Vec::as_slice)
+            .chain(comments)
+            .collect();
+        let named = units::of_preamble(&before, |unit| matches!(unit, Unit::Length(_)));
         let mut spread: f64 = 0.0;
         let (mut lacks_length, mut lacks_angle, mut says_length) = (false, false, None);
         for (role, cells) in roles.iter().zip(cells) {
@@ -281,7 +307,16 @@ impl<'a> ReadContext<'a> {
         }
         let given = self.reading.unit.map(|unit| (unit.unit(), unit.symbol()));
         let length = match (given, &named) {
-            (Some((unit, symbol)), _) => {
+            (Some((unit, symbol)), named) => {
+                if let Some((text, other)) = named
+                    && *other != unit
+                {
+                    let found = text!(
+                        "the lines before the table name another unit: {unit}",
+                        unit = text
+                    );
+                    self.warn(found, text!("the same unit as the file, or none in the file; {unit} is used, as stated", unit = symbol));
+                }
                 self.found.unit = text!("{unit}, as stated", unit = symbol);
                 Some(unit)
             }
@@ -322,7 +357,9 @@ impl<'a> ReadContext<'a> {
                 }
             }
         }
+        let by_file = units::of_preamble(&before, |unit| matches!(unit, Unit::Angle(_)));
         let angle = self.reading.angle_unit.map(AngleUnit::unit);
+        let angle = angle.or(by_file.map(|(_, unit)| unit));
         if lacks_angle && angle.is_none() {
             let says = match euler::columns_of(roles) {
                 Some(_) => text!("the unit of the angles is not stated"),
@@ -415,6 +452,7 @@ struct CellReader<'a> {
     roles: &'a [Role],
     decimal: Decimal,
     cells: Vec<Option<Cells>>,
+    times: Vec<Kinds>,
     lines: Lines,
 }
 
@@ -441,6 +479,7 @@ impl<'a> CellReader<'a> {
             roles,
             decimal,
             cells: roles.iter().map(empty).collect(),
+            times: vec![Kinds::default(); roles.len()],
             lines: Lines::default(),
         }
     }
@@ -463,7 +502,10 @@ impl<'a> CellReader<'a> {
                     let read = if cell.is_empty() {
                         Ok(f64::NAN)
                     } else {
-                        number(cell, *role, self.decimal)
+                        match *role {
+                            Role::Time(unit) => self.times[index].read(cell, unit, self.decimal),
+                            role => number(cell, role, self.decimal),
+                        }
                     };
                     values.push(read.unwrap_or(f64::NAN));
                     if let Err(expected) = read {
@@ -488,18 +530,17 @@ pub(crate) fn number(cell: &str, role: Role, decimal: Decimal) -> Result<f64, Te
     if let Role::Known(Quantity::Direction(_), _) = role {
         return direction(cell).ok_or(phrase!("1, -1 or 0 (unknown), + or -, forward or backward"));
     }
-    match (value(cell, decimal), role) {
-        (Ok(value), Role::Time(seconds)) => Ok(value * seconds),
-        (Ok(value), _) => Ok(value),
-        (Err(_), Role::Time(_)) => {
-            clock_text::seconds(cell, decimal).ok_or(phrase!("a time: seconds, or 12:34:56.7"))
-        }
-        (Err(NotANumber::NotFinite), _) => Err(phrase!(
+    if let Role::Time(unit) = role {
+        return Kinds::default().read(cell, unit, decimal);
+    }
+    match value(cell, decimal) {
+        Ok(value) => Ok(value),
+        Err(NotANumber::NotFinite) => Err(phrase!(
             "a finite number, or an empty cell where it is missing"
         )),
-        (Err(NotANumber::Overflow), _) => Err(phrase!("a number that a double can hold")),
-        (Err(NotANumber::DecimalComma), _) => Err(phrase!("a number with a decimal point")),
-        (Err(NotANumber::Garbage), _) => match decimal {
+        Err(NotANumber::Overflow) => Err(phrase!("a number that a double can hold")),
+        Err(NotANumber::DecimalComma) => Err(phrase!("a number with a decimal point")),
+        Err(NotANumber::Garbage) => match decimal {
             Decimal::Point => Err(phrase!("a number")),
             Decimal::Comma => Err(phrase!("a number with a decimal comma")),
         },

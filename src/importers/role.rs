@@ -1,6 +1,7 @@
 //! What a column of a foreign table is.
 
 use crate::importers::turns::Turn;
+use crate::importers::units::{self, TimeUnit};
 use crate::sessions::columns::{Heading, Quantity, Unit};
 use std::fmt;
 
@@ -15,8 +16,8 @@ pub(crate) enum Role {
     Group,
     /// A quantity of a session, in this unit; `None` where the heading does not say.
     Known(Quantity, Option<Unit>),
-    /// A time in a unit of so many seconds.
-    Time(f64),
+    /// A time in a unit of so many seconds; `None` where the heading does not say.
+    Time(Option<f64>),
     /// The measured position of a joint itself, in rad or mm; joints count from 0.
     Axis(usize),
     /// One of the three angles (or parts of the rotation vector) of a measured orientation, in this
@@ -64,7 +65,7 @@ impl Role {
             "" | "-" => return Some(Self::Left),
             "name" | "point" => return Some(Self::Point),
             "group" => return Some(Self::Group),
-            "time" => return Some(Self::Time(1.0)),
+            "time" => return Some(Self::Time(None)),
             _ => {}
         }
         if let Heading::Known(quantity, unit) = Heading::read(word) {
@@ -72,6 +73,9 @@ impl Role {
         }
         if let Some(role) = role_of_word(word) {
             return Some(role);
+        }
+        if let Some(units::Word::Time(seconds)) = word.strip_prefix("time_").and_then(units::word) {
+            return Some(Self::Time(Some(seconds)));
         }
         // The same heading with a unit added is known: only the unit is missing.
         ["mm", "deg"].iter().find_map(|unit| {
@@ -90,7 +94,7 @@ impl Role {
 
 pub(super) fn of_quantity(quantity: Quantity, unit: Option<Unit>) -> Role {
     match quantity {
-        Quantity::Time => Role::Time(1.0),
+        Quantity::Time => Role::Time(Some(1.0)),
         _ => Role::Known(quantity, unit),
     }
 }
@@ -101,7 +105,13 @@ impl fmt::Display for Role {
         match self {
             Self::Point => f.write_str("name"),
             Self::Group => f.write_str("group"),
-            Self::Time(_) => f.write_str("time_s"),
+            Self::Time(seconds) => {
+                let is = |unit: &TimeUnit| Some(unit.in_s()) == *seconds;
+                match TimeUnit::ALL.into_iter().find(is) {
+                    Some(unit) => write!(f, "time_{}", unit.symbol()),
+                    None => f.write_str("time"),
+                }
+            }
             Self::Axis(_) => f.write_str("position"),
             Self::Kept | Self::Left => f.write_str("-"),
             Self::Known(quantity, unit) => f.write_str(&quantity.heading(*unit)),

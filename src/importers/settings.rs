@@ -4,7 +4,7 @@
 use crate::diagnostic::{Diagnostic, Place};
 use crate::importers::columns::Columns;
 use crate::importers::role::Role;
-use crate::importers::units::{AngleUnit, LengthUnit};
+use crate::importers::units::{AngleUnit, LengthUnit, TimeUnit};
 use crate::progress::ProgressSpan;
 use crate::tables::Separator;
 use crate::tables::decimals::Decimal;
@@ -26,6 +26,8 @@ pub struct Reading {
     pub unit: Option<LengthUnit>,
     /// The unit of angles that do not say theirs.
     pub angle_unit: Option<AngleUnit>,
+    /// The unit of times that do not say theirs.
+    pub time_unit: Option<TimeUnit>,
     /// The decimal sign.
     pub decimal: Option<Decimal>,
     /// What separates cells.
@@ -67,6 +69,8 @@ pub enum About {
     Unit,
     /// The unit of angles: [`Reading::angle_unit`].
     AngleUnit,
+    /// The unit of times: [`Reading::time_unit`].
+    TimeUnit,
     /// The decimal sign: [`Reading::decimal`].
     Decimal,
     /// What the columns are: [`Reading::columns`].
@@ -83,6 +87,7 @@ impl About {
         let name = match self {
             Self::Unit => "unit",
             Self::AngleUnit => "angle-unit",
+            Self::TimeUnit => "time-unit",
             Self::Decimal => "decimal",
             Self::Columns => "columns",
             Self::Name => "name",

@@ -26,6 +26,11 @@ named! {
 }
 
 impl LengthUnit {
+    /// The one with this symbol.
+    pub fn of(symbol: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|unit| unit.symbol() == symbol)
+    }
+
     /// Millimetres in one.
     pub fn in_mm(self) -> f64 {
         match self {
@@ -48,17 +53,75 @@ named! {
         Degrees = "deg",
         /// Radians.
         Radians = "rad",
+        /// Gradians, 400 for a turn.
+        Gradians = "gon",
+        /// Turns.
+        Revolutions = "rev",
     }
     /// As `--angle-unit` takes it.
     pub fn symbol;
+    /// All of them.
+    pub const ALL;
 }
 
 impl AngleUnit {
+    /// The one with this symbol.
+    pub fn of(symbol: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|unit| unit.symbol() == symbol)
+    }
+
     pub(crate) fn unit(self) -> Unit {
         Unit::Angle(match self {
             Self::Degrees => rad_from_deg(1.0),
             Self::Radians => 1.0,
+            Self::Gradians => rad_from_deg(0.9),
+            Self::Revolutions => rad_from_deg(360.0),
         })
+    }
+}
+
+named! {
+    /// A unit of time.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum TimeUnit {
+        /// Seconds.
+        Seconds = "s",
+        /// Milliseconds.
+        Milliseconds = "ms",
+        /// Microseconds.
+        Microseconds = "us",
+        /// Nanoseconds.
+        Nanoseconds = "ns",
+        /// Minutes.
+        Minutes = "min",
+        /// Hours.
+        Hours = "h",
+        /// Days, as spreadsheets count them.
+        Days = "d",
+    }
+    /// As `--time-unit` takes it.
+    pub fn symbol;
+    /// All of them.
+    pub const ALL;
+}
+
+impl TimeUnit {
+    /// The one with this symbol.
+    pub fn of(symbol: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|unit| unit.symbol() == symbol)
+    }
+
+    /// Seconds in one.
+    pub fn in_s(self) -> f64 {
+        match self {
+            Self::Seconds => 1.0,
+            Self::Milliseconds => 1e-3,
+            Self::Microseconds => 1e-6,
+            Self::Nanoseconds => 1e-9,
+            Self::Minutes => 60.0,
+            Self::Hours => 3600.0,
+            Self::Days => 86_400.0,
+        }
     }
 }
 
@@ -109,25 +172,40 @@ pub(crate) fn word(text: &str) -> Option<Word> {
         "arcsec" | "arcseconds" | "arcsecond" | "\u{2033}" | "''" => {
             Word::Unit(Unit::Angle(degree / 3600.0))
         }
-        "s" | "sec" | "secs" | "second" | "seconds" => Word::Time(1.0),
-        "ms" | "millisecond" | "milliseconds" => Word::Time(1e-3),
-        "us" | "\u{b5}s" | "\u{3bc}s" | "microseconds" => Word::Time(1e-6),
-        "ns" | "nanoseconds" => Word::Time(1e-9),
-        "min" | "minutes" => Word::Time(60.0),
+        "gon" | "gons" | "gradian" | "gradians" | "ngrad" => Word::Unit(AngleUnit::Gradians.unit()),
+        "rev" | "revs" | "revolution" | "revolutions" | "turn" | "turns" | "umdrehung"
+        | "umdrehungen" => Word::Unit(AngleUnit::Revolutions.unit()),
+        "s" | "sec" | "secs" | "second" | "seconds" | "sek" | "sekunden" => Word::Time(1.0),
+        "ms" | "msec" | "millis" | "millisecond" | "milliseconds" | "millisekunden" => {
+            Word::Time(1e-3)
+        }
+        "us" | "\u{b5}s" | "\u{3bc}s" | "usec" | "microsecond" | "microseconds" => Word::Time(1e-6),
+        "ns" | "nsec" | "nanos" | "nanosecond" | "nanoseconds" => Word::Time(1e-9),
+        "min" | "mins" | "minute" | "minutes" | "minuten" => Word::Time(60.0),
+        "h" | "hr" | "hrs" | "hour" | "hours" | "stunde" | "stunden" => Word::Time(3600.0),
+        "d" | "day" | "days" | "tag" | "tage" => Word::Time(86_400.0),
         "kg" | "\u{b0}c" | "degc" | "deg c" | "celsius" => Word::Other,
         _ => return None,
     })
 }
 
-/// The length unit that the lines before a table name; two different ones name none.
-pub(crate) fn of_preamble(lines: &[Vec<String>]) -> Option<(String, Unit)> {
-    let mut named = lines.iter().filter_map(|cells| named_in_preamble(cells));
+/// The unit of a kind that the lines before a table name; two different ones name none.
+pub(crate) fn of_preamble(
+    lines: &[&[String]],
+    is_wanted: fn(Unit) -> bool,
+) -> Option<(String, Unit)> {
+    let mut named = lines
+        .iter()
+        .filter_map(|cells| named_in_preamble(cells, is_wanted));
     let first = named.next()?;
     named.all(|other| other.1 == first.1).then_some(first)
 }
 
-/// A length unit that a line before the table names: `Units: Millimeters`, `Length Unit;mm`.
-pub(crate) fn named_in_preamble(cells: &[impl AsRef<str>]) -> Option<(String, Unit)> {
+/// A unit that a line before the table names: `Units: Millimeters`, `Length Unit;mm`.
+pub(crate) fn named_in_preamble(
+    cells: &[impl AsRef<str>],
+    is_wanted: fn(Unit) -> bool,
+) -> Option<(String, Unit)> {
     let line: Vec<&str> = cells.iter().map(AsRef::as_ref).collect();
     let line = line.join(" ");
     let words: Vec<&str> = line
@@ -144,7 +222,7 @@ pub(crate) fn named_in_preamble(cells: &[impl AsRef<str>]) -> Option<(String, Un
         .iter()
         .take(3)
         .find_map(|text| match word(text) {
-            Some(Word::Unit(unit @ Unit::Length(_))) => Some(((*text).to_owned(), unit)),
+            Some(Word::Unit(unit)) if is_wanted(unit) => Some(((*text).to_owned(), unit)),
             _ => None,
         })
 }
@@ -220,7 +298,9 @@ mod tests {
 
     #[test]
     fn a_preamble_may_name_the_unit() {
-        let named = |line: &str| named_in_preamble(&[line]).map(|(text, _)| text);
+        let named = |line: &str| {
+            named_in_preamble(&[line], |unit| matches!(unit, Unit::Length(_))).map(|(text, _)| text)
+        };
         assert_eq!(named("Units: Millimeters"), Some("Millimeters".to_owned()));
         assert_eq!(named("Length Unit [in]"), Some("in".to_owned()));
         assert_eq!(named("measured in mm"), None);

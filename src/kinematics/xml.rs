@@ -307,6 +307,12 @@ impl Document {
             element
         );
         let place = self.attribute_place(index, name);
+        // What xacro puts its values into was not put through it.
+        let expected = if value.contains("${") || value.contains("$(") {
+            text!("what xacro makes of the file: xacro FILE.urdf.xacro > FILE.urdf")
+        } else {
+            expected.into()
+        };
         Rejected::because(Diagnostic::error(place, found, expected))
     }
 
@@ -421,9 +427,27 @@ pub(super) fn read_text(path: &Path) -> Result<String, XmlProblem> {
         return Err((text!("a file in UTF-16"), text!("UTF-8")));
     }
     String::from_utf8(bytes).map_err(|error| {
+        let head = String::from_utf8_lossy(&error.as_bytes()[..error.as_bytes().len().min(200)])
+            .into_owned();
+        let declared = head.split_once("encoding=").and_then(|(_, rest)| {
+            let quote = rest.chars().next()?;
+            rest[quote.len_utf8()..]
+                .split(quote)
+                .next()
+                .map(str::to_owned)
+        });
+        let found = match declared {
+            Some(encoding) if !encoding.eq_ignore_ascii_case("utf-8") => {
+                text!(
+                    "a file that is declared as {encoding}",
+                    encoding = short(&encoding)
+                )
+            }
+            _ => Text::verbatim(error.utf8_error().to_string()),
+        };
         (
-            Text::verbatim(error.utf8_error().to_string()),
-            text!("UTF-8"),
+            found,
+            text!("UTF-8: save it so, and declare encoding=\"UTF-8\" in its first line"),
         )
     })
 }

@@ -89,6 +89,7 @@ impl SessionCorrection {
             Self::MoveTarget { target, .. } => {
                 text!("Move target {target}", target = target + 1)
             }
+            Self::LeaveOutOrientations => text!("Leave out the orientations"),
             Self::FreeTargets => text!("Fit the places of the targets"),
             Self::TargetsFromBase => {
                 text!("Read the targets as places in the base frame")
@@ -196,6 +197,7 @@ impl SessionCorrection {
                     target.position_mm += nalgebra::Vector3::from(*by_mm);
                 }
             }
+            Self::LeaveOutOrientations => samples.orientation_wxyz = None,
             Self::FreeTargets => session.instrument.targets_sigma_mm = None,
             Self::TargetsFromBase => {
                 let tool_from_base = session.robot.base_from_tool.inverse();

@@ -122,6 +122,8 @@ pub enum SessionCorrection {
     },
     /// Where the targets sit in the tool is not known: their places are fitted.
     FreeTargets,
+    /// The orientations are of no use: only positions are.
+    LeaveOutOrientations,
     /// The targets' places are those at home in the base frame: they are turned into the tool's.
     TargetsFromBase,
     /// The directions of approach of two joints (counted from 0) change places.

@@ -447,23 +447,20 @@ fn backwards(time_s: &[f64]) -> Vec<usize> {
 }
 
 /// Names samples by their lines, or by their numbers where they have none.
-fn which(samples: &Samples, rows: &[usize]) -> String {
-    let (one, many) = if samples.line.is_empty() {
-        ("sample", "samples")
-    } else {
-        ("line", "lines")
-    };
+fn which(samples: &Samples, rows: &[usize]) -> Text {
     let number = |&row: &usize| samples.line.get(row).unwrap_or(row as u64 + 1).to_string();
     let named: Vec<String> = rows.iter().take(NAMED).map(number).collect();
-    let more = match rows.len().saturating_sub(NAMED) {
-        0 => String::new(),
-        more => format!(" and {more} more"),
+    let list = named.join(", ");
+    let list = match rows.len().saturating_sub(NAMED) {
+        0 => Text::verbatim(list),
+        more => text!("{list} and {more} more", list, more),
     };
-    format!(
-        "{} {}{more}",
-        if rows.len() == 1 { one } else { many },
-        named.join(", ")
-    )
+    match (samples.line.is_empty(), rows.len()) {
+        (true, 1) => text!("sample {list}", list),
+        (true, _) => text!("samples {list}", list),
+        (false, 1) => text!("line {line}", line = list),
+        (false, _) => text!("lines {list}", list),
+    }
 }
 
 #[cfg(test)]

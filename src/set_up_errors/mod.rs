@@ -14,6 +14,7 @@ mod hypotheses;
 mod losses;
 mod measured_points;
 mod motor_values;
+mod orientations;
 mod read_back;
 mod several;
 mod targets_in_base;
@@ -160,6 +161,11 @@ fn without_mistakes_of(
     }
     if let Some(freed) = groups::freed(&session, joint_values, &mut problems) {
         session = Cow::Owned(freed);
+    }
+    if whole_points
+        && let Some(without) = orientations::left_out(&session, joint_values, &mut problems)
+    {
+        session = Cow::Owned(without);
     }
     if small_ones
         && let Some(brought_up) = read_back::lagging(&session, joint_values, &mut problems)

@@ -5,6 +5,8 @@ pub(super) use crate::fit::gap::GROSS_SHARE;
 /// With fewer samples a set-up error cannot be told from an effect.
 pub(super) const FEWEST_SAMPLES: usize = 6;
 
+pub(super) use crate::fit::gap::GROSS_TURN_RAD;
+
 /// The gap has to fall to less than this.
 pub(super) const MENDED_SHARE: f64 = 0.2;
 

@@ -68,8 +68,26 @@ fn unsigned(cell: &str) -> &str {
     cell.strip_prefix(['+', '-', '\u{2212}']).unwrap_or(cell)
 }
 
+/// Signs between thousands that are no decimal sign: spaces of all widths, apostrophes.
+const BETWEEN_THOUSANDS: [char; 6] = [' ', '\u{a0}', '\u{2009}', '\u{202f}', '\'', '\u{2019}'];
+
+/// The number without such signs, where they stand between thousands: `1'122,983`.
+fn ungrouped(cell: &str) -> Option<String> {
+    let sign = BETWEEN_THOUSANDS
+        .into_iter()
+        .find(|sign| cell.contains(*sign))?;
+    let whole = unsigned(cell).split(['.', ',', 'e', 'E']).next()?;
+    let inside = whole.matches(sign).count() == cell.matches(sign).count();
+    let grouped = is_grouped(whole.replace(sign, ",").as_bytes(), b',');
+    (inside && grouped).then(|| cell.replace(sign, ""))
+}
+
 /// What a cell looks like; `None` if it is no number.
 pub(crate) fn shape(cell: &str) -> Option<Shape> {
+    shape_of(cell).or_else(|| shape_of(&ungrouped(cell)?))
+}
+
+fn shape_of(cell: &str) -> Option<Shape> {
     let text = unsigned(cell);
     let (mantissa, exponent) = match text.find(['e', 'E']) {
         Some(at) => (&text[..at], Some(&text[at + 1..])),
@@ -133,12 +151,19 @@ fn is_grouped(digits: &[u8], sign: u8) -> bool {
 }
 
 pub(crate) fn value(cell: &str, decimal: Decimal) -> Result<f64, NotANumber> {
+    value_of(cell, decimal).or_else(|why| match ungrouped(cell) {
+        Some(plain) => value_of(&plain, decimal),
+        None => Err(why),
+    })
+}
+
+fn value_of(cell: &str, decimal: Decimal) -> Result<f64, NotANumber> {
     let bytes = cell.as_bytes();
     let plain = bytes.is_ascii() && !bytes.contains(&b',');
     if plain && decimal == Decimal::Point {
         return any_decimal(cell);
     }
-    let fits = match shape(cell) {
+    let fits = match shape_of(cell) {
         // With the sign known, `1,234` is either a fraction or thousands.
         Some(Shape::Whole | Shape::Either(_)) => true,
         Some(Shape::Fraction(of) | Shape::Grouped(of)) => of == decimal,
@@ -282,6 +307,15 @@ mod tests {
         assert_eq!(value("\u{2212}2.5", Decimal::Point), Ok(-2.5));
         assert_eq!(value("1,5", Decimal::Point), Err(NotANumber::DecimalComma));
         assert_eq!(value("1.5", Decimal::Comma), Err(NotANumber::Garbage));
+        for sign in BETWEEN_THOUSANDS {
+            let cell = format!("-1{sign}122,983");
+            assert_eq!(value(&cell, Decimal::Comma), Ok(-1122.983), "{sign:?}");
+            assert_eq!(shape(&cell), Some(Shape::Fraction(Decimal::Comma)));
+            assert_eq!(
+                value(&format!("1{sign}12.5"), Decimal::Point),
+                Err(NotANumber::Garbage)
+            );
+        }
         assert_eq!(value("1,2,3", Decimal::Comma), Err(NotANumber::Garbage));
         assert_eq!(value("nan", Decimal::Comma), Err(NotANumber::NotFinite));
     }

@@ -83,6 +83,11 @@ pub(crate) fn decode<'a>(
     if bytes.trim_ascii().is_empty() {
         return Err(refused(text!("an empty file")));
     }
+    if bytes.starts_with(b"PK\x03\x04") || bytes.starts_with(b"\xd0\xcf\x11\xe0") {
+        let found = text!("a workbook of a spreadsheet program or an archive, not a text");
+        let expected = text!("its sheet saved as CSV (UTF-8)");
+        return Err(Box::new(Diagnostic::error(file.clone(), found, expected)));
+    }
     let (text, encoding) = match mark(bytes) {
         Some((Mark::Utf32, _)) => return Err(refused(text!("a file in UTF-32"))),
         Some((Mark::Utf16Le, mark)) => (utf_16(&bytes[mark..], UTF_16LE, file)?, Encoding::Utf16Le),

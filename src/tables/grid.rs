@@ -11,7 +11,9 @@ use crate::progress::ProgressSpan;
 use super::complaints::Complaints;
 use super::decimals::Votes;
 use super::dialect::{Dialect, Separator};
-use super::head::{Head, LOOKED_AT, Words, header_in_comment, numbers_in, take_header};
+use super::head::{
+    Head, LOOKED_AT, Words, header_in_comments, numbers_in, take_header, with_units_in_comments,
+};
 use super::rows::{OpenQuote, TextRow, TextRows};
 
 /// Columns that a table may have.
@@ -25,6 +27,8 @@ pub(crate) struct Grid<'a> {
     pub(crate) separator: Separator,
     /// Lines before the table, but for the header.
     pub(crate) preamble: Vec<Vec<String>>,
+    /// Comments before the table, without their signs.
+    pub(crate) comments: Vec<String>,
     /// Headings and their line, if there are any; a line of units is already joined in.
     pub(crate) header: Option<(u64, Vec<String>)>,
     /// Number of cells in a row.
@@ -155,14 +159,18 @@ impl<'a> Grid<'a> {
                 before.drain(..LOOKED_AT / 2);
             }
         };
-        let header = take_header(&mut before, width, words).or_else(|| {
-            let (line, comment) = rows.comment()?;
-            header_in_comment(comment, separator, width, words).map(|cells| (line, cells))
-        });
+        let comments = rows.comments();
+        let header = take_header(&mut before, width, words)
+            .or_else(|| header_in_comments(&comments, separator, &row, words))
+            .map(|header| with_units_in_comments(header, &comments, separator, words));
         before.drain(..before.len().saturating_sub(SHOWN));
         Ok(Self {
             separator,
             preamble: before.into_iter().map(|(_, cells)| cells).collect(),
+            comments: comments
+                .iter()
+                .map(|(_, comment)| (*comment).to_owned())
+                .collect(),
             header,
             width,
             body,
@@ -248,7 +256,7 @@ mod tests {
     use super::*;
 
     const WORDS: Words = Words {
-        is_heading: |cell| matches!(cell, "name" | "x" | "y" | "z"),
+        is_heading: |cell| matches!(cell.split('[').next(), Some("name" | "x" | "y" | "z")),
         is_unit: |cell| matches!(cell, "mm" | "m" | "in"),
     };
 
@@ -290,6 +298,10 @@ mod tests {
             "n|x [mm]|y [mm]|z [mm]"
         );
         assert_eq!(header("# name x y z\nP1 1 2 3\nP2 1 2 3\n"), "name|x|y|z");
+        assert_eq!(header("#a, x, y, z\n1 2 3 4\n"), "a|x|y|z");
+        assert_eq!(header("// x, y, z\nP1 1 2 3\nP2 1 2 3\n"), "name|x|y|z");
+        assert_eq!(header("# x [mm] y [m]\n1 2\n"), "x[mm]|y[m]");
+        assert_eq!(header("x,y\n# mm, m\n1,2\n"), "x [mm]|y [m]");
         assert_eq!(header("n,x,y,z,\nP1,1,2,3,\n"), "n|x|y|z|");
         let grid = find("# made by hand\nP1 1 2 3\n");
         assert_eq!(grid.header, None);

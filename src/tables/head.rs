@@ -102,41 +102,109 @@ pub(super) fn take_header(
             && 2 * numbers < filled.max(1)
     };
     let (line, mut cells) = before.pop_if(|(_, cells)| fits(cells))?;
-    let is_unit = |cell: &String| {
-        let plain = cell.trim_matches(['[', ']', '(', ')']);
-        cell.is_empty() || plain == "-" || (words.is_unit)(plain)
-    };
     // `X;Y;Z`, then `mm;mm;mm`. A column called `M` or `In` alone is no line of units.
-    let some = cells.iter().filter(|cell| !cell.is_empty()).count();
-    let all_units = some > 1 && cells.iter().all(is_unit);
-    if all_units && let Some((line, names)) = before.pop_if(|(_, cells)| fits(cells)) {
-        let joined = names.iter().enumerate().map(|(index, name)| {
-            match cells
-                .get(index)
-                .map(|cell| cell.trim_matches(['[', ']', '(', ')']))
-            {
-                None | Some("" | "-") => name.clone(),
-                Some(unit) => format!("{name} [{unit}]"),
-            }
-        });
-        return Some((line, joined.collect()));
+    if are_units(&cells, words)
+        && let Some((line, names)) = before.pop_if(|(_, cells)| fits(cells))
+    {
+        return Some((line, with_units(&names, &cells)));
     }
     cells.resize(cells.len().max(width), String::new());
     Some((line, cells))
 }
 
-/// `# name x y z`: a header behind a comment sign, if its words are known.
-pub(super) fn header_in_comment(
-    comment: &str,
-    separator: Separator,
-    width: usize,
-    words: &Words,
-) -> Option<Vec<String>> {
+fn plain_unit(cell: &str) -> &str {
+    cell.trim_matches(['[', ']', '(', ')'])
+}
+
+fn are_units(cells: &[String], words: &Words) -> bool {
+    let is_unit = |cell: &String| {
+        let plain = plain_unit(cell);
+        cell.is_empty() || plain == "-" || (words.is_unit)(plain)
+    };
+    cells.iter().filter(|cell| !cell.is_empty()).count() > 1 && cells.iter().all(is_unit)
+}
+
+/// Headings with the units below them.
+fn with_units(names: &[String], units: &[String]) -> Vec<String> {
+    let joined = names.iter().enumerate().map(|(index, name)| {
+        match units.get(index).map(|cell| plain_unit(cell)) {
+            None | Some("" | "-") => name.clone(),
+            Some(unit) => format!("{name} [{unit}]"),
+        }
+    });
+    joined.collect()
+}
+
+/// The cells of a comment as those of a table with this separator; a unit in brackets belongs to what is before it.
+fn cells_of(comment: &str, separator: Separator) -> Vec<String> {
     let mut row = TextRow::default();
     let mut rows = TextRows::new(comment, Dialect::of_instruments(separator));
-    if rows.next(&mut row) != Ok(true) || row.cells.len() != width {
-        return None;
+    if rows.next(&mut row) != Ok(true) {
+        return Vec::new();
     }
-    let known = row.cells.iter().filter(|cell| (words.is_heading)(cell));
-    (known.count() >= 2).then(|| row.owned())
+    let mut cells: Vec<String> = Vec::new();
+    for cell in row.owned() {
+        match cells.last_mut() {
+            Some(last) if separator == Separator::Spaces && cell.starts_with(['[', '(']) => {
+                last.push_str(&cell);
+            }
+            _ => cells.push(cell),
+        }
+    }
+    cells
+}
+
+/// `# name x y z`, `%time,field.x,…`: a header behind a comment sign, if its words are known, with the separator of
+/// the table or another. Where the first cells are names it may begin with what comes behind them.
+pub(super) fn header_in_comments(
+    comments: &[(u64, &str)],
+    separator: Separator,
+    first: &TextRow<'_>,
+    words: &Words,
+) -> Option<(u64, Vec<String>)> {
+    let width = first.cells.len();
+    let is_named = first.cells.first().is_some_and(|cell| !is_number(cell));
+    let separators = || std::iter::once(separator).chain(Separator::ALL);
+    comments.iter().rev().find_map(|(line, comment)| {
+        separators().find_map(|own| {
+            let mut cells = cells_of(comment, own);
+            let known = cells.iter().filter(|cell| (words.is_heading)(cell)).count();
+            // In a sentence one word may be that of a heading.
+            let enough = if own == Separator::Spaces {
+                width.min(2)
+            } else {
+                1
+            };
+            if cells.len() + 1 == width && is_named && known >= enough {
+                cells.insert(0, "name".to_owned());
+            }
+            let fits = cells.len() == width
+                && known >= enough
+                && !cells.iter().any(|cell| is_number(cell));
+            fits.then_some((*line, cells))
+        })
+    })
+}
+
+/// The headings with the units that a comment behind them states for each: `# [mm] [mm] [deg]`.
+pub(super) fn with_units_in_comments(
+    (line, names): (u64, Vec<String>),
+    comments: &[(u64, &str)],
+    separator: Separator,
+    words: &Words,
+) -> (u64, Vec<String>) {
+    let units = comments
+        .iter()
+        .filter(|(at, _)| *at > line)
+        .find_map(|(_, comment)| {
+            let separators = std::iter::once(separator).chain(Separator::ALL);
+            let mut cut = separators.map(|own| match own {
+                // No unit has its brackets behind another.
+                Separator::Spaces => comment.split_whitespace().map(str::to_owned).collect(),
+                own => cells_of(comment, own),
+            });
+            cut.find(|cells| cells.len() == names.len() && are_units(cells, words))
+        });
+    let names = units.map_or(names.clone(), |units| with_units(&names, &units));
+    (line, names)
 }

@@ -34,6 +34,9 @@ pub(crate) struct OpenQuote {
 /// Bytes between two looks at the watcher.
 const AT_ONCE: usize = 1 << 18;
 
+/// Comments that are kept to be looked at.
+const MOST_COMMENTS: usize = 20;
+
 /// Goes through a table row by row.
 #[derive(Clone)]
 pub(crate) struct Rows<'a> {
@@ -42,8 +45,8 @@ pub(crate) struct Rows<'a> {
     line: u64,
     number: usize,
     dialect: Dialect,
-    /// The last comment that was passed over, by its line and its bytes without its sign.
-    comment: Option<(u64, usize, usize)>,
+    /// The last comments that were passed over, by their lines and their bytes without their signs.
+    comments: Vec<(u64, usize, usize)>,
     pass: Option<ProgressSpan<'a>>,
     /// Where the watcher is told next.
     tell_at: usize,
@@ -58,7 +61,7 @@ impl<'a> Rows<'a> {
             line: 1,
             number: 0,
             dialect,
-            comment: None,
+            comments: Vec::new(),
             pass: None,
             tell_at: usize::MAX,
         }
@@ -109,7 +112,10 @@ impl<'a> Rows<'a> {
         let plain = trimmed(self.bytes, self.at..end);
         if let Some(sign) = self.comment_sign(&self.bytes[plain.clone()]) {
             let comment = trimmed(self.bytes, plain.start + sign..plain.end);
-            self.comment = Some((self.line, comment.start, comment.end));
+            if self.comments.len() == MOST_COMMENTS {
+                self.comments.remove(0);
+            }
+            self.comments.push((self.line, comment.start, comment.end));
         } else if !plain.is_empty() {
             return false;
         }
@@ -224,10 +230,12 @@ impl<'a> TextRows<'a> {
         Ok(is_there)
     }
 
-    /// The last comment that was passed over, without its sign.
-    pub(crate) fn comment(&self) -> Option<(u64, &'a str)> {
-        let (line, start, end) = self.rows.comment?;
-        Some((line, &self.text[start..end]))
+    /// The last comments that were passed over, with their lines and without their signs.
+    pub(crate) fn comments(&self) -> Vec<(u64, &'a str)> {
+        let comments = self.rows.comments.iter();
+        comments
+            .map(|(line, start, end)| (*line, &self.text[*start..*end]))
+            .collect()
     }
 }
 

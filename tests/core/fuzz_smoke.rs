@@ -13,7 +13,8 @@ use std::path::Path;
 use crate::compensating::{self, HELD};
 use proptest::prelude::*;
 use truepose::importers::{
-    AngleUnit, Companion, IMPORTERS, LengthUnit, Matching, Reading, Settings, find, import, inspect,
+    AngleUnit, Companion, IMPORTERS, LengthUnit, Matching, Reading, Settings, TimeUnit, find,
+    import, inspect,
 };
 use truepose::inside::lerobot_calibration;
 use truepose::kinematics::Robot;
@@ -400,6 +401,7 @@ proptest! {
             kind: find(kind),
             unit: said.then_some(LengthUnit::Millimetres),
             angle_unit: said.then_some(AngleUnit::Degrees),
+            time_unit: said.then_some(TimeUnit::Seconds),
             options: if said { OPTIONS.map(|(name, value)| (name, value.to_owned())).into() } else { BTreeMap::new() },
             ..Reading::default()
         };

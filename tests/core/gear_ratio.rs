@@ -116,6 +116,7 @@ fn a_robot_states_its_ratios() {
     let row = r#"{"a_mm":0,"alpha_deg":0,"d_mm":100,"theta_deg":0,"convention":"standard"}"#;
     let rows = |ratios: &str| robot(&format!(r#""dh":[{row},{row}],"gear_ratios":{ratios}"#));
     assert_eq!(ratios(&rows("[50.5, null]")), [Some(50.5), None]);
+    assert_eq!(ratios(&rows("[null, null]")), [None, None]);
     for wrong in [
         one_joint(r#","gear_ratio":0"#),
         one_joint(r#","gear_ratio":-3"#),

@@ -38,6 +38,7 @@ mod export_consumers;
 mod exports;
 mod faults;
 mod few_poses;
+mod foreign_files;
 mod fuzz_smoke;
 mod gate;
 mod gear_ratio;

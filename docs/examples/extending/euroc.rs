@@ -34,7 +34,7 @@ fn read(context: &mut ReadContext<'_>) -> Option<Columns> {
     let position = |quantity| fixed(quantity, unit.unit());
     let part = |part| fixed(Quantity::Orientation(part), Unit::Fixed);
     let mut roles = vec![
-        Role::Time(1e-9),
+        Role::Time(Some(1e-9)),
         position(Quantity::X),
         position(Quantity::Y),
         position(Quantity::Z),

@@ -19,12 +19,12 @@ pub(crate) fn withdraw(prepared: &PreparedSearch, found: &mut SearchResult) {
     }
 }
 
-fn is_gross(left_mm: f64, size_mm: f64) -> bool {
+pub(crate) fn is_gross(left_mm: f64, size_mm: f64) -> bool {
     size_mm > 0.0 && left_mm > GROSS_SHARE * size_mm
 }
 
 /// How far the tool is from the axes of the robot, the farthest, mm.
-fn size_mm(prepared: &PreparedSearch) -> f64 {
+pub(crate) fn size_mm(prepared: &PreparedSearch) -> f64 {
     let robot = &prepared.regression.base.robot;
     let tool = robot.base_from_tool.translation.vector;
     let far = robot.joints.iter().map(|joint| {

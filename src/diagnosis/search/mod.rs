@@ -36,6 +36,7 @@ pub(crate) use final_set::{is_above, stands_above};
 pub(crate) use floor::{PureError, floor, pure_error};
 pub(crate) use forward::{CHANCE_OF_A_STEP, mean_sigma_mm};
 pub(crate) use found::SearchResult;
+pub(crate) use gross_error::{is_gross, size_mm};
 pub(crate) use orders::OrderSpread;
 pub(crate) use procedure::{checked, searched, until_stopped};
 pub(crate) use steps::{Next, Step, steps};

@@ -21,7 +21,7 @@ use super::repeatability::robot_mm;
 use super::testable::not_testable;
 use super::unseen::{self, held_out};
 use super::values::{Values, corrected_for_selection};
-use super::{handed_out, judgement, limits, repeating, unnamed};
+use super::{gross, handed_out, judgement, limits, repeating, unnamed};
 use crate::answers::diagnosis::{Diagnosis, Equivalent, Gaps, HeldOut, Unexplained};
 use crate::answers::identification::Identification;
 use crate::answers::noise::Noise;
@@ -201,6 +201,17 @@ pub(crate) fn answer(
             }),
     );
     let identification = identification(prepared, fit, own);
+    if let Some(why) =
+        gross::beyond_noise(prepared, &floor, &gap, &identification, &mended.problems)
+    {
+        if !unexplained.present {
+            unexplained.present = true;
+            unexplained.place = None;
+            unexplained.rms_mm = gap.end_mm;
+        }
+        unexplained.description = behind(why, std::mem::take(&mut unexplained.description));
+        verdict = judgement::of(found.is_empty(), true);
+    }
     Ok(Diagnosis {
         session: session.name.clone(),
         samples: session.samples.len(),

@@ -4,6 +4,7 @@
 //! - `conclude`: the answer put together; `values`, `selection`: parameters and their intervals.
 //! - `named_effects`, `step_time`: the names; `equal_steps`: orders that equal steps cannot part.
 //! - `judgement`, `excess`, `group_excess`, `remainder`, `unpredicted`, `withheld`: what is left, and whether noise explains it.
+//! - `gross`: what no noise is so large as.
 //! - `limits`, `testable`: what would have been seen, and what cannot be; `repeatability`: what the robot does not repeat.
 //! - `handed_out`, `divergent_terms`, `unseen`: which model is handed out; `unnamed`: what predicts without a name.
 
@@ -11,6 +12,7 @@ mod conclude;
 mod divergent_terms;
 pub(crate) mod equal_steps;
 mod excess;
+mod gross;
 mod group_excess;
 mod handed_out;
 mod judgement;

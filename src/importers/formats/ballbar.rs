@@ -171,7 +171,7 @@ mod tests {
             ("Radius", "distance", false),
             ("Deviation [um]", "distance_um", true),
             ("Deviation [arcsec]", "-", false),
-            ("Time [ms]", "time_s", false),
+            ("Time [ms]", "time_ms", false),
             ("anchor", "anchor", false),
             ("remark", "-", false),
         ] {

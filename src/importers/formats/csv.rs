@@ -2,15 +2,15 @@
 
 use crate::document::number::quoted;
 use crate::importers::columns::Columns;
-use crate::importers::families;
+use crate::importers::families::{self, Families};
 use crate::importers::formats::{EULER_OPTION, Importer, KnownBy, Questions};
-use crate::importers::joint_names::understand;
+use crate::importers::matching::listed_names_up_to;
 use crate::importers::options::{PLANE_OPTION, SOCKET_DISTANCES_OPTION, SOCKET_OPTION};
 use crate::importers::role::Role;
 use crate::importers::settings::{About, ReadContext};
 use crate::sessions::columns::{Heading, Quantity};
-use crate::tables::Grid;
-use crate::tables::decimals::shape;
+use crate::tables::decimals::{Decimal, shape, value};
+use crate::tables::{Grid, Separator};
 
 pub(crate) static IMPORTER: Importer = Importer {
     id: "csv",
@@ -29,17 +29,20 @@ pub(crate) static IMPORTER: Importer = Importer {
     read,
 };
 
+/// Headings that a message lists.
+const SHOWN: usize = 12;
+
 /// Reads a table of measured points.
 fn read(context: &mut ReadContext<'_>) -> Option<Columns> {
     let (grid, roles) = table(context, true)?;
     let headings = match &grid.header {
         Some((_, names)) => {
             let names: Vec<String> = names.iter().map(|name| quoted(name)).collect();
-            names.join(", ")
+            listed_names_up_to(&names, SHOWN).to_string()
         }
         None => String::new(),
     };
-    let complete = context.require_position(&roles, &headings);
+    let complete = context.is_open() || context.require_position(&roles, &headings);
     let columns = context.columns(&grid, roles);
     columns.filter(|_| complete)
 }
@@ -57,26 +60,34 @@ fn table<'a>(context: &mut ReadContext<'a>, measured: bool) -> Option<(Grid<'a>,
     let roles = match (context.given_roles(&grid, None), &grid.header) {
         (Some(roles), _) => roles,
         (None, Some((_, names))) if context.reading.columns.is_empty() => {
-            let mut roles: Vec<Role> = names
-                .iter()
-                .map(|name| understand(name, &context.reading.joints))
-                .collect();
+            let mut roles = context.roles_of(&grid, names);
             // A column that a separator at the end of each line makes is no column.
             for (role, name) in roles.iter_mut().zip(names) {
                 if name.is_empty() {
                     *role = Role::Left;
                 }
             }
-            roles.truncate(grid.width);
+            context.ask_about_lost_times(&roles, names);
             if measured {
                 // While a kind is looked for, a table of distances is that of an instrument for them.
                 if context.found.kind.is_some() {
                     own_references(names, &mut roles);
                 }
                 let names = &names[..names.len().min(roles.len())];
-                if let Some(proposed) = families::proposed(names, &roles) {
-                    propose(context, names, &roles, &proposed);
-                    roles = proposed;
+                match families::proposed(names, &roles) {
+                    Families::None => {}
+                    Families::One(proposed) => {
+                        propose(context, names, &roles, &proposed);
+                        roles = proposed;
+                    }
+                    Families::Several(groups) => {
+                        let says = text!(
+                            "{count} groups of x, y, z: {groups}; one of them is what was measured, or a row holds several points: then one point a row is expected, with its name in a column target",
+                            count = groups.len(),
+                            groups = listed_names_up_to(&groups, SHOWN)
+                        );
+                        context.ask(About::Columns, says, &[]);
+                    }
                 }
             }
             roles
@@ -85,7 +96,18 @@ fn table<'a>(context: &mut ReadContext<'a>, measured: bool) -> Option<(Grid<'a>,
             headerless_commands(context, &grid)
         }
         (None, _) => {
-            if context.reading.columns.is_empty() {
+            let cut = headings_of_fewer(&grid);
+            if let Some(headings) = cut {
+                context.refuse(
+                    text!("{headings} headings above rows of {width} cells: commas stand between cells and in numbers", headings, width = grid.width),
+                    text!("a file with semicolons or tabs between cells, or with decimal points"),
+                );
+            } else if is_matrix(context, &grid) {
+                context.refuse(
+                    text!("{width} columns, of which the numbers are a matrix of a rotation and a position in every row", width = grid.width),
+                    text!("a position and an orientation: x,y,z,qw,qx,qy,qz or x,y,z,rx,ry,rz"),
+                );
+            } else if context.reading.columns.is_empty() {
                 let says = text!(one "{count} column and no header", "{count} columns and no header", count = grid.width);
                 context.ask(About::Columns, says, &[]);
             }
@@ -93,6 +115,41 @@ fn table<'a>(context: &mut ReadContext<'a>, measured: bool) -> Option<(Grid<'a>,
         }
     };
     Some((grid, roles))
+}
+
+/// How many headings stand above a table with more cells in a row, as decimal commas make them of a table with commas.
+fn headings_of_fewer(grid: &Grid<'_>) -> Option<usize> {
+    let above = grid.preamble.last()?;
+    let are_words = above.len() > 1
+        && above
+            .iter()
+            .all(|cell| !cell.is_empty() && shape(cell).is_none());
+    (grid.separator == Separator::Comma && are_words && above.len() < grid.width)
+        .then_some(above.len())
+}
+
+/// Whether the last 12 or 16 cells of the first rows are the three or four rows of a pose as a matrix.
+fn is_matrix(context: &ReadContext<'_>, grid: &Grid<'_>) -> bool {
+    let is_pose = |row: &Vec<String>| {
+        let cells = if grid.width >= 16 { 16 } else { 12 };
+        let numbers = row
+            .iter()
+            .skip(grid.width.saturating_sub(cells))
+            .map(|cell| {
+                let decimal = if cell.contains(',') {
+                    Decimal::Comma
+                } else {
+                    Decimal::Point
+                };
+                value(cell, decimal).unwrap_or(f64::NAN)
+            });
+        let m: Vec<f64> = numbers.collect();
+        let product = |a: usize, b: usize| (0..3).map(|k| m[4 * a + k] * m[4 * b + k]).sum::<f64>();
+        let unit = |a: usize, b: usize| (product(a, b) - f64::from(u8::from(a == b))).abs() < 0.01;
+        m.len() == cells && (0..3).all(|a| (0..=a).all(|b| unit(a, b)))
+    };
+    let rows = &context.found.first_rows;
+    !rows.is_empty() && rows.iter().all(is_pose)
 }
 
 /// A session's own columns of measurements other than points are such columns where the table has no

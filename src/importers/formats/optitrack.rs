@@ -16,7 +16,7 @@ use crate::importers::settings::{About, ColumnGuess, Known, ReadContext};
 use crate::importers::units::{self, Word};
 use crate::sessions::Lines;
 use crate::sessions::columns::{Quantity, Unit};
-use crate::tables::decimals::Decimal;
+use crate::tables::decimals::{Decimal, Decision, Votes};
 use crate::tables::{Cells, Names};
 use crate::tables::{Complaints, MOST_COLUMNS, open_quote};
 use crate::tables::{Dialect, Separator, TextRow, TextRows};
@@ -60,15 +60,30 @@ fn is_likely(text: &str) -> bool {
 
 /// Reads what was tracked.
 fn read(context: &mut ReadContext<'_>) -> Option<Columns> {
-    context.found.separator = Some(Separator::Comma);
-    context.found.decimal = Some(Decimal::Point);
-    let mut rows = TextRows::new(context.text, Dialect::of_instruments(Separator::Comma));
+    // A spreadsheet may have saved it again, in the signs of its language.
+    let first_line = context.text.trim_start().lines().next().unwrap_or_default();
+    let separator = Separator::of_headings(first_line.as_bytes());
+    context.found.separator = Some(separator);
+    let mut rows = TextRows::new(context.text, Dialect::of_instruments(separator));
     let keys = key_line(context, &mut rows)?;
     let (tracked, frame_line) = header(context, &mut rows)?;
     context.found.header_line = Some(frame_line);
     let unit = unit(context, &keys);
     let chosen = choose(context, &tracked);
     context.found.first_rows = first_rows(&rows);
+    let mut votes = Votes::default();
+    for (row, line) in context.found.first_rows.iter().zip(frame_line + 1..) {
+        for (column, cell) in row.iter().enumerate() {
+            votes.add(cell, line, column + 1);
+        }
+    }
+    let decimal = match votes.decide() {
+        Decision::Is(decimal) => decimal,
+        _ if separator == Separator::Comma => Decimal::Point,
+        _ => Decimal::Comma,
+    };
+    let decimal = context.reading.decimal.unwrap_or(decimal);
+    context.found.decimal = Some(decimal);
     let with_orientation = rotation_is_quaternion(context, &keys);
     if value_of(&keys, "coordinate space")
         .is_some_and(|space| !space.eq_ignore_ascii_case("global"))
@@ -372,6 +387,7 @@ fn frames(
     let mut occluded = vec![0usize; chosen.len()];
     let mut first_occluded = None;
     let place = context.place.clone();
+    let decimal = context.found.decimal.unwrap_or(Decimal::Point);
     let mut rows = rows.in_pass_of(context.part);
     let mut row = TextRow::default();
     loop {
@@ -389,13 +405,13 @@ fn frames(
             if cell.is_empty() {
                 return f64::NAN;
             }
-            number(cell, role, Decimal::Point).unwrap_or_else(|expected| {
+            number(cell, role, decimal).unwrap_or_else(|expected| {
                 let place = place.clone().at_line(line).at_column(column as u64 + 1);
                 complaints.add(|| Diagnostic::error(place, Text::verbatim(quoted(cell)), expected));
                 f64::NAN
             })
         };
-        let time = read(1, Role::Time(1.0));
+        let time = read(1, Role::Time(Some(1.0)));
         for (index, thing) in chosen.iter().enumerate() {
             frames.frame.push(row.cells[0].to_string());
             frames.time_s.push(time);
@@ -460,7 +476,7 @@ impl Frames {
             });
         }
         list.push(Column {
-            role: Role::Time(1.0),
+            role: Role::Time(Some(1.0)),
             ..numbers(Quantity::Time, Unit::Fixed, self.time_s)
         });
         list.push(Column {

@@ -4,9 +4,10 @@
 //! Names come first. A first column of whole numbers before columns with fractions holds names too
 //! (points are often numbered). Where the columns do not tell, the person does.
 
+use crate::document::number::quoted;
 use crate::importers::columns::Columns;
 use crate::importers::formats::{EULER_OPTION, Importer, KnownBy, Questions};
-use crate::importers::joint_names::understand;
+use crate::importers::headings::{Words, is_among};
 use crate::importers::role::Role;
 use crate::importers::settings::{About, ReadContext};
 use crate::sessions::columns::Quantity;
@@ -25,6 +26,14 @@ pub(crate) static IMPORTER: Importer = Importer {
     read,
 };
 
+/// Whether a comment says that points are given by angles.
+fn is_spherical(comment: &str) -> bool {
+    const WORDS: Words = "theta phi azimuth elevation zenith az el spherical cylindrical polar";
+    let words = comment.to_lowercase();
+    let words = words.split(|c: char| !c.is_alphanumeric());
+    words.filter(|word| is_among(word, WORDS)).count() > 1
+}
+
 /// What all cells of a column are.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Kind {
@@ -38,8 +47,17 @@ enum Kind {
 pub(crate) fn read(context: &mut ReadContext<'_>) -> Option<Columns> {
     let grid = context.grid()?;
     // Some programs can be told to write a header: then it says.
-    let found = roles_by_header(&grid, context).or_else(|| {
-        let names = names_before(&kinds(&grid, context))?;
+    let says_otherwise =
+        grid.header.is_some() || grid.comments.iter().any(|line| is_spherical(line));
+    // What was said of columns that have headings is all that is asked for.
+    let is_said = grid.header.is_some() && !context.reading.columns.is_empty();
+    let by_header = if is_said {
+        None
+    } else {
+        roles_by_header(&grid, context)
+    };
+    let found = by_header.or_else(|| {
+        let names = names_before(&kinds(&grid, context)).filter(|_| !says_otherwise)?;
         Some(roles(names, grid.width))
     });
     let roles = match (context.given_roles(&grid, found.as_deref()), found) {
@@ -47,26 +65,34 @@ pub(crate) fn read(context: &mut ReadContext<'_>) -> Option<Columns> {
         (None, _) if !context.reading.columns.is_empty() => return None,
         (None, Some(found)) => found,
         (None, None) => {
-            let says = text!(
-                "{width} columns, of which it is not certain where x, y and z begin",
-                width = grid.width
-            );
+            let heading = grid.header.as_ref().map(|header| header.1.join(", "));
+            let heading = heading
+                .or_else(|| grid.comments.last().cloned())
+                .filter(|_| says_otherwise);
+            let says = match heading {
+                Some(heading) => text!(
+                    "the heading {heading} does not say which columns are x, y and z",
+                    heading = quoted(&heading)
+                ),
+                None => text!(
+                    "{width} columns, of which it is not certain where x, y and z begin",
+                    width = grid.width
+                ),
+            };
             context.ask(About::Columns, says, &[]);
             vec![Role::Left; grid.width]
         }
     };
-    context.require_position(&roles, "");
+    if roles.iter().any(|role| *role != Role::Left) {
+        context.require_position(&roles, "");
+    }
     context.columns(&grid, roles)
 }
 
 /// What a header says, if it says where x and y are.
-fn roles_by_header(grid: &Grid<'_>, context: &ReadContext<'_>) -> Option<Vec<Role>> {
+fn roles_by_header(grid: &Grid<'_>, context: &mut ReadContext<'_>) -> Option<Vec<Role>> {
     let (_, names) = grid.header.as_ref()?;
-    let mut roles: Vec<Role> = names
-        .iter()
-        .map(|name| understand(name, &context.reading.joints))
-        .collect();
-    roles.truncate(grid.width);
+    let roles = context.roles_of(grid, names);
     let has = |wanted| roles.iter().any(|role| role.quantity() == Some(wanted));
     (has(Quantity::X) && has(Quantity::Y)).then_some(roles)
 }

@@ -1,13 +1,15 @@
 //! A trajectory in the format of the TUM RGB-D benchmark: `timestamp tx ty tz qx qy qz qw`, in
 //! seconds and metres, comments behind `#`. The quaternion's real part comes last.
 
+use crate::document::number::quoted;
 use crate::importers::columns::Columns;
 use crate::importers::formats::{Importer, KnownBy, Meanings, Questions, Trial};
 use crate::importers::reader::fixed;
 use crate::importers::role::Role;
 use crate::importers::settings::{Known, ReadContext};
-use crate::importers::units::LengthUnit;
+use crate::importers::units::{LengthUnit, TimeUnit};
 use crate::sessions::columns::{Quantity, Unit};
+use crate::tables::Grid;
 
 /// The columns as the format calls them.
 const NAMES: [&str; 8] = ["timestamp", "tx", "ty", "tz", "qx", "qy", "qz", "qw"];
@@ -30,6 +32,45 @@ fn suits(trial: &Trial) -> bool {
     trial.is_sound && trial.is_complete && headings.is_none_or(|names| names.iter().eq(NAMES))
 }
 
+/// The columns as a heading says that stands over them after all, in a comment too: it may have another order, or
+/// say units. A heading that is understood in part is none that can be followed.
+fn as_headed(context: &mut ReadContext<'_>, grid: &Grid<'_>, own: Vec<Role>) -> Option<Vec<Role>> {
+    let Some((_, names)) = &grid.header else {
+        return Some(own);
+    };
+    let mut said = context.roles_of(grid, names);
+    let same = |one: &Role, other: &Role| one.quantity() == other.quantity();
+    for said in &mut said {
+        let by_format = own.iter().find(|own| same(own, said)).copied();
+        match said {
+            Role::Known(_, None) | Role::Time(None) => *said = by_format.unwrap_or(*said),
+            _ => {}
+        }
+    }
+    let is_whole = own
+        .iter()
+        .all(|own| said.iter().any(|said| same(own, said)));
+    let agrees = own
+        .iter()
+        .zip(&said)
+        .all(|(own, said)| *said == Role::Kept || own == said);
+    if !is_whole && !agrees {
+        context.refuse(
+            text!("the heading {heading}", heading = quoted(&names.join(" "))),
+            text!("timestamp tx ty tz qx qy qz qw in any order, or no heading; --as csv with --columns for other tables"),
+        );
+        return None;
+    }
+    if is_whole && !agrees {
+        context.note(text!(
+            "the columns are those of the heading, not in the order of the format: {heading}",
+            heading = quoted(&names.join(" "))
+        ));
+        return Some(said);
+    }
+    Some(own)
+}
+
 /// Reads a trajectory.
 fn read(context: &mut ReadContext<'_>) -> Option<Columns> {
     let grid = context.grid()?;
@@ -46,10 +87,11 @@ fn read(context: &mut ReadContext<'_>) -> Option<Columns> {
         );
         context.warn(found, text!("m, which the format has"));
     }
+    let time = context.reading.time_unit.unwrap_or(TimeUnit::Seconds);
     let position = |quantity| fixed(quantity, unit.unit());
     let part = |part| fixed(Quantity::Orientation(part), Unit::Fixed);
     let roles = vec![
-        Role::Time(1.0),
+        Role::Time(Some(time.in_s())),
         position(Quantity::X),
         position(Quantity::Y),
         position(Quantity::Z),
@@ -58,6 +100,7 @@ fn read(context: &mut ReadContext<'_>) -> Option<Columns> {
         part(3),
         part(0),
     ];
+    let roles = as_headed(context, &grid, roles)?;
     let columns = context.columns(&grid, roles);
     for column in &mut context.found.columns {
         column.confidence = Known::Certain;

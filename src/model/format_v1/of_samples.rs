@@ -37,6 +37,7 @@ pub(super) fn numbers_of(correction: &SessionCorrection) -> Option<(&'static str
         }
         SessionCorrection::FreeTargets => ("free-targets", Vec::new()),
         SessionCorrection::TargetsFromBase => ("targets-from-base", Vec::new()),
+        SessionCorrection::LeaveOutOrientations => ("leave-out-orientations", Vec::new()),
         SessionCorrection::ExchangeDirections { first, second } => {
             ("exchange-directions", vec![place(*first), place(*second)])
         }
@@ -85,6 +86,7 @@ pub(super) fn of_numbers(name: &str, numbers: &[f64]) -> Option<SessionCorrectio
         },
         ("free-targets", []) => SessionCorrection::FreeTargets,
         ("targets-from-base", []) => SessionCorrection::TargetsFromBase,
+        ("leave-out-orientations", []) => SessionCorrection::LeaveOutOrientations,
         ("exchange-directions", [first, second]) => SessionCorrection::ExchangeDirections {
             first: index(*first)?,
             second: index(*second)?,
@@ -175,6 +177,7 @@ mod tests {
             },
             SessionCorrection::FreeTargets,
             SessionCorrection::TargetsFromBase,
+            SessionCorrection::LeaveOutOrientations,
             SessionCorrection::ExchangeDirections {
                 first: 0,
                 second: 2,

@@ -10,7 +10,7 @@ use crate::gui::style::{Palette, size, space};
 use crate::gui::widgets;
 use crate::importers::{
     About, AngleUnit, Decimal, EULER, IMPORTERS, Importer, LengthUnit, OwnOption, Question,
-    Questions, Reading, Separator,
+    Questions, Reading, Separator, TimeUnit,
 };
 use crate::language::spoken;
 use crate::text::stretch;
@@ -114,6 +114,8 @@ pub(super) fn show(ui: &mut Ui, now: &ImportDraft, next: &mut ImportAnswers) {
         (None, say!("as the headings say")),
         (Some(AngleUnit::Degrees), say!("degrees")),
         (Some(AngleUnit::Radians), say!("radians")),
+        (Some(AngleUnit::Gradians), "gon"),
+        (Some(AngleUnit::Revolutions), say!("revolutions")),
     ];
     let Reading {
         decimal: said,
@@ -303,13 +305,9 @@ fn ask(ui: &mut Ui, question: &Question, next: &mut ImportAnswers) {
 fn answered(next: &mut ImportAnswers, about: About, answer: &str) {
     let reading = &mut next.reading;
     match about {
-        About::Unit => {
-            reading.unit = LengthUnit::ALL.into_iter().find(|u| u.symbol() == answer);
-        }
-        About::AngleUnit => {
-            let units = [AngleUnit::Degrees, AngleUnit::Radians];
-            reading.angle_unit = units.into_iter().find(|u| u.symbol() == answer);
-        }
+        About::Unit => reading.unit = LengthUnit::of(answer),
+        About::AngleUnit => reading.angle_unit = AngleUnit::of(answer),
+        About::TimeUnit => reading.time_unit = TimeUnit::of(answer),
         About::Decimal => {
             reading.decimal = Some(if answer == "," {
                 Decimal::Comma

@@ -85,7 +85,14 @@ pub(super) fn parts(
         ]
     } else {
         let says = text!(one "{count} column and no header", "{count} columns and no header", count = grid.width);
-        context.ask(About::Columns, says, &["target,direction,run,position"]);
+        context.ask(
+            About::Columns,
+            says,
+            &[
+                "target,direction,run,position",
+                "target,\"run 1 +\",\"run 1 -\"",
+            ],
+        );
         return None;
     };
     let count = |wanted: fn(&TableColumn) -> bool| parts.iter().filter(|part| wanted(part)).count();

@@ -139,7 +139,11 @@ fn header(cdr: &mut Cdr<'_>) -> Result<Header, Wrong> {
     })
 }
 
-fn joints(header: Header, names: Vec<String>, values: Vec<f64>) -> Result<Content, Wrong> {
+fn joints(header: Header, mut names: Vec<String>, values: Vec<f64>) -> Result<Content, Wrong> {
+    // Any of the lists may be empty where it says nothing: a controller of forces has no positions.
+    if values.is_empty() {
+        names.clear();
+    }
     if names.len() != values.len() {
         let (names, values) = (names.len(), values.len());
         return Err(text!(
@@ -186,6 +190,7 @@ struct JsonJoints {
     #[serde(default)]
     header: JsonHeader,
     name: Vec<String>,
+    #[serde(default)]
     position: Vec<f64>,
 }
 
@@ -310,8 +315,8 @@ mod tests {
             (
                 Type::JointState,
                 "json",
-                br#"{"name":["a"],"position":[]}"#,
-                "1 names and 0 positions",
+                br#"{"name":["a"],"position":[1,2]}"#,
+                "1 names and 2 positions",
             ),
             (
                 Type::TfMessage,

@@ -52,6 +52,23 @@ pub(super) fn path(context: &mut ReadContext<'_>, topic: &Topic) -> Option<Path>
             }
         }
     }
+    if topic.without_positions > 0 {
+        context.note(text!(
+            one "{count} joint state of {topic} has no positions: left out", "{count} joint states of {topic} have no positions: left out",
+            count = topic.without_positions,
+            topic = quoted(&topic.name)
+        ));
+    }
+    if !rows
+        .values()
+        .any(|values| values.iter().all(|value| value.is_finite()))
+        && merge(&mut rows)
+    {
+        context.note(text!(
+            "no message of {topic} has all joints: those of its publishers are put together by their times",
+            topic = quoted(&topic.name)
+        ));
+    }
     let all = rows.len();
     rows.retain(|_, values| values.iter().all(|value| value.is_finite()));
     if rows.is_empty() {
@@ -79,6 +96,34 @@ pub(super) fn path(context: &mut ReadContext<'_>, topic: &Topic) -> Option<Path>
         names = names.join(", ")
     ));
     Some(path)
+}
+
+/// Messages that are farther apart say nothing of the time between them.
+const FARTHEST_NS: i64 = 500_000_000;
+
+/// Where several publishers each state some of the joints, these are known between their messages. Whether all are
+/// somewhere.
+fn merge(rows: &mut BTreeMap<i64, Vec<f64>>) -> bool {
+    let joints = rows.values().next().map_or(0, Vec::len);
+    for joint in 0..joints {
+        let known: Vec<(i64, f64)> = rows
+            .iter()
+            .filter(|(_, values)| values[joint].is_finite())
+            .map(|(time, values)| (*time, values[joint]))
+            .collect();
+        for pair in known.windows(2) {
+            let [(from, before), (to, after)] = [pair[0], pair[1]];
+            let length = to.saturating_sub(from);
+            if length <= FARTHEST_NS {
+                for (time, values) in rows.range_mut(from..to).skip(1) {
+                    let share = (time - from) as f64 / length as f64;
+                    values[joint] = before + share * (after - before);
+                }
+            }
+        }
+    }
+    rows.values()
+        .any(|values| values.iter().all(|value| value.is_finite()))
 }
 
 /// The recorded joints that are the robot's, from base to tool.
@@ -199,7 +244,7 @@ impl Path {
 
 fn time_column(time_s: Vec<f64>) -> Column {
     Column {
-        role: Role::Time(1.0),
+        role: Role::Time(Some(1.0)),
         ..Column::made(Quantity::Time, Unit::Fixed, time_s)
     }
 }

@@ -23,6 +23,8 @@ pub(super) struct Topic {
     /// Names of the joints in the order of the first message that has them.
     pub(super) joint_names: Vec<String>,
     pub(super) measured: Vec<Measured>,
+    /// Messages that name joints, or none, and have no positions.
+    pub(super) without_positions: usize,
 }
 
 /// A message that cannot be read.
@@ -52,6 +54,7 @@ impl Topic {
         };
         match content {
             Content::Joints(joints) => {
+                self.without_positions += usize::from(joints.values.is_empty());
                 let time_ns = time(joints.header.time_ns);
                 for (name, value) in joints.names.into_iter().zip(joints.values) {
                     if !self.joints.contains_key(&name) {
@@ -104,6 +107,7 @@ impl Topics {
             joints: BTreeMap::new(),
             joint_names: Vec::new(),
             measured: Vec::new(),
+            without_positions: 0,
         };
         let topic = self.list.entry(channel.topic.clone()).or_insert_with(new);
         topic.messages += 1;

@@ -1,0 +1,202 @@
+//! Columns with numbers in their headings, told by all of them together: joints that are counted from zero, and the
+//! four parts of a quaternion.
+
+use super::headings;
+use super::joint_names::{is_one, understand};
+use super::reader::fixed;
+use super::role::Role;
+use super::settings::{About, ReadContext};
+use crate::document::number::quoted;
+use crate::sessions::columns::{Quantity, Unit};
+use crate::tables::decimals::{Decimal, value};
+use crate::tables::{Complaints, Grid};
+
+/// How far the length of a quaternion may be from 1 for its digits, and is not where four joints are meant.
+const OFF_UNIT: f64 = 0.01;
+
+impl ReadContext<'_> {
+    /// What the headings of a table say.
+    pub(crate) fn roles_of(&mut self, grid: &Grid<'_>, names: &[String]) -> Vec<Role> {
+        let joints = &self.reading.joints;
+        let mut roles: Vec<Role> = names.iter().map(|name| understand(name, joints)).collect();
+        roles.truncate(grid.width);
+        self.take_quaternion(grid, names, &mut roles);
+        self.count_from_zero(names, &mut roles);
+        roles
+    }
+
+    /// A table that has a joint 0 is counted from zero, unless the robot's own joint is called so.
+    fn count_from_zero(&mut self, names: &[String], roles: &mut [Role]) {
+        let joints = &self.reading.joints;
+        let is_part = |role: &Role| matches!(role.quantity(), Some(Quantity::Orientation(_)));
+        let is_first = |(role, name): &(&Role, &String)| {
+            let from_zero = matches!(with_next_number(name), Some((0, next)) if joint_of(headings::understand(&next)) == Some(0));
+            from_zero && headings::understand(name) == Role::Kept && !is_part(role)
+        };
+        let Some(first) = roles
+            .iter()
+            .zip(names)
+            .find(is_first)
+            .map(|(_, name)| name.clone())
+        else {
+            return;
+        };
+        let is_of_robot = is_one(&first, joints);
+        for (role, name) in roles.iter_mut().zip(names) {
+            if let Some((_, next)) = with_next_number(name)
+                && !(is_of_robot && is_one(name, joints) || is_part(role))
+                && joint_of(headings::understand(&next)).is_some()
+            {
+                // By their numbers joints of the robot that is counted from zero are none of its names.
+                *role = if is_of_robot {
+                    headings::understand(&next)
+                } else {
+                    understand(&next, joints)
+                };
+            }
+        }
+        let has = |joint| roles.iter().any(|role| joint_of(*role) == Some(joint));
+        let count = joints.len();
+        let mut beyond = Vec::new();
+        if count > 0 && (0..count).all(has) {
+            for (role, name) in roles.iter_mut().zip(names) {
+                if joint_of(*role).is_some_and(|joint| joint >= count) {
+                    *role = Role::Kept;
+                    beyond.push(quoted(name));
+                }
+            }
+        }
+        self.note(text!(
+            "joints are counted from zero: {first} is joint 1",
+            first = quoted(&first)
+        ));
+        if !beyond.is_empty() {
+            self.warn(
+                text!(
+                    "{columns}: beyond the {count} joints of the robot, not used",
+                    columns = beyond.join(", "),
+                    count
+                ),
+                text!("--columns, if the joints are others"),
+            );
+        }
+    }
+
+    /// Four numbers `q0` … `q3` or `q1` … `q4` that have the length 1 in every row are a quaternion.
+    fn take_quaternion(&mut self, grid: &Grid<'_>, names: &[String], roles: &mut [Role]) {
+        let number = |name: &String| {
+            let plain: String = name
+                .trim()
+                .to_lowercase()
+                .chars()
+                .filter(|c| c.is_alphanumeric())
+                .collect();
+            let digits = ["quaternion", "quat", "q"]
+                .iter()
+                .find_map(|word| plain.strip_prefix(word))?;
+            digits.parse::<usize>().ok()
+        };
+        let mut found: Vec<(usize, usize)> = names
+            .iter()
+            .take(roles.len())
+            .enumerate()
+            .filter_map(|(index, name)| Some((number(name)?, index)))
+            .collect();
+        found.sort_unstable();
+        let (numbers, at): (Vec<usize>, Vec<usize>) = found.into_iter().unzip();
+        let from_zero = numbers == [0, 1, 2, 3];
+        if !(from_zero || numbers == [1, 2, 3, 4]) || !self.have_length_1(grid, &at) {
+            return;
+        }
+        let parts = |order: [usize; 4]| {
+            let mut roles = roles.to_vec();
+            for (index, part) in at.iter().zip(order) {
+                roles[*index] = fixed(Quantity::Orientation(part), Unit::Fixed);
+            }
+            roles
+        };
+        let real_first = parts([0, 1, 2, 3]);
+        if !from_zero {
+            let words = |roles: Vec<Role>| {
+                let words: Vec<String> = roles.iter().map(ToString::to_string).collect();
+                words.join(",")
+            };
+            let says = text!(
+                "{first} … {last} have the length 1 in every row: a quaternion, and which of its parts comes first is not stated",
+                first = quoted(&names[at[0]]),
+                last = quoted(&names[at[3]])
+            );
+            let last = parts([1, 2, 3, 0]);
+            let answers = [words(real_first.clone()), words(last)];
+            self.ask(
+                About::Columns,
+                says,
+                &answers.each_ref().map(String::as_str),
+            );
+        } else {
+            self.note(text!(
+                "{first} … {last} have the length 1 in every row: a quaternion, its real part first",
+                first = quoted(&names[at[0]]),
+                last = quoted(&names[at[3]])
+            ));
+        }
+        roles.copy_from_slice(&real_first);
+    }
+
+    fn have_length_1(&self, grid: &Grid<'_>, at: &[usize]) -> bool {
+        let (mut rows, mut others) = (0, 0);
+        // What is wrong with rows is said when they are read.
+        grid.each_row(&self.place, &mut Complaints::default(), |row, _| {
+            let cell = |index: &usize| row.cells.get(*index).map_or("", |cell| cell.as_ref());
+            if at.iter().all(|index| cell(index).is_empty()) {
+                return;
+            }
+            let number = |index: &usize| {
+                let cell = cell(index);
+                let decimal = if cell.contains(',') {
+                    Decimal::Comma
+                } else {
+                    Decimal::Point
+                };
+                value(cell, decimal).unwrap_or(f64::NAN)
+            };
+            let length = at
+                .iter()
+                .map(|index| number(index).powi(2))
+                .sum::<f64>()
+                .sqrt();
+            rows += 1;
+            others += usize::from((length - 1.0).abs().is_nan() || (length - 1.0).abs() > OFF_UNIT);
+        });
+        rows > 1 && others == 0
+    }
+}
+
+/// The joint that a role is about.
+fn joint_of(role: Role) -> Option<usize> {
+    match role.quantity()? {
+        Quantity::Commanded(joint)
+        | Quantity::ReadBack(joint)
+        | Quantity::Speed(joint)
+        | Quantity::Torque(joint)
+        | Quantity::Direction(joint) => Some(joint),
+        _ => None,
+    }
+}
+
+/// The first number of a heading, and the heading with the next one in its place.
+fn with_next_number(heading: &str) -> Option<(usize, String)> {
+    let from = heading.find(|c: char| c.is_ascii_digit())?;
+    let digits = &heading[from..];
+    let to = digits
+        .find(|c: char| !c.is_ascii_digit())
+        .unwrap_or(digits.len());
+    let number: usize = digits[..to].parse().ok()?;
+    let next = format!(
+        "{}{}{}",
+        &heading[..from],
+        number.checked_add(1)?,
+        &digits[to..]
+    );
+    Some((number, next))
+}
