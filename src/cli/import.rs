@@ -9,7 +9,8 @@ use clap::builder::PossibleValuesParser;
 use crate::atomic::refuse_to_replace_inputs;
 use crate::explain::{self, Detail};
 use crate::importers::{
-    AngleUnit, Companion, Decimal, IMPORTERS, LengthUnit, Matching, Motion, Reading, Separator, Settings, TimeUnit, find,
+    AngleUnit, Companion, Decimal, IMPORTERS, LengthUnit, Matching, Motion, Reading, Separator,
+    Settings, TimeUnit, find,
 };
 use crate::pipeline::{self, import, save, save_with_samples, write_inline};
 use crate::present::import_v1::document;

@@ -38,8 +38,8 @@ mod slow_part;
 use crate::answers::noise::Trial;
 pub(crate) use crate::answers::noise::{Noise, Slow, StatedNoise};
 pub(crate) use filter::{Filter, Step};
-pub(crate) use joints::carried;
 use joints::JointFilter;
+pub(crate) use joints::carried;
 pub(crate) use restricted::SMALLEST_SIGMA_MM;
 
 /// Twice the logarithm of a likelihood ratio (two degrees of freedom) from which on the axes
