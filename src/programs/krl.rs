@@ -112,6 +112,7 @@ fn statement(walk: &mut Walk, words: &Words) -> Result<(), Problem> {
         {
             return declaration(walk, words, k);
         }
+        _ if words.is_sign(k + 1, b':') && words.len() == k + 2 => walk.label(),
         name => {
             if let Some(equals) = words.assigns(k) {
                 return assignment(walk, words, k, equals, None);
@@ -145,11 +146,10 @@ fn declaration(walk: &mut Walk, words: &Words, k: usize) -> Result<(), Problem> 
             None => Declared::Other(spelled.clone()),
         };
         walk.declare(&words.name(k + 1), declared, false);
-        let end = words.until(k + 1, b",");
-        if let Some(equals) = words.assigns(k + 1).filter(|equals| *equals < end) {
+        if let Some(equals) = words.assigns(k + 1) {
             assignment(walk, words, k + 1, equals, type_of(&kind))?;
         }
-        k = end;
+        k = words.until(k + 1, b",");
     }
     Ok(())
 }
@@ -170,7 +170,9 @@ fn assignment(
         None
     };
     let (name, spelled) = (words.name(k), words.shown(k, equals));
-    if frames::sets(walk, words, (k, equals), list.as_ref()) {
+    // Another name may be declared behind this one.
+    let end = words.until(equals + 1, b",");
+    if frames::sets(walk, words, (k, equals, end), list.as_ref()) {
         return Ok(());
     }
     let known = walk.declared(&name);
@@ -178,7 +180,7 @@ fn assignment(
     let element = element_of(words, k);
     let own = element.as_deref().unwrap_or(&name);
     match list {
-        Some((list, end)) if !component && end == words.until(equals + 1, b",") => {
+        Some((list, behind)) if !component && behind == end => {
             if matches!(known, Declared::Other(_)) {
                 return Ok(());
             }
@@ -201,7 +203,7 @@ fn assignment(
         }
         _ => {
             walk.changed(own, &words.spelled(k), words.at(k));
-            walk.mention_all(words, equals + 1..words.len(), &spelled);
+            walk.mention_all(words, equals + 1..end, &spelled);
         }
     }
     Ok(())

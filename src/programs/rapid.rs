@@ -41,10 +41,10 @@ const LISTS: Style = Style {
     expected: phrase!("a number"),
 };
 
-/// Heads of routines and blocks end without a semicolon.
-fn ends(words: &Words, _: Option<Kind>, breaks: bool) -> bool {
+/// Heads of routines and blocks end without a semicolon, labels with their colon.
+fn ends(words: &Words, next: Option<Kind>, breaks: bool) -> bool {
     let last = words.len() - 1;
-    if words.is_sign(last, b';') {
+    if words.is_sign(last, b';') || is_label(words) && next != Some(Kind::Sign(b'=')) {
         return true;
     }
     let first = words.name(usize::from(words.name(0) == "local"));
@@ -58,6 +58,11 @@ fn ends(words: &Words, _: Option<Kind>, breaks: bool) -> bool {
         "else" | "error" | "undo" | "backward" => true,
         name => name.starts_with("end"),
     }
+}
+
+/// `again:`
+fn is_label(words: &Words) -> bool {
+    words.len() == 2 && words.is_sign(1, b':') && words.is_name(0) && words.name(0) != "default"
 }
 
 pub(super) fn looks_like(bytes: &[u8]) -> bool {
@@ -98,6 +103,10 @@ fn statement(walk: &mut Walk, words: &Words) -> Result<(), Problem> {
     }
     if declares {
         return declaration(walk, words, k, local);
+    }
+    if is_label(words) {
+        walk.label();
+        return Ok(());
     }
     routine_or_block(walk, words, k)
 }
@@ -271,10 +280,6 @@ fn values(
 fn instruction(walk: &mut Walk, words: &Words, k: usize) -> Result<(), Problem> {
     let name = words.name(k);
     let command = words.spelled(k);
-    // A label stands before its instruction.
-    if words.is_sign(k + 1, b':') && !words.is_sign(k + 2, b'=') {
-        return routine_or_block(walk, words, k + 2);
-    }
     if is_move(&name) {
         return motion(walk, words, k, &name);
     }

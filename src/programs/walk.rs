@@ -432,8 +432,9 @@ impl Walk<'_> {
         let Some(name) = self.seen(name) else {
             return;
         };
-        let says = text!("{command} uses it", command = by);
-        self.said(name).mentioned.get_or_insert((at, says));
+        self.said(name)
+            .mentioned
+            .get_or_insert_with(|| (at, text!("{command} uses it", command = by)));
     }
 
     /// Every name among some words.
@@ -523,6 +524,19 @@ impl Walk<'_> {
             what,
             since: self.statement,
         };
+    }
+
+    /// Where a jump may come from any place: what is set somewhere is not known.
+    pub(super) fn label(&mut self) {
+        for part in [BASE, TOOL, MODE]
+            .into_iter()
+            .filter(|part| self.facts.any[*part])
+        {
+            self.state[part] = Known {
+                what: Referred::Unknown(text!("it is set in a branch or a loop")),
+                since: self.statement,
+            };
+        }
     }
 
     /// What holds of a part.
@@ -652,10 +666,13 @@ impl Walk<'_> {
             let unknown = Referred::Unknown(says);
             // The second time through a loop holds what the first left.
             if block.loops {
+                let mut known = BTreeMap::new();
                 for motion in &mut self.motions[block.motions..] {
                     if motion.since[part] < block.statement {
-                        let way = self.program.ways.get(motion.way).with(part, &unknown);
-                        motion.way = self.program.ways.of(way);
+                        let ways = &mut self.program.ways;
+                        motion.way = *known
+                            .entry(motion.way)
+                            .or_insert_with_key(|way| ways.of(ways.get(*way).with(part, &unknown)));
                     }
                 }
             }

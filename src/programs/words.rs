@@ -92,6 +92,9 @@ pub(super) fn statements(
     }
 }
 
+/// Names are kept and spoken of again and again; those of the languages have at most 32 letters, or no limit (`URScript`).
+const LONGEST_NAME: usize = 1000;
+
 /// The first token from a byte on.
 fn token(bytes: &[u8], at: usize, dialect: &Dialect) -> Result<Option<Token>, Problem> {
     let mut at = at;
@@ -112,7 +115,16 @@ fn token(bytes: &[u8], at: usize, dialect: &Dialect) -> Result<Option<Token>, Pr
         } else if digit(at) || (byte == b'.' && digit(at + 1)) {
             (Kind::Digits, number_end(bytes, at))
         } else if is_of_name(byte) {
-            (Kind::Name, end_of(bytes, at, is_of_name))
+            let end = end_of(bytes, at, is_of_name);
+            if end - at > LONGEST_NAME {
+                let found = text!(
+                    "a name of {count} characters",
+                    count = (end - at).to_string()
+                );
+                let expected = text!("at most {most}", most = LONGEST_NAME);
+                return Err(Problem::new(at, found, expected));
+            }
+            (Kind::Name, end)
         } else {
             (Kind::Sign(byte), at + 1)
         };
@@ -313,10 +325,13 @@ impl<'t, 'a> Words<'t, 'a> {
         String::from_utf8_lossy(self.bytes(k)).into_owned()
     }
 
-    /// The text from a word to the one before `end`.
+    /// The text from a word to the one before `end`: what is spoken of, so not much more than a name.
     pub(super) fn shown(&self, k: usize, end: usize) -> String {
-        let last = self.range(end.max(k + 1) - 1);
-        self.text.shown(self.at(k)..last.end)
+        let range = self.at(k)..self.range(end.max(k + 1) - 1).end;
+        if range.len() <= LONGEST_NAME {
+            return self.text.shown(range);
+        }
+        self.text.shown(range.start..range.start + LONGEST_NAME) + "…"
     }
 
     /// A number, with its sign if it has one, that begins at word `k`: the number and the word behind
@@ -376,16 +391,16 @@ impl<'t, 'a> Words<'t, 'a> {
         self.len().max(k)
     }
 
-    /// The word with `=` of an assignment (RAPID: `:=`), outside of brackets.
+    /// The word with `=` of an assignment (RAPID: `:=`), outside of brackets and before a comma.
     pub(super) fn assigns(&self, k: usize) -> Option<usize> {
-        let equals = self.until(k, b"=");
+        let equals = self.until(k, b"=,");
         let compared = matches!(self.kind(equals + 1), Some(Kind::Sign(b'=')))
             || equals > 0
                 && matches!(
                     self.kind(equals - 1),
                     Some(Kind::Sign(b'=' | b'<' | b'>' | b'!'))
                 );
-        (equals < self.len() && equals > k && !compared).then_some(equals)
+        (self.is_sign(equals, b'=') && equals > k && !compared).then_some(equals)
     }
 
     /// The value that begins at word `k`, and the word behind it.

@@ -153,6 +153,9 @@ const TABLE: &[Row] = &[
     // Branches and loops.
     ("branch", "krl", "IF A==1 THEN\n$BASE=BASE_DATA[1]\nENDIF\nLIN {@XYZ,@ST}\n", &[], &[("target of LIN", "frame", "branch or a loop")], &[]),
     ("loop", "krl", "LOOP\nLIN {@XYZ,@ST}\n$IPO_MODE=#TCP\nENDLOOP\n", &[], &[("target of LIN", "frame", "branch or a loop")], &[]),
+    ("loop", "rapid", "PROC main()\nagain:\nIF a THEN\nMoveL @ROB,v9,fine,t;\nPDispSet d;\nENDIF\nGOTO again;\nENDPROC\n", &[], &[("target of MoveL", "frame", "branch or a loop")], &["pdispset"]),
+    ("loop", "rapid", "PROC main()\nFOR i FROM 1 TO 9 DO\nagain:\nIF a THEN\nb:=1;\nENDIF\nMoveL @ROB,v9,fine,t;\nPDispSet d;\nENDFOR\nENDPROC\n", &[], &[("target of MoveL", "frame", "branch or a loop")], &["pdispset"]),
+    ("loop", "krl", "DEF m()\nagain:\nLIN {@XYZ,@ST}\n$IPO_MODE=#TCP\nGOTO again\nEND\n", &[], &[("target of LIN", "frame", "branch or a loop")], &[]),
     // Other ways to write a target.
     ("frame as a target", "krl", "DEF m()\nDECL FRAME XP1\nXP1={@XYZ}\nPTP {@AXS}\nSLIN XP1\nEND\n", &["XP1", "target of PTP"], &[], &[]),
     ("external constant", "rapid", "CONST extjoint ext0:=[9E9,9E9,9E9,9E9,9E9,9E9];\nCONST robtarget p:=[@AT,ext0];\nMoveL p,v9,fine,t;\n", &["p"], &[], &[]),

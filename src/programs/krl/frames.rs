@@ -45,7 +45,7 @@ pub(super) fn bas(walk: &mut Walk, words: &Words) {
 pub(super) fn sets(
     walk: &mut Walk,
     words: &Words,
-    (k, equals): (usize, usize),
+    (k, equals, end): (usize, usize, usize),
     list: Option<&(List, usize)>,
 ) -> bool {
     let (name, shown) = (words.name(k), words.shown(k, equals));
@@ -56,11 +56,11 @@ pub(super) fn sets(
             let what = if component {
                 Referred::Unknown(text!("{name} is set", name = shown))
             } else {
-                value(walk, words, (equals + 1, words.len()), part, list)
+                value(walk, words, (equals + 1, end), part, list)
             };
             walk.set(part, what);
         }
-        "$ipo_mode" => walk.set(MODE, mode(&words.shown(equals + 1, words.len()))),
+        "$ipo_mode" => walk.set(MODE, mode(&words.shown(equals + 1, end))),
         "$load" | "load_data" if !component => {
             if let Some(kg) = list.and_then(|(list, _)| list.number("m")) {
                 walk.program.loads.state(kg.value, words.at(k), &shown);
