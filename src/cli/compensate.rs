@@ -10,7 +10,7 @@ use crate::kinematics::{Pose, Robot};
 use crate::pipeline;
 use crate::present::compensation_v1::{self, Document};
 use crate::programs::{
-    Answer, CompensateError, LANGUAGES, Language, ModelTool, Orientation, Precedence,
+    Answer, CompensateError, ExternalAxes, LANGUAGES, Language, ModelTool, Orientation, Precedence,
     ProgramFrames, Request, find, language_of,
 };
 use crate::sessions::read_whole;
@@ -26,7 +26,8 @@ use super::{blocks, output};
 /// Everything but the numbers of targets comes out byte for byte. A target whose position cannot be
 /// corrected is named and left as it is; the exit status is then 1. Where the program's own numbers of a
 /// tool, a base or a load are not the model's, nothing is written (2) until --tool, --frame, --load,
-/// --as-programmed or --as-modelled says which holds.
+/// --as-programmed or --as-modelled says which holds; so where an external axis differs between targets, until
+/// --external does.
 #[derive(Debug, Args)]
 #[allow(
     clippy::struct_excessive_bools,
@@ -80,6 +81,10 @@ pub(crate) struct Compensate {
     /// Take tool, base and load for the model's, whatever the program says, where no option gives them
     #[arg(long)]
     as_modelled: bool,
+    /// What an external axis moves that differs between targets and that the model does not have: the robot
+    /// (a rail; its poses are left, and the model has to have the axis), or something else [default: it is asked]
+    #[arg(long, value_name = "carries-robot|other", value_parser = PossibleValuesParser::new(["carries-robot", "other"]))]
+    external: Option<String>,
     /// Take the frame in which the session was measured, brought into the base, for the robot's base
     /// [default: the base is where the first axis is]
     #[arg(long)]
@@ -200,6 +205,11 @@ impl Compensate {
         if let Some(numbers) = self.frame.as_deref() {
             frames.frame = Precedence::Given(pose("--frame", numbers, turns)?);
         }
+        frames.external = match self.external.as_deref() {
+            Some("carries-robot") => ExternalAxes::CarryRobot,
+            Some(_) => ExternalAxes::Other,
+            None => ExternalAxes::Asked,
+        };
         if let Some(kg) = self.load {
             frames.load = Precedence::Given(kg);
         }

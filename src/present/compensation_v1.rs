@@ -17,8 +17,9 @@
 //!   frame.
 //! - `before_mm`, `after_mm`: how far the real tool, as the model knows it, is from the target without and
 //!   with the correction; in the summary the root mean square over the corrected targets.
-//! - `because`: `singular`, `unreachable`, `ambiguous`, `relative` or `frame` (its frame or its tool is not
-//!   known) for a target that was left as it is.
+//! - `because`: `singular`, `unreachable`, `ambiguous`, `relative`, `frame` (its frame, its tool or its mode is not
+//!   known), `unused` (no motion goes to it), `changed` (at run time) or `external` (an axis that the model does not
+//!   have carries the robot) for a target that was left as it is.
 //! - `after_mrad`: what of the orientation is left: where a turn would take a large move of the joints (near
 //!   a singular wrist) it is corrected in part; `orientation_in_part` counts these targets.
 //! - `q_deg`, `change_deg`: the commands that the target means and what was added; mm for a sliding joint.

@@ -50,7 +50,9 @@ pub(crate) fn parameter_in_english(name: &str) -> (String, &'static str) {
 const WORDS: &[Template] = &[
     phrase!("ambiguous"),
     phrase!("anchor"),
+    phrase!("changed"),
     phrase!("explained"),
+    phrase!("external"),
     phrase!("frame"),
     phrase!("geometry: frame, zero offsets, links and tool"),
     phrase!("noise"),
@@ -64,6 +66,7 @@ const WORDS: &[Template] = &[
     phrase!("station"),
     phrase!("unexplained"),
     phrase!("unreachable"),
+    phrase!("unused"),
     phrase!("what predicts without a name"),
     phrase!("zero offset and link length"),
 ];

@@ -16,6 +16,12 @@ named! {
         Relative = "relative",
         /// Its frame or its tool is not known.
         Frame = "frame",
+        /// No motion of the file goes to it.
+        Unused = "unused",
+        /// The program changes it.
+        Changed = "changed",
+        /// An external axis stands elsewhere, and the model does not have it.
+        External = "external",
     }
     /// Its name in answers.
     pub fn name;

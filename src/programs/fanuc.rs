@@ -11,27 +11,45 @@
 //! or `CONFIG : 'N U T, 0, 0, 0', X = … mm, Y, Z, W = … deg, P, R` with `R_z(R) R_y(P) R_x(W)`. In `CONFIG`
 //! N means that joint 5 is negative (F: positive), U and D say on which side of the lower arm the wrist
 //! is, T and B on which side of axis 1, both against the robot's zero; the numbers are whole turns of
-//! joints 1, 4 and 6.
+//! joints 1, 4 and 6. A move goes to a position in the frame and with the tool that the position names; the
+//! controller stops where `UFRAME_NUM` and `UTOOL_NUM` are others.
 
 mod positions;
 
-use std::collections::BTreeMap;
 use std::ops::Range;
 
-use super::answer::{Reason, SkippedTarget};
 use super::axes::Axes;
 use super::program::Program;
-use super::referred::{declare, declare_none};
-use super::target::{Problem, Remark};
+use super::referred::{Referred, declare, declare_none};
+use super::target::Problem;
 use super::text::Text;
-use super::tokens::{Dialect, Source};
+use super::walk::{BASE, Constant, MODE, TOOL, Walk, walked};
+use super::words::{Dialect, Kind, Words};
 
-use positions::Positions;
-
-const DIALECT: Dialect = Dialect {
-    comment: None,
+/// Positions end with their bracket and a semicolon.
+const POSITIONS: Dialect = Dialect {
+    comments: b"",
     strings: b"\"'",
     bits: false,
+    cased: false,
+    end: phrase!("the end of /POS"),
+    ends: |words, next, _| {
+        let last = words.len() - 1;
+        let behind = words.is_sign(last, b'}') && next != Some(Kind::Sign(b';'));
+        words.is_closed() && (behind || words.is_sign(last, b';'))
+    },
+};
+
+/// Moves end with a semicolon, or with their line unless the next begins with a colon.
+const MOVES: Dialect = Dialect {
+    comments: b"!",
+    strings: b"",
+    bits: false,
+    cased: false,
+    end: phrase!("the end of the line"),
+    ends: |words, next, breaks| {
+        words.is_sign(words.len() - 1, b';') || breaks && next != Some(Kind::Sign(b':'))
+    },
 };
 
 pub(super) fn looks_like(bytes: &[u8]) -> bool {
@@ -44,186 +62,217 @@ pub(super) fn looks_like(bytes: &[u8]) -> bool {
 
 pub(super) fn read(text: &Text, axes: &Axes) -> Result<Program, Vec<Problem>> {
     axes.check_own("E1 to E3")?;
-    let mut program = Program::default();
-    declare_none(&mut program.tools, "UT 0");
-    let mut problems = Vec::new();
-    let (moves, positions) = sections(text);
-    let source = Source::new(text, DIALECT, phrase!("the end of /POS"));
-    let by_number = match positions {
-        Some(range) => match source.words(range) {
-            Ok(words) => {
-                let mut reader = Positions {
-                    words,
-                    axes,
-                    program: &mut program,
-                    problems: &mut problems,
-                    by_number: BTreeMap::new(),
-                };
-                reader.run();
-                reader.by_number
-            }
-            Err(problem) => {
-                problems.push(problem);
-                BTreeMap::new()
+    let [tracks, moves, positions] = sections(text);
+    let pieces = [
+        (positions, &POSITIONS, positions::position as _),
+        (moves, &MOVES, motion as _),
+    ];
+    walked(
+        text,
+        axes,
+        &pieces,
+        |walk| {
+            declare_none(&mut walk.program.tools, "UT 0");
+            if !tracks.is_empty() {
+                let says = text!("the program tracks a conveyor, which moves its frame");
+                walk.set(MODE, Referred::Unknown(says));
             }
         },
-        None => BTreeMap::new(),
-    };
-    for line in moves {
-        motion(text, line, &by_number, &mut program);
-    }
-    if problems.is_empty() {
-        Ok(program)
-    } else {
-        Err(problems)
-    }
+        |spelled| text!("{spelled} is not in /POS, or not a target", spelled),
+    )
 }
 
-/// The lines of `/MN`, and the bytes of `/POS`.
-fn sections(text: &Text) -> (Vec<Range<usize>>, Option<Range<usize>>) {
-    let mut moves = Vec::new();
-    let mut positions: Option<Range<usize>> = None;
-    let mut section: &[u8] = b"";
+/// Where a conveyor is named that the program tracks, the lines of `/MN`, and those of `/POS`.
+fn sections(text: &Text) -> [Range<usize>; 3] {
+    let mut found = [0..0, 0..0, 0..0];
+    let mut section = None;
     for line in text.lines() {
         let bytes = text.bytes[line.clone()].trim_ascii();
         if bytes.starts_with(b"/") && !bytes.starts_with(b"//") {
-            section = if bytes.starts_with(b"/POS") {
-                positions = Some(line.end..line.end);
-                b"/POS"
-            } else {
-                bytes
-            };
-        } else if section.starts_with(b"/MN") {
-            moves.push(line);
-        } else if section == b"/POS"
-            && let Some(positions) = &mut positions
-        {
-            positions.end = line.end;
+            let heads: [&[u8]; 3] = [b"/APPL", b"/MN", b"/POS"];
+            section = heads.iter().position(|head| bytes.starts_with(head));
+            if let Some(section) = section.filter(|section| *section > 0) {
+                found[section] = line.end..line.end;
+            }
+        } else if section == Some(0) {
+            let schedule = bytes.strip_prefix(b"LINE_TRACK_SCHEDULE_NUMBER");
+            if schedule.is_some_and(|rest| rest.iter().any(|b| matches!(b, b'1'..=b'9'))) {
+                found[0] = line;
+            }
+        } else if let Some(section) = section {
+            found[section].end = line.end;
         }
     }
-    (moves, positions)
+    found
 }
 
-/// One line of `/MN`: which positions it moves to.
-fn motion(
-    text: &Text,
-    line: Range<usize>,
-    by_number: &BTreeMap<u64, usize>,
-    program: &mut Program,
-) {
-    let bytes = &text.bytes[line.clone()];
-    // The number of the line, up to its colon.
-    let label = bytes
-        .iter()
-        .position(|b| !(b.is_ascii_digit() || b.is_ascii_whitespace()));
-    let Some(label) = label.filter(|k| bytes[*k] == b':') else {
-        return;
-    };
-    let at = line.start + label + 1;
-    let rest = bytes[label + 1..].trim_ascii();
-    if rest.starts_with(b"!") || rest.starts_with(b"//") || rest.starts_with(b"--") {
-        return;
+/// One statement of `/MN`.
+fn motion(walk: &mut Walk, words: &Words) -> Result<(), Problem> {
+    let mut k = usize::from(words.kind(0) == Some(Kind::Digits));
+    if !words.is_sign(k, b':') && k > 0 {
+        return Ok(());
     }
-    let shown = String::from_utf8_lossy(rest).into_owned();
-    let upper = shown.to_uppercase();
-    let has_letter = matches!(rest, [b'J' | b'L' | b'C' | b'A' | b'S', b' ' | b'P', ..]);
-    let goes_on = upper.starts_with("P[") && !upper.contains('=');
-    if !has_letter && !goes_on {
-        set_by(&upper, at, program);
-        if let Some(number) = position_numbers(&upper.replace(' ', "")).first()
-            && upper.replace(' ', "").starts_with(&format!("P[{number}]="))
-        {
-            let says = text!("P[{number}] is changed at run time", number);
-            program.at_run_time.push(Remark { at, text: says });
+    k += usize::from(words.is_sign(k, b':'));
+    let (first, at) = (words.name(k), words.at(k));
+    let letter = matches!(first.as_str(), "j" | "l" | "c" | "a" | "s") && words.is_name(k + 1);
+    let touching = matches!(first.as_str(), "jp" | "lp" | "cp" | "ap" | "sp");
+    let goes_on = first == "p" && words.assigns(k).is_none();
+    if !(letter || touching || goes_on) {
+        instruction(walk, words, k);
+        return Ok(());
+    }
+    // Names outside of brackets: goals, and how the move is changed.
+    let mut own = Vec::new();
+    let mut j = k;
+    while j < words.len() {
+        if words.is_name(j) {
+            own.push(j);
         }
-        return;
+        let open = words.is_sign(j, b'[') || words.is_sign(j, b'(');
+        j = if open {
+            words.until(j + 1, b"])") + 1
+        } else {
+            j + 1
+        };
     }
-    let motion = upper.split(';').next().unwrap_or_default();
-    let words: Vec<&str> = motion.split([' ', ',']).collect();
-    let by = words
-        .iter()
-        .find(|w| matches!(**w, "INC" | "OFFSET" | "TOOL_OFFSET"));
-    if motion.contains(" PR[") || motion.starts_with("PR[") {
-        let says = text!("a move to a position register, whose value is set at run time");
-        program.at_run_time.push(Remark { at, text: says });
+    let has = |names: &[&str]| {
+        own.iter()
+            .map(|j| words.name(*j))
+            .find(|name| names.contains(&&**name))
+    };
+    let by = has(&["inc", "offset", "tool_offset", "voffset"]);
+    let mut mode = walk.held(MODE).clone();
+    if has(&["coord"]).is_some() {
+        mode = Referred::Unknown(text!("another group moves its frame (COORD)"));
     }
-    for number in position_numbers(motion) {
-        let Some(index) = by_number.get(&number) else {
-            let says = text!("P[{number}] is not in /POS, or not a target", number);
-            program.at_run_time.push(Remark { at, text: says });
+    for j in own {
+        let name = words.name(j);
+        if name == "pr" && words.is_sign(j + 1, b'[') && !words.is_sign(j.saturating_sub(1), b',') {
+            let says = text!("a move to a position register, whose value is set at run time");
+            walk.left(at, says);
+        }
+        let goal = name == "p" || touching && j == k;
+        if !goal || !words.is_sign(j + 1, b'[') {
+            continue;
+        }
+        let Ok(number) = words.spelled(j + 2).parse::<u64>() else {
+            let command = words.spelled(k);
+            let target = words.shown(j, words.until(j + 2, b"]") + 1);
+            let says = text!(
+                "{command} goes to {target}, which is computed at run time",
+                command,
+                target
+            );
+            walk.left(at, says);
             continue;
         };
-        match by {
-            Some(&"INC") => {
-                let says = text!(
-                    "P[{number}] is relative to the robot's position (INC)",
-                    number
-                );
-                program.targets[*index].left =
-                    Some(Box::new(SkippedTarget::new(Reason::Relative, says)));
-            }
+        let (key, spelled) = (format!("p[{number}]"), format!("P[{number}]"));
+        let changes = held_in(walk, &key, mode.clone());
+        match by.as_deref() {
+            Some("inc") => walk.relative(&key, "INC"),
             Some(offset) => {
+                let offset = offset.to_uppercase();
                 let says = text!(
                     "the move to P[{number}] is shifted at run time ({offset})",
                     number,
-                    offset
+                    offset = &offset
                 );
-                program.at_run_time.push(Remark { at, text: says });
-                program.visits.push(*index);
+                walk.left(at, says);
+                walk.go_to_part(&key, at, false, &changes);
+                walk.mention(&key, at, &offset);
             }
-            None => program.visits.push(*index),
+            None => walk.go_to_name((&key, &spelled), at, None, &changes),
         }
     }
+    Ok(())
 }
 
-/// `UTOOL[n]=…`, `UFRAME[n]=…` and `PAYLOAD[n]`: what the controller holds or a register sets.
-fn set_by(line: &str, at: usize, program: &mut Program) {
-    let line = line.replace(' ', "");
-    let number = |name: &str| -> Option<&str> {
-        let rest = line.strip_prefix(name)?.strip_prefix('[')?;
-        rest.split([']', ':', ',']).next()
+/// Frame, tool and mode of a move to a position.
+fn held_in(walk: &Walk, key: &str, mode: Referred) -> [(usize, Referred); 3] {
+    let [frame, tool] = match walk.constant_of(key) {
+        Some(Constant::Position(numbers)) => numbers.clone(),
+        _ => [String::new(), String::new()],
     };
-    let kinds = [("UTOOL", "UT", true), ("UFRAME", "UF", false)];
-    for (name, short, tool) in kinds {
-        if let Some(n) = number(name) {
-            let says = text!("{name}[{n}] is set at run time", name, n);
-            let names = if tool {
-                &mut program.tools
-            } else {
-                &mut program.frames
-            };
-            declare(names, &format!("{short} {n}"), at, Err(says.clone()));
-            program.at_run_time.push(Remark { at, text: says });
+    let own = |part: usize, short: &str, variable: &str, number: &str| {
+        // The frame of number 0 is the world.
+        let is_none = number.is_empty() || part == BASE && number == "0";
+        let named = Referred::named(format!("{short} {number}"));
+        match walk.held(part) {
+            Referred::Named(held) if !number.is_empty() && *walk.held(part) != named => {
+                let held = held.trim_start_matches(char::is_alphabetic).trim();
+                Referred::Unknown(text!(
+                    "{variable} is {held} at the move, and the position is of {short} {number}",
+                    variable,
+                    held,
+                    short,
+                    number
+                ))
+            }
+            _ if is_none => Referred::Unsaid,
+            _ => named,
         }
-    }
-    if let Some(n) = number("PAYLOAD") {
-        let says = text!(
-            "PAYLOAD[{n}] has its mass in the controller: --load says it",
-            n
-        );
-        program.at_run_time.push(Remark { at, text: says });
-    }
+    };
+    [
+        (BASE, own(BASE, "UF", "UFRAME_NUM", &frame)),
+        (TOOL, own(TOOL, "UT", "UTOOL_NUM", &tool)),
+        (MODE, mode),
+    ]
 }
 
-/// n of every `P[n]` and `P[n:name]`, other registers left out.
-fn position_numbers(line: &str) -> Vec<u64> {
-    let bytes = line.as_bytes();
-    let mut numbers = Vec::new();
-    for (k, _) in line.match_indices("P[") {
-        if k > 0 && (bytes[k - 1].is_ascii_alphanumeric() || bytes[k - 1] == b'_') {
-            // A motion's letter may touch it: `JP[1]`, but not `VP[1]`.
-            if k != 1 || !matches!(bytes[0], b'J' | b'L' | b'C' | b'A' | b'S') {
-                continue;
-            }
+/// `UTOOL[n]=…`, `UFRAME_NUM=…`, `PAYLOAD[n]`, `P[n]=…`, calls, and where lines are jumped to.
+fn instruction(walk: &mut Walk, words: &Words, k: usize) {
+    let (first, at) = (words.name(k), words.at(k));
+    let number = words.spelled(k + 2);
+    let indexed = words.is_sign(k + 1, b'[');
+    match first.as_str() {
+        "utool" | "uframe" if indexed => {
+            let tool = first == "utool";
+            let name = first.to_uppercase();
+            let says = text!("{name}[{n}] is set at run time", name, n = &number);
+            let (names, short) = if tool {
+                (&mut walk.program.tools, "UT")
+            } else {
+                (&mut walk.program.frames, "UF")
+            };
+            declare(names, &format!("{short} {number}"), at, Err(says.clone()));
+            walk.left(at, says);
         }
-        let digits = &line[k + 2..];
-        let end = digits
-            .bytes()
-            .position(|b| !b.is_ascii_digit())
-            .unwrap_or(digits.len());
-        if let Ok(number) = digits[..end].parse() {
-            numbers.push(number);
+        "utool_num" | "uframe_num" => {
+            let (part, short) = if first == "utool_num" {
+                (TOOL, "UT")
+            } else {
+                (BASE, "UF")
+            };
+            let known = words.is_sign(k + 1, b'=') && words.kind(k + 2) == Some(Kind::Digits);
+            let named = Referred::named(format!("{short} {number}"));
+            walk.set(part, if known { named } else { Referred::Unsaid });
         }
+        "payload" if indexed => {
+            let says = text!(
+                "PAYLOAD[{n}] has its mass in the controller: --load says it",
+                n = &number
+            );
+            walk.left(at, says);
+        }
+        "p" if indexed => {
+            let spelled = format!("P[{number}]");
+            walk.changed(&spelled.to_lowercase(), &spelled, at);
+        }
+        "call" | "run" => {
+            let command = words.shown(k, words.until(k, b";("));
+            let says = text!(
+                "{command} is another routine's: its motions are not in this file",
+                command
+            );
+            walk.left(at, says);
+            walk.set(BASE, Referred::Unsaid);
+            walk.set(TOOL, Referred::Unsaid);
+        }
+        // What was set before is not known where lines come together; the positions say it all the same.
+        "lbl" | "if" | "else" | "endif" | "for" | "endfor" | "select" => {
+            walk.set(BASE, Referred::Unsaid);
+            walk.set(TOOL, Referred::Unsaid);
+        }
+        _ => {}
     }
-    numbers
 }

@@ -16,7 +16,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::kinematics::Pose;
 
-use super::answer::{Reason, SkippedTarget};
+use super::answer::Reason;
 use super::program::Program;
 use super::program_frames::{Reading, ToolReading};
 use super::referred::{Declared, FrameAndTool, Placed, Placement, Referred, UsedPairs};
@@ -48,9 +48,14 @@ pub(super) fn place(program: &mut Program, reading: &Reading) {
     }
     let notes = known.taken();
     for (target, placed) in program.targets.iter_mut().zip(all) {
+        if let Some(says) = &reading.carried
+            && matches!(target.shape, Shape::Pose(_))
+        {
+            target.leave(Reason::External, says.clone());
+        }
         match placed {
             Ok(placed) => target.placed = placed,
-            Err(says) => target.left = Some(Box::new(SkippedTarget::new(Reason::Frame, says))),
+            Err(says) => target.leave(Reason::Frame, says),
         }
     }
     program.notes.extend(notes);
@@ -70,7 +75,9 @@ impl<'a> Known<'a> {
             program,
             reading,
             elsewhere: frames.into_iter().filter(elsewhere).count(),
-            tools: used.poses.iter().map(|way| &way.tool).collect(),
+            tools: (used.poses.iter().map(|way| &way.tool))
+                .filter(|tool| !matches!(tool, Referred::Unknown(_)))
+                .collect(),
         }
     }
 
@@ -146,16 +153,25 @@ impl<'a> Known<'a> {
             }
             _ => None,
         };
+        // Whatever it goes to, a tool that stands is not the model's.
+        let tools = ways.iter().map(|way| &self.program.ways.get(way).tool);
+        let named = tools.filter_map(|tool| match tool {
+            Referred::Named(name) => self.program.tools.get(&**name),
+            _ => None,
+        });
+        if let Some(says) = named
+            .filter(|tool| tool.stands)
+            .find_map(|tool| tool.pose.clone().err())
+        {
+            return Err(says);
+        }
         if !pose {
             return Ok(Placement {
                 base_from_frame: Pose::identity(),
                 tool_from_model: self.tool_of_joints(one),
             });
         }
-        let unsaid = FrameAndTool {
-            frame: Referred::Unsaid,
-            tool: Referred::Unsaid,
-        };
+        let unsaid = FrameAndTool::new(Default::default());
         let Some(one) = one else {
             return Ok(Placement {
                 base_from_frame: self.frame(&unsaid.frame)?,

@@ -6,8 +6,8 @@
 //! program for measuring poses.
 //!
 //! # To add a language
-//! Write one file like its neighbours, a function from [`Text`] and [`Axes`] to a [`Program`], and add
-//! one line to [`LANGUAGES`].
+//! Write one file like its neighbours, which says how statements end, what they declare, set and move to
+//! (`walk` follows scopes, branches and calls), and add one line to [`LANGUAGES`].
 //!
 //! Poses are taken in the frame and of the tool that the file declares for them (`frames`); where it
 //! declares none, they are those of the model's tool in the frame that the caller states
@@ -26,7 +26,6 @@ mod fanuc;
 mod frames;
 mod krl;
 mod language;
-mod moves;
 mod number;
 mod pose;
 mod program;
@@ -41,9 +40,10 @@ mod settle;
 mod stated_load;
 mod target;
 mod text;
-mod tokens;
 mod urscript;
 mod used_frames;
+mod walk;
+mod words;
 mod write;
 
 pub use answer::{Answer, Outcome, Reason, SkippedTarget, Written};
@@ -54,7 +54,7 @@ pub use number::Number;
 pub use pose::{Frame, Orientation};
 pub use program::Program;
 pub use program_frames::{
-    Difference, Differences, DifferingNumber, ModelTool, Precedence, ProgramFrames,
+    Difference, Differences, DifferingNumber, ExternalAxes, ModelTool, Precedence, ProgramFrames,
 };
 pub use request::{CompensateError, Request};
 pub use target::{Circumstances, Posture, Remark, Shape, Target};

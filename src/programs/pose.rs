@@ -83,6 +83,10 @@ pub struct Frame {
     pub orientation: Orientation,
 }
 
+/// From here on the squares of a quaternion's numbers are so far from 1 that the maker's own normalising (`NOrient`)
+/// takes it for an error.
+const LENGTH_OFF: f64 = 0.1;
+
 /// Digits that keep a micrometre in a number of so many mm.
 fn decimals_of(mm: f64) -> usize {
     // 10⁻⁴ mm.
@@ -107,6 +111,13 @@ impl Frame {
             turn: vec![*a, *b, *c],
             orientation,
         })
+    }
+
+    /// Where a quaternion stands whose length is no rounding of 1, and its length.
+    pub(super) fn wrong_length(&self) -> Option<(usize, f64)> {
+        let squares: f64 = self.turn.iter().map(|n| n.value * n.value).sum();
+        let at = self.turn.first()?.range().start;
+        ((squares - 1.0).abs() > LENGTH_OFF).then(|| (at, squares.sqrt()))
     }
 
     /// Where the numbers put the tool; `None` where a quaternion has no length.

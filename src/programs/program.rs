@@ -1,8 +1,10 @@
 //! What a reader finds in a file as a whole: its targets, and the frames, tools and loads that hold for them.
 
+use std::collections::BTreeMap;
+
 use super::referred::{FrameToolPairs, Names};
 use super::stated_load::StatedLoads;
-use super::target::{Remark, Target};
+use super::target::{Outside, Remark, Target};
 
 /// A file with its targets.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -23,21 +25,39 @@ pub struct Program {
     pub(super) frames: Names,
     /// Tools that the file declares, on the flange.
     pub(super) tools: Names,
+    /// External axes that the model does not have, as targets say where they are; each way once.
+    pub(super) outside: Vec<Outside>,
+    outside_index: BTreeMap<[Option<u64>; 6], u32>,
 }
 
 impl Program {
-    /// Puts the targets into the order of the file.
-    pub(super) fn sort(&mut self) {
-        let mut order: Vec<usize> = (0..self.targets.len()).collect();
+    /// Puts the targets that are kept into the order of the file.
+    pub(super) fn sorted(&mut self, kept: &[bool]) {
+        let mut order: Vec<usize> = (0..self.targets.len()).filter(|k| kept[*k]).collect();
         order.sort_by_key(|k| self.targets[*k].at);
-        let mut place = vec![0; order.len()];
+        let mut place = vec![usize::MAX; kept.len()];
         for (now, before) in order.iter().enumerate() {
             place[*before] = now;
         }
+        let mut keep = kept.iter();
+        self.targets.retain(|_| keep.next() == Some(&true));
         self.targets.sort_by_key(|target| target.at);
+        self.visits.retain(|index| kept[*index]);
         for index in &mut self.visits {
             *index = place[*index];
         }
+    }
+
+    /// The number of a way in which external axes are that the model does not have; 0: none is said.
+    pub(super) fn outside(&mut self, axes: Outside) -> u32 {
+        if axes == Outside::default() {
+            return 0;
+        }
+        let key = axes.map(|axis| axis.map(f64::to_bits));
+        *self.outside_index.entry(key).or_insert_with(|| {
+            self.outside.push(axes);
+            u32::try_from(self.outside.len()).unwrap_or(0)
+        })
     }
 
     /// Every target in the order in which they are gone to: as the motions name them, the others

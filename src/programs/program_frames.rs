@@ -33,6 +33,18 @@ pub enum Precedence<T> {
     Given(T),
 }
 
+/// What external axes do that differ between targets and that the model does not have.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum ExternalAxes {
+    /// It is not said, and asked.
+    #[default]
+    Asked,
+    /// They carry the robot: of poses nothing is known without them in the model.
+    CarryRobot,
+    /// They move something else (a positioner, a gripper): the robot's base stands.
+    Other,
+}
+
 /// Which tool, base and load hold for a program. The default settles nothing.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct ProgramFrames {
@@ -43,6 +55,8 @@ pub struct ProgramFrames {
     pub frame: Precedence<Pose>,
     /// Load at the tool's origin, kg. `Model`: [`crate::programs::Request::load_kg`].
     pub load: Precedence<f64>,
+    /// What external axes do that differ between targets.
+    pub external: ExternalAxes,
 }
 
 impl ProgramFrames {
@@ -53,6 +67,7 @@ impl ProgramFrames {
             tool: Precedence::Model,
             frame: Precedence::Program,
             load: Precedence::Model,
+            external: ExternalAxes::Asked,
         }
     }
 
@@ -62,6 +77,7 @@ impl ProgramFrames {
             tool: Precedence::Model,
             frame: Precedence::Model,
             load: Precedence::Model,
+            external: ExternalAxes::Asked,
         }
     }
 
@@ -71,6 +87,7 @@ impl ProgramFrames {
             tool: Precedence::Program,
             frame: Precedence::Program,
             load: Precedence::Program,
+            external: ExternalAxes::Asked,
         }
     }
 }
@@ -85,6 +102,8 @@ named! {
         Frame = "frame",
         /// The load.
         Load = "load",
+        /// An external axis.
+        External = "external",
     }
     /// Its name, which is also that of the option that settles it.
     pub fn name;
@@ -141,6 +160,11 @@ impl Difference {
                 program,
                 model
             ),
+            DifferingNumber::External => text!(
+                "the external axis {name} is at {program}, and the model does not have it",
+                name,
+                program
+            ),
             DifferingNumber::Load => text!(
                 "the program's load is {program}; the model's is {model}",
                 program,
@@ -181,6 +205,8 @@ pub(super) struct Reading {
     pub(super) tool: ToolReading,
     /// Load where the file says none for a target, kg.
     pub(super) load_kg: f64,
+    /// Why poses are not known: an axis carries the robot that the model does not have.
+    pub(super) carried: Option<Sentence>,
     /// What was settled, in words.
     pub(super) notes: Vec<Sentence>,
 }
@@ -200,12 +226,17 @@ impl Differences {
         ];
         let own = options.into_iter().filter(|(what, _)| any(*what));
         let own: Vec<&str> = own.map(|(_, option)| option).collect();
-        let how = text!(
-            "choose which holds: {options}, --as-programmed (as the program writes it) or --as-modelled (as in the model, whatever the program says)",
-            options = own.join(", ")
-        );
+        let held = (!own.is_empty()).then(|| {
+            text!(
+                "choose which holds: {options}, --as-programmed (as the program writes it) or --as-modelled (as in the model, whatever the program says)",
+                options = own.join(", ")
+            )
+        });
+        let external = any(DifferingNumber::External).then(|| {
+            text!("say what the axis moves: --external carries-robot (a rail under the robot) or --external other (a positioner, a gripper)")
+        });
         let each = self.0.iter().map(Difference::describe);
-        Sentence::listed(each.chain([how]), "\n")
+        Sentence::listed(each.chain(held).chain(external), "\n")
     }
 }
 

@@ -14,25 +14,56 @@
 //! wobjdata   [robhold, ufprog, ufmec, [[x, y, z], [q1 … q4]], [[x, y, z], [q1 … q4]]]   user · object frame
 //! ```
 
-mod lists;
-
-use std::collections::BTreeMap;
+mod targets;
 
 use super::axes::Axes;
-use super::moves::{Goal, Moves};
 use super::program::Program;
-use super::referred::{Names, Referred, declare, declare_none};
-use super::target::{Problem, Remark};
+use super::referred::{Referred, declare, declare_none};
+use super::target::Problem;
 use super::text::Text;
-use super::tokens::{Dialect, Kind, Source, Words};
+use super::walk::{BASE, Constant, Declared, MODE, TOOL, Walk, walked};
+use super::words::{Dialect, Kind, List, Style, Value, Words};
 
-use lists::{Lists, Tree, is_array, mass};
+use targets::{external, held, mass, target};
 
 const DIALECT: Dialect = Dialect {
-    comment: Some(b'!'),
+    comments: b"!",
     strings: b"\"",
     bits: false,
+    cased: false,
+    end: phrase!("the end of the file"),
+    ends,
 };
+
+const LISTS: Style = Style {
+    brackets: *b"[]",
+    keyed: false,
+    expected: phrase!("a number"),
+};
+
+/// Heads of routines and blocks end without a semicolon, labels with their colon.
+fn ends(words: &Words, next: Option<Kind>, breaks: bool) -> bool {
+    let last = words.len() - 1;
+    if words.is_sign(last, b';') || is_label(words) && next != Some(Kind::Sign(b'=')) {
+        return true;
+    }
+    let first = words.name(usize::from(words.name(0) == "local"));
+    match first.as_str() {
+        "if" | "elseif" => words.name(last) == "then",
+        "for" | "while" => words.name(last) == "do",
+        "case" | "default" => words.is_sign(last, b':'),
+        "proc" | "func" if words.is_sign(last, b')') => words.is_closed(),
+        "module" | "proc" | "func" | "trap" | "test" | "record" => breaks && words.is_closed(),
+        _ if last > 0 => false,
+        "else" | "error" | "undo" | "backward" => true,
+        name => name.starts_with("end"),
+    }
+}
+
+/// `again:`
+fn is_label(words: &Words) -> bool {
+    words.len() == 2 && words.is_sign(1, b':') && words.is_name(0) && words.name(0) != "default"
+}
 
 pub(super) fn looks_like(bytes: &[u8]) -> bool {
     let text = String::from_utf8_lossy(bytes).to_lowercase();
@@ -48,370 +79,429 @@ pub(super) fn looks_like(bytes: &[u8]) -> bool {
 
 pub(super) fn read(text: &Text, axes: &Axes) -> Result<Program, Vec<Problem>> {
     axes.check_own("eax_a to eax_f")?;
-    let source = Source::new(text, DIALECT, phrase!("the end of the file"));
-    let words = source.words(text.start()..text.bytes.len());
-    let mut reader = RapidReader {
-        words: words.map_err(|problem| vec![problem])?,
+    let pieces = [(text.start()..text.bytes.len(), &DIALECT, statement as _)];
+    walked(
+        text,
         axes,
-        program: Program::default(),
-        problems: Vec::new(),
-        moves: Moves::default(),
-        loads: BTreeMap::new(),
-        gripped: Vec::new(),
-    };
-    declare_none(&mut reader.program.tools, "tool0");
-    reader.run();
-    for (name, at) in std::mem::take(&mut reader.gripped) {
-        if let Some(kg) = reader.loads.get(&name.to_lowercase()) {
-            reader.program.loads.state(*kg, at, &name);
+        &pieces,
+        |walk| declare_none(&mut walk.program.tools, "tool0"),
+        |spelled| text!("{spelled} is declared elsewhere", spelled),
+    )
+}
+
+fn statement(walk: &mut Walk, words: &Words) -> Result<(), Problem> {
+    let mut k = 0;
+    let (mut local, mut declares) = (false, false);
+    loop {
+        match words.name(k).as_str() {
+            "local" => local = true,
+            "task" => {}
+            "const" | "pers" | "var" => declares = true,
+            _ => break,
         }
+        k += 1;
     }
-    if reader.problems.is_empty() {
-        Ok(reader.moves.finish(reader.program, |spelled| {
-            text!("{spelled} is declared elsewhere", spelled)
-        }))
-    } else {
-        Err(reader.problems)
+    if declares {
+        return declaration(walk, words, k, local);
     }
+    if is_label(words) {
+        walk.label();
+        return Ok(());
+    }
+    routine_or_block(walk, words, k)
 }
 
-struct RapidReader<'t, 'a> {
-    words: Words<'t, 'a>,
-    axes: &'t Axes,
-    program: Program,
-    problems: Vec<Problem>,
-    moves: Moves,
-    /// Masses of `loaddata`, kg, by name.
-    loads: BTreeMap<String, f64>,
-    /// What `GripLoad` names, and where.
-    gripped: Vec<(String, usize)>,
-}
-
-impl<'t, 'a> RapidReader<'t, 'a> {
-    fn run(&mut self) {
-        let mut k = 0;
-        while k < self.words.len() {
-            k = match self.words.name(k).as_deref() {
-                Some(
-                    kind @ ("robtarget" | "jointtarget" | "tooldata" | "wobjdata" | "loaddata"),
-                ) => self.declaration(k, kind),
-                Some("gripload") if self.words.kind(k + 1) == Some(Kind::Name) => {
-                    let one = (self.words.spelled(k + 1), self.words.at(k + 1));
-                    self.gripped.push(one);
-                    k + 2
-                }
-                Some(name) if is_move(name) => self.motion(k, name),
-                Some(name) => {
-                    if SHIFTS.contains(&name) {
-                        let says = text!("{name} shifts the poses after it", name);
-                        self.run_time(self.words.at(k), says);
-                    }
-                    self.other_name(k)
-                }
-                None if self.words.is_sign(k, b'[') => self.loose_list(k),
-                None => k + 1,
+/// Heads and ends of routines and blocks; anything else is an instruction.
+fn routine_or_block(walk: &mut Walk, words: &Words, k: usize) -> Result<(), Problem> {
+    let deep = |says| Problem::new(words.at(k), text!("blocks in blocks"), says);
+    match words.name(k).as_str() {
+        "module" | "record" => walk.begin_routine("", &[], true).map_err(deep)?,
+        word @ ("proc" | "func" | "trap") => {
+            let name = k + if word == "func" { 2 } else { 1 };
+            let last = |j: &usize| {
+                words.is_name(*j)
+                    && matches!(
+                        words.kind(j + 1),
+                        Some(Kind::Sign(b',' | b')' | b'|' | b'{'))
+                    )
             };
+            let parameters: Vec<String> = (name + 1..words.len())
+                .filter(last)
+                .map(|j| words.name(j))
+                .collect();
+            let name = words.name(name);
+            walk.begin_routine(&name, &parameters, name == "main")
+                .map_err(deep)?;
         }
+        "endmodule" | "endproc" | "endfunc" | "endtrap" | "endrecord" => walk.end_routine(),
+        "if" if words.name(words.len() - 1) == "then" => walk.begin_block(false).map_err(deep)?,
+        "if" => {
+            // `IF condition instruction;`
+            let moves = |j: &usize| is_move(&words.name(*j)) || is_mode(&words.name(*j)).is_some();
+            let Some(own) = (k + 1..words.len()).find(moves) else {
+                walk.mention_all(words, k + 1..words.len(), "IF");
+                return Ok(());
+            };
+            walk.begin_block(false).map_err(deep)?;
+            let taken = instruction(walk, words, own);
+            walk.end_block();
+            return taken;
+        }
+        "for" | "while" => walk.begin_block(true).map_err(deep)?,
+        "test" => walk.begin_block(false).map_err(deep)?,
+        "elseif" | "case" => walk.alternative(false),
+        "else" | "default" => walk.alternative(true),
+        "endif" | "endfor" | "endwhile" | "endtest" => walk.end_block(),
+        _ => return instruction(walk, words, k),
     }
+    Ok(())
+}
 
-    /// `robtarget name{3} := value;`
-    fn declaration(&mut self, k: usize, kind: &str) -> usize {
-        if self.words.kind(k + 1) != Some(Kind::Name) {
-            return k + 1;
-        }
-        let (at, spelled) = (self.words.at(k + 1), self.words.spelled(k + 1));
-        let mut k = k + 2;
-        let array = self.words.is_sign(k, b'{');
-        if array {
-            k = self.words.until(k + 1, b"}") + 1;
-        }
-        let valued = self.words.is_sign(k, b':') && self.words.is_sign(k + 1, b'=');
-        k += if valued { 2 } else { 0 };
-        if !valued || !self.words.is_sign(k, b'[') {
-            // Without a value, or a parameter of a procedure.
-            if kind == "loaddata" {
-                return k;
-            }
-            if let Some(names) = self.names(kind) {
-                declare(
-                    names,
-                    &spelled,
-                    at,
-                    Err(text!(
-                        "{spelled} has no value in this file",
-                        spelled = &spelled
-                    )),
-                );
-            } else if valued {
-                self.moves.changed(spelled, self.words.at(k));
-            }
-            return k;
-        }
-        let (tree, end) = match self.lists().list(k, 0) {
-            Ok(list) => list,
-            Err(problem) => {
-                self.problems.push(problem);
-                return self.words.until(k, b";");
-            }
-        };
-        if kind == "loaddata" {
-            if let Some(kg) = mass(Some(&tree)) {
-                self.loads.insert(spelled.to_lowercase(), kg);
-            }
-            return end;
-        }
-        let pose = self.lists().held(&tree, &spelled, kind == "tooldata");
-        if let Some(names) = self.names(kind) {
-            declare(names, &spelled, at, pose);
-            let load = tree.list().and_then(|parts| parts.get(2));
-            if let Some(declared) = names.get_mut(&spelled.to_lowercase())
-                && kind == "tooldata"
-            {
-                declared.mass_kg = mass(load);
-            }
-        } else {
-            self.declared(&tree, &spelled, &spelled, kind == "robtarget", array);
-        }
-        if !self.words.is_sign(end, b';') {
-            let problem = self
-                .words
-                .problem(end, text!("a semicolon behind {spelled}", spelled));
-            self.problems.push(problem);
-        }
-        end
+/// `CONST robtarget name{3} := value;`
+fn declaration(walk: &mut Walk, words: &Words, k: usize, local: bool) -> Result<(), Problem> {
+    let kind = words.name(k);
+    let (name, spelled, at) = (words.name(k + 1), words.spelled(k + 1), words.at(k + 1));
+    let target = matches!(kind.as_str(), "robtarget" | "jointtarget");
+    // What a module declares is known in the whole file, unless it is its own.
+    let declared = if target {
+        Declared::Target
+    } else {
+        Declared::Other(words.spelled(k))
+    };
+    walk.declare(&name, declared, !local && walk.depth() <= 1);
+    let mut k = k + 2;
+    let array = words.is_sign(k, b'{');
+    if array {
+        k = words.until(k + 1, b"}") + 1;
     }
-
-    /// Where what is declared is kept, unless it is a target.
-    fn names(&mut self, kind: &str) -> Option<&mut Names> {
-        match kind {
-            "tooldata" => Some(&mut self.program.tools),
-            "wobjdata" => Some(&mut self.program.frames),
-            _ => None,
-        }
-    }
-
-    fn declared(&mut self, tree: &Tree, name: &str, spelled: &str, pose: bool, array: bool) {
-        if array {
-            for (index, element) in tree.list().unwrap_or_default().iter().enumerate() {
-                let spelled = format!("{spelled}{{{}}}", index + 1);
-                self.declared(element, name, &spelled, pose, is_array(element, pose));
-            }
-            return;
-        }
-        match self.lists().target(tree, spelled, Some(pose)) {
-            Ok(Some(target)) => {
-                self.moves
-                    .target(&mut self.program, Some(&name.to_lowercase()), target);
-            }
-            Ok(None) => {
-                let at = match tree {
-                    Tree::List(_, at) => *at,
-                    Tree::Number(number) => number.range().start,
-                    Tree::Other(k) => self.words.at(*k),
-                };
-                self.run_time(
-                    at,
-                    text!(
-                        "{spelled} has values that are computed at run time",
-                        spelled
-                    ),
-                );
-            }
-            Err(problem) => self.problems.push(problem),
-        }
-    }
-
-    /// A list that stands in no declaration and no move: an assignment, or a parameter.
-    fn loose_list(&mut self, k: usize) -> usize {
-        let (tree, end) = match self.lists().list(k, 0) {
-            Ok(list) => list,
-            Err(problem) => {
-                self.problems.push(problem);
-                return self.words.until(k, b";");
-            }
-        };
-        // The name in front of `:= [`.
-        let assigned = k >= 3
-            && self.words.is_sign(k - 1, b'=')
-            && self.words.is_sign(k - 2, b':')
-            && self.words.kind(k - 3) == Some(Kind::Name);
-        let name = assigned.then(|| self.words.spelled(k - 3));
-        // Any other list is no target and no problem.
-        match self
-            .lists()
-            .target(&tree, name.as_deref().unwrap_or("a target"), None)
-        {
-            Ok(Some(target)) => {
-                let name = name.map(|name| name.to_lowercase());
-                self.moves
-                    .target(&mut self.program, name.as_deref(), target);
-            }
-            _ => {
-                if let Some(name) = name {
-                    self.moves.changed(name, self.words.at(k - 3));
-                }
-            }
-        }
-        end
-    }
-
-    /// `name := …` and `name.trans.x := …` change a target at run time.
-    fn other_name(&mut self, k: usize) -> usize {
-        let mut next = k + 1;
-        if self.words.is_sign(next, b'{') {
-            next = self.words.until(next + 1, b"}") + 1;
-        }
-        let mut component = false;
-        while self.words.is_sign(next, b'.') && self.words.kind(next + 1) == Some(Kind::Name) {
-            component = true;
-            next += 2;
-        }
-        let assigned = self.words.is_sign(next, b':') && self.words.is_sign(next + 1, b'=');
-        let literal = self.words.is_sign(next + 2, b'[') && !component;
-        if assigned && !literal {
-            self.moves.changed(self.words.spelled(k), self.words.at(k));
-            return next + 2;
-        }
-        k + 1
-    }
-
-    /// `MoveL p1, v100, fine, tGun\WObj:=fixture;`, argument by argument.
-    fn motion(&mut self, k: usize, name: &str) -> usize {
-        let circle = name.starts_with("movec") || matches!(name, "triggc" | "arcc" | "arccend");
-        let command = self.words.spelled(k);
-        let mut arguments = Vec::new();
-        let mut k = k + 1;
-        while k < self.words.len() && !self.words.is_sign(k, b';') {
-            let end = self.words.until(k, b",;");
-            let next_move = |j: &usize| self.words.name(*j).is_some_and(|n| is_move(&n));
-            if let Some(j) = (k..end).find(next_move) {
-                let expected = text!("a semicolon at the end of the {command} before it", command);
-                self.problems.push(self.words.problem(j, expected));
-                return j;
-            }
-            // A switch at the beginning is no argument: `\Conc, p1, …`.
-            if !self.words.is_sign(k, b'\\') {
-                arguments.push((k, end));
-            }
-            k = end + usize::from(self.words.is_sign(end, b','));
-        }
-        let goals = if circle { 2 } else { 1 };
-        let (frame, tool) = self.held_in(name, &arguments, goals);
-        for (k, end) in arguments.into_iter().take(goals) {
-            self.goal(k, end, &command, &frame, &tool);
-        }
-        k
-    }
-
-    /// The work object and the tool of a move.
-    fn held_in(
-        &self,
-        name: &str,
-        arguments: &[(usize, usize)],
-        goals: usize,
-    ) -> (Referred, Referred) {
-        // Goals, speed, zone, tool; of other processes the tool is the last.
-        let place = if name.starts_with("move") {
-            goals + 2
-        } else {
-            arguments.len().saturating_sub(1)
-        };
-        let Some(&(k, end)) = arguments.get(place) else {
-            return (Referred::Unsaid, Referred::Unsaid);
-        };
-        let alone = |k: usize, end: usize| self.words.kind(k) == Some(Kind::Name) && end == k + 1;
-        let of = |k: usize, end: usize| {
-            if alone(k, end) {
-                Referred::named(self.words.spelled(k))
+    let valued = words.is_sign(k, b':') && words.is_sign(k + 1, b'=');
+    let tool = kind == "tooldata";
+    if !valued || !words.is_sign(k + 2, b'[') {
+        if tool || kind == "wobjdata" {
+            let names = if tool {
+                &mut walk.program.tools
             } else {
-                Referred::Unknown(text!(
-                    "{name} is computed at run time",
-                    name = self.words.shown(k, end)
-                ))
-            }
-        };
-        let tool = of(k, self.words.until(k, b"\\,;"));
-        let is_frame = |j: &usize| {
-            self.words.is_sign(*j, b'\\') && self.words.name(*j + 1).is_some_and(|n| n == "wobj")
-        };
-        // The switch may stand behind a later argument as well.
-        let last = arguments.last().map_or(end, |(_, end)| *end);
-        let frame = match (k..last).find(is_frame) {
-            Some(j) => of(j + 4, self.words.until(j + 4, b"\\,;")),
-            None => Referred::Unsaid,
-        };
-        if frame.is("wobj0") {
-            (Referred::Unsaid, tool)
-        } else {
-            (frame, tool)
+                &mut walk.program.frames
+            };
+            let says = text!("{spelled} has no value in this file", spelled = &spelled);
+            declare(names, &spelled, at, Err(says));
+        } else if valued && target {
+            walk.changed(&name, &spelled, at);
         }
+        return Ok(());
     }
-
-    fn goal(&mut self, k: usize, end: usize, command: &str, frame: &Referred, tool: &Referred) {
-        let at = self.words.at(k);
-        let mut go = |goal| {
-            self.moves.push(&mut self.program, at, goal, frame, tool);
-        };
-        // Switches of the move may follow its target.
-        let alone = k + 1 == end || self.words.is_sign(k + 1, b'\\');
-        if self.words.kind(k) == Some(Kind::Name) {
-            if alone {
-                let spelled = self.words.spelled(k);
-                return go(Goal::Named(spelled.to_lowercase(), spelled));
-            }
-            for j in k..end {
-                if let Some(name) = self.words.name(j) {
-                    go(Goal::Mentioned(name));
-                }
-            }
-            let what = self.words.shown(k, end);
-            return self.run_time(
-                at,
-                text!(
-                    "{command} goes to {target}, which is computed at run time",
-                    command,
-                    target = what
-                ),
-            );
-        }
-        if !self.words.is_sign(k, b'[') {
-            return;
-        }
-        let read = self.lists().list(k, 0).and_then(|(tree, behind)| {
-            if behind != end && !self.words.is_sign(behind, b'\\') {
-                return Err(self.words.problem(behind, text!("a comma or a semicolon")));
-            }
-            self.lists()
-                .target(&tree, &format!("target of {command}"), None)
-        });
-        match read {
-            Ok(Some(target)) => {
-                let index = self.moves.target(&mut self.program, None, target);
-                let goal = Goal::Inline(index);
-                self.moves.push(&mut self.program, at, goal, frame, tool);
-            }
-            Ok(None) => self.run_time(
-                at,
-                text!("the target of {command} is computed at run time", command),
-            ),
-            Err(problem) => self.problems.push(problem),
-        }
+    if !(target || tool || matches!(kind.as_str(), "wobjdata" | "loaddata" | "extjoint")) {
+        return Ok(());
     }
-
-    fn lists(&self) -> Lists<'_, 't, 'a> {
-        Lists {
-            words: &self.words,
-            axes: self.axes,
+    let (list, end) = words.list(k + 2, LISTS, 0)?;
+    match kind.as_str() {
+        "tooldata" | "wobjdata" => {
+            let pose = held(words, &list, &spelled, tool)?;
+            let names = if tool {
+                &mut walk.program.tools
+            } else {
+                &mut walk.program.frames
+            };
+            declare(names, &spelled, at, pose);
+            if let Some(declared) = names.get_mut(&name).filter(|_| tool) {
+                declared.mass_kg = mass(list.parts.get(2).and_then(|part| part.value.list()));
+                declared.stands = words.name(words_of(&list)) == "false";
+            }
         }
+        "loaddata" => {
+            if let Some(kg) = mass(Some(&list)) {
+                walk.constant(&name, Constant::Load(kg));
+            }
+        }
+        "extjoint" => {
+            if let Some(numbers) = list.numbers()
+                && let Ok(numbers) = numbers.try_into()
+            {
+                let numbers: [super::Number; 6] = numbers;
+                walk.constant(&name, Constant::External(numbers.map(external)));
+            }
+        }
+        _ => values(
+            walk,
+            words,
+            &list,
+            [&name, &spelled],
+            None,
+            (kind == "robtarget", array),
+        )?,
     }
+    if words.is_sign(end, b';') {
+        return Ok(());
+    }
+    Err(words.problem(end, text!("a semicolon behind {spelled}", spelled)))
+}
 
-    fn run_time(&mut self, at: usize, says: crate::text::Text) {
-        self.program.at_run_time.push(Remark { at, text: says });
+/// The first word of a list's first part.
+fn words_of(list: &List) -> usize {
+    match list.parts.first().map(|part| &part.value) {
+        Some(Value::Other(range)) => range.start,
+        _ => usize::MAX,
     }
 }
 
-/// Instructions that shift all poses after them at run time.
-const SHIFTS: [&str; 3] = ["pdispset", "pdispon", "eoffsset"];
+/// A target, or each of an array of them.
+fn values(
+    walk: &mut Walk,
+    words: &Words,
+    list: &List,
+    [name, spelled]: [&str; 2],
+    whole: Option<&str>,
+    (pose, array): (bool, bool),
+) -> Result<(), Problem> {
+    if array {
+        let own = whole.unwrap_or(name);
+        for (index, part) in list.parts.iter().enumerate() {
+            let element = [name, spelled].map(|name| format!("{name}{{{}}}", index + 1));
+            let element = [&*element[0], &*element[1]];
+            if let Some(list) = part.value.list() {
+                let parts = if pose { 4 } else { 2 };
+                let first = list.parts.first().and_then(|part| part.value.list());
+                let nested =
+                    |list: &List| list.parts.first().is_some_and(|p| p.value.list().is_some());
+                let array = list.parts.len() != parts && first.is_some_and(nested);
+                values(walk, words, list, element, Some(own), (pose, array))?;
+            }
+        }
+        return Ok(());
+    }
+    match target(walk, words, list, spelled, Some(pose))? {
+        Ok(target) => walk.value(name, whole, target),
+        Err(says) => walk.left(list.at, says),
+    }
+    Ok(())
+}
+
+/// A move, an assignment, or a call.
+fn instruction(walk: &mut Walk, words: &Words, k: usize) -> Result<(), Problem> {
+    let name = words.name(k);
+    let command = words.spelled(k);
+    if is_move(&name) {
+        return motion(walk, words, k, &name);
+    }
+    if let Some(equals) = words
+        .assigns(k)
+        .filter(|equals| words.is_sign(equals - 1, b':'))
+    {
+        return assignment(walk, words, k, equals);
+    }
+    match is_mode(&name) {
+        Some(true) => {
+            let says = text!("{name} shifts the poses after it", name = &name);
+            walk.left(words.at(k), says.clone());
+            walk.set(MODE, Referred::Unknown(says));
+        }
+        Some(false) => walk.set(MODE, Referred::Unsaid),
+        None if name == "moveextj" => {
+            let says = text!("{command} moves external axes only", command = &command);
+            walk.left(words.at(k), says);
+        }
+        None if name == "gripload" => {
+            let load = words.spelled(k + 1);
+            if let Some(Constant::Load(kg)) = walk.constant_of(&load).cloned() {
+                walk.program.loads.state(kg, words.at(k + 1), &load);
+            }
+        }
+        None => {
+            let alone =
+                words.is_name(k) && words.is_sign(k + 1, b';') && !INSTRUCTIONS.contains(&&*name);
+            if !walk.call(&name, &command) && alone {
+                let says = text!(
+                    "{command} is another routine's: its motions are not in this file",
+                    command = &command
+                );
+                walk.left(words.at(k), says);
+            }
+        }
+    }
+    walk.mention_all(words, k + 1..words.len(), &command);
+    Ok(())
+}
+
+/// `name := …` and `name.trans.x := …`: a target, or what changes one at run time.
+fn assignment(walk: &mut Walk, words: &Words, k: usize, equals: usize) -> Result<(), Problem> {
+    let (name, spelled) = (words.name(k), words.spelled(k));
+    // An element of an array is told by its number.
+    let element = element_of(words, k).filter(|_| words.is_sign(k + 4, b':'));
+    let component = (k..equals).any(|j| words.is_sign(j, b'.'));
+    let declared = walk.declared(&name);
+    let may_be = matches!(declared, Declared::Target | Declared::Nowhere);
+    if words.is_sign(equals + 1, b'[') && !component && may_be {
+        let (list, _) = words.list(equals + 1, LISTS, 0)?;
+        let own = element.as_deref().unwrap_or(&name);
+        // Any other list is no target and no problem.
+        if let Ok(Ok(target)) = target(walk, words, &list, &spelled, None) {
+            walk.value(own, element.is_some().then_some(&name), target);
+            return Ok(());
+        }
+    }
+    walk.changed(element.as_deref().unwrap_or(&name), &spelled, words.at(k));
+    walk.mention_all(words, equals + 1..words.len(), &spelled);
+    Ok(())
+}
+
+/// `name{3}`, if word `k` is that.
+fn element_of(words: &Words, k: usize) -> Option<String> {
+    let digits = words.kind(k + 2) == Some(Kind::Digits);
+    let is = words.is_sign(k + 1, b'{') && digits && words.is_sign(k + 3, b'}');
+    is.then(|| format!("{}{{{}}}", words.name(k), words.spelled(k + 2)))
+}
+
+/// `MoveL p1, v100, fine, tGun\WObj:=fixture;`, argument by argument.
+fn motion(walk: &mut Walk, words: &Words, k: usize, name: &str) -> Result<(), Problem> {
+    let circle = name.starts_with("movec") || matches!(name, "triggc" | "arcc" | "arccend");
+    let command = words.spelled(k);
+    let mut arguments = Vec::new();
+    let mut k = k + 1;
+    while k < words.len() && !words.is_sign(k, b';') {
+        let end = words.until(k, b",;");
+        if let Some(j) = (k..end).find(|j| is_move(&words.name(*j))) {
+            let expected = text!("a semicolon at the end of the {command} before it", command);
+            return Err(words.problem(j, expected));
+        }
+        // A switch at the beginning is no argument: `\Conc, p1, …`.
+        if !words.is_sign(k, b'\\') {
+            arguments.push((k, end));
+        }
+        k = end + usize::from(words.is_sign(end, b','));
+    }
+    let goals = if circle { 2 } else { 1 };
+    let changes = held_in(words, name, &arguments, goals);
+    for (k, end) in arguments.into_iter().take(goals) {
+        goal(walk, words, (k, end), &command, &changes)?;
+    }
+    Ok(())
+}
+
+/// The work object and the tool of a move.
+fn held_in(
+    words: &Words,
+    name: &str,
+    arguments: &[(usize, usize)],
+    goals: usize,
+) -> [(usize, Referred); 2] {
+    // Goals, speed, zone, tool; of other processes the tool is the last.
+    let place = if name.starts_with("move") {
+        goals + 2
+    } else {
+        arguments.len().saturating_sub(1)
+    };
+    let Some(&(k, end)) = arguments.get(place) else {
+        return [(BASE, Referred::Unsaid), (TOOL, Referred::Unsaid)];
+    };
+    let of = |k: usize| {
+        let end = words.until(k, b"\\,;");
+        if words.is_name(k) && end == k + 1 {
+            Referred::named(words.spelled(k))
+        } else {
+            let name = words.shown(k, end);
+            Referred::Unknown(text!("{name} is computed at run time", name))
+        }
+    };
+    let is_frame = |j: &usize| words.is_sign(*j, b'\\') && words.name(*j + 1) == "wobj";
+    // The switch may stand behind a later argument as well.
+    let last = arguments.last().map_or(end, |(_, end)| *end);
+    let frame = (k..last).find(is_frame).map(|j| of(j + 4));
+    let frame = frame.filter(|frame| !frame.is("wobj0"));
+    [(BASE, frame.unwrap_or_default()), (TOOL, of(k))]
+}
+
+fn goal(
+    walk: &mut Walk,
+    words: &Words,
+    (k, end): (usize, usize),
+    command: &str,
+    changes: &[(usize, Referred)],
+) -> Result<(), Problem> {
+    let at = words.at(k);
+    let ends = |k: usize| k >= end || words.is_sign(k, b'\\');
+    let name = words.name(k);
+    // Switches of the move may follow its target.
+    if words.is_name(k) && ends(k + 1) {
+        walk.go_to_name((&name, &words.spelled(k)), at, None, changes);
+        return Ok(());
+    }
+    if words.is_name(k) && words.is_sign(k + 1, b'{') && ends(words.until(k + 2, b"}") + 1) {
+        match element_of(words, k) {
+            Some(element) if walk.knows(&element) => {
+                walk.go_to_name((&element, &element), at, None, changes);
+            }
+            _ => walk.go_to_part(&name, at, true, changes),
+        }
+        return Ok(());
+    }
+    if words.is_sign(k, b'*') {
+        let says = text!(
+            "{command} goes to *, whose values are in the controller and not in the file",
+            command
+        );
+        walk.left(at, says);
+        return Ok(());
+    }
+    if words.is_sign(k, b'[') {
+        let (list, behind) = words.list(k, LISTS, 0)?;
+        if !ends(behind) {
+            return Err(words.problem(behind, text!("a comma or a semicolon")));
+        }
+        match target(walk, words, &list, &format!("target of {command}"), None)? {
+            Ok(target) => walk.go_to(target, changes),
+            Err(says) => walk.left(at, says),
+        }
+        return Ok(());
+    }
+    for j in k..end {
+        if words.is_name(j) && walk.knows(&words.name(j)) {
+            walk.go_to_part(&words.name(j), at, false, changes);
+            walk.mention(&words.name(j), at, &words.spelled(k));
+        }
+    }
+    let target = words.shown(k, end);
+    walk.left(
+        at,
+        text!(
+            "{command} goes to {target}, which is computed at run time",
+            command,
+            target
+        ),
+    );
+    Ok(())
+}
+
+/// Whether an instruction shifts all poses after it, or ends that.
+fn is_mode(name: &str) -> Option<bool> {
+    match name {
+        "pdispset" | "pdispon" => Some(true),
+        "pdispoff" => Some(false),
+        _ => None,
+    }
+}
+
+/// Instructions without arguments.
+const INSTRUCTIONS: [&str; 19] = [
+    "return",
+    "stop",
+    "break",
+    "exit",
+    "exitcycle",
+    "retry",
+    "trynext",
+    "raise",
+    "startmove",
+    "stopmove",
+    "storepath",
+    "restopath",
+    "clearpath",
+    "tperase",
+    "eoffsoff",
+    "softdeact",
+    "stopmovereset",
+    "syncmoveundo",
+    "waitrob",
+];
 
 /// Instructions that move to a target that is their first argument.
 fn is_move(name: &str) -> bool {

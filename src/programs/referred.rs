@@ -40,11 +40,26 @@ impl std::fmt::Display for Referred {
     }
 }
 
-/// The frame and the tool of a motion.
+/// The frame and the tool of a motion, and what else keeps its pose from being where it is written.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct FrameAndTool {
     pub(super) frame: Referred,
     pub(super) tool: Referred,
+    pub(super) mode: Referred,
+}
+
+impl FrameAndTool {
+    /// In the order of the walk's parts.
+    pub(super) fn new([frame, tool, mode]: [Referred; 3]) -> Self {
+        Self { frame, tool, mode }
+    }
+
+    /// The same with another part.
+    pub(super) fn with(&self, part: usize, what: &Referred) -> Self {
+        let mut parts = [&self.frame, &self.tool, &self.mode];
+        parts[part] = what;
+        Self::new(parts.map(Clone::clone))
+    }
 }
 
 /// Every frame and tool that motions of a program have, each pair once.
@@ -68,13 +83,6 @@ impl FrameToolPairs {
 
     pub(super) fn get(&self, index: u32) -> &FrameAndTool {
         &self.all[index as usize]
-    }
-
-    /// Changes the tool of every motion.
-    pub(super) fn set_tools(&mut self, tool: &Referred) {
-        for way in &mut self.all {
-            way.tool = tool.clone();
-        }
     }
 }
 
@@ -112,6 +120,8 @@ pub(super) struct Declared {
     pub(super) mass_kg: Option<f64>,
     /// Whether it is the language's own name for "none": it says nothing.
     pub(super) is_none: bool,
+    /// Whether the tool stands and the robot holds the part.
+    pub(super) stands: bool,
 }
 
 /// Frames or tools by their names in small letters.
@@ -131,6 +141,7 @@ pub(super) fn declare(names: &mut Names, spelled: &str, at: usize, pose: Result<
             pose,
             mass_kg: None,
             is_none: false,
+            stands: false,
         });
 }
 
@@ -141,6 +152,7 @@ pub(super) fn declare_none(names: &mut Names, spelled: &str) {
         pose: Ok(Pose::identity()),
         mass_kg: None,
         is_none: true,
+        stands: false,
     };
     names.insert(spelled.to_lowercase(), none);
 }

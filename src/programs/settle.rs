@@ -8,7 +8,8 @@ use std::collections::BTreeMap;
 use super::pose::Orientation;
 use super::program::Program;
 use super::program_frames::{
-    Difference, Differences, DifferingNumber, ModelTool, Precedence, Reading, ToolReading,
+    Difference, Differences, DifferingNumber, ExternalAxes, ModelTool, Precedence, Reading,
+    ToolReading,
 };
 use super::referred::{Declared, Referred};
 use super::request::{CompensateError, Request};
@@ -153,6 +154,20 @@ pub(super) fn settled(
         }
     };
     let load_kg = load(program, text, request, &mut differ, &mut notes);
+    let moved = external(program, text, request);
+    let mut carried = None;
+    match request.frames.external {
+        ExternalAxes::Asked => differ.extend(moved),
+        ExternalAxes::CarryRobot => {
+            carried = moved.first().map(|axis| {
+                text!(
+                    "the axis {name} carries the robot, and the model does not have it",
+                    name = &axis.name
+                )
+            });
+        }
+        ExternalAxes::Other => {}
+    }
     if !differ.is_empty() {
         return Err(CompensateError::Differs(Differences(differ)));
     }
@@ -173,8 +188,45 @@ pub(super) fn settled(
         all_frames,
         tool,
         load_kg,
+        carried,
         notes,
     })
+}
+
+/// External axes that the model does not have and that differ between targets.
+fn external(program: &Program, text: &Text, request: &Request) -> Vec<Difference> {
+    let mut first: [Option<f64>; 6] = [None; 6];
+    let mut found: [Option<Difference>; 6] = [const { None }; 6];
+    for target in program
+        .targets
+        .iter()
+        .filter(|target| target.left.is_none())
+    {
+        let Some(axes) = (target.outside as usize)
+            .checked_sub(1)
+            .map(|k| program.outside[k])
+        else {
+            continue;
+        };
+        for (k, value) in axes.into_iter().enumerate() {
+            let Some(value) = value else { continue };
+            let known = *first[k].get_or_insert(value);
+            if known.to_bits() == value.to_bits() || found[k].is_some() {
+                continue;
+            }
+            found[k] = Some(Difference {
+                what: DifferingNumber::External,
+                place: text.place(target.at),
+                name: match request.language.id {
+                    "rapid" => format!("eax_{}", char::from(b"abcdef"[k])),
+                    _ => format!("E{}", k + 1),
+                },
+                program: text!("{one} and {other}", one = known, other = value),
+                model: Sentence::default(),
+            });
+        }
+    }
+    found.into_iter().flatten().collect()
 }
 
 /// Which of the program's tools are taken for another one.

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use crate::kinematics::configuration::Statement;
 
-use super::answer::SkippedTarget;
+use super::answer::{Reason, SkippedTarget};
 use super::number::{Number, Span};
 use super::pose::Frame;
 use super::referred::{Placed, UsedPairs};
@@ -115,6 +115,9 @@ pub struct Posture {
     pub(super) marks: Vec<Mark>,
 }
 
+/// Where external axes are that the model does not have, in the file's unit.
+pub(super) type Outside = [Option<f64>; 6];
+
 /// One target of a file. A long program has hundreds of thousands, so that what few have stands apart.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Target {
@@ -132,6 +135,10 @@ pub struct Target {
     pub(super) ways: UsedPairs,
     /// How its pose is to be read.
     pub(super) placed: Placed,
+    /// Where external axes are that the model does not have, counted from 1 in the program's list; 0: not said.
+    pub(super) outside: u32,
+    /// Whether it is no target after all.
+    pub(super) is_none: bool,
 }
 
 impl Target {
@@ -145,7 +152,15 @@ impl Target {
             left: None,
             ways: UsedPairs::default(),
             placed: Placed::default(),
+            outside: 0,
+            is_none: false,
         }
+    }
+
+    /// Leaves it as it is, unless there was a reason before.
+    pub(super) fn leave(&mut self, reason: Reason, says: Text) {
+        self.left
+            .get_or_insert_with(|| Box::new(SkippedTarget::new(reason, says)));
     }
 
     /// What is known of its circumstances.

@@ -17,7 +17,11 @@ pub(super) struct Used<'p> {
 impl<'p> Used<'p> {
     pub(super) fn of(program: &'p Program) -> Self {
         let mut used = [BTreeSet::new(), BTreeSet::new()];
-        for target in &program.targets {
+        for target in program
+            .targets
+            .iter()
+            .filter(|target| target.left.is_none())
+        {
             let which = usize::from(matches!(target.shape, Shape::Joints { .. }));
             used[which].extend(target.ways.iter());
         }

@@ -59,6 +59,7 @@ mod paper;
 mod plan;
 mod plan_arms;
 mod program_frames;
+mod program_table;
 mod programs;
 mod recordings;
 mod recovery;

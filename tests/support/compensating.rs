@@ -109,6 +109,7 @@ pub fn compensated(
             tool: Precedence::Given(placed([1.0, 2.0, 3.0])),
             frame: Precedence::Given(placed([10.0, -20.0, 30.0])),
             load: Precedence::Given(2.0),
+            ..ProgramFrames::default()
         },
         _ => ProgramFrames {
             tool: Precedence::Given(placed([40.0, 0.0, 120.0])),

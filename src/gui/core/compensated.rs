@@ -9,8 +9,8 @@ use crate::kinematics::Pose;
 use crate::pipeline;
 use crate::present::compensation_v1::{Summary, document};
 use crate::programs::{
-    Answer, CompensateError, DifferingNumber, LANGUAGES, Precedence, ProgramFrames, Request,
-    language_of,
+    Answer, CompensateError, DifferingNumber, ExternalAxes, LANGUAGES, Precedence, ProgramFrames,
+    Request, language_of,
 };
 use crate::sessions::files::open::read_document;
 
@@ -51,6 +51,8 @@ pub(crate) struct CompensationRequest {
     pub(crate) tool: PrecedenceChoice,
     /// Whose frame (work object, base, user frame) holds.
     pub(crate) frame: PrecedenceChoice,
+    /// What external axes move that differ between targets.
+    pub(crate) external: ExternalAxes,
 }
 
 impl CompensationRequest {
@@ -62,6 +64,7 @@ impl CompensationRequest {
             measured_frame: false,
             tool: PrecedenceChoice::Asked,
             frame: PrecedenceChoice::Asked,
+            external: ExternalAxes::Asked,
         }
     }
 }
@@ -171,6 +174,7 @@ fn corrected(
             tool: wanted.tool.holds(),
             frame: wanted.frame.holds(),
             load: Precedence::Given(wanted.load_kg),
+            external: wanted.external,
         },
         measured_frame: wanted.measured_frame,
     })

@@ -12,7 +12,7 @@ use crate::gui::view::What;
 use crate::gui::views::blocks::{self, Title};
 use crate::gui::widgets;
 use crate::gui::workbench::{Asked, Command, Workbench};
-use crate::programs::DifferingNumber;
+use crate::programs::{DifferingNumber, ExternalAxes};
 
 /// Widest, points.
 const WIDE: f32 = 860.0;
@@ -103,6 +103,9 @@ fn asked(
     if differs.contains(&DifferingNumber::Frame) || wanted.frame != PrecedenceChoice::Asked {
         whose(ui, frame, &mut wanted.frame);
     }
+    if differs.contains(&DifferingNumber::External) || wanted.external != ExternalAxes::Asked {
+        moved(ui, &mut wanted.external);
+    }
     if wanted != *before {
         commands.push(Command::Compensate(wanted));
     }
@@ -122,6 +125,26 @@ fn whose(ui: &mut Ui, of: &str, holds: &mut PrecedenceChoice) {
             widgets::label(&radio, name);
             if radio.clicked() {
                 *holds = choice;
+            }
+        }
+    });
+}
+
+/// What an external axis moves.
+fn moved(ui: &mut Ui, external: &mut ExternalAxes) {
+    ui.horizontal_wrapped(|ui| {
+        let of = say!("External axis");
+        ui.label(of);
+        let choices = [
+            (ExternalAxes::CarryRobot, say!("carries the robot")),
+            (ExternalAxes::Other, say!("moves something else")),
+        ];
+        for (choice, text) in choices {
+            let name = format!("{of}: {text}");
+            let radio = ui.radio(*external == choice, text);
+            widgets::label(&radio, name);
+            if radio.clicked() {
+                *external = choice;
             }
         }
     });

@@ -8,10 +8,10 @@ use crate::kinematics::configuration::Statement;
 use super::super::axes::{Axes, Slot};
 use super::super::number::{Number, Span};
 use super::super::pose::{Frame, Orientation};
-use super::super::target::{Mark, Problem, Remark, Shape, Target};
-use super::super::tokens::{Kind, Words};
-use crate::programs::program::Program;
-use crate::programs::referred::{FrameAndTool, Referred};
+use super::super::target::{Mark, Outside, Problem, Remark, Shape, Target};
+use super::super::walk::{Constant, Declared, Walk};
+use super::super::words::{Kind, Words};
+use crate::text::Text;
 
 /// A value of a group.
 enum Value {
@@ -20,96 +20,84 @@ enum Value {
     Nothing,
 }
 
-pub(super) struct Positions<'t, 'a, 'p> {
-    pub(super) words: Words<'t, 'a>,
-    pub(super) axes: &'t Axes,
-    pub(super) program: &'p mut Program,
-    pub(super) problems: &'p mut Vec<Problem>,
-    pub(super) by_number: BTreeMap<u64, usize>,
+/// One position, `P[n:"name"]{ … };`
+pub(super) fn position(walk: &mut Walk, words: &Words) -> Result<(), Problem> {
+    let at = words.at(0);
+    if words.bytes(0) != b"P" {
+        return Err(words.problem(0, Text::verbatim("P[…]{ … };")));
+    }
+    words.expect(1, b'[')?;
+    let number: u64 = (words.spelled(2).parse())
+        .map_err(|_| words.problem(2, text!("the number of the position")))?;
+    let mut k = 3;
+    let key = format!("p[{number}]");
+    let mut name = format!("P[{number}]");
+    if words.is_sign(k, b':') {
+        if words.kind(k + 1) == Some(Kind::String) {
+            name = format!("P[{number}:{}]", words.spelled(k + 1).trim_matches('"'));
+        }
+        k = words.until(k + 1, b"]");
+    }
+    words.expect(k, b']')?;
+    words.expect(k + 1, b'{')?;
+    if walk.has_value(&key) {
+        let found = text!("{name} a second time", name);
+        return Err(Problem::new(at, found, text!("every position once")));
+    }
+    let reader = Reader {
+        words,
+        axes: walk.axes,
+    };
+    let (first, others, end) = reader.groups(k + 2)?;
+    words.expect(end, b'}')?;
+    if let Some((number, at)) = others
+        && !walk
+            .program
+            .notes
+            .iter()
+            .any(|n| n.text.to_string().contains("of group"))
+    {
+        let text = text!("positions of group {number} are left as they are", number);
+        walk.program.notes.push(Remark { at, text });
+    }
+    let Some((group, begins)) = first else {
+        return Ok(());
+    };
+    walk.constant(
+        &key,
+        Constant::Position([group.frame.clone(), group.tool.clone()]),
+    );
+    if group.values.values().any(|v| matches!(v, Value::Nothing)) {
+        walk.left(at, text!("{name} was never taught", name));
+        return Ok(());
+    }
+    let mut target = reader.target(&group, &name, at, begins)?;
+    let outside: Outside =
+        std::array::from_fn(|k| match group.values.get(&format!("e{}", k + 1)) {
+            Some(Value::Number(number, _)) => Some(number.value),
+            _ => None,
+        });
+    target.outside = walk.outside(outside);
+    walk.declare(&key, Declared::Target, true);
+    walk.value(&key, None, target);
+    Ok(())
 }
 
-impl Positions<'_, '_, '_> {
-    pub(super) fn run(&mut self) {
-        let mut k = 0;
-        while k < self.words.len() {
-            match self.position(k) {
-                Ok(end) => k = end,
-                Err(problem) => {
-                    self.problems.push(problem);
-                    // The next position is read all the same.
-                    k += 1;
-                    while k < self.words.len()
-                        && !(self.words.bytes(k) == b"P" && self.words.is_sign(k + 1, b'['))
-                    {
-                        k += 1;
-                    }
-                }
-            }
-        }
-    }
+struct Reader<'r, 't, 'a> {
+    words: &'r Words<'t, 'a>,
+    axes: &'r Axes,
+}
 
-    /// `P[n:"name"]{ … };`
-    fn position(&mut self, k: usize) -> Result<usize, Problem> {
-        let at = self.words.at(k);
-        if self.words.bytes(k) != b"P" {
-            return Err(self
-                .words
-                .problem(k, crate::text::Text::verbatim("P[…]{ … };")));
-        }
-        self.expect(k + 1, b'[')?;
-        let number: u64 = (self.words.spelled(k + 2).parse()).map_err(|_| {
-            self.words
-                .problem(k + 2, text!("the number of the position"))
-        })?;
-        let mut k = k + 3;
-        let mut name = format!("P[{number}]");
-        if self.words.is_sign(k, b':') {
-            if self.words.kind(k + 1) == Some(Kind::String) {
-                name = format!(
-                    "P[{number}:{}]",
-                    self.words.spelled(k + 1).trim_matches('"')
-                );
-            }
-            k = self.words.until(k + 1, b"]");
-        }
-        self.expect(k, b']')?;
-        self.expect(k + 1, b'{')?;
-        if self.by_number.contains_key(&number) {
-            return Err(Problem::new(
-                at,
-                text!("{name} a second time", name),
-                text!("every position once"),
-            ));
-        }
-        let (target, end) = self.groups(k + 2, &name, at)?;
-        if let Some(target) = target {
-            self.program.targets.push(target);
-            self.by_number
-                .insert(number, self.program.targets.len() - 1);
-        }
-        self.expect(end, b'}')?;
-        Ok(end + 1 + usize::from(self.words.is_sign(end + 1, b';')))
-    }
-
-    fn expect(&self, k: usize, sign: u8) -> Result<(), Problem> {
-        if self.words.is_sign(k, sign) {
-            return Ok(());
-        }
-        let expected = crate::text::Text::verbatim(char::from(sign));
-        Err(self.words.problem(k, expected))
-    }
-
-    /// Every group of a position; the target of group 1.
+impl Reader<'_, '_, '_> {
+    /// Every group of a position: the first with where it begins, the number of another, and the word behind them.
+    #[allow(clippy::type_complexity, reason = "what a position consists of")]
     fn groups(
-        &mut self,
+        &self,
         k: usize,
-        name: &str,
-        at: usize,
-    ) -> Result<(Option<Target>, usize), Problem> {
-        let mut target = None;
+    ) -> Result<(Option<(Group, usize)>, Option<(u32, usize)>, usize), Problem> {
+        let (mut first, mut others) = (None, None);
         let mut k = k;
-        let mut first = true;
-        while first || self.group_number(k).is_some() {
+        loop {
             let number = self.group_number(k).unwrap_or(1);
             if self.group_number(k).is_some() {
                 k += 2;
@@ -117,34 +105,20 @@ impl Positions<'_, '_, '_> {
             let begins = self.words.at(k);
             let (group, end) = self.group(k)?;
             k = end;
-            first = false;
             if number == 1 {
-                target = self.target(&group, name, at, begins)?;
-                if let Some(target) = &mut target {
-                    target.ways.add(self.program.ways.of(FrameAndTool {
-                        frame: group.frame,
-                        tool: group.tool,
-                    }));
-                }
-            } else if !self
-                .program
-                .notes
-                .iter()
-                .any(|n| n.text.to_string().contains("of group"))
-            {
-                let says = text!("positions of group {number} are left as they are", number);
-                self.program.notes.push(Remark {
-                    at: begins,
-                    text: says,
-                });
+                first = Some((group, begins));
+            } else {
+                others = Some((number, begins));
+            }
+            if self.group_number(k).is_none() {
+                return Ok((first, others, k));
             }
         }
-        Ok((target, k))
     }
 
     /// `GPn:`
     fn group_number(&self, k: usize) -> Option<u32> {
-        let name = self.words.name(k)?;
+        let name = self.words.name(k);
         let number = name.strip_prefix("gp")?.parse().ok()?;
         self.words.is_sign(k + 1, b':').then_some(number)
     }
@@ -152,7 +126,8 @@ impl Positions<'_, '_, '_> {
     fn group(&self, k: usize) -> Result<(Group, usize), Problem> {
         let mut group = Group::default();
         let mut k = k;
-        while let Some(key) = self.words.name(k) {
+        while self.words.is_name(k) {
+            let key = self.words.name(k);
             if self.group_number(k).is_some() {
                 break;
             }
@@ -161,15 +136,10 @@ impl Positions<'_, '_, '_> {
             if self.words.is_sign(k, b':') {
                 match key.as_str() {
                     "config" if self.words.kind(k + 1) == Some(Kind::String) => {
-                        group.configuration = self.words.range(k + 1);
+                        group.configuration = Some(self.words.range(k + 1));
                     }
-                    // The frame of number 0 is the world.
-                    "uf" if self.words.bytes(k + 1) != b"0" => {
-                        group.frame = Referred::named(format!("UF {}", self.words.spelled(k + 1)));
-                    }
-                    "ut" => {
-                        group.tool = Referred::named(format!("UT {}", self.words.spelled(k + 1)));
-                    }
+                    "uf" => group.frame = self.words.spelled(k + 1),
+                    "ut" => group.tool = self.words.spelled(k + 1),
                     _ => {}
                 }
                 k += 2;
@@ -177,7 +147,7 @@ impl Positions<'_, '_, '_> {
                     k += 1;
                 }
             } else {
-                self.expect(k, b'=')?;
+                self.words.expect(k, b'=')?;
                 let (value, end) = self.value(k + 1)?;
                 k = end;
                 if group.values.insert(key.clone(), value).is_some() {
@@ -190,7 +160,7 @@ impl Positions<'_, '_, '_> {
                 continue;
             }
             // Between the lines of a group the comma may be missing.
-            let ends = self.words.is_sign(k, b'}') || self.words.kind(k) == Some(Kind::Name);
+            let ends = self.words.is_sign(k, b'}') || self.words.is_name(k);
             if !ends {
                 return Err(self.words.problem(k, text!("a comma or }")));
             }
@@ -213,9 +183,9 @@ impl Positions<'_, '_, '_> {
             let (number, end) = read?;
             (Some(number), end)
         };
-        let unit = match self.words.name(end).as_deref() {
-            Some("deg") => "deg",
-            Some("mm") => "mm",
+        let unit = match self.words.name(end).as_str() {
+            "deg" => "deg",
+            "mm" => "mm",
             _ => return Err(self.words.problem(end, text!("deg or mm"))),
         };
         let value = value.map_or(Value::Nothing, |number| Value::Number(number, unit));
@@ -223,17 +193,12 @@ impl Positions<'_, '_, '_> {
     }
 
     fn target(
-        &mut self,
+        &self,
         group: &Group,
         name: &str,
         at: usize,
         begins: usize,
-    ) -> Result<Option<Target>, Problem> {
-        if group.values.values().any(|v| matches!(v, Value::Nothing)) {
-            let says = text!("{name} was never taught", name);
-            self.program.at_run_time.push(Remark { at, text: says });
-            return Ok(None);
-        }
+    ) -> Result<Target, Problem> {
         let number = |key: &str, unit: &str| match group.values.get(key) {
             Some(Value::Number(number, found)) if *found == unit => Ok(*number),
             Some(Value::Number(number, found)) => {
@@ -246,7 +211,7 @@ impl Positions<'_, '_, '_> {
                 Err(Problem::new(
                     number.range().start,
                     found,
-                    crate::text::Text::verbatim(unit),
+                    Text::verbatim(unit),
                 ))
             }
             _ => {
@@ -293,7 +258,7 @@ impl Positions<'_, '_, '_> {
             }
         }
         if !group.values.contains_key("x") {
-            return self.axes.joint_target(name, at, of_axis).map(Some);
+            return self.axes.joint_target(name, at, of_axis);
         }
         let all = [
             ("x", "mm"),
@@ -307,21 +272,23 @@ impl Positions<'_, '_, '_> {
             .into_iter()
             .map(|(key, unit)| number(key, unit))
             .collect();
-        let Some(frame) = Frame::of_degrees(&numbers?, Orientation::XyzFixedDegrees) else {
-            return Ok(None);
-        };
+        let frame = Frame::of_degrees(&numbers?, Orientation::XyzFixedDegrees);
+        let frame = frame.ok_or_else(|| {
+            let expected = text!("J1 to J6 or X, Y, Z, W, P, R");
+            Problem::new(begins, Text::verbatim(name), expected)
+        })?;
         let mut target = Target::new(name, at, Shape::Pose(Box::new(frame)));
         target.posture_mut().external = self.axes.external(of_axis)?;
         if let Some(range) = &group.configuration {
             self.configuration(range.clone(), &mut target)?;
         }
-        Ok(Some(target))
+        Ok(target)
     }
 
     /// `'N U T, 0, 0, 0'`
     fn configuration(&self, range: Range<usize>, target: &mut Target) -> Result<(), Problem> {
         let problem = || {
-            let found = crate::text::Text::verbatim(self.words.text().shown(range.clone()));
+            let found = Text::verbatim(self.words.text.shown(range.clone()));
             Problem::new(
                 range.start,
                 found,
@@ -329,7 +296,7 @@ impl Positions<'_, '_, '_> {
             )
         };
         let inside = range.start + 1..range.end - 1;
-        let bytes = &self.words.text().bytes[inside.clone()];
+        let bytes = &self.words.text.bytes[inside.clone()];
         let mut parts = bytes.split(|b| *b == b',');
         let letters = parts.next().unwrap_or_default();
         let mut at = inside.start + letters.len() + 1;
@@ -391,7 +358,8 @@ impl Positions<'_, '_, '_> {
 #[derive(Default)]
 struct Group {
     values: BTreeMap<String, Value>,
-    frame: Referred,
-    tool: Referred,
+    /// Their numbers.
+    frame: String,
+    tool: String,
     configuration: Option<Range<usize>>,
 }

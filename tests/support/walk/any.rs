@@ -24,6 +24,7 @@ use crate::gui::view::{About, Canvas, NextAction, Sheet, What};
 use crate::gui::workbench::{Command, LeftBehind, Letters, Task, ViewChange, Workbench};
 use crate::kinematics::JointKind;
 use crate::present::units::{AngleUnit, LengthUnit};
+use crate::programs::ExternalAxes;
 use crate::progress::{Progress, unwatched};
 use crate::robots::library;
 use crate::text::Language;
@@ -369,6 +370,14 @@ fn compensation(random: &mut ChaCha8Rng, files: &Files) -> Command {
     Command::Compensate(CompensationRequest {
         load_kg: angle(random),
         measured_frame: random.random(),
+        external: pick(
+            random,
+            &[
+                ExternalAxes::Asked,
+                ExternalAxes::Other,
+                ExternalAxes::CarryRobot,
+            ],
+        ),
         tool: pick(
             random,
             &[

@@ -1,0 +1,243 @@
+//! What sets base, tool and mode of a KRL program: `$BASE`, `$TOOL`, `$IPO_MODE`, `BAS(#…)`, the `FDAT` of inline
+//! forms, and `WITH` of splines.
+
+use crate::kinematics::Pose;
+use crate::text::Text;
+
+use super::super::pose::{Frame, Orientation};
+use super::super::referred::{Referred, declare};
+use super::super::walk::{BASE, Constant, MODE, TOOL, Walk};
+use super::super::words::{Kind, List, Style, Value, Words};
+
+pub(super) const AGGREGATES: Style = Style {
+    brackets: *b"{}",
+    keyed: true,
+    expected: phrase!("a value"),
+};
+
+pub(super) const POSE: [&str; 8] = ["x", "y", "z", "a", "b", "c", "s", "t"];
+
+/// What is set, and to what.
+type Set = (usize, Referred);
+
+/// `BAS(#BASE,3)`
+pub(super) fn bas(walk: &mut Walk, words: &Words) {
+    if !words.is_sign(2, b'#') || !words.is_sign(4, b',') {
+        return;
+    }
+    let number = words.shown(5, words.until(5, b")"));
+    match words.name(3).as_str() {
+        "base" => walk.set(BASE, numbered("BASE_DATA", &number, Referred::Unsaid)),
+        "tool" => walk.set(TOOL, numbered("TOOL_DATA", &number, null_tool())),
+        "ex_base" => {
+            let says = text!(
+                "the base moves with an external axis ({command})",
+                command = words.shown(0, words.len())
+            );
+            walk.set(BASE, Referred::Unknown(says));
+        }
+        _ => {}
+    }
+}
+
+/// What an assignment from word `k` says of base, tool, mode or load; whether that is all. A list of numbers that may
+/// be a base or a tool is kept.
+pub(super) fn sets(
+    walk: &mut Walk,
+    words: &Words,
+    (k, equals, end): (usize, usize, usize),
+    list: Option<&(List, usize)>,
+) -> bool {
+    let (name, shown) = (words.name(k), words.shown(k, equals));
+    let component = (k..equals).any(|j| words.is_sign(j, b'.'));
+    match name.as_str() {
+        "$base" | "$tool" => {
+            let part = if name == "$base" { BASE } else { TOOL };
+            let what = if component {
+                Referred::Unknown(text!("{name} is set", name = shown))
+            } else {
+                value(walk, words, (equals + 1, end), part, list)
+            };
+            walk.set(part, what);
+        }
+        "$ipo_mode" => walk.set(MODE, mode(&words.shown(equals + 1, end))),
+        "$load" | "load_data" if !component => {
+            if let Some(kg) = list.and_then(|(list, _)| list.number("m")) {
+                walk.program.loads.state(kg.value, words.at(k), &shown);
+            }
+        }
+        "fdat_act" => {
+            let set = match list.and_then(|(list, _)| frames_of(words, list)) {
+                Some(here) => as_numbered(&here, &shown),
+                None => by_numbers(walk, &words.spelled(equals + 1)),
+            };
+            for (part, what) in set {
+                walk.set(part, what);
+            }
+        }
+        _ if component => return false,
+        _ => {
+            if let Some((list, _)) = list {
+                numbers(walk, words, &name, list, equals);
+            }
+            let target = |list: &List| ["s", "t", "a1"].iter().any(|key| list.get(key).is_some());
+            let pose = match list {
+                Some((list, _)) if target(list) => return false,
+                Some((list, _)) => pose_of(list, &shown),
+                None => Err(text!("{spelled} is computed at run time", spelled = &shown)),
+            };
+            declare(&mut walk.program.frames, &shown, words.at(k), pose.clone());
+            declare(&mut walk.program.tools, &shown, words.at(k), pose);
+            return false;
+        }
+    }
+    true
+}
+
+/// The numbers of tool and base that are declared with a name; of a data list alone they say how inline forms go to
+/// the point of that name.
+fn numbers(walk: &mut Walk, words: &Words, name: &str, list: &List, equals: usize) {
+    let Some(frames) = frames_of(words, list) else {
+        return;
+    };
+    walk.constant(name, frames);
+    let point = format!("x{}", name.trim_start_matches('f'));
+    if walk.routines() == 0 && name.starts_with('f') && walk.knows(&point) {
+        let changes = by_numbers(walk, name);
+        walk.go_to_name((&point, &point), words.at(equals), None, &changes);
+    }
+}
+
+/// Numbers of base and tool, and whether the tool stands.
+fn frames_of(words: &Words, list: &List) -> Option<Constant> {
+    let own = ["base_no", "tool_no"].map(|key| list.number(key).map(|number| number.value));
+    let tcp = match list.get("ipo_frame") {
+        Some(Value::Other(range)) => words.name(range.start + 1) == "tcp",
+        _ => false,
+    };
+    (own != [None; 2]).then_some(Constant::Frames(own, tcp))
+}
+
+/// What a motion, or a spline, says behind WITH.
+pub(super) fn with(walk: &mut Walk, words: &Words) -> Vec<Set> {
+    let mut set = Vec::new();
+    let Some(with) = (0..words.len()).find(|k| words.name(*k) == "with") else {
+        return set;
+    };
+    let mut k = with + 1;
+    while k < words.len() {
+        let end = words.until(k, b",");
+        let part = match words.name(k).as_str() {
+            "$base" => Some(BASE),
+            "$tool" => Some(TOOL),
+            "$ipo_mode" => Some(MODE),
+            _ => None,
+        };
+        if let Some(part) = part.filter(|_| words.is_sign(k + 1, b'=')) {
+            // Inline forms name the numbers of their point: STOOL2(FP1), SBASE(FP1.BASE_NO).
+            let called = words.is_sign(k + 3, b'(');
+            let what = if called {
+                let own = by_numbers(walk, &words.spelled(k + 4));
+                own.into_iter()
+                    .find(|(own, _)| *own == part)
+                    .map(|(_, what)| what)
+            } else if part == MODE {
+                Some(mode(&words.shown(k + 2, end)))
+            } else {
+                let list = words.list(k + 2, AGGREGATES, 0).ok();
+                let list = list.filter(|_| words.is_sign(k + 2, b'{'));
+                Some(value(walk, words, (k + 2, end), part, list.as_ref()))
+            };
+            set.push((part, what.unwrap_or_default()));
+        }
+        k = end + 1;
+    }
+    set
+}
+
+/// What `$BASE` or `$TOOL` is set to.
+fn value(
+    walk: &mut Walk,
+    words: &Words,
+    (k, end): (usize, usize),
+    part: usize,
+    list: Option<&(List, usize)>,
+) -> Referred {
+    let shown = words.shown(k, end);
+    if let Some((list, behind)) = list
+        && *behind == end
+    {
+        let names = if part == BASE {
+            &mut walk.program.frames
+        } else {
+            &mut walk.program.tools
+        };
+        declare(names, &shown, words.at(k), pose_of(list, &shown));
+        return Referred::named(shown);
+    }
+    let indexed = words.is_sign(k + 1, b'[') && words.kind(k + 2) == Some(Kind::Digits);
+    if words.is_name(k) && (end == k + 1 || indexed && end == k + 4) {
+        let referred = Referred::named(shown);
+        // The null frame is the world.
+        let world = part == BASE && referred.is("$nullframe");
+        return if world { Referred::Unsaid } else { referred };
+    }
+    Referred::Unknown(text!("{name} is computed at run time", name = shown))
+}
+
+/// How a motion is interpolated: of the tool in the base, or of the part at a tool that stands.
+fn mode(shown: &str) -> Referred {
+    match shown.to_lowercase().as_str() {
+        "#base" => Referred::Unsaid,
+        "#tcp" => Referred::Unknown(text!("the tool stands and the robot moves the part (#TCP)")),
+        _ => Referred::Unknown(text!("{name} is computed at run time", name = shown)),
+    }
+}
+
+fn pose_of(list: &List, spelled: &str) -> Result<Pose, Text> {
+    let numbers: Option<Vec<_>> = POSE[..6].iter().map(|key| list.number(key)).collect();
+    let frame = numbers.and_then(|numbers| Frame::of_degrees(&numbers, Orientation::ZyxDegrees));
+    let pose = frame.and_then(|frame| frame.pose());
+    pose.ok_or_else(|| text!("{spelled} is not written out in numbers", spelled))
+}
+
+/// Base, tool and mode of `FDAT_ACT = name`, by the numbers that `name` is declared with.
+fn by_numbers(walk: &Walk, name: &str) -> Vec<Set> {
+    match walk.constant_of(name) {
+        Some(frames) => as_numbered(frames, name),
+        None => as_numbered(&Constant::Frames([None; 2], false), name),
+    }
+}
+
+fn as_numbered(frames: &Constant, name: &str) -> Vec<Set> {
+    let (numbers, tcp) = match frames {
+        Constant::Frames(numbers, tcp) => (*numbers, *tcp),
+        _ => ([None; 2], false),
+    };
+    let of = |number: Option<f64>, table: &str, zero: Referred| match number {
+        Some(number) => numbered(table, &number.to_string(), zero),
+        None => Referred::Unknown(text!("{name} has its numbers elsewhere", name)),
+    };
+    vec![
+        (BASE, of(numbers[0], "BASE_DATA", Referred::Unsaid)),
+        (TOOL, of(numbers[1], "TOOL_DATA", null_tool())),
+        (MODE, if tcp { mode("#tcp") } else { Referred::Unsaid }),
+    ]
+}
+
+/// The base or tool of a number; 0 is none.
+fn numbered(table: &str, number: &str, zero: Referred) -> Referred {
+    match number.parse::<u32>() {
+        Ok(0) => zero,
+        Ok(number) => Referred::named(format!("{table}[{number}]")),
+        Err(_) => {
+            let name = format!("{table}[{number}]");
+            Referred::Unknown(text!("{name} is chosen at run time", name))
+        }
+    }
+}
+
+/// The tool that is the flange itself.
+fn null_tool() -> Referred {
+    Referred::named("$NULLFRAME")
+}

@@ -1,0 +1,273 @@
+//! Lists in brackets: targets, tools and work objects of RAPID, as they are written.
+
+use crate::kinematics::Pose;
+use crate::kinematics::configuration::Statement;
+use crate::text::Text as Sentence;
+
+use super::super::axes::Slot;
+use super::super::number::Number;
+use super::super::pose::{Frame, Orientation};
+use super::super::target::{Mark, Problem, Shape, Target};
+use super::super::walk::{Constant, Walk};
+use super::super::words::{List, Value, Words};
+
+/// An external axis from here on is none.
+const NOT_THERE: f64 = 8.9e9;
+
+/// Where an external axis is, if it is there.
+pub(super) fn external(number: Number) -> Option<f64> {
+    Some(number.value).filter(|value| value.abs() < NOT_THERE)
+}
+
+/// The pose of a tool on the flange, or of a work object in the base; in words why there is none.
+pub(super) fn held(
+    words: &Words,
+    list: &List,
+    spelled: &str,
+    tool: bool,
+) -> Result<Result<Pose, Sentence>, Problem> {
+    let parts: Vec<&Value> = list.parts.iter().map(|part| &part.value).collect();
+    let is = |value: &Value, word: &str| match value {
+        Value::Other(range) => words.name(range.start) == word,
+        _ => false,
+    };
+    let pose = match parts[..] {
+        [hold, frame, ..] if tool => {
+            if !is(hold, "true") {
+                return Ok(Err(text!("{spelled} does not sit on the robot", spelled)));
+            }
+            pose_of(frame, spelled)?
+        }
+        [hold, fixed, _, user, object] if !tool => {
+            if !is(hold, "false") || !is(fixed, "true") {
+                let says = text!(
+                    "{spelled} is moved by the robot or by another unit",
+                    spelled
+                );
+                return Ok(Err(says));
+            }
+            let [user, object] = [pose_of(user, spelled)?, pose_of(object, spelled)?];
+            user.zip(object).map(|(user, object)| user * object)
+        }
+        _ => None,
+    };
+    Ok(pose.ok_or_else(|| text!("{spelled} is not written out in numbers", spelled)))
+}
+
+/// `[[x, y, z], [q1, q2, q3, q4]]`
+fn pose_of(value: &Value, spelled: &str) -> Result<Option<Pose>, Problem> {
+    let numbers = value.list().and_then(List::lists);
+    let numbers: Option<Vec<Vec<Number>>> =
+        numbers.and_then(|lists| lists.into_iter().map(List::numbers).collect());
+    let Some([position, turn]) = numbers.as_deref() else {
+        return Ok(None);
+    };
+    let ([x, y, z], 4) = (&position[..], turn.len()) else {
+        return Ok(None);
+    };
+    let frame = frame_of([*x, *y, *z], turn.clone());
+    check_length(&frame, spelled)?;
+    Ok(frame.pose())
+}
+
+fn frame_of(position: [Number; 3], turn: Vec<Number>) -> Frame {
+    Frame {
+        position,
+        mm: [1.0; 3],
+        turn,
+        orientation: Orientation::Quaternion,
+    }
+}
+
+/// A quaternion that is no unit is a slip of the keyboard.
+fn check_length(frame: &Frame, name: &str) -> Result<(), Problem> {
+    let Some((at, length)) = frame.wrong_length() else {
+        return Ok(());
+    };
+    if length == 0.0 {
+        let found = text!("a quaternion of no length in {name}", name);
+        return Err(Problem::new(at, found, text!("an orientation")));
+    }
+    let length = format!("{length:.4}");
+    let found = text!("a quaternion of length {length} in {name}", length, name);
+    Err(Problem::new(at, found, text!("a length of 1")))
+}
+
+/// The mass of `[mass, [centre], [axes], ix, iy, iz]`, kg.
+pub(super) fn mass(load: Option<&List>) -> Option<f64> {
+    let first = load?.parts.first()?;
+    first.value.number().map(|number| number.value)
+}
+
+/// A target of a list, or why it is none: a part of it is worked out at run time. `pose`: what it has
+/// to be; without, the number of its parts says it.
+pub(super) fn target(
+    walk: &mut Walk,
+    words: &Words,
+    list: &List,
+    name: &str,
+    pose: Option<bool>,
+) -> Result<Result<Target, Sentence>, Problem> {
+    let computed = || {
+        text!(
+            "{spelled} has values that are computed at run time",
+            spelled = name
+        )
+    };
+    let pose = pose.unwrap_or(list.parts.len() == 4);
+    let (sizes, expected): (&[usize], _) = if pose {
+        let says = text!(
+            "a robtarget: [[x, y, z], [q1, q2, q3, q4], [cf1, cf4, cf6, cfx], [eax_a … eax_f]]"
+        );
+        (&[3, 4, 4, 6], says)
+    } else {
+        let says = text!("a jointtarget: [[rax_1 … rax_6], [eax_a … eax_f]]");
+        (&[6, 6], says)
+    };
+    if list.parts.len() != sizes.len() {
+        let count = list.parts.len();
+        let found = text!(one "{count} part in {name}", "{count} parts in {name}", count, name);
+        return Err(Problem::new(list.at, found, expected));
+    }
+    let mut numbers: Vec<Vec<Number>> = Vec::new();
+    let mut named = None;
+    for (k, (part, size)) in list.parts.iter().zip(sizes).enumerate() {
+        let list = match &part.value {
+            Value::List(list) => list,
+            Value::Number(number) => {
+                let found = text!("a number in {name}", name);
+                return Err(Problem::new(number.range().start, found, expected));
+            }
+            // External axes are often a constant: they stay as they are.
+            Value::Other(range) if k + 1 == sizes.len() && range.len() == 1 => {
+                named = Some(range.start);
+                continue;
+            }
+            Value::Other(_) => return Ok(Err(computed())),
+        };
+        if list.parts.len() != *size {
+            let count = list.parts.len();
+            let found =
+                text!(one "{count} number in {name}", "{count} numbers in {name}", count, name);
+            let expected = text!("{size}, as in {expected}", size, expected);
+            return Err(Problem::new(list.at, found, expected));
+        }
+        if let Some(inner) = list.parts.iter().find_map(|part| part.value.list()) {
+            let expected = text!("a number, as in {expected}", expected);
+            return Err(Problem::new(
+                inner.at,
+                text!("a list in {name}", name),
+                expected,
+            ));
+        }
+        let Some(own) = list.numbers() else {
+            return Ok(Err(computed()));
+        };
+        numbers.push(own);
+    }
+    let axes = match named {
+        None => std::array::from_fn(|k| external(numbers[sizes.len() - 1][k])),
+        Some(k) => match walk.constant_of(&words.spelled(k)) {
+            Some(Constant::External(axes)) => *axes,
+            _ => {
+                let axes = words.spelled(k);
+                return Ok(Err(text!(
+                    "the external axes of {name}, {axes}, are declared elsewhere",
+                    name,
+                    axes
+                )));
+            }
+        },
+    };
+    // The model's own are read with the target.
+    if named.is_some() && walk.axes.own() < walk.axes.joints() {
+        return Ok(Err(computed()));
+    }
+    let mut target = if pose {
+        robtarget(walk, &numbers, name, list.at)?
+    } else {
+        walk.axes.joint_target(name, list.at, |slot| match slot {
+            Slot::Own(k) => Ok(numbers[0][k]),
+            Slot::External(k) => external_axis(numbers[1][k], name),
+        })?
+    };
+    if pose && named.is_none() {
+        target.posture_mut().external = walk.axes.external(|slot| match slot {
+            Slot::Own(k) | Slot::External(k) => external_axis(numbers[3][k], name),
+        })?;
+    }
+    target.outside = walk.outside(axes);
+    Ok(Ok(target))
+}
+
+fn robtarget(
+    walk: &mut Walk,
+    parts: &[Vec<Number>],
+    name: &str,
+    at: usize,
+) -> Result<Target, Problem> {
+    let [position, turn, configuration, ..] = parts else {
+        return Err(Problem::new(
+            at,
+            text!("a part is missing"),
+            text!("a robtarget"),
+        ));
+    };
+    let whole = |number: &Number| {
+        #[allow(clippy::cast_possible_truncation, reason = "compared with itself")]
+        let whole = number.value as i16;
+        if f64::from(whole) == number.value && whole.abs() < 1000 {
+            return Ok(whole);
+        }
+        let found = text!(
+            "{value} in the configuration of {name}",
+            value = number.value,
+            name
+        );
+        Err(Problem::new(
+            number.range().start,
+            found,
+            text!("a whole number"),
+        ))
+    };
+    let frame = frame_of([0, 1, 2].map(|k: usize| position[k]), turn.clone());
+    check_length(&frame, name)?;
+    let mut target = Target::new(name, at, Shape::Pose(Box::new(frame)));
+    let axes = walk.axes;
+    let posture = target.posture_mut();
+    for (number, axis) in configuration.iter().zip([0, 3, 5]) {
+        let quadrant = whole(number)?;
+        let Some(joint) = axes.numbered(Slot::Own(axis)) else {
+            continue;
+        };
+        posture
+            .configuration
+            .push(Statement::Quadrant { joint, quadrant });
+        let span = number.span();
+        posture.marks.push(Mark::Quadrant { span, joint });
+    }
+    let cfx = whole(&configuration[3])?;
+    if (0..8).contains(&cfx) && axes.own() == 6 {
+        if let Some(joint) = axes.numbered(Slot::Own(4)) {
+            let negative = cfx & 1 != 0;
+            posture
+                .configuration
+                .push(Statement::WristNegative { joint, negative });
+        }
+        posture
+            .configuration
+            .push(Statement::ElbowTurned(cfx & 2 != 0));
+        posture.configuration.push(Statement::Behind(cfx & 4 != 0));
+    }
+    Ok(target)
+}
+
+/// The value of an external axis that the model has.
+fn external_axis(number: Number, name: &str) -> Result<Number, Problem> {
+    if external(number).is_some() {
+        return Ok(number);
+    }
+    let found = text!("{name} leaves an external axis out", name);
+    let expected = text!("its value: the model has that axis");
+    Err(Problem::new(number.range().start, found, expected))
+}
