@@ -88,6 +88,7 @@ impl<'a> Rows<'a> {
     /// Rows of some samples, one for each; what they are of is up to the caller.
     pub(crate) fn of_one_axis(&self, samples: &[usize]) -> Rows<'static> {
         Rows {
+            levers: None,
             samples: samples.to_vec(),
             axes: vec![0],
             times: samples.iter().map(|k| self.times[*k]).collect(),
