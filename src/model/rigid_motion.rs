@@ -51,8 +51,11 @@ pub(crate) fn rigid_motion(pairs: &[(Vector3<f64>, Vector3<f64>)]) -> Option<Iso
         .map(|(from, to)| (to - to_centre).norm() * (from - from_centre).norm())
         .sum();
     // With a thousandth of a millimetre of each, where all stand on one point.
-    let moment = moment + Matrix3::identity() * (NOT_SHOWN * (spread + n));
-    let svd = crate::decompose::svd(moment)?;
+    let not_shown = NOT_SHOWN * (spread + n);
+    let mut svd = crate::decompose::svd(moment)?;
+    if svd.singular_values.sum() - svd.singular_values.max() < not_shown {
+        svd = crate::decompose::svd(moment + Matrix3::identity() * not_shown)?;
+    }
     let (u, v_t) = (svd.u?, svd.v_t?);
     // A reflection would fit a flat set of points as well; it is no motion.
     let handedness = (u * v_t).determinant().signum();
