@@ -14,6 +14,7 @@ mod hypotheses;
 mod losses;
 mod measured_points;
 mod motor_values;
+mod parts;
 mod read_back;
 mod several;
 mod targets_in_base;
@@ -157,6 +158,12 @@ fn without_mistakes_of(
         if let Some(better) = corrected {
             session = Cow::Owned(better);
         }
+        if let Some(better) = parts::gross(&session, joint_values, &mut problems) {
+            session = Cow::Owned(better);
+        }
+    }
+    if let Some(turned) = parts::steps(&session, joint_values, &mut problems) {
+        session = Cow::Owned(turned);
     }
     if let Some(freed) = groups::freed(&session, joint_values, &mut problems) {
         session = Cow::Owned(freed);
