@@ -150,15 +150,16 @@ fn without_mistakes_of(
     // What was only said until here was not made.
     let known = problems.len();
     if whole_points {
+        // With a part that differs no one change of all rows fits, and many would be tried.
+        if let Some(better) = parts::gross(&session, joint_values, &mut problems) {
+            session = Cow::Owned(better);
+        }
         let corrected = if base_model::is_arm(raw) {
             arms::corrected(&session, joint_values, &mut problems)
         } else {
             of_one_joint(&session, joint_values, &mut problems)
         };
         if let Some(better) = corrected {
-            session = Cow::Owned(better);
-        }
-        if let Some(better) = parts::gross(&session, joint_values, &mut problems) {
             session = Cow::Owned(better);
         }
     }

@@ -129,6 +129,7 @@ struct Trial {
 struct Candidate {
     what: Text,
     proposal: Text,
+    /// None for all.
     rows: Vec<(usize, usize)>,
     mends: Vec<SessionCorrection>,
     /// Where the target is that they are about, if it is elsewhere too, mm.
@@ -325,22 +326,16 @@ impl<'a> Search<'a> {
     fn candidate(&self, trial: Trial) -> Candidate {
         let change = &self.changes[trial.change];
         let rows = self.rows.ranges(self.session, trial.part);
-        let in_rows = |mend: &SessionCorrection| match trial.part {
-            Part::All => mend.clone(),
-            _ => SessionCorrection::InRows {
-                rows: rows.clone(),
-                by: Box::new(mend.clone()),
-            },
+        let in_rows = |mend: &SessionCorrection| SessionCorrection::InRows {
+            rows: rows.clone(),
+            by: Box::new(mend.clone()),
         };
         Candidate {
             what: self.rows.said(self.session, trial.part, &change.what),
-            proposal: match trial.part {
-                Part::All => change.proposal.clone(),
-                _ => text!(
-                    "{proposal}; these samples are corrected, and commands that go out are not",
-                    proposal = &change.proposal
-                ),
-            },
+            proposal: text!(
+                "{proposal}; these samples are corrected, and commands that go out are not",
+                proposal = &change.proposal
+            ),
             mends: change.mends.iter().map(in_rows).collect(),
             rows: if trial.part == Part::All {
                 Vec::new()
@@ -448,8 +443,10 @@ impl<'a> Search<'a> {
         near.extend(exact.before_the_last_joint());
         near.retain(|candidate| is_likely(candidate.cost, before));
         near.sort_by(|a, b| a.cost.total_cmp(&b.cost));
-        let least = near.first()?.cost;
-        near.retain(|candidate| candidate.cost < least + NEAR);
+        // What is wrong in all rows is found by fits, which know more twins.
+        let first = near.first().filter(|first| !first.rows.is_empty())?;
+        let least = first.cost;
+        near.retain(|candidate| candidate.cost < least + NEAR && !candidate.rows.is_empty());
         near.truncate(MOST_FITTED);
         self.told_apart(near)
     }
