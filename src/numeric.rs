@@ -21,6 +21,21 @@ pub(crate) fn median(values: impl IntoIterator<Item = f64>) -> Option<f64> {
     Some(*all.select_nth_unstable_by(middle, f64::total_cmp).1)
 }
 
+/// The stretch with the largest sum (Kadane's algorithm), as its first place and the one behind its last.
+pub(crate) fn likeliest_stretch(gains: impl IntoIterator<Item = f64>) -> (usize, usize) {
+    let (mut best, mut here) = ((0.0, 0, 0), (0.0, 0));
+    for (k, gain) in gains.into_iter().enumerate() {
+        if here.0 <= 0.0 {
+            here = (0.0, k);
+        }
+        here.0 += gain;
+        if here.0 > best.0 {
+            best = (here.0, here.1, k + 1);
+        }
+    }
+    (best.1, best.2)
+}
+
 /// A small number that is whole already, or zero where it is below.
 #[allow(
     clippy::cast_possible_truncation,
@@ -62,6 +77,15 @@ impl Ascending {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_likeliest_stretch_is_that_with_the_largest_sum() {
+        let of = |gains: &[f64]| likeliest_stretch(gains.iter().copied());
+        assert_eq!(of(&[-1.0, 2.0, -1.0, 3.0, -5.0, 3.0]), (1, 4));
+        assert_eq!(of(&[1.0, 1.0]), (0, 2));
+        assert_eq!(of(&[-1.0, -2.0]), (0, 0));
+        assert_eq!(of(&[]), (0, 0));
+    }
 
     #[test]
     fn how_many_are_within_a_tolerance_is_what_counting_says() {

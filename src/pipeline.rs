@@ -132,8 +132,7 @@ pub fn identify_watched(
     };
     let mut calibration = identification.calibration(session, &Inputs::new(session, values));
     if values == JointValues::Read {
-        let made = calibration.set_up.of_samples().iter();
-        let made = made.chain(calibration.set_up.corrections()).cloned();
+        let made = calibration.set_up.all().iter().cloned();
         calibration.set_up = SetUp::new(made.chain([SessionCorrection::TakeReadBack]));
     }
     if let Method::Exact {

@@ -23,8 +23,9 @@ use crate::text::Text;
 /// Corrections between what controller and instrument write and what the robot's description means.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct SetUp {
+    /// In the order in which they were made.
+    all: Vec<SessionCorrection>,
     conventions: Vec<SessionCorrection>,
-    of_samples: Vec<SessionCorrection>,
 }
 
 /// A joint whose raw value differs from the model's by its sign and by a constant.
@@ -71,12 +72,13 @@ fn is_a_convention(correction: &SessionCorrection) -> bool {
 }
 
 impl SetUp {
-    /// Of corrections in the order in which they were made. Those of samples are made before the others.
+    /// Of corrections in the order in which they were made.
     pub fn new(corrections: impl IntoIterator<Item = SessionCorrection>) -> Self {
-        let (conventions, of_samples) = corrections.into_iter().partition(is_a_convention);
+        let all: Vec<SessionCorrection> = corrections.into_iter().collect();
+        let conventions = all.iter().filter(|one| is_a_convention(one));
         Self {
-            conventions,
-            of_samples,
+            conventions: conventions.cloned().collect(),
+            all,
         }
     }
 
@@ -87,7 +89,7 @@ impl SetUp {
 
     /// Whether the model's own session is read as it is in its file.
     pub fn leaves_own_samples(&self) -> bool {
-        self.conventions.is_empty() && self.of_samples.is_empty()
+        self.all.is_empty()
     }
 
     /// The corrections of what holds for every session of this controller and instrument, in the order in which they are
@@ -96,9 +98,9 @@ impl SetUp {
         &self.conventions
     }
 
-    /// The corrections of the samples of the model's own session, made before the others.
-    pub fn of_samples(&self) -> &[SessionCorrection] {
-        &self.of_samples
+    /// Every correction of the model's own session, in the order in which they are made.
+    pub fn all(&self) -> &[SessionCorrection] {
+        &self.all
     }
 
     /// What the corrections of every session do, in words.
@@ -116,24 +118,19 @@ impl SetUp {
     /// A session as the model reads it; `own` is whether the model came from it. One that was corrected in memory
     /// stays as it is, and so does the measuring frame of a session that names its own.
     pub fn applied<'s>(&self, session: &'s Session, own: bool) -> Cow<'s, Session> {
-        let of_samples = if own { &self.of_samples[..] } else { &[] };
-        let nothing = self.conventions.is_empty() && of_samples.is_empty();
-        if nothing || session.samples.corrected.is_some() {
+        let made = if own { &self.all } else { &self.conventions };
+        if made.is_empty() || session.samples.corrected.is_some() {
             return Cow::Borrowed(session);
         }
         let mut read = session.clone();
-        for correction in of_samples.iter().chain(&self.conventions) {
+        for correction in made {
             if *correction == SessionCorrection::FreeFrame && read.samples.setups.is_some() {
                 continue;
             }
             correction.apply_keeping_rows(&mut read);
         }
         read.samples.corrected = Some(Corrected {
-            by: of_samples
-                .iter()
-                .chain(&self.conventions)
-                .cloned()
-                .collect(),
+            by: made.clone(),
             raw_hash: hash_of_samples(session),
         });
         Cow::Owned(read)
@@ -331,7 +328,7 @@ mod tests {
             SessionCorrection::Remove(vec![1, 2]),
         ]);
         assert_eq!(set_up.corrections().len(), 4);
-        assert_eq!(set_up.of_samples(), [SessionCorrection::Remove(vec![1, 2])]);
+        assert_eq!(set_up.all().len(), 5);
         let raw = [0.3, -0.7, 1.1];
         let mut q = raw;
         set_up.to_model(&robot, &mut q);

@@ -1,8 +1,11 @@
-//! Directions of approach against the way from row to row: columns of two joints that are exchanged.
+//! Directions of approach against the way from row to row: columns of two joints that are exchanged, and a time in which
+//! they are written the other way.
 
 use crate::answers::diagnosis::DataProblem;
 use crate::effects::JointValues;
-use crate::sessions::{Session, SessionCorrection};
+use crate::numeric::likeliest_stretch;
+use crate::sessions::measuring_order::measuring_order;
+use crate::sessions::{Session, SessionCorrection, in_rows};
 
 use super::speeds::{FEWEST, NEARLY_ALL, agreement};
 
@@ -13,6 +16,65 @@ pub(super) fn exchanged(session: &Session, _: JointValues) -> Vec<DataProblem> {
         (0..joints).flat_map(|first| (first + 1..joints).map(move |second| (first, second)));
     let found = pairs.filter_map(|(first, second)| of_pair(session, first, second));
     found.collect()
+}
+
+/// Rows that follow one another in which the joints move against their directions, beside others in which they move
+/// with them.
+pub(super) fn reversed_for_a_time(session: &Session, _: JointValues) -> Vec<DataProblem> {
+    let samples = &session.samples;
+    let n = samples.len();
+    let order = measuring_order(samples.time_s.as_deref());
+    let order: Vec<usize> = order.unwrap_or_else(|| (0..n).collect());
+    // Of each row joints that moved with their directions and against them.
+    let of_row = |place: usize| {
+        let (row, before) = (order[place], order[place.checked_sub(1)?]);
+        let signs = samples.q.iter().zip(&samples.dir).filter_map(|(q, dir)| {
+            let moved = (q[row] - q[before]) * dir.as_ref()?[row];
+            (moved != 0.0 && moved.is_finite()).then_some(moved > 0.0)
+        });
+        Some(signs.fold((0, 0), |(with, against), sign| {
+            (with + usize::from(sign), against + usize::from(!sign))
+        }))
+    };
+    let moves: Vec<(usize, usize)> = (0..n).map(|k| of_row(k).unwrap_or_default()).collect();
+    let gain = |(with, against): &(usize, usize)| *against as f64 - *with as f64;
+    let (first, end) = likeliest_stretch(moves.iter().map(gain));
+    let sum = |places: &mut dyn Iterator<Item = usize>| {
+        places.fold((0, 0), |sum: (usize, usize), k| {
+            (sum.0 + moves[k].0, sum.1 + moves[k].1)
+        })
+    };
+    let inside = sum(&mut (first..end));
+    let outside = sum(&mut (0..first).chain(end..n));
+    let nearly_all = |count: usize, (with, against): (usize, usize)| {
+        with + against >= FEWEST && count as f64 >= NEARLY_ALL * (with + against) as f64
+    };
+    if !nearly_all(inside.1, inside) || !nearly_all(outside.0, outside) {
+        return Vec::new();
+    }
+    // Before the first row nothing is known of the motion: it goes with the second.
+    let mut rows: Vec<usize> = order[if first == 1 { 0 } else { first }..end].to_vec();
+    rows.sort_unstable();
+    let ranges = in_rows::ranges(&rows);
+    vec![DataProblem {
+        what: text!(
+            "the directions of approach are written the other way, in {rows}",
+            rows = in_rows::listed(&ranges)
+        ),
+        evidence: text!(
+            "from row to row the joints move as their directions say in {with} of {moves} moves before and after, and the other way in {against} of {others} there",
+            with = outside.0,
+            moves = outside.0 + outside.1,
+            against = inside.1,
+            others = inside.0 + inside.1
+        ),
+        proposal: text!("they are reversed there; correct the columns"),
+        mend: Some(SessionCorrection::InRows {
+            rows: ranges,
+            by: Box::new(SessionCorrection::TurnDirections),
+        }),
+        samples: rows,
+    }]
 }
 
 fn of_pair(session: &Session, first: usize, second: usize) -> Option<DataProblem> {
@@ -87,6 +149,23 @@ mod tests {
         parse(document.to_string().as_bytes())
             .expect("it is a session")
             .session
+    }
+
+    #[test]
+    fn directions_that_are_written_the_other_way_for_a_time_are_turned_back() {
+        let right = session(false);
+        assert_eq!(reversed_for_a_time(&right, JointValues::Commanded), []);
+        for (rows, said) in [(18..30, "samples 19 to 30"), (0..11, "samples 1 to 11")] {
+            let mut wrong = session(false);
+            for column in wrong.samples.dir.iter_mut().flatten() {
+                column[rows.clone()].iter_mut().for_each(|dir| *dir = -*dir);
+            }
+            let found = reversed_for_a_time(&wrong, JointValues::Commanded);
+            assert_eq!(found.len(), 1);
+            assert!(found[0].what.contains(said), "{:?}", found[0].what);
+            found[0].mend.as_ref().expect("known").apply(&mut wrong);
+            assert_eq!(wrong.samples.dir, right.samples.dir);
+        }
     }
 
     #[test]

@@ -18,6 +18,9 @@ const MOST_SHARE: f64 = 0.4;
 /// No machine that is calibrated is as cold or as warm, °C.
 const TEMPERATURES_C: std::ops::RangeInclusive<f64> = -60.0..=200.0;
 
+/// A hall that is colder than this may be at 0 °C at another time.
+const WARM_C: f64 = 10.0;
+
 /// No joint without limits is calibrated so many turns from its home.
 const MOST_TURNS: f64 = 2.0;
 
@@ -39,7 +42,9 @@ pub(super) fn coded(session: &Session, values: JointValues) -> Vec<DataProblem> 
         problems.extend(repeated(session, quantity, column, shown, is_none));
     }
     if let Some(column) = &samples.temperature_c {
-        let is_none = |v: f64| v == 0.0 || !TEMPERATURES_C.contains(&v);
+        let others = column.iter().copied().filter(|v| *v != 0.0);
+        let is_warm = others.fold(f64::INFINITY, f64::min) > WARM_C;
+        let is_none = |v: f64| v == 0.0 && is_warm || !TEMPERATURES_C.contains(&v);
         problems.extend(repeated(
             session,
             Quantity::Temperature,
@@ -127,6 +132,9 @@ mod tests {
         }
         let cold = |k: usize| if k < 4 { 0.0 } else { 0.4 * k as f64 };
         session.samples.temperature_c = Some((0..60).map(cold).collect());
+        assert!(coded(&session, JointValues::Commanded).is_empty());
+        let hall = |k: usize| if k < 6 { 0.0 } else { 3.0 + 0.03 * k as f64 };
+        session.samples.temperature_c = Some((0..60).map(hall).collect());
         assert!(coded(&session, JointValues::Commanded).is_empty());
         let missing = |k: usize| {
             if k.is_multiple_of(9) {

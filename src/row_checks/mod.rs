@@ -45,7 +45,7 @@ pub struct CheckedRows<'a> {
 type RowCheck = fn(&Session, JointValues) -> Vec<DataProblem>;
 
 /// Every check, in the order in which they are made: what others would stumble over comes first.
-const CHECKS: [RowCheck; 10] = [
+const CHECKS: [RowCheck; 11] = [
     midnight::passed,
     missing_values::coded,
     copies::copied,
@@ -53,6 +53,7 @@ const CHECKS: [RowCheck; 10] = [
     order::out_of_order,
     conditions::in_other_units,
     directions::exchanged,
+    directions::reversed_for_a_time,
     speeds::turned_or_scaled,
     digits::coarse,
     shifted::shifted,

@@ -143,7 +143,11 @@ fn unit(session: &Session, joint: usize, speed: &[f64]) -> Option<DataProblem> {
     }
     let (factor, name) = units()
         .into_iter()
-        .find(|(factor, _)| (median / factor - 1.0).abs() < CLOSE)?;
+        .filter(|(factor, _)| (median / factor - 1.0).abs() < CLOSE)
+        .min_by(|a, b| {
+            let off = |factor: f64| (median / factor).ln().abs();
+            off(a.0).total_cmp(&off(b.0))
+        })?;
     Some(DataProblem {
         what: text!(
             "the speed of joint {joint} is in another unit: {unit}",
@@ -229,6 +233,9 @@ mod tests {
             problems[0].what.contains("radians per second"),
             "{problems:?}"
         );
+        // A minute has 60 seconds, and a radian nearly 60 degrees: the nearest unit counts.
+        let problems = with(&mut session, 0.35 * 60.0);
+        assert!(problems[0].what.contains("per minute"), "{problems:?}");
         // Between poses at standstill the way says nothing.
         assert!(with(&mut session, 0.0).is_empty());
     }

@@ -5,7 +5,7 @@ use crate::text::{Template, Text, length};
 use crate::units::{deg_from_rad, rad_from_deg};
 
 use super::correction::{DAY_S, GRADIAN_DEG, SessionCorrection, TRAVEL_UNITS_MM, TURN_DEG};
-use super::{Samples, Session, Setups};
+use super::{Samples, Session, Setups, in_rows};
 
 impl SessionCorrection {
     /// Makes the correction; rows that it removes are left out of every fit and figure instead, so that the others
@@ -99,6 +99,7 @@ impl SessionCorrection {
                 first = first + 1,
                 second = second + 1
             ),
+            Self::TurnDirections => text!("Reverse the directions of approach"),
             Self::TargetsWithin(sigma) => text!(
                 "Take the places of the targets as known to {sigma}",
                 sigma = length(*sigma, 2)
@@ -112,6 +113,11 @@ impl SessionCorrection {
                 "Take {thing} as a new one from sample {sample} on",
                 thing = group.called(index + 1),
                 sample = from + 1
+            ),
+            Self::InRows { rows, by } => text!(
+                "{correction}, in {rows}",
+                correction = by.describe(),
+                rows = in_rows::listed(rows)
             ),
             Self::Free { group, index } => {
                 text!("Fit the place of {thing}", thing = group.called(index + 1))
@@ -211,12 +217,17 @@ impl SessionCorrection {
                     samples.dir.swap(*first, *second);
                 }
             }
+            Self::TurnDirections => {
+                let columns = samples.dir.iter_mut().flatten();
+                columns.for_each(|column| scale(column, -1.0));
+            }
             Self::TargetsWithin(sigma) => {
                 let own = &mut session.instrument.targets_sigma_mm;
                 *own = own.map(|known| known.max(*sigma));
             }
             Self::RenameTargets(rows) => rename_targets(session, rows),
             Self::Split { group, index, from } => group.split(session, *index, *from),
+            Self::InRows { rows, by } => in_rows::corrected(session, rows, by),
             Self::Free { group, index } => group.free(session, *index),
         }
     }
@@ -230,6 +241,7 @@ impl SessionCorrection {
                 | Self::PairRows(_)
                 | Self::RenameTargets(_)
                 | Self::Split { .. }
+                | Self::InRows { .. }
                 | Self::Free { .. }
         )
     }

@@ -133,6 +133,8 @@ pub enum SessionCorrection {
         /// The other.
         second: usize,
     },
+    /// The directions of approach of every joint are reversed.
+    TurnDirections,
     /// How well the targets' own places are known at most, mm.
     TargetsWithin(f64),
     /// The samples of these rows, in ascending order, are those of these targets; all counted from 0.
@@ -146,6 +148,14 @@ pub enum SessionCorrection {
         index: usize,
         /// The first row of the new one, counted from 0.
         from: usize,
+    },
+    /// A correction of some rows alone: from each first one up to and without each second (counted from 0, in ascending
+    /// order). A free measuring frame is one of their own.
+    InRows {
+        /// Which rows.
+        rows: Vec<(usize, usize)>,
+        /// What is done to them.
+        by: Box<SessionCorrection>,
     },
     /// A target, a socket, a station, a plane or an anchor is not where the session says: its place is fitted.
     Free {

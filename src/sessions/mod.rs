@@ -20,6 +20,7 @@ mod domain;
 pub(crate) mod files;
 mod group;
 mod group_samples;
+pub(crate) mod in_rows;
 pub(crate) mod layout;
 pub(crate) mod measuring_order;
 mod observed;

@@ -42,6 +42,24 @@ pub(super) fn changes(session: &Session, values: JointValues) -> Vec<Change> {
     all
 }
 
+/// Every change that may hold for a part of the rows, simplest first.
+pub(super) fn of_rows(session: &Session) -> Vec<Change> {
+    let mut all = signs(session);
+    all.extend(units(session));
+    all.extend(homes(session));
+    all.extend(measured(session));
+    all.extend(exchanged(session));
+    all.extend(coupled(session));
+    all.push(one(
+        text!("the measured points are in another frame"),
+        text!("align the instrument, or give these samples another `setup`"),
+        SessionCorrection::FreeFrame,
+    ));
+    // What has several changes is another's twin, and read-back values are of all rows.
+    all.retain(|change| matches!(change.mends.as_slice(), [mend] if *mend != SessionCorrection::TakeReadBack));
+    all
+}
+
 fn one(what: Text, proposal: Text, mend: SessionCorrection) -> Change {
     Change {
         what,

@@ -15,6 +15,13 @@ use crate::text::Text;
 
 use super::DataProblem;
 
+/// Points within this are the same, mm.
+const SAME_MM: f64 = 0.5;
+/// A robot that goes farther has moved, mm.
+const MOVED_MM: f64 = 3.0;
+/// So many points at one place are no accident.
+const FEWEST_STUCK: usize = 3;
+
 /// Samples where the instrument lost the reflector.
 pub(super) fn losses(session: &Session, problems: &mut Vec<DataProblem>) {
     use crate::fit::problem::UnusableReason;
@@ -98,15 +105,34 @@ pub(super) fn mislocked(
             });
         }
     }
-    // The same point again and again while the robot moves.
-    let stuck: Vec<usize> = off
-        .iter()
-        .copied()
-        .filter(|i| {
-            let same = off.iter().filter(|j| (at(**j) - at(*i)).norm() < 0.5);
-            same.count() >= 3
-        })
-        .collect();
+    // The same point again and again while the commands move the robot. Where the robot was there at one of them, it is
+    // the robot that stood still; beside equal commands nothing is odd.
+    let predicted = fitted.predict(&problem.inputs);
+    let place = |i: usize| Vector3::from(predicted.get(i));
+    let is_same = |i: usize, j: usize| (at(i) - at(j)).norm() < SAME_MM;
+    let moves = |i: usize, j: usize| (place(i) - place(j)).norm() > MOVED_MM;
+    let stuck = off.iter().copied().filter(|i| {
+        let same = || off.iter().copied().filter(|j| is_same(*i, *j));
+        same().count() >= FEWEST_STUCK && same().any(|j| moves(*i, j))
+    });
+    let was_there = |i: usize| (0..problem.used.len()).any(|j| problem.used[j] && is_same(i, j));
+    let (still, stuck): (Vec<usize>, Vec<usize>) = stuck.partition(|i| was_there(*i));
+    if !still.is_empty() {
+        problems.push(DataProblem {
+            what: text!(
+                one "the robot stood still in {count} sample: {which}",
+                "the robot stood still in {count} samples: {which}",
+                count = still.len(),
+                which = listed(&still)
+            ),
+            evidence: text!(
+                "the measured point stays where the robot was at another command while the commands move on"
+            ),
+            proposal: text!("these samples are excluded; look for a stop or a limit, and measure them again"),
+            mend: Some(SessionCorrection::Remove(still.clone())),
+            samples: still,
+        });
+    }
     if !stuck.is_empty() {
         problems.push(DataProblem {
             what: text!(

@@ -15,6 +15,7 @@ mod losses;
 mod measured_points;
 mod motor_values;
 mod orientations;
+mod parts;
 mod read_back;
 mod several;
 mod targets_in_base;
@@ -150,6 +151,10 @@ fn without_mistakes_of(
     // What was only said until here was not made.
     let known = problems.len();
     if whole_points {
+        // With a part that differs no one change of all rows fits, and many would be tried.
+        if let Some(better) = parts::gross(&session, joint_values, &mut problems) {
+            session = Cow::Owned(better);
+        }
         let corrected = if base_model::is_arm(raw) {
             arms::corrected(&session, joint_values, &mut problems)
         } else {
@@ -158,6 +163,9 @@ fn without_mistakes_of(
         if let Some(better) = corrected {
             session = Cow::Owned(better);
         }
+    }
+    if let Some(turned) = parts::steps(&session, joint_values, &mut problems) {
+        session = Cow::Owned(turned);
     }
     if let Some(freed) = groups::freed(&session, joint_values, &mut problems) {
         session = Cow::Owned(freed);

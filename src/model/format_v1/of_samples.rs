@@ -41,6 +41,7 @@ pub(super) fn numbers_of(correction: &SessionCorrection) -> Option<(&'static str
         SessionCorrection::ExchangeDirections { first, second } => {
             ("exchange-directions", vec![place(*first), place(*second)])
         }
+        SessionCorrection::TurnDirections => ("turn-directions", Vec::new()),
         SessionCorrection::TargetsWithin(sigma) => ("targets-within", vec![*sigma]),
         SessionCorrection::RenameTargets(rows) => {
             let pairs = rows
@@ -91,6 +92,7 @@ pub(super) fn of_numbers(name: &str, numbers: &[f64]) -> Option<SessionCorrectio
             first: index(*first)?,
             second: index(*second)?,
         },
+        ("turn-directions", []) => SessionCorrection::TurnDirections,
         ("targets-within", [sigma]) => SessionCorrection::TargetsWithin(*sigma),
         ("rename-targets", pairs) if pairs.len() % 2 == 0 => {
             let pair = |pair: &[f64]| Some((index(pair[0])?, u32::try_from(index(pair[1])?).ok()?));
@@ -109,6 +111,23 @@ pub(super) fn of_numbers(name: &str, numbers: &[f64]) -> Option<SessionCorrectio
         },
         _ => return None,
     })
+}
+
+/// Stretches of rows as the first and the last of each.
+pub(super) fn numbers_of_rows(rows: &[(usize, usize)]) -> Vec<f64> {
+    let ends = |(first, end): &(usize, usize)| [*first as f64 + 1.0, *end as f64];
+    rows.iter().flat_map(ends).collect()
+}
+
+/// The stretches of rows that these are; `None` where they are none.
+pub(super) fn rows_of(numbers: &[f64]) -> Option<Vec<(usize, usize)>> {
+    let stretch = |ends: &[f64]| {
+        let (first, last) = (index(ends[0])?, index(ends[1])?);
+        (first <= last).then_some((first, last + 1))
+    };
+    let stretches = numbers.chunks_exact(2).map(stretch);
+    let even = numbers.len().is_multiple_of(2);
+    even.then(|| stretches.collect()).flatten()
 }
 
 fn split_of(group: Group) -> &'static str {
@@ -182,6 +201,7 @@ mod tests {
                 first: 0,
                 second: 2,
             },
+            SessionCorrection::TurnDirections,
             SessionCorrection::TargetsWithin(1.5),
             SessionCorrection::RenameTargets(vec![(3, 1), (8, 0)]),
             SessionCorrection::Split {
@@ -199,6 +219,10 @@ mod tests {
             assert_eq!(of_numbers(name, &numbers), Some(correction));
         }
         assert_eq!(numbers_of(&SessionCorrection::FreeFrame), None);
+        let rows = vec![(0, 3), (7, 8)];
+        assert_eq!(rows_of(&numbers_of_rows(&rows)), Some(rows));
+        assert_eq!(rows_of(&[4.0, 3.0]), None);
+        assert_eq!(rows_of(&[4.0]), None);
         assert_eq!(of_numbers("leave-out", &[0.0]), None);
         assert_eq!(of_numbers("pair-rows", &[1.0]), None);
         assert_eq!(of_numbers("scale-load", &[]), None);

@@ -7,7 +7,7 @@ use crate::model::SetUp;
 use crate::sessions::SessionCorrection;
 use crate::text::Template;
 
-use super::of_samples::{numbers_of, of_numbers};
+use super::of_samples::{numbers_of, numbers_of_rows, of_numbers, rows_of};
 
 const EXPECTED: Template = phrase!(
     "an object with the key correction: scale-joint, scale-joints, exchange-joints, couple-joint, take-read-back, turn-home, scale-lengths, scale-coordinate, reorder or free-frame, or a correction of samples with its values"
@@ -17,7 +17,7 @@ pub(super) const SET_UP: Kind<SetUp> = Kind {
     expected: phrase!("an array of objects"),
     read: |at| at.list_by(correction).map(SetUp::new),
     write: |set_up| {
-        let all = set_up.of_samples().iter().chain(set_up.corrections());
+        let all = set_up.all().iter();
         all.map(correction_written).collect()
     },
 };
@@ -35,6 +35,8 @@ struct Parts {
     by_rad: f64,
     order: [f64; 3],
     values: Vec<f64>,
+    /// The first and the last of those that it is made in; none: of all.
+    rows: Vec<f64>,
 }
 
 fn correction(at: &mut Cursor<'_, '_>) -> Option<SessionCorrection> {
@@ -48,6 +50,7 @@ fn correction(at: &mut Cursor<'_, '_>) -> Option<SessionCorrection> {
         by_rad: 0.0,
         order: [1.0, 2.0, 3.0],
         values: Vec::new(),
+        rows: Vec::new(),
     };
     let parts = at.object(blank, |o, own| {
         o.required("correction", &mut own.correction, &TEXT);
@@ -58,6 +61,7 @@ fn correction(at: &mut Cursor<'_, '_>) -> Option<SessionCorrection> {
         o.usual("by_rad", &mut own.by_rad, &NUMBER);
         o.usual("order", &mut own.order, &THREE);
         o.usual("values", &mut own.values, &VALUES);
+        o.usual("rows", &mut own.rows, &VALUES);
     })?;
     let (Some(joint), Some(other)) = (parts.joint.checked_sub(1), parts.other.checked_sub(1))
     else {
@@ -68,10 +72,11 @@ fn correction(at: &mut Cursor<'_, '_>) -> Option<SessionCorrection> {
         parts.correction.as_str(),
         "scale-joint" | "scale-joints" | "couple-joint" | "scale-lengths" | "scale-coordinate"
     );
-    if needs_a_factor && factor == 0.0 {
+    // Of some rows it says that the joint does not move what was measured; of all it has no inverse.
+    if needs_a_factor && factor == 0.0 && parts.rows.is_empty() {
         return at.wrong();
     }
-    Some(match parts.correction.as_str() {
+    let correction = match parts.correction.as_str() {
         "scale-joint" => SessionCorrection::ScaleJoint { joint, factor },
         "scale-joints" => SessionCorrection::ScaleJoints { factor },
         "exchange-joints" => SessionCorrection::ExchangeJoints {
@@ -111,7 +116,15 @@ fn correction(at: &mut Cursor<'_, '_>) -> Option<SessionCorrection> {
             Some(correction) => correction,
             None => return at.wrong(),
         },
-    })
+    };
+    if parts.rows.is_empty() {
+        return Some(correction);
+    }
+    let Some(rows) = rows_of(&parts.rows) else {
+        return at.wrong();
+    };
+    let by = Box::new(correction);
+    Some(SessionCorrection::InRows { rows, by })
 }
 
 const VALUES: Kind<Vec<f64>> = Kind {
@@ -180,6 +193,14 @@ fn correction_written(correction: &SessionCorrection) -> Value {
             object("reorder", vec![Member::new("order", places)])
         }
         SessionCorrection::FreeFrame => object("free-frame", Vec::new()),
+        SessionCorrection::InRows { rows, by } => match correction_written(by) {
+            Value::Object(mut members) => {
+                let rows: Value = numbers_of_rows(rows).into_iter().collect();
+                members.push(Member::new("rows", rows));
+                Value::Object(members)
+            }
+            other => other,
+        },
         of_samples => match numbers_of(of_samples) {
             Some((name, values)) => object(
                 name,

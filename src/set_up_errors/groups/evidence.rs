@@ -10,7 +10,7 @@ pub(super) const EVIDENCE: f64 = 30.0;
 pub(super) const LEAVES: f64 = 0.6;
 
 /// How much likelier samples are of which so many leave less, beside more numbers.
-pub(super) fn evidence(
+pub(in crate::set_up_errors) fn evidence(
     samples: usize,
     axes: usize,
     before_mm: f64,

@@ -27,7 +27,10 @@ pub(super) fn thinned(session: &Session) -> Session {
 
 /// The base model fitted to a session, and the root mean square of what it leaves, mm, without the
 /// twentieth of the samples that is farthest off.
-pub(super) fn fitted(session: &Session, values: JointValues) -> Option<(Model, f64)> {
+pub(in crate::set_up_errors) fn fitted(
+    session: &Session,
+    values: JointValues,
+) -> Option<(Model, f64)> {
     let mut problem = Problem::observing(session, values);
     if problem.samples() == 0 {
         return None;
@@ -41,6 +44,11 @@ pub(super) fn fitted(session: &Session, values: JointValues) -> Option<(Model, f
     };
     let left = trimmed_rms_mm(&problem, &model);
     Some((model, left))
+}
+
+/// What the base model leaves of a session, mm, without the twentieth of the samples that is farthest off.
+pub(in crate::set_up_errors) fn left_mm(session: &Session, values: JointValues) -> Option<f64> {
+    Some(fitted(&thinned(session), values)?.1)
 }
 
 /// Root mean square of what a model leaves, mm, without the twentieth of the samples that is farthest off.

@@ -20,7 +20,9 @@ mod targets;
 use crate::effects::JointValues;
 use crate::sessions::Session;
 
-pub(super) use fitted::start_of;
+pub(super) use evidence::evidence;
+pub(super) use fitted::{fitted, left_mm, start_of};
+pub(super) use targets::problem as target_elsewhere;
 
 use super::DataProblem;
 /// With fewer samples nothing is told.

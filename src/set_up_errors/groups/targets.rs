@@ -232,7 +232,7 @@ fn offsets(part: &Session, values: JointValues, model: &Model) -> Option<Vec<Vec
     Some(by)
 }
 
-pub(super) fn problem(
+pub(in crate::set_up_errors) fn problem(
     session: &Session,
     target: usize,
     by: Vector3<f64>,

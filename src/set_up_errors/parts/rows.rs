@@ -1,0 +1,108 @@
+//! Which rows a change holds for.
+
+use crate::fit::problem::unusable;
+use crate::sessions::measuring_order::measuring_order;
+use crate::sessions::{Group, Session, in_rows};
+use crate::text::Text;
+
+/// The rows of a session in measuring order, and those of them that count.
+pub(super) struct RowsInOrder {
+    /// Every row.
+    order: Vec<usize>,
+    /// Places in it of rows with a point that counts.
+    pub(super) counted: Vec<usize>,
+}
+
+/// Rows for which something holds.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Part {
+    All,
+    /// From one of the rows that count up to and without another, in measuring order.
+    Stretch(usize, usize),
+    /// A setup or a target.
+    Group(Group, usize),
+}
+
+impl RowsInOrder {
+    /// At most so many, spread evenly.
+    pub(super) fn of(session: &Session, most: usize) -> Self {
+        let samples = &session.samples;
+        let n = samples.len();
+        let order = measuring_order(samples.time_s.as_deref());
+        let order: Vec<usize> = order.unwrap_or_else(|| (0..n).collect());
+        let held_out = samples.held_out.as_deref();
+        let counts = |row: usize| {
+            unusable(session, row).is_none() && !held_out.is_some_and(|held_out| held_out[row])
+        };
+        let mut counted: Vec<usize> = (0..n).filter(|place| counts(order[*place])).collect();
+        let m = counted.len();
+        if m > most {
+            counted = (0..most).map(|k| counted[k * m / most]).collect();
+        }
+        Self { order, counted }
+    }
+
+    /// How many count.
+    pub(super) fn len(&self) -> usize {
+        self.counted.len()
+    }
+
+    /// The row of one that counts.
+    pub(super) fn row(&self, k: usize) -> usize {
+        self.order[self.counted[k]]
+    }
+
+    /// The rows that count, of a session of their own.
+    pub(super) fn select(&self, session: &Session) -> Session {
+        let rows: Vec<Option<usize>> = (0..self.len()).map(|k| Some(self.row(k))).collect();
+        session.of_rows(&rows)
+    }
+
+    /// Which of those that count are in a part.
+    pub(super) fn mask(&self, session: &Session, part: Part) -> Vec<bool> {
+        let is_in = |k: usize| match part {
+            Part::All => true,
+            Part::Stretch(first, end) => (first..end).contains(&k),
+            Part::Group(group, index) => group.of(session, self.row(k)) == Some(index),
+        };
+        (0..self.len()).map(is_in).collect()
+    }
+
+    /// All rows of a part, those too that do not count, as stretches of the file.
+    pub(super) fn ranges(&self, session: &Session, part: Part) -> Vec<(usize, usize)> {
+        let n = self.order.len();
+        let mut rows: Vec<usize> = match part {
+            Part::All => (0..n).collect(),
+            Part::Stretch(first, end) => {
+                let from = if first == 0 { 0 } else { self.counted[first] };
+                let to = self.counted.get(end).copied().unwrap_or(n);
+                self.order[from..to].to_vec()
+            }
+            Part::Group(group, index) => {
+                let own = |row: &usize| group.of(session, *row) == Some(index);
+                (0..n).filter(own).collect()
+            }
+        };
+        rows.sort_unstable();
+        in_rows::ranges(&rows)
+    }
+
+    /// What holds for a part, and for which.
+    pub(super) fn said(&self, session: &Session, part: Part, what: &Text) -> Text {
+        let ranges = self.ranges(session, part);
+        match part {
+            Part::All => what.clone(),
+            Part::Group(group, index) => text!(
+                "{what}, in the samples of {thing}",
+                what,
+                thing = group.called(group.name_of(session, index))
+            ),
+            Part::Stretch(..) => match ranges.as_slice() {
+                [(first, end)] if *end == self.order.len() => {
+                    text!("{what}, from sample {sample} on", what, sample = first + 1)
+                }
+                ranges => text!("{what}, in {rows}", what, rows = in_rows::listed(ranges)),
+            },
+        }
+    }
+}
