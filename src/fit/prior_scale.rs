@@ -3,7 +3,8 @@
 //!
 //! A prior says what any robot may be off by. Of one that its maker has calibrated all of it is smaller by tens, and few
 //! poses close to each other, fitted with the wide prior, turn noise into angles that lead far off elsewhere, and
-//! whatever they show into a move of the tool. So the widths are shrunk by the factor of the largest marginal likelihood (empirical Bayes), over the equations at a
+//! whatever they show into a move of the tool. So the widths are shrunk by the factor of the largest marginal likelihood
+//! (empirical Bayes), over the equations at a
 //! solution x, with N, g and the cost e² of the samples alone and P(c) = s² diag(1/(c σ)²):
 //!
 //! ```text
@@ -22,9 +23,11 @@ use super::normal::Normal;
 use super::priors::{Priors, group};
 
 /// Factors that are tried, each half of the one before it, of zero offsets down to 1.6 mrad and of links down to what
-/// machining leaves of any robot: 0.13 mm, 0.25 mrad; of tool and frame each a quarter of the one before it, down to
-/// 0.8 mm of a tool.
-const HALVINGS: [&[u8]; 3] = [&[0, 1, 2, 3, 4, 5], &[0, 1, 2, 3], &[0, 2, 4, 6]];
+/// machining leaves of any robot: 0.13 mm, 0.25 mrad.
+const HALVINGS: [&[u8]; 2] = [&[0, 1, 2, 3, 4, 5], &[0, 1, 2, 3]];
+/// Of tool and frame, each a quarter of the one before it, down to 3 mm of a tool. A fit has the widest: its samples say
+/// where the tool is, and a narrower one would leave them what the tool has. What no sample shows is shared out by all.
+const OF_SET_UP: &[u8] = &[0, 2, 4];
 /// What has a smaller share of all that are possible changes nothing that is said.
 const LEAST_SHARE: f64 = 1e-3;
 /// Variances that are tried beside the one of a fit, each twice the one before it.
@@ -47,7 +50,7 @@ pub(super) fn likeliest(
     rows: usize,
 ) -> Option<Widths> {
     let mut best: Option<(Widths, f64)> = None;
-    for (widths, likelihood) in likelihoods(priors, model, normal, rows)? {
+    for (widths, likelihood) in likelihoods(priors, model, normal, rows, &[0])? {
         // The wider one, where nothing tells them apart.
         if best.is_none_or(|best| likelihood > best.1 + 1e-6) {
             best = Some((widths, likelihood));
@@ -64,7 +67,7 @@ pub(super) fn possible(
     normal: &Normal,
     rows: usize,
 ) -> Option<Vec<([f64; 3], f64)>> {
-    let all = likelihoods(priors, model, normal, rows)?;
+    let all = likelihoods(priors, model, normal, rows, OF_SET_UP)?;
     let most = all
         .iter()
         .map(|own| own.1)
@@ -91,6 +94,7 @@ fn likelihoods(
     model: &Model,
     normal: &Normal,
     rows: usize,
+    set_up: &[u8],
 ) -> Option<Vec<(Widths, f64)>> {
     let all: Vec<Coefficient> = coefficients(priors, model);
     let (known, free): (Vec<&Coefficient>, Vec<&Coefficient>) =
@@ -99,7 +103,7 @@ fn likelihoods(
         return None;
     }
     let samples = without(normal, &known, &free, (rows - free.len()) as f64)?;
-    let [zeros, links, set_up] = HALVINGS;
+    let [zeros, links] = HALVINGS;
     let halved = |halvings: &u8| -f64::from(*halvings) * std::f64::consts::LN_2;
     let mut likelihoods = Vec::new();
     for doublings in DOUBLINGS {

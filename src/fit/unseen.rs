@@ -23,9 +23,10 @@ use crate::model::Model;
 
 use super::base_model;
 use super::expected::over_the_ranges;
+use super::gap::{Spread, lengths_mm};
 use super::gauge::{COPY, columns};
 use super::prior_scale;
-use super::priors::Priors;
+use super::priors::{Priors, of_one_target};
 use super::problem::Problem;
 use super::solver::{Solution, equations_at, solve, spectrum_at};
 
@@ -34,8 +35,11 @@ const MOST_SEEN: f64 = 10.0 * COPY;
 /// How far an instrument may stand from where it is thought to stand, where nothing is known: any turn alike, of which
 /// the standard deviation is π/√3, and a room of some metres, rad and mm.
 const ANYWHERE: [f64; 2] = [1.8, 1000.0];
-/// What is not linear over so long a line may cost at most this of the RMS error.
+/// What is not linear over so long a line may cost at most this of the RMS error (a tenth of what the digits show that
+/// are printed of it) …
 const MOST_WORSE: f64 = 1.002;
+/// … and of samples without any so much, mm: less than any instrument shows.
+const NOTHING_MM: f64 = 1e-3;
 
 /// Combinations of coefficients that no sample shows, of a model with every link in it.
 pub(super) struct Unseen {
@@ -154,7 +158,15 @@ pub(crate) fn completed(
     covariance: Option<&DMatrix<f64>>,
 ) -> Option<Completed> {
     let several = solution.model.robot.joints.len() > 1;
-    if !several || !problem.priors.weak || !problem.priors.size.is_empty() {
+    // Of targets whose own places are fitted nothing says where the tool is: there is no likeliest place between them.
+    let is_open = |term: &Term| {
+        of_one_target(term) && (0..term.coefficients.len()).any(|k| !term.held.contains(k))
+    };
+    if !several
+        || !problem.priors.weak
+        || !problem.priors.size.is_empty()
+        || solution.model.terms().iter().any(is_open)
+    {
         return None;
     }
     let mut unseen = Unseen::of(problem, &solution.model);
@@ -248,8 +260,13 @@ fn followed(
         ..solution.clone()
     };
     let (spectrum, cost, _) = spectrum_at(problem, &there);
+    let left_mm = |model: &Model| {
+        let lengths_mm = lengths_mm(problem, model);
+        Spread::of(&lengths_mm, |i| problem.used[i], |_| false).map_or(0.0, |left| left.rms_mm)
+    };
+    let follows = left_mm(&there.model) <= MOST_WORSE * left_mm(&solution.model) + NOTHING_MM;
     let most = MOST_WORSE * MOST_WORSE * solution.cost;
-    (cost <= most).then_some(Solution {
+    (follows && cost <= most).then_some(Solution {
         spectrum,
         cost,
         ..there

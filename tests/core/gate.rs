@@ -584,15 +584,14 @@ fn rows_of_an_arm_that_lost_a_joint_value_do_not_bend_what_is_handed_out() {
     }
 }
 
-/// Units that change on the way and a coordinate in an unknown one leave errors of the robot's size: the values that
-/// are fitted to them are no robot's.
+/// Unknown units, in a part of the rows or in a coordinate, leave errors of the robot's size: the values that are fitted
+/// to them are no robot's.
 #[test]
 fn nothing_is_made_of_a_model_that_leaves_a_gross_error() {
     type Seen = fn(usize, [f64; 3]) -> [f64; 3];
-    const INCH_MM: f64 = 25.4;
     let mistakes: [(&str, Seen); 2] = [
-        ("from the middle on in inches", |i, p| {
-            if i < 65 { p } else { p.map(|v| v / INCH_MM) }
+        ("from the middle on in a unit of 17 mm", |i, p| {
+            if i < 65 { p } else { p.map(|v| v / 17.0) }
         }),
         ("x in a unit of 1.7 mm", |_, [x, y, z]| [x / 1.7, y, z]),
     ];
