@@ -27,7 +27,7 @@ use crate::model::Model;
 use super::priors::Priors;
 use super::problem::Problem;
 use super::spread::spread;
-use super::unseen::{Unseen, beforehand};
+use super::unseen::{Unseen, beforehand, nothing_held};
 
 /// Poses over the joint ranges.
 const POSES: usize = 400;
@@ -41,6 +41,8 @@ pub(crate) fn expected_error(
     completed: bool,
 ) -> Option<Expected> {
     let inputs = over_the_ranges(problem);
+    let free = completed.then(|| nothing_held(model));
+    let model = free.as_ref().unwrap_or(model);
     let mut over = uncertainties_mm(model, &inputs, covariance)?;
     if !completed {
         for (own, unseen) in over.iter_mut().zip(unseen_mm(problem, model, &inputs)) {

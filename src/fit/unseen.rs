@@ -15,7 +15,7 @@
 //! That is the mean of the posterior, and no model is expected to be nearer to the real robot under the same prior,
 //! the nominal one included.
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{DMatrix, DVector, Vector3};
 
 use crate::effects::{FixedMask, Inputs, LINK_GEOMETRY, Role, Term};
 use crate::linear::Kept;
@@ -58,12 +58,7 @@ impl Unseen {
             .columns()
             .map(|(term, k)| term.held.contains(k))
             .collect();
-        // What is held has no column.
-        let model = model.with_each(|_, term| {
-            if term.effect.about().role != Role::Place {
-                term.held = FixedMask::default();
-            }
-        });
+        let model = nothing_held(&model);
         let rows = columns(problem, &model);
         let mut basis = Kept::new(rows.nrows());
         for k in (0..held.len()).filter(|k| !held[*k]) {
@@ -112,18 +107,21 @@ impl Unseen {
 
     /// Keeps those that do anything over the joint ranges: where one does not it is another name for the same.
     fn retain_what_matters(&mut self, inputs: &Inputs) {
-        let own = Self {
-            model: self.model.clone(),
-            held: Vec::new(),
-            combinations: self.combinations.iter().map(|d| d.map(f64::abs)).collect(),
-        };
-        let largest = |moved: &Vec<f64>| moved.iter().copied().fold(0.0, f64::max);
-        let moved: Vec<f64> = self.moved_mm(inputs).iter().map(largest).collect();
-        let parts: Vec<f64> = own.moved_mm(inputs).iter().map(largest).collect();
-        let mut matters = moved
-            .iter()
-            .zip(&parts)
-            .map(|(all, parts)| *all > MOST_SEEN * parts);
+        let mut largest = vec![[0.0_f64; 2]; self.combinations.len()];
+        self.model.visit(inputs, true, |_, block| {
+            for (own, [all, part]) in self.combinations.iter().zip(&mut largest) {
+                for i in 0..block.len {
+                    let mut moved = Vector3::zeros();
+                    for (d, column) in own.iter().zip(&block.columns) {
+                        let by = Vector3::from_fn(|axis, _| d * column[axis][i]);
+                        *part = part.max(by.norm());
+                        moved += by;
+                    }
+                    *all = all.max(moved.norm());
+                }
+            }
+        });
+        let mut matters = largest.iter().map(|[all, part]| *all > MOST_SEEN * part);
         self.combinations
             .retain(|_| matters.next().unwrap_or(false));
     }
@@ -290,6 +288,15 @@ fn places(model: &Model, wider: &Model) -> Vec<usize> {
     let all = model.terms().iter();
     all.flat_map(|term| (0..term.coefficients.len()).map(move |k| at(term) + k))
         .collect()
+}
+
+/// The model with a column for every coefficient: what is held has none.
+pub(super) fn nothing_held(model: &Model) -> Model {
+    model.with_each(|_, term| {
+        if term.effect.about().role != Role::Place {
+            term.held = FixedMask::default();
+        }
+    })
 }
 
 /// The model with the links that the gauge has left out, as nothing of them is seen.

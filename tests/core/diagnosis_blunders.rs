@@ -366,7 +366,7 @@ fn the_other_reflector_or_a_point_that_does_not_move() {
     }
     // At the first of them it was there: the robot has stood, or the instrument.
     let answer = diagnosed(&session(&stuck));
-    reported(&answer, "the robot stood still in 2 samples: 33, 34");
+    reported(&answer, "the robot stood still in 3 samples: 32, 33, 34");
     assert_eq!(names(&answer), ["backlash"]);
 }
 

@@ -147,9 +147,10 @@ fn a_joint_that_was_never_moved_is_no_joint_that_is_known() {
     let [fitted, unseen, expected] = errors(&identified(held, &stands_anywhere()));
     assert!(fitted < 0.05, "{fitted}");
     assert!(
-        expected > 10.0 * fitted && expected > unseen / 3.0,
-        "where the elbow is was not seen: {expected} of {unseen}"
+        unseen > 10.0 * fitted,
+        "where the elbow is was not seen: {unseen}"
     );
+    assert!(expected > unseen / 3.0, "{expected} of {unseen}");
     let all = identified(anywhere, &stands_anywhere());
     let [fitted, unseen, expected] = errors(&all);
     assert!(
