@@ -25,9 +25,9 @@ use super::priors::{Priors, group};
 /// Factors that are tried, each half of the one before it, of zero offsets down to 1.6 mrad and of links down to what
 /// machining leaves of any robot: 0.13 mm, 0.25 mrad.
 const HALVINGS: [&[u8]; 2] = [&[0, 1, 2, 3, 4, 5], &[0, 1, 2, 3]];
-/// Of tool and frame, each a quarter of the one before it, down to 3 mm of a tool. A fit has the widest: its samples say
+/// Of tool and frame, each a quarter of the one before it, down to 0.8 mm of a tool. A fit has the widest: its samples say
 /// where the tool is, and a narrower one would leave them what the tool has. What no sample shows is shared out by all.
-const OF_SET_UP: &[u8] = &[0, 2, 4];
+const OF_SET_UP: &[u8] = &[0, 2, 4, 6];
 /// What has a smaller share of all that are possible changes nothing that is said.
 const LEAST_SHARE: f64 = 1e-3;
 /// Variances that are tried beside the one of a fit, each twice the one before it.
