@@ -69,8 +69,9 @@ pub(crate) fn words_and_unit(heading: &str) -> (Vec<String>, Option<Word>) {
         && let Some((before, last)) = heading.rsplit_once('/')
         && let Some(found) = units::word(last)
     {
-        // `speed deg/s` is no `speed deg` in seconds.
-        if !matches!(found, Word::Time(_)) {
+        // `speed deg/s` is no `speed deg` in seconds, but `t/s` is a time.
+        let is_time = matches!(role_of(&[before.trim()]), Role::Time(_));
+        if is_time || !matches!(found, Word::Time(_)) {
             unit = Some(found);
             before.clone_into(&mut name);
         }
@@ -122,7 +123,8 @@ fn role_of(words: &[&str]) -> Role {
         }
         "time" | "timestamp" | "time stamp" | "t" | "zeit" | "zeitstempel" | "elapsed time"
         | "datetime" | "date time" | "uhrzeit" | "clock" | "utc" | "time utc" | "utc time"
-        | "local time" | "elapsed" => return Role::Time(None),
+        | "local time" | "elapsed" | "stamp" | "header stamp" | "时间" | "时间戳" | "temps"
+        | "tiempo" | "tempo" => return Role::Time(None),
         "load" | "payload" | "nutzlast" | "load kg" => {
             return Role::Known(Quantity::Load, Some(Unit::Fixed));
         }

@@ -59,6 +59,9 @@ impl Kinds {
                 self.numbers = true;
                 let time = value(cell, decimal).map(|value| value * in_unit);
                 time.map_err(|_| {
+                    if clock_text::is_ambiguous(cell) {
+                        return phrase!("a date of which it is certain what is the day: 2024-05-01 or 1.5.2024; --columns with - leaves the column out");
+                    }
                     phrase!(
                         "a time: a number, 12:34:56.7, 3:04:05 PM or 2024-05-01T12:34:56+02:00; --columns with - leaves the column out"
                     )

@@ -57,6 +57,8 @@ struct Routine {
     name: String,
     state: State,
     blocks: Vec<Block>,
+    /// Whether its handler of errors has begun.
+    handles: bool,
 }
 
 /// Names of a routine, or of the file.
@@ -142,7 +144,8 @@ struct Motion {
 struct Facts {
     scopes: Vec<Scope>,
     names: Vec<Name>,
-    constants: BTreeMap<String, Constant>,
+    /// By the module that declares them.
+    constants: BTreeMap<(usize, String), Constant>,
     /// Names that are set as a base or a tool.
     tools: BTreeSet<String>,
     /// Names that are of an outer routine, if that has them.
@@ -152,6 +155,9 @@ struct Facts {
     calls: BTreeMap<String, BTreeSet<String>>,
     /// Whether anything in the file is set to something.
     any: [bool; 3],
+    /// Routines that may run at any statement, and what they set.
+    anytime: BTreeSet<String>,
+    interrupted: [bool; 3],
 }
 
 /// The walk as a language sees it.
@@ -163,6 +169,9 @@ pub(super) struct Walk<'x> {
     first: bool,
     scopes: usize,
     scope: usize,
+    /// The names of the module that is open; the file's, where it has none.
+    module: usize,
+    modules: BTreeMap<String, usize>,
     routines: usize,
     open: Vec<Routine>,
     state: State,
@@ -194,6 +203,8 @@ pub(super) fn walked(
             first,
             scopes: 1,
             scope: 0,
+            module: 0,
+            modules: BTreeMap::new(),
             routines: 0,
             open: Vec::new(),
             state: State::default(),
@@ -243,6 +254,9 @@ impl Facts {
                     open.push(((*caller).to_owned(), more));
                 }
             }
+        }
+        for set in self.anytime.iter().filter_map(|name| self.sets.get(name)) {
+            self.interrupted = [0, 1, 2].map(|k: usize| self.interrupted[k] | set[k]);
         }
         for (scope, name) in std::mem::take(&mut self.weak) {
             let mut outer = scope;
@@ -363,7 +377,7 @@ impl Walk<'_> {
 
     /// What a constant says that is no target.
     pub(super) fn constant(&mut self, name: &str, constant: Constant) {
-        let name = name.to_lowercase();
+        let name = (self.module, name.to_lowercase());
         let known = self
             .facts
             .constants
@@ -376,7 +390,12 @@ impl Walk<'_> {
     }
 
     pub(super) fn constant_of(&self, name: &str) -> Option<&Constant> {
-        self.facts.constants.get(&name.to_lowercase())
+        let mut name = (self.module, name.to_lowercase());
+        let known = self.facts.constants.get(&name);
+        known.or_else(|| {
+            name.0 = 0;
+            self.facts.constants.get(&name)
+        })
     }
 
     /// A value of a name that may be a target; `array`: of which the name is an element.
@@ -448,6 +467,12 @@ impl Walk<'_> {
 
     fn way(&mut self, changes: &[(usize, Referred)]) -> u32 {
         let mut parts = self.state.clone().map(|known| known.what);
+        for part in [BASE, TOOL, MODE] {
+            if self.facts.interrupted[part] && !self.first {
+                let says = text!("an interrupt or a handler of errors sets it");
+                parts[part] = Referred::Unknown(says);
+            }
+        }
         for (part, what) in changes {
             parts[*part] = what.clone();
         }
@@ -517,6 +542,8 @@ impl Walk<'_> {
                 }
             }
         }
+        // After a handler the routine goes on from any of its statements.
+        self.facts.interrupted[part] |= self.open.iter().any(|routine| routine.handles);
         if let Referred::Named(name) = &what {
             self.facts.tools.insert(name.to_string());
         }
@@ -536,6 +563,18 @@ impl Walk<'_> {
                 what: Referred::Unknown(text!("it is set in a branch or a loop")),
                 since: self.statement,
             };
+        }
+    }
+
+    /// A routine that may run at any statement: an interrupt, a thread.
+    pub(super) fn anytime(&mut self, name: &str) {
+        self.facts.anytime.insert(name.to_owned());
+    }
+
+    /// The handler of errors of the routine that is open begins.
+    pub(super) fn handler(&mut self) {
+        if let Some(routine) = self.open.last_mut() {
+            routine.handles = true;
         }
     }
 
@@ -562,6 +601,28 @@ impl Walk<'_> {
         true
     }
 
+    /// Modules whose names are their own, before any statement.
+    pub(super) fn has_modules(&mut self, names: BTreeSet<String>) {
+        for name in names {
+            if self.first {
+                self.facts.scopes.push(Scope::default());
+            }
+            self.modules.insert(name, self.scopes);
+            self.scopes += 1;
+        }
+    }
+
+    /// From here on names are those of this module, if it is one; the one before, to go back to.
+    pub(super) fn enter_module(&mut self, name: &str) -> usize {
+        let module = self.modules.get(name).copied().unwrap_or(self.module);
+        self.return_to(module)
+    }
+
+    pub(super) fn return_to(&mut self, module: usize) -> usize {
+        self.scope = module;
+        std::mem::replace(&mut self.module, module)
+    }
+
     /// A routine begins; its parameters.
     pub(super) fn begin_routine(
         &mut self,
@@ -583,6 +644,7 @@ impl Walk<'_> {
             name: name.to_owned(),
             state: self.state.clone(),
             blocks: std::mem::take(&mut self.blocks),
+            handles: false,
         });
         self.scope = self.scopes;
         self.scopes += 1;

@@ -133,7 +133,7 @@ fn token(bytes: &[u8], at: usize, dialect: &Dialect) -> Result<Option<Token>, Pr
     Ok(None)
 }
 
-fn is_of_name(byte: u8) -> bool {
+pub(super) fn is_of_name(byte: u8) -> bool {
     byte.is_ascii_alphanumeric() || byte == b'_' || byte == b'$' || byte >= 0x80
 }
 
@@ -208,7 +208,6 @@ pub(super) struct List {
 /// A part of a list, with its name in small letters if it has one.
 pub(super) struct Part {
     pub(super) key: String,
-    pub(super) at: usize,
     pub(super) value: Value,
 }
 
@@ -471,7 +470,7 @@ impl<'t, 'a> Words<'t, 'a> {
             }
             let (value, end) = self.value(k, style, depth + 1)?;
             let key = if style.keyed { key } else { String::new() };
-            list.parts.push(Part { key, at, value });
+            list.parts.push(Part { key, value });
             if self.is_sign(end, close) {
                 return Ok((list, end + 1));
             }

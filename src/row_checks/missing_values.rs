@@ -18,6 +18,9 @@ const MOST_SHARE: f64 = 0.4;
 /// No machine that is calibrated is as cold or as warm, °C.
 const TEMPERATURES_C: std::ops::RangeInclusive<f64> = -60.0..=200.0;
 
+/// Where it is colder it may freeze, °C.
+const COLD_C: f64 = 10.0;
+
 /// No joint without limits is calibrated so many turns from its home.
 const MOST_TURNS: f64 = 2.0;
 
@@ -39,7 +42,10 @@ pub(super) fn coded(session: &Session, values: JointValues) -> Vec<DataProblem> 
         problems.extend(repeated(session, quantity, column, shown, is_none));
     }
     if let Some(column) = &samples.temperature_c {
-        let is_none = |v: f64| v == 0.0 || !TEMPERATURES_C.contains(&v);
+        // 0 °C is one of a cold morning, unless all others are of a warm room.
+        let is_warm = |v: &f64| *v == 0.0 || *v > COLD_C;
+        let warm = column.iter().filter(|v| v.is_finite()).all(is_warm);
+        let is_none = |v: f64| v == 0.0 && warm || !TEMPERATURES_C.contains(&v);
         problems.extend(repeated(
             session,
             Quantity::Temperature,

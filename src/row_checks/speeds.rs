@@ -141,9 +141,12 @@ fn unit(session: &Session, joint: usize, speed: &[f64]) -> Option<DataProblem> {
     if (near as f64) < 0.7 * ratios.len() as f64 {
         return None;
     }
+    // Radians and minutes differ by less than ratios do: of those that are near the nearest.
+    let off = |factor: f64| (median / factor - 1.0).abs();
     let (factor, name) = units()
         .into_iter()
-        .find(|(factor, _)| (median / factor - 1.0).abs() < CLOSE)?;
+        .filter(|(factor, _)| off(*factor) < CLOSE)
+        .min_by(|(one, _), (other, _)| off(*one).total_cmp(&off(*other)))?;
     Some(DataProblem {
         what: text!(
             "the speed of joint {joint} is in another unit: {unit}",

@@ -79,7 +79,15 @@ impl<'a> Grid<'a> {
             if let Some(quote) = quote {
                 return Err(Box::new(open_quote(file, quote)));
             }
-            let found = text!("no table: no line of cells of which one is a number");
+            let is_comment =
+                |line: &str| line.starts_with('#') && line.contains(|c: char| c.is_ascii_digit());
+            let found = if text.lines().any(is_comment) {
+                text!(
+                    "no table: lines that begin with # are comments, and no other is one of cells of which one is a number"
+                )
+            } else {
+                text!("no table: no line of cells of which one is a number")
+            };
             let expected = text!("rows of cells between tabs, semicolons, commas or spaces");
             return Err(Box::new(Diagnostic::error(file.clone(), found, expected)));
         };

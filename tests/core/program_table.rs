@@ -156,6 +156,25 @@ const TABLE: &[Row] = &[
     ("loop", "rapid", "PROC main()\nagain:\nIF a THEN\nMoveL @ROB,v9,fine,t;\nPDispSet d;\nENDIF\nGOTO again;\nENDPROC\n", &[], &[("target of MoveL", "frame", "branch or a loop")], &["pdispset"]),
     ("loop", "rapid", "PROC main()\nFOR i FROM 1 TO 9 DO\nagain:\nIF a THEN\nb:=1;\nENDIF\nMoveL @ROB,v9,fine,t;\nPDispSet d;\nENDFOR\nENDPROC\n", &[], &[("target of MoveL", "frame", "branch or a loop")], &["pdispset"]),
     ("loop", "krl", "DEF m()\nagain:\nLIN {@XYZ,@ST}\n$IPO_MODE=#TCP\nGOTO again\nEND\n", &[], &[("target of LIN", "frame", "branch or a loop")], &[]),
+    // What may run at any statement, and what goes on from any.
+    ("interrupt", "rapid", "MODULE m\nPROC main()\nMoveL @ROB,v9,fine,t;\nENDPROC\nTRAP tr\nPDispSet d;\nENDTRAP\nENDMODULE\n", &[], &[("target of MoveL", "frame", "interrupt")], &["pdispset"]),
+    ("interrupt", "rapid", "MODULE m\nPROC main()\nMoveL @ROB,v9,fine,t;\nERROR\nPDispSet d;\nRETRY;\nENDPROC\nENDMODULE\n", &[], &[("target of MoveL", "frame", "handler of errors")], &["pdispset"]),
+    ("interrupt", "krl", "DEF a()\nINTERRUPT DECL 3 WHEN $IN[1]==TRUE DO isr()\nLIN {@XYZ,@ST}\nEND\nDEF isr()\n$BASE=BASE_DATA[2]\nEND\n", &[], &[("target of LIN", "frame", "interrupt")], &[]),
+    ("interrupt", "krl", "DEF a()\nTRIGGER WHEN DISTANCE=0 DELAY=0 DO isr() PRIO=-1\nPTP {@AXS}\nEND\n", &["target of PTP"], &[], &["isr is another"]),
+    ("interrupt", "urscript", "def m():\n thread w():\n  set_tcp(p[0,0,0.1,0,0,0])\n end\n h=run w()\n movel(@UPO)\nend\n", &[], &[("target of movel", "frame", "interrupt")], &[]),
+    // A header before the module, arrays of names, a path that a sensor corrects, routines by their names.
+    ("header", "rapid", "%%%\n  VERSION:1\n  LANGUAGE:ENGLISH\n%%%\nMODULE m\nCONST robtarget p:=@ROB;\nPROC main()\nMoveL p,v9,fine,t;\n%\"r\"+s%;\nENDPROC\nENDMODULE\n", &["p"], &[], &["%\"r\"+s% is another"]),
+    ("array of names", "rapid", "CONST robtarget p:=@ROB;\nCONST robtarget q{2}:=[p,@ROB];\nMoveL q{2},v9,fine,t;\n", &["q{2}"], &[("p", "unused", "q{1} uses it")], &["q{1} has values"]),
+    ("sensor", "rapid", "MoveL @ROB,v9,fine,t\\WObj:=wobj0\\Corr;\nMoveL @ROB,v9,fine,t;\n", &["target of MoveL"], &[("target of MoveL", "frame", "Corr")], &[]),
+    ("sensor", "fanuc-ls", "/MN\n 1:Touch Offset PR[1] ;\n 2:L P[1] 9mm/sec FINE ;\n 3:Touch Offset End ;\n 4:L P[2] 9mm/sec FINE ;\n/POS\nP[1]{ GP1: UF : 0, UT : 1, @FXY };\nP[2]{ GP1: UF : 0, UT : 1, @FXY };\n", &["P[2]"], &[("P[1]", "frame", "Touch shifts")], &["Touch shifts"]),
+    ("stationary tool", "fanuc-ls", "/MN\n 1:L P[1] 9mm/sec FINE RTCP ;\n/POS\nP[1]{ GP1: UF : 0, UT : 1, @FXY };\n", &[], &[("P[1]", "frame", "RTCP")], &[]),
+    ("computed target", "fanuc-ls", "/MN\n 1:PR[1]=P[1] ;\n 2:L PR[1] 9mm/sec FINE ;\n/POS\nP[1]{ GP1: UF : 0, UT : 1, @FXY };\n", &[], &[("P[1]", "unused", "PR[1] uses it")], &["position register"]),
+    ("computed target", "urscript", "def m():\n q=@ULI\n q[5]=q[5]+0.1\n movej(q)\nend\n", &[], &[("q", "changed", "run time")], &[]),
+    ("other moves", "urscript", "def m():\n optimovej(@ULI)\n movel(a=1.2, pose=@UPO)\nend\n", &["target of optimovej", "target of movel"], &[], &[]),
+    ("numbered frame", "krl", "FDAT_ACT.IPO_FRAME=#TCP\nLIN {@XYZ,@ST}\n", &[], &[("target of LIN", "frame", "FDAT_ACT.IPO_FRAME is set")], &[]),
+    // A data list is that of its program.
+    ("two data lists", "krl", "DEF a()\nPTP XP1\nEND\nDEF b()\nPTP_REL XP1\nEND\nDEFDAT a\nDECL E6POS XP1={@XYZ,@ST}\nENDDAT\nDEFDAT b\nDECL E6POS XP1={@XYZ,@ST}\nENDDAT\n", &["XP1"], &[("XP1", "relative", "PTP_REL")], &["relative"]),
+    ("two data lists", "krl", "DEF a()\nFDAT_ACT=FP1\nPTP XP1\nEND\nDEF b()\nFDAT_ACT=FP1\nPTP XP1\nEND\nDEFDAT a\nDECL E6POS XP1={@XYZ,@ST}\nDECL FDAT FP1={TOOL_NO 0,BASE_NO 0}\nENDDAT\nDEFDAT b\nDECL E6POS XP1={@XYZ,@ST}\nDECL FDAT FP1={TOOL_NO 0,BASE_NO 3}\nENDDAT\n", &["XP1"], &[("XP1", "frame", "base_data[3]")], &[]),
     // Other ways to write a target.
     ("frame as a target", "krl", "DEF m()\nDECL FRAME XP1\nXP1={@XYZ}\nPTP {@AXS}\nSLIN XP1\nEND\n", &["XP1", "target of PTP"], &[], &[]),
     ("external constant", "rapid", "CONST extjoint ext0:=[9E9,9E9,9E9,9E9,9E9,9E9];\nCONST robtarget p:=[@AT,ext0];\nMoveL p,v9,fine,t;\n", &["p"], &[], &[]),

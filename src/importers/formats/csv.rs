@@ -89,7 +89,12 @@ fn table<'a>(context: &mut ReadContext<'a>, measured: bool) -> Option<(Grid<'a>,
                         context.ask(About::Columns, says, &[]);
                     }
                 }
+                if !roles.iter().any(|role| role.quantity() == Some(Quantity::X))
+                    && is_matrix(context, &grid) {
+                    refuse_matrix(context, &grid);
+                }
             }
+            say_what_is_kept(context, names, &roles);
             roles
         }
         (None, None) if !measured && context.reading.columns.is_empty() => {
@@ -103,10 +108,7 @@ fn table<'a>(context: &mut ReadContext<'a>, measured: bool) -> Option<(Grid<'a>,
                     text!("a file with semicolons or tabs between cells, or with decimal points"),
                 );
             } else if is_matrix(context, &grid) {
-                context.refuse(
-                    text!("{width} columns, of which the numbers are a matrix of a rotation and a position in every row", width = grid.width),
-                    text!("a position and an orientation: x,y,z,qw,qx,qy,qz or x,y,z,rx,ry,rz"),
-                );
+                refuse_matrix(context, &grid);
             } else if context.reading.columns.is_empty() {
                 let says = text!(one "{count} column and no header", "{count} columns and no header", count = grid.width);
                 context.ask(About::Columns, says, &[]);
@@ -115,6 +117,24 @@ fn table<'a>(context: &mut ReadContext<'a>, measured: bool) -> Option<(Grid<'a>,
         }
     };
     Some((grid, roles))
+}
+
+fn refuse_matrix(context: &mut ReadContext<'_>, grid: &Grid<'_>) {
+    context.refuse(
+        text!("{width} columns, of which the numbers are a matrix of a rotation and a position in every row", width = grid.width),
+        text!("a position and an orientation: x,y,z,qw,qx,qy,qz or x,y,z,rx,ry,rz"),
+    );
+}
+
+/// Columns that mean nothing here are kept, and not without a word.
+fn say_what_is_kept(context: &mut ReadContext<'_>, names: &[String], roles: &[Role]) {
+    let kept = names.iter().zip(roles);
+    let kept = kept.filter(|(_, role)| **role == Role::Kept);
+    let kept: Vec<String> = kept.map(|(name, _)| quoted(name)).collect();
+    if !kept.is_empty() {
+        let columns = listed_names_up_to(&kept, SHOWN);
+        context.note(text!("columns that are kept and not used: {columns}", columns));
+    }
 }
 
 /// How many headings stand above a table with more cells in a row, as decimal commas make them of a table with commas.
