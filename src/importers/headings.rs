@@ -22,7 +22,11 @@ pub(crate) fn understand(heading: &str) -> Role {
     }
     let (words, unit) = words_and_unit(&plain);
     let words: Vec<&str> = words.iter().map(String::as_str).collect();
-    let role = role_of(&words);
+    let role = match (role_of(&words), unit) {
+        // A stamp may be anything, one in ns is a time.
+        (Role::Kept, Some(Word::Time(_))) if words.ends_with(&["stamp"]) => Role::Time(None),
+        (role, _) => role,
+    };
     match (role, unit) {
         (Role::Turn(turn, _), Some(Word::Unit(unit @ Unit::Angle(_)))) => {
             Role::Turn(turn, Some(unit))
@@ -123,8 +127,9 @@ fn role_of(words: &[&str]) -> Role {
         }
         "time" | "timestamp" | "time stamp" | "t" | "zeit" | "zeitstempel" | "elapsed time"
         | "datetime" | "date time" | "uhrzeit" | "clock" | "utc" | "time utc" | "utc time"
-        | "local time" | "elapsed" | "stamp" | "header stamp" | "时间" | "时间戳" | "temps"
-        | "tiempo" | "tempo" => return Role::Time(None),
+        | "local time" | "elapsed" | "时间" | "时间戳" | "temps" | "tiempo" | "tempo" => {
+            return Role::Time(None);
+        }
         "load" | "payload" | "nutzlast" | "load kg" => {
             return Role::Known(Quantity::Load, Some(Unit::Fixed));
         }

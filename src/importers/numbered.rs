@@ -91,24 +91,25 @@ impl ReadContext<'_> {
         for (index, (name, role)) in names.iter().zip(roles.iter()).enumerate() {
             let mut plain = name.trim().to_lowercase();
             plain.retain(char::is_alphanumeric);
-            if is_part(role)
-                || matches!(
-                    role,
-                    Role::Known(Quantity::X | Quantity::Y | Quantity::Z, _)
-                )
-            {
+            if matches!(
+                role,
+                Role::Known(Quantity::X | Quantity::Y | Quantity::Z, _)
+            ) {
                 continue;
             }
-            let digits = ["quaternion", "quat", "q"];
-            let digits = digits.iter().find_map(|word| plain.strip_prefix(word));
+            let quaternion = ["quaternion", "quat", "q"];
+            let digits = quaternion.iter().find_map(|word| plain.strip_prefix(word));
             if let Some(number @ 1..=4) = digits.and_then(|digits| digits.parse().ok()) {
                 numbered.push((number, index));
             }
             let part = match plain.pop() {
-                Some('w' | 's' | 'r' | '0') => 0,
-                Some('x' | 'i' | '1') => 1,
-                Some('y' | 'j' | '2') => 2,
-                Some('z' | 'k' | '3') => 3,
+                Some('w' | 's' | 'r') => 0,
+                Some('x' | 'i') => 1,
+                Some('y' | 'j') => 2,
+                Some('z' | 'k') => 3,
+                Some(digit @ '0'..='3') if quaternion.contains(&&*plain) => {
+                    digit as usize - '0' as usize
+                }
                 _ => continue,
             };
             stems.entry(plain).or_default().push((part, index));
@@ -135,6 +136,9 @@ impl ReadContext<'_> {
         };
         let (first, last) = (quoted(&names[at[0]]), quoted(&names[at[3]]));
         let real_first = parts([0, 1, 2, 3]);
+        if *roles == *real_first {
+            return;
+        }
         if is_named {
             self.note(text!(
                 "{first} … {last} have the length 1 in every row: a quaternion, its real part first",

@@ -80,6 +80,15 @@ impl ReadContext<'_> {
         kinds: &[Kinds],
         headings: &[String],
     ) {
+        // Of two the person says which is the time, or that neither is.
+        if roles
+            .iter()
+            .filter(|role| matches!(role, Role::Time(_)))
+            .count()
+            > 1
+        {
+            return;
+        }
         for (index, (role, cells)) in roles.iter_mut().zip(cells).enumerate() {
             let (Role::Time(unit), Some(Cells::Numbers(values))) = (&mut *role, cells) else {
                 continue;

@@ -150,9 +150,9 @@ struct Facts {
     tools: BTreeSet<String>,
     /// Names that are of an outer routine, if that has them.
     weak: Vec<(usize, String)>,
-    /// What routines set, and whom they call.
+    /// What routines set, and who is called by whom.
     sets: BTreeMap<String, [bool; 3]>,
-    calls: BTreeMap<String, BTreeSet<String>>,
+    calls: BTreeSet<(String, String)>,
     /// Whether anything in the file is set to something.
     any: [bool; 3],
     /// Routines that may run at any statement, and what they set.
@@ -238,20 +238,21 @@ pub(super) fn walked(
 impl Facts {
     /// What routines set goes to those that call them; names forget their values.
     fn close(&mut self) {
-        let mut callers: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
-        for (caller, called) in &self.calls {
-            for called in called {
-                callers.entry(called).or_default().push(caller);
-            }
-        }
-        let mut open: Vec<(String, [bool; 3])> = self.sets.clone().into_iter().collect();
+        let setting = self.sets.iter().filter(|(_, set)| set.contains(&true));
+        let mut open: Vec<(String, [bool; 3])> =
+            setting.map(|(name, set)| (name.clone(), *set)).collect();
         while let Some((called, set)) = open.pop() {
-            for caller in callers.get(&*called).into_iter().flatten() {
-                let own = self.sets.entry((*caller).to_owned()).or_default();
+            let from = (called, String::new());
+            for (_, caller) in self
+                .calls
+                .range(&from..)
+                .take_while(|(own, _)| *own == from.0)
+            {
+                let own = self.sets.entry(caller.clone()).or_default();
                 let more = [0, 1, 2].map(|k: usize| own[k] | set[k]);
                 if more != *own {
                     *own = more;
-                    open.push(((*caller).to_owned(), more));
+                    open.push((caller.clone(), more));
                 }
             }
         }
@@ -527,9 +528,9 @@ impl Walk<'_> {
         absolute: bool,
         changes: &[(usize, Referred)],
     ) {
-        let name = self.owner(name);
-        self.facts.names[name].used |= absolute;
-        self.go(Goal::Part(name), at, changes, None);
+        let index = self.owner(name);
+        self.facts.names[index].used |= absolute;
+        self.go(Goal::Part(index), at, changes, absolute.then_some(name));
     }
 
     /// Base, tool or mode from here on.
@@ -586,8 +587,8 @@ impl Walk<'_> {
     /// A call; whether the routine is one of this file.
     pub(super) fn call(&mut self, name: &str, spelled: &str) -> bool {
         if let Some(routine) = self.open.last() {
-            let calls = self.facts.calls.entry(routine.name.clone()).or_default();
-            calls.insert(name.to_owned());
+            let call = (name.to_owned(), routine.name.clone());
+            self.facts.calls.insert(call);
         }
         let Some(sets) = self.facts.sets.get(name).copied() else {
             return false;
@@ -747,7 +748,11 @@ impl Walk<'_> {
 
     /// The program: what motions go to is applied to the targets, and what is not proven is left.
     fn finished(mut self, elsewhere: fn(&str) -> Sentence) -> Program {
+        let names = self.facts.names.iter();
+        let arrays = names.filter(|name| name.first.is_some());
+        let arrays: BTreeSet<usize> = arrays.filter_map(|name| name.whole).collect();
         for motion in std::mem::take(&mut self.motions) {
+            let spelled = motion.spelled.unwrap_or_default();
             let mode = match &self.program.ways.get(motion.way).mode {
                 Referred::Unknown(says) => Some(says.clone()),
                 _ => None,
@@ -761,37 +766,23 @@ impl Walk<'_> {
                     }
                     self.program.visits.push(index);
                 }
-                Goal::Part(name) => self.gone_to(name, motion.way, mode),
+                Goal::Part(name) => {
+                    self.gone_to(name, motion.way, mode);
+                    let has_values =
+                        arrays.contains(&name) || self.facts.names[name].first.is_some();
+                    if !has_values && !spelled.is_empty() {
+                        self.left(motion.at, self.without_values(name, &spelled, elsewhere));
+                    }
+                }
                 Goal::Name(name) => {
                     self.gone_to(name, motion.way, mode);
                     let own = &self.facts.names[name];
-                    let spelled = motion.spelled.unwrap_or_default();
-                    match (own.first, &own.declared) {
-                        (Some(index), _) if own.others.is_empty() => {
-                            self.program.visits.push(index);
+                    match own.first {
+                        Some(index) if own.others.is_empty() => self.program.visits.push(index),
+                        Some(_) => {}
+                        None => {
+                            self.left(motion.at, self.without_values(name, &spelled, elsewhere))
                         }
-                        (Some(_), _) => {}
-                        (None, Declared::Parameter) => {
-                            let says = text!(
-                                "{spelled} is a parameter: its value comes from the caller",
-                                spelled = &*spelled
-                            );
-                            self.left(motion.at, says);
-                        }
-                        (None, Declared::Target) => {
-                            let says =
-                                text!("{spelled} gets its value at run time", spelled = &*spelled);
-                            self.left(motion.at, says);
-                        }
-                        (None, Declared::Other(kind)) => {
-                            let says = text!(
-                                "{spelled} is declared as {kind}, which is no target",
-                                spelled = &*spelled,
-                                kind = &**kind
-                            );
-                            self.left(motion.at, says);
-                        }
-                        (None, Declared::Nowhere) => self.left(motion.at, elsewhere(&spelled)),
                     }
                 }
             }
@@ -807,6 +798,28 @@ impl Walk<'_> {
         let kept: Vec<bool> = self.program.targets.iter().map(|t| !t.is_none).collect();
         self.program.sorted(&kept);
         self.program
+    }
+
+    /// Why a name that motions go to has no values in the file.
+    fn without_values(
+        &self,
+        name: usize,
+        spelled: &str,
+        elsewhere: fn(&str) -> Sentence,
+    ) -> Sentence {
+        match &self.facts.names[name].declared {
+            Declared::Parameter => text!(
+                "{spelled} is a parameter: its value comes from the caller",
+                spelled
+            ),
+            Declared::Target => text!("{spelled} gets its value at run time", spelled),
+            Declared::Other(kind) => text!(
+                "{spelled} is declared as {kind}, which is no target",
+                spelled,
+                kind = &**kind
+            ),
+            Declared::Nowhere => elsewhere(spelled),
+        }
     }
 
     fn gone_to(&mut self, name: usize, way: u32, mode: Option<Sentence>) {

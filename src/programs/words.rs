@@ -77,6 +77,14 @@ pub(super) fn statements(
         };
         at = one.1.end;
         words.push(one);
+        if words.len() > LONGEST_STATEMENT {
+            let found = text!(
+                "a statement of more than {most} words",
+                most = LONGEST_STATEMENT
+            );
+            let problem = Problem::new(words.at(0), found, text!("one that ends"));
+            return each(Err(problem));
+        }
         next = token(bytes, at, dialect);
         let follows = next.as_ref().ok().and_then(Option::as_ref);
         let until = follows.map_or(bytes.len(), |(_, range)| range.start);
@@ -91,6 +99,9 @@ pub(super) fn statements(
         each(Ok(&words));
     }
 }
+
+/// Words of a statement are held together: those of an array of 20 000 targets, and no file of any size.
+const LONGEST_STATEMENT: usize = 1_000_000;
 
 /// Names are kept and spoken of again and again; those of the languages have at most 32 letters, or no limit (`URScript`).
 const LONGEST_NAME: usize = 1000;
@@ -527,6 +538,17 @@ mod tests {
         assert_eq!(spelled("1-2"), [["1", "-", "2"]]);
         assert_eq!(spelled("1E-2-3"), [["1E-2", "-", "3"]]);
         assert_eq!(spelled("1.2.3"), [["1.2.3"]]);
+    }
+
+    #[test]
+    fn a_statement_without_end_is_one_problem() {
+        let source = "1,".repeat(LONGEST_STATEMENT);
+        let text = Text::new(source.as_bytes());
+        let mut all = Vec::new();
+        statements(&text, 0..source.len(), &RAPID, |words| {
+            all.push(words.err().map(|problem| problem.at));
+        });
+        assert_eq!(all, [Some(0)]);
     }
 
     #[test]

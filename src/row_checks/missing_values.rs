@@ -134,6 +134,9 @@ mod tests {
         let cold = |k: usize| if k < 4 { 0.0 } else { 0.4 * k as f64 };
         session.samples.temperature_c = Some((0..60).map(cold).collect());
         assert!(coded(&session, JointValues::Commanded).is_empty());
+        let frost = |k: usize| if k < 4 { 0.0 } else { 3.0 + 0.03 * k as f64 };
+        session.samples.temperature_c = Some((0..60).map(frost).collect());
+        assert!(coded(&session, JointValues::Commanded).is_empty());
         let missing = |k: usize| {
             if k.is_multiple_of(9) {
                 0.0

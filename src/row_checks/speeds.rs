@@ -232,6 +232,11 @@ mod tests {
             problems[0].what.contains("radians per second"),
             "{problems:?}"
         );
+        let problems = with(&mut session, 0.35 * 60.0);
+        assert!(
+            problems[0].what.contains("units per minute"),
+            "{problems:?}"
+        );
         // Between poses at standstill the way says nothing.
         assert!(with(&mut session, 0.0).is_empty());
     }

@@ -66,6 +66,7 @@ fn corrected(
         bytes: program.as_bytes(),
         language: find(language).unwrap(),
         file: None,
+        beside: None,
         load_kg: 0.0,
         start: Some(vec![2.2, 0.5, -0.1, -0.6, -0.4, -2.7]),
         frame: None,
@@ -164,6 +165,8 @@ const TABLE: &[Row] = &[
     ("interrupt", "urscript", "def m():\n thread w():\n  set_tcp(p[0,0,0.1,0,0,0])\n end\n h=run w()\n movel(@UPO)\nend\n", &[], &[("target of movel", "frame", "interrupt")], &[]),
     // A header before the module, arrays of names, a path that a sensor corrects, routines by their names.
     ("header", "rapid", "%%%\n  VERSION:1\n  LANGUAGE:ENGLISH\n%%%\nMODULE m\nCONST robtarget p:=@ROB;\nPROC main()\nMoveL p,v9,fine,t;\n%\"r\"+s%;\nENDPROC\nENDMODULE\n", &["p"], &[], &["%\"r\"+s% is another"]),
+    ("array of names", "rapid", "VAR robtarget q{9};\nMoveL q{i},v9,fine,t;\n", &[], &[], &["q gets its value at run time"]),
+    ("array of names", "krl", "DEF m()\nPTP XP[I]\nEND\n", &[], &[], &["xp has its values elsewhere"]),
     ("array of names", "rapid", "CONST robtarget p:=@ROB;\nCONST robtarget q{2}:=[p,@ROB];\nMoveL q{2},v9,fine,t;\n", &["q{2}"], &[("p", "unused", "q{1} uses it")], &["q{1} has values"]),
     ("sensor", "rapid", "MoveL @ROB,v9,fine,t\\WObj:=wobj0\\Corr;\nMoveL @ROB,v9,fine,t;\n", &["target of MoveL"], &[("target of MoveL", "frame", "Corr")], &[]),
     ("sensor", "fanuc-ls", "/MN\n 1:Touch Offset PR[1] ;\n 2:L P[1] 9mm/sec FINE ;\n 3:Touch Offset End ;\n 4:L P[2] 9mm/sec FINE ;\n/POS\nP[1]{ GP1: UF : 0, UT : 1, @FXY };\nP[2]{ GP1: UF : 0, UT : 1, @FXY };\n", &["P[2]"], &[("P[1]", "frame", "Touch shifts")], &["Touch shifts"]),

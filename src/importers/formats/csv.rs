@@ -131,7 +131,7 @@ fn say_what_is_kept(context: &mut ReadContext<'_>, names: &[String], roles: &[Ro
     let kept = names.iter().zip(roles);
     let kept = kept.filter(|(_, role)| **role == Role::Kept);
     let kept: Vec<String> = kept.map(|(name, _)| quoted(name)).collect();
-    if !kept.is_empty() {
+    if !kept.is_empty() && !context.is_open() {
         let columns = listed_names_up_to(&kept, SHOWN);
         context.note(text!("columns that are kept and not used: {columns}", columns));
     }
