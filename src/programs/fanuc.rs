@@ -159,14 +159,8 @@ fn motion(walk: &mut Walk, words: &Words) -> Result<(), Problem> {
             continue;
         }
         let Ok(number) = words.spelled(j + 2).parse::<u64>() else {
-            let command = words.spelled(k);
-            let target = words.shown(j, words.until(j + 2, b"]") + 1);
-            let says = text!(
-                "{command} goes to {target}, which is computed at run time",
-                command,
-                target
-            );
-            walk.left(at, says);
+            let target = j..words.until(j + 2, b"]") + 1;
+            walk.go_to_worked_out(words, target, &words.spelled(k), &[]);
             continue;
         };
         let (key, spelled) = (format!("p[{number}]"), format!("P[{number}]"));
@@ -263,11 +257,7 @@ fn instruction(walk: &mut Walk, words: &Words, k: usize) {
         }
         "call" | "run" => {
             let command = words.shown(k, words.until(k, b";("));
-            let says = text!(
-                "{command} is another routine's: its motions are not in this file",
-                command
-            );
-            walk.left(at, says);
+            walk.routine_elsewhere(at, &command);
             walk.set(BASE, Referred::Unsaid);
             walk.set(TOOL, Referred::Unsaid);
         }

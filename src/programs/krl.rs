@@ -168,11 +168,7 @@ fn statement(walk: &mut Walk, words: &Words) -> Result<(), Problem> {
 fn call(walk: &mut Walk, words: &Words, k: usize) {
     let command = words.spelled(k);
     if !walk.call(&words.name(k), &command) {
-        let says = text!(
-            "{command} is another routine's: its motions are not in this file",
-            command
-        );
-        walk.left(words.at(k), says);
+        walk.routine_elsewhere(words.at(k), &command);
     }
 }
 
@@ -224,7 +220,7 @@ fn assignment(
     }
     let known = walk.declared(&name);
     let component = (k..equals).any(|j| words.is_sign(j, b'.'));
-    let element = element_of(words, k);
+    let element = words.element(k, *b"[]");
     let own = element.as_deref().unwrap_or(&name);
     match list {
         Some((list, behind)) if !component && behind == end => {
@@ -254,13 +250,6 @@ fn assignment(
         }
     }
     Ok(())
-}
-
-/// `P[3]`, if word `k` is that.
-fn element_of(words: &Words, k: usize) -> Option<String> {
-    let digits = words.kind(k + 2) == Some(Kind::Digits);
-    let is = words.is_sign(k + 1, b'[') && digits && words.is_sign(k + 3, b']');
-    is.then(|| format!("{}[{}]", words.name(k), words.spelled(k + 2)))
 }
 
 fn motion(walk: &mut Walk, words: &Words, name: &str) -> Result<(), Problem> {
@@ -309,27 +298,8 @@ fn motion(walk: &mut Walk, words: &Words, name: &str) -> Result<(), Problem> {
         }
         let at = if goal > 0 { words.at(from) } else { at };
         if words.is_sign(k, b':') || words.is_sign(k, b'.') || words.is_sign(k, b'(') {
-            let says = if words.is_sign(k, b':') {
-                text!(
-                    "{command} goes to a product of frames, which is computed at run time",
-                    command = &command
-                )
-            } else {
-                let target = words.shown(from, words.until(k, b","));
-                text!(
-                    "{command} goes to {target}, which is computed at run time",
-                    command = &command,
-                    target
-                )
-            };
-            walk.left(at, says);
             let end = words.until(k, b",").min(behind);
-            for j in (from..end).filter(|j| words.is_name(*j)) {
-                if walk.knows(&words.name(j)) {
-                    walk.go_to_part(&words.name(j), at, false, &changes);
-                    walk.mention(&words.name(j), at, &command);
-                }
-            }
+            walk.go_to_worked_out(words, from..end, &command, &changes);
             k = end;
         } else if let Some(list) = inline {
             let pose = match list.stated.as_deref().and_then(type_of) {
@@ -345,7 +315,10 @@ fn motion(walk: &mut Walk, words: &Words, name: &str) -> Result<(), Problem> {
             }
         } else {
             let (name, spelled) = (words.name(from), words.spelled(from));
-            match element_of(words, from).filter(|element| walk.knows(element)) {
+            match words
+                .element(from, *b"[]")
+                .filter(|element| walk.knows(element))
+            {
                 Some(element) => walk.go_to_name((&element, &element), at, None, &changes),
                 None if k > from + 1 => walk.go_to_part(&name, at, true, &changes),
                 None => walk.go_to_name((&name, &spelled), at, None, &changes),

@@ -319,11 +319,7 @@ fn instruction(walk: &mut Walk, words: &Words, k: usize) -> Result<(), Problem> 
             // `%"name" + NumToStr(n, 0)%;`
             let by_name = words.is_sign(k, b'%') && !words.is_sign(k + 1, b'%');
             if !walk.call(&name, &command) && alone || by_name {
-                let says = text!(
-                    "{command} is another routine's: its motions are not in this file",
-                    command = words.shown(k, words.until(k, b";"))
-                );
-                walk.left(words.at(k), says);
+                walk.routine_elsewhere(words.at(k), &words.shown(k, words.until(k, b";")));
             }
         }
     }
@@ -343,7 +339,9 @@ fn gripped(walk: &mut Walk, words: &Words, k: usize) {
 fn assignment(walk: &mut Walk, words: &Words, k: usize, equals: usize) -> Result<(), Problem> {
     let (name, spelled) = (words.name(k), words.spelled(k));
     // An element of an array is told by its number.
-    let element = element_of(words, k).filter(|_| words.is_sign(k + 4, b':'));
+    let element = words
+        .element(k, *b"{}")
+        .filter(|_| words.is_sign(k + 4, b':'));
     let component = (k..equals).any(|j| words.is_sign(j, b'.'));
     let declared = walk.declared(&name);
     let may_be = matches!(declared, Declared::Target | Declared::Nowhere);
@@ -359,13 +357,6 @@ fn assignment(walk: &mut Walk, words: &Words, k: usize, equals: usize) -> Result
     walk.changed(element.as_deref().unwrap_or(&name), &spelled, words.at(k));
     walk.mention_all(words, equals + 1..words.len(), &spelled);
     Ok(())
-}
-
-/// `name{3}`, if word `k` is that.
-fn element_of(words: &Words, k: usize) -> Option<String> {
-    let digits = words.kind(k + 2) == Some(Kind::Digits);
-    let is = words.is_sign(k + 1, b'{') && digits && words.is_sign(k + 3, b'}');
-    is.then(|| format!("{}{{{}}}", words.name(k), words.spelled(k + 2)))
 }
 
 /// `MoveL p1, v100, fine, tGun\WObj:=fixture;`, argument by argument.
@@ -456,7 +447,7 @@ fn goal(
         return Ok(());
     }
     if words.is_name(k) && words.is_sign(k + 1, b'{') && ends(words.until(k + 2, b"}") + 1) {
-        match element_of(words, k) {
+        match words.element(k, *b"{}") {
             Some(element) if walk.knows(&element) => {
                 walk.go_to_name((&element, &element), at, None, changes);
             }
@@ -483,21 +474,7 @@ fn goal(
         }
         return Ok(());
     }
-    for j in k..end {
-        if words.is_name(j) && walk.knows(&words.name(j)) {
-            walk.go_to_part(&words.name(j), at, false, changes);
-            walk.mention(&words.name(j), at, &words.spelled(k));
-        }
-    }
-    let target = words.shown(k, end);
-    walk.left(
-        at,
-        text!(
-            "{command} goes to {target}, which is computed at run time",
-            command,
-            target
-        ),
-    );
+    walk.go_to_worked_out(words, k..end, command, changes);
     Ok(())
 }
 

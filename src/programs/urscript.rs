@@ -310,16 +310,7 @@ fn goal(walk: &mut Walk, words: &Words, k: usize, command: &str) -> Result<usize
             walk.go_to_name((&name, &name), words.at(from), near, &[]);
         }
         None => {
-            let target = words.shown(k, end);
-            let says = text!(
-                "{command} goes to {target}, which is computed at run time",
-                command,
-                target
-            );
-            walk.left(at, says);
-            for j in (k..end).filter(|j| words.is_name(*j)) {
-                walk.mention(&words.name(j), words.at(j), command);
-            }
+            walk.go_to_worked_out(words, k..end, command, &[]);
         }
     }
     Ok(end)

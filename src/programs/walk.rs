@@ -533,6 +533,40 @@ impl Walk<'_> {
         self.go(Goal::Part(index), at, changes, absolute.then_some(name));
     }
 
+    /// A motion to what is worked out at run time, perhaps from names.
+    pub(super) fn go_to_worked_out(
+        &mut self,
+        words: &Words,
+        range: Range<usize>,
+        command: &str,
+        changes: &[(usize, Referred)],
+    ) {
+        let at = words.at(range.start);
+        let target = words.shown(range.start, range.end);
+        let says = text!(
+            "{command} goes to {target}, which is computed at run time",
+            command,
+            target
+        );
+        self.left(at, says);
+        for k in range {
+            let name = words.name(k);
+            if self.knows(&name) {
+                self.go_to_part(&name, at, false, changes);
+                self.mention(&name, at, command);
+            }
+        }
+    }
+
+    /// A call of what is not in the file.
+    pub(super) fn routine_elsewhere(&mut self, at: usize, command: &str) {
+        let says = text!(
+            "{command} is another routine's: its motions are not in this file",
+            command
+        );
+        self.left(at, says);
+    }
+
     /// Base, tool or mode from here on.
     pub(super) fn set(&mut self, part: usize, what: Referred) {
         if what != Referred::Unsaid {

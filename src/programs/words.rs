@@ -364,6 +364,14 @@ impl<'t, 'a> Words<'t, 'a> {
         })
     }
 
+    /// `name[3]`, in these brackets and with a number, if word `k` is that.
+    pub(super) fn element(&self, k: usize, [open, close]: [u8; 2]) -> Option<String> {
+        let digits = self.kind(k + 2) == Some(Kind::Digits);
+        let is = self.is_sign(k + 1, open) && digits && self.is_sign(k + 3, close);
+        let (open, close) = (char::from(open), char::from(close));
+        is.then(|| format!("{}{open}{}{close}", self.name(k), self.spelled(k + 2)))
+    }
+
     /// That something else was expected at a word.
     pub(super) fn problem(&self, k: usize, expected: impl Into<crate::text::Text>) -> Problem {
         let found = if k < self.len() {

@@ -810,3 +810,32 @@ fn comments_in_words_contradict_what_would_be_read() {
         );
     }
 }
+
+/// KUKA's A, B, C, under headings of angles about x, y and z: the tool is turned about x as well.
+#[test]
+fn angles_about_z_y_x_are_named_where_they_are_said_to_be_about_x_y_z() {
+    let desk = Desk::new();
+    let row = |_: usize, pose: [f64; 2]| {
+        format!(
+            "{},{},{},{},{},0.2",
+            pose[0],
+            pose[1],
+            xyz(pose),
+            pose[0],
+            -pose[1]
+        )
+    };
+    desk.put(
+        "abc.csv",
+        &table("q1_rad,q2_rad,x_mm,y_mm,z_mm,rx_rad,ry_rad,rz_rad", row),
+    );
+    desk.import("abc.csv --as csv --euler rpy --out abc.json");
+    let done = desk.run("identify abc.json --json");
+    let answer: Value = serde_json::from_slice(&done.stdout).unwrap();
+    let problems = answer["data_problems"].to_string();
+    assert!(problems.contains("--columns …,rz,ry,rx"), "{problems}");
+    desk.import("abc.csv --as csv --euler rpy --columns auto,auto,auto,auto,auto,rz_rad,ry_rad,rx_rad --out abc.json");
+    let answer: Value =
+        serde_json::from_slice(&desk.run("identify abc.json --json").stdout).unwrap();
+    assert!(!answer["data_problems"].to_string().contains("orientations"));
+}

@@ -138,7 +138,7 @@ const TABLE: &[Row] = &[
     ("expression", "krl", "PTP {A1 106+2,A2 65,A3 -25,A4 -63,A5 -53,A6 -18}\nPTP {A1 5}\n", &[], &[], &["from where the robot is", "from where the robot is"]),
     ("expression", "urscript", "def m():\n movej([d2r(9),1,1,1,1,1])\nend\n", &[], &[], &["computed at run time"]),
     ("offset", "rapid", "CONST robtarget p:=@ROB;\nMoveL Offs(p,0,0,9),v9,fine,t;\nMoveL RelTool(p,0,0,9),v9,fine,t;\n", &[], &[("p", "unused", "Offs uses it")], &["Offs(p,0,0,9)", "RelTool"]),
-    ("offset", "krl", "DECL FRAME off\noff={X 0,Y 0,Z 9,A 0,B 0,C 0}\nDECL E6POS XP={@XYZ,@ST}\nLIN off:XP\n", &[], &[("XP", "unused", "")], &["product of frames"]),
+    ("offset", "krl", "DECL FRAME off\noff={X 0,Y 0,Z 9,A 0,B 0,C 0}\nDECL E6POS XP={@XYZ,@ST}\nLIN off:XP\n", &[], &[("XP", "unused", "")], &["LIN goes to off:XP, which is computed"]),
     ("offset", "urscript", "def m():\n w=@UPO\n movel(pose_trans(w,p[0,0,0.1,0,0,0]))\nend\n", &[], &[], &["pose_trans", "no move of this file uses"]),
     ("offset", "fanuc-ls", "/MN\n 1:L P[1] 9mm/sec FINE Tool_Offset,PR[15] ;\n 2:L P[2] 9mm/sec FINE\n  :  Offset,PR[1] ;\n 3:L PR[1] 9mm/sec FINE ;\n/POS\nP[1]{ GP1: UF : 0, UT : 1, @FXY };\nP[2]{ GP1: UF : 0, UT : 1, @FXY };\n", &[], &[("P[1]", "unused", "TOOL_OFFSET"), ("P[2]", "unused", "OFFSET")], &["TOOL_OFFSET", "(OFFSET)", "position register"]),
     ("computed target", "rapid", "VAR robtarget p:=@ROB;\np:=CRobT();\nMoveL p,v9,fine,t;\n", &[], &[("p", "changed", "run time")], &[]),
