@@ -4,7 +4,6 @@
 //! 1970, and of a spreadsheet's days, does the size tell the unit; that is proposed.
 
 use super::clock_text::{self, Clock};
-use super::reader::extent;
 use super::role::Role;
 use super::settings::{About, ReadContext};
 use super::units::TimeUnit;
@@ -232,6 +231,17 @@ impl ReadContext<'_> {
             );
             self.ask(About::Columns, says, &[]);
         }
+    }
+}
+
+/// Largest less smallest value.
+pub(crate) fn extent(values: &[f64]) -> f64 {
+    let smallest = values.iter().copied().fold(f64::INFINITY, f64::min);
+    let largest = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    if largest > smallest {
+        largest - smallest
+    } else {
+        0.0
     }
 }
 

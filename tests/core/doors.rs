@@ -800,6 +800,24 @@ fn comments_in_words_contradict_what_would_be_read() {
     );
     let said = desk.refused("t.txt --as tum");
     assert!(said.contains("the heading 'position (x y z)"), "{said}");
+    let row = |_: usize, pose: [f64; 2]| format!("{},{},{}", pose[0], pose[1], xyz(pose));
+    for (comment, is_one) in [
+        ("# q1_deg,q2_deg,x_mm,y_mm,z_mm", false),
+        ("# q1_rad,q2_rad,y_mm,x_mm,z_mm", false),
+        ("# J1, J2, X, Y, Z", true),
+        ("# by hand, cold, x, in, May", true),
+    ] {
+        desk.put(
+            "c.csv",
+            &table(&format!("{comment}\nq1_rad,q2_rad,x_mm,y_mm,z_mm"), row),
+        );
+        if is_one {
+            desk.import("c.csv --as csv --out c.json");
+        } else {
+            let said = desk.refused("c.csv --as csv");
+            assert!(said.contains("contradict each other"), "{said}");
+        }
+    }
     let row = |k: usize, pose: [f64; 2]| format!("P{k} {}", xyz(pose).replace(',', " "));
     for comment in ["! Name  Dist  Hz  V", "; Point R Az Zen"] {
         desk.put("s.txt", &table(comment, row));

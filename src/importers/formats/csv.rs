@@ -3,6 +3,7 @@
 use crate::document::number::quoted;
 use crate::importers::columns::Columns;
 use crate::importers::families::{self, Families};
+use crate::importers::headings::understand;
 use crate::importers::formats::{EULER_OPTION, Importer, KnownBy, Questions};
 use crate::importers::matching::listed_names_up_to;
 use crate::importers::options::{PLANE_OPTION, SOCKET_DISTANCES_OPTION, SOCKET_OPTION};
@@ -94,7 +95,7 @@ fn table<'a>(context: &mut ReadContext<'a>, measured: bool) -> Option<(Grid<'a>,
                     refuse_matrix(context, &grid);
                 }
             }
-            say_what_is_kept(context, names, &roles);
+            refuse_contradiction(context, &grid, names, &roles);
             roles
         }
         (None, None) if !measured && context.reading.columns.is_empty() => {
@@ -126,14 +127,33 @@ fn refuse_matrix(context: &mut ReadContext<'_>, grid: &Grid<'_>) {
     );
 }
 
-/// Columns that mean nothing here are kept, and not without a word.
-fn say_what_is_kept(context: &mut ReadContext<'_>, names: &[String], roles: &[Role]) {
-    let kept = names.iter().zip(roles);
-    let kept = kept.filter(|(_, role)| **role == Role::Kept);
-    let kept: Vec<String> = kept.map(|(name, _)| quoted(name)).collect();
-    if !kept.is_empty() && !context.is_open() {
-        let columns = listed_names_up_to(&kept, SHOWN);
-        context.note(text!("columns that are kept and not used: {columns}", columns));
+/// A comment above the heading that says of every column what it is, and of one something else.
+fn refuse_contradiction(
+    context: &mut ReadContext<'_>,
+    grid: &Grid<'_>,
+    names: &[String],
+    roles: &[Role],
+) {
+    let Some(comment) = &grid.said_before else {
+        return;
+    };
+    let said: Vec<Role> = comment.iter().map(|cell| understand(cell)).collect();
+    let contradicts = |(said, role): (&Role, &Role)| match (said, role) {
+        (Role::Known(one, unit), Role::Known(other, own)) => {
+            one != other || unit.is_some() && own.is_some() && unit != own
+        }
+        (Role::Time(Some(unit)), Role::Time(Some(own))) => unit != own,
+        _ => said.quantity() != role.quantity(),
+    };
+    if !said.contains(&Role::Kept) && said.iter().zip(roles).any(contradicts) {
+        context.refuse(
+            text!(
+                "the heading {heading} and a comment above it, {comment}, contradict each other",
+                heading = quoted(&names.join(", ")),
+                comment = quoted(&comment.join(", "))
+            ),
+            text!("one of the two"),
+        );
     }
 }
 
