@@ -11,7 +11,7 @@ use crate::pipeline;
 use crate::present::compensation_v1::{self, Document};
 use crate::programs::{
     Answer, CompensateError, ExternalAxes, LANGUAGES, Language, ModelTool, Orientation, Precedence,
-    ProgramFrames, Request, find, language_of,
+    ProgramFrames, Request, beside, find, language_of,
 };
 use crate::sessions::read_whole;
 use crate::text::Text;
@@ -139,11 +139,16 @@ impl Compensate {
             Precedence::Given(pose) => Some(pose),
             _ => None,
         };
+        let beside = match beside(&self.targets, language) {
+            Some(path) => Some((read_whole(&path)?, path)),
+            None => None,
+        };
         let answer = pipeline::compensate(&Request {
             calibration: &calibration,
             bytes: &bytes,
             language,
             file: Some(&self.targets),
+            beside: beside.as_ref().map(|(bytes, path)| (&**path, &**bytes)),
             load_kg: self.load.unwrap_or_default(),
             start: self
                 .start
@@ -169,7 +174,17 @@ impl Compensate {
             language.id,
             &frame.unwrap_or_else(Pose::identity),
         );
-        self.write(&answer, &document, to_stdout)?;
+        let inputs = [
+            Some(self.model.clone()),
+            Some(self.targets.clone()),
+            beside.map(|(_, path)| path),
+        ];
+        self.write(
+            &answer,
+            &document,
+            to_stdout,
+            &inputs.into_iter().flatten().collect::<Vec<_>>(),
+        )?;
         if self.json {
             output::json(&document)?;
         } else if !to_stdout {
@@ -231,10 +246,15 @@ impl Compensate {
         })
     }
 
-    fn write(&self, answer: &Answer, document: &Document, to_stdout: bool) -> Result<(), Failure> {
-        let inputs = [self.model.clone(), self.targets.clone()];
+    fn write(
+        &self,
+        answer: &Answer,
+        document: &Document,
+        to_stdout: bool,
+        inputs: &[PathBuf],
+    ) -> Result<(), Failure> {
         if to_stdout {
-            return output::document(&self.out, &answer.bytes, self.force, &inputs);
+            return output::document(&self.out, &answer.bytes, self.force, inputs);
         }
         let mut sidecar = self.out.clone().into_os_string();
         sidecar.push(".meta.json");
@@ -242,9 +262,9 @@ impl Compensate {
         // Nothing is written when something cannot be.
         for place in [&self.out, &sidecar] {
             output::can_be_written(place, self.force)?;
-            crate::atomic::refuse_to_replace_inputs(place, &output::paths(&inputs))?;
+            crate::atomic::refuse_to_replace_inputs(place, &output::paths(inputs))?;
         }
-        output::document(&self.out, &answer.bytes, self.force, &inputs)?;
+        output::document(&self.out, &answer.bytes, self.force, inputs)?;
         // Written as it is made: it is larger than the program.
         Ok(crate::atomic::write_atomically(
             &sidecar,

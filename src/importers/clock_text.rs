@@ -22,6 +22,16 @@ pub(crate) fn is_date(text: &str) -> bool {
     days_since_1970(text.trim()).is_some()
 }
 
+/// Whether it begins with a date whose day and month could change places.
+pub(crate) fn is_ambiguous(text: &str) -> bool {
+    let date = text.split([' ', 't', 'T']).next().unwrap_or_default();
+    let parts: Vec<u32> = date
+        .split(['-', '/'])
+        .filter_map(|part| part.parse().ok())
+        .collect();
+    matches!(parts[..], [1..=12, 1..=12, 1000..=9999])
+}
+
 /// `20240501123456.7` and `20240501T123456.7` as a date, its time and what is behind the 14 digits.
 fn compact(text: &str) -> Option<String> {
     let joined = match text.split_once('T') {

@@ -3,11 +3,13 @@
 use nalgebra::Point3;
 
 use crate::diagnostic::{Diagnostic, Place, Rejected};
+use crate::document::number::quoted;
 use crate::importers::clock::ClockOffset;
 use crate::importers::columns::Columns;
+use crate::importers::formats::Importer;
 use crate::importers::job::{Job, Matched};
 use crate::importers::join::{self, Timing};
-use crate::importers::matching::{self, Matching, Pairs, listed};
+use crate::importers::matching::{self, Matching, Pairs, listed, listed_names_up_to};
 use crate::importers::role::Role;
 use crate::kinematics::JointKind;
 use crate::sessions::Target;
@@ -15,7 +17,29 @@ use crate::sessions::columns::{Quantity, Unit};
 use crate::sessions::layout::check_joint;
 use crate::text::length;
 
+/// Headings that a message lists.
+const SHOWN: usize = 12;
+
 impl Job<'_> {
+    /// Columns of a table that mean nothing here are kept, and not without a word.
+    fn say_what_is_kept(&mut self, columns: &Columns) {
+        let is_table = |kind: &Importer| kind.id == "csv";
+        if !self.settings.reading.kind.is_some_and(is_table) {
+            return;
+        }
+        let unnamed = Role::Kept.to_string();
+        let kept = columns.list.iter();
+        let kept = kept.filter(|column| column.role == Role::Kept && column.name != unnamed);
+        let kept: Vec<String> = kept.map(|column| quoted(&column.name)).collect();
+        if !kept.is_empty() {
+            let columns = listed_names_up_to(&kept, SHOWN);
+            self.note(text!(
+                "columns that are kept and not used: {columns}",
+                columns
+            ));
+        }
+    }
+
     /// Adds the commands.
     pub(crate) fn with_commands(
         &mut self,
@@ -23,6 +47,7 @@ impl Job<'_> {
         recorded: Option<Box<Columns>>,
         targets: &[Target],
     ) -> Result<(Columns, Option<Matched>), Rejected> {
+        self.say_what_is_kept(&columns);
         match (&self.settings.commands, recorded) {
             (None, Some(recorded)) => return self.with_recorded(columns, *recorded, targets),
             (Some(_), Some(_)) => {

@@ -50,7 +50,14 @@ pub(crate) fn proposed(headings: &[String], roles: &[Role]) -> Families {
         let Some((last, before)) = words.split_last() else {
             continue;
         };
-        let name = before.join(" ");
+        // `x1` and `x_1` are of the first of several points.
+        let last_letter = last.trim_end_matches(|c: char| c.is_ascii_digit());
+        let (last, before, number) = match (last_letter, before.split_last()) {
+            ("", Some((letter, before))) => (letter.as_str(), before, last.as_str()),
+            _ => (last_letter, before, &last[last_letter.len()..]),
+        };
+        let name = format!("{} {number}", before.join(" "));
+        let name = name.trim().to_owned();
         let among = |list| before.iter().any(|word| is_among(word, list));
         let letter = last.strip_prefix('q').unwrap_or(last);
         let part = ["w", "x", "y", "z"].iter().position(|part| *part == letter);
@@ -64,7 +71,7 @@ pub(crate) fn proposed(headings: &[String], roles: &[Role]) -> Families {
             Some(Word::Unit(unit @ Unit::Length(_))) => Some(unit),
             Some(_) => continue,
         };
-        let quantity = match last.as_str() {
+        let quantity = match last {
             "x" | "tx" | "px" => Quantity::X,
             "y" | "ty" | "py" => Quantity::Y,
             "z" | "tz" | "pz" => Quantity::Z,

@@ -22,7 +22,11 @@ pub(crate) fn understand(heading: &str) -> Role {
     }
     let (words, unit) = words_and_unit(&plain);
     let words: Vec<&str> = words.iter().map(String::as_str).collect();
-    let role = role_of(&words);
+    let role = match (role_of(&words), unit) {
+        // A stamp may be anything, one in ns is a time.
+        (Role::Kept, Some(Word::Time(_))) if words.ends_with(&["stamp"]) => Role::Time(None),
+        (role, _) => role,
+    };
     match (role, unit) {
         (Role::Turn(turn, _), Some(Word::Unit(unit @ Unit::Angle(_)))) => {
             Role::Turn(turn, Some(unit))
@@ -69,8 +73,9 @@ pub(crate) fn words_and_unit(heading: &str) -> (Vec<String>, Option<Word>) {
         && let Some((before, last)) = heading.rsplit_once('/')
         && let Some(found) = units::word(last)
     {
-        // `speed deg/s` is no `speed deg` in seconds.
-        if !matches!(found, Word::Time(_)) {
+        // `speed deg/s` is no `speed deg` in seconds, but `t/s` is a time.
+        let is_time = matches!(role_of(&[before.trim()]), Role::Time(_));
+        if is_time || !matches!(found, Word::Time(_)) {
             unit = Some(found);
             before.clone_into(&mut name);
         }
@@ -122,7 +127,9 @@ fn role_of(words: &[&str]) -> Role {
         }
         "time" | "timestamp" | "time stamp" | "t" | "zeit" | "zeitstempel" | "elapsed time"
         | "datetime" | "date time" | "uhrzeit" | "clock" | "utc" | "time utc" | "utc time"
-        | "local time" | "elapsed" => return Role::Time(None),
+        | "local time" | "elapsed" | "时间" | "时间戳" | "temps" | "tiempo" | "tempo" => {
+            return Role::Time(None);
+        }
         "load" | "payload" | "nutzlast" | "load kg" => {
             return Role::Known(Quantity::Load, Some(Unit::Fixed));
         }

@@ -1,6 +1,8 @@
 //! Columns with numbers in their headings, told by all of them together: joints that are counted from zero, and the
 //! four parts of a quaternion.
 
+use std::collections::BTreeMap;
+
 use super::headings;
 use super::joint_names::{is_one, understand};
 use super::reader::fixed;
@@ -28,7 +30,6 @@ impl ReadContext<'_> {
     /// A table that has a joint 0 is counted from zero, unless the robot's own joint is called so.
     fn count_from_zero(&mut self, names: &[String], roles: &mut [Role]) {
         let joints = &self.reading.joints;
-        let is_part = |role: &Role| matches!(role.quantity(), Some(Quantity::Orientation(_)));
         let is_first = |(role, name): &(&Role, &String)| {
             let from_zero = matches!(with_next_number(name), Some((0, next)) if joint_of(headings::understand(&next)) == Some(0));
             from_zero && headings::understand(name) == Role::Kept && !is_part(role)
@@ -82,32 +83,50 @@ impl ReadContext<'_> {
         }
     }
 
-    /// Four numbers `q0` … `q3` or `q1` … `q4` that have the length 1 in every row are a quaternion.
+    /// Four columns whose names end as the parts of a quaternion do, or in 1 to 4, and that have the length 1 in every
+    /// row, are one.
     fn take_quaternion(&mut self, grid: &Grid<'_>, names: &[String], roles: &mut [Role]) {
-        let number = |name: &String| {
-            let plain: String = name
-                .trim()
-                .to_lowercase()
-                .chars()
-                .filter(|c| c.is_alphanumeric())
-                .collect();
-            let digits = ["quaternion", "quat", "q"]
-                .iter()
-                .find_map(|word| plain.strip_prefix(word))?;
-            digits.parse::<usize>().ok()
-        };
-        let mut found: Vec<(usize, usize)> = names
-            .iter()
-            .take(roles.len())
-            .enumerate()
-            .filter_map(|(index, name)| Some((number(name)?, index)))
-            .collect();
-        found.sort_unstable();
-        let (numbers, at): (Vec<usize>, Vec<usize>) = found.into_iter().unzip();
-        let from_zero = numbers == [0, 1, 2, 3];
-        if !(from_zero || numbers == [1, 2, 3, 4]) || !self.have_length_1(grid, &at) {
-            return;
+        let mut stems: BTreeMap<String, Vec<(usize, usize)>> = BTreeMap::new();
+        let mut numbered = Vec::new();
+        for (index, (name, role)) in names.iter().zip(roles.iter()).enumerate() {
+            let mut plain = name.trim().to_lowercase();
+            plain.retain(char::is_alphanumeric);
+            if matches!(
+                role,
+                Role::Known(Quantity::X | Quantity::Y | Quantity::Z, _)
+            ) {
+                continue;
+            }
+            let quaternion = ["quaternion", "quat", "q"];
+            let digits = quaternion.iter().find_map(|word| plain.strip_prefix(word));
+            if let Some(number @ 1..=4) = digits.and_then(|digits| digits.parse().ok()) {
+                numbered.push((number, index));
+            }
+            let part = match plain.pop() {
+                Some('w' | 's' | 'r') => 0,
+                Some('x' | 'i') => 1,
+                Some('y' | 'j') => 2,
+                Some('z' | 'k') => 3,
+                Some(digit @ '0'..='3') if quaternion.contains(&&*plain) => {
+                    digit as usize - '0' as usize
+                }
+                _ => continue,
+            };
+            stems.entry(plain).or_default().push((part, index));
         }
+        let columns = |mut found: Vec<(usize, usize)>, from: usize| {
+            found.sort_unstable();
+            let is_whole =
+                found.len() == 4 && (from..).zip(&found).all(|(part, (own, _))| part == *own);
+            let at: Vec<usize> = found.into_iter().map(|(_, index)| index).collect();
+            (is_whole && self.have_length_1(grid, &at)).then_some(at)
+        };
+        let named = stems.into_values().find_map(|found| columns(found, 0));
+        let (at, is_named) = match (named, columns(numbered, 1)) {
+            (Some(at), _) => (at, true),
+            (None, Some(at)) => (at, false),
+            (None, None) => return,
+        };
         let parts = |order: [usize; 4]| {
             let mut roles = roles.to_vec();
             for (index, part) in at.iter().zip(order) {
@@ -115,30 +134,33 @@ impl ReadContext<'_> {
             }
             roles
         };
+        let (first, last) = (quoted(&names[at[0]]), quoted(&names[at[3]]));
         let real_first = parts([0, 1, 2, 3]);
-        if !from_zero {
-            let words = |roles: Vec<Role>| {
+        if *roles == *real_first {
+            return;
+        }
+        if is_named {
+            self.note(text!(
+                "{first} … {last} have the length 1 in every row: a quaternion, its real part first",
+                first,
+                last
+            ));
+        } else {
+            let words = |roles: &[Role]| {
                 let words: Vec<String> = roles.iter().map(ToString::to_string).collect();
                 words.join(",")
             };
             let says = text!(
                 "{first} … {last} have the length 1 in every row: a quaternion, and which of its parts comes first is not stated",
-                first = quoted(&names[at[0]]),
-                last = quoted(&names[at[3]])
+                first,
+                last
             );
-            let last = parts([1, 2, 3, 0]);
-            let answers = [words(real_first.clone()), words(last)];
+            let answers = [words(&real_first), words(&parts([1, 2, 3, 0]))];
             self.ask(
                 About::Columns,
                 says,
                 &answers.each_ref().map(String::as_str),
             );
-        } else {
-            self.note(text!(
-                "{first} … {last} have the length 1 in every row: a quaternion, its real part first",
-                first = quoted(&names[at[0]]),
-                last = quoted(&names[at[3]])
-            ));
         }
         roles.copy_from_slice(&real_first);
     }
@@ -170,6 +192,10 @@ impl ReadContext<'_> {
         });
         rows > 1 && others == 0
     }
+}
+
+fn is_part(role: &Role) -> bool {
+    matches!(role.quantity(), Some(Quantity::Orientation(_)))
 }
 
 /// The joint that a role is about.

@@ -3,7 +3,7 @@
 use std::ops::RangeInclusive;
 
 use crate::importers::columns::Columns;
-use crate::importers::reader::extent;
+use crate::importers::times::extent;
 use crate::kinematics::Robot;
 use crate::sessions::columns::Quantity;
 

@@ -8,7 +8,7 @@ use crate::importers::columns::{Column, Columns};
 use crate::importers::options::{PLANE, SOCKET};
 use crate::importers::role::Role;
 use crate::importers::settings::{About, ColumnGuess, Known, Question};
-use crate::importers::times::Kinds;
+use crate::importers::times::{Kinds, extent};
 use crate::importers::units::AngleUnit;
 use crate::importers::{euler, headings, joint_names, units};
 use crate::sessions::Lines;
@@ -434,17 +434,6 @@ fn distinct(roles: &[Role], cells: &[Option<Cells>]) -> Vec<String> {
         }
     }
     names
-}
-
-/// Largest less smallest value.
-pub(crate) fn extent(values: &[f64]) -> f64 {
-    let smallest = values.iter().copied().fold(f64::INFINITY, f64::min);
-    let largest = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    if largest > smallest {
-        largest - smallest
-    } else {
-        0.0
-    }
 }
 
 /// Reads cells by the roles of their columns.

@@ -4,7 +4,6 @@
 //! 1970, and of a spreadsheet's days, does the size tell the unit; that is proposed.
 
 use super::clock_text::{self, Clock};
-use super::reader::extent;
 use super::role::Role;
 use super::settings::{About, ReadContext};
 use super::units::TimeUnit;
@@ -59,6 +58,9 @@ impl Kinds {
                 self.numbers = true;
                 let time = value(cell, decimal).map(|value| value * in_unit);
                 time.map_err(|_| {
+                    if clock_text::is_ambiguous(cell) {
+                        return phrase!("a date of which it is certain what is the day: 2024-05-01 or 1.5.2024; --columns with - leaves the column out");
+                    }
                     phrase!(
                         "a time: a number, 12:34:56.7, 3:04:05 PM or 2024-05-01T12:34:56+02:00; --columns with - leaves the column out"
                     )
@@ -77,6 +79,15 @@ impl ReadContext<'_> {
         kinds: &[Kinds],
         headings: &[String],
     ) {
+        // Of two the person says which is the time, or that neither is.
+        if roles
+            .iter()
+            .filter(|role| matches!(role, Role::Time(_)))
+            .count()
+            > 1
+        {
+            return;
+        }
         for (index, (role, cells)) in roles.iter_mut().zip(cells).enumerate() {
             let (Role::Time(unit), Some(Cells::Numbers(values))) = (&mut *role, cells) else {
                 continue;
@@ -220,6 +231,17 @@ impl ReadContext<'_> {
             );
             self.ask(About::Columns, says, &[]);
         }
+    }
+}
+
+/// Largest less smallest value.
+pub(crate) fn extent(values: &[f64]) -> f64 {
+    let smallest = values.iter().copied().fold(f64::INFINITY, f64::min);
+    let largest = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    if largest > smallest {
+        largest - smallest
+    } else {
+        0.0
     }
 }
 

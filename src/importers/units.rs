@@ -180,7 +180,8 @@ pub(crate) fn word(text: &str) -> Option<Word> {
             Word::Time(1e-3)
         }
         "us" | "\u{b5}s" | "\u{3bc}s" | "usec" | "microsecond" | "microseconds" => Word::Time(1e-6),
-        "ns" | "nsec" | "nanos" | "nanosecond" | "nanoseconds" => Word::Time(1e-9),
+        "ns" | "nsec" | "nsecs" | "nanos" | "nanosec" | "nanosecs" | "nanosecond"
+        | "nanoseconds" => Word::Time(1e-9),
         "min" | "mins" | "minute" | "minutes" | "minuten" => Word::Time(60.0),
         "h" | "hr" | "hrs" | "hour" | "hours" | "stunde" | "stunden" => Word::Time(3600.0),
         "d" | "day" | "days" | "tag" | "tage" => Word::Time(86_400.0),

@@ -34,6 +34,43 @@ const ROUNDING: f64 = 1e-3;
 /// # Errors
 /// See [`CompensateError`].
 pub fn compensate(request: &Request) -> Result<Answer, CompensateError> {
+    let Some((file, beside)) = request.beside else {
+        return of_whole(request, usize::MAX);
+    };
+    let beside = &beside[Text::new(beside).start()..];
+    let both = [request.bytes, b"\n", beside].concat();
+    let lines = Text::new(request.bytes).lines().len() as u64;
+    let whole = Request {
+        bytes: &both,
+        ..request.clone()
+    };
+    let mut answer = match of_whole(&whole, request.bytes.len()) {
+        Ok(answer) => answer,
+        // What is wrong with the other file is none of this one's.
+        Err(CompensateError::Rejected(_)) => return of_whole(request, usize::MAX),
+        Err(CompensateError::Differs(mut differences)) => {
+            for one in differences.0.iter_mut().filter(|one| one.place.0 > lines) {
+                one.place.0 -= lines;
+                one.name = format!("{} ({})", one.name, file.display());
+            }
+            return Err(CompensateError::Differs(differences));
+        }
+        Err(other) => return Err(other),
+    };
+    answer.bytes.truncate(answer.bytes.len() - beside.len() - 1);
+    answer.targets.retain(|target| target.place.0 <= lines);
+    for remarks in [&mut answer.at_run_time, &mut answer.remarks] {
+        remarks.retain(|(line, ..)| *line <= lines);
+    }
+    answer.notes.push(text!(
+        "{file} is read with it: what is set and gone to there holds; its own targets are corrected where it is given itself",
+        file = file.display().to_string()
+    ));
+    Ok(answer)
+}
+
+/// The same for a file of which only so many bytes are to be corrected.
+fn of_whole(request: &Request, own: usize) -> Result<Answer, CompensateError> {
     let calibration = request.calibration;
     calibration.may_correct()?;
     let robot = &calibration.model.robot;
@@ -62,7 +99,12 @@ pub fn compensate(request: &Request) -> Result<Answer, CompensateError> {
         convention,
         reading.load_kg,
     );
-    let corrected = corrected(request, &program, &axes, &conditions, results);
+    let mut corrected = corrected(request, &program, &axes, &conditions, results);
+    for (target, result) in program.targets.iter().zip(&mut corrected) {
+        if target.at >= own {
+            *result = Err(SkippedTarget::new(Reason::Unused, Sentence::default()));
+        }
+    }
     let bytes = written(request, &program, robot, convention, &corrected);
     let text = Text::new(request.bytes);
     let placed = |remarks: &[Remark]| {

@@ -145,6 +145,9 @@ fn motion(walk: &mut Walk, words: &Words) -> Result<(), Problem> {
     if has(&["coord"]).is_some() {
         mode = Referred::Unknown(text!("another group moves its frame (COORD)"));
     }
+    if has(&["rtcp"]).is_some() {
+        mode = Referred::Unknown(text!("the tool stands and the robot moves the part (RTCP)"));
+    }
     for j in own {
         let name = words.name(j);
         if name == "pr" && words.is_sign(j + 1, b'[') && !words.is_sign(j.saturating_sub(1), b',') {
@@ -156,14 +159,8 @@ fn motion(walk: &mut Walk, words: &Words) -> Result<(), Problem> {
             continue;
         }
         let Ok(number) = words.spelled(j + 2).parse::<u64>() else {
-            let command = words.spelled(k);
-            let target = words.shown(j, words.until(j + 2, b"]") + 1);
-            let says = text!(
-                "{command} goes to {target}, which is computed at run time",
-                command,
-                target
-            );
-            walk.left(at, says);
+            let target = j..words.until(j + 2, b"]") + 1;
+            walk.go_to_worked_out(words, target, &words.spelled(k), &[]);
             continue;
         };
         let (key, spelled) = (format!("p[{number}]"), format!("P[{number}]"));
@@ -260,19 +257,34 @@ fn instruction(walk: &mut Walk, words: &Words, k: usize) {
         }
         "call" | "run" => {
             let command = words.shown(k, words.until(k, b";("));
-            let says = text!(
-                "{command} is another routine's: its motions are not in this file",
-                command
-            );
-            walk.left(at, says);
+            walk.routine_elsewhere(at, &command);
             walk.set(BASE, Referred::Unsaid);
             walk.set(TOOL, Referred::Unsaid);
+        }
+        // `Touch Offset PR[1]`, `Track TAST[1]`, each up to its `End`.
+        "touch" | "track" => {
+            if words.name(words.len().saturating_sub(2)) == "end" {
+                walk.set(MODE, Referred::Unsaid);
+            } else {
+                let name = words.spelled(k);
+                let says = text!("{name} shifts the poses after it", name);
+                walk.left(at, says.clone());
+                walk.set(MODE, Referred::Unknown(says));
+            }
         }
         // What was set before is not known where lines come together; the positions say it all the same.
         "lbl" | "if" | "else" | "endif" | "for" | "endfor" | "select" => {
             walk.set(BASE, Referred::Unsaid);
             walk.set(TOOL, Referred::Unsaid);
         }
-        _ => {}
+        _ => {
+            // `PR[1]=P[1]`
+            for j in k..words.len() {
+                if words.name(j) == "p" && words.is_sign(j + 1, b'[') {
+                    let key = format!("p[{}]", words.spelled(j + 2));
+                    walk.mention(&key, words.at(j), &words.shown(k, words.until(k, b"=;")));
+                }
+            }
+        }
     }
 }

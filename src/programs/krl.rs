@@ -22,9 +22,10 @@ use super::referred::declare_none;
 use super::target::{Mark, Outside, Problem, Shape, Signs, Target};
 use super::text::Text;
 use super::walk::{Declared, Walk, walked};
-use super::words::{Dialect, Kind, List, Value, Words};
+use super::words::{Dialect, Kind, List, Value, Words, is_of_name};
 
 use frames::{AGGREGATES, POSE};
+use std::collections::BTreeSet;
 use std::ops::Range;
 
 const DIALECT: Dialect = Dialect {
@@ -62,9 +63,32 @@ pub(super) fn read(text: &Text, axes: &Axes) -> Result<Program, Vec<Problem>> {
         text,
         axes,
         &pieces,
-        |walk| declare_none(&mut walk.program.tools, "$nullframe"),
+        |walk| {
+            declare_none(&mut walk.program.tools, "$nullframe");
+            walk.has_modules(data_lists(text));
+        },
         |spelled| text!("{spelled} has its values elsewhere", spelled),
     )
+}
+
+/// The data lists of a text that has several: each is that of the routine of its name and of those that follow it.
+fn data_lists(text: &Text) -> BTreeSet<String> {
+    let name = |line: Range<usize>| {
+        let line = text.bytes[line].trim_ascii_start();
+        let (word, rest) = line.split_at_checked(7)?;
+        let rest = rest.trim_ascii_start();
+        let end = rest.iter().position(|b| !is_of_name(*b));
+        let name = String::from_utf8_lossy(&rest[..end.unwrap_or(rest.len())]);
+        // What the system's list has is known everywhere.
+        let own = word.eq_ignore_ascii_case(b"defdat ") && !name.eq_ignore_ascii_case("$config");
+        own.then(|| name.to_lowercase())
+    };
+    let names: BTreeSet<String> = text.lines().filter_map(name).collect();
+    if names.len() > 1 {
+        names
+    } else {
+        BTreeSet::new()
+    }
 }
 
 fn statement(walk: &mut Walk, words: &Words) -> Result<(), Problem> {
@@ -88,6 +112,7 @@ fn statement(walk: &mut Walk, words: &Words) -> Result<(), Problem> {
                 .collect();
             let main = walk.routines() == 0;
             let name = words.name(open.saturating_sub(1));
+            walk.enter_module(&name);
             walk.begin_routine(&name, &parameters, main).map_err(deep)?;
         }
         "end" | "endfct" => walk.end_routine(),
@@ -103,7 +128,20 @@ fn statement(walk: &mut Walk, words: &Words) -> Result<(), Problem> {
         "endif" | "endswitch" | "endfor" | "endwhile" | "endloop" | "until" | "endspline" => {
             walk.end_block();
         }
-        "struc" | "enum" | "signal" | "ext" | "extfct" | "interrupt" | "defdat" => {}
+        "defdat" => {
+            while walk.depth() > 0 {
+                walk.end_routine();
+            }
+            walk.enter_module(&words.name(k + 1));
+        }
+        "interrupt" | "trigger" => {
+            let does = (k..words.len()).find(|j| words.name(*j) == "do");
+            if let Some(j) = does.filter(|j| words.is_sign(j + 2, b'(')) {
+                walk.anytime(&words.name(j + 1));
+                call(walk, words, j + 1);
+            }
+        }
+        "struc" | "enum" | "signal" | "ext" | "extfct" => {}
         "bas" => frames::bas(walk, words),
         name if is_motion(name) => return motion(walk, words, name),
         name if name == "decl"
@@ -117,24 +155,29 @@ fn statement(walk: &mut Walk, words: &Words) -> Result<(), Problem> {
             if let Some(equals) = words.assigns(k) {
                 return assignment(walk, words, k, equals, None);
             }
-            let spelled = words.spelled(k);
-            if words.is_sign(k + 1, b'(') && !walk.call(name, &spelled) && !is_word(name) {
-                let says = text!(
-                    "{command} is another routine's: its motions are not in this file",
-                    command = &spelled
-                );
-                walk.left(words.at(k), says);
+            if words.is_sign(k + 1, b'(') && !is_word(name) {
+                call(walk, words, k);
             }
-            walk.mention_all(words, k + 1..words.len(), &spelled);
+            walk.mention_all(words, k + 1..words.len(), &words.spelled(k));
         }
     }
     Ok(())
 }
 
+/// `PICK( )`
+fn call(walk: &mut Walk, words: &Words, k: usize) {
+    let command = words.spelled(k);
+    if !walk.call(&words.name(k), &command) {
+        walk.routine_elsewhere(words.at(k), &command);
+    }
+}
+
 /// `DECL GLOBAL E6POS P1={…}, P2[10]`
 fn declaration(walk: &mut Walk, words: &Words, k: usize) -> Result<(), Problem> {
     let mut k = k;
+    let mut global = false;
     while matches!(words.name(k).as_str(), "decl" | "global" | "const") {
+        global |= words.name(k) == "global";
         k += 1;
     }
     let (kind, spelled) = (words.name(k), words.spelled(k));
@@ -145,7 +188,7 @@ fn declaration(walk: &mut Walk, words: &Words, k: usize) -> Result<(), Problem> 
             Some(_) => Declared::Target,
             None => Declared::Other(spelled.clone()),
         };
-        walk.declare(&words.name(k + 1), declared, false);
+        walk.declare(&words.name(k + 1), declared, global);
         if let Some(equals) = words.assigns(k + 1) {
             assignment(walk, words, k + 1, equals, type_of(&kind))?;
         }
@@ -177,7 +220,7 @@ fn assignment(
     }
     let known = walk.declared(&name);
     let component = (k..equals).any(|j| words.is_sign(j, b'.'));
-    let element = element_of(words, k);
+    let element = words.element(k, *b"[]");
     let own = element.as_deref().unwrap_or(&name);
     match list {
         Some((list, behind)) if !component && behind == end => {
@@ -207,13 +250,6 @@ fn assignment(
         }
     }
     Ok(())
-}
-
-/// `P[3]`, if word `k` is that.
-fn element_of(words: &Words, k: usize) -> Option<String> {
-    let digits = words.kind(k + 2) == Some(Kind::Digits);
-    let is = words.is_sign(k + 1, b'[') && digits && words.is_sign(k + 3, b']');
-    is.then(|| format!("{}[{}]", words.name(k), words.spelled(k + 2)))
 }
 
 fn motion(walk: &mut Walk, words: &Words, name: &str) -> Result<(), Problem> {
@@ -262,27 +298,8 @@ fn motion(walk: &mut Walk, words: &Words, name: &str) -> Result<(), Problem> {
         }
         let at = if goal > 0 { words.at(from) } else { at };
         if words.is_sign(k, b':') || words.is_sign(k, b'.') || words.is_sign(k, b'(') {
-            let says = if words.is_sign(k, b':') {
-                text!(
-                    "{command} goes to a product of frames, which is computed at run time",
-                    command = &command
-                )
-            } else {
-                let target = words.shown(from, words.until(k, b","));
-                text!(
-                    "{command} goes to {target}, which is computed at run time",
-                    command = &command,
-                    target
-                )
-            };
-            walk.left(at, says);
             let end = words.until(k, b",").min(behind);
-            for j in (from..end).filter(|j| words.is_name(*j)) {
-                if walk.knows(&words.name(j)) {
-                    walk.go_to_part(&words.name(j), at, false, &changes);
-                    walk.mention(&words.name(j), at, &command);
-                }
-            }
+            walk.go_to_worked_out(words, from..end, &command, &changes);
             k = end;
         } else if let Some(list) = inline {
             let pose = match list.stated.as_deref().and_then(type_of) {
@@ -298,7 +315,10 @@ fn motion(walk: &mut Walk, words: &Words, name: &str) -> Result<(), Problem> {
             }
         } else {
             let (name, spelled) = (words.name(from), words.spelled(from));
-            match element_of(words, from).filter(|element| walk.knows(element)) {
+            match words
+                .element(from, *b"[]")
+                .filter(|element| walk.knows(element))
+            {
                 Some(element) => walk.go_to_name((&element, &element), at, None, &changes),
                 None if k > from + 1 => walk.go_to_part(&name, at, true, &changes),
                 None => walk.go_to_name((&name, &spelled), at, None, &changes),
@@ -470,7 +490,7 @@ fn is_plain(name: &str) -> bool {
 fn is_word(name: &str) -> bool {
     matches!(
         name,
-        "wait" | "return" | "pulse" | "trigger" | "anin" | "anout" | "cwrite" | "cread" | "swrite"
+        "wait" | "return" | "pulse" | "anin" | "anout" | "cwrite" | "cread" | "swrite"
     )
 }
 

@@ -110,6 +110,23 @@ pub fn find(id: &str) -> Option<&'static Language> {
     LANGUAGES.iter().find(|language| language.id == id)
 }
 
+/// The file that is read with this one: the `.dat` of a `.src`, or the other way round, where it is there.
+pub fn beside(path: &std::path::Path, language: &Language) -> Option<std::path::PathBuf> {
+    let ending = path.extension()?.to_str()?;
+    language
+        .extensions
+        .contains(&&*ending.to_lowercase())
+        .then_some(())?;
+    let other = match ending {
+        "src" => "dat",
+        "dat" => "src",
+        "SRC" => "DAT",
+        "DAT" => "SRC",
+        _ => return None,
+    };
+    Some(path.with_extension(other)).filter(|other| other.is_file())
+}
+
 /// The language of a file: by the ending of its name, else by what it looks like.
 pub fn language_of(path: &std::path::Path, bytes: &[u8]) -> Option<&'static Language> {
     let ending = path.extension().map(|e| e.to_string_lossy().to_lowercase());

@@ -24,7 +24,7 @@ use super::text::Text;
 use super::walk::{BASE, Constant, Declared, MODE, TOOL, Walk, walked};
 use super::words::{Dialect, Kind, List, Style, Value, Words};
 
-use targets::{external, held, mass, target};
+use targets::{computed, external, held, mass, target};
 
 const DIALECT: Dialect = Dialect {
     comments: b"!",
@@ -46,6 +46,10 @@ fn ends(words: &Words, next: Option<Kind>, breaks: bool) -> bool {
     let last = words.len() - 1;
     if words.is_sign(last, b';') || is_label(words) && next != Some(Kind::Sign(b'=')) {
         return true;
+    }
+    // `%%% VERSION:1 LANGUAGE:ENGLISH %%%` before a module.
+    if (0..3).all(|k| words.is_sign(k, b'%')) {
+        return last > 5 && (last - 2..last).all(|k| words.is_sign(k, b'%'));
     }
     let first = words.name(usize::from(words.name(0) == "local"));
     match first.as_str() {
@@ -130,6 +134,9 @@ fn routine_or_block(walk: &mut Walk, words: &Words, k: usize) -> Result<(), Prob
                 .map(|j| words.name(j))
                 .collect();
             let name = words.name(name);
+            if word == "trap" {
+                walk.anytime(&name);
+            }
             walk.begin_routine(&name, &parameters, name == "main")
                 .map_err(deep)?;
         }
@@ -151,6 +158,7 @@ fn routine_or_block(walk: &mut Walk, words: &Words, k: usize) -> Result<(), Prob
         "test" => walk.begin_block(false).map_err(deep)?,
         "elseif" | "case" => walk.alternative(false),
         "else" | "default" => walk.alternative(true),
+        "error" if words.len() == 1 => walk.handler(),
         "endif" | "endfor" | "endwhile" | "endtest" => walk.end_block(),
         _ => return instruction(walk, words, k),
     }
@@ -265,6 +273,10 @@ fn values(
                     |list: &List| list.parts.first().is_some_and(|p| p.value.list().is_some());
                 let array = list.parts.len() != parts && first.is_some_and(nested);
                 values(walk, words, list, element, Some(own), (pose, array))?;
+            } else if let Value::Other(range) = &part.value {
+                let at = words.at(range.start);
+                walk.mention_all(words, range.clone(), element[1]);
+                walk.left(at, computed(element[1]));
             }
         }
         return Ok(());
@@ -300,21 +312,14 @@ fn instruction(walk: &mut Walk, words: &Words, k: usize) -> Result<(), Problem> 
             let says = text!("{command} moves external axes only", command = &command);
             walk.left(words.at(k), says);
         }
-        None if name == "gripload" => {
-            let load = words.spelled(k + 1);
-            if let Some(Constant::Load(kg)) = walk.constant_of(&load).cloned() {
-                walk.program.loads.state(kg, words.at(k + 1), &load);
-            }
-        }
+        None if name == "gripload" => gripped(walk, words, k + 1),
         None => {
             let alone =
                 words.is_name(k) && words.is_sign(k + 1, b';') && !INSTRUCTIONS.contains(&&*name);
-            if !walk.call(&name, &command) && alone {
-                let says = text!(
-                    "{command} is another routine's: its motions are not in this file",
-                    command = &command
-                );
-                walk.left(words.at(k), says);
+            // `%"name" + NumToStr(n, 0)%;`
+            let by_name = words.is_sign(k, b'%') && !words.is_sign(k + 1, b'%');
+            if !walk.call(&name, &command) && alone || by_name {
+                walk.routine_elsewhere(words.at(k), &words.shown(k, words.until(k, b";")));
             }
         }
     }
@@ -322,11 +327,21 @@ fn instruction(walk: &mut Walk, words: &Words, k: usize) -> Result<(), Problem> 
     Ok(())
 }
 
+/// A load that is stated by its name.
+fn gripped(walk: &mut Walk, words: &Words, k: usize) {
+    let load = words.spelled(k);
+    if let Some(Constant::Load(kg)) = walk.constant_of(&load).cloned() {
+        walk.program.loads.state(kg, words.at(k), &load);
+    }
+}
+
 /// `name := …` and `name.trans.x := …`: a target, or what changes one at run time.
 fn assignment(walk: &mut Walk, words: &Words, k: usize, equals: usize) -> Result<(), Problem> {
     let (name, spelled) = (words.name(k), words.spelled(k));
     // An element of an array is told by its number.
-    let element = element_of(words, k).filter(|_| words.is_sign(k + 4, b':'));
+    let element = words
+        .element(k, *b"{}")
+        .filter(|_| words.is_sign(k + 4, b':'));
     let component = (k..equals).any(|j| words.is_sign(j, b'.'));
     let declared = walk.declared(&name);
     let may_be = matches!(declared, Declared::Target | Declared::Nowhere);
@@ -344,19 +359,13 @@ fn assignment(walk: &mut Walk, words: &Words, k: usize, equals: usize) -> Result
     Ok(())
 }
 
-/// `name{3}`, if word `k` is that.
-fn element_of(words: &Words, k: usize) -> Option<String> {
-    let digits = words.kind(k + 2) == Some(Kind::Digits);
-    let is = words.is_sign(k + 1, b'{') && digits && words.is_sign(k + 3, b'}');
-    is.then(|| format!("{}{{{}}}", words.name(k), words.spelled(k + 2)))
-}
-
 /// `MoveL p1, v100, fine, tGun\WObj:=fixture;`, argument by argument.
 fn motion(walk: &mut Walk, words: &Words, k: usize, name: &str) -> Result<(), Problem> {
     let circle = name.starts_with("movec") || matches!(name, "triggc" | "arcc" | "arccend");
     let command = words.spelled(k);
     let mut arguments = Vec::new();
-    let mut k = k + 1;
+    let from = k + 1;
+    let mut k = from;
     while k < words.len() && !words.is_sign(k, b';') {
         let end = words.until(k, b",;");
         if let Some(j) = (k..end).find(|j| is_move(&words.name(*j))) {
@@ -370,7 +379,19 @@ fn motion(walk: &mut Walk, words: &Words, k: usize, name: &str) -> Result<(), Pr
         k = end + usize::from(words.is_sign(end, b','));
     }
     let goals = if circle { 2 } else { 1 };
-    let changes = held_in(words, name, &arguments, goals);
+    let mut changes = held_in(words, name, &arguments, goals).to_vec();
+    for j in from..k {
+        match words.name(j).as_str() {
+            _ if !words.is_sign(j - 1, b'\\') => {}
+            "corr" => {
+                let says = text!("{name} shifts the poses after it", name = "Corr");
+                changes.push((MODE, Referred::Unknown(says)));
+            }
+            // The load of the whole is stated in place of the tool's.
+            "tload" => gripped(walk, words, j + 3),
+            _ => {}
+        }
+    }
     for (k, end) in arguments.into_iter().take(goals) {
         goal(walk, words, (k, end), &command, &changes)?;
     }
@@ -426,7 +447,7 @@ fn goal(
         return Ok(());
     }
     if words.is_name(k) && words.is_sign(k + 1, b'{') && ends(words.until(k + 2, b"}") + 1) {
-        match element_of(words, k) {
+        match words.element(k, *b"{}") {
             Some(element) if walk.knows(&element) => {
                 walk.go_to_name((&element, &element), at, None, changes);
             }
@@ -453,21 +474,7 @@ fn goal(
         }
         return Ok(());
     }
-    for j in k..end {
-        if words.is_name(j) && walk.knows(&words.name(j)) {
-            walk.go_to_part(&words.name(j), at, false, changes);
-            walk.mention(&words.name(j), at, &words.spelled(k));
-        }
-    }
-    let target = words.shown(k, end);
-    walk.left(
-        at,
-        text!(
-            "{command} goes to {target}, which is computed at run time",
-            command,
-            target
-        ),
-    );
+    walk.go_to_worked_out(words, k..end, command, changes);
     Ok(())
 }
 

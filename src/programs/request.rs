@@ -23,6 +23,8 @@ pub struct Request<'a> {
     pub language: &'static Language,
     /// Its name, for messages.
     pub file: Option<&'a Path>,
+    /// The file that belongs to it, as a `.dat` does to its `.src`, and its name: what is set and gone to there holds.
+    pub beside: Option<(&'a Path, &'a [u8])>,
     /// Load at the tool's origin where the file says none, kg.
     pub load_kg: f64,
     /// Joint values before the first target, rad or mm.

@@ -90,6 +90,9 @@ fn statement(walk: &mut Walk, words: &Words) -> Result<(), Problem> {
                 .map(|j| words.name(j))
                 .collect();
             let main = walk.routines() == 0;
+            if words.name(k) == "thread" {
+                walk.anytime(&words.name(1));
+            }
             return walk
                 .begin_routine(&words.name(1), &parameters, main)
                 .map_err(deep);
@@ -102,6 +105,10 @@ fn statement(walk: &mut Walk, words: &Words) -> Result<(), Problem> {
         "else" => walk.alternative(true),
         _ if words.is_name(k) && words.is_sign(k + 1, b'=') && !words.is_sign(k + 2, b'=') => {
             return assignment(walk, words, k, &scope);
+        }
+        // `q[5] = q[5] + 0.1`
+        name if words.is_sign(k + 1, b'[') && words.assigns(k).is_some() => {
+            walk.changed(name, name, words.at(k));
         }
         _ => {}
     }
@@ -228,9 +235,14 @@ fn motion(
 ) -> Result<usize, Problem> {
     let mut k = k + 2;
     for left in (0..wanted).rev() {
-        // `pose=p[…]`
-        if words.is_name(k) && words.is_sign(k + 1, b'=') {
-            k += 2;
+        // `a=1.2, pose=p[…]`
+        while words.is_name(k) && words.is_sign(k + 1, b'=') {
+            let comma = words.until(k, b",)");
+            if !is_condition(&words.name(k)) || !words.is_sign(comma, b',') {
+                k += 2;
+                break;
+            }
+            k = comma + 1;
         }
         k = goal(walk, words, k, command)?;
         let comma = words.is_sign(k, b',');
@@ -298,16 +310,7 @@ fn goal(walk: &mut Walk, words: &Words, k: usize, command: &str) -> Result<usize
             walk.go_to_name((&name, &name), words.at(from), near, &[]);
         }
         None => {
-            let target = words.shown(k, end);
-            let says = text!(
-                "{command} goes to {target}, which is computed at run time",
-                command,
-                target
-            );
-            walk.left(at, says);
-            for j in (k..end).filter(|j| words.is_name(*j)) {
-                walk.mention(&words.name(j), words.at(j), command);
-            }
+            walk.go_to_worked_out(words, k..end, command, &[]);
         }
     }
     Ok(end)
@@ -385,10 +388,18 @@ fn target(
     Ok(Target::new(name, at, shape))
 }
 
+/// Whether an argument of a move says how it goes, and not whereto.
+fn is_condition(name: &str) -> bool {
+    matches!(
+        name,
+        "a" | "v" | "t" | "r" | "mode" | "gain" | "lookahead_time"
+    )
+}
+
 /// How many targets a move has.
 fn targets_of(name: &str) -> usize {
     match name {
-        "movej" | "movel" | "movep" | "servoj" | "servol" => 1,
+        "movej" | "movel" | "movep" | "servoj" | "servol" | "optimovej" | "optimovel" => 1,
         "movec" => 2,
         _ => 0,
     }

@@ -57,6 +57,8 @@ struct Routine {
     name: String,
     state: State,
     blocks: Vec<Block>,
+    /// Whether its handler of errors has begun.
+    handles: bool,
 }
 
 /// Names of a routine, or of the file.
@@ -142,16 +144,20 @@ struct Motion {
 struct Facts {
     scopes: Vec<Scope>,
     names: Vec<Name>,
-    constants: BTreeMap<String, Constant>,
+    /// By the module that declares them.
+    constants: BTreeMap<(usize, String), Constant>,
     /// Names that are set as a base or a tool.
     tools: BTreeSet<String>,
     /// Names that are of an outer routine, if that has them.
     weak: Vec<(usize, String)>,
-    /// What routines set, and whom they call.
+    /// What routines set, and who is called by whom.
     sets: BTreeMap<String, [bool; 3]>,
-    calls: BTreeMap<String, BTreeSet<String>>,
+    calls: BTreeSet<(String, String)>,
     /// Whether anything in the file is set to something.
     any: [bool; 3],
+    /// Routines that may run at any statement, and what they set.
+    anytime: BTreeSet<String>,
+    interrupted: [bool; 3],
 }
 
 /// The walk as a language sees it.
@@ -163,6 +169,9 @@ pub(super) struct Walk<'x> {
     first: bool,
     scopes: usize,
     scope: usize,
+    /// The names of the module that is open; the file's, where it has none.
+    module: usize,
+    modules: BTreeMap<String, usize>,
     routines: usize,
     open: Vec<Routine>,
     state: State,
@@ -194,6 +203,8 @@ pub(super) fn walked(
             first,
             scopes: 1,
             scope: 0,
+            module: 0,
+            modules: BTreeMap::new(),
             routines: 0,
             open: Vec::new(),
             state: State::default(),
@@ -227,22 +238,26 @@ pub(super) fn walked(
 impl Facts {
     /// What routines set goes to those that call them; names forget their values.
     fn close(&mut self) {
-        let mut callers: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
-        for (caller, called) in &self.calls {
-            for called in called {
-                callers.entry(called).or_default().push(caller);
-            }
-        }
-        let mut open: Vec<(String, [bool; 3])> = self.sets.clone().into_iter().collect();
+        let setting = self.sets.iter().filter(|(_, set)| set.contains(&true));
+        let mut open: Vec<(String, [bool; 3])> =
+            setting.map(|(name, set)| (name.clone(), *set)).collect();
         while let Some((called, set)) = open.pop() {
-            for caller in callers.get(&*called).into_iter().flatten() {
-                let own = self.sets.entry((*caller).to_owned()).or_default();
+            let from = (called, String::new());
+            for (_, caller) in self
+                .calls
+                .range(&from..)
+                .take_while(|(own, _)| *own == from.0)
+            {
+                let own = self.sets.entry(caller.clone()).or_default();
                 let more = [0, 1, 2].map(|k: usize| own[k] | set[k]);
                 if more != *own {
                     *own = more;
-                    open.push(((*caller).to_owned(), more));
+                    open.push((caller.clone(), more));
                 }
             }
+        }
+        for set in self.anytime.iter().filter_map(|name| self.sets.get(name)) {
+            self.interrupted = [0, 1, 2].map(|k: usize| self.interrupted[k] | set[k]);
         }
         for (scope, name) in std::mem::take(&mut self.weak) {
             let mut outer = scope;
@@ -363,7 +378,7 @@ impl Walk<'_> {
 
     /// What a constant says that is no target.
     pub(super) fn constant(&mut self, name: &str, constant: Constant) {
-        let name = name.to_lowercase();
+        let name = (self.module, name.to_lowercase());
         let known = self
             .facts
             .constants
@@ -376,7 +391,12 @@ impl Walk<'_> {
     }
 
     pub(super) fn constant_of(&self, name: &str) -> Option<&Constant> {
-        self.facts.constants.get(&name.to_lowercase())
+        let mut name = (self.module, name.to_lowercase());
+        let known = self.facts.constants.get(&name);
+        known.or_else(|| {
+            name.0 = 0;
+            self.facts.constants.get(&name)
+        })
     }
 
     /// A value of a name that may be a target; `array`: of which the name is an element.
@@ -448,6 +468,12 @@ impl Walk<'_> {
 
     fn way(&mut self, changes: &[(usize, Referred)]) -> u32 {
         let mut parts = self.state.clone().map(|known| known.what);
+        for part in [BASE, TOOL, MODE] {
+            if self.facts.interrupted[part] && !self.first {
+                let says = text!("an interrupt or a handler of errors sets it");
+                parts[part] = Referred::Unknown(says);
+            }
+        }
         for (part, what) in changes {
             parts[*part] = what.clone();
         }
@@ -502,9 +528,43 @@ impl Walk<'_> {
         absolute: bool,
         changes: &[(usize, Referred)],
     ) {
-        let name = self.owner(name);
-        self.facts.names[name].used |= absolute;
-        self.go(Goal::Part(name), at, changes, None);
+        let index = self.owner(name);
+        self.facts.names[index].used |= absolute;
+        self.go(Goal::Part(index), at, changes, absolute.then_some(name));
+    }
+
+    /// A motion to what is worked out at run time, perhaps from names.
+    pub(super) fn go_to_worked_out(
+        &mut self,
+        words: &Words,
+        range: Range<usize>,
+        command: &str,
+        changes: &[(usize, Referred)],
+    ) {
+        let at = words.at(range.start);
+        let target = words.shown(range.start, range.end);
+        let says = text!(
+            "{command} goes to {target}, which is computed at run time",
+            command,
+            target
+        );
+        self.left(at, says);
+        for k in range {
+            let name = words.name(k);
+            if self.knows(&name) {
+                self.go_to_part(&name, at, false, changes);
+                self.mention(&name, at, command);
+            }
+        }
+    }
+
+    /// A call of what is not in the file.
+    pub(super) fn routine_elsewhere(&mut self, at: usize, command: &str) {
+        let says = text!(
+            "{command} is another routine's: its motions are not in this file",
+            command
+        );
+        self.left(at, says);
     }
 
     /// Base, tool or mode from here on.
@@ -517,6 +577,8 @@ impl Walk<'_> {
                 }
             }
         }
+        // After a handler the routine goes on from any of its statements.
+        self.facts.interrupted[part] |= self.open.iter().any(|routine| routine.handles);
         if let Referred::Named(name) = &what {
             self.facts.tools.insert(name.to_string());
         }
@@ -539,6 +601,18 @@ impl Walk<'_> {
         }
     }
 
+    /// A routine that may run at any statement: an interrupt, a thread.
+    pub(super) fn anytime(&mut self, name: &str) {
+        self.facts.anytime.insert(name.to_owned());
+    }
+
+    /// The handler of errors of the routine that is open begins.
+    pub(super) fn handler(&mut self) {
+        if let Some(routine) = self.open.last_mut() {
+            routine.handles = true;
+        }
+    }
+
     /// What holds of a part.
     pub(super) fn held(&self, part: usize) -> &Referred {
         &self.state[part].what
@@ -547,8 +621,8 @@ impl Walk<'_> {
     /// A call; whether the routine is one of this file.
     pub(super) fn call(&mut self, name: &str, spelled: &str) -> bool {
         if let Some(routine) = self.open.last() {
-            let calls = self.facts.calls.entry(routine.name.clone()).or_default();
-            calls.insert(name.to_owned());
+            let call = (name.to_owned(), routine.name.clone());
+            self.facts.calls.insert(call);
         }
         let Some(sets) = self.facts.sets.get(name).copied() else {
             return false;
@@ -560,6 +634,28 @@ impl Walk<'_> {
             }
         }
         true
+    }
+
+    /// Modules whose names are their own, before any statement.
+    pub(super) fn has_modules(&mut self, names: BTreeSet<String>) {
+        for name in names {
+            if self.first {
+                self.facts.scopes.push(Scope::default());
+            }
+            self.modules.insert(name, self.scopes);
+            self.scopes += 1;
+        }
+    }
+
+    /// From here on names are those of this module, if it is one; the one before, to go back to.
+    pub(super) fn enter_module(&mut self, name: &str) -> usize {
+        let module = self.modules.get(name).copied().unwrap_or(self.module);
+        self.return_to(module)
+    }
+
+    pub(super) fn return_to(&mut self, module: usize) -> usize {
+        self.scope = module;
+        std::mem::replace(&mut self.module, module)
     }
 
     /// A routine begins; its parameters.
@@ -583,6 +679,7 @@ impl Walk<'_> {
             name: name.to_owned(),
             state: self.state.clone(),
             blocks: std::mem::take(&mut self.blocks),
+            handles: false,
         });
         self.scope = self.scopes;
         self.scopes += 1;
@@ -685,7 +782,11 @@ impl Walk<'_> {
 
     /// The program: what motions go to is applied to the targets, and what is not proven is left.
     fn finished(mut self, elsewhere: fn(&str) -> Sentence) -> Program {
+        let names = self.facts.names.iter();
+        let arrays = names.filter(|name| name.first.is_some());
+        let arrays: BTreeSet<usize> = arrays.filter_map(|name| name.whole).collect();
         for motion in std::mem::take(&mut self.motions) {
+            let spelled = motion.spelled.unwrap_or_default();
             let mode = match &self.program.ways.get(motion.way).mode {
                 Referred::Unknown(says) => Some(says.clone()),
                 _ => None,
@@ -699,37 +800,23 @@ impl Walk<'_> {
                     }
                     self.program.visits.push(index);
                 }
-                Goal::Part(name) => self.gone_to(name, motion.way, mode),
+                Goal::Part(name) => {
+                    self.gone_to(name, motion.way, mode);
+                    let has_values =
+                        arrays.contains(&name) || self.facts.names[name].first.is_some();
+                    if !has_values && !spelled.is_empty() {
+                        self.left(motion.at, self.without_values(name, &spelled, elsewhere));
+                    }
+                }
                 Goal::Name(name) => {
                     self.gone_to(name, motion.way, mode);
                     let own = &self.facts.names[name];
-                    let spelled = motion.spelled.unwrap_or_default();
-                    match (own.first, &own.declared) {
-                        (Some(index), _) if own.others.is_empty() => {
-                            self.program.visits.push(index);
+                    match own.first {
+                        Some(index) if own.others.is_empty() => self.program.visits.push(index),
+                        Some(_) => {}
+                        None => {
+                            self.left(motion.at, self.without_values(name, &spelled, elsewhere))
                         }
-                        (Some(_), _) => {}
-                        (None, Declared::Parameter) => {
-                            let says = text!(
-                                "{spelled} is a parameter: its value comes from the caller",
-                                spelled = &*spelled
-                            );
-                            self.left(motion.at, says);
-                        }
-                        (None, Declared::Target) => {
-                            let says =
-                                text!("{spelled} gets its value at run time", spelled = &*spelled);
-                            self.left(motion.at, says);
-                        }
-                        (None, Declared::Other(kind)) => {
-                            let says = text!(
-                                "{spelled} is declared as {kind}, which is no target",
-                                spelled = &*spelled,
-                                kind = &**kind
-                            );
-                            self.left(motion.at, says);
-                        }
-                        (None, Declared::Nowhere) => self.left(motion.at, elsewhere(&spelled)),
                     }
                 }
             }
@@ -745,6 +832,28 @@ impl Walk<'_> {
         let kept: Vec<bool> = self.program.targets.iter().map(|t| !t.is_none).collect();
         self.program.sorted(&kept);
         self.program
+    }
+
+    /// Why a name that motions go to has no values in the file.
+    fn without_values(
+        &self,
+        name: usize,
+        spelled: &str,
+        elsewhere: fn(&str) -> Sentence,
+    ) -> Sentence {
+        match &self.facts.names[name].declared {
+            Declared::Parameter => text!(
+                "{spelled} is a parameter: its value comes from the caller",
+                spelled
+            ),
+            Declared::Target => text!("{spelled} gets its value at run time", spelled),
+            Declared::Other(kind) => text!(
+                "{spelled} is declared as {kind}, which is no target",
+                spelled,
+                kind = &**kind
+            ),
+            Declared::Nowhere => elsewhere(spelled),
+        }
     }
 
     fn gone_to(&mut self, name: usize, way: u32, mode: Option<Sentence>) {

@@ -77,6 +77,14 @@ pub(super) fn statements(
         };
         at = one.1.end;
         words.push(one);
+        if words.len() > LONGEST_STATEMENT {
+            let found = text!(
+                "a statement of more than {most} words",
+                most = LONGEST_STATEMENT
+            );
+            let problem = Problem::new(words.at(0), found, text!("one that ends"));
+            return each(Err(problem));
+        }
         next = token(bytes, at, dialect);
         let follows = next.as_ref().ok().and_then(Option::as_ref);
         let until = follows.map_or(bytes.len(), |(_, range)| range.start);
@@ -91,6 +99,9 @@ pub(super) fn statements(
         each(Ok(&words));
     }
 }
+
+/// Words of a statement are held together: those of an array of 20 000 targets, and no file of any size.
+const LONGEST_STATEMENT: usize = 1_000_000;
 
 /// Names are kept and spoken of again and again; those of the languages have at most 32 letters, or no limit (`URScript`).
 const LONGEST_NAME: usize = 1000;
@@ -133,7 +144,7 @@ fn token(bytes: &[u8], at: usize, dialect: &Dialect) -> Result<Option<Token>, Pr
     Ok(None)
 }
 
-fn is_of_name(byte: u8) -> bool {
+pub(super) fn is_of_name(byte: u8) -> bool {
     byte.is_ascii_alphanumeric() || byte == b'_' || byte == b'$' || byte >= 0x80
 }
 
@@ -208,7 +219,6 @@ pub(super) struct List {
 /// A part of a list, with its name in small letters if it has one.
 pub(super) struct Part {
     pub(super) key: String,
-    pub(super) at: usize,
     pub(super) value: Value,
 }
 
@@ -354,6 +364,14 @@ impl<'t, 'a> Words<'t, 'a> {
         })
     }
 
+    /// `name[3]`, in these brackets and with a number, if word `k` is that.
+    pub(super) fn element(&self, k: usize, [open, close]: [u8; 2]) -> Option<String> {
+        let digits = self.kind(k + 2) == Some(Kind::Digits);
+        let is = self.is_sign(k + 1, open) && digits && self.is_sign(k + 3, close);
+        let (open, close) = (char::from(open), char::from(close));
+        is.then(|| format!("{}{open}{}{close}", self.name(k), self.spelled(k + 2)))
+    }
+
     /// That something else was expected at a word.
     pub(super) fn problem(&self, k: usize, expected: impl Into<crate::text::Text>) -> Problem {
         let found = if k < self.len() {
@@ -471,7 +489,7 @@ impl<'t, 'a> Words<'t, 'a> {
             }
             let (value, end) = self.value(k, style, depth + 1)?;
             let key = if style.keyed { key } else { String::new() };
-            list.parts.push(Part { key, at, value });
+            list.parts.push(Part { key, value });
             if self.is_sign(end, close) {
                 return Ok((list, end + 1));
             }
@@ -528,6 +546,17 @@ mod tests {
         assert_eq!(spelled("1-2"), [["1", "-", "2"]]);
         assert_eq!(spelled("1E-2-3"), [["1E-2", "-", "3"]]);
         assert_eq!(spelled("1.2.3"), [["1.2.3"]]);
+    }
+
+    #[test]
+    fn a_statement_without_end_is_one_problem() {
+        let source = "1,".repeat(LONGEST_STATEMENT);
+        let text = Text::new(source.as_bytes());
+        let mut all = Vec::new();
+        statements(&text, 0..source.len(), &RAPID, |words| {
+            all.push(words.err().map(|problem| problem.at));
+        });
+        assert_eq!(all, [Some(0)]);
     }
 
     #[test]

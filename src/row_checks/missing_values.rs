@@ -18,8 +18,8 @@ const MOST_SHARE: f64 = 0.4;
 /// No machine that is calibrated is as cold or as warm, °C.
 const TEMPERATURES_C: std::ops::RangeInclusive<f64> = -60.0..=200.0;
 
-/// A hall that is colder than this may be at 0 °C at another time.
-const WARM_C: f64 = 10.0;
+/// Where it is colder it may freeze, °C.
+const COLD_C: f64 = 10.0;
 
 /// No joint without limits is calibrated so many turns from its home.
 const MOST_TURNS: f64 = 2.0;
@@ -42,9 +42,10 @@ pub(super) fn coded(session: &Session, values: JointValues) -> Vec<DataProblem> 
         problems.extend(repeated(session, quantity, column, shown, is_none));
     }
     if let Some(column) = &samples.temperature_c {
-        let others = column.iter().copied().filter(|v| *v != 0.0);
-        let is_warm = others.fold(f64::INFINITY, f64::min) > WARM_C;
-        let is_none = |v: f64| v == 0.0 && is_warm || !TEMPERATURES_C.contains(&v);
+        // 0 °C is one of a cold morning, unless all others are of a warm room.
+        let is_warm = |v: &f64| *v == 0.0 || *v > COLD_C;
+        let warm = column.iter().filter(|v| v.is_finite()).all(is_warm);
+        let is_none = |v: f64| v == 0.0 && warm || !TEMPERATURES_C.contains(&v);
         problems.extend(repeated(
             session,
             Quantity::Temperature,
@@ -133,8 +134,8 @@ mod tests {
         let cold = |k: usize| if k < 4 { 0.0 } else { 0.4 * k as f64 };
         session.samples.temperature_c = Some((0..60).map(cold).collect());
         assert!(coded(&session, JointValues::Commanded).is_empty());
-        let hall = |k: usize| if k < 6 { 0.0 } else { 3.0 + 0.03 * k as f64 };
-        session.samples.temperature_c = Some((0..60).map(hall).collect());
+        let frost = |k: usize| if k < 4 { 0.0 } else { 3.0 + 0.03 * k as f64 };
+        session.samples.temperature_c = Some((0..60).map(frost).collect());
         assert!(coded(&session, JointValues::Commanded).is_empty());
         let missing = |k: usize| {
             if k.is_multiple_of(9) {

@@ -141,13 +141,12 @@ fn unit(session: &Session, joint: usize, speed: &[f64]) -> Option<DataProblem> {
     if (near as f64) < 0.7 * ratios.len() as f64 {
         return None;
     }
+    // Radians and minutes differ by less than ratios do: of those that are near the nearest.
+    let off = |factor: f64| (median / factor - 1.0).abs();
     let (factor, name) = units()
         .into_iter()
-        .filter(|(factor, _)| (median / factor - 1.0).abs() < CLOSE)
-        .min_by(|a, b| {
-            let off = |factor: f64| (median / factor).ln().abs();
-            off(a.0).total_cmp(&off(b.0))
-        })?;
+        .filter(|(factor, _)| off(*factor) < CLOSE)
+        .min_by(|(one, _), (other, _)| off(*one).total_cmp(&off(*other)))?;
     Some(DataProblem {
         what: text!(
             "the speed of joint {joint} is in another unit: {unit}",
@@ -233,9 +232,11 @@ mod tests {
             problems[0].what.contains("radians per second"),
             "{problems:?}"
         );
-        // A minute has 60 seconds, and a radian nearly 60 degrees: the nearest unit counts.
         let problems = with(&mut session, 0.35 * 60.0);
-        assert!(problems[0].what.contains("per minute"), "{problems:?}");
+        assert!(
+            problems[0].what.contains("units per minute"),
+            "{problems:?}"
+        );
         // Between poses at standstill the way says nothing.
         assert!(with(&mut session, 0.0).is_empty());
     }

@@ -174,6 +174,18 @@ fn conventions() -> Vec<(Convention, Text)> {
             text!("the inverse of a quaternion written x, y, z, w where w, x, y, z is said"),
         ),
     ];
+    // KUKA's A, B, C are about z, y, x.
+    for order in ORDERS.into_iter().filter(|order| order[0] != order[2]) {
+        let from = Some(order);
+        all.push((
+            Box::new(move |q| {
+                numbers(from, &q)
+                    .map(|[x, y, z]| orientation(from, [z, y, x]))
+                    .to_vec()
+            }),
+            text!("angles written about z, y, x: --columns …,rz,ry,rx in the place of rx,ry,rz"),
+        ));
+    }
     let orders = || std::iter::once(None).chain(ORDERS.map(Some));
     for to in orders() {
         let name = match to {

@@ -79,7 +79,12 @@ pub fn standards(
             count = left_out
         ));
     }
-    if samples == 0 {
+    let joints = 0..points.robot.joints.len();
+    let axes: Result<Vec<AxisTest>, VerifyError> = joints
+        .map(|joint| axis(&points, joint, calibration))
+        .collect();
+    let axes = axes?;
+    if samples == 0 && axes.iter().all(|axis| axis.series.is_empty()) {
         notes.push(text!(
             "no point was measured (x_mm, y_mm): the figures of both standards are of positions that were measured at commanded ones; distances, directions, sockets and touches alone give none"
         ));
@@ -98,9 +103,7 @@ pub fn standards(
         session: session.name.clone(),
         samples,
         left_out,
-        axes: (0..points.robot.joints.len())
-            .map(|joint| AxisTest::new(&points, joint))
-            .collect(),
+        axes,
         poses: PoseTest::new(&points),
         compensated: points.compensated(),
         notes,
@@ -119,7 +122,18 @@ pub fn axis_test(
     let session = &*session.whole()?;
     calibration.map_or(Ok(()), Calibration::sound)?;
     let points = Points::new(session, calibration)?;
-    Ok(AxisTest::new(&points, joint))
+    axis(&points, joint, calibration)
+}
+
+fn axis(
+    points: &Points<'_>,
+    joint: usize,
+    calibration: Option<&Calibration>,
+) -> Result<AxisTest, VerifyError> {
+    match points.along(joint) {
+        Some(whole) => Ok(AxisTest::new(&Points::new(&whole, calibration)?, joint)),
+        None => Ok(AxisTest::new(points, joint)),
+    }
 }
 
 /// At least so many times, in words.

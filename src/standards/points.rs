@@ -10,9 +10,12 @@ use nalgebra::{Point3, UnitQuaternion};
 use crate::compensation::verification::{VerifyError, moved_by_correction};
 use crate::effects::{Inputs, JointValues};
 use crate::fit::problem::Problem;
-use crate::kinematics::Robot;
+use crate::kinematics::{JointKind, Robot};
 use crate::model::{Calibration, Model, Positions};
 use crate::sessions::Session;
+
+/// Across an axis, but for rounding.
+const ACROSS: f64 = 1e-6;
 
 #[derive(Debug)]
 pub(super) struct Points<'a> {
@@ -48,6 +51,33 @@ impl<'a> Points<'a> {
             moved: moved.flatten(),
             calibration,
         })
+    }
+
+    /// Along a sliding joint, coordinates across it that nothing measured say nothing: the session with them as
+    /// commanded, where there are such.
+    pub(super) fn along(&self, joint: usize) -> Option<Session> {
+        let axis = &self.robot.joints[joint];
+        let mut whole = self.session.clone();
+        let samples = &mut whole.samples;
+        let columns = [
+            Some(&mut samples.x_mm),
+            Some(&mut samples.y_mm),
+            samples.z_mm.as_mut(),
+        ];
+        let mut fills = false;
+        for (k, column) in columns.into_iter().enumerate() {
+            let Some(column) = column.filter(|column| column.iter().all(|v| v.is_nan())) else {
+                continue;
+            };
+            if axis.kind != JointKind::Prismatic || axis.axis.direction[k].abs() > ACROSS {
+                return None;
+            }
+            fills = true;
+            for (i, value) in column.iter_mut().enumerate() {
+                *value = self.commanded(i)[k];
+            }
+        }
+        fills.then_some(whole)
     }
 
     /// The calibration whose commands are compared, where there is anything to say of compensation.

@@ -31,6 +31,8 @@ pub(crate) struct Grid<'a> {
     pub(crate) comments: Vec<String>,
     /// Headings and their line, if there are any; a line of units is already joined in.
     pub(crate) header: Option<(u64, Vec<String>)>,
+    /// What a comment says above a header.
+    pub(crate) said_before: Option<Vec<String>>,
     /// Number of cells in a row.
     pub(crate) width: usize,
     /// Stands before the first row.
@@ -79,7 +81,15 @@ impl<'a> Grid<'a> {
             if let Some(quote) = quote {
                 return Err(Box::new(open_quote(file, quote)));
             }
-            let found = text!("no table: no line of cells of which one is a number");
+            let is_comment =
+                |line: &str| line.starts_with('#') && line.contains(|c: char| c.is_ascii_digit());
+            let found = if text.lines().any(is_comment) {
+                text!(
+                    "no table: lines that begin with # are comments, and no other is one of cells of which one is a number"
+                )
+            } else {
+                text!("no table: no line of cells of which one is a number")
+            };
             let expected = text!("rows of cells between tabs, semicolons, commas or spaces");
             return Err(Box::new(Diagnostic::error(file.clone(), found, expected)));
         };
@@ -160,9 +170,13 @@ impl<'a> Grid<'a> {
             }
         };
         let comments = rows.comments();
-        let header = take_header(&mut before, width, words)
-            .or_else(|| header_in_comments(&comments, separator, &row, words))
-            .map(|header| with_units_in_comments(header, &comments, separator, words));
+        let commented = header_in_comments(&comments, separator, &row, words);
+        let (header, said_before) = match take_header(&mut before, width, words) {
+            Some(header) => (Some(header), commented.map(|(_, cells)| cells)),
+            None => (commented, None),
+        };
+        let header =
+            header.map(|header| with_units_in_comments(header, &comments, separator, words));
         before.drain(..before.len().saturating_sub(SHOWN));
         Ok(Self {
             separator,
@@ -172,6 +186,7 @@ impl<'a> Grid<'a> {
                 .map(|(_, comment)| (*comment).to_owned())
                 .collect(),
             header,
+            said_before,
             width,
             body,
             part: None,

@@ -128,7 +128,7 @@ impl<'a> Rows<'a> {
     fn comment_sign(&self, line: &[u8]) -> Option<usize> {
         let mut signs = self.dialect.comments.iter();
         let sign = signs.find(|sign| line.starts_with(sign.as_bytes()))?;
-        Some(sign.len())
+        (!is_error(line)).then_some(sign.len())
     }
 
     /// Reads the cells from here to the line end, and goes behind that.
@@ -202,6 +202,17 @@ impl TextRow<'_> {
 pub(crate) struct TextRows<'a> {
     text: &'a str,
     rows: Rows<'a>,
+}
+
+/// Whether a line begins with what a spreadsheet writes in place of a number: `#N/A`, `#REF!`, `#NAME?`.
+fn is_error(line: &[u8]) -> bool {
+    let ends = |byte: &u8| matches!(byte, b',' | b';' | b'\t' | b'\r' | b'\n');
+    let word = &line[..line.iter().position(ends).unwrap_or(0)];
+    let capitals = |byte: &u8| byte.is_ascii_uppercase() || matches!(byte, b'0' | b'/');
+    match word {
+        [b'#', word @ .., b'!' | b'?'] => word.len() > 1 && word.iter().all(capitals),
+        word => matches!(word, b"#N/A" | b"#NV"),
+    }
 }
 
 impl<'a> TextRows<'a> {

@@ -674,3 +674,186 @@ fn the_answer_about_an_arm_fits_on_a_page() {
     reasons.dedup();
     assert_eq!(reasons.len(), count, "one line a reason: {text}");
 }
+
+/// What is in no column that is understood, or in a comment, is not passed over without a word.
+#[test]
+fn nothing_of_a_table_is_dropped_without_a_word() {
+    let desk = Desk::new();
+    let head = "q1_rad,q2_rad,x_mm,y_mm,z_mm";
+    let row = |_: usize, pose: [f64; 2]| format!("{},{},{}", pose[0], pose[1], xyz(pose));
+    // What a spreadsheet writes in place of a number is no comment, names with the sign of one are told.
+    let lost = |k: usize, pose: [f64; 2]| {
+        let cell = if k == 3 { "#N/A" } else { "20.5" };
+        format!("{cell},{}", row(k, pose))
+    };
+    desk.put("lost.csv", &table(&format!("temperature_c,{head}"), lost));
+    let said = desk.refused("lost.csv --as csv");
+    assert!(
+        said.contains("line 5, column 1") && said.contains("'#N/A'"),
+        "{said}"
+    );
+    let named = |k: usize, pose: [f64; 2]| format!("#{k},{}", row(k, pose));
+    desk.put("named.csv", &table(&format!("name,{head}"), named));
+    let said = desk.refused("named.csv --as csv");
+    assert!(
+        said.contains("lines that begin with # are comments"),
+        "{said}"
+    );
+    // Columns that mean nothing are kept, and that is said.
+    let more = |k: usize, pose: [f64; 2]| format!("{},7,{k}", row(k, pose));
+    desk.put("more.csv", &table(&format!("{head},fan [counts],d"), more));
+    let (_, said) = desk.import("more.csv --as csv --out more.json");
+    assert!(
+        said.contains("kept and not used: 'fan [counts]', 'd'"),
+        "{said}"
+    );
+    // The two parts of a stamp are no time each.
+    let stamped =
+        |k: usize, pose: [f64; 2]| format!("{},5,{}", 1_714_744_211 + 6 * k, row(k, pose));
+    desk.put(
+        "stamp.csv",
+        &table(
+            &format!("header.stamp.sec,header.stamp.nanosec,{head}"),
+            stamped,
+        ),
+    );
+    let said = desk.refused("stamp.csv --as csv");
+    assert!(
+        said.contains("could both be time") && !said.contains("span"),
+        "{said}"
+    );
+    for (heading, step) in [("stamp_ns", 6e9), ("t/min", 0.1)] {
+        let timed = |k: usize, pose: [f64; 2]| format!("{},{}", k as f64 * step, row(k, pose));
+        desk.put("timed.csv", &table(&format!("{heading},{head}"), timed));
+        let (session, _) = desk.import("timed.csv --as csv --out timed.json");
+        let time_s = session.samples.time_s.unwrap();
+        assert!((time_s[7] - time_s[0] - 42.0).abs() < 1e-6, "{heading}");
+    }
+    let dated =
+        |k: usize, pose: [f64; 2]| format!("03/04/2024 15:50:{:02},{}", 6 * k, row(k, pose));
+    desk.put("dated.csv", &table(&format!("time,{head}"), dated));
+    let said = desk.refused("dated.csv --as csv");
+    assert!(said.contains("certain what is the day"), "{said}");
+}
+
+#[test]
+fn a_quaternion_is_told_by_the_names_of_its_parts() {
+    let desk = Desk::new();
+    let parts = |[p, t]: [f64; 2]| {
+        let ((sp, cp), (st, ct)) = ((0.5 * p).sin_cos(), (-0.5 * t).sin_cos());
+        [cp * ct, -sp * st, cp * st, sp * ct]
+    };
+    for (names, order) in [
+        ("Q0,Qx,Qy,Qz", [0, 1, 2, 3]),
+        ("RotX,RotY,RotZ,RotW", [1, 2, 3, 0]),
+        ("qi,qj,qk,qr", [1, 2, 3, 0]),
+        ("ori_w,ori_x,ori_y,ori_z", [0, 1, 2, 3]),
+        ("quat[0],quat[1],quat[2],quat[3]", [0, 1, 2, 3]),
+    ] {
+        let row = |_: usize, pose: [f64; 2]| {
+            let own = parts(pose);
+            let [a, b, c, d] = order.map(|part: usize| own[part]);
+            format!("{},{},{},{a},{b},{c},{d}", pose[0], pose[1], xyz(pose))
+        };
+        desk.put(
+            "q.csv",
+            &table(&format!("j1_rad,j2_rad,x_mm,y_mm,z_mm,{names}"), row),
+        );
+        let (session, said) = desk.import("q.csv --as csv --out q.json");
+        assert!(off_the_orientations(&session) < 1e-9, "{names}: {said}");
+    }
+    // The rows of a matrix are no quaternions, and are told under a heading too.
+    let names: Vec<String> = (0..16).map(|k| format!("m{}{}", k / 4, k % 4)).collect();
+    let row = |_: usize, pose: [f64; 2]| {
+        let (at, turn) = tool(pose[0], pose[1]);
+        let rows =
+            (0..3).map(|k| format!("{},{},{},{}", turn[k][0], turn[k][1], turn[k][2], at[k]));
+        rows.collect::<Vec<_>>().join(",") + ",0,0,0,1"
+    };
+    desk.put("m.csv", &table(&names.join(","), row));
+    let said = desk.refused("m.csv --as csv --unit mm");
+    assert!(
+        said.contains("a matrix of a rotation") && !said.contains("a quaternion"),
+        "{said}"
+    );
+    // Several points a row, by their numbers.
+    let row =
+        |_: usize, pose: [f64; 2]| format!("{},{},{},{}", pose[0], pose[1], xyz(pose), xyz(pose));
+    desk.put(
+        "two.csv",
+        &table("q1_rad,q2_rad,x1_mm,y1_mm,z1_mm,x_2,y_2,z_2", row),
+    );
+    let said = desk.refused("two.csv --as csv");
+    assert!(said.contains("2 groups of x, y, z: 1, 2"), "{said}");
+}
+
+#[test]
+fn comments_in_words_contradict_what_would_be_read() {
+    let desk = Desk::new();
+    let row = |k: usize, pose: [f64; 2]| {
+        let [x, y, z] = tool(pose[0], pose[1]).0;
+        format!("{k} {} {} {} 1 0 0 0", x / 1e3, y / 1e3, z / 1e3)
+    };
+    desk.put(
+        "t.txt",
+        &table("# position (x y z), quaternion (w x y z)", row),
+    );
+    let said = desk.refused("t.txt --as tum");
+    assert!(said.contains("the heading 'position (x y z)"), "{said}");
+    let row = |_: usize, pose: [f64; 2]| format!("{},{},{}", pose[0], pose[1], xyz(pose));
+    for (comment, is_one) in [
+        ("# q1_deg,q2_deg,x_mm,y_mm,z_mm", false),
+        ("# q1_rad,q2_rad,y_mm,x_mm,z_mm", false),
+        ("# J1, J2, X, Y, Z", true),
+        ("# by hand, cold, x, in, May", true),
+    ] {
+        desk.put(
+            "c.csv",
+            &table(&format!("{comment}\nq1_rad,q2_rad,x_mm,y_mm,z_mm"), row),
+        );
+        if is_one {
+            desk.import("c.csv --as csv --out c.json");
+        } else {
+            let said = desk.refused("c.csv --as csv");
+            assert!(said.contains("contradict each other"), "{said}");
+        }
+    }
+    let row = |k: usize, pose: [f64; 2]| format!("P{k} {}", xyz(pose).replace(',', " "));
+    for comment in ["! Name  Dist  Hz  V", "; Point R Az Zen"] {
+        desk.put("s.txt", &table(comment, row));
+        let said = desk.refused("s.txt --as tracker --unit mm");
+        assert!(
+            said.contains("does not say which columns are x, y and z"),
+            "{said}"
+        );
+    }
+}
+
+/// KUKA's A, B, C, under headings of angles about x, y and z: the tool is turned about x as well.
+#[test]
+fn angles_about_z_y_x_are_named_where_they_are_said_to_be_about_x_y_z() {
+    let desk = Desk::new();
+    let row = |_: usize, pose: [f64; 2]| {
+        format!(
+            "{},{},{},{},{},0.2",
+            pose[0],
+            pose[1],
+            xyz(pose),
+            pose[0],
+            -pose[1]
+        )
+    };
+    desk.put(
+        "abc.csv",
+        &table("q1_rad,q2_rad,x_mm,y_mm,z_mm,rx_rad,ry_rad,rz_rad", row),
+    );
+    desk.import("abc.csv --as csv --euler rpy --out abc.json");
+    let done = desk.run("identify abc.json --json");
+    let answer: Value = serde_json::from_slice(&done.stdout).unwrap();
+    let problems = answer["data_problems"].to_string();
+    assert!(problems.contains("--columns …,rz,ry,rx"), "{problems}");
+    desk.import("abc.csv --as csv --euler rpy --columns auto,auto,auto,auto,auto,rz_rad,ry_rad,rx_rad --out abc.json");
+    let answer: Value =
+        serde_json::from_slice(&desk.run("identify abc.json --json").stdout).unwrap();
+    assert!(!answer["data_problems"].to_string().contains("orientations"));
+}

@@ -623,6 +623,7 @@ fn driven(
         bytes: text.as_bytes(),
         language: find("csv").unwrap(),
         file: None,
+        beside: None,
         load_kg: 0.0,
         start: None,
         frame: None,

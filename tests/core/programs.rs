@@ -57,6 +57,7 @@ fn request<'a>(
         bytes,
         language: find(language).unwrap(),
         file: None,
+        beside: None,
         load_kg: 0.0,
         start: None,
         frame: None,
@@ -1192,4 +1193,88 @@ fn the_command_names_what_it_leaves_with_its_line_and_says_so_with_its_status() 
     ]);
     assert_eq!(status, Some(2), "{said}");
     assert!(said.contains("no such tool"), "{said}");
+}
+
+#[test]
+fn a_data_list_is_read_with_its_program_and_each_is_corrected_alone() {
+    let out = tempfile::tempdir().unwrap();
+    let file = |name: &str| out.path().join(name).to_str().unwrap().to_owned();
+    let model = model_in(out.path());
+    let axes = "A1 106,A2 65,A3 -25,A4 -63,A5 -53,A6 -18";
+    let data =
+        format!("DEFDAT cell\nDECL E6AXIS XP1={{{axes}}}\nDECL E6AXIS XP2={{{axes}}}\nENDDAT\n");
+    let program = format!("DEF cell()\nPTP XP1\nPTP_REL XP2\nPTP {{{axes}}}\nEND\n");
+    std::fs::write(file("cell.dat"), &data).unwrap();
+    let run = |name: &str| {
+        truepose(&[
+            "compensate",
+            &model,
+            &file(name),
+            "--out",
+            &file("out"),
+            "--force",
+            "--json",
+        ])
+    };
+    // Alone nothing says that anything goes to its points.
+    let (status, _, said) = run("cell.dat");
+    assert_eq!(status, Some(1), "{said}");
+    assert!(
+        said.contains("XP1: no motion of this file goes to it")
+            || said.contains("no motion of this file"),
+        "{said}"
+    );
+    std::fs::write(file("cell.src"), &program).unwrap();
+    let corrected = |name: &str| {
+        let (status, json, said) = run(name);
+        let json: serde_json::Value = serde_json::from_str(&json).unwrap();
+        let targets = json["targets"].as_array().unwrap();
+        let targets: Vec<(String, bool)> = targets
+            .iter()
+            .map(|t| {
+                (
+                    t["name"].as_str().unwrap().to_owned(),
+                    t["corrected"] == true,
+                )
+            })
+            .collect();
+        (
+            status,
+            targets,
+            json["at_run_time"].as_array().unwrap().len(),
+            std::fs::read_to_string(file("out")).unwrap(),
+            said,
+        )
+    };
+    let (status, targets, listed, written, said) = corrected("cell.dat");
+    assert_eq!(
+        targets,
+        [("XP1".to_owned(), true), ("XP2".to_owned(), false)]
+    );
+    assert_eq!((status, listed), (Some(1), 0), "{said}");
+    assert!(said.contains("PTP_REL is a relative motion"), "{said}");
+    assert!(written.starts_with("DEFDAT") && written.ends_with("ENDDAT\n") && written != data);
+    let (status, targets, listed, written, said) = corrected("cell.src");
+    assert_eq!(targets, [("target of PTP".to_owned(), true)]);
+    assert_eq!((status, listed), (Some(0), 1), "{said}");
+    assert!(
+        written.starts_with("DEF cell()\nPTP XP1\n")
+            && written.ends_with("END\n")
+            && written != program
+    );
+    // Neither is written over, and one that is broken does not keep the other from being read.
+    let over = truepose(&[
+        "compensate",
+        &model,
+        &file("cell.src"),
+        "--out",
+        &file("cell.dat"),
+        "--force",
+    ]);
+    assert_eq!(over.0, Some(2), "{}", over.2);
+    std::fs::write(file("cell.dat"), "DECL E6AXIS XP1={A1 1,A1 2}\n").unwrap();
+    assert_eq!(
+        corrected("cell.src").1,
+        [("target of PTP".to_owned(), true)]
+    );
 }

@@ -140,6 +140,27 @@ fn a_published_test_of_a_linear_axis_comes_out_as_published() {
     }
 }
 
+#[test]
+fn along_a_slide_what_was_measured_along_it_is_enough() {
+    let mut alone = published();
+    let nothing = vec![f64::NAN; alone.samples.len()];
+    alone.samples.y_mm = nothing.clone();
+    alone.samples.z_mm = Some(nothing);
+    let axes = |session: &Session| figures(session)["iso_230_2"]["axes"].clone();
+    assert_eq!(axes(&alone), axes(&published()));
+    assert!(
+        standards(&alone, None)
+            .unwrap()
+            .notes
+            .iter()
+            .all(|note| !note.contains("no point was measured"))
+    );
+    // Across it nothing can be said.
+    let mut across = published();
+    across.samples.x_mm = across.samples.y_mm.iter().map(|_| f64::NAN).collect();
+    assert!(axes(&across)[0]["series"].as_array().unwrap().is_empty());
+}
+
 /// The published report takes E as the larger of its two sides. ISO 230-2 takes it over both sides
 /// together, so that a reversal counts.
 #[test]

@@ -122,6 +122,7 @@ pub fn compensated(
         bytes,
         language,
         file: None,
+        beside: None,
         load_kg: 1.5,
         start: (choice & 2 != 0).then(|| vec![0.1; robot.joints.len()]),
         frame: (choice & 1 != 0).then(|| placed([10.0, -20.0, 30.0])),

@@ -10,7 +10,7 @@ use crate::pipeline;
 use crate::present::compensation_v1::{Summary, document};
 use crate::programs::{
     Answer, CompensateError, DifferingNumber, ExternalAxes, LANGUAGES, Precedence, ProgramFrames,
-    Request, language_of,
+    Request, beside, language_of,
 };
 use crate::sessions::files::open::read_document;
 
@@ -161,11 +161,13 @@ fn corrected(
             all = all.join(", ")
         ))
     })?;
+    let beside = beside(path, language).and_then(|path| Some((read_document(&path).ok()?, path)));
     let answer = pipeline::compensate(&Request {
         calibration,
         bytes: &bytes,
         language,
         file: Some(path),
+        beside: beside.as_ref().map(|(bytes, path)| (&**path, &**bytes)),
         load_kg: wanted.load_kg,
         start: None,
         frame: None,

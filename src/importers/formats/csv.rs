@@ -3,6 +3,7 @@
 use crate::document::number::quoted;
 use crate::importers::columns::Columns;
 use crate::importers::families::{self, Families};
+use crate::importers::headings::understand;
 use crate::importers::formats::{EULER_OPTION, Importer, KnownBy, Questions};
 use crate::importers::matching::listed_names_up_to;
 use crate::importers::options::{PLANE_OPTION, SOCKET_DISTANCES_OPTION, SOCKET_OPTION};
@@ -89,7 +90,12 @@ fn table<'a>(context: &mut ReadContext<'a>, measured: bool) -> Option<(Grid<'a>,
                         context.ask(About::Columns, says, &[]);
                     }
                 }
+                if !roles.iter().any(|role| role.quantity() == Some(Quantity::X))
+                    && is_matrix(context, &grid) {
+                    refuse_matrix(context, &grid);
+                }
             }
+            refuse_contradiction(context, &grid, names, &roles);
             roles
         }
         (None, None) if !measured && context.reading.columns.is_empty() => {
@@ -103,10 +109,7 @@ fn table<'a>(context: &mut ReadContext<'a>, measured: bool) -> Option<(Grid<'a>,
                     text!("a file with semicolons or tabs between cells, or with decimal points"),
                 );
             } else if is_matrix(context, &grid) {
-                context.refuse(
-                    text!("{width} columns, of which the numbers are a matrix of a rotation and a position in every row", width = grid.width),
-                    text!("a position and an orientation: x,y,z,qw,qx,qy,qz or x,y,z,rx,ry,rz"),
-                );
+                refuse_matrix(context, &grid);
             } else if context.reading.columns.is_empty() {
                 let says = text!(one "{count} column and no header", "{count} columns and no header", count = grid.width);
                 context.ask(About::Columns, says, &[]);
@@ -115,6 +118,43 @@ fn table<'a>(context: &mut ReadContext<'a>, measured: bool) -> Option<(Grid<'a>,
         }
     };
     Some((grid, roles))
+}
+
+fn refuse_matrix(context: &mut ReadContext<'_>, grid: &Grid<'_>) {
+    context.refuse(
+        text!("{width} columns, of which the numbers are a matrix of a rotation and a position in every row", width = grid.width),
+        text!("a position and an orientation: x,y,z,qw,qx,qy,qz or x,y,z,rx,ry,rz"),
+    );
+}
+
+/// A comment above the heading that says of every column what it is, and of one something else.
+fn refuse_contradiction(
+    context: &mut ReadContext<'_>,
+    grid: &Grid<'_>,
+    names: &[String],
+    roles: &[Role],
+) {
+    let Some(comment) = &grid.said_before else {
+        return;
+    };
+    let said: Vec<Role> = comment.iter().map(|cell| understand(cell)).collect();
+    let contradicts = |(said, role): (&Role, &Role)| match (said, role) {
+        (Role::Known(one, unit), Role::Known(other, own)) => {
+            one != other || unit.is_some() && own.is_some() && unit != own
+        }
+        (Role::Time(Some(unit)), Role::Time(Some(own))) => unit != own,
+        _ => said.quantity() != role.quantity(),
+    };
+    if !said.contains(&Role::Kept) && said.iter().zip(roles).any(contradicts) {
+        context.refuse(
+            text!(
+                "the heading {heading} and a comment above it, {comment}, contradict each other",
+                heading = quoted(&names.join(", ")),
+                comment = quoted(&comment.join(", "))
+            ),
+            text!("one of the two"),
+        );
+    }
 }
 
 /// How many headings stand above a table with more cells in a row, as decimal commas make them of a table with commas.

@@ -28,7 +28,7 @@ pub(crate) static IMPORTER: Importer = Importer {
 
 /// Whether a comment says that points are given by angles.
 fn is_spherical(comment: &str) -> bool {
-    const WORDS: Words = "theta phi azimuth elevation zenith az el spherical cylindrical polar";
+    const WORDS: Words = "theta phi azimuth elevation zenith az el zen hz v spherical cylindrical polar range dist distance";
     let words = comment.to_lowercase();
     let words = words.split(|c: char| !c.is_alphanumeric());
     words.filter(|word| is_among(word, WORDS)).count() > 1

@@ -36,7 +36,21 @@ fn suits(trial: &Trial) -> bool {
 /// say units. A heading that is understood in part is none that can be followed.
 fn as_headed(context: &mut ReadContext<'_>, grid: &Grid<'_>, own: Vec<Role>) -> Option<Vec<Role>> {
     let Some((_, names)) = &grid.header else {
-        return Some(own);
+        // In words the real part may come first as well.
+        let real_first = |comment: &&String| {
+            let words = comment.to_lowercase();
+            let words = words.split(|c: char| !c.is_alphanumeric());
+            let words: Vec<&str> = words.filter(|word| !word.is_empty()).collect();
+            words.contains(&"wxyz") || words.windows(4).any(|four| four == ["w", "x", "y", "z"])
+        };
+        let Some(comment) = grid.comments.iter().find(real_first) else {
+            return Some(own);
+        };
+        context.refuse(
+            text!("the heading {heading}", heading = quoted(comment)),
+            text!("timestamp tx ty tz qx qy qz qw in any order, or no heading; --as csv with --columns for other tables"),
+        );
+        return None;
     };
     let mut said = context.roles_of(grid, names);
     let same = |one: &Role, other: &Role| one.quantity() == other.quantity();

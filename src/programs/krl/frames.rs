@@ -66,6 +66,13 @@ pub(super) fn sets(
                 walk.program.loads.state(kg.value, words.at(k), &shown);
             }
         }
+        // A part of it may be that of any of the three.
+        "fdat_act" if component => {
+            for part in [BASE, TOOL, MODE] {
+                let says = text!("{name} is set", name = &shown);
+                walk.set(part, Referred::Unknown(says));
+            }
+        }
         "fdat_act" => {
             let set = match list.and_then(|(list, _)| frames_of(words, list)) {
                 Some(here) => as_numbered(&here, &shown),

@@ -99,6 +99,13 @@ pub(super) fn mass(load: Option<&List>) -> Option<f64> {
     first.value.number().map(|number| number.value)
 }
 
+pub(super) fn computed(spelled: &str) -> Sentence {
+    text!(
+        "{spelled} has values that are computed at run time",
+        spelled
+    )
+}
+
 /// A target of a list, or why it is none: a part of it is worked out at run time. `pose`: what it has
 /// to be; without, the number of its parts says it.
 pub(super) fn target(
@@ -108,12 +115,6 @@ pub(super) fn target(
     name: &str,
     pose: Option<bool>,
 ) -> Result<Result<Target, Sentence>, Problem> {
-    let computed = || {
-        text!(
-            "{spelled} has values that are computed at run time",
-            spelled = name
-        )
-    };
     let pose = pose.unwrap_or(list.parts.len() == 4);
     let (sizes, expected): (&[usize], _) = if pose {
         let says = text!(
@@ -143,7 +144,7 @@ pub(super) fn target(
                 named = Some(range.start);
                 continue;
             }
-            Value::Other(_) => return Ok(Err(computed())),
+            Value::Other(_) => return Ok(Err(computed(name))),
         };
         if list.parts.len() != *size {
             let count = list.parts.len();
@@ -161,7 +162,7 @@ pub(super) fn target(
             ));
         }
         let Some(own) = list.numbers() else {
-            return Ok(Err(computed()));
+            return Ok(Err(computed(name)));
         };
         numbers.push(own);
     }
@@ -181,7 +182,7 @@ pub(super) fn target(
     };
     // The model's own are read with the target.
     if named.is_some() && walk.axes.own() < walk.axes.joints() {
-        return Ok(Err(computed()));
+        return Ok(Err(computed(name)));
     }
     let mut target = if pose {
         robtarget(walk, &numbers, name, list.at)?
