@@ -33,7 +33,6 @@ pub(crate) mod validation;
 
 pub use crate::atomic::WriteError;
 pub use crate::tables::Lines;
-pub use built::SessionBuilder;
 pub(crate) use correction::DAY_S;
 pub use correction::{Corrected, SessionCorrection};
 pub use division::{MOST_REGIONS, RegionChoice, RegionError, range_to_divide};
