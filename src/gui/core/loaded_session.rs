@@ -222,16 +222,6 @@ impl LoadedSession {
         }
     }
 
-    /// The same with other samples: what was found said something about those before.
-    pub(crate) fn with_samples(&self, session: Session) -> Self {
-        let mut next = self.with(session);
-        let n = next.len();
-        for finding in &mut next.findings {
-            finding.samples.retain(|sample| *sample < n);
-        }
-        next
-    }
-
     /// Number of samples.
     pub(crate) fn len(&self) -> usize {
         self.session.samples.len()

@@ -428,8 +428,7 @@ pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Fi
         79 => Command::Reload,
         80 if random.random() => compensation(random, files),
         80 => Command::View(ViewChange::KeepMine),
-        81 => Command::Follow(random.random()),
-        82 => Command::Forget(files.any(random)),
+        81 | 82 => Command::Forget(files.any(random)),
         83 => Command::Left(LeftBehind::Restore(random.random_range(0..2))),
         84 if random.random_range(0..4) == 0 => {
             Command::Left(LeftBehind::Discard(random.random_range(0..2)))

@@ -22,8 +22,8 @@ macro_rules! kinds {
 kinds!(
     COMMANDS, command, Command, "":
     Edit(..), Drag(..), EndDrag(), Undo(), Redo(), OpenFile(..), Drop(..), Say(..), ConfirmColumns(), Import(),
-    OpenExample(..), Do(..), SaveThen(..), Save(), SaveDespite(), Reload(), Follow(..), Forget(..), KeepRecovery(),
-    LookAtDisk(), SaveAs {..}, ExportTo {..}, State(..), KeepRobot {..}, ForgetRobot(..), Record(..),
+    OpenExample(..), Do(..), SaveThen(..), Save(), SaveDespite(), Reload(), Forget(..), KeepRecovery(),
+    LookAtDisk(), SaveAs {..}, ExportTo {..}, State(..), KeepRobot {..}, ForgetRobot(..),
     CompareSessions(..), Compensate(..), Adapt(), Search(), Simulate(..), OpenOutside {..}, CopyNumbers(..), Prefer(..),
     Leave(), View(..), Ask(..), Left(..), Stop(..), Letters(..),
 );
@@ -38,7 +38,7 @@ kinds!(
 
 kinds!(LEFT, left, LeftBehind, "Left ": Restore(..), Discard(..), DiscardAll());
 
-kinds!(STOPPED, stopped, Task, "Stop ": Newest(), Search(), Import(), Recording());
+kinds!(STOPPED, stopped, Task, "Stop ": Newest(), Search(), Import());
 
 kinds!(LETTERS, letters, Letters, "Letters ": Find(..), OfLanguages(), Dismiss());
 

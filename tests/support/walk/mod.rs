@@ -5,7 +5,6 @@
 
 mod any;
 mod kinds;
-pub mod live;
 mod looks;
 
 use std::collections::{BTreeSet, VecDeque};

@@ -298,21 +298,6 @@ impl<D: PartialEq> History<D> {
         }
     }
 
-    /// Changes every document that is kept, the present one included, without an entry: something
-    /// came to be true of all of them. `change` answers `None` where it leaves one as it is.
-    pub(crate) fn rewrite(&mut self, change: impl Fn(&D) -> Option<D>) {
-        let rewrite = |document: &mut Arc<D>| {
-            if let Some(next) = change(document) {
-                *document = Arc::new(next);
-            }
-        };
-        rewrite(&mut self.present);
-        let entries = self.past.iter_mut().chain(&mut self.future);
-        for entry in entries.chain(&mut self.gesture) {
-            rewrite(&mut entry.document);
-        }
-    }
-
     /// What the next undo takes back.
     pub(crate) fn undoes(&self) -> Option<Template> {
         let open = self.gesture.as_ref().or(self.past.last());
@@ -397,21 +382,6 @@ mod tests {
         history.change(3, step("b"));
         assert!(!history.redo());
         assert_eq!(**history.present(), 3);
-    }
-
-    #[test]
-    fn what_came_to_be_true_of_all_is_no_step_of_its_own() {
-        let mut history = History::new(1);
-        history.change(2, step("a"));
-        history.change(3, step("b"));
-        history.undo();
-        history.rewrite(|d| (*d != 1).then_some(10 * d));
-        assert_eq!(**history.present(), 20);
-        history.redo();
-        assert_eq!(**history.present(), 30);
-        history.undo();
-        history.undo();
-        assert_eq!(**history.present(), 1);
     }
 
     #[test]
