@@ -5,7 +5,6 @@ use std::path::PathBuf;
 
 use egui::Response;
 
-use crate::gui::core::boundaries::End;
 use crate::gui::core::compensated::CompensationRequest;
 use crate::gui::core::edit::Edit;
 use crate::gui::core::loaded_session::Component;
@@ -162,12 +161,6 @@ pub(crate) enum Asked {
 pub(crate) enum ViewChange {
     /// Go on with what is here, whatever is on the disk.
     KeepMine,
-    /// What is being typed for an end of a region; `None`: what the document says.
-    Type {
-        region: String,
-        end: End,
-        text: Option<String>,
-    },
     GoTo(Step),
     /// Look at the workspace in this plane.
     Look(Plane),

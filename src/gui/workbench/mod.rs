@@ -256,7 +256,6 @@ impl Workbench {
             ViewChange::Draft(form) => view.setup = form,
             ViewChange::KeepMine => self.file_state.dismissed = view.on_disk.take(),
             ViewChange::Sheet(sheet) => self.show_sheet(sheet),
-            ViewChange::Type { region, end, text } => self.type_boundary(region, end, text),
             ViewChange::Dismiss => view.message = None,
             ViewChange::Fit => {
                 view.fitted.everywhere();
@@ -307,7 +306,6 @@ impl Workbench {
             Ok(next) => self.history.change(next, edit.what()),
         }
         self.view.setup = None;
-        self.keep_typed(edit);
         if matches!(edit, Edit::Identify | Edit::IdentifyBy(_)) {
             self.declined = None;
         }
@@ -339,7 +337,6 @@ impl Workbench {
     /// After a change that may have brought another session.
     fn after_travel(&mut self, lineage_before: u64) {
         self.view.setup = None;
-        self.forget_typed();
         self.forget_missing_samples();
         if self.loaded_session().lineage != lineage_before {
             self.arrived();

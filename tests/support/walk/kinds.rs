@@ -30,7 +30,7 @@ kinds!(
 
 kinds!(
     VIEW_CHANGES, view_change, ViewChange, "":
-    KeepMine(), Type {..}, GoTo(..), Look(..), LookFrom(..), LookAround(), Turn(..), Pose(..), Magnify(..),
+    KeepMine(), GoTo(..), Look(..), LookFrom(..), LookAround(), Turn(..), Pose(..), Magnify(..),
     PlotSize(..), Blend(..), Colour(..), Heat(..), Component(..), OnlyAfter(..), Hover(..), Select(..), Mark(..),
     Side(..), Panes(..), Pull(..), Activate(..), ActivateNext(), ChartJoint(..), ShowEffect(..), Results(..),
     Canvas(..), Resize(..), Draft(..), Sheet(..), Dismiss(), Fit(), FitWorkspace(), FitChart(..),
@@ -61,7 +61,7 @@ pub(super) fn of(one: &Command) -> &'static str {
 
 kinds!(
     EDITS, edit, Edit, "":
-    Open(..), OpenModel {..}, Divide(..), MoveBoundary(..), PlaceBoundary(..), Adapt(..),
+    Open(..), OpenModel {..}, Divide(..), MoveBoundary(..), Adapt(..),
     KeepRegions(), Split(..), Join(..), Delete(..), Rename(..), RegionsOfSession(), Method(..),
     Effect(..), Tolerance(..), Export(..), Add(..), Switch(..), Setup(..), Correct(..), Exclude(..), Recover(..),
     Identify(), IdentifyBy(..),

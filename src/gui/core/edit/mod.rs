@@ -8,14 +8,13 @@ use crate::diagnosis::SessionCorrection;
 use crate::document::degrees;
 use crate::effects::Term;
 use crate::language::spoken;
-use crate::present::units::Units;
 use crate::sessions::Region;
 use crate::sessions::division::RegionChoice;
 use crate::text::Template;
 use crate::units::rad_from_deg;
 
 use super::answer::LoadedModel;
-use super::boundaries::{self, Joint};
+use super::boundaries;
 use super::document::{Choices, Decision, Division, Document, ExportChoice, Method};
 use super::loaded_session::LoadedSession;
 use super::setup::SetupForm;
@@ -33,8 +32,6 @@ pub(crate) enum Edit {
     Divide(usize),
     /// Move a boundary (counted in ascending order) to this angle, rad.
     MoveBoundary(usize, f64),
-    /// Put a boundary exactly there, rad: it was typed.
-    PlaceBoundary(Joint, f64),
     /// What the adaptive division decided.
     Adapt(Arc<[Region]>, Decision),
     /// Go on with the regions as they are, by hand.
@@ -81,7 +78,7 @@ impl Edit {
             Self::Open(_) => phrase!("open session"),
             Self::OpenModel { .. } => phrase!("open model"),
             Self::Divide(_) => phrase!("divide into regions"),
-            Self::MoveBoundary(..) | Self::PlaceBoundary(..) => phrase!("move boundary"),
+            Self::MoveBoundary(..) => phrase!("move boundary"),
             Self::Adapt(..) => phrase!("divide adaptively"),
             Self::KeepRegions => phrase!("keep the regions"),
             Self::Split(_) => phrase!("split region"),
@@ -151,14 +148,6 @@ fn divided(edit: &Edit, document: &Document) -> Option<Result<(Vec<Region>, Divi
             boundaries::moved(all, *boundary, *to_rad, loaded_session.travel()),
             say!("the boundary cannot be moved there"),
         ),
-        Edit::PlaceBoundary(joint, at_rad) => boundaries::placed(
-            all,
-            *joint,
-            *at_rad,
-            loaded_session.travel(),
-            Units::default(),
-        )
-        .map(|regions| (regions, Division::Given)),
         Edit::Split(region) => by_hand(
             boundaries::split(all, *region),
             say!("the region is too narrow to be split"),
