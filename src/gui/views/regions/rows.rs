@@ -8,7 +8,7 @@ use crate::gui::core::edit::Edit;
 use crate::gui::style::{Palette, size, space};
 use crate::gui::widgets;
 use crate::gui::workbench::{Command, ViewChange, Workbench, of_field};
-use crate::present::numbers::grouped;
+use crate::present::numbers::{grouped, trimmed};
 use crate::present::units::{AngleUnit, Units};
 use crate::sessions::regions::Assignment;
 use crate::units::rad_from_deg;
@@ -177,15 +177,16 @@ fn angle(
     let Some((boundary, (low, high))) = room else {
         return;
     };
+    let digits = if units.angle == AngleUnit::Radian {
+        4
+    } else {
+        2
+    };
     let before = units.angle_value(at_rad);
     let mut value = before;
     let field = DragValue::new(&mut value)
         .speed(units.angle_value(rad_from_deg(SNAP_DEG)))
-        .max_decimals(if units.angle == AngleUnit::Radian {
-            4
-        } else {
-            2
-        })
+        .custom_formatter(move |value, _| trimmed(value, digits))
         .range(units.angle_value(low)..=units.angle_value(high));
     let response = widgets::cell_number(ui, &name, units.angle_name().trim(), width, field);
     let to_rad = value / units.angle_value(1.0);
