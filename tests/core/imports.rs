@@ -233,7 +233,10 @@ fn a_recording_of_cameras_finds_the_clock_of_the_controller_and_averages_its_sto
     });
     let all = imported(moving.join("\n").as_bytes(), &settings);
     let kept = all.session.samples.len();
-    assert!((100..200).contains(&kept), "{kept} samples in motion");
+    assert!(
+        kept > 50,
+        "{kept} samples in motion, of which no stop is made"
+    );
     assert!(!all.session.samples.incomplete().is_empty(), "occluded");
     let speed = all.session.samples.speed[0].as_ref().unwrap();
     assert!(

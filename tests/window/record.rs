@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use crate::window::{Window, choose, copy_of, keys, open, press, says, seconds, there, window_at};
+use crate::window::{Window, choose, copy_of, keys, open, press, says, there, window_at};
 use egui::accesskit::Role;
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::{NodeT, Queryable};
@@ -215,7 +215,6 @@ fn a_folder_without_sessions_says_so() {
 
 /// Opens the sheets of the record in the marked language, and looks at each as it can stand.
 pub(crate) fn open_records(window: &mut Window, see: &mut dyn FnMut(&Window, &str)) {
-    let shifted = Modifiers::COMMAND.plus(Modifiers::SHIFT);
     keys(window, Modifiers::COMMAND.plus(Modifiers::ALT), Key::R);
     for rule in ["⟦not decided⟧", "⟦simple acceptance⟧", "ISO 14253-1"] {
         press(window, rule);
@@ -235,20 +234,4 @@ pub(crate) fn open_records(window: &mut Window, see: &mut dyn FnMut(&Window, &st
     window.state_mut().compare_sessions(folder.path());
     window.run_steps(8);
     see(window, "history of nothing");
-    let folder = tempfile::tempdir().expect("a folder");
-    keys(window, shifted, Key::L);
-    see(window, "recording, as it opens");
-    let server = TcpListener::bind("127.0.0.1:0").expect("a port");
-    let address = server.local_addr().expect("it has one");
-    type_into(window, "⟦Address⟧", &format!("tcp://{address}"));
-    for name in ["table.txt", "nowhere/table.csv", "table.csv"] {
-        let path = folder.path().join(name).display().to_string();
-        type_into(window, "⟦File⟧", &path);
-        see(window, &format!("recording to {name}"));
-    }
-    press(window, "⟦Record⟧");
-    keys(window, shifted, Key::L);
-    see(window, "recording");
-    keys(window, Modifiers::NONE, Key::Escape);
-    press(window, "⟦Stop recording⟧");
 }
