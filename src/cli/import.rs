@@ -9,8 +9,8 @@ use clap::builder::PossibleValuesParser;
 use crate::atomic::refuse_to_replace_inputs;
 use crate::explain::{self, Detail};
 use crate::importers::{
-    AngleUnit, Companion, Decimal, IMPORTERS, LengthUnit, Matching, Motion, Reading, Separator,
-    Settings, TimeUnit, find,
+    AngleUnit, Companion, Decimal, IMPORTERS, LengthUnit, Matching, Reading, Separator, Settings,
+    TimeUnit, find,
 };
 use crate::pipeline::{self, import, save, save_with_samples, write_inline};
 use crate::present::import_v1::document;
@@ -108,9 +108,6 @@ pub(crate) struct Import {
     /// Reflectors in the tool frame: name, x, y, z
     #[arg(long, value_name = "FILE")]
     targets: Option<PathBuf>,
-    /// With --match time, what becomes a sample: the mean of each stop, or every measurement
-    #[arg(long, value_name = "WHICH", default_value = "auto", value_parser = PossibleValuesParser::new(["auto", "stops", "all"]))]
-    motion: String,
     /// With --match time, the seconds to add to a measured time [default: found from the motion]
     #[arg(long, value_name = "S", allow_negative_numbers = true)]
     clock_offset: Option<f64>,
@@ -150,11 +147,6 @@ impl Import {
             matching,
             commands_columns: self.commands_columns.clone(),
             in_measuring_order: self.in_measuring_order,
-            motion: match self.motion.as_str() {
-                "stops" => Motion::Stops,
-                "all" => Motion::All,
-                _ => Motion::Auto,
-            },
             clock_offset_s: self.clock_offset,
             reference: companion(self.reference.as_deref(), reference.as_deref()),
             scale: self.scale,

@@ -198,13 +198,8 @@ actions! {
         |_| say!("Report details…").into(), |_| Command::sheet(Sheet::DETAILS), [when(MEASURED)];
     HISTORY: SHIFTED, H, phrase!("compare the sessions of this machine"), |_| say!("History of the machine…").into(),
         |now| now.workbench.compare_here();
-    RECORD: SHIFTED, L, phrase!("record from an instrument"), |_| say!("Record from instrument…").into(),
-        |_| Command::sheet(Sheet::RECORDING);
     RELOAD: COMMAND, R, phrase!("read the file again"), |_| say!("Read the file again").into(),
         |_| Command::Reload, [when(need(|now| now.workbench.file().is_some(), phrase!("The session has not been saved yet")))];
-    FOLLOW: COMMAND, L, phrase!("follow the file, or stop"), follow_says,
-        |now| Command::Follow(now.workbench.following().is_none()),
-        [when(need(|now| now.workbench.following().is_some() || now.workbench.samples_file().is_some(), phrase!("The samples are in no file of their own")))];
     QUIT: COMMAND, Q, phrase!("quit"), |_| say!("Quit").into(), |_| Command::Leave;
     IDENTIFY: COMMAND, I, phrase!("identify"), |_| say!("Identify").into(),
         |_| Command::Edit(Edit::Identify), [when(MEASURED)];
@@ -342,16 +337,6 @@ fn exclude_says(now: WindowState<'_>) -> String {
         ref all if are_excluded(now) => say!("Include {count} samples again", count = all.len()),
         ref all => say!("Exclude {count} samples", count = all.len()),
     }
-}
-
-fn follow_says(now: WindowState<'_>) -> String {
-    let follows = now.workbench.following().is_some();
-    let says = if follows {
-        say!("Stop following the file")
-    } else {
-        say!("Follow the file as it grows")
-    };
-    says.to_owned()
 }
 
 /// What opens the right-hand side, or shuts it.

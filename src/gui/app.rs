@@ -10,7 +10,6 @@ use egui::{CentralPanel, Context, Frame, Margin, Panel, Ui, ViewportCommand};
 
 use crate::fonts::Library;
 
-use super::file_state::watcher;
 use super::preferences::{Preferences, largest_zoom};
 use super::view::{Arrangement, Canvas, Sheet};
 use super::{actions, dialogs, files, layers, widgets};
@@ -51,9 +50,8 @@ pub struct App {
     /// The language that was wanted last.
     wanted: Language,
     title: String,
-    /// When recovery is written next, and when the disk is looked at, in the window's seconds.
+    /// When recovery is written next, in the window's seconds.
     recovery_due: Option<f64>,
-    look_due: f64,
 }
 
 /// So much memory stays with the program between frames, bytes; the meshes of a full window take a tenth of it.
@@ -97,7 +95,6 @@ impl App {
             wanted: Language::English,
             title: String::new(),
             recovery_due: None,
-            look_due: 0.0,
         }
     }
 
@@ -333,8 +330,8 @@ impl App {
         self.shown = wanted;
     }
 
-    /// What is done from time to time: recovery a moment after a change, and a look at the disk
-    /// where no thread does it.
+    /// What is done at its time: recovery a moment after a change, and a look at the disk when one comes back to the
+    /// window from another program.
     fn keep_time(&mut self, ctx: &Context) {
         let now = ctx.input(|i| i.time);
         if self.workbench.recovery_lags() {
@@ -348,10 +345,8 @@ impl App {
         } else {
             self.recovery_due = None;
         }
-        if self.workbench.wants_looking() && now >= self.look_due {
-            self.look_due = now + watcher::EVERY.as_secs_f64();
+        if ctx.input(|i| i.events.contains(&egui::Event::WindowFocused(true))) {
             self.workbench.execute(Command::LookAtDisk);
-            self.workbench.receive();
         }
     }
 

@@ -44,9 +44,6 @@ pub(crate) struct Jobs<B> {
     last_id: u64,
 }
 
-/// What is posted belongs to no job.
-const POSTED: u64 = 0;
-
 impl<B: 'static> Jobs<B> {
     pub(crate) fn new(runner: Runner, wake: Wake) -> Self {
         let (sender, receiver) = channel();
@@ -56,12 +53,8 @@ impl<B: 'static> Jobs<B> {
             sender,
             receiver,
             running: Vec::new(),
-            last_id: POSTED,
+            last_id: 0,
         }
-    }
-
-    pub(crate) fn runner(&self) -> Runner {
-        self.runner
     }
 
     /// Starts a job: `work` is done in the background, `then` with its result by the poller.
@@ -119,15 +112,6 @@ impl<B: 'static> Jobs<B> {
         self.start(Kind::Quiet, "", move |_| work(), then);
     }
 
-    /// A way in for what happens outside of jobs.
-    pub(crate) fn post(&self) -> impl Fn(Outcome<B>) + Send + 'static {
-        let (sender, wake) = (self.sender.clone(), Arc::clone(&self.wake));
-        move |outcome| {
-            let _ = sender.send((POSTED, Some(outcome)));
-            wake();
-        }
-    }
-
     /// The job that the status bar names: the newest.
     pub(crate) fn newest(&self) -> Option<&Running> {
         self.running.iter().rfind(|r| r.kind.has_a_name())
@@ -163,12 +147,9 @@ impl<B: 'static> Jobs<B> {
     pub(crate) fn poll(&mut self) -> Vec<(Kind, Option<Outcome<B>>)> {
         let mut arrived = Vec::new();
         while let Ok((id, outcome)) = self.receiver.try_recv() {
-            let place = self.running.iter().position(|r| r.id == id);
-            match place {
-                Some(place) => arrived.push((self.running.remove(place).kind, outcome)),
-                None if id == POSTED => arrived.push((Kind::Quiet, outcome)),
-                // It was cancelled.
-                None => {}
+            // Otherwise it was cancelled.
+            if let Some(place) = self.running.iter().position(|r| r.id == id) {
+                arrived.push((self.running.remove(place).kind, outcome));
             }
         }
         arrived

@@ -237,7 +237,6 @@ impl Job<'_> {
         };
         let used: Vec<usize> = used.unwrap_or_default().into_iter().map(index).collect();
         let timing = Timing {
-            motion: self.settings.motion,
             offset_s: self.settings.clock_offset_s,
             is_recorded,
         };

@@ -2,7 +2,6 @@
 
 use crate::diagnostic::{Diagnostic, Place, Rejected};
 use crate::importers::clock::ClockOffset;
-use crate::importers::join::Motion;
 use crate::importers::matching::Matching;
 use crate::importers::reference::Alignment;
 use crate::importers::settings::{Inspection, Reading};
@@ -41,8 +40,6 @@ pub struct Settings<'a> {
     /// How commands find their measurements; `None`: by name where both have the same names in another order, else by
     /// order.
     pub matching: Option<Matching>,
-    /// Which points of a recording become samples, matched by time.
-    pub motion: Motion,
     /// What to add to a measured time to get the time of the commands, s; `None`: it is found.
     pub clock_offset_s: Option<f64>,
     /// What the columns of the commands are, in the words of [`Reading::columns`]; empty: their
@@ -68,7 +65,6 @@ impl<'a> Settings<'a> {
             name: "imported".to_owned(),
             commands: None,
             matching: None,
-            motion: Motion::Auto,
             clock_offset_s: None,
             commands_columns: Vec::new(),
             in_measuring_order: false,

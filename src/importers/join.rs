@@ -22,22 +22,9 @@ use crate::kinematics::{JointKind, Robot};
 use crate::sessions::columns::{Quantity, Unit};
 use crate::tables::Cells;
 
-/// Which points of a recording become samples.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Motion {
-    /// Those of the stops if most were measured there, else all.
-    #[default]
-    Auto,
-    /// A mean for each stop; what was measured in motion is left out.
-    Stops,
-    /// All, in motion too.
-    All,
-}
-
 /// What the person says about time.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Timing {
-    pub(crate) motion: Motion,
     pub(crate) offset_s: Option<f64>,
     /// The commands are where the robot was read to be, with the noise of its encoders.
     pub(crate) is_recorded: bool,
@@ -115,11 +102,6 @@ pub(crate) fn by_time(
             phrase!("recordings of the same time, or another --clock-offset"),
         );
     }
-    let by_stops = match timing.motion {
-        Motion::Stops => true,
-        Motion::All => false,
-        Motion::Auto => standing as f64 >= MOSTLY * inside as f64,
-    };
     let mut findings = Vec::new();
     findings.extend(left_outside(&measured, &usable, measured_place));
     let robot_kinds: Vec<JointKind> = robot.joints.iter().map(|joint| joint.kind).collect();
@@ -131,11 +113,7 @@ pub(crate) fn by_time(
         resolution: path.resolution(&stops, timing.is_recorded),
         is_recorded: timing.is_recorded,
     };
-    let (columns, left) = if by_stops {
-        if standing == 0 {
-            let found = text!("no measurement falls into a stop of the commands");
-            return refused(measured_place, found, phrase!("--motion all"));
-        }
+    let (columns, left) = if standing as f64 >= MOSTLY * inside as f64 {
         job.at_stops(
             measured,
             commands,
@@ -145,7 +123,7 @@ pub(crate) fn by_time(
             &mut findings,
         )
     } else {
-        if standing > 0 && inside > standing && timing.motion == Motion::Auto {
+        if standing > 0 && inside > standing {
             let found = text!(
                 "{standing} of {inside} measurements were taken at stops: all are kept, with their speeds",
                 standing,

@@ -51,7 +51,6 @@ pub use clock::ClockOffset;
 pub use formats::{IMPORTERS, Importer, Meanings, OwnOption, Questions, find};
 pub use inspect::{inspect, inspect_watched};
 pub use job::{Companion, Imported, Matched, Settings};
-pub use join::Motion;
 pub use matching::Matching;
 #[cfg(feature = "gui")]
 pub(crate) use options::EULER;

@@ -34,7 +34,6 @@ pub(crate) mod validation;
 
 pub use crate::atomic::WriteError;
 pub use crate::tables::Lines;
-pub use built::SessionBuilder;
 pub(crate) use correction::DAY_S;
 pub use correction::{Corrected, SessionCorrection};
 pub use division::{MOST_REGIONS, RegionChoice, RegionError, range_to_divide};
@@ -42,13 +41,11 @@ pub(crate) use domain::default_targets;
 pub use domain::{
     Instrument, Region, Samples, Session, Setups, Sigma, Target, Tracker, UnknownColumn,
 };
-pub use files::growing::{Growing, Growth};
 pub use files::hash::hash_of_samples;
 pub use files::load::{Loaded, load, load_watched, parse, parse_with_csv};
 pub use files::load_robot::{LoadedRobot, load_robot, parse_robot};
 pub use files::open::read_document as read_whole;
 #[cfg(feature = "gui")]
-pub(crate) use files::save::save_document;
 pub use files::save::{
     Replacing, robot_document, samples_path, save, save_watched, save_with_samples, write_csv,
     write_inline,

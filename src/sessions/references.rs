@@ -167,15 +167,11 @@ macro_rules! column {
     };
 }
 
-/// Columns, to be read and to be changed, from one list: what each holds, its label in the hash, its field.
+/// Columns from one list: what each holds, its label in the hash, its field.
 macro_rules! columns {
-    ($all:ident, $all_mut:ident, $count:literal of $cell:ty: $($quantity:ident $label:literal $column:ident,)*) => {
+    ($all:ident, $count:literal of $cell:ty: $($quantity:ident $label:literal $column:ident,)*) => {
         pub(crate) fn $all(&self) -> [ObservedColumn<&Option<Vec<$cell>>>; $count] {
             [$(column!($quantity $label $column, &self.$column)),*]
-        }
-
-        pub(crate) fn $all_mut(&mut self) -> [ObservedColumn<&mut Option<Vec<$cell>>>; $count] {
-            [$(column!($quantity $label $column, &mut self.$column)),*]
         }
     };
 }
@@ -183,17 +179,26 @@ macro_rules! columns {
 /// Whatever is done to every column asks these lists; the compiler finds a column that is missing here only where rows
 /// are picked (`rows.rs`).
 impl ObservedColumns {
-    columns!(numbers, numbers_mut, 3 of f64:
+    columns!(numbers, 3 of f64:
         Distance "distance" distance_mm,
         Azimuth "azimuth" azimuth,
         Elevation "elevation" elevation,
     );
-    columns!(names, names_mut, 4 of Option<u32>:
+    columns!(names, 4 of Option<u32>:
         Anchor "anchor" anchor,
         Station "station" station,
         Plane "plane" plane,
         Socket "socket" socket,
     );
+
+    /// The columns of numbers, to be changed.
+    pub(crate) fn numbers_mut(&mut self) -> [ObservedColumn<&mut Option<Vec<f64>>>; 3] {
+        [
+            column!(Distance "distance" distance_mm, &mut self.distance_mm),
+            column!(Azimuth "azimuth" azimuth, &mut self.azimuth),
+            column!(Elevation "elevation" elevation, &mut self.elevation),
+        ]
+    }
 
     /// Whether no sample has anything here.
     pub fn is_empty(&self) -> bool {

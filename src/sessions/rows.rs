@@ -90,87 +90,6 @@ impl Samples {
             line,
         }
     }
-
-    /// Puts more samples behind these. A column that only one of them has is filled with missing
-    /// values; both have the same number of joints.
-    pub fn append(&mut self, more: Self) {
-        let (before, added) = (self.len(), more.len());
-        for (column, more) in self.q.iter_mut().zip(more.q) {
-            column.extend(more);
-        }
-        for (columns, more) in [
-            (&mut self.q_read, more.q_read),
-            (&mut self.dir, more.dir),
-            (&mut self.speed, more.speed),
-            (&mut self.torque_nm, more.torque_nm),
-            (&mut self.joint_temperature_c, more.joint_temperature_c),
-        ] {
-            let joints = columns.len().max(more.len());
-            columns.resize(joints, None);
-            let more = more.into_iter().chain(std::iter::repeat(None));
-            for (column, more) in columns.iter_mut().zip(more) {
-                extend(column, more, before, added);
-            }
-        }
-        self.x_mm.extend(more.x_mm);
-        self.y_mm.extend(more.y_mm);
-        for (column, more) in [
-            (&mut self.z_mm, more.z_mm),
-            (&mut self.load_kg, more.load_kg),
-            (&mut self.temperature_c, more.temperature_c),
-            (&mut self.time_s, more.time_s),
-        ] {
-            extend(column, more, before, added);
-        }
-        self.orientation_wxyz = match (self.orientation_wxyz.take(), more.orientation_wxyz) {
-            (None, None) => None,
-            (here, there) => {
-                let missing = |n: usize| std::array::from_fn(|_| vec![f64::NAN; n]);
-                let mut parts: [Vec<f64>; 4] = here.unwrap_or_else(|| missing(before));
-                let there: [Vec<f64>; 4] = there.unwrap_or_else(|| missing(added));
-                for (part, more) in parts.iter_mut().zip(there) {
-                    part.extend(more);
-                }
-                Some(parts)
-            }
-        };
-        self.target = match (self.target.take(), more.target) {
-            (None, None) => None,
-            (here, there) => {
-                let mut target = here.unwrap_or_else(|| vec![0; before]);
-                target.extend(there.unwrap_or_else(|| vec![0; added]));
-                Some(target)
-            }
-        };
-        append_observed(&mut self.observed, more.observed, before, added);
-        self.setups = together(self.setups.take(), more.setups, before, added);
-        for (column, more) in [
-            (&mut self.held_out, more.held_out),
-            (&mut self.excluded, more.excluded),
-        ] {
-            if column.is_some() || more.is_some() {
-                let marks = column.get_or_insert_with(|| vec![false; before]);
-                marks.extend(more.unwrap_or_else(|| vec![false; added]));
-            }
-        }
-        for column in more.unknown {
-            let known = self.unknown.iter().position(|c| c.name == column.name);
-            let known = known.unwrap_or_else(|| {
-                self.unknown.push(UnknownColumn {
-                    name: column.name.clone(),
-                    cells: vec![String::new(); before],
-                });
-                self.unknown.len() - 1
-            });
-            self.unknown[known].cells.extend(column.cells);
-        }
-        for column in &mut self.unknown {
-            column.cells.resize(before + added, String::new());
-        }
-        for row in 0..more.line.len() {
-            self.line.add(more.line.get(row).unwrap_or(0), 1);
-        }
-    }
 }
 
 fn picked<T: Clone>(column: &[T], rows: &[Option<usize>], empty: T) -> Vec<T> {
@@ -198,70 +117,6 @@ impl Session {
             path: self.path.clone(),
         }
     }
-}
-
-fn extend(column: &mut Option<Vec<f64>>, more: Option<Vec<f64>>, before: usize, added: usize) {
-    *column = match (column.take(), more) {
-        (None, None) => None,
-        (here, there) => {
-            let mut column = here.unwrap_or_else(|| vec![f64::NAN; before]);
-            column.extend(there.unwrap_or_else(|| vec![f64::NAN; added]));
-            Some(column)
-        }
-    };
-}
-
-fn append_observed(
-    here: &mut ObservedColumns,
-    mut more: ObservedColumns,
-    before: usize,
-    added: usize,
-) {
-    for (column, more) in here.numbers_mut().into_iter().zip(more.numbers_mut()) {
-        extend(column.values, more.values.take(), before, added);
-    }
-    for (column, more) in here.names_mut().into_iter().zip(more.names_mut()) {
-        *column.values = match (column.values.take(), more.values.take()) {
-            (None, None) => None,
-            (here, there) => {
-                let mut column = here.unwrap_or_else(|| vec![None; before]);
-                column.extend(there.unwrap_or_else(|| vec![None; added]));
-                Some(column)
-            }
-        };
-    }
-}
-
-/// Setups by their names: the same name is the same frame.
-fn together(
-    here: Option<Setups>,
-    there: Option<Setups>,
-    before: usize,
-    added: usize,
-) -> Option<Setups> {
-    if here.is_none() && there.is_none() {
-        return None;
-    }
-    let unnamed = |n: usize| Setups {
-        names: vec![String::new()],
-        index: vec![0; n],
-    };
-    let mut all = here.unwrap_or_else(|| unnamed(before));
-    let more = there.unwrap_or_else(|| unnamed(added));
-    let mut place = Vec::with_capacity(more.names.len());
-    for name in more.names {
-        let known = all.names.iter().position(|n| *n == name);
-        place.push(known.unwrap_or_else(|| {
-            all.names.push(name);
-            all.names.len() - 1
-        }));
-    }
-    let index = more.index.into_iter().map(|i| {
-        let place = place.get(i as usize).copied().unwrap_or(0);
-        u32::try_from(place).unwrap_or(0)
-    });
-    all.index.extend(index);
-    Some(all)
 }
 
 #[cfg(test)]
@@ -292,18 +147,6 @@ mod tests {
     /// NaN equals NaN here.
     fn same(a: &Samples, b: &Samples) -> bool {
         format!("{a:?}") == format!("{b:?}")
-    }
-
-    #[test]
-    fn samples_in_two_parts_are_the_samples_in_one() {
-        for cut in 1..ROWS.len() {
-            let mut together = samples(&ROWS[..cut]);
-            together.append(samples(&ROWS[cut..]));
-            assert!(
-                same(&together, &samples(&ROWS)),
-                "cut at {cut}: {together:?}"
-            );
-        }
     }
 
     #[test]

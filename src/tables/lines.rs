@@ -59,14 +59,6 @@ impl Lines {
         }
         self.rows += count;
     }
-
-    /// The same rows `by` lines further down.
-    pub(crate) fn moved_down(mut self, by: u64) -> Self {
-        for run in &mut self.runs {
-            run.first_line += by;
-        }
-        self
-    }
 }
 
 #[cfg(test)]

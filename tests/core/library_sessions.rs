@@ -57,18 +57,15 @@ pub(crate) fn sound(joints: usize) -> Session {
         at + Vector3::new(scatter(12.9), scatter(7.7), scatter(5.1))
     };
     let points: Vec<Point3<f64>> = q.iter().enumerate().map(seen).collect();
-    let side = |row: usize| vec![if row % 2 == 0 { 1.0 } else { -1.0 }; joints];
-    let times: Vec<f64> = (0..rows).map(|row| 5.0 * row as f64).collect();
-    Session::builder(robot.clone(), &q)
-        .points_mm(&points)
-        .directions(&(0..rows).map(side).collect::<Vec<_>>())
-        .time_s(&times)
-        .sigma_mm(0.02)
-        .target("T1", Point3::origin())
-        .load_kg(&vec![0.0; rows])
-        .temperature_c(&vec![21.0; rows])
-        .build()
-        .unwrap()
+    let mut session = Session::new(robot.clone(), &q, &points).unwrap();
+    let samples = &mut session.samples;
+    let side = |row: usize| if row % 2 == 0 { 1.0 } else { -1.0 };
+    samples.dir = vec![Some((0..rows).map(side).collect()); joints];
+    samples.time_s = Some((0..rows).map(|row| 5.0 * row as f64).collect());
+    samples.load_kg = Some(vec![0.0; rows]);
+    samples.temperature_c = Some(vec![21.0; rows]);
+    session.instrument.sigma_mm = Some(Sigma::Overall(0.02));
+    session.checked().unwrap()
 }
 
 pub(crate) fn calibrated(session: &Session) -> Calibration {

@@ -9,8 +9,7 @@ use std::path::{Path, PathBuf};
 use nalgebra::{Isometry3, Matrix3, Point3, Rotation3, Translation3, UnitQuaternion, Vector3};
 use serde_json::Value;
 use truepose::importers::{
-    About, Companion, Imported, LengthUnit, Matching, Motion, Reading, Settings, find, import,
-    inspect,
+    About, Companion, Imported, LengthUnit, Matching, Reading, Settings, find, import, inspect,
 };
 use truepose::kinematics::Robot;
 use truepose::sessions::{Session, load_robot, parse, write_inline};
@@ -215,9 +214,7 @@ fn topics_and_joints_are_chosen_by_name_and_wrong_names_are_answered() {
     let robot = robot();
     let recording = bytes("arm-ros2.mcap");
     let with = |options: &[(&'static str, &str)]| {
-        let mut settings = Settings::new(reading("mcap", options), &robot);
-        settings.motion = Motion::Stops;
-        import(&recording, &settings)
+        import(&recording, &Settings::new(reading("mcap", options), &robot))
     };
     let same = with(&[
         ("topic-measured", "tracker/pose"),

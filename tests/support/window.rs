@@ -95,6 +95,12 @@ pub fn there(window: &Window, label: &str) -> bool {
     window.query_all_by_label(label).count() > 0
 }
 
+/// One comes back to the window from another program.
+pub fn come_back(window: &mut Window) {
+    window.event(egui::Event::WindowFocused(true));
+    window.run_steps(4);
+}
+
 /// Frames are a quarter of a second apart.
 pub fn seconds(window: &mut Window, seconds: usize) {
     window.run_steps(4 * seconds);

@@ -6,7 +6,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use crate::window::{Window, copy_of, keys, press, says, seconds, there, window_at};
+use crate::window::{Window, come_back, copy_of, keys, press, says, seconds, there, window_at};
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::Queryable;
 
@@ -392,7 +392,7 @@ fn a_file_that_vanished_before_it_is_saved_is_written_again() {
     window.run_steps(4);
     fs::remove_file(&session).expect("removed");
     fs::remove_file(session.with_extension("csv")).expect("removed");
-    seconds(&mut window, 3);
+    come_back(&mut window);
     assert!(says(&window, ": file not found"), "it is said");
     keys(&mut window, Modifiers::COMMAND, Key::S);
     assert!(session.exists(), "the session is in its file again");

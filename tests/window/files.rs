@@ -4,8 +4,8 @@
 use std::fs;
 
 use crate::window::{
-    Window, choose, copy_of, keys, open, press, says, seconds, status, there, type_tolerance,
-    window_at,
+    Window, choose, come_back, copy_of, keys, open, press, says, seconds, status, there,
+    type_tolerance, window_at,
 };
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::Queryable;
@@ -127,13 +127,13 @@ fn a_file_that_another_program_changed_is_noticed_and_not_replaced_in_silence() 
     let session = copy_of("paper-30", folder.path());
     let samples = folder.path().join("paper-30.csv");
     let mut window = window_at(Some(session.clone()), None);
-    seconds(&mut window, 2);
+    come_back(&mut window);
     assert!(!says(&window, "another program"));
     let text = fs::read_to_string(&samples).expect("the samples");
     let shorter: Vec<&str> = text.lines().take(21).collect();
     let theirs = format!("{}\n", shorter.join("\n"));
     fs::write(&samples, &theirs).expect("written");
-    seconds(&mut window, 2);
+    come_back(&mut window);
     assert!(says(&window, "paper-30.csv was changed by another program"));
     assert!(
         says(&window, "30 samples · RMS error"),
@@ -141,6 +141,8 @@ fn a_file_that_another_program_changed_is_noticed_and_not_replaced_in_silence() 
     );
 
     press(&mut window, "Keep this version");
+    come_back(&mut window);
+    assert!(!says(&window, "another program"), "said once");
     divide(&mut window);
     keys(&mut window, Modifiers::COMMAND, Key::S);
     assert!(says(&window, "Replace what another program wrote?"));
@@ -153,9 +155,9 @@ fn a_file_that_another_program_changed_is_noticed_and_not_replaced_in_silence() 
     assert_eq!(written.lines().count(), 31);
 
     // The other way: read theirs, and undo brings ours back.
-    seconds(&mut window, 2);
+    come_back(&mut window);
     fs::write(&samples, &theirs).expect("written");
-    seconds(&mut window, 2);
+    come_back(&mut window);
     press(&mut window, "Reload");
     assert!(says(&window, "20 samples · RMS error"));
     keys(&mut window, Modifiers::COMMAND, Key::Z);
@@ -168,7 +170,7 @@ fn a_file_that_vanished_is_said_and_can_be_saved_again() {
     let session = copy_of("paper-30", folder.path());
     let mut window = window_at(Some(session.clone()), None);
     fs::remove_file(&session).expect("removed");
-    seconds(&mut window, 2);
+    come_back(&mut window);
     assert!(says(&window, "paper-30.json: file not found"));
     keys(&mut window, Modifiers::COMMAND, Key::S);
     assert!(session.exists() && says(&window, "Saved"));
@@ -183,15 +185,14 @@ fn samples_that_vanished_are_said_even_after_they_were_changed_and_can_be_saved_
     let text = fs::read_to_string(&samples).expect("the samples");
     let mut window = window_at(Some(session), None);
     fs::write(&samples, format!("{text}garbage\n")).expect("written");
-    seconds(&mut window, 2);
+    come_back(&mut window);
     assert!(says(&window, "paper-30.csv was changed by another program"));
     fs::remove_file(&samples).expect("removed");
-    seconds(&mut window, 2);
+    come_back(&mut window);
     assert!(says(&window, "paper-30.csv: file not found"));
     // Reading again what is not there says so, not where a document names it.
     press(&mut window, "Keep this version");
     keys(&mut window, Modifiers::COMMAND, Key::R);
-    seconds(&mut window, 1);
     assert!(says(&window, "paper-30.csv: file not found"));
     assert!(says(&window, "saving writes it again") && !says(&window, "samples.file"));
     press(&mut window, "Save it again");
@@ -201,10 +202,10 @@ fn samples_that_vanished_are_said_even_after_they_were_changed_and_can_be_saved_
     // What is put back as it was is no change.
     let ours = fs::read(&samples).expect("ours");
     fs::remove_file(&samples).expect("removed");
-    seconds(&mut window, 2);
+    come_back(&mut window);
     assert!(says(&window, "paper-30.csv: file not found"));
     fs::write(&samples, ours).expect("put back");
-    seconds(&mut window, 2);
+    come_back(&mut window);
     assert!(!says(&window, "file not found"));
 }
 

@@ -324,18 +324,9 @@ fn open_the_others(
     see: &mut dyn FnMut(&Window, &str),
 ) {
     let escape = |window: &mut Window| keys(window, Modifiers::NONE, Key::Escape);
-    for (name, modifiers, key) in [
-        (
-            "report details",
-            Modifiers::COMMAND.plus(Modifiers::ALT),
-            Key::R,
-        ),
-        ("recording", SHIFTED, Key::L),
-    ] {
-        keys(window, modifiers, key);
-        see(window, name);
-        escape(window);
-    }
+    keys(window, Modifiers::COMMAND.plus(Modifiers::ALT), Key::R);
+    see(window, "report details");
+    escape(window);
     keys(window, SHIFTED, Key::N);
     press(window, &said_in(language, "As a table…"));
     see(window, "a robot as a table");

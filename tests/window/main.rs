@@ -22,7 +22,6 @@ mod disk;
 mod dropped;
 mod export;
 mod files;
-mod follow;
 mod frame;
 mod friction;
 mod gap;

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::window::{Window, copy_of, open, press, says, seconds, there, window_of};
+use crate::window::{Window, come_back, copy_of, open, press, says, there, window_of};
 use egui::Rect;
 use egui::accesskit::Role;
 use egui_kittest::kittest::{NodeT, Queryable};
@@ -36,7 +36,7 @@ fn a_message_and_a_file_that_changed_move_no_plot_and_lie_on_none() {
         let rows = session.with_extension("csv");
         let text = std::fs::read_to_string(&rows).expect("a copy");
         std::fs::write(&rows, format!("{text}\n")).expect("written");
-        seconds(&mut window, 4);
+        come_back(&mut window);
         assert!(says(&window, "was changed by another program"));
         assert_eq!(plots(&window), before, "{size:?}: a file that changed");
         // Both can be read and answered, and neither is over a plot.

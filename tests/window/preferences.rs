@@ -90,7 +90,7 @@ fn the_keys_do_what_the_menus_say() {
     keys(&mut window, Modifiers::COMMAND, Key::I);
     assert!(status(&window).contains('→'));
     keys(&mut window, Modifiers::COMMAND | Modifiers::SHIFT, Key::K);
-    assert!(says(&window, "follow the file, or stop"));
+    assert!(says(&window, "read the file again"));
     window.key_press(Key::Escape);
     window.run_steps(4);
     keys(&mut window, Modifiers::NONE, Key::F1);

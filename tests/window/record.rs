@@ -1,11 +1,8 @@
 //! The record of a machine: what its report states, and how it changed from session to session.
 
-use std::io::Write;
-use std::net::TcpListener;
 use std::path::Path;
-use std::time::Duration;
 
-use crate::window::{Window, choose, copy_of, keys, open, press, says, seconds, there, window_at};
+use crate::window::{Window, choose, copy_of, keys, open, press, says, there, window_at};
 use egui::accesskit::Role;
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::{NodeT, Queryable};
@@ -216,97 +213,8 @@ fn a_folder_without_sessions_says_so() {
     assert!(says(&window, "expected a folder with truepose-session/1"));
 }
 
-/// Frames until the window says this, as lines come over a socket of this machine.
-fn wait_until(window: &mut Window, part: &str) {
-    for _ in 0..400 {
-        seconds(window, 1);
-        if says(window, part) {
-            return;
-        }
-        std::thread::sleep(Duration::from_millis(25));
-    }
-    panic!("nothing says: {part}");
-}
-
-#[test]
-fn lines_of_an_instrument_become_samples_while_its_connection_breaks_and_comes_back() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let session = copy_of("lamp-commissioning", folder.path());
-    let text = std::fs::read_to_string(session.with_extension("csv")).expect("the samples");
-    let lines: Vec<&str> = text.lines().collect();
-    let server = TcpListener::bind("127.0.0.1:0").expect("a port");
-    let address = format!("tcp://{}", server.local_addr().expect("it has one"));
-    let mut window = window_at(Some(session), None);
-    let sheet = |window: &mut Window| {
-        choose(window, "File", "Record from instrument…");
-        window.run_steps(4);
-    };
-    sheet(&mut window);
-    type_into(&mut window, "Address", "tracker:4000");
-    assert!(says(&window, "expected tcp://HOST:PORT"));
-    type_into(&mut window, "Address", &address);
-    let file = folder.path().join("lamp-commissioning.csv");
-    type_into(&mut window, "File", &file.display().to_string());
-    assert!(says(&window, "nothing is replaced by a recording"));
-    let file = folder.path().join("today.csv");
-    type_into(&mut window, "File", &file.display().to_string());
-    press(&mut window, "Record");
-
-    let (mut stream, _) = server.accept().expect("the window connects");
-    let first = lines[..=60].join("\n") + "\n";
-    stream.write_all(first.as_bytes()).expect("sent");
-    wait_until(&mut window, "recording · 60 lines · connected");
-    wait_until(&mut window, "60 samples · RMS error");
-    let half = &lines[61][..lines[61].len() / 2];
-    stream.write_all(half.as_bytes()).expect("sent");
-    drop(stream);
-    wait_until(&mut window, "tries again");
-
-    let (mut stream, _) = server.accept().expect("the window connects again");
-    let more = format!(
-        "{}\n\u{7}rm -rf ~\n{}\n",
-        lines[0],
-        lines[61..=70].join("\n")
-    );
-    stream.write_all(more.as_bytes()).expect("sent");
-    wait_until(&mut window, "recording · 70 lines · 2 excluded · connected");
-    wait_until(&mut window, "70 samples · RMS error");
-    sheet(&mut window);
-    assert!(says(&window, "Last excluded"));
-    keys(&mut window, Modifiers::NONE, Key::Escape);
-    press(&mut window, "Stop recording");
-    assert!(!says(&window, "recording ·") || says(&window, "Recorded"));
-    assert!(!there(&window, "Stop recording"));
-    let recorded = std::fs::read_to_string(&file).expect("the table");
-    assert_eq!(recorded.lines().collect::<Vec<_>>(), lines[..=70]);
-    let read = truepose::sessions::load(folder.path().join("today.json"));
-    assert_eq!(read.expect("a session").session.samples.len(), 70);
-}
-
-#[test]
-fn lines_of_other_columns_are_opened_as_what_an_instrument_wrote() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let session = copy_of("paper-30", folder.path());
-    let server = TcpListener::bind("127.0.0.1:0").expect("a port");
-    let mut window = window_at(Some(session), None);
-    choose(&mut window, "File", "Record from instrument…");
-    window.run_steps(4);
-    let address = format!("tcp://{}", server.local_addr().expect("it has one"));
-    type_into(&mut window, "Address", &address);
-    let file = folder.path().join("points.csv");
-    type_into(&mut window, "File", &file.display().to_string());
-    press(&mut window, "Record");
-    let (mut stream, _) = server.accept().expect("the window connects");
-    let text = "Name X Y Z\nP1 250 0 300\nP2 240 70 300\n";
-    stream.write_all(text.as_bytes()).expect("sent");
-    wait_until(&mut window, "points.csv");
-    wait_until(&mut window, "recording · 2 lines");
-    assert!(!folder.path().join("points.json").exists());
-}
-
 /// Opens the sheets of the record in the marked language, and looks at each as it can stand.
 pub(crate) fn open_records(window: &mut Window, see: &mut dyn FnMut(&Window, &str)) {
-    let shifted = Modifiers::COMMAND.plus(Modifiers::SHIFT);
     keys(window, Modifiers::COMMAND.plus(Modifiers::ALT), Key::R);
     for rule in ["⟦not decided⟧", "⟦simple acceptance⟧", "ISO 14253-1"] {
         press(window, rule);
@@ -326,20 +234,4 @@ pub(crate) fn open_records(window: &mut Window, see: &mut dyn FnMut(&Window, &st
     window.state_mut().compare_sessions(folder.path());
     window.run_steps(8);
     see(window, "history of nothing");
-    let folder = tempfile::tempdir().expect("a folder");
-    keys(window, shifted, Key::L);
-    see(window, "recording, as it opens");
-    let server = TcpListener::bind("127.0.0.1:0").expect("a port");
-    let address = server.local_addr().expect("it has one");
-    type_into(window, "⟦Address⟧", &format!("tcp://{address}"));
-    for name in ["table.txt", "nowhere/table.csv", "table.csv"] {
-        let path = folder.path().join(name).display().to_string();
-        type_into(window, "⟦File⟧", &path);
-        see(window, &format!("recording to {name}"));
-    }
-    press(window, "⟦Record⟧");
-    keys(window, shifted, Key::L);
-    see(window, "recording");
-    keys(window, Modifiers::NONE, Key::Escape);
-    press(window, "⟦Stop recording⟧");
 }

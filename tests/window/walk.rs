@@ -6,8 +6,3 @@ use truepose::gui::walk;
 fn thousands_of_commands_at_random_leave_a_consistent_workbench() {
     walk::thousands_of_commands();
 }
-
-#[test]
-fn lines_that_come_meanwhile_become_samples_and_none_is_lost() {
-    walk::live::lines_that_come_meanwhile();
-}

@@ -132,10 +132,6 @@ impl PlotCache {
                 .unwrap_or_else(|| wanted.1.done(scenery.chart_inputs(wanted.0)))
         });
         let charted = charted.collect();
-        // A boundary that is dragged later finds its sums made.
-        if many && loaded_session.single_revolute() {
-            loaded_session.region_totals();
-        }
         let known = heat_of.and_then(|l| l.thinned.clone());
         let thin = || Arc::new(Thinned::of(loaded_session, scenery.answer(), scenery.plane));
         let thinned = (many && scenery.thins).then(|| known.unwrap_or_else(thin));

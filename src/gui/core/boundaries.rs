@@ -1,12 +1,10 @@
-//! Region boundaries as the hand moves them and as they are typed.
+//! Region boundaries as the hand moves them, on the plot or in the table.
 //!
 //! A boundary is an angle at which a region begins or ends; where one region ends and the next
 //! begins at the same angle it is one boundary, and both move together. Regions keep their order
-//! and their names; they never overlap, and none gets narrower than [`NARROWEST_RAD`]. A dragged
-//! boundary stops at its neighbours; a typed one is taken as it is or not at all, and every refusal
-//! names the region, says what is wrong and what to type instead.
+//! and their names; they never overlap, and none gets narrower than [`NARROWEST_RAD`]. A boundary
+//! stops at its neighbours.
 
-use crate::present::units::{AngleUnit, Units, typed_in};
 use crate::sessions::Region;
 use crate::units::{deg_from_rad, rad_from_deg};
 
@@ -137,10 +135,8 @@ pub(crate) fn snapped_rad(rad: f64) -> f64 {
     rad_from_deg((deg_from_rad(rad) / SNAP_DEG).round() * SNAP_DEG)
 }
 
-const TURN_RAD: f64 = std::f64::consts::TAU;
-
 /// An end of a region.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum End {
     /// Where it begins.
     From,
@@ -148,188 +144,13 @@ pub(crate) enum End {
     To,
 }
 
-impl End {
-    /// Where this end of a region is, rad.
-    pub(crate) fn of(self, region: &Region) -> f64 {
-        match self {
-            Self::From => region.from_rad,
-            Self::To => region.to_rad,
-        }
-    }
-}
-
-/// What is being typed for an end of a region and could not be taken over, or not yet.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) struct Typed {
-    pub(crate) region: String,
-    pub(crate) end: End,
-    pub(crate) text: String,
-}
-
-/// The boundary at an end of a region: where another region touches it, it is that one's as well.
-pub(crate) fn joint_at(regions: &[Region], region: usize, end: End) -> Joint {
-    let mut all = boundaries(regions).into_iter().map(|b| b.joint);
-    let this = |joint: &Joint| match end {
-        End::From => joint.above == Some(region),
-        End::To => joint.below == Some(region),
-    };
-    all.find(this).unwrap_or_default()
-}
-
-/// The angle that was typed, rad; the unit is the chosen one unless another stands behind the
-/// number. What is wrong with it otherwise.
-pub(crate) fn angle(text: &str, units: Units) -> Result<f64, String> {
-    let text = text.trim();
-    let (name, example) = match units.angle {
-        AngleUnit::Degree => (say!("degrees"), "−30"),
-        AngleUnit::Radian => (say!("radians"), "−0.5"),
-        AngleUnit::Milliradian => (say!("milliradians"), "−500"),
-        AngleUnit::ArcSecond => (say!("seconds of arc"), "−108000"),
-    };
-    if text.is_empty() {
-        return Err(say!(
-            "the angle is missing; type it in {name}, such as {example}",
-            name,
-            example
-        ));
-    }
-    typed_in(text, units.angle_name().trim(), "rad").map_err(|_| {
-        say!(
-            "'{text}' is not an angle; type a number of {name}, such as {example}",
-            text,
-            name,
-            example
-        )
+/// The boundary at an end of a region, counted as in [`boundaries`]: where another region touches it, it is that one's
+/// as well.
+pub(crate) fn at_end(regions: &[Region], region: usize, end: End) -> Option<usize> {
+    boundaries(regions).iter().position(|b| match end {
+        End::From => b.joint.above == Some(region),
+        End::To => b.joint.below == Some(region),
     })
-}
-
-/// The regions with one boundary exactly there, or why it cannot be there and what could.
-pub(crate) fn placed(
-    regions: &[Region],
-    joint: Joint,
-    at_rad: f64,
-    within: (f64, f64),
-    units: Units,
-) -> Result<Vec<Region>, String> {
-    let say = |rad: f64| units.angle(rad);
-    if !at_rad.is_finite() {
-        return Err(say!("a boundary is an angle; type a number").to_owned());
-    }
-    if within.0 < within.1 && (at_rad < within.0 - SAME_RAD || at_rad > within.1 + SAME_RAD) {
-        let range = format!("{} … {}", say(within.0), say(within.1));
-        let turned = [at_rad - TURN_RAD, at_rad + TURN_RAD];
-        let same = turned
-            .into_iter()
-            .find(|turned| (within.0..=within.1).contains(turned));
-        return Err(match same {
-            Some(same) => say!(
-                "{at} is outside of the joint's range {range}; {same} is the same direction: type that",
-                at = say(at_rad),
-                range,
-                same = say(same)
-            ),
-            None => say!(
-                "{at} is outside of the joint's range {range}; type an angle in it",
-                at = say(at_rad),
-                range
-            ),
-        });
-    }
-    let mut next = regions.to_vec();
-    let missing = say!("there is no such region");
-    if let Some(k) = joint.below {
-        next.get_mut(k).ok_or(missing)?.to_rad = at_rad;
-    }
-    if let Some(k) = joint.above {
-        next.get_mut(k).ok_or(missing)?.from_rad = at_rad;
-    }
-    for k in [joint.below, joint.above].into_iter().flatten() {
-        wide_enough(&next[k], joint.below == Some(k), units)?;
-    }
-    for k in [joint.below, joint.above].into_iter().flatten() {
-        let overlaps = |other: &Region| {
-            next[k].to_rad.min(other.to_rad) - next[k].from_rad.max(other.from_rad) > SAME_RAD
-        };
-        let other = next
-            .iter()
-            .enumerate()
-            .find(|(o, r)| *o != k && overlaps(r));
-        if let Some((_, other)) = other {
-            let free = if joint.below == Some(k) {
-                say!("at most {from}", from = say(other.from_rad))
-            } else {
-                say!("at least {to}", to = say(other.to_rad))
-            };
-            return Err(say!(
-                "region {next} would overlap region {other}, {from} … {to}; type {free}, or merge the two",
-                next = next[k].name,
-                other = other.name,
-                from = say(other.from_rad),
-                to = say(other.to_rad),
-                free
-            ));
-        }
-    }
-    Ok(next)
-}
-
-/// A region begins before it ends, and is wide enough to be told from its neighbours.
-fn wide_enough(region: &Region, at_its_end: bool, units: Units) -> Result<(), String> {
-    let say = |rad: f64| units.angle(rad);
-    let Region {
-        name,
-        from_rad,
-        to_rad,
-    } = region;
-    let width = to_rad - from_rad;
-    // As narrow as it may be, but for rounding.
-    if width >= NARROWEST_RAD * (1.0 - 1e-9) {
-        return Ok(());
-    }
-    let instead = if at_its_end {
-        say!(
-            "type {least} or more",
-            least = say(from_rad + NARROWEST_RAD)
-        )
-    } else {
-        say!("type {most} or less", most = say(to_rad - NARROWEST_RAD))
-    };
-    let quarter = rad_from_deg(90.0);
-    if width.abs() < SAME_RAD {
-        return Err(say!(
-            "region {name} would begin and end at {from}; {instead}",
-            name,
-            from = say(*from_rad),
-            instead
-        ));
-    }
-    if width > 0.0 {
-        return Err(say!(
-            "region {name} would be {width} wide, less than {least}; {instead}",
-            name,
-            width = say(width),
-            least = say(NARROWEST_RAD),
-            instead
-        ));
-    }
-    if *from_rad > quarter && *to_rad < -quarter {
-        return Err(say!(
-            "region {name} would run from {from} over {limit} to {to}; no region does: make two, one to {first} and one from {second}",
-            name,
-            from = say(*from_rad),
-            limit = say(rad_from_deg(180.0)),
-            to = say(*to_rad),
-            first = say(rad_from_deg(180.0)),
-            second = say(rad_from_deg(-180.0))
-        ));
-    }
-    Err(say!(
-        "region {name} would begin at {from}, after its end at {to}; {instead}",
-        name,
-        from = say(*from_rad),
-        to = say(*to_rad),
-        instead
-    ))
 }
 
 /// The regions without one; where it was nothing is corrected. The last one stays.
@@ -383,16 +204,6 @@ pub(crate) fn gaps(regions: &[Region], within: (f64, f64)) -> Vec<(f64, f64)> {
     gaps
 }
 
-/// How an angle stands in a field: in the chosen unit, without it.
-pub(crate) fn shown(rad: f64, units: Units) -> String {
-    match units.angle {
-        AngleUnit::Degree => crate::present::numbers::trimmed(deg_from_rad(rad), 2),
-        AngleUnit::Radian => crate::present::numbers::trimmed(rad, 4),
-        AngleUnit::Milliradian => crate::present::numbers::trimmed(1000.0 * rad, 2),
-        AngleUnit::ArcSecond => crate::present::numbers::trimmed(3600.0 * deg_from_rad(rad), 1),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use crate::sessions::regions::testing::regions;
@@ -437,143 +248,16 @@ mod tests {
         assert_eq!(split[0].to_rad, split[1].from_rad);
     }
 
-    /// Types the end of a region, in degrees, on a joint that reaches from −180° to 180°.
-    fn typed_at(
-        all: &[(f64, f64)],
-        region: usize,
-        end: End,
-        text: &str,
-    ) -> Result<Vec<(f64, f64)>, String> {
-        let all = regions(all);
-        let units = Units::default();
-        let at = angle(text, units)?;
-        let within = (rad_from_deg(-180.0), rad_from_deg(180.0));
-        let next = placed(&all, joint_at(&all, region, end), at, within, units)?;
-        let degrees = |rad: f64| (deg_from_rad(rad) * 1e6).round() / 1e6;
-        let pair = |r: &Region| (degrees(r.from_rad), degrees(r.to_rad));
-        Ok(next.iter().map(pair).collect())
-    }
-
     const THREE: [(f64, f64); 3] = [(0.0, 30.0), (30.0, 60.0), (70.0, 90.0)];
 
     #[test]
-    fn a_boundary_of_two_regions_moves_both_and_one_beside_a_gap_moves_one() {
-        let both = typed_at(&THREE, 0, End::To, "40").expect("there is room");
-        assert_eq!(both, [(0.0, 40.0), (40.0, 60.0), (70.0, 90.0)]);
-        let one = typed_at(&THREE, 1, End::To, "65,5°").expect("there is room");
-        assert_eq!(one, [(0.0, 30.0), (30.0, 65.5), (70.0, 90.0)]);
-        let closed = typed_at(&THREE, 1, End::To, "70").expect("there is room");
-        assert_eq!(closed[1], (30.0, 70.0));
-    }
-
-    #[test]
-    fn every_refusal_names_the_region_and_says_what_to_type() {
-        let says = |region, end, text| {
-            let refused = typed_at(&THREE, region, end, text);
-            refused.expect_err("it makes no sense")
-        };
-        for (region, end, text, parts) in [
-            (
-                1,
-                End::To,
-                "75",
-                ["region 2 would overlap region 3, 70° … 90°", "at most 70°"],
-            ),
-            (
-                2,
-                End::From,
-                "50",
-                ["region 3 would overlap region 2, 30° … 60°", "at least 60°"],
-            ),
-            (
-                0,
-                End::To,
-                "65",
-                [
-                    "region 2 would begin at 65°, after its end at 60°",
-                    "59.5° or less",
-                ],
-            ),
-            (
-                2,
-                End::To,
-                "60",
-                [
-                    "region 3 would begin at 70°, after its end at 60°",
-                    "70.5° or more",
-                ],
-            ),
-            (
-                0,
-                End::To,
-                "0",
-                ["region 1 would begin and end at 0°", "0.5° or more"],
-            ),
-            (
-                2,
-                End::To,
-                "70.2",
-                ["region 3 would be 0.2° wide", "70.5° or more"],
-            ),
-            (
-                2,
-                End::To,
-                "200",
-                [
-                    "200° is outside of the joint's range −180° … 180°",
-                    "−160° is the same direction",
-                ],
-            ),
-            (
-                2,
-                End::To,
-                "1e9",
-                ["outside of the joint's range", "type an angle in it"],
-            ),
-            (2, End::To, "-170", ["over 180° to −170°", "make two"]),
-            (
-                0,
-                End::From,
-                "NaN",
-                ["'NaN' is not an angle", "such as −30"],
-            ),
-            (
-                0,
-                End::From,
-                "thirty",
-                ["'thirty' is not an angle", "a number of degrees"],
-            ),
-            (0, End::From, " ", ["the angle is missing", "in degrees"]),
-            (
-                0,
-                End::From,
-                "inf",
-                ["'inf' is not an angle", "a number of degrees"],
-            ),
-        ] {
-            let found = if text == "-170" {
-                let far = [(0.0, 100.0), (100.0, 150.0)];
-                typed_at(&far, 1, End::To, text).expect_err("it makes no sense")
-            } else {
-                says(region, end, text)
-            };
-            for part in parts {
-                assert!(found.contains(part), "{text}: {found}");
-            }
-        }
-    }
-
-    #[test]
-    fn an_angle_may_be_typed_in_either_unit() {
-        let radians = Units {
-            angle: AngleUnit::Radian,
-            ..Units::default()
-        };
-        assert_eq!(angle("0.5", radians), Ok(0.5));
-        assert_eq!(angle("−0,5 rad", Units::default()), Ok(-0.5));
-        assert!(
-            (angle("90°", radians).expect("degrees") - 0.5 * std::f64::consts::PI).abs() < 1e-15
-        );
+    fn an_end_is_the_boundary_that_two_regions_share_or_its_own_beside_a_gap() {
+        let all = regions(&THREE);
+        assert_eq!(at_end(&all, 0, End::To), Some(1));
+        assert_eq!(at_end(&all, 1, End::From), Some(1));
+        assert_eq!(at_end(&all, 1, End::To), Some(2));
+        assert_eq!(at_end(&all, 2, End::From), Some(3));
+        assert_eq!(at_end(&all, 7, End::From), None);
     }
 
     #[test]

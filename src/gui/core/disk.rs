@@ -50,14 +50,9 @@ impl Fingerprint {
         })
     }
 
-    /// Its length, bytes.
-    pub(crate) fn length(&self) -> u64 {
-        self.length
-    }
-
     /// What became of the file since. A file that has the same contents as then is the same,
-    /// whatever its time says; from then on the new time counts.
-    pub(crate) fn look(&mut self) -> Option<FileChange> {
+    /// whatever its time says.
+    pub(crate) fn look(&self) -> Option<FileChange> {
         let Some((modified, length)) = outside(&self.path) else {
             return Some(FileChange::Vanished);
         };
@@ -66,10 +61,7 @@ impl Fingerprint {
         }
         match hash(&self.path) {
             Err(_) => Some(FileChange::Vanished),
-            Ok(hash) if hash == self.hash => {
-                (self.modified, self.length) = (modified, length);
-                None
-            }
+            Ok(hash) if hash == self.hash => None,
             Ok(_) => Some(FileChange::Changed),
         }
     }
@@ -145,7 +137,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("a.csv");
         fs::write(&path, "1,2").unwrap();
-        let mut print = Fingerprint::of(&path).unwrap();
+        let print = Fingerprint::of(&path).unwrap();
         assert_eq!(print.look(), None);
         let later = SystemTime::UNIX_EPOCH + std::time::Duration::from_hours(1);
         File::options()

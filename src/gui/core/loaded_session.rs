@@ -20,7 +20,7 @@ use crate::model::Positions;
 use crate::progress::{Cancelled, ProgressSpan};
 use crate::sessions::Session;
 
-use super::by_angle::{Angles, RegionTotals};
+use super::by_angle::Angles;
 use super::overview::{Attached, Coverage, Overview, measuring_from_base};
 use crate::gui::core::disk::Fingerprint;
 
@@ -114,8 +114,6 @@ pub(crate) struct LoadedSession {
     pub(crate) joint: JointFrame,
     /// The distance of the farthest reflector from the axis of joint 1 at home, mm.
     pub(crate) arm_mm: f64,
-    /// What regions of it hold, for any boundaries.
-    region_totals: OnceLock<RegionTotals>,
     /// The same for everything that came from one opening, however it was changed since.
     pub(crate) lineage: u64,
     /// The files that it was read from, as they looked then: the document first.
@@ -193,7 +191,6 @@ impl LoadedSession {
             angles: OnceLock::new(),
             coverage,
             drawn: Attached::default(),
-            region_totals: OnceLock::new(),
             base,
             nominal,
             before,
@@ -222,16 +219,6 @@ impl LoadedSession {
         }
     }
 
-    /// The same with other samples: what was found said something about those before.
-    pub(crate) fn with_samples(&self, session: Session) -> Self {
-        let mut next = self.with(session);
-        let n = next.len();
-        for finding in &mut next.findings {
-            finding.samples.retain(|sample| *sample < n);
-        }
-        next
-    }
-
     /// Number of samples.
     pub(crate) fn len(&self) -> usize {
         self.session.samples.len()
@@ -244,17 +231,6 @@ impl LoadedSession {
             let is_fitted = |i: usize| self.usable[i] && !held_out.is_some_and(|h| h[i]);
             Angles::new(&self.session.samples.q[0], is_fitted)
         })
-    }
-
-    /// What regions of it hold, for any boundaries. The first call sorts the samples.
-    pub(crate) fn region_totals(&self) -> &RegionTotals {
-        let make = || RegionTotals::new(&self.session, &self.joint, &self.before);
-        self.region_totals.get_or_init(make)
-    }
-
-    /// The same, if it is made already.
-    pub(crate) fn region_totals_if_made(&self) -> Option<&RegionTotals> {
-        self.region_totals.get()
     }
 
     /// Whether nothing was measured: a model stands by itself.

@@ -1,6 +1,7 @@
 //! Sheets over the window.
 
 mod import;
+mod new_session;
 mod robot_table;
 
 use egui::style::NumberFormatter;
@@ -27,7 +28,6 @@ register! {
     details: details;
     help: about, keys, palette, words;
     history: history;
-    new_session: recording;
     preferences: preferences;
     robots: robots;
     unsaved: recovery;

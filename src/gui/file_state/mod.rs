@@ -1,15 +1,11 @@
-//! What outlives the window, and what changes under it.
+//! What outlives the window.
 //!
 //! - here: preferences and recent files, in one small file of the data folder;
 //! - `machines`: what the reports of machines state;
-//! - `recording`: writes what an instrument sends;
-//! - `recovery`: what is not saved, kept against a crash;
-//! - `watcher`: looks at open files from time to time, and reads a file that grows.
+//! - `recovery`: what is not saved, kept against a crash.
 
 pub(crate) mod machines;
-pub(crate) mod recording;
 pub(crate) mod recovery;
-pub(crate) mod watcher;
 
 use std::fs;
 use std::path::{Path, PathBuf};

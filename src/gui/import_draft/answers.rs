@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use nalgebra::{Point3, Vector3};
 
 use crate::diagnostic::{Diagnostic, Place, Rejected};
-use crate::importers::{Matching, Motion, Reading};
+use crate::importers::{Matching, Reading};
 use crate::kinematics::{Axis, Joint, JointKind, Range, Robot, pose_from_parts, robot_from_file};
 use crate::pipeline;
 use crate::sessions::Target;
@@ -29,8 +29,6 @@ pub(crate) struct ImportAnswers {
     pub(crate) commands: String,
     /// How commands find their measurements; `None`: as their names suggest.
     pub(crate) matching: Option<Matching>,
-    /// What becomes a sample where they are matched by time.
-    pub(crate) motion: Motion,
     /// What to add to a measured time, s; `None`: it is found.
     pub(crate) clock_offset_s: Option<f64>,
     /// Whether the rows are in the order in which they were measured: where a joint came from follows.

@@ -56,7 +56,6 @@ impl Trial {
             name: answers.name.trim().to_owned(),
             commands: commands.as_ref().map(companion),
             matching: answers.matching,
-            motion: answers.motion,
             clock_offset_s: answers.clock_offset_s,
             reference: reference.as_ref().map(companion),
             scale: answers.scale && reference.is_some(),
@@ -139,7 +138,7 @@ pub(super) fn in_words(findings: &[Diagnostic]) -> Vec<String> {
 }
 
 /// What an option of the command line, with a value that is the same in every language, is called on the sheet.
-const OPTIONS: [(&str, Template); 18] = [
+const OPTIONS: [(&str, Template); 16] = [
     (
         "--in-measuring-order",
         phrase!("“the rows are in the order in which they were measured”"),
@@ -148,8 +147,6 @@ const OPTIONS: [(&str, Template); 18] = [
     ("--match order", phrase!("“Matched” by order")),
     ("--match name", phrase!("“Matched” by name")),
     ("--match", phrase!("“Matched”")),
-    ("--motion all", phrase!("“Samples are” all")),
-    ("--motion", phrase!("“Samples are”")),
     ("--commands", phrase!("a file of commands")),
     ("--targets", phrase!("a file of reflectors")),
     ("--reference", phrase!("a file of known points")),

@@ -15,7 +15,6 @@ pub(crate) use tiles::{ChartPane, Content, Edge, Key, Pane, SplitShare, Tile};
 use std::mem::Discriminant;
 use std::path::PathBuf;
 
-use crate::gui::core::boundaries::Typed;
 use crate::gui::core::disk::FileChange;
 use crate::gui::core::loaded_session::Component;
 use crate::gui::core::scale::ROOM;
@@ -160,8 +159,6 @@ pub(crate) struct ViewState {
     pub(crate) preferences: Preferences,
     /// Robot and instrument as they are being typed, while that makes no robot.
     pub(crate) setup: Option<Box<SetupForm>>,
-    /// What is typed for boundaries of regions and could not be taken over, or not yet.
-    pub(crate) typed: Vec<Typed>,
     /// An open file that is not what it was.
     pub(crate) on_disk: Option<OnDisk>,
     /// The sheet over the window.
@@ -236,7 +233,6 @@ impl Default for ViewState {
             results: None,
             preferences: Preferences::default(),
             setup: None,
-            typed: Vec::new(),
             on_disk: None,
             sheet: None,
             leaving: false,

@@ -49,8 +49,6 @@ impl Sheet {
     pub(crate) const DETAILS: Self = Self::Named("details");
     /// What became of the machine.
     pub(crate) const HISTORY: Self = Self::Named("history");
-    /// Recording from an instrument.
-    pub(crate) const RECORDING: Self = Self::Named("recording");
     /// The library of robots.
     pub(crate) const ROBOTS: Self = Self::Named("robots");
     /// What windows that are gone have left behind.
@@ -76,9 +74,7 @@ impl Sheet {
             | Self::Unsaved(_)
             | Self::Overwrite(_)
             | Self::Import(_) => true,
-            Self::Named(name) => {
-                ["compensation", "details", "recording", "recovery"].contains(name)
-            }
+            Self::Named(name) => ["compensation", "details", "recovery"].contains(name),
         }
     }
 }

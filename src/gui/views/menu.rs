@@ -240,7 +240,7 @@ fn file(ui: &mut Ui, menu: &mut Menu<'_>) {
         ],
     );
     ui.separator();
-    menu.items(ui, &[actions::RELOAD, actions::FOLLOW, actions::RECORD]);
+    menu.items(ui, &[actions::RELOAD]);
     ui.separator();
     menu.items(ui, &[actions::QUIT]);
 }

@@ -40,7 +40,6 @@ fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     widgets::section(ui, say!("Measured"));
     facts(ui, workbench);
     tolerance(ui, workbench, commands);
-    follow(ui, workbench, commands);
     findings(ui, workbench, commands);
     widgets::section(ui, say!("Another session or model"));
     if widgets::secondary(ui, say!("Open…")).clicked() {
@@ -182,26 +181,6 @@ pub(crate) fn tolerance(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<C
     let response = widgets::number(ui, say!("tolerance"), &name, field);
     let edit = Edit::Tolerance((tolerance > 0.0).then_some(tolerance / one_mm));
     commands.extend(of_field(&response, (tolerance != now).then_some(edit)));
-}
-
-/// The file goes on growing: follow it.
-fn follow(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
-    if workbench.samples_file().is_none() {
-        return;
-    }
-    let following = workbench.following();
-    let mut on = following.is_some();
-    let says = say!("New lines are read as they are written, and the answer follows");
-    let response = ui.checkbox(&mut on, say!("Follow the file as it grows"));
-    if response.on_hover_text(says).changed() {
-        commands.push(Command::Follow(on));
-    }
-    if let Some(came) = following {
-        widgets::hint(
-            ui,
-            say!(one "{count} sample came since", "{count} samples came since", count = came),
-        );
-    }
 }
 
 fn findings(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {

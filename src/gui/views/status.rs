@@ -12,7 +12,6 @@ use crate::diagnosis::FloorFrom;
 use crate::fonts;
 use crate::language::spoken;
 use crate::present::numbers::grouped;
-use crate::recorder::live::State;
 
 use crate::gui::core::disk::{FileChange, name_of};
 use crate::gui::core::edit::Edit;
@@ -90,12 +89,6 @@ fn idle(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
             commands.push(Command::Edit(Edit::Identify));
         }
         ui.label(small(say!("the identification was cancelled").to_owned()).color(palette.warning));
-    } else if let Some(came) = workbench.following() {
-        if ui.small_button(say!("Stop following")).clicked() {
-            commands.push(Command::Follow(false));
-        }
-        let says = say!("following the file · {came} new", came);
-        ui.label(small(says).color(palette.accent));
     } else if !workbench.characters().unshown.is_empty() {
         if ui.small_button(say!("Understood")).clicked() {
             commands.push(Command::Letters(Letters::Dismiss));
@@ -106,29 +99,6 @@ fn idle(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     }
 }
 
-/// What is recorded from an instrument, where something is; it counts more than what runs besides.
-fn recording(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) -> bool {
-    let Some((_, heard)) = workbench.recording() else {
-        return false;
-    };
-    let palette = Palette::of(ui);
-    if ui.small_button(say!("Stop recording")).clicked() {
-        commands.push(Command::Stop(Task::Recording));
-    }
-    let color = match heard.state {
-        State::Waiting(_) => palette.warning,
-        _ => palette.accent,
-    };
-    let says = RichText::new(heard.describe())
-        .size(size::NOTE)
-        .color(color);
-    let label = ui.add(egui::Label::new(says).truncate());
-    if let Some(last) = heard.last_refused() {
-        label.on_hover_text(last);
-    }
-    true
-}
-
 /// Room for what runs in the background, points.
 const BUSY: f32 = 420.0;
 
@@ -137,16 +107,13 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     ui.horizontal_centered(|ui| {
         let status = line(workbench);
         // What runs has its place at the right whatever is said at the left.
-        let busy = workbench.jobs().newest().is_some() || workbench.recording().is_some();
+        let busy = workbench.jobs().newest().is_some();
         let room = ui.available_width() - if busy { BUSY } else { 0.0 };
         let line = egui::Label::new(RichText::new(&status).size(size::NOTE)).truncate();
         let high = ui.available_height();
         let left = Layout::left_to_right(Align::Center);
         ui.allocate_ui_with_layout(egui::vec2(room, high), left, |ui| ui.add(line));
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            if recording(ui, workbench, commands) {
-                return;
-            }
             let Some(task) = workbench.jobs().newest() else {
                 return idle(ui, workbench, commands);
             };

@@ -5,7 +5,6 @@ use std::path::PathBuf;
 
 use egui::Response;
 
-use crate::gui::core::boundaries::End;
 use crate::gui::core::compensated::CompensationRequest;
 use crate::gui::core::edit::Edit;
 use crate::gui::core::loaded_session::Component;
@@ -13,7 +12,6 @@ use crate::gui::core::robot_table::RobotTable;
 use crate::gui::core::setup::SetupForm;
 use crate::gui::core::simulate::Form;
 use crate::gui::file_state::machines::Stated;
-use crate::gui::file_state::recording;
 use crate::gui::import_draft::{Companion, ImportAnswers};
 use crate::gui::preferences::{Preferences, Sizes};
 use crate::gui::view::{
@@ -70,8 +68,6 @@ pub(crate) enum Command {
     SaveDespite,
     /// Read the session's file again.
     Reload,
-    /// Follow the samples file as it grows, or stop.
-    Follow(bool),
     /// Take a file out of the recent ones.
     Forget(PathBuf),
     /// Keep what is not saved against a crash.
@@ -102,8 +98,6 @@ pub(crate) enum Command {
     State(Box<Stated>),
     /// Compare the sessions of a folder, and show what changed.
     CompareSessions(PathBuf),
-    /// Record what an instrument sends.
-    Record(Box<recording::RecordingRequest>),
     /// Correct its targets by the model that is shown, and show what changes.
     Compensate(CompensationRequest),
     /// Divide the joint's range where the samples ask for it.
@@ -167,12 +161,6 @@ pub(crate) enum Asked {
 pub(crate) enum ViewChange {
     /// Go on with what is here, whatever is on the disk.
     KeepMine,
-    /// What is being typed for an end of a region; `None`: what the document says.
-    Type {
-        region: String,
-        end: End,
-        text: Option<String>,
-    },
     GoTo(Step),
     /// Look at the workspace in this plane.
     Look(Plane),
@@ -250,7 +238,6 @@ pub(crate) enum LeftBehind {
 /// Work that is under way.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Task {
-    Recording,
     /// Drop the task that is under way.
     Newest,
     /// End the search that is under way; what it has found stays in sight.

@@ -1,5 +1,5 @@
 //! What is about to change the document: a file that an instrument wrote, from what is said about it to the session
-//! that it becomes; regions where the samples ask for them; boundaries while they are typed.
+//! that it becomes; regions where the samples ask for them.
 
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -7,7 +7,6 @@ use std::sync::Arc;
 use crate::sessions::Region;
 
 use crate::gui::cache::cloud::Cloud;
-use crate::gui::core::boundaries::{End, Typed};
 use crate::gui::core::disk::name_of;
 use crate::gui::core::document::{Decision, adapt};
 use crate::gui::core::edit::Edit;
@@ -194,36 +193,5 @@ impl Workbench {
                 self.complain(say!("This change cannot be made"), vec![because]);
             }
         }
-    }
-
-    /// Keeps what is typed for an end of a region, or forgets it.
-    pub(super) fn type_boundary(&mut self, region: String, end: End, text: Option<String>) {
-        let here = |t: &Typed| t.region == region && t.end == end;
-        self.view.typed.retain(|t| !here(t));
-        if let Some(text) = text {
-            self.view.typed.push(Typed { region, end, text });
-        }
-        self.forget_typed();
-    }
-
-    /// What is typed stays with its region whatever that is called.
-    pub(super) fn keep_typed(&mut self, edit: &Edit) {
-        if let Edit::Rename(region, _) = edit {
-            let regions = &self.history.present().regions;
-            let lost = |name: &String| regions.iter().all(|r| r.name != *name);
-            if let Some(renamed) = regions.get(*region) {
-                for typed in self.view.typed.iter_mut().filter(|t| lost(&t.region)) {
-                    typed.region.clone_from(&renamed.name);
-                }
-            }
-        }
-        self.forget_typed();
-    }
-
-    /// Nothing is typed for a region that is gone.
-    pub(super) fn forget_typed(&mut self) {
-        let regions = &self.history.present().regions;
-        let there = |t: &Typed| regions.iter().any(|r| r.name == t.region);
-        self.view.typed.retain(there);
     }
 }

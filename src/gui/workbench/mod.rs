@@ -9,7 +9,6 @@ mod charts;
 mod command;
 mod drafts;
 mod exports;
-mod follow;
 #[cfg(test)]
 mod how_far;
 mod machine;
@@ -121,7 +120,6 @@ impl Workbench {
             }
             Command::Forget(path) => self.use_recent(Recent::Forgotten(path)),
             Command::Reload => self.reload(),
-            Command::Follow(on) => self.follow(on),
             Command::KeepRecovery => self.keep_recovery(),
             Command::LookAtDisk => self.look_at_disk(),
             Command::ExportTo {
@@ -137,7 +135,6 @@ impl Workbench {
             Command::KeepRobot { table, save } => self.keep_robot(*table, save),
             Command::ForgetRobot(name) => self.forget_robot(&name),
             Command::CompareSessions(folder) => self.compare_sessions(folder),
-            Command::Record(wanted) => self.record(*wanted),
             Command::Compensate(wanted) => self.compensate(wanted),
             Command::Simulate(form) => {
                 if let Some(problem) = form.problem() {
@@ -189,7 +186,6 @@ impl Workbench {
     /// Stops what is under way.
     fn stop(&mut self, task: Task) {
         match task {
-            Task::Recording => self.stop_recording(),
             Task::Search => self.stop_search(),
             Task::Import => self.cancel_look(),
             Task::Newest => {
@@ -258,9 +254,8 @@ impl Workbench {
                 view.preferences = preferences.sound();
             }
             ViewChange::Draft(form) => view.setup = form,
-            ViewChange::KeepMine => view.on_disk = None,
+            ViewChange::KeepMine => self.file_state.dismissed = view.on_disk.take(),
             ViewChange::Sheet(sheet) => self.show_sheet(sheet),
-            ViewChange::Type { region, end, text } => self.type_boundary(region, end, text),
             ViewChange::Dismiss => view.message = None,
             ViewChange::Fit => {
                 view.fitted.everywhere();
@@ -311,7 +306,6 @@ impl Workbench {
             Ok(next) => self.history.change(next, edit.what()),
         }
         self.view.setup = None;
-        self.keep_typed(edit);
         if matches!(edit, Edit::Identify | Edit::IdentifyBy(_)) {
             self.declined = None;
         }
@@ -343,7 +337,6 @@ impl Workbench {
     /// After a change that may have brought another session.
     fn after_travel(&mut self, lineage_before: u64) {
         self.view.setup = None;
-        self.forget_typed();
         self.forget_missing_samples();
         if self.loaded_session().lineage != lineage_before {
             self.arrived();

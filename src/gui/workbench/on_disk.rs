@@ -5,13 +5,11 @@ use std::sync::Arc;
 
 use crate::gui::charts::find;
 use crate::gui::core::disk::{FileChange, Fingerprint};
-use crate::gui::core::document::Document;
-use crate::gui::core::loaded_session::{LoadedSession, Origin};
+use crate::gui::core::loaded_session::Origin;
 use crate::gui::file_state::recovery::{self, OrphanedRecovery, RecoveryFile};
-use crate::gui::file_state::watcher::{Order, Seen, Watched, Watcher};
 use crate::gui::file_state::{self, Recent, Settings};
 use crate::gui::files;
-use crate::gui::jobs::{Jobs, Kind, Runner, Watch};
+use crate::gui::jobs::{Kind, Watch};
 use crate::gui::view::{OnDisk, Sheet};
 
 use super::state::Place;
@@ -41,7 +39,7 @@ impl Workbench {
         if !details.is_empty() {
             self.complain(say!("Not everything could be set up"), details);
         }
-        self.order(Order::Recent(self.file_state.recent.clone()));
+        self.look_at_disk();
         let folder = home.clone();
         self.jobs
             .quietly(move || recovery::orphaned(&folder), Self::take_left_behind);
@@ -114,25 +112,17 @@ impl Workbench {
         })
     }
 
-    /// The file with its samples, if they are in one: it can be followed.
+    /// The file with its samples, if they are in one.
     pub(crate) fn samples_file(&self) -> Option<&Path> {
         let place = self.file_state.places.get(&self.loaded_session().lineage);
         place.and_then(|place| place.samples.as_deref())
     }
 
-    /// How many samples came since the file is followed; `None` where it is not.
-    pub(crate) fn following(&self) -> Option<usize> {
-        let here = self.file_state.followed == Some(self.loaded_session().lineage);
-        here.then_some(self.file_state.came)
-    }
-
     /// A session or a model was opened.
     pub(super) fn opened(&mut self) {
         let loaded_session = Arc::clone(self.loaded_session());
-        let mut opened = None;
         match &loaded_session.origin {
             Origin::File(path) => {
-                opened = Some(path.clone());
                 let place = Place {
                     path: path.clone(),
                     files: loaded_session.files.clone(),
@@ -149,37 +139,20 @@ impl Workbench {
             Origin::Simulated | Origin::Recovered(_) | Origin::Imported(_) => {}
         }
         self.arrived();
-        self.follow_recording(opened.as_deref());
     }
 
     /// Another opening is looked at now.
     pub(super) fn arrived(&mut self) {
+        self.forget_looks();
+        self.look_at_disk();
+    }
+
+    /// What is known of the files is not what it was: a look that is under way says nothing any more, and what was
+    /// dismissed is said again.
+    pub(super) fn forget_looks(&mut self) {
+        self.file_state.look += 1;
+        self.file_state.dismissed = None;
         self.view.on_disk = None;
-        if self
-            .file_state
-            .followed
-            .is_some_and(|f| f != self.loaded_session().lineage)
-        {
-            self.follow(false);
-        }
-        self.watch_files();
-    }
-
-    pub(super) fn watch_files(&mut self) {
-        let place = self.file_state.places.get(&self.loaded_session().lineage);
-        let files = place.map_or_else(Vec::new, |place| place.files.clone());
-        self.watch_these(files);
-    }
-
-    /// Looks at no file while this window writes its own: what it writes is not a change by another
-    /// program. A look that is under way already answers an order that is not the last one.
-    pub(super) fn watch_nothing(&mut self) {
-        self.watch_these(Vec::new());
-    }
-
-    fn watch_these(&mut self, files: Vec<Fingerprint>) {
-        self.file_state.watch_order += 1;
-        self.order(Order::Files(self.file_state.watch_order, files));
     }
 
     /// Keeps a change of the recent files.
@@ -190,7 +163,7 @@ impl Workbench {
             forgotten @ Recent::Forgotten(_) => forgotten,
         };
         recent.apply(&mut self.file_state.recent);
-        self.order(Order::Recent(self.file_state.recent.clone()));
+        self.look_at_disk();
         self.keep(move |kept| recent.apply(&mut kept.recent));
     }
 
@@ -223,75 +196,38 @@ impl Workbench {
             work,
             |bench: &mut Self, opened| match opened {
                 Ok(opened) => bench.take_opened(opened),
-                Err(gone) => {
-                    let order = bench.file_state.watch_order;
-                    bench.take_seen(Seen::FileChanged(order, gone, Some(FileChange::Vanished)));
+                Err(path) => {
+                    let change = FileChange::Vanished;
+                    bench.view.on_disk = Some(OnDisk { path, change });
                 }
             },
         );
     }
 
-    /// Begins to look at the disk, as jobs run.
-    pub(super) fn watcher(jobs: &Jobs<Self>) -> Watcher {
-        if jobs.runner() == Runner::AtOnce {
-            return Watcher::Here(Watched::default());
-        }
-        let post = jobs.post();
-        Watcher::on_thread(move |seen| post(Box::new(|bench: &mut Self| bench.take_seen(seen))))
-    }
-
-    /// Looks at something else on the disk from now on.
-    pub(super) fn order(&mut self, order: Order) {
-        let seen = self.watcher.order(order);
-        self.post_seen(seen);
-    }
-
-    /// Looks at the disk now, where no thread does.
+    /// Looks in the background whether the files of what is open are what they were, and which of the recent ones are
+    /// there. What this window is writing itself is not looked at.
     pub(super) fn look_at_disk(&mut self) {
-        let seen = self.watcher.look();
-        self.post_seen(seen);
+        let place = self.file_state.places.get(&self.loaded_session().lineage);
+        let own = place.filter(|_| self.writing().is_none());
+        let files = own.map_or_else(Vec::new, |place| place.files.clone());
+        let (number, recent) = (self.file_state.look, self.file_state.recent.clone());
+        let work = move || Looked {
+            number,
+            change: changed(&files),
+            missing: recent.into_iter().filter(|path| !path.exists()).collect(),
+        };
+        self.jobs.quietly(work, Self::take_look);
     }
 
-    fn post_seen(&self, seen: impl IntoIterator<Item = Seen>) {
-        let post = self.jobs.post();
-        for seen in seen {
-            post(Box::new(|bench: &mut Self| bench.take_seen(seen)));
-        }
-    }
-
-    /// Whether the caller has to ask for a look at the disk from time to time.
-    pub(crate) fn wants_looking(&self) -> bool {
-        self.watcher.wants_looking()
-    }
-
-    pub(super) fn take_seen(&mut self, seen: Seen) {
-        match seen {
-            Seen::Missing(missing) => self.file_state.missing = missing,
-            // Compared with what was known before this window wrote the file itself.
-            Seen::FileChanged(order, ..) if order != self.file_state.watch_order => {}
-            Seen::FileChanged(_, path, fate) => {
-                let place = self.file_state.places.get(&self.loaded_session().lineage);
-                let ours = place.is_some_and(|p| p.files.iter().any(|f| f.path == path));
-                let shown = self.view.on_disk.as_ref();
-                let same = shown.is_some_and(|shown| shown.path == path);
-                let worse = shown.is_none_or(|shown| shown.change == FileChange::Changed);
-                match fate {
-                    Some(fate) if ours && (same || worse) => {
-                        self.view.on_disk = Some(OnDisk { path, change: fate });
-                    }
-                    None if same => self.view.on_disk = None,
-                    _ => {}
-                }
+    pub(super) fn take_look(&mut self, looked: Looked) {
+        self.file_state.missing = looked.missing;
+        // Compared with what was known before this window opened or wrote a file.
+        if looked.number == self.file_state.look {
+            if looked.change.is_none() {
+                self.file_state.dismissed = None;
             }
-            Seen::Read(print) => {
-                for place in self.file_state.places.values_mut() {
-                    let same = place.files.iter_mut().find(|f| f.path == print.path);
-                    if let Some(file) = same {
-                        *file = print.clone();
-                    }
-                }
-            }
-            Seen::Grew(growth) => self.take_growth(*growth),
+            let dismissed = &self.file_state.dismissed;
+            self.view.on_disk = looked.change.filter(|now| Some(now) != dismissed.as_ref());
         }
     }
 
@@ -314,26 +250,21 @@ impl Workbench {
             );
         }
     }
+}
 
-    /// Counts samples that came.
-    pub(super) fn count_new(&mut self, samples: usize) {
-        self.file_state.came += samples;
-    }
+/// What a look at the disk has found.
+pub(super) struct Looked {
+    /// That of the look, by which one that is out of date is known.
+    pub(super) number: u64,
+    pub(super) change: Option<OnDisk>,
+    pub(super) missing: Vec<PathBuf>,
+}
 
-    /// Begins or ends to count samples that come.
-    pub(super) fn set_followed(&mut self, lineage: Option<u64>) {
-        self.file_state.followed = lineage;
-        self.file_state.came = 0;
-    }
-
-    /// Everything that stood in a file and was about `from` is about `to` now.
-    pub(super) fn grow_on_file(&mut self, from: &Arc<LoadedSession>, to: &Arc<LoadedSession>) {
-        for document in &mut self.file_state.on_file {
-            if Arc::ptr_eq(&document.loaded_session, from) {
-                let mut grown = Document::clone(document);
-                grown.loaded_session = Arc::clone(to);
-                *document = Arc::new(grown);
-            }
-        }
-    }
+/// The first file that is not there any more, else the first that is not what it was.
+fn changed(files: &[Fingerprint]) -> Option<OnDisk> {
+    let looked = files.iter().filter_map(|file| {
+        let (path, change) = (file.path.clone(), file.look()?);
+        Some(OnDisk { path, change })
+    });
+    looked.min_by_key(|now| now.change == FileChange::Changed)
 }

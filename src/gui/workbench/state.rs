@@ -17,18 +17,15 @@ use crate::gui::core::edit::History;
 use crate::gui::core::loaded_session::LoadedSession;
 use crate::gui::core::robot_table::RobotTable;
 use crate::gui::file_state::machines::{Machine, Stated};
-use crate::gui::file_state::recording::UnderWay;
 use crate::gui::file_state::recovery::{OrphanedRecovery, RecoveryFile};
-use crate::gui::file_state::watcher::Watcher;
 use crate::gui::import_draft::ImportDraft;
 use crate::gui::jobs::{Jobs, Latest};
 use crate::gui::style::font_fallback::Characters;
-use crate::gui::view::{NextAction, Plot, ViewState};
+use crate::gui::view::{NextAction, OnDisk, Plot, ViewState};
 use crate::history;
 use crate::present::drawing::Drawing;
 use crate::present::numbers::Notation;
 use crate::present::units::Units;
-use crate::sessions::Samples;
 use crate::text::Language;
 
 /// A plot that is drawn in the background: the drawing and what it shows, or why there is none.
@@ -45,10 +42,6 @@ pub(crate) struct Workbench {
     pub(super) file_state: FileState,
     /// A question that was cancelled: it is not asked again by itself.
     pub(super) declined: Option<Question>,
-    /// Whether samples are being put behind those that are there.
-    pub(super) extending: bool,
-    /// Samples that came meanwhile, and whether they take the place of all others.
-    pub(super) waiting_samples: Option<(Samples, bool)>,
     pub(super) view: ViewState,
     /// The import that was left without being done, with what was said.
     pub(super) left_draft: Option<ImportDraft>,
@@ -71,7 +64,6 @@ pub(crate) struct Workbench {
     pub(super) draw: Drawer,
     pub(super) jobs: Jobs<Self>,
     pub(super) asked: PendingQueries,
-    pub(super) watcher: Watcher,
 }
 
 impl Workbench {
@@ -83,8 +75,6 @@ impl Workbench {
             first,
             file_state: FileState::default(),
             declined: None,
-            extending: false,
-            waiting_samples: None,
             history,
             view: ViewState::default(),
             left_draft: None,
@@ -102,7 +92,6 @@ impl Workbench {
             characters: Characters::default(),
             draw,
             asked: PendingQueries::default(),
-            watcher: Self::watcher(&jobs),
             jobs,
         };
         workbench.remember_on_file(Arc::clone(workbench.history.present()));
@@ -135,17 +124,16 @@ pub(super) struct FileState {
     pub(super) machines: Vec<Machine>,
     /// Robots that were typed, newest first.
     pub(super) robots: Vec<RobotTable>,
-    pub(super) recording: Option<UnderWay>,
-    /// The session of a recording, which is followed once it is open.
-    pub(super) to_follow: Option<PathBuf>,
     /// Sessions that were compared.
     pub(super) past: Option<Arc<Past>>,
     /// What was typed for the report of an opening.
     pub(super) stated: BTreeMap<u64, Stated>,
     pub(super) missing: Vec<PathBuf>,
     pub(super) places: BTreeMap<u64, Place>,
-    /// Number of the last order of files to look at.
-    pub(super) watch_order: u64,
+    /// Counts how often what is known of files was replaced.
+    pub(super) look: u64,
+    /// What became of a file, as it was read and put aside.
+    pub(super) dismissed: Option<OnDisk>,
     /// Documents that stand in a file, or need none.
     pub(super) on_file: Vec<Arc<Document>>,
     /// What was asked of the model that was written last.
@@ -153,10 +141,6 @@ pub(super) struct FileState {
     pub(super) then: Option<NextAction>,
     /// The document as recovery has it.
     pub(super) kept: Option<Arc<Document>>,
-    /// The opening whose samples file is followed.
-    pub(super) followed: Option<u64>,
-    /// How many samples came while it was followed.
-    pub(super) came: usize,
 }
 
 /// What is asked faster than it is answered.

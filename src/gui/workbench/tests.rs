@@ -2,10 +2,10 @@
 
 use std::sync::Arc;
 
+use super::on_disk::Looked;
 use super::{Command, Task, ViewChange, Workbench};
 use crate::gui::core::boundaries::boundaries;
 use crate::gui::core::disk::FileChange;
-use crate::gui::file_state::watcher::Seen;
 
 use crate::diagnosis::Stopped;
 use crate::fit::Estimate;
@@ -16,7 +16,7 @@ use crate::gui::core::loaded_session::{LoadedSession, Origin};
 use crate::gui::core::setup::SetupForm;
 use crate::gui::jobs::{Jobs, Runner};
 use crate::gui::testing::workbench;
-use crate::gui::view::{About, Step, What};
+use crate::gui::view::{About, OnDisk, Step, What};
 use crate::units::rad_from_deg;
 
 fn done(workbench: &mut Workbench, edit: Edit) {
@@ -192,15 +192,19 @@ fn what_this_window_saved_is_not_taken_for_a_change_by_another_program() {
     };
     workbench.execute(save);
     workbench.receive();
-    let before = workbench.file_state.watch_order;
+    let before = workbench.file_state.look;
     done(&mut workbench, Edit::Divide(5));
     workbench.execute(Command::Save);
     workbench.receive();
-    workbench.take_seen(Seen::FileChanged(
-        before,
-        path.clone(),
-        Some(FileChange::Changed),
-    ));
+    let change = OnDisk {
+        path: path.clone(),
+        change: FileChange::Changed,
+    };
+    workbench.take_look(Looked {
+        number: before,
+        change: Some(change),
+        missing: Vec::new(),
+    });
     assert_eq!(workbench.view().on_disk, None);
     // A change that another program made after that is said.
     std::fs::write(&path, "{}").expect("written");

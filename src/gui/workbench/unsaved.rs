@@ -194,7 +194,7 @@ impl Workbench {
             say!("saving {path}", path = path.display()),
             path.to_path_buf(),
         );
-        self.watch_nothing();
+        self.forget_looks();
         let work = move |watch: &Watch| files::save(document, &path, replace, known, watch);
         self.jobs.start(Kind::Writes, what, work, Self::take_saved);
     }
@@ -207,11 +207,10 @@ impl Workbench {
         } = saved;
         match result {
             Err(NotSaved::Changed(changed)) => {
-                self.watch_files();
                 self.view.sheet = Some(Sheet::Overwrite(changed));
             }
             Err(NotSaved::Because(message)) => {
-                self.watch_files();
+                self.look_at_disk();
                 self.cancel_pending_action();
                 self.view.message = Some(message);
             }
@@ -229,8 +228,7 @@ impl Workbench {
                     .retain(|d| d.loaded_session.lineage != lineage);
                 self.remember_on_file(document);
                 self.file_state.places.insert(lineage, place);
-                self.view.on_disk = None;
-                self.watch_files();
+                self.forget_looks();
                 let mut details = Vec::new();
                 if self.at_risk().model {
                     details.push(

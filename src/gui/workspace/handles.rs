@@ -8,15 +8,12 @@ use egui::{
 use egui_plot::{PlotPoint, PlotTransform};
 
 use crate::gui::core::boundaries::{self, SNAP_DEG};
-use crate::gui::core::by_angle::RegionContents;
 use crate::gui::core::edit::Edit;
-use crate::gui::style::{Palette, size, strong};
+use crate::gui::style::Palette;
 use crate::gui::workbench::{Command, Workbench};
-use crate::present::numbers::grouped;
-use crate::present::units::Units;
 use crate::units::{deg_from_rad, rad_from_deg};
 
-use super::layout::{HANDLE, around, freest};
+use super::layout::HANDLE;
 use super::model::Dial;
 
 /// Size of a handle, points: large enough for a finger.
@@ -85,10 +82,6 @@ pub(crate) fn show(
             commands.push(Command::Edit(Edit::MoveBoundary(index, to)));
         }
         paint(ui, &response);
-        if response.dragged() || response.has_focus() {
-            let sides = [boundary.joint.below, boundary.joint.above];
-            badge(ui, workbench, (at_deg, sides), centre, *transform.frame());
-        }
         response.on_hover_text(say!(
             "drag, or press the arrow keys; shift takes larger steps"
         ));
@@ -145,70 +138,5 @@ fn paint(ui: &Ui, response: &Response) {
     if response.has_focus() {
         let ring = Stroke::new(1.5, palette.accent);
         painter.circle_stroke(response.rect.center(), radius + 3.5, ring);
-    }
-}
-
-/// Where a boundary is, and what follows for the regions beside it, at once: the whole answer takes
-/// its time with many samples, the sums of a region do not.
-fn badge(
-    ui: &Ui,
-    workbench: &Workbench,
-    (at_deg, sides): (f64, [Option<usize>; 2]),
-    handle: egui::Pos2,
-    frame: Rect,
-) {
-    let loaded_session = workbench.loaded_session();
-    let few = loaded_session.len() <= crate::gui::core::scale::FEW;
-    let totals = loaded_session.region_totals_if_made();
-    let totals = totals.or_else(|| few.then(|| loaded_session.region_totals()));
-    let palette = Palette::of(ui);
-    let regions = &workbench.document().regions;
-    let held = totals.map(|totals| totals.held(regions));
-    let font = egui::FontId::proportional(size::SMALL);
-    let line = |region: usize| {
-        let name = regions.get(region).map_or("", |r| r.name.as_str());
-        let says = describe(name, held.as_ref()?.get(region)?, workbench.units());
-        Some(
-            ui.painter()
-                .layout_no_wrap(says, font.clone(), palette.text),
-        )
-    };
-    let angle = ui.painter().layout_no_wrap(
-        workbench.units().angle(rad_from_deg(at_deg)),
-        strong(size::BODY),
-        palette.accent,
-    );
-    let followed = sides.into_iter().flatten().filter_map(line);
-    let lines: Vec<_> = std::iter::once(angle).chain(followed).collect();
-    let wide = lines.iter().map(|l| l.size().x).fold(0.0, f32::max);
-    let high: f32 = lines.iter().map(|l| l.size().y).sum();
-    let room = Vec2::new(wide + 14.0, high + 8.0);
-    let places = around(handle, room, 22.0);
-    let Some(place) = freest(&places, frame, &[]) else {
-        return;
-    };
-    let painter = ui.painter();
-    let edge = Stroke::new(1.0, palette.line);
-    painter.rect(place, 4.0, palette.surface, edge, egui::StrokeKind::Inside);
-    let mut at = place.min + Vec2::new(7.0, 4.0);
-    for line in lines {
-        let next = at.y + line.size().y;
-        painter.galley(at, line, palette.text);
-        at.y = next;
-    }
-}
-
-/// A region in a line.
-fn describe(name: &str, held: &RegionContents, units: Units) -> String {
-    match held.correction() {
-        None => say!("{name}: no samples", name),
-        Some((theta_rad, l1_mm, left_mm)) => say!(
-            "{name}: {samples}, Δθ {theta}, Δl1 {l1}, left {left}",
-            name,
-            samples = say!(one "{count} sample", "{count} samples", count = grouped(held.samples)),
-            theta = units.angle(theta_rad),
-            l1 = units.length(l1_mm),
-            left = units.length(left_mm)
-        ),
     }
 }

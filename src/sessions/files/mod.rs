@@ -5,14 +5,12 @@
 //! `saved_columns`.
 //!
 //! - `open`: files that a document names, and nothing else; `file_hash`: whether they are still the same.
-//! - `growing`: a file that something else goes on writing.
 //! - `hash`: the fingerprint of what was measured; `bundled`: sessions that are in the binary.
 
 pub(crate) mod assemble;
 pub(crate) mod bundled;
 mod file_hash;
 pub(crate) mod format_v1;
-pub(crate) mod growing;
 pub(crate) mod hash;
 pub(crate) mod load;
 pub(crate) mod load_robot;

@@ -127,29 +127,6 @@ fn save_pair(
     commit_both(samples, document)
 }
 
-/// Saves the document of a session of which the samples stand beside it already, or will: as a CSV
-/// file of the same name ([`samples_path`]). It holds no hash of them, as they grow.
-///
-/// # Errors
-/// As [`save`].
-pub(crate) fn save_document(
-    session: &Session,
-    path: &Path,
-    replacing: Replacing<'_>,
-) -> Result<(), WriteError> {
-    let csv = samples_path(path);
-    refuse_one_file_for_two(path, &csv)?;
-    refuse_to_replace_inputs(path, replacing.inputs)?;
-    let document = Document {
-        head: head::write(session),
-        samples: object! { "file": name_of(path, &csv)? },
-    };
-    StagedFile::write(path, replacing.force, |output| {
-        write_document(output, &document)
-    })?
-    .commit()
-}
-
 /// How a session at `path` names its samples.
 fn name_of<'a>(path: &Path, csv: &'a Path) -> Result<&'a str, WriteError> {
     let name = csv.file_name().and_then(|name| name.to_str());

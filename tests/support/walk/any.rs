@@ -10,7 +10,6 @@ use crate::diagnosis::SessionCorrection;
 use crate::effects::CATALOGUE;
 use crate::export::EXPORTERS;
 use crate::gui::core::answer::term_of;
-use crate::gui::core::boundaries::{End, Joint};
 use crate::gui::core::compensated::{CompensationRequest, PrecedenceChoice};
 use crate::gui::core::document::{ExportChoice, Method};
 use crate::gui::core::edit::Edit;
@@ -133,15 +132,7 @@ fn edit(random: &mut ChaCha8Rng, workbench: &Workbench) -> Edit {
     let region = random.random_range(0..9);
     match random.random_range(0..40) {
         0 | 1 => Edit::Divide(random.random_range(0..12)),
-        2..=4 => Edit::MoveBoundary(region, angle(random)),
-        5..=8 => {
-            let mut side = || random.random::<bool>().then(|| random.random_range(0..8));
-            let joint = Joint {
-                below: side(),
-                above: side(),
-            };
-            Edit::PlaceBoundary(joint, angle(random))
-        }
+        2..=8 => Edit::MoveBoundary(region, angle(random)),
         9..=11 => Edit::Split(region),
         12 | 13 => Edit::Join(region),
         14 | 15 => Edit::Delete(region),
@@ -180,16 +171,6 @@ fn edit(random: &mut ChaCha8Rng, workbench: &Workbench) -> Edit {
         33 | 34 => Edit::IdentifyBy(pick(random, &[Method::Exact, Method::Regional])),
         _ => Edit::Identify,
     }
-}
-
-fn typed(random: &mut ChaCha8Rng) -> Command {
-    Command::View(ViewChange::Type {
-        region: pick(random, &["1", "2", "3", "Ost", "gone"]).to_owned(),
-        end: pick(random, &[End::From, End::To]),
-        text: one_of(random, &["", "-", "NaN", "−12,5", "1e400", "°", "7 rad"])
-            .filter(|_| random.random_range(0..4) > 0)
-            .map(|text| (*text).to_owned()),
-    })
 }
 
 fn then(random: &mut ChaCha8Rng, files: &Files) -> NextAction {
@@ -428,8 +409,7 @@ pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Fi
         79 => Command::Reload,
         80 if random.random() => compensation(random, files),
         80 => Command::View(ViewChange::KeepMine),
-        81 => Command::Follow(random.random()),
-        82 => Command::Forget(files.any(random)),
+        81 | 82 => Command::Forget(files.any(random)),
         83 => Command::Left(LeftBehind::Restore(random.random_range(0..2))),
         84 if random.random_range(0..4) == 0 => {
             Command::Left(LeftBehind::Discard(random.random_range(0..2)))
@@ -450,8 +430,7 @@ pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Fi
             }
         }
         96 => Command::Adapt,
-        97 => Command::Stop(Task::Import),
-        98..=103 => typed(random),
+        97..=103 => Command::Stop(Task::Import),
         // It takes its time.
         104 if random.random_range(0..5) == 0 && workbench.loaded_session().len() < 60 => {
             Command::Search

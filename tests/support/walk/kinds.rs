@@ -22,15 +22,15 @@ macro_rules! kinds {
 kinds!(
     COMMANDS, command, Command, "":
     Edit(..), Drag(..), EndDrag(), Undo(), Redo(), OpenFile(..), Drop(..), Say(..), ConfirmColumns(), Import(),
-    OpenExample(..), Do(..), SaveThen(..), Save(), SaveDespite(), Reload(), Follow(..), Forget(..), KeepRecovery(),
-    LookAtDisk(), SaveAs {..}, ExportTo {..}, State(..), KeepRobot {..}, ForgetRobot(..), Record(..),
+    OpenExample(..), Do(..), SaveThen(..), Save(), SaveDespite(), Reload(), Forget(..), KeepRecovery(),
+    LookAtDisk(), SaveAs {..}, ExportTo {..}, State(..), KeepRobot {..}, ForgetRobot(..),
     CompareSessions(..), Compensate(..), Adapt(), Search(), Simulate(..), OpenOutside {..}, CopyNumbers(..), Prefer(..),
     Leave(), View(..), Ask(..), Left(..), Stop(..), Letters(..),
 );
 
 kinds!(
     VIEW_CHANGES, view_change, ViewChange, "":
-    KeepMine(), Type {..}, GoTo(..), Look(..), LookFrom(..), LookAround(), Turn(..), Pose(..), Magnify(..),
+    KeepMine(), GoTo(..), Look(..), LookFrom(..), LookAround(), Turn(..), Pose(..), Magnify(..),
     PlotSize(..), Blend(..), Colour(..), Heat(..), Component(..), OnlyAfter(..), Hover(..), Select(..), Mark(..),
     Side(..), Panes(..), Pull(..), Activate(..), ActivateNext(), ChartJoint(..), ShowEffect(..), Results(..),
     Canvas(..), Resize(..), Draft(..), Sheet(..), Dismiss(), Fit(), FitWorkspace(), FitChart(..),
@@ -38,7 +38,7 @@ kinds!(
 
 kinds!(LEFT, left, LeftBehind, "Left ": Restore(..), Discard(..), DiscardAll());
 
-kinds!(STOPPED, stopped, Task, "Stop ": Newest(), Search(), Import(), Recording());
+kinds!(STOPPED, stopped, Task, "Stop ": Newest(), Search(), Import());
 
 kinds!(LETTERS, letters, Letters, "Letters ": Find(..), OfLanguages(), Dismiss());
 
@@ -61,7 +61,7 @@ pub(super) fn of(one: &Command) -> &'static str {
 
 kinds!(
     EDITS, edit, Edit, "":
-    Open(..), OpenModel {..}, Divide(..), MoveBoundary(..), PlaceBoundary(..), Adapt(..),
+    Open(..), OpenModel {..}, Divide(..), MoveBoundary(..), Adapt(..),
     KeepRegions(), Split(..), Join(..), Delete(..), Rename(..), RegionsOfSession(), Method(..),
     Effect(..), Tolerance(..), Export(..), Add(..), Switch(..), Setup(..), Correct(..), Exclude(..), Recover(..),
     Identify(), IdentifyBy(..),

@@ -11,12 +11,11 @@ use crate::gui::charts::CHARTS;
 use crate::gui::core::loaded_session::Component;
 use crate::gui::core::quantity::Quantity;
 use crate::gui::file_state::machines::Stated;
-use crate::gui::file_state::recording::RecordingRequest;
 use crate::gui::preferences::Sizes;
 use crate::gui::view::{
     Camera, ChartPane, Colouring, Edge, Key, Panes, Plane, Plot, Sheet, Side, Standard, Step, Tile,
 };
-use crate::gui::workbench::{Command, Task, ViewChange, Workbench};
+use crate::gui::workbench::{Command, ViewChange, Workbench};
 
 use super::any::{Files, one_of, pick};
 
@@ -157,33 +156,11 @@ pub(super) fn sizes(random: &mut ChaCha8Rng) -> Sizes {
 }
 
 pub(super) fn record(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Files) -> Command {
-    match random.random_range(0..8) {
-        5 => Command::Stop(Task::Recording),
-        6 => Command::sheet(Sheet::RECORDING),
-        7 => Command::Record(Box::new(recording(random, files))),
+    match random.random_range(0..5) {
         0 => Command::CompareSessions(files.any(random)),
         1 => Command::sheet(Sheet::DETAILS),
         2 => Command::sheet(Sheet::HISTORY),
         _ => Command::State(Box::new(stated(random, workbench, files))),
-    }
-}
-
-/// From nowhere: no walk depends on the network.
-fn recording(random: &mut ChaCha8Rng, files: &Files) -> RecordingRequest {
-    let addresses = [
-        "",
-        "tcp://",
-        "udp://127.0.0.1:0",
-        "tcp://127.0.0.1:99999",
-        "file:///x:1",
-    ];
-    RecordingRequest {
-        address: one_of(random, &addresses)
-            .copied()
-            .unwrap_or_default()
-            .to_owned(),
-        columns: "q1_deg, x_mm".to_owned(),
-        path: files.to_write(random, "csv"),
     }
 }
 

@@ -96,7 +96,6 @@ impl Edit {
             }
             Self::Divide(_)
             | Self::MoveBoundary(..)
-            | Self::PlaceBoundary(..)
             | Self::Adapt(..)
             | Self::KeepRegions
             | Self::Split(_)

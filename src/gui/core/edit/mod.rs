@@ -8,14 +8,13 @@ use crate::diagnosis::SessionCorrection;
 use crate::document::degrees;
 use crate::effects::Term;
 use crate::language::spoken;
-use crate::present::units::Units;
 use crate::sessions::Region;
 use crate::sessions::division::RegionChoice;
 use crate::text::Template;
 use crate::units::rad_from_deg;
 
 use super::answer::LoadedModel;
-use super::boundaries::{self, Joint};
+use super::boundaries;
 use super::document::{Choices, Decision, Division, Document, ExportChoice, Method};
 use super::loaded_session::LoadedSession;
 use super::setup::SetupForm;
@@ -33,8 +32,6 @@ pub(crate) enum Edit {
     Divide(usize),
     /// Move a boundary (counted in ascending order) to this angle, rad.
     MoveBoundary(usize, f64),
-    /// Put a boundary exactly there, rad: it was typed.
-    PlaceBoundary(Joint, f64),
     /// What the adaptive division decided.
     Adapt(Arc<[Region]>, Decision),
     /// Go on with the regions as they are, by hand.
@@ -81,7 +78,7 @@ impl Edit {
             Self::Open(_) => phrase!("open session"),
             Self::OpenModel { .. } => phrase!("open model"),
             Self::Divide(_) => phrase!("divide into regions"),
-            Self::MoveBoundary(..) | Self::PlaceBoundary(..) => phrase!("move boundary"),
+            Self::MoveBoundary(..) => phrase!("move boundary"),
             Self::Adapt(..) => phrase!("divide adaptively"),
             Self::KeepRegions => phrase!("keep the regions"),
             Self::Split(_) => phrase!("split region"),
@@ -151,14 +148,6 @@ fn divided(edit: &Edit, document: &Document) -> Option<Result<(Vec<Region>, Divi
             boundaries::moved(all, *boundary, *to_rad, loaded_session.travel()),
             say!("the boundary cannot be moved there"),
         ),
-        Edit::PlaceBoundary(joint, at_rad) => boundaries::placed(
-            all,
-            *joint,
-            *at_rad,
-            loaded_session.travel(),
-            Units::default(),
-        )
-        .map(|regions| (regions, Division::Given)),
         Edit::Split(region) => by_hand(
             boundaries::split(all, *region),
             say!("the region is too narrow to be split"),
@@ -298,21 +287,6 @@ impl<D: PartialEq> History<D> {
         }
     }
 
-    /// Changes every document that is kept, the present one included, without an entry: something
-    /// came to be true of all of them. `change` answers `None` where it leaves one as it is.
-    pub(crate) fn rewrite(&mut self, change: impl Fn(&D) -> Option<D>) {
-        let rewrite = |document: &mut Arc<D>| {
-            if let Some(next) = change(document) {
-                *document = Arc::new(next);
-            }
-        };
-        rewrite(&mut self.present);
-        let entries = self.past.iter_mut().chain(&mut self.future);
-        for entry in entries.chain(&mut self.gesture) {
-            rewrite(&mut entry.document);
-        }
-    }
-
     /// What the next undo takes back.
     pub(crate) fn undoes(&self) -> Option<Template> {
         let open = self.gesture.as_ref().or(self.past.last());
@@ -397,21 +371,6 @@ mod tests {
         history.change(3, step("b"));
         assert!(!history.redo());
         assert_eq!(**history.present(), 3);
-    }
-
-    #[test]
-    fn what_came_to_be_true_of_all_is_no_step_of_its_own() {
-        let mut history = History::new(1);
-        history.change(2, step("a"));
-        history.change(3, step("b"));
-        history.undo();
-        history.rewrite(|d| (*d != 1).then_some(10 * d));
-        assert_eq!(**history.present(), 20);
-        history.redo();
-        assert_eq!(**history.present(), 30);
-        history.undo();
-        history.undo();
-        assert_eq!(**history.present(), 1);
     }
 
     #[test]

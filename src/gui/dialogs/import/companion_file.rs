@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use egui::{DragValue, Grid, RichText, TextEdit, Ui};
 
-use crate::importers::{Alignment, Matching, Motion};
+use crate::importers::{Alignment, Matching};
 use crate::language;
 use crate::sessions::Target;
 use crate::text::length;
@@ -51,12 +51,6 @@ pub(super) fn commanded(
     if next.matching != Some(Matching::Time) {
         return;
     }
-    let kinds = [
-        (Motion::Auto, say!("as it suits")),
-        (Motion::Stops, say!("the mean of each stop")),
-        (Motion::All, say!("all")),
-    ];
-    widgets::choice_row(ui, say!("Samples are"), &kinds, &mut next.motion);
     let trial = now.trial();
     let clock = trial.and_then(|t| t.matched.as_ref()?.clock);
     widgets::form_row(ui, say!("Clocks apart by"), |ui| {

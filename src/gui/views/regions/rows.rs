@@ -1,17 +1,17 @@
 //! The regions, one row each: name, boundaries, samples, and what can be done with it.
 
-use egui::{Align, Key, Layout, RichText, TextEdit, Ui, UiBuilder, vec2};
+use egui::{Align, DragValue, Key, Layout, RichText, TextEdit, Ui, UiBuilder, vec2};
 
-use crate::gui::core::boundaries::{self, End, Joint, Typed};
+use crate::gui::core::boundaries::{self, End, SNAP_DEG};
 use crate::gui::core::by_angle::Count;
 use crate::gui::core::edit::Edit;
 use crate::gui::style::{Palette, size, space};
 use crate::gui::widgets;
-use crate::gui::workbench::{Command, ViewChange, Workbench};
-use crate::present::numbers::grouped;
-use crate::present::units::Units;
-use crate::sessions::Region;
+use crate::gui::workbench::{Command, ViewChange, Workbench, of_field};
+use crate::present::numbers::{grouped, trimmed};
+use crate::present::units::{AngleUnit, Units};
 use crate::sessions::regions::Assignment;
+use crate::units::rad_from_deg;
 
 use super::row::{self, COLUMNS, name_id};
 
@@ -52,9 +52,6 @@ pub(super) fn show(
             samples(ui, workbench, k, counts[k], commands);
             row::more(ui, regions, k, commands);
         });
-        for end in [End::From, End::To] {
-            problem(ui, workbench, region, k, end);
-        }
         if let Some(says) = few(counts[k]) {
             note(ui, &says);
         }
@@ -155,15 +152,7 @@ fn name(ui: &mut Ui, region: usize, name: &str, commands: &mut Vec<Command>) {
     ui.data_mut(|data| data.remove::<String>(id));
 }
 
-/// What a field remembers while it is typed into.
-#[derive(Debug, Clone, Copy)]
-struct Typing {
-    /// The boundary as it was when the typing began: what it touches meanwhile does not join it.
-    joint: Joint,
-    /// Whether something was taken over already.
-    changed: bool,
-}
-
+/// The number of an end. It stops at its neighbours, as a boundary that is dragged does.
 fn angle(
     ui: &mut Ui,
     width: f32,
@@ -171,146 +160,38 @@ fn angle(
     (k, end): (usize, End),
     commands: &mut Vec<Command>,
 ) {
-    let regions = &workbench.document().regions;
-    let (region, units) = (&regions[k], workbench.units());
-    let at_rad = end.of(region);
-    let draft = draft_of(workbench, region, end);
-    let refused = draft.and_then(|draft| judged(workbench, region, k, end, draft).err());
-    let before = draft.map_or_else(|| boundaries::shown(at_rad, units), str::to_owned);
-    let mut text = before.clone();
-    let id = ui.scope_id().with(("boundary", k, end == End::From));
-    let palette = Palette::of(ui);
-    let edit = TextEdit::singleline(&mut text)
-        .id(id)
-        .margin(egui::Margin::symmetric(4, 4))
-        .align(egui::Align2::RIGHT_CENTER)
-        .clip_text(true);
-    let field = ui.add_sized([width, HEIGHT], edit);
-    let name = if end == End::From {
-        say!("From, region {region}", region = region.name)
+    let (regions, units) = (&workbench.document().regions, workbench.units());
+    let (name, at_rad) = match end {
+        End::From => (
+            say!("From, region {region}", region = regions[k].name),
+            regions[k].from_rad,
+        ),
+        End::To => (
+            say!("To, region {region}", region = regions[k].name),
+            regions[k].to_rad,
+        ),
+    };
+    let within = workbench.loaded_session().travel();
+    let boundary = boundaries::at_end(regions, k, end);
+    let room = boundary.and_then(|b| Some((b, boundaries::allowed_range(regions, b, within)?)));
+    let Some((boundary, (low, high))) = room else {
+        return;
+    };
+    let digits = if units.angle == AngleUnit::Radian {
+        4
     } else {
-        say!("To, region {region}", region = region.name)
+        2
     };
-    ui.ctx().accesskit_node_builder(field.id, |node| {
-        node.set_label(name);
-        if refused.is_some() {
-            node.set_invalid(egui::accesskit::Invalid::True);
-        }
-    });
-    if refused.is_some() && !field.has_focus() {
-        let stroke = egui::Stroke::new(1.5, palette.outside);
-        let round = f32::from(space::ROUND);
-        ui.painter()
-            .rect_stroke(field.rect, round, stroke, egui::StrokeKind::Inside);
-    }
-    let mut typing: Option<Typing> = ui.data_mut(|data| data.get_temp(id));
-    if field.gained_focus() {
-        typing = Some(Typing {
-            joint: boundaries::joint_at(regions, k, end),
-            changed: false,
-        });
-    }
-    let Some(mut now) = typing else {
-        return;
-    };
-    let draft_is = |text: Option<String>| {
-        Command::View(ViewChange::Type {
-            region: region.name.clone(),
-            end,
-            text,
-        })
-    };
-    if text != before {
-        let placed = boundaries::angle(&text, units).and_then(|at| {
-            boundaries::placed(
-                regions,
-                now.joint,
-                at,
-                workbench.loaded_session().travel(),
-                units,
-            )
-            .map(|_| at)
-        });
-        commands.push(draft_is(Some(text.clone())));
-        if let Ok(at) = placed {
-            now.changed = true;
-            commands.push(Command::Drag(Edit::PlaceBoundary(now.joint, at)));
-        }
-    }
-    if !field.lost_focus() {
-        ui.data_mut(|data| data.insert_temp(id, now));
-        return;
-    }
-    ui.data_mut(|data| data.remove::<Typing>(id));
-    commands.push(Command::EndDrag);
-    if ui.input(|i| i.key_pressed(Key::Escape)) {
-        commands.push(draft_is(None));
-        if now.changed {
-            commands.push(Command::Undo);
-        }
-    } else if judged(workbench, region, k, end, &text).is_ok() {
-        commands.push(draft_is(None));
-    }
-}
-
-fn draft_of<'a>(workbench: &'a Workbench, region: &Region, end: End) -> Option<&'a str> {
-    let typed = &workbench.view().typed;
-    let here = |t: &&Typed| t.region == region.name && t.end == end;
-    typed.iter().find(here).map(|t| t.text.as_str())
-}
-
-/// What is to be said of a text that stands in a field.
-fn judged(
-    workbench: &Workbench,
-    region: &Region,
-    k: usize,
-    end: End,
-    text: &str,
-) -> Result<(), String> {
-    let units = workbench.units();
-    let regions = &workbench.document().regions;
-    let at_rad = boundaries::angle(text, units)?;
-    if (at_rad - end.of(region)).abs() < 1e-9 {
-        // It is there already.
-        return Ok(());
-    }
-    let joint = boundaries::joint_at(regions, k, end);
-    boundaries::placed(
-        regions,
-        joint,
-        at_rad,
-        workbench.loaded_session().travel(),
-        units,
-    )
-    .map(|_| ())
-}
-
-/// What is wrong with what was typed, below its row.
-fn problem(ui: &mut Ui, workbench: &Workbench, region: &Region, k: usize, end: End) {
-    let Some(draft) = draft_of(workbench, region, end) else {
-        return;
-    };
-    let Err(says) = judged(workbench, region, k, end, draft) else {
-        return;
-    };
-    let stays = workbench.units().angle(end.of(region));
-    widgets::wrong(
-        ui,
-        &match end {
-            End::From => say!(
-                "Region {region}, from: {says}. Until then it stays at {stays}",
-                region = region.name,
-                says,
-                stays
-            ),
-            End::To => say!(
-                "Region {region}, to: {says}. Until then it stays at {stays}",
-                region = region.name,
-                says,
-                stays
-            ),
-        },
-    );
+    let before = units.angle_value(at_rad);
+    let mut value = before;
+    let field = DragValue::new(&mut value)
+        .speed(units.angle_value(rad_from_deg(SNAP_DEG)))
+        .custom_formatter(move |value, _| trimmed(value, digits))
+        .range(units.angle_value(low)..=units.angle_value(high));
+    let response = widgets::cell_number(ui, &name, units.angle_name().trim(), width, field);
+    let to_rad = value / units.angle_value(1.0);
+    let edit = (value != before).then_some(Edit::MoveBoundary(boundary, to_rad));
+    commands.extend(of_field(&response, edit));
 }
 
 /// The number of samples; pressed, it shows them.
