@@ -549,11 +549,17 @@ impl Walk<'_> {
             target
         );
         self.left(at, says);
+        // A function uses what is in its brackets.
+        let by = if words.is_sign(range.start + 1, b'(') {
+            words.spelled(range.start)
+        } else {
+            command.to_owned()
+        };
         for k in range {
             let name = words.name(k);
             if self.knows(&name) {
                 self.go_to_part(&name, at, false, changes);
-                self.mention(&name, at, command);
+                self.mention(&name, at, &by);
             }
         }
     }
