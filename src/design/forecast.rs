@@ -12,8 +12,8 @@
 
 use nalgebra::DMatrix;
 
-use crate::fit::expected::over_the_ranges;
 use crate::fit::problem::Problem;
+use crate::fit::ranges::over_the_ranges;
 use crate::model::Model;
 use crate::observations::KINDS;
 

@@ -11,6 +11,7 @@ pub(crate) mod noise;
 pub(crate) mod normal;
 pub(crate) mod priors;
 pub(crate) mod problem;
+pub(crate) mod ranges;
 pub(crate) mod regression;
 pub(crate) mod scan;
 pub(crate) mod solver;

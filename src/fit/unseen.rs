@@ -22,12 +22,12 @@ use crate::linear::Kept;
 use crate::model::Model;
 
 use super::base_model;
-use super::expected::over_the_ranges;
 use super::gap::{Spread, lengths_mm};
 use super::gauge::{COPY, columns};
 use super::prior_scale;
 use super::priors::{Priors, of_one_target};
 use super::problem::Problem;
+use super::ranges::over_the_ranges;
 use super::solver::{Solution, equations_at, solve, spectrum_at};
 
 /// Of a combination that is not seen at most this share of its held coefficient's own column is left.

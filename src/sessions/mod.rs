@@ -45,7 +45,6 @@ pub use files::hash::hash_of_samples;
 pub use files::load::{Loaded, load, load_watched, parse, parse_with_csv};
 pub use files::load_robot::{LoadedRobot, load_robot, parse_robot};
 pub use files::open::read_document as read_whole;
-#[cfg(feature = "gui")]
 pub use files::save::{
     Replacing, robot_document, samples_path, save, save_watched, save_with_samples, write_csv,
     write_inline,

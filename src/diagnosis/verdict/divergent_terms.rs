@@ -10,8 +10,8 @@
 
 use crate::effects::{Inputs, Term};
 use crate::fit::base_model;
-use crate::fit::expected::{along_joint, over_the_ranges};
 use crate::fit::problem::Problem;
+use crate::fit::ranges::{along_joint, over_the_ranges};
 use crate::fit::spread::spread;
 use crate::model::{Model, Positions};
 

@@ -11,8 +11,9 @@ use std::sync::Arc;
 use nalgebra::DMatrix;
 
 use crate::effects::JointValues;
-use crate::fit::expected::{along_joint, over_the_ranges, uncertainties_mm};
+use crate::fit::expected::uncertainties_mm;
 use crate::fit::problem::Problem;
+use crate::fit::ranges::{along_joint, over_the_ranges};
 use crate::model::Model;
 use crate::numeric::{extent, single};
 use crate::sessions::Samples;

@@ -19,8 +19,7 @@ use crate::numeric::{likeliest_stretch, median};
 use crate::sessions::{Group, Session, SessionCorrection};
 use crate::text::{Text, length};
 
-use super::EVIDENCE;
-use super::nearest::{cost, cost_of, left, motion, moved};
+use super::nearest::{EVIDENCE, cost, cost_of, left, motion, moved};
 use super::rows::{Part, RowsInOrder};
 use crate::set_up_errors::arm_hypotheses::{Change, of_rows};
 use crate::set_up_errors::groups;

@@ -17,9 +17,6 @@ mod steps;
 pub(super) use gross::corrected as gross;
 pub(super) use steps::corrected as steps;
 
-/// The logarithm by which a part that differs has to be likelier, its place paid for.
-const EVIDENCE: f64 = 30.0;
-
 #[cfg(test)]
 mod tests {
     use super::*;

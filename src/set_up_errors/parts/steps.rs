@@ -25,7 +25,6 @@ use crate::numeric::{self, median};
 use crate::sessions::{Group, Session, SessionCorrection};
 use crate::text::{angle, length};
 
-use super::EVIDENCE;
 use super::rows::{Part, RowsInOrder};
 use crate::set_up_errors::groups::fitted;
 
