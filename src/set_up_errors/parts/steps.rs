@@ -25,6 +25,7 @@ use crate::numeric::{self, median};
 use crate::sessions::{Group, Session, SessionCorrection};
 use crate::text::{angle, length};
 
+use super::nearest::EVIDENCE;
 use super::rows::{Part, RowsInOrder};
 use crate::set_up_errors::groups::fitted;
 
