@@ -3,8 +3,8 @@
 use crate::document::number::quoted;
 use crate::importers::columns::Columns;
 use crate::importers::families::{self, Families};
-use crate::importers::headings::understand;
 use crate::importers::formats::{EULER_OPTION, Importer, KnownBy, Questions};
+use crate::importers::headings::understand;
 use crate::importers::matching::listed_names_up_to;
 use crate::importers::options::{PLANE_OPTION, SOCKET_DISTANCES_OPTION, SOCKET_OPTION};
 use crate::importers::role::Role;
@@ -90,8 +90,11 @@ fn table<'a>(context: &mut ReadContext<'a>, measured: bool) -> Option<(Grid<'a>,
                         context.ask(About::Columns, says, &[]);
                     }
                 }
-                if !roles.iter().any(|role| role.quantity() == Some(Quantity::X))
-                    && is_matrix(context, &grid) {
+                if !roles
+                    .iter()
+                    .any(|role| role.quantity() == Some(Quantity::X))
+                    && is_matrix(context, &grid)
+                {
                     refuse_matrix(context, &grid);
                 }
             }
