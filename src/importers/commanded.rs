@@ -40,6 +40,16 @@ impl Job<'_> {
         }
     }
 
+    /// What both files have.
+    fn say_twice(&mut self, left: &[String]) {
+        if !left.is_empty() {
+            self.note(text!(
+                "both files have {left}: the measured ones are taken",
+                left = left.join(", ")
+            ));
+        }
+    }
+
     /// Adds the commands.
     pub(crate) fn with_commands(
         &mut self,
@@ -140,13 +150,7 @@ impl Job<'_> {
                 (columns, left)
             }
         };
-        if !left.is_empty() {
-            let found = text!(
-                "both files have {left}: the measured ones are taken",
-                left = left.join(", ")
-            );
-            self.note(found);
-        }
+        self.say_twice(&left);
         matched.samples = columns.rows();
         Ok((columns, Some(matched)))
     }

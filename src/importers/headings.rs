@@ -31,7 +31,6 @@ pub(crate) fn understand(heading: &str) -> Role {
         (Role::Turn(turn, _), Some(Word::Unit(unit @ Unit::Angle(_)))) => {
             Role::Turn(turn, Some(unit))
         }
-        (Role::Turn(..), Some(_)) => Role::Kept,
         (Role::Known(quantity, _), Some(Word::Unit(unit))) => match (quantity, unit) {
             (Quantity::X | Quantity::Y | Quantity::Z, Unit::Length(_))
             | (Quantity::Commanded(_) | Quantity::ReadBack(_) | Quantity::Speed(_), _) => {
@@ -41,7 +40,9 @@ pub(crate) fn understand(heading: &str) -> Role {
             _ => Role::Kept,
         },
         (Role::Time(_), Some(Word::Time(seconds))) => Role::Time(Some(seconds)),
-        (Role::Time(_), Some(_)) | (Role::Known(..), Some(Word::Time(_))) => Role::Kept,
+        (Role::Turn(..) | Role::Time(_), Some(_)) | (Role::Known(..), Some(Word::Time(_))) => {
+            Role::Kept
+        }
         (role, _) => role,
     }
 }

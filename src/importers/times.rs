@@ -111,7 +111,9 @@ impl ReadContext<'_> {
                     self.unit_of_times(heading, values, kinds.two_parts)
                 };
                 let Some(unit) = *unit else { continue };
-                values.iter_mut().for_each(|value| *value *= unit);
+                for value in values.iter_mut() {
+                    *value *= unit;
+                }
             }
             let span = extent(values);
             let earliest = values.iter().copied().fold(f64::INFINITY, f64::min);

@@ -107,6 +107,7 @@ fn sections(text: &Text) -> [Range<usize>; 3] {
 }
 
 /// One statement of `/MN`.
+#[allow(clippy::unnecessary_wraps, reason = "as every grammar is called")]
 fn motion(walk: &mut Walk, words: &Words) -> Result<(), Problem> {
     let mut k = usize::from(words.kind(0) == Some(Kind::Digits));
     if !words.is_sign(k, b':') && k > 0 {

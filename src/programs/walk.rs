@@ -379,15 +379,13 @@ impl Walk<'_> {
     /// What a constant says that is no target.
     pub(super) fn constant(&mut self, name: &str, constant: Constant) {
         let name = (self.module, name.to_lowercase());
-        let known = self
-            .facts
-            .constants
-            .entry(name)
-            .or_insert_with(|| constant.clone());
-        if *known != constant {
-            // Of a name with several values none is known.
-            *known = Constant::List(Vec::new());
-        }
+        // Of a name with several values none is known.
+        let several = |known: &Constant| *known != constant;
+        let known = match self.facts.constants.get(&name) {
+            Some(known) if several(known) => Constant::List(Vec::new()),
+            _ => constant,
+        };
+        self.facts.constants.insert(name, known);
     }
 
     pub(super) fn constant_of(&self, name: &str) -> Option<&Constant> {
@@ -821,7 +819,7 @@ impl Walk<'_> {
                         Some(index) if own.others.is_empty() => self.program.visits.push(index),
                         Some(_) => {}
                         None => {
-                            self.left(motion.at, self.without_values(name, &spelled, elsewhere))
+                            self.left(motion.at, self.without_values(name, &spelled, elsewhere));
                         }
                     }
                 }

@@ -126,6 +126,10 @@ impl SessionCorrection {
     }
 
     /// Changes the session. What the session does not have (a joint, a sample) is passed over.
+    #[allow(
+        clippy::too_many_lines,
+        reason = "one line or two for each kind of correction"
+    )]
     pub fn apply(&self, session: &mut Session) {
         let turning = |j: usize| {
             session

@@ -2,7 +2,7 @@
 //! order, three angles about other axes, a rotation vector for angles, the inverse.
 //!
 //! Measured are R = A P B: P is what the robot predicts, A the measuring frame and B the tool's own orientation, both
-//! unknown. Between two samples R₁R₂ᵀ = A P₁P₂ᵀ Aᵀ, so that the rotation vectors of both sides differ by A alone,
+//! unknown. Between two samples `R₁R₂ᵀ = A P₁P₂ᵀ Aᵀ`, so that the rotation vectors of both sides differ by A alone,
 //! whatever B is, and one turn brings all of them together in the right convention only.
 
 use std::f64::consts::{PI, TAU};

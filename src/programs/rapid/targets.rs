@@ -168,17 +168,17 @@ pub(super) fn target(
     }
     let axes = match named {
         None => std::array::from_fn(|k| external(numbers[sizes.len() - 1][k])),
-        Some(k) => match walk.constant_of(&words.spelled(k)) {
-            Some(Constant::External(axes)) => *axes,
-            _ => {
-                let axes = words.spelled(k);
+        Some(k) => {
+            let axes = words.spelled(k);
+            let Some(Constant::External(known)) = walk.constant_of(&axes) else {
                 return Ok(Err(text!(
                     "the external axes of {name}, {axes}, are declared elsewhere",
                     name,
                     axes
                 )));
-            }
-        },
+            };
+            *known
+        }
     };
     // The model's own are read with the target.
     if named.is_some() && walk.axes.own() < walk.axes.joints() {

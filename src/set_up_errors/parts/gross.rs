@@ -4,7 +4,7 @@
 //! C(change, part) = Σ_i ½(ν + 3) ln(1 + r_i²/(ν σ²)) + 3 n ln σ − 3 Σ_part ln|factor| + price,
 //! ```
 //!
-//! r_i the distance of the point of row i from where the nominal robot has it, with the change where row i is in the
+//! `r_i` the distance of the point of row i from where the nominal robot has it, with the change where row i is in the
 //! part, wherever the instrument stands. Every change is tried in every part: a setup, a target, a stretch between
 //! eighths of the rows, all of them. The ends of the likeliest stretches are then those rows between which the change
 //! gains most. It is said where it is likelier by far than the session as it stands, and leaves these rows as near as the others. Of changes that are about as likely the fitted robot says which it is.
@@ -115,6 +115,9 @@ impl Seen {
 fn is_frame(mend: &SessionCorrection) -> bool {
     *mend == SessionCorrection::FreeFrame
 }
+
+/// By how much a target moves, and how far each row is from the robot then, mm.
+type Moved = (Vector3<f64>, Vec<(usize, f64)>);
 
 /// A change in a part of the rows, and what it costs.
 #[derive(Clone, Copy)]
@@ -554,7 +557,7 @@ impl Placeable {
         &self,
         mask: &[bool],
         motion: impl Fn(usize) -> Option<Isometry3<f64>>,
-    ) -> Option<(Vector3<f64>, Vec<(usize, f64)>)> {
+    ) -> Option<Moved> {
         let rows = (0..mask.len()).filter(|k| mask[*k]);
         let of = |k: usize| {
             let motion = motion(k)?;
