@@ -62,10 +62,10 @@ pub(super) fn reversed_for_a_time(session: &Session, _: JointValues) -> Vec<Data
             rows = in_rows::listed(&ranges)
         ),
         evidence: text!(
-            "from row to row the joints move as their directions say in {with} of {moves} moves before and after, and the other way in {against} of {others} there",
+            "from row to row the joints move as their directions say in {with} of {moves} moves before and after, and the other way in {turned} of {others} there",
             with = outside.0,
             moves = outside.0 + outside.1,
-            against = inside.1,
+            turned = inside.1,
             others = inside.0 + inside.1
         ),
         proposal: text!("they are reversed there; correct the columns"),
