@@ -1,5 +1,7 @@
 //! What an identification answers.
 
+use std::collections::BTreeSet;
+
 use crate::numeric::extent;
 use nalgebra::DMatrix;
 
@@ -273,6 +275,7 @@ impl Identification {
             covariance: self.covariance.clone(),
             regions: self.regions.iter().map(|r| r.correction.clone()).collect(),
             targets: session.targets.clone(),
+            measured_targets: measured_targets(session, inputs),
             measured: measured_ranges(inputs),
             load_kg: inputs.load_kg.as_deref().map(extent),
             tolerance_mm: session.tolerance_mm,
@@ -288,6 +291,15 @@ impl Identification {
             program_version: env!("CARGO_PKG_VERSION").to_owned(),
         }
     }
+}
+
+/// The targets that samples show, where some have none.
+fn measured_targets(session: &Session, inputs: &Inputs) -> Option<Vec<usize>> {
+    let shown: BTreeSet<usize> = match &inputs.target {
+        Some(targets) => targets.iter().map(|target| *target as usize).collect(),
+        None => BTreeSet::from([0]),
+    };
+    (shown.len() < session.targets.len()).then(|| shown.into_iter().collect())
 }
 
 /// The conditions that a session's samples cover.

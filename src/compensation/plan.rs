@@ -2,9 +2,9 @@
 
 use std::borrow::Cow;
 
-use nalgebra::Point3;
+use nalgebra::{Point3, Vector3};
 
-use crate::effects::{Inputs, Owner, Role, Setting, Term};
+use crate::effects::{Inputs, Owner, Role, Setting, TOOL_POSITION, Term};
 use crate::lanes::minus;
 use crate::model::{Calibration, Model, Positions};
 use crate::sessions::Target;
@@ -13,11 +13,55 @@ use super::inverse::{closest_commands, places};
 use super::regional::Regional;
 
 /// Whether a term is none of the robot's: the instrument's, the own error of a target that only the measurement knows,
-/// or how the measured body is turned. A probe that is mounted turned by 20° does not turn what the robot works with.
-pub(crate) fn is_of_the_measurement(term: &Term) -> bool {
+/// or how the measured body is turned.
+fn is_of_the_measurement(term: &Term) -> bool {
     let about = term.effect.about();
-    let own_target = about.setting == Setting::Target && term.setting > 0.0;
-    own_target || about.owner != Owner::Robot || about.role == Role::ToolTurn
+    is_of_one_target(term) || about.owner != Owner::Robot || about.role == Role::ToolTurn
+}
+
+fn is_of_one_target(term: &Term) -> bool {
+    term.effect.about().setting == Setting::Target && term.setting > 0.0
+}
+
+/// A model without what is the measurement's. A probe that is mounted turned by 20° does not turn what the robot works
+/// with: where `measured` points are (at home, base frame, mm) stays, on average of them.
+pub(crate) fn of_the_robot(model: &Model, mut measured: Vec<[f64; 3]>) -> Model {
+    let robot = model.without(is_of_the_measurement);
+    let role = |term: &Term| term.effect.about().role;
+    let is_place = |term: &Term| role(term) == Role::ToolPlace && !is_of_one_target(term);
+    let turned = model.without(|term| role(term) != Role::ToolTurn && !is_place(term));
+    if !turned
+        .terms()
+        .iter()
+        .any(|term| role(term) == Role::ToolTurn)
+    {
+        return robot;
+    }
+    let tool = model.robot.base_from_tool;
+    if measured.is_empty() {
+        measured.push(tool.translation.vector.into());
+    }
+    let count = measured.len();
+    let mut at_home = Inputs::at_poses(vec![vec![0.0; count]; model.robot.joints.len()], measured);
+    at_home.target = Some((0..).take(count).collect());
+    let (with, without) = (
+        turned.predict(&at_home),
+        turned.without(|term| !is_place(term)).predict(&at_home),
+    );
+    let moved = |k: usize| Vector3::from(minus(with.get(k), without.get(k)));
+    let by = (0..count).map(moved).sum::<Vector3<f64>>() / count as f64;
+    let by = tool.rotation.inverse() * by;
+    let robot = if robot.terms().iter().any(is_place) {
+        robot
+    } else {
+        robot.with_term(Term::absent(&TOOL_POSITION, 0, 0.0))
+    };
+    robot.with_each(|_, term| {
+        if is_place(term) {
+            let shift = term.coefficients.iter_mut().zip(by.iter());
+            shift.for_each(|(coefficient, by)| *coefficient += by);
+        }
+    })
 }
 
 /// So many poses go through the inversion at once: enough to fill blocks, little enough to stay
@@ -43,7 +87,6 @@ impl Compensation {
     /// several all of them together.
     pub fn new(calibration: &Calibration) -> Self {
         let robot = &calibration.model.robot;
-        let of_the_robot = calibration.model.without(is_of_the_measurement);
         let place = |t: &Target| (robot.base_from_tool * t.position_mm).coords.into();
         let mut reflectors_at_home: Vec<[f64; 3]> = calibration.targets.iter().map(place).collect();
         if reflectors_at_home.is_empty() {
@@ -53,7 +96,7 @@ impl Compensation {
         let regional = !calibration.regions.is_empty() && robot.joints.len() == 1;
         Self {
             nominal: Model::nominal(robot.clone()),
-            robot: of_the_robot,
+            robot: of_the_robot(&calibration.model, calibration.measured_places()),
             regional: regional.then(|| Regional::new(robot, &calibration.regions)),
             reflectors_at_home,
         }
@@ -171,4 +214,50 @@ pub(super) fn part_of(inputs: &Inputs, start: usize, most: usize) -> Inputs<'sta
     part.torque_nm = cuts(&inputs.torque_nm);
     part.above_20_c = inputs.above_20_c.as_ref().map(|w| w[start..end].to_vec());
     part
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sessions::parse_robot;
+
+    /// A probe that is turned by 20° on the tool, and a tool that is 3 mm longer: the point that was measured stays
+    /// where it is in every pose, and nothing is left of the turn.
+    #[test]
+    fn how_a_probe_is_turned_is_none_of_the_robots() {
+        let bytes = include_bytes!("../../sessions/arm/robot.json");
+        let robot = parse_robot(bytes).expect("a robot").robot;
+        let term = |id: &str, values: &[(&str, f64)]| {
+            Term::from_parameters(id, 1, values, robot.joints.len()).expect("a term")
+        };
+        let turn = [
+            ("about_x_mrad", -230.0),
+            ("about_y_mrad", -22.0),
+            ("about_z_mrad", -264.0),
+        ];
+        let shift = [("x_mm", 0.5), ("y_mm", -14.0), ("z_mm", 3.0)];
+        let terms = vec![
+            term("tool-position", &shift),
+            term("tool-orientation", &turn),
+        ];
+        let point: [f64; 3] = (robot.base_from_tool * Point3::new(0.0, 0.0, 70.0))
+            .coords
+            .into();
+        let model = Model::new(robot.clone(), terms);
+        let own = of_the_robot(&model, vec![point]);
+        let q: Vec<Vec<f64>> = (0..robot.joints.len())
+            .map(|joint| (0..5).map(|k| ((joint + 3 * k) as f64).sin()).collect())
+            .collect();
+        let inputs = Inputs::at_poses(q, vec![point]);
+        let (with, without) = (model.predict(&inputs), own.predict(&inputs));
+        for k in 0..5 {
+            let off = Vector3::from(minus(with.get(k), without.get(k)));
+            assert!(off.norm() < 1e-9, "{off}");
+        }
+        assert!(
+            own.terms()
+                .iter()
+                .all(|term| term.effect.about().role == Role::ToolPlace)
+        );
+    }
 }

@@ -19,7 +19,7 @@ use nalgebra::{Matrix3, Point3, Rotation3, Translation3, UnitQuaternion, Vector3
 use super::Job;
 use super::poses::poses;
 use crate::compensation::Side;
-use crate::compensation::plan::is_of_the_measurement;
+use crate::compensation::plan::of_the_robot;
 use crate::effects::{Inputs, Stage, Term};
 use crate::kinematics::{Pose, Robot};
 use crate::lanes::{dot, minus};
@@ -45,10 +45,11 @@ impl Corrected {
     /// As many effects of the model as a chain can carry.
     pub(super) fn new(job: &Job) -> Self {
         let nominal = &job.calibration.model.robot;
-        let of_the_robot = |term: &&Term| !is_of_the_measurement(term);
         // No chain holds what predicts without a name; the geometry is then the one without it.
         let alone = job.calibration.model.with_geometry_alone();
-        let terms: Vec<Term> = alone.terms().iter().filter(of_the_robot).cloned().collect();
+        let terms = of_the_robot(&alone, job.calibration.measured_places())
+            .terms()
+            .to_vec();
         let (mut carried, mut left_out) = (Vec::new(), Vec::new());
         for term in terms {
             let alone = Model::new(nominal.clone(), vec![term.clone()]);

@@ -73,6 +73,8 @@ pub struct Calibration {
     pub regions: Vec<RegionalCorrection>,
     /// Reflectors of the session.
     pub targets: Vec<Target>,
+    /// Those of them that samples show, counted from 0; `None`: all.
+    pub measured_targets: Option<Vec<usize>>,
     /// Range of every joint in the measured samples, rad or mm.
     pub measured: Vec<Range>,
     /// Least and largest load of the measured samples, kg; `None`: the session does not say.
@@ -99,6 +101,20 @@ pub struct Calibration {
 }
 
 impl Calibration {
+    /// Where the targets that were measured are at home, base frame, mm.
+    pub(crate) fn measured_places(&self) -> Vec<[f64; 3]> {
+        let tool = self.model.robot.base_from_tool;
+        let is_measured = |k: usize| {
+            let measured = self.measured_targets.as_ref();
+            measured.is_none_or(|measured| measured.contains(&k))
+        };
+        let targets = self.targets.iter().enumerate();
+        let measured = targets.filter(|(k, _)| is_measured(*k));
+        measured
+            .map(|(_, target)| (tool * target.position_mm).coords.into())
+            .collect()
+    }
+
     /// What has to hold before anything is computed with it: one that was identified or read holds it, one that
     /// a caller filled in may not.
     ///

@@ -65,6 +65,7 @@ pub fn calibration() -> Calibration {
         covariance: None,
         regions: Vec::new(),
         targets: Vec::new(),
+        measured_targets: None,
         tolerance_mm: None,
         compensated_by: None,
         set_up: truepose::model::SetUp::default(),

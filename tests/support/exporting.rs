@@ -70,6 +70,7 @@ pub fn known(session: &Session, effects: &[(&str, &[(&str, f64)])]) -> Calibrati
         covariance: None,
         regions: Vec::new(),
         targets: Vec::new(),
+        measured_targets: None,
         measured: measured.collect(),
         tolerance_mm: session.tolerance_mm,
         compensated_by: None,

@@ -109,6 +109,7 @@ fn document(fields: &mut Fields<'_>, root: &Node) -> Option<Calibration> {
         covariance: None,
         regions: Vec::new(),
         targets: default_targets(),
+        measured_targets: None,
         measured: Vec::new(),
         load_kg: None,
         tolerance_mm: None,
@@ -206,6 +207,11 @@ fn calibration(o: &mut Object<'_, '_>, own: &mut Calibration) {
     o.usual_or_null("tolerance_mm", &mut own.tolerance_mm, &TOLERANCE_MM);
     o.optional("compensated_by", &mut own.compensated_by, &TEXT);
     o.usual("set_up", &mut own.set_up, &SET_UP);
+    o.optional(
+        "measured_targets",
+        &mut own.measured_targets,
+        &MEASURED_TARGETS,
+    );
     o.optional("set_aside", &mut own.set_aside, &SAMPLES);
     o.know("conditions");
     if o.is_given("conditions") {
@@ -339,6 +345,12 @@ fn range(o: &mut Object<'_, '_>, own: &mut Range) {
         o.error(text!("a range from {from} to {to}", from, to), expected);
     }
 }
+
+/// The same of targets.
+const MEASURED_TARGETS: Kind<Vec<usize>> = Kind {
+    expected: phrase!("an array of numbers of targets, counted from 1"),
+    ..SAMPLES
+};
 
 /// Samples, counted from 1 in the file.
 const SAMPLES: Kind<Vec<usize>> = Kind {

@@ -114,6 +114,7 @@ fn any_calibration() -> impl Strategy<Value = Calibration> {
                 name: "T1".to_owned(),
                 position_mm: Point3::from(target),
             }],
+            measured_targets: (number > 0.6).then(|| vec![0]),
             measured: vec![
                 Range {
                     from: -number,
