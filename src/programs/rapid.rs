@@ -338,7 +338,7 @@ fn gripped(walk: &mut Walk, words: &Words, k: usize) {
 /// `name := …` and `name.trans.x := …`: a target, or what changes one at run time.
 fn assignment(walk: &mut Walk, words: &Words, k: usize, equals: usize) -> Result<(), Problem> {
     let (name, spelled) = (words.name(k), words.spelled(k));
-    // An element of an array is told by its number.
+    // An element of an array is known by its number.
     let element = words
         .element(k, *b"{}")
         .filter(|_| words.is_sign(k + 4, b':'));
