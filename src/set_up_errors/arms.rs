@@ -20,7 +20,7 @@ use super::arm_hypotheses::{Change, changes};
 use super::hypotheses::{LEAST_MOVE_MM, LEAST_TURN_DEG, change_of_measure, is_of_one_coordinate};
 use super::several::several;
 use super::thinned::thinned_to;
-use super::thresholds::{FEWEST_SAMPLES, MENDED_SHARE};
+use super::thresholds::{EQUAL, FEWEST_SAMPLES, MENDED_SHARE};
 use super::trial::trial;
 use super::{DataProblem, as_it_stands};
 
@@ -34,8 +34,6 @@ const GROSS_OF_ROBOT: f64 = 0.005;
 const PLAUSIBLE_SHARE: f64 = 0.03;
 /// What leaves so many times as much as the best says the same in these samples.
 const ALIKE: f64 = 1.25;
-/// What differs by less than this is equal, and the simpler one is named first.
-const EQUAL: f64 = 1.02;
 /// Where no mistake alone explains the samples, so many of the best are tried in pairs.
 const MOST_PAIRED: usize = 5;
 

@@ -23,13 +23,12 @@ use super::arm_hypotheses::{
 };
 use super::measured_points::MeasuredPoints;
 use super::thinned::thinned_to;
+use super::thresholds::EQUAL;
 
 /// Samples that a choice is judged by.
 const MOST_SAMPLES: usize = 60;
 /// Descents from choices that chance makes, beside those from the columns as they are and reversed.
 const RANDOM_STARTS: usize = 48;
-/// What differs by less than this is equal.
-const EQUAL: f64 = 1.02;
 
 /// What is taken to be wrong with one joint.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

@@ -4,7 +4,7 @@
 //! - `table`: all of them; `columns`: their columns, in the few numbers that they are made of.
 //! - `shapes`, `shape_space`, `placed`: bumps, plateaus, waves and steps over every variable, and one of them in a fit.
 //! - `incomplete`: samples that lack a condition which the others have.
-//! - `compatible`: which names may stand beside each other; `setting`: the setting of a term, in words;
+//! - `compatible`: which names may be in one model; `setting`: the setting of a term, in words;
 //!   `steps`: whether values are equal steps.
 
 pub(crate) mod columns;

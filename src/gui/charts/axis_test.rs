@@ -1,5 +1,5 @@
 //! The picture of a laser: the deviation of one axis over its position, a line for each run and direction, with what
-//! the table corrects and what is left as predicted with it; the figures of ISO 230-2 stand beside it.
+//! the table corrects and what is left as predicted with it; the figures of ISO 230-2 are next to it.
 
 use super::{About, ChartChoice, ChartKind, ChartPlaceholder, HoverTarget, Scene, Shown};
 use crate::gui::cache::charts::Work;

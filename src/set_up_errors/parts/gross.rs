@@ -23,19 +23,18 @@ use super::nearest::{EVIDENCE, cost, cost_of, left, motion, moved};
 use super::rows::{Part, RowsInOrder};
 use crate::set_up_errors::arm_hypotheses::{Change, of_rows};
 use crate::set_up_errors::groups;
+use crate::set_up_errors::thresholds::{EQUAL, GROSS_SHARE};
 
 /// Rows that the search looks at …
 const MOST_ROWS: usize = 160;
 /// … and by which the ends of a stretch are found.
 const MOST_EXACT: usize = 4000;
-/// With fewer rows that count nothing is told.
+/// With fewer rows that count nothing is reported.
 const FEWEST_ROWS: usize = 16;
 /// Fewest rows that differ.
 const FEWEST_IN_A_PART: usize = 4;
 /// Ends of stretches that are tried.
 const GRID: usize = 8;
-/// Points farther from the nominal robot than this share of its length are wrong; of fewer rows nothing is looked for.
-const GROSS_SHARE: f64 = 0.01;
 /// What a robot may leave that was never calibrated, as a share of the spread of the points.
 const PLAUSIBLE_SHARE: f64 = 0.03;
 /// Rows that are corrected leave at most so many times what the others leave, and have left at least as many times
@@ -45,8 +44,6 @@ const ALIKE: f64 = 4.0;
 const NEAR: f64 = 12.0;
 /// So many are fitted.
 const MOST_FITTED: usize = 4;
-/// What a fit leaves within this share of the least says the same.
-const EQUAL: f64 = 1.02;
 /// One mistake may hide another.
 const MOST_MISTAKES: usize = 3;
 

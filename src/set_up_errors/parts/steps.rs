@@ -31,7 +31,7 @@ use crate::set_up_errors::groups::fitted;
 
 /// Rows that are looked at.
 const MOST_ROWS: usize = 240;
-/// With fewer rows that count nothing is told.
+/// With fewer rows that count nothing is reported.
 const FEWEST_ROWS: usize = 24;
 /// Fewest rows on either side of a step.
 const FEWEST_BESIDE: usize = 4;

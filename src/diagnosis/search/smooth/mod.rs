@@ -156,7 +156,7 @@ pub(crate) struct FreeCurve {
 }
 
 /// The likeliest free curve over a joint beside a model, common to both sides, on the samples that a search looks at
-/// and beside its noise: its likelihood stands beside those of names.
+/// and beside its noise: its likelihood is compared with those of names.
 pub(crate) fn free_curve(
     prepared: &PreparedSearch,
     model: &Model,
