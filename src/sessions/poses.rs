@@ -2,6 +2,7 @@
 //! moved between them, so that what it does not repeat is the same in all of them, whichever reflector, instrument or
 //! kind of measurement saw it. They are no independent evidence of the robot.
 
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 use super::Samples;
@@ -51,6 +52,18 @@ impl ByPose {
         });
         let of = of.collect();
         Self { first, of }
+    }
+
+    /// By where the robot was sent, however often it came back there.
+    pub(crate) fn of_places(q: &[Cow<[f64]>], samples: usize) -> Self {
+        let mut known = BTreeMap::new();
+        let place = |sample: usize| -> u32 {
+            let own: Vec<u64> = q.iter().map(|q| (q[sample] + 0.0).to_bits()).collect();
+            let next = u32::try_from(known.len()).unwrap_or(u32::MAX);
+            *known.entry(own).or_insert(next)
+        };
+        let places: Vec<u32> = (0..samples).map(place).collect();
+        Self::of(Some(&places), samples)
     }
 
     /// What each sample has of what was worked out for the poses.
@@ -113,6 +126,10 @@ mod tests {
             ['a', 'a', 'b', 'a', 'c']
         );
         assert_eq!(ByPose::of(None, 3).to_samples(&[5, 6, 7]), [5, 6, 7]);
+        let q = [Cow::from(vec![0.5, 0.0, 0.5, -0.0]), Cow::from(vec![1.0; 4])];
+        let places = ByPose::of_places(&q, 4);
+        assert_eq!(places.first, [0, 1]);
+        assert_eq!(places.to_samples(&['a', 'b']), ['a', 'b', 'a', 'b']);
     }
 
     /// Sorted by angle, what was measured in two visits lies side by side; the clock tells them apart.

@@ -20,7 +20,7 @@ use super::arm_hypotheses::{Change, changes};
 use super::hypotheses::{LEAST_MOVE_MM, LEAST_TURN_DEG, change_of_measure, is_of_one_coordinate};
 use super::several::several;
 use super::thinned::thinned_to;
-use super::thresholds::{EQUAL, FEWEST_SAMPLES, MENDED_SHARE};
+use super::thresholds::{EQUAL, FEWEST_SAMPLES, HALF, MENDED_SHARE, NEARLY_ALL};
 use super::trial::trial;
 use super::{DataProblem, as_it_stands};
 
@@ -76,27 +76,37 @@ fn spread_mm(session: &Session) -> f64 {
 /// One change of the samples and what it leaves.
 struct TriedChange {
     change: Change,
-    /// Median error in the units of the samples as they stand, mm.
+    /// What the compared share of the samples is off by, in the units of the samples as they stand, mm.
     left_mm: f64,
 }
 
 /// The mistake that explains the samples, or the two.
 fn mistakes(part: &Session, values: JointValues) -> Vec<DataProblem> {
+    let found = mistakes_within(part, values, HALF);
+    if found.is_empty() {
+        mistakes_within(part, values, NEARLY_ALL)
+    } else {
+        found
+    }
+}
+
+/// The same by what so large a share of the samples is off by at most.
+fn mistakes_within(part: &Session, values: JointValues, share: f64) -> Vec<DataProblem> {
     let spread = spread_mm(part);
-    let adjusted = trial(part, values, true).map_or(f64::INFINITY, |t| t.median_mm);
+    let adjusted = trial(part, values, true).map_or(f64::INFINITY, |t| t.within_mm(share));
     if adjusted < GROSS_SHARE * spread {
         return Vec::new();
     }
     // A trial that ran away on poses that show little is no reason to doubt the samples.
-    let before = adjusted.min(as_it_stands::least_mm(part, values, true));
+    let before = adjusted.min(as_it_stands::least_mm(part, values, true, share));
     if before < GROSS_SHARE * spread || before < GROSS_OF_ROBOT * part.robot.length_along_links_mm()
     {
         return Vec::new();
     }
     let most = (MENDED_SHARE * before).min(PLAUSIBLE_SHARE * spread);
-    let tried = all_tried(part, values);
-    if let Some((problem, mends, _)) = named(&tried, before, most) {
-        let proved = as_it_stands::predicts(part, values, &mends, most);
+    let tried = all_tried(part, values, share);
+    if let Some((problem, mends, _)) = named(&tried, [share, before], most) {
+        let proved = as_it_stands::predicts(part, values, &mends, [share, most]);
         return if proved { vec![problem] } else { Vec::new() };
     }
     let mut nearest: Vec<&TriedChange> = tried.iter().filter(|t| t.left_mm < before).collect();
@@ -108,20 +118,22 @@ fn mistakes(part: &Session, values: JointValues) -> Vec<DataProblem> {
         };
         let mut without = part.clone();
         mend.apply(&mut without);
-        let Some((second, mends, left)) = named(&all_tried(&without, values), before, most) else {
+        let all = all_tried(&without, values, share);
+        let Some((second, mends, left)) = named(&all, [share, before], most) else {
             continue;
         };
-        if !as_it_stands::predicts(&without, values, &mends, most) {
+        if !as_it_stands::predicts(&without, values, &mends, [share, most]) {
             continue;
         }
         if best.as_ref().is_none_or(|b| left < b.0) {
-            let of_first = problem_of(&first.change, &[], before, first.left_mm);
+            let of_first = problem_of(&first.change, &[], [share, before], first.left_mm);
             best = Some((left, [of_first, second]));
         }
     }
     match best {
         Some((_, two)) => two.into(),
-        None => many(part, values, before, most),
+        None if share == HALF => many(part, values, before, most),
+        None => Vec::new(),
     }
 }
 
@@ -142,7 +154,7 @@ fn many(part: &Session, values: JointValues, before: f64, most: f64) -> Vec<Data
     let after = end.median_mm;
     let believed = after <= most
         && as_it_stands::is_plausible(&corrected, &end.model)
-        && as_it_stands::predicts(part, values, &mends, most);
+        && as_it_stands::predicts(part, values, &mends, [HALF, most]);
     if !believed {
         return Vec::new();
     }
@@ -172,7 +184,7 @@ fn median(left_mm: f64) -> Text {
 }
 
 /// Every change that ends where a robot may be.
-fn all_tried(part: &Session, values: JointValues) -> Vec<TriedChange> {
+fn all_tried(part: &Session, values: JointValues, share: f64) -> Vec<TriedChange> {
     let spread = spread_mm(part);
     let all = changes(part, values).into_iter().filter_map(|change| {
         let mut trial_of = part.clone();
@@ -185,7 +197,7 @@ fn all_tried(part: &Session, values: JointValues) -> Vec<TriedChange> {
             return None;
         }
         let end = trial(&trial_of, values, true)?;
-        let left = end.median_mm;
+        let left = end.within_mm(share);
         if !as_it_stands::is_plausible(&trial_of, &end.model) {
             return None;
         }
@@ -202,7 +214,7 @@ fn all_tried(part: &Session, values: JointValues) -> Vec<TriedChange> {
 /// leaves, mm, behind the changes.
 fn named(
     tried: &[TriedChange],
-    before: f64,
+    [share, before]: [f64; 2],
     most: f64,
 ) -> Option<(DataProblem, Vec<SessionCorrection>, f64)> {
     let least = tried
@@ -218,11 +230,16 @@ fn named(
         .find(|t| t.left_mm <= EQUAL * least && t.change.mends.len() == 1)?;
     let same = |t: &&TriedChange| t.left_mm <= ALIKE * least && t.change.what != main.change.what;
     let twins: Vec<&Text> = tried.iter().filter(same).map(|t| &t.change.what).collect();
-    let problem = problem_of(&main.change, &twins, before, main.left_mm);
+    let problem = problem_of(&main.change, &twins, [share, before], main.left_mm);
     Some((problem, main.change.mends.clone(), main.left_mm))
 }
 
-fn problem_of(change: &Change, twins: &[&Text], before: f64, after: f64) -> DataProblem {
+fn problem_of(
+    change: &Change,
+    twins: &[&Text],
+    [share, before]: [f64; 2],
+    after: f64,
+) -> DataProblem {
     let what = if twins.is_empty() {
         change.what.clone()
     } else {
@@ -234,11 +251,19 @@ fn problem_of(change: &Change, twins: &[&Text], before: f64, after: f64) -> Data
     };
     DataProblem {
         what,
-        evidence: text!(
-            "with the frame, the tool and the zero offsets fitted the median error is {before} as it stands and {after} with the set-up error corrected",
-            before = median(before),
-            after = length(after, 3)
-        ),
+        evidence: if share == HALF {
+            text!(
+                "with the frame, the tool and the zero offsets fitted the median error is {before} as it stands and {after} with the set-up error corrected",
+                before = median(before),
+                after = length(after, 3)
+            )
+        } else {
+            text!(
+                "with the frame, the tool and the zero offsets fitted a tenth of the samples are off by more than {before} as it stands and {after} with the set-up error corrected",
+                before = median(before),
+                after = length(after, 3)
+            )
+        },
         proposal: change.proposal.clone(),
         mend: change.mends.first().cloned(),
         samples: Vec::new(),
@@ -252,7 +277,7 @@ fn never_aligned(part: &Session, values: JointValues) -> Option<DataProblem> {
     }
     let free = trial(part, values, true)?;
     let adjusted = trial(part, values, false).map_or(f64::INFINITY, |t| t.median_mm);
-    let fixed = adjusted.min(as_it_stands::least_mm(part, values, false));
+    let fixed = adjusted.min(as_it_stands::least_mm(part, values, false, HALF));
     let is_frame = |t: &&Term| t.effect.about().setting == Setting::Setup;
     let frame = free.model.terms().iter().find(is_frame)?;
     let turn = Vector3::from_column_slice(&frame.coefficients[..3]);

@@ -15,12 +15,11 @@ use crate::fit::gap::lengths_mm;
 use crate::fit::problem::Problem;
 use crate::kinematics::JointKind;
 use crate::model::Model;
-use crate::numeric::median;
 use crate::sessions::{Session, SessionCorrection};
 use crate::units::rad_from_deg;
 
 use super::thresholds::LARGEST_OFFSET_DEG;
-use super::trial::trial;
+use super::trial::{in_order, trial, within};
 
 /// The spread of the points agrees with that of the robot within this, as a ratio.
 const TO_SCALE: f64 = 2.0;
@@ -29,28 +28,35 @@ const FEWEST_TO_SPLIT: usize = 24;
 /// Samples that were kept back leave at most so many times as much as a change may leave.
 const UNSEEN: f64 = 2.0;
 
-/// The least that the session leaves as it stands, mm, median; infinite where nothing fits.
-pub(super) fn least_mm(part: &Session, values: JointValues, free_frame: bool) -> f64 {
-    nominal_mm(part, values, free_frame).min(with_priors_mm(part, values, free_frame))
+/// The least that so large a share of the samples is off by as the session stands, mm; infinite where nothing fits.
+pub(super) fn least_mm(part: &Session, values: JointValues, free_frame: bool, share: f64) -> f64 {
+    let nominal_mm = nominal_mm(part, values, free_frame, share);
+    nominal_mm.min(with_priors_mm(part, values, free_frame, share))
 }
 
-fn median_mm(problem: &Problem, model: &Model) -> f64 {
-    median(lengths_mm(problem, model)).unwrap_or(f64::INFINITY)
+/// What so large a share of the samples is off by at most, mm.
+fn within_mm(problem: &Problem, model: &Model, share: f64) -> f64 {
+    within(&in_order(lengths_mm(problem, model)), share)
 }
 
 /// The nominal robot, where the best rigid motion puts it.
-pub(super) fn nominal_mm(part: &Session, values: JointValues, free_frame: bool) -> f64 {
+pub(super) fn nominal_mm(
+    part: &Session,
+    values: JointValues,
+    free_frame: bool,
+    share: f64,
+) -> f64 {
     let problem = Problem::new(part, values);
     let frame = MEASURING_FRAME.about().id;
     let frames = free_frame || part.samples.setups.is_some();
     let mut model = base_model::start(part, &problem, |id| frames && id == frame);
     model = model.without(|t| t.effect.about().id != frame);
-    median_mm(&problem, &model)
+    within_mm(&problem, &model, share)
 }
 
 /// The whole base model with its priors; infinite for points of another size than the robot's: links that shrink
 /// leave little of those whatever the robot is.
-fn with_priors_mm(part: &Session, values: JointValues, free_frame: bool) -> f64 {
+fn with_priors_mm(part: &Session, values: JointValues, free_frame: bool, share: f64) -> f64 {
     if !has_the_robots_size(part, values) {
         return f64::INFINITY;
     }
@@ -60,7 +66,7 @@ fn with_priors_mm(part: &Session, values: JointValues, free_frame: bool) -> f64 
     let start = base_model::start(part, &problem, |id| frames || id != frame);
     let fitted = base_model::fit(&mut problem, &start, true).solution.model;
     if is_plausible(part, &fitted) {
-        median_mm(&problem, &fitted)
+        within_mm(&problem, &fitted, share)
     } else {
         f64::INFINITY
     }
@@ -104,12 +110,12 @@ fn has_the_robots_size(session: &Session, values: JointValues) -> bool {
     (1.0 / TO_SCALE..=TO_SCALE).contains(&ratio)
 }
 
-/// Whether a change predicts samples that its trial has not seen, to within what it may leave.
+/// Whether a change predicts samples that its trial has not seen, so large a share of them to within what it may leave.
 pub(super) fn predicts(
     part: &Session,
     values: JointValues,
     mends: &[SessionCorrection],
-    most_mm: f64,
+    [share, most_mm]: [f64; 2],
 ) -> bool {
     let mut changed = part.clone();
     for mend in mends {
@@ -132,5 +138,6 @@ pub(super) fn predicts(
     };
     // What may be left is told in the units of the samples as they stand.
     let scale = changed.samples.spread_mm() / part.samples.spread_mm().max(1e-12);
-    median_mm(&Problem::new(&unseen, values), &end.model) <= UNSEEN * most_mm * scale.max(1.0)
+    let left_mm = within_mm(&Problem::new(&unseen, values), &end.model, share);
+    left_mm <= UNSEEN * most_mm * scale.max(1.0)
 }

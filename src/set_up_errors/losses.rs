@@ -4,10 +4,10 @@ use std::borrow::Cow;
 
 use nalgebra::Vector3;
 
-use crate::effects::JointValues;
-use crate::effects::{Term, joint_zero};
+use crate::effects::{Inputs, JointValues, Term, joint_zero};
 use crate::fit::problem::{Problem, unusable};
 use crate::fit::{base_model, fit_without_outliers};
+use crate::kinematics::Range;
 use crate::model::Model;
 use crate::sessions::Session;
 use crate::sessions::SessionCorrection;
@@ -115,7 +115,14 @@ pub(super) fn mislocked(
         let same = || off.iter().copied().filter(|j| is_same(*i, *j));
         same().count() >= FEWEST_STUCK && same().any(|j| moves(*i, j))
     });
-    let was_there = |i: usize| (0..problem.used.len()).any(|j| problem.used[j] && is_same(i, j));
+    let at_the_limits = fitted.predict(&within_limits(session, &problem.inputs));
+    let is_at_a_limit = |i: usize| {
+        let limit = Vector3::from(at_the_limits.get(i));
+        (at(i) - limit).norm() < MOVED_MM && (place(i) - limit).norm() > MOVED_MM
+    };
+    let was_there = |i: usize| {
+        is_at_a_limit(i) || (0..problem.used.len()).any(|j| problem.used[j] && is_same(i, j))
+    };
     let (still, stuck): (Vec<usize>, Vec<usize>) = stuck.partition(|i| was_there(*i));
     if !still.is_empty() {
         problems.push(DataProblem {
@@ -126,7 +133,7 @@ pub(super) fn mislocked(
                 which = listed(&still)
             ),
             evidence: text!(
-                "the measured point stays where the robot was at another command while the commands move on"
+                "the measured point stays where the robot is at another command or at the limit of a joint, while the commands move on"
             ),
             proposal: text!("these samples are excluded; look for a stop or a limit, and measure them again"),
             mend: Some(SessionCorrection::Remove(still.clone())),
@@ -147,6 +154,18 @@ pub(super) fn mislocked(
             samples: stuck,
         });
     }
+}
+
+/// The commands as far as the limits of the joints let them.
+fn within_limits<'a>(session: &Session, inputs: &Inputs<'a>) -> Inputs<'a> {
+    let mut within = inputs.clone();
+    for (joint, q) in session.robot.joints.iter().zip(&mut within.q) {
+        if let Some(Range { from, to }) = joint.limits {
+            let held = q.iter().map(|q| q.max(from).min(to));
+            *q = Cow::Owned(held.collect());
+        }
+    }
+    within
 }
 
 /// Sample numbers for reading, counted from 1.

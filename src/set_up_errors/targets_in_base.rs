@@ -7,6 +7,7 @@ use crate::sessions::{Session, SessionCorrection};
 use crate::text::length;
 
 use super::as_it_stands::nominal_mm;
+use super::thresholds::HALF;
 use super::thinned::thinned_to;
 use super::thresholds::GROSS_SHARE;
 
@@ -31,14 +32,14 @@ pub(super) fn corrected(
         return None;
     }
     let part = thinned_to(session, MOST_SAMPLES);
-    let before = nominal_mm(&part, values, true);
+    let before = nominal_mm(&part, values, true, HALF);
     if !before.is_finite() || before < GROSS_SHARE * session.robot.length_along_links_mm() {
         return None;
     }
     let mend = SessionCorrection::TargetsFromBase;
     let mut as_places = part.clone();
     mend.apply(&mut as_places);
-    let after = nominal_mm(&as_places, values, true);
+    let after = nominal_mm(&as_places, values, true, HALF);
     if after > (MENDED * before).min(PLAUSIBLE_SHARE * part.samples.spread_mm()) {
         return None;
     }

@@ -16,7 +16,30 @@ use super::thresholds::LARGEST_OFFSET_DEG;
 pub(super) struct Trial {
     /// Median length of the deviations, mm.
     pub(super) median_mm: f64,
+    /// Their lengths, the smallest first, mm.
+    lengths_mm: Vec<f64>,
     pub(super) model: Model,
+}
+
+impl Trial {
+    /// The length that so large a share of the deviations is within, mm.
+    pub(super) fn within_mm(&self, share: f64) -> f64 {
+        within(&self.lengths_mm, share)
+    }
+}
+
+/// Lengths that are known, the smallest first.
+pub(super) fn in_order(mut lengths_mm: Vec<f64>) -> Vec<f64> {
+    lengths_mm.retain(|v| v.is_finite());
+    lengths_mm.sort_by(f64::total_cmp);
+    lengths_mm
+}
+
+/// Of lengths in order the one that so large a share of them is within; infinite where there is none.
+pub(super) fn within(lengths_mm: &[f64], share: f64) -> f64 {
+    let at = (share * lengths_mm.len() as f64) as usize;
+    let last = lengths_mm.len().saturating_sub(1);
+    lengths_mm.get(at.min(last)).copied().unwrap_or(f64::INFINITY)
 }
 
 /// Fits frame, tool and zero offsets; `None` where the end makes sense for no robot.
@@ -42,11 +65,10 @@ pub(super) fn trial(session: &Session, values: JointValues, free_frame: bool) ->
     if fitted.terms().iter().any(turned) {
         return None;
     }
-    let mut lengths = lengths_mm(&problem, &fitted);
-    lengths.retain(|v| v.is_finite());
-    lengths.sort_by(f64::total_cmp);
+    let lengths = in_order(lengths_mm(&problem, &fitted));
     Some(Trial {
         median_mm: *lengths.get(lengths.len() / 2)?,
+        lengths_mm: lengths,
         model: fitted,
     })
 }

@@ -2,7 +2,8 @@
 //! is predicted by a fit without it, its settings scanned afresh (cross-fitting, Stone 1974).
 //!
 //! Blocks are stretches of the joint angles where the joints move at random, and stretches of
-//! time besides; several small ones make one fold, so that no fold lies beyond the others. All rows of a pose are in one.
+//! time besides; several small ones make one fold, so that no fold lies beyond the others. All rows of a pose are in one,
+//! and of an arm all that were measured where it came back: they show nothing of another pose.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -25,6 +26,8 @@ pub(crate) struct Folds {
     fold: Vec<usize>,
     /// Number of poses.
     poses: usize,
+    /// Whether poses are predicted that a fit has not seen; else it is other visits to the same few.
+    pub(crate) predict_poses: bool,
     count: usize,
     /// In words.
     pub(crate) how: Text,
@@ -105,6 +108,7 @@ impl Folds {
         Self {
             fold: poses.to_samples(fold),
             poses: poses.first.len(),
+            predict_poses: poses.first.len() >= FEWEST,
             count,
             how,
         }
@@ -134,7 +138,15 @@ impl Folds {
     /// Folds over cells of the workspace, for a robot with several joints.
     pub(crate) fn over_cells(rows: &Rows, model: &Model) -> Self {
         let points = rows.points(model);
-        let poses = poses_of(rows);
+        let places = ByPose::of_places(&rows.inputs.q, rows.samples.len());
+        if places.first.len() < FEWEST {
+            let visits = Self::over_cells_of(rows, &points, &poses_of(rows));
+            return Self { predict_poses: false, ..visits };
+        }
+        Self::over_cells_of(rows, &points, &places)
+    }
+
+    fn over_cells_of(rows: &Rows, points: &[[f64; 3]], poses: &ByPose) -> Self {
         let points: Vec<[f64; 3]> = poses.first.iter().map(|k| points[*k]).collect();
         let n = points.len();
         if let Some(rows) = rows.observed() {
@@ -144,7 +156,7 @@ impl Folds {
             let how = text!(
                 "each fifth of the measurements, of every reference its own, predicted by a fit that has not seen it"
             );
-            return Self::of_poses(&poses, &fold, FOLDS, how);
+            return Self::of_poses(poses, &fold, FOLDS, how);
         }
         let few = n < FEW;
         let wanted = if few { (n / 3).clamp(2, 10) } else { 4 * FOLDS };
@@ -162,7 +174,7 @@ impl Folds {
                 "each fifth of the cells of the workspace predicted by a fit that has not seen it"
             )
         };
-        Self::of_poses(&poses, &fold, count, how)
+        Self::of_poses(poses, &fold, count, how)
     }
 
     /// Number of samples.

@@ -22,6 +22,7 @@ use crate::set_up_errors::DataProblem;
 use crate::side_by_side::Threads;
 use nalgebra::DMatrix;
 use std::cell::LazyCell;
+use std::collections::BTreeSet;
 use std::rc::Rc;
 
 use super::found::SearchResult;
@@ -449,8 +450,8 @@ fn keep_clusters(problem: &mut Problem, base: &Model) {
     let fit = problem.to_fit().to_vec();
     let counted = problem.counted().iter();
     let suspected: Vec<bool> = fit.iter().zip(counted).map(|(f, c)| *f && !c).collect();
-    let count = suspected.iter().filter(|s| **s).count();
-    let fitted = fit.iter().filter(|f| **f).count();
+    let chosen = |of: &[bool]| poses_of(problem, (0..of.len()).filter(|i| of[*i]));
+    let [count, fitted] = [&suspected, &fit].map(|of| chosen(of));
     if count < RUN {
         return;
     }
@@ -463,8 +464,9 @@ fn keep_clusters(problem: &mut Problem, base: &Model) {
         let of = |i: usize| q[problem.sample_of(i)];
         for run in runs(&fit, &suspected, of) {
             // So many in a row by accident: n·share^run.
-            let accident = fitted as f64 * share.powi(i32::try_from(run.len()).unwrap_or(64));
-            if run.len() >= RUN && accident < 0.01 && !is_gross(problem, &left_mm, &run) {
+            let own = poses_of(problem, run.iter().copied());
+            let accident = fitted as f64 * share.powi(i32::try_from(own).unwrap_or(64));
+            if own >= RUN && accident < 0.01 && !is_gross(problem, &left_mm, &run) {
                 for index in run {
                     back[index] = true;
                 }
@@ -472,6 +474,13 @@ fn keep_clusters(problem: &mut Problem, base: &Model) {
         }
     }
     problem.set_counted(back);
+}
+
+/// In how many poses these were measured: shots at one pose are one accident.
+fn poses_of(problem: &Problem, counted: impl Iterator<Item = usize>) -> usize {
+    let poses = problem.inputs.pose.as_deref();
+    let of = |i: usize| poses.map_or(i, |poses| poses[problem.sample_of(i)] as usize);
+    counted.map(of).collect::<BTreeSet<usize>>().len()
 }
 
 /// Whether most of what is counted here is off by more than any effect.

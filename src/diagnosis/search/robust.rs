@@ -3,7 +3,16 @@
 //!
 //! Iteratively reweighted least squares on whole samples: Huber's weights first, then Tukey's
 //! biweight, which redescends to zero (Holland & Welsch 1977). A deviation is divided by the share
-//! of it that a fit leaves.
+//! of it that a fit leaves. Rows of a pose weigh as one: eight shots at a pose that was missed are no eighth of a curve.
+//! What stands apart beside the base comes back where the other poses predict most of it with the many columns,
+//!
+//! ```text
+//! |e₋ₚ| < ½ |e of the base|,   e₋ₚ = (1 − A W)⁻¹ e,   A = Qₚ (Qᵀ W Q)⁻¹ Qₚᵀ
+//! ```
+//!
+//! as a pose that decides a column alone is always followed.
+
+use std::collections::{BTreeMap, BTreeSet};
 
 use nalgebra::{DMatrix, DVector};
 
@@ -12,6 +21,7 @@ use crate::fit::regression::Rows;
 use crate::linear::{Basis, along, cholesky, lower_cross, solve_lower};
 use crate::observations::figures::outlying;
 use crate::observations::outliers::suspected;
+use crate::sessions::poses::ByPose;
 
 use crate::diagnosis::evidence::Regression;
 use crate::diagnosis::evidence::thinned;
@@ -52,14 +62,16 @@ pub(crate) fn suspected_beside_many(
     design.view_mut((0, own), (m, width)).copy_from(&rich);
     let q = Basis::new(&design).q;
     let axes = rows.axes.len();
+    let share = shares_of_poses(&rows);
     let mut weights = vec![1.0; n];
     let mut left = residual.clone();
     for (stage, rounds) in ROUNDS.into_iter().enumerate() {
         for _ in 0..rounds {
-            let Some((e, kept)) = weighted(&q, &residual, &weights, axes) else {
+            let Some(fitted) = weighted(&q, &residual, [&weights, &share], axes) else {
                 return Vec::new();
             };
-            left = e;
+            let kept = fitted.kept;
+            left = fitted.left;
             let lengths: Vec<f64> = (0..n)
                 .map(|i| {
                     let squares = (0..axes).map(|a| {
@@ -83,8 +95,15 @@ pub(crate) fn suspected_beside_many(
             }
         }
     }
-    let Some((_, kept)) = weighted(&q, &residual, &weights, axes) else {
+    let Some(fitted) = weighted(&q, &residual, [&weights, &share], axes) else {
         return Vec::new();
+    };
+    let kept = &fitted.kept;
+    let condemned = {
+        let counted = problem.counted();
+        let is_suspect = |i: &usize| !counted[rows.samples[*i]];
+        let weights: Vec<f64> = weights.iter().zip(&share).map(|(w, s)| w * s).collect();
+        not_acquitted(&rows, &residual, &fitted, &weights, is_suspect)
     };
     let deviations: Vec<Vec<f64>> = (0..axes)
         .map(|a| {
@@ -98,7 +117,7 @@ pub(crate) fn suspected_beside_many(
         let of = |i: usize| [0, 1, 2].map(|a| deviations.get(a).map_or(0.0, |d| d[i] / unit));
         let white: Vec<[f64; 3]> = (0..n).map(of).collect();
         let marked = outlying(observed.layer(), &white);
-        return rows.samples.iter().copied().zip(marked).collect();
+        return with(&rows, marked, &condemned);
     }
     let columns: Vec<&[f64]> = deviations.iter().map(|d| &d[..]).collect();
     let sigma: Vec<f64> = rows
@@ -107,7 +126,51 @@ pub(crate) fn suspected_beside_many(
         .map(|a| 1.0 / problem.axis_weights[*a].sqrt())
         .collect();
     let marked = suspected(&columns, &vec![true; n], &sigma, true);
-    rows.samples.iter().copied().zip(marked).collect()
+    with(&rows, marked, &condemned)
+}
+
+/// What was marked, by sample, and what was not acquitted.
+fn with(rows: &Rows, marked: Vec<bool>, condemned: &BTreeSet<usize>) -> Vec<(usize, bool)> {
+    let marked = marked.into_iter().enumerate();
+    let marked = marked.map(|(i, marked)| (rows.samples[i], marked || condemned.contains(&i)));
+    marked.collect()
+}
+
+/// The suspects of which the other poses, with the many columns, do not predict most.
+fn not_acquitted(
+    rows: &Rows,
+    of_base: &DVector<f64>,
+    fitted: &Weighted,
+    weights: &[f64],
+    is_suspect: impl Fn(&usize) -> bool,
+) -> BTreeSet<usize> {
+    let (n, axes) = (rows.samples.len(), rows.axes.len());
+    let poses = ByPose::of(rows.inputs.pose.as_deref(), n);
+    let numbers: Vec<usize> = (0..poses.first.len()).collect();
+    let mut of_pose: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+    for (i, pose) in poses.to_samples(&numbers).into_iter().enumerate() {
+        of_pose.entry(pose).or_default().push(i);
+    }
+    let mut condemned = BTreeSet::new();
+    for own in of_pose.values().filter(|own| own.iter().any(&is_suspect)) {
+        let at = |i: usize| (0..axes).map(move |axis| axis * n + i);
+        let places: Vec<usize> = own.iter().copied().flat_map(at).collect();
+        let spread = fitted.spread.select_columns(&places);
+        let mut kept = -spread.tr_mul(&spread);
+        for (mut column, row) in kept.column_iter_mut().zip(&places) {
+            column *= weights[row % n];
+        }
+        for k in 0..places.len() {
+            kept[(k, k)] += 1.0;
+        }
+        let e = fitted.left.select_rows(&places);
+        let others = kept.lu().solve(&e);
+        let half = 0.5 * of_base.select_rows(&places).norm();
+        if !others.is_some_and(|left| left.norm() < half) {
+            condemned.extend(own.iter().copied().filter(&is_suspect));
+        }
+    }
+    condemned
 }
 
 /// The median length of so many coordinates, in standard deviations.
@@ -122,19 +185,42 @@ fn as_of_three(rows: &Rows, observation: usize) -> f64 {
     MEDIANS[2] / MEDIANS[own.clamp(1, 3) - 1]
 }
 
-/// What a weighted fit leaves, and of each row the variance that it leaves of the noise.
+/// What part each sample is of its pose.
+fn shares_of_poses(rows: &Rows) -> Vec<f64> {
+    let n = rows.samples.len();
+    let Some(poses) = rows.inputs.pose.as_deref() else {
+        return vec![1.0; n];
+    };
+    let mut count = BTreeMap::new();
+    for pose in poses {
+        *count.entry(pose).or_insert(0.0) += 1.0;
+    }
+    poses.iter().map(|pose| 1.0 / count[pose]).collect()
+}
+
+/// A weighted fit.
+struct Weighted {
+    /// What it leaves.
+    left: DVector<f64>,
+    /// Of each row the variance that it leaves of the noise.
+    kept: Vec<f64>,
+    /// `L⁻¹ Qᵀ`, where `L Lᵀ = Qᵀ W Q`.
+    spread: DMatrix<f64>,
+}
+
+/// All rows of a pose together weigh what one alone would.
 fn weighted(
     q: &DMatrix<f64>,
     residual: &DVector<f64>,
-    weights: &[f64],
+    [weights, share]: [&[f64]; 2],
     axes: usize,
-) -> Option<(DVector<f64>, Vec<f64>)> {
+) -> Option<Weighted> {
     let n = weights.len();
     let mut scaled = q.clone();
     for mut column in scaled.column_iter_mut() {
         for a in 0..axes {
-            for (i, w) in weights.iter().enumerate() {
-                column[a * n + i] *= w;
+            for (i, (w, share)) in weights.iter().zip(share).enumerate() {
+                column[a * n + i] *= w * share;
             }
         }
     }
@@ -160,5 +246,5 @@ fn weighted(
                 })
         })
         .collect();
-    Some((left, kept))
+    Some(Weighted { left, kept, spread })
 }

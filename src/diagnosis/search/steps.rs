@@ -55,7 +55,7 @@ pub(crate) fn steps(prepared: &PreparedSearch, base: &Fit, fit: &Fit) -> Vec<Ste
         let best = fits.max_by(|a, b| a.1.ln_evidence.total_cmp(&b.1.ln_evidence));
         let Some((index, next)) = best else { break };
         let seen = unseen_of(&next);
-        let says = prepared.folds.say_something();
+        let says = prepared.folds.predict_poses;
         steps.push(Step {
             term: left.remove(index),
             gap_mm: [gap(&now), gap(&next)],

@@ -415,7 +415,7 @@ fn tell_unseen(prepared: &PreparedSearch, fit: &Fit, kinds: &mut [KindFigures]) 
     let Some(rows) = regression.rows.observed() else {
         return;
     };
-    if !prepared.folds.say_something() {
+    if !prepared.folds.predict_poses {
         return;
     }
     let unseen = rows.by_kind(&prepared.folds.unseen(regression, fit).rows);

@@ -113,6 +113,13 @@ pub(crate) fn held_out(
             gaps: None,
         };
     }
+    if !prepared.folds.predict_poses {
+        return HeldOut {
+            how: text!("the robot was in too few poses to hold any out"),
+            samples: 0,
+            gaps: None,
+        };
+    }
     let rows = &regression.rows;
     let (raw, _) = rows.extract(&prepared.nominal);
     HeldOut {
