@@ -66,6 +66,21 @@ impl ByPose {
         Self::of(Some(&places), samples)
     }
 
+    /// The samples of each pose.
+    pub(crate) fn samples(&self) -> Vec<Vec<usize>> {
+        let mut all = vec![Vec::new(); self.first.len()];
+        for (sample, pose) in self.of.iter().enumerate() {
+            all[*pose].push(sample);
+        }
+        all
+    }
+
+    /// What part each sample is of its pose.
+    pub(crate) fn shares(&self) -> Vec<f64> {
+        let counts: Vec<f64> = self.samples().iter().map(|own| own.len() as f64).collect();
+        self.of.iter().map(|pose| 1.0 / counts[*pose]).collect()
+    }
+
     /// What each sample has of what was worked out for the poses.
     pub(crate) fn to_samples<T: Copy>(&self, of_poses: &[T]) -> Vec<T> {
         self.of.iter().map(|pose| of_poses[*pose]).collect()
@@ -126,10 +141,15 @@ mod tests {
             ['a', 'a', 'b', 'a', 'c']
         );
         assert_eq!(ByPose::of(None, 3).to_samples(&[5, 6, 7]), [5, 6, 7]);
-        let q = [Cow::from(vec![0.5, 0.0, 0.5, -0.0]), Cow::from(vec![1.0; 4])];
+        let q = [
+            Cow::from(vec![0.5, 0.0, 0.5, -0.0]),
+            Cow::from(vec![1.0; 4]),
+        ];
         let places = ByPose::of_places(&q, 4);
         assert_eq!(places.first, [0, 1]);
         assert_eq!(places.to_samples(&['a', 'b']), ['a', 'b', 'a', 'b']);
+        assert_eq!(places.samples(), [[0, 2], [1, 3]]);
+        assert_eq!(places.shares(), [0.5; 4]);
     }
 
     /// Sorted by angle, what was measured in two visits lies side by side; the clock tells them apart.

@@ -40,12 +40,7 @@ fn within_mm(problem: &Problem, model: &Model, share: f64) -> f64 {
 }
 
 /// The nominal robot, where the best rigid motion puts it.
-pub(super) fn nominal_mm(
-    part: &Session,
-    values: JointValues,
-    free_frame: bool,
-    share: f64,
-) -> f64 {
+pub(super) fn nominal_mm(part: &Session, values: JointValues, free_frame: bool, share: f64) -> f64 {
     let problem = Problem::new(part, values);
     let frame = MEASURING_FRAME.about().id;
     let frames = free_frame || part.samples.setups.is_some();

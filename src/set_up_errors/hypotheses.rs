@@ -15,7 +15,7 @@ use crate::sessions::correct::divisor;
 use crate::sessions::correction::{GRADIAN_DEG, TRAVEL_UNITS_MM, TURN_DEG};
 use crate::units::{deg_from_rad, rad_from_deg};
 
-use super::motor_values::likely_ratios;
+use super::motor_values::{likely_ratios, likely_scales};
 
 /// The values of a joint are so many times too large.
 pub(super) fn values_of_a_motor(joint: usize, ratio: f64) -> (Text, Text, SessionCorrection) {
@@ -33,6 +33,22 @@ pub(super) fn values_of_a_motor(joint: usize, ratio: f64) -> (Text, Text, Sessio
             ratio = divisor(factor)
         ),
         correction,
+    )
+}
+
+/// The only joint moves so many times what its values say.
+fn scale_is_wrong(factor: f64) -> (Text, Text, SessionCorrection) {
+    let scale = format!("{factor:.4}");
+    (
+        text!(
+            "joint 1 moves {scale} times as far as its values say: its scale is wrong",
+            scale = scale.clone()
+        ),
+        text!(
+            "enter the scale of the joint in the controller, or multiply its values by {scale}",
+            scale
+        ),
+        SessionCorrection::ScaleJoint { joint: 0, factor },
     )
 }
 
@@ -266,8 +282,12 @@ pub(super) fn hypotheses(
             push(what, proposal, mend);
         }
     }
-    for (joint, ratio) in likely_ratios(session, values, left) {
+    for (joint, ratio) in likely_ratios(session, values, &left) {
         let (what, proposal, mend) = values_of_a_motor(joint, ratio);
+        push(what, proposal, mend);
+    }
+    for factor in likely_scales(session, values, &left) {
+        let (what, proposal, mend) = scale_is_wrong(factor);
         push(what, proposal, mend);
     }
     for (factor, what) in mistaken_lengths() {

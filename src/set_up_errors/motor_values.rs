@@ -3,7 +3,8 @@
 //!
 //! Where a joint's values reach far beyond its limits, ratios that bring them within are tried on the nominal robot with
 //! the best rigid motion. The best is refined on fits; it is a whole number, or that of an encoder with a power of two of
-//! counts a turn, where one of these is near.
+//! counts a turn, where one of these is near. The scale of a single joint that moves another part of what it is told (a
+//! hobby servo whose pulses were taken for degrees) is looked for on fits from the beginning.
 
 use std::borrow::Cow;
 
@@ -30,6 +31,8 @@ const LARGEST_RATIO: f64 = 1000.0;
 const STEP: f64 = 1.02;
 /// Steps of the refinement, each to a third of the one before.
 const REFINED: usize = 8;
+/// A single joint moves no more than so many times what it is told, nor less than such a part of it.
+const LARGEST_SCALE: f64 = 5.0;
 /// The best ratio of the nominal robot is off by no more than this share.
 const COARSE: f64 = 0.02;
 /// A plain ratio is taken within this share: a scale error of a joint is smaller.
@@ -63,6 +66,31 @@ pub(super) fn likely_ratios(
     };
     let joints = 0..few.robot.joints.len();
     joints.filter_map(of_joint).flatten().collect()
+}
+
+/// What the only joint likely moves for each unit of its values, forwards and backwards; nothing where they are those of
+/// a motor. `left` says what a fit leaves of samples.
+pub(super) fn likely_scales(
+    session: &Session,
+    values: JointValues,
+    left: impl Fn(&Session) -> Option<f64>,
+) -> Vec<f64> {
+    let few = thinned_to(session, MOST_SAMPLES);
+    let inputs = Inputs::new(&few, values);
+    if few.robot.joints.len() != 1 || least_ratio(&few, &inputs, 0).is_some() {
+        return Vec::new();
+    }
+    let left = |ratio| left(&by_ratio(&few, 0, ratio)).unwrap_or(f64::INFINITY);
+    let of_sign = |sign: f64| {
+        let all = std::iter::successors(Some(1.0 / LARGEST_SCALE), |ratio| Some(ratio * STEP));
+        let all = all.take_while(|ratio| *ratio < LARGEST_SCALE);
+        let best = all
+            .map(|ratio| (left(sign * ratio), sign * ratio))
+            .min_by(|a, b| a.0.total_cmp(&b.0))?;
+        let ratio = refined(best.1, left);
+        Some(1.0 / with_base_model(session, values, 0, ratio))
+    };
+    [1.0, -1.0].into_iter().filter_map(of_sign).collect()
 }
 
 /// The least ratio that brings the values of a joint within its limits; `None` where they are not far beyond them.

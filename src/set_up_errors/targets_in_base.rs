@@ -7,9 +7,9 @@ use crate::sessions::{Session, SessionCorrection};
 use crate::text::length;
 
 use super::as_it_stands::nominal_mm;
-use super::thresholds::HALF;
 use super::thinned::thinned_to;
 use super::thresholds::GROSS_SHARE;
+use super::thresholds::HALF;
 
 /// Samples that are looked at.
 const MOST_SAMPLES: usize = 60;

@@ -39,7 +39,10 @@ pub(super) fn in_order(mut lengths_mm: Vec<f64>) -> Vec<f64> {
 pub(super) fn within(lengths_mm: &[f64], share: f64) -> f64 {
     let at = (share * lengths_mm.len() as f64) as usize;
     let last = lengths_mm.len().saturating_sub(1);
-    lengths_mm.get(at.min(last)).copied().unwrap_or(f64::INFINITY)
+    lengths_mm
+        .get(at.min(last))
+        .copied()
+        .unwrap_or(f64::INFINITY)
 }
 
 /// Fits frame, tool and zero offsets; `None` where the end makes sense for no robot.

@@ -141,7 +141,10 @@ impl Folds {
         let places = ByPose::of_places(&rows.inputs.q, rows.samples.len());
         if places.first.len() < FEWEST {
             let visits = Self::over_cells_of(rows, &points, &poses_of(rows));
-            return Self { predict_poses: false, ..visits };
+            return Self {
+                predict_poses: false,
+                ..visits
+            };
         }
         Self::over_cells_of(rows, &points, &places)
     }

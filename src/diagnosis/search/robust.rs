@@ -3,16 +3,17 @@
 //!
 //! Iteratively reweighted least squares on whole samples: Huber's weights first, then Tukey's
 //! biweight, which redescends to zero (Holland & Welsch 1977). A deviation is divided by the share
-//! of it that a fit leaves. Rows of a pose weigh as one: eight shots at a pose that was missed are no eighth of a curve.
+//! of it that a fit leaves. Rows with the same commands weigh as one: eight shots at a pose that was missed are no eighth
+//! of a curve.
 //! What stands apart beside the base comes back where the other poses predict most of it with the many columns,
 //!
 //! ```text
 //! |e₋ₚ| < ½ |e of the base|,   e₋ₚ = (1 − A W)⁻¹ e,   A = Qₚ (Qᵀ W Q)⁻¹ Qₚᵀ
 //! ```
 //!
-//! as a pose that decides a column alone is always followed.
+//! with p all rows of the same commands, as a pose that decides a column alone is always followed.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 use nalgebra::{DMatrix, DVector};
 
@@ -62,7 +63,8 @@ pub(crate) fn suspected_beside_many(
     design.view_mut((0, own), (m, width)).copy_from(&rich);
     let q = Basis::new(&design).q;
     let axes = rows.axes.len();
-    let share = shares_of_poses(&rows);
+    let places = ByPose::of_places(&rows.inputs.q, n);
+    let share = places.shares();
     let mut weights = vec![1.0; n];
     let mut left = residual.clone();
     for (stage, rounds) in ROUNDS.into_iter().enumerate() {
@@ -103,7 +105,7 @@ pub(crate) fn suspected_beside_many(
         let counted = problem.counted();
         let is_suspect = |i: &usize| !counted[rows.samples[*i]];
         let weights: Vec<f64> = weights.iter().zip(&share).map(|(w, s)| w * s).collect();
-        not_acquitted(&rows, &residual, &fitted, &weights, is_suspect)
+        not_acquitted(&places, &residual, &fitted, &weights, is_suspect)
     };
     let deviations: Vec<Vec<f64>> = (0..axes)
         .map(|a| {
@@ -138,34 +140,30 @@ fn with(rows: &Rows, marked: Vec<bool>, condemned: &BTreeSet<usize>) -> Vec<(usi
 
 /// The suspects of which the other poses, with the many columns, do not predict most.
 fn not_acquitted(
-    rows: &Rows,
+    places: &ByPose,
     of_base: &DVector<f64>,
     fitted: &Weighted,
     weights: &[f64],
     is_suspect: impl Fn(&usize) -> bool,
 ) -> BTreeSet<usize> {
-    let (n, axes) = (rows.samples.len(), rows.axes.len());
-    let poses = ByPose::of(rows.inputs.pose.as_deref(), n);
-    let numbers: Vec<usize> = (0..poses.first.len()).collect();
-    let mut of_pose: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
-    for (i, pose) in poses.to_samples(&numbers).into_iter().enumerate() {
-        of_pose.entry(pose).or_default().push(i);
-    }
+    let n = weights.len();
+    let axes = of_base.len() / n;
     let mut condemned = BTreeSet::new();
-    for own in of_pose.values().filter(|own| own.iter().any(&is_suspect)) {
+    let all = places.samples().into_iter();
+    for own in all.filter(|own| own.iter().any(&is_suspect)) {
         let at = |i: usize| (0..axes).map(move |axis| axis * n + i);
-        let places: Vec<usize> = own.iter().copied().flat_map(at).collect();
-        let spread = fitted.spread.select_columns(&places);
+        let own_rows: Vec<usize> = own.iter().copied().flat_map(at).collect();
+        let spread = fitted.spread.select_columns(&own_rows);
         let mut kept = -spread.tr_mul(&spread);
-        for (mut column, row) in kept.column_iter_mut().zip(&places) {
+        for (mut column, row) in kept.column_iter_mut().zip(&own_rows) {
             column *= weights[row % n];
         }
-        for k in 0..places.len() {
+        for k in 0..own_rows.len() {
             kept[(k, k)] += 1.0;
         }
-        let e = fitted.left.select_rows(&places);
+        let e = fitted.left.select_rows(&own_rows);
         let others = kept.lu().solve(&e);
-        let half = 0.5 * of_base.select_rows(&places).norm();
+        let half = 0.5 * of_base.select_rows(&own_rows).norm();
         if !others.is_some_and(|left| left.norm() < half) {
             condemned.extend(own.iter().copied().filter(&is_suspect));
         }
@@ -183,19 +181,6 @@ fn as_of_three(rows: &Rows, observation: usize) -> f64 {
     };
     let own = observed.layer().items[observation].rows;
     MEDIANS[2] / MEDIANS[own.clamp(1, 3) - 1]
-}
-
-/// What part each sample is of its pose.
-fn shares_of_poses(rows: &Rows) -> Vec<f64> {
-    let n = rows.samples.len();
-    let Some(poses) = rows.inputs.pose.as_deref() else {
-        return vec![1.0; n];
-    };
-    let mut count = BTreeMap::new();
-    for pose in poses {
-        *count.entry(pose).or_insert(0.0) += 1.0;
-    }
-    poses.iter().map(|pose| 1.0 / count[pose]).collect()
 }
 
 /// A weighted fit.

@@ -21,6 +21,7 @@ use crate::importers::settings::{ColumnGuess, Known, ReadContext};
 use crate::importers::times::extent;
 use crate::sessions::Lines;
 use crate::sessions::columns::{Quantity, Unit};
+use crate::sessions::correction::GRADIAN_DEG;
 use crate::tables::Cells;
 use crate::tables::decimals::{Decimal, value};
 use crate::tables::{Complaints, Grid};
@@ -194,6 +195,9 @@ fn measurements(
     list
 }
 
+/// Fewer positions lie on a line by accident.
+const FEWEST_ON_A_LINE: usize = 6;
+
 /// Whether deviations stand in the place of positions.
 fn deviations(
     context: &mut ReadContext<'_>,
@@ -225,6 +229,17 @@ fn deviations(
         );
         return Some(true);
     }
+    let measured = list.iter().map(|m| m.measured * units.measured.factor());
+    if let Some(scale) = scale_of(&targets, &measured.collect::<Vec<f64>>()) {
+        context.warn(
+            text!(
+                "the measured positions follow {scale} times their targets: the scale of the axis is taken to be wrong",
+                scale = format!("{scale:.3}")
+            ),
+            text!("positions near their targets; check the units of both columns"),
+        );
+        return Some(false);
+    }
     context.refuse(
         text!(
             "measured positions are up to {travel} % of the travel away from their targets",
@@ -233,6 +248,29 @@ fn deviations(
         text!("positions near their targets, in the same unit, or deviations"),
     );
     None
+}
+
+/// The scale of an axis that moves far more or less than it is told: all positions lie on a line over their targets,
+/// whose slope no mistaken unit has.
+fn scale_of(targets: &[f64], measured: &[f64]) -> Option<f64> {
+    let n = targets.len() as f64;
+    let mean = |of: &[f64]| of.iter().sum::<f64>() / n;
+    let [about, at] = [mean(targets), mean(measured)];
+    let both = || {
+        targets
+            .iter()
+            .zip(measured)
+            .map(|(t, m)| (t - about, m - at))
+    };
+    let slope = both().map(|(t, m)| t * m).sum::<f64>() / both().map(|(t, _)| t * t).sum::<f64>();
+    let off = both()
+        .map(|(t, m)| (m - slope * t).abs())
+        .fold(0.0, f64::max);
+    let is_line = targets.len() >= FEWEST_ON_A_LINE && off <= 0.02 * slope.abs() * extent(targets);
+    let is_unit = [GRADIAN_DEG, 1.0 / GRADIAN_DEG]
+        .iter()
+        .any(|unit| (slope / unit - 1.0).abs() < 0.01);
+    (is_line && !is_unit && (0.1..10.0).contains(&slope.abs())).then_some(slope)
 }
 
 /// In the order in which it was measured.
