@@ -161,7 +161,12 @@ impl<'a> ReadContext<'a> {
             None => Vec::new(),
         };
         let heading = |index: usize| heading_at(&headings, index);
-        self.ask_about_twins(&roles, &headings);
+        let stamp = parts_of_a_stamp(&roles);
+        let mut single = roles.clone();
+        if let Some([_, nanoseconds]) = stamp {
+            single[nanoseconds] = Role::Left;
+        }
+        self.ask_about_twins(&single, &headings);
         let is_number = |index: usize| roles.get(index).is_some_and(|role| role.is_number());
         let decimal = self.decimal_sign(grid, &is_number);
         // While the sign is being asked for, a comma is good enough to know how far points spread.
@@ -180,6 +185,10 @@ impl<'a> ReadContext<'a> {
         let (mut cells, lines, times) = (reader.cells, reader.lines, reader.times);
         self.found.rows = lines.len();
         self.found.names = distinct(&roles, &cells);
+        if let Some(stamp) = stamp {
+            joined(stamp, &mut cells);
+            roles = single;
+        }
         self.settle_units(grid, &mut roles, &cells);
         self.settle_times(&mut roles, &mut cells, &times, &headings);
         let words = &self.reading.columns;
@@ -405,6 +414,34 @@ impl<'a> ReadContext<'a> {
         };
         self.ask(About::Columns, says, &[]);
         false
+    }
+}
+
+/// The columns of seconds and of nanoseconds that are one time (`stamp.sec` and `stamp.nanosec` of ROS).
+fn parts_of_a_stamp(roles: &[Role]) -> Option<[usize; 2]> {
+    let times = roles
+        .iter()
+        .enumerate()
+        .filter_map(|(index, role)| match role {
+            Role::Time(unit) => Some((index, *unit)),
+            _ => None,
+        });
+    let mut times: Vec<(usize, Option<f64>)> = times.collect();
+    times.sort_by(|a, b| b.1.partial_cmp(&a.1).unwrap_or(std::cmp::Ordering::Equal));
+    match times.as_slice() {
+        [(seconds, Some(1.0)), (nanoseconds, Some(1e-9))] => Some([*seconds, *nanoseconds]),
+        _ => None,
+    }
+}
+
+/// Adds what is in the second column, s, to the first.
+fn joined([seconds, nanoseconds]: [usize; 2], cells: &mut [Option<Cells>]) {
+    let parts = cells[nanoseconds].take();
+    if let (Some(Cells::Numbers(whole)), Some(Cells::Numbers(parts))) = (&mut cells[seconds], parts)
+    {
+        for (time, part) in whole.iter_mut().zip(parts) {
+            *time += part;
+        }
     }
 }
 

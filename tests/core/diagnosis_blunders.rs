@@ -204,11 +204,20 @@ fn joint_values_of_a_motor() {
     }
 }
 
-/// Values that are half of what they should be have no unit of that size, and are no scale of a joint either.
+/// Values that are half of what they should be have no unit of that size: it is the scale of the axis.
+#[test]
+fn a_scale_that_is_far_off_hides_no_effect() {
+    let mut wrong = with_backlash();
+    wrong.samples.q[0].iter_mut().for_each(|q| *q *= 0.5);
+    let answer = diagnosed(&wrong);
+    reported(&answer, "joint 1 moves 2.000");
+    assert_eq!(names(&answer), ["backlash"]);
+}
+
 #[test]
 fn an_error_of_no_machine_is_no_name() {
     let mut wrong = with_backlash();
-    wrong.samples.q[0].iter_mut().for_each(|q| *q *= 0.5);
+    wrong.samples.q[0].iter_mut().for_each(|q| *q *= 0.3 * q.abs());
     let answer = diagnosed(&wrong);
     assert_eq!(names(&answer), [] as [&str; 0]);
     assert_eq!(answer.verdict, Verdict::Unexplained);

@@ -4,17 +4,19 @@
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 
 use truepose::compensation::Compensation;
+use truepose::diagnosis::Options;
 use truepose::effects::{Inputs, JointValues};
 use truepose::model::Model;
-use truepose::pipeline::{Method, identify};
-use truepose::simulation::{parse_scenario, simulate, unwatched};
+use truepose::pipeline::{Method, diagnose, identify};
+use truepose::sessions::Session;
+use truepose::simulation::{Scenario, parse_scenario, simulate, unwatched};
 
 use crate::rig::Random;
 
 const ROBOT: &str = include_str!("../../sessions/arm/robot.json");
 const HALF_RANGES_DEG: [f64; 6] = [130.0, 70.0, 60.0, 120.0, 90.0, 140.0];
 
-fn anywhere(random: &mut Random, share: f64) -> [f64; 6] {
+pub(crate) fn anywhere(random: &mut Random, share: f64) -> [f64; 6] {
     HALF_RANGES_DEG.map(|half| (share * half * (2.0 * random.unit() - 1.0)).round())
 }
 
@@ -39,10 +41,8 @@ fn design(kind: &str, random: &mut Random) -> Vec<[f64; 6]> {
     }
 }
 
-/// RMS distance of the real robot from where it is sent, over the joint ranges, as it is and with corrected commands.
-fn errors(kind: &str, seed: u64) -> [f64; 2] {
-    let mut random = Random(seed);
-    let rows = design(kind, &mut random);
+/// An arm whose real geometry is a little off, told to go to these places (degrees): its scenario and what a tracker saw.
+pub(crate) fn measured(rows: &[[f64; 6]], random: &mut Random, seed: u64) -> (Scenario, Session) {
     let list: Vec<String> = rows
         .iter()
         .map(|q| format!(r#"{{"q_deg":{q:?}}}"#))
@@ -70,6 +70,14 @@ fn errors(kind: &str, seed: u64) -> [f64; 2] {
     );
     let scenario = parse_scenario(text.as_bytes()).unwrap().scenario;
     let session = simulate(&scenario, seed, unwatched).unwrap().0;
+    (scenario, session)
+}
+
+/// RMS distance of the real robot from where it is sent, over the joint ranges, as it is and with corrected commands.
+fn errors(kind: &str, seed: u64) -> [f64; 2] {
+    let mut random = Random(seed);
+    let rows = design(kind, &mut random);
+    let (scenario, session) = measured(&rows, &mut random, seed);
     let (_, calibration) = identify(&session, &Method::default(), JointValues::Commanded).unwrap();
     let compensation = Compensation::new(&calibration);
     let poses: Vec<[f64; 6]> = (0..60).map(|_| anywhere(&mut random, 1.0)).collect();
@@ -112,4 +120,20 @@ fn commands_are_not_made_worse_where_no_pose_was() {
         let mean = |k: usize| all.iter().map(|e| e[k]).sum::<f64>();
         assert!(mean(1) < 0.85 * mean(0), "{kind}: {all:?}");
     }
+}
+
+/// Where the robot comes back to five places again and again nothing is known of a sixth, and no figure says so.
+#[test]
+fn visits_to_few_places_are_no_unseen_poses() {
+    let mut random = Random(9);
+    let (_, few) = measured(&design("five poses", &mut random), &mut random, 9);
+    let answer = diagnose(&few, &Options::default(), &|_| true).unwrap();
+    assert!(answer.held_out.gaps.is_none() && answer.found.is_empty());
+    // Ten places are enough to leave some out, and then with all their visits: few of 37 coefficients are known of them.
+    let ten: Vec<_> = (0..10).map(|_| anywhere(&mut random, 0.7)).collect();
+    let rows: Vec<_> = (0..60).map(|i| ten[i % 10]).collect();
+    let (_, session) = measured(&rows, &mut random, 9);
+    let answer = diagnose(&session, &Options::default(), &|_| true).unwrap();
+    let gaps = answer.held_out.gaps.expect("cross-validated");
+    assert!(gaps.end_mm > 5.0 * answer.gap.end_mm, "{gaps:?}");
 }

@@ -429,6 +429,14 @@ fn what_is_wrong_is_named_by_line_and_column() {
     assert!(iso("Target [mm],Run 1 +\n0,0\n1,1\n").contains("a length for a joint that turns"));
     assert!(iso("Target,Run 1 +\n0,0\n1,1\n").contains("--angle-unit deg or rad"));
     assert!(iso("Target [deg],Run 1 + [deg]\n0,5\n90,1\n").contains("of the travel away"));
+    // All on a line: the axis has another scale, unless a unit has it.
+    let line = |scale: f64| {
+        let rows = (0..8).map(|k| format!("{},{}\n", 10 * k, scale * f64::from(10 * k)));
+        format!("Target [deg],Run 1 + [deg]\n{}", rows.collect::<String>())
+    };
+    let settings = Settings::new(reading("iso230"), &robot);
+    assert!(import(line(0.465).as_bytes(), &settings).is_ok());
+    assert!(iso(&line(1.0 / 0.9)).contains("of the travel away"));
 }
 
 #[test]

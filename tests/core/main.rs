@@ -55,6 +55,7 @@ mod limits;
 mod mistakes;
 mod observations;
 mod observed_poses;
+mod odd_rows;
 mod paper;
 mod plan;
 mod plan_arms;
