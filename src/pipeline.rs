@@ -44,13 +44,12 @@ use crate::set_up_errors::{CorrectedSession, DataProblem, corrected_session, not
 use crate::standards::Standards;
 use crate::text::Text;
 
-pub use crate::design::{measuring_list, measuring_program};
 pub use crate::design::{plan_robot, plan_session};
 pub use crate::history::{history, history_of_robot, history_watched};
 pub use crate::importers::{import, import_watched};
 pub use crate::model::format_v1::is_model;
 pub use crate::paper::{RegionalStart, regional_start};
-pub use crate::programs::compensate;
+pub use crate::programs::{compensate, measuring_list, measuring_program};
 pub use crate::sessions::{load, save};
 pub use crate::sessions::{
     load_robot, load_watched, parse, parse_with_csv, save_watched, save_with_samples, write_inline,

@@ -7,7 +7,7 @@ use std::process::Output;
 
 use crate::rig::{Design, Hidden, Random, Rig, Shot};
 use serde_json::Value;
-use truepose::design::measuring_list;
+use truepose::programs::measuring_list;
 use truepose::design::{PlanError, PlanOptions, plan_robot, plan_session};
 use truepose::diagnosis::NextPose;
 use truepose::diagnosis::{Diagnosis, Options};

@@ -26,7 +26,7 @@ use std::path::PathBuf;
 
 use nalgebra::{DMatrix, Matrix3, Vector3};
 use serde_json::Value;
-use truepose::design::measuring_program;
+use truepose::programs::measuring_program;
 use truepose::design::{Plan, PlanError, PlanOptions, plan_robot, plan_session};
 use truepose::diagnosis::NextPose;
 use truepose::kinematics::Robot;

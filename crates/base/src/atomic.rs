@@ -100,7 +100,7 @@ impl WriteError {
 ///
 /// # Errors
 /// [`WriteError::ReplacesInput`] for the first such input.
-pub(crate) fn refuse_to_replace_inputs(output: &Path, inputs: &[&Path]) -> Result<(), WriteError> {
+pub fn refuse_to_replace_inputs(output: &Path, inputs: &[&Path]) -> Result<(), WriteError> {
     match inputs.iter().find(|&&input| same_file(output, input)) {
         Some(input) => Err(WriteError::ReplacesInput {
             output: output.to_path_buf(),
@@ -114,7 +114,7 @@ pub(crate) fn refuse_to_replace_inputs(output: &Path, inputs: &[&Path]) -> Resul
 ///
 /// # Errors
 /// [`WriteError::SameName`].
-pub(crate) fn refuse_one_file_for_two(first: &Path, second: &Path) -> Result<(), WriteError> {
+pub fn refuse_one_file_for_two(first: &Path, second: &Path) -> Result<(), WriteError> {
     if same_file(first, second) {
         return Err(WriteError::SameName(second.to_path_buf()));
     }
@@ -126,7 +126,7 @@ pub(crate) fn refuse_one_file_for_two(first: &Path, second: &Path) -> Result<(),
 /// # Errors
 /// See [`WriteError`]; an error of `write` is passed on, and the old file, if any, stays. So does it
 /// where `write` ends with [`Cancelled`].
-pub(crate) fn write_atomically(
+pub fn write_atomically(
     path: &Path,
     force: bool,
     write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
@@ -135,7 +135,7 @@ pub(crate) fn write_atomically(
 }
 
 /// A file that is on the disk but does not have its name yet. Dropped, it leaves no trace.
-pub(crate) struct StagedFile {
+pub struct StagedFile {
     file: TemporaryFile,
     /// As the user named it.
     named: PathBuf,
@@ -145,7 +145,7 @@ pub(crate) struct StagedFile {
 }
 
 impl StagedFile {
-    pub(crate) fn write(
+    pub fn write(
         named: &Path,
         force: bool,
         write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
@@ -243,7 +243,7 @@ impl Drop for TemporaryFile {
 /// rename fails, the first file gets its old content back. One folder is synchronised once, after
 /// both; two writers of one folder take turns, and no signal comes between. Between the two renames
 /// SIGKILL leaves the new first and the old second: what is in the second says which first is its own.
-pub(crate) fn commit_both(first: StagedFile, second: StagedFile) -> Result<(), WriteError> {
+pub fn commit_both(first: StagedFile, second: StagedFile) -> Result<(), WriteError> {
     let (first_path, second_path) = (first.path.clone(), second.path.clone());
     let (folder, other) = (folder_of(&first_path), folder_of(&second_path));
     let _turn = turn_of(folder);
@@ -312,7 +312,7 @@ fn standing_at(named: &Path, force: bool) -> Result<PathBuf, WriteError> {
     }
 }
 
-pub(crate) fn folder_of(path: &Path) -> &Path {
+pub fn folder_of(path: &Path) -> &Path {
     match path.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
         _ => Path::new("."),

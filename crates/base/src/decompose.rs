@@ -15,7 +15,7 @@ fn most_steps(rows: usize) -> usize {
 }
 
 /// Singular values and directions; `None` where they are not found, as of a matrix without rows or columns.
-pub(crate) fn svd<R: DimMin<C>, C: Dim>(matrix: OMatrix<f64, R, C>) -> Option<SVD<f64, R, C>>
+pub fn svd<R: DimMin<C>, C: Dim>(matrix: OMatrix<f64, R, C>) -> Option<SVD<f64, R, C>>
 where
     DimMinimum<R, C>: DimSub<U1>,
     DefaultAllocator: Allocator<R, C>
@@ -33,7 +33,7 @@ where
 
 /// Eigenvalues and directions of a symmetric matrix; where they are not found every value is 0, as of
 /// directions in which nothing is known.
-pub(crate) fn eigen<D: DimSub<U1>>(matrix: OMatrix<f64, D, D>) -> SymmetricEigen<f64, D>
+pub fn eigen<D: DimSub<U1>>(matrix: OMatrix<f64, D, D>) -> SymmetricEigen<f64, D>
 where
     DefaultAllocator: Allocator<D, D> + Allocator<D> + Allocator<DimDiff<D, U1>>,
 {

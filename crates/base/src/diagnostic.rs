@@ -172,7 +172,7 @@ pub struct Rejected {
 }
 
 impl Rejected {
-    pub(crate) fn of(diagnostics: Vec<Diagnostic>) -> Self {
+    pub fn of(diagnostics: Vec<Diagnostic>) -> Self {
         Self {
             diagnostics: summarised(diagnostics),
         }
@@ -198,7 +198,7 @@ const MOST_FINDINGS: usize = 200;
 
 /// The first findings of each severity, and how many more there are: a file can be wrong in as many
 /// places as it has bytes, and its reader reads none of them then.
-pub(crate) fn summarised(findings: Vec<Diagnostic>) -> Vec<Diagnostic> {
+pub fn summarised(findings: Vec<Diagnostic>) -> Vec<Diagnostic> {
     if findings.len() <= MOST_FINDINGS {
         return findings;
     }
@@ -239,7 +239,7 @@ pub(crate) fn summarised(findings: Vec<Diagnostic>) -> Vec<Diagnostic> {
 }
 
 /// Why a file cannot be read.
-pub(crate) fn unreadable(error: &io::Error) -> Text {
+pub fn unreadable(error: &io::Error) -> Text {
     match error.kind() {
         io::ErrorKind::NotFound => text!("no such file"),
         io::ErrorKind::PermissionDenied => text!("no permission to read it"),

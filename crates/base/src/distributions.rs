@@ -22,7 +22,7 @@ const MANY: f64 = 1e4;
 const MOST_TERMS: u32 = 1_000_000;
 
 /// The value below which Student's t with so many degrees of freedom is with this chance.
-pub(crate) fn t_quantile(chance: f64, freedom: f64) -> f64 {
+pub fn t_quantile(chance: f64, freedom: f64) -> f64 {
     if freedom < MANY
         && let Ok(t) = StudentsT::new(0.0, 1.0, freedom)
     {
@@ -37,7 +37,7 @@ pub(crate) fn t_quantile(chance: f64, freedom: f64) -> f64 {
 }
 
 /// The chance that F with these degrees of freedom is above `f`.
-pub(crate) fn f_tail(f: f64, above: f64, below: f64) -> f64 {
+pub fn f_tail(f: f64, above: f64, below: f64) -> f64 {
     if f.is_nan() || f <= 0.0 {
         return 1.0;
     }
@@ -45,7 +45,7 @@ pub(crate) fn f_tail(f: f64, above: f64, below: f64) -> f64 {
 }
 
 /// `I_x(a, b)` of `x = exp(−minus_ln_x)`: the chance that a beta variable is below x.
-pub(crate) fn beta_below(a: f64, b: f64, minus_ln_x: f64) -> f64 {
+pub fn beta_below(a: f64, b: f64, minus_ln_x: f64) -> f64 {
     let x = (-minus_ln_x).exp();
     if 2.0 * a.max(b) < MANY {
         return beta_reg(a, b, x.clamp(0.0, 1.0));

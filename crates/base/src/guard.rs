@@ -13,10 +13,10 @@ use std::path::{Component, Path, PathBuf};
 use crate::diagnostic::unreadable;
 
 /// What was found and what was expected.
-pub(crate) type Refusal = (Text, Text);
+pub type Refusal = (Text, Text);
 
 /// Opens a regular file and says how long it is.
-pub(crate) fn open_regular(path: &Path) -> Result<(File, u64), Refusal> {
+pub fn open_regular(path: &Path) -> Result<(File, u64), Refusal> {
     let failed = |error: &io::Error| (unreadable(error), text!("a file that can be read"));
     // Looked at before it is opened, and once more after, lest it was exchanged in between.
     let before = fs::metadata(path).map_err(|error| failed(&error))?;
@@ -40,7 +40,7 @@ fn regular(metadata: &fs::Metadata) -> Result<(), Refusal> {
 }
 
 /// The whole of a regular file of at most so many bytes.
-pub(crate) fn read_regular(path: &Path, most: u64) -> Result<Vec<u8>, Refusal> {
+pub fn read_regular(path: &Path, most: u64) -> Result<Vec<u8>, Refusal> {
     let (file, length) = open_regular(path)?;
     let too_long = |found: Text| (found, text!("a file of at most {most} bytes", most));
     if length > most {
@@ -59,7 +59,7 @@ pub(crate) fn read_regular(path: &Path, most: u64) -> Result<Vec<u8>, Refusal> {
 
 /// The path of what a document in `folder` calls `name`: there or below it, links resolved.
 /// `whose` is what the folder is called: "the session's folder".
-pub(crate) fn below(folder: &Path, name: &str, whose: Template) -> Result<PathBuf, Refusal> {
+pub fn below(folder: &Path, name: &str, whose: Template) -> Result<PathBuf, Refusal> {
     let expected = text!("a file in {folder} or below it", folder = whose);
     let refused = |found: Text| {
         let found = text!("{found}: {name}", found, name);

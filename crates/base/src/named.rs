@@ -10,6 +10,8 @@
 //! ```
 
 /// An enum, a function with the name of each value, and if it is asked for every value in order.
+#[doc(hidden)]
+#[macro_export]
 macro_rules! named {
     (
         $(#[$about:meta])*
@@ -19,7 +21,7 @@ macro_rules! named {
         $(#[$of_fn:meta])*
         $fn_vis:vis fn $fn_name:ident;
     ) => {
-        named! {
+        $crate::named! {
             $(#[$about])*
             $vis enum $Name {
                 $($(#[$of_value])* $Value = $name,)*
@@ -60,7 +62,7 @@ macro_rules! named {
         $(#[$of_all:meta])*
         $all_vis:vis const ALL;
     ) => {
-        named! {
+        $crate::named! {
             $(#[$about])*
             $vis enum $Name {
                 $($(#[$of_value])* $Value = $name,)*

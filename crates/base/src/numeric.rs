@@ -3,7 +3,7 @@
 use std::borrow::Borrow;
 
 /// Smallest and largest of the finite values; of none +∞ and −∞.
-pub(crate) fn extent<V: Borrow<f64>>(values: impl IntoIterator<Item = V>) -> [f64; 2] {
+pub fn extent<V: Borrow<f64>>(values: impl IntoIterator<Item = V>) -> [f64; 2] {
     let values = values.into_iter().map(|value| *value.borrow());
     let finite = values.filter(|value| value.is_finite());
     finite.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], v| {
@@ -12,7 +12,7 @@ pub(crate) fn extent<V: Borrow<f64>>(values: impl IntoIterator<Item = V>) -> [f6
 }
 
 /// The median of the finite values, of an even number of them the upper one; of nothing `None`.
-pub(crate) fn median(values: impl IntoIterator<Item = f64>) -> Option<f64> {
+pub fn median(values: impl IntoIterator<Item = f64>) -> Option<f64> {
     let mut all: Vec<f64> = values.into_iter().filter(|v| v.is_finite()).collect();
     if all.is_empty() {
         return None;
@@ -22,7 +22,7 @@ pub(crate) fn median(values: impl IntoIterator<Item = f64>) -> Option<f64> {
 }
 
 /// The stretch with the largest sum (Kadane's algorithm), as its first place and the one behind its last.
-pub(crate) fn likeliest_stretch(gains: impl IntoIterator<Item = f64>) -> (usize, usize) {
+pub fn likeliest_stretch(gains: impl IntoIterator<Item = f64>) -> (usize, usize) {
     let (mut best, mut here) = ((0.0, 0, 0), (0.0, 0));
     for (k, gain) in gains.into_iter().enumerate() {
         if here.0 <= 0.0 {
@@ -42,7 +42,7 @@ pub(crate) fn likeliest_stretch(gains: impl IntoIterator<Item = f64>) -> (usize,
     clippy::cast_sign_loss,
     reason = "clamped to what a count of digits or of pieces can be"
 )]
-pub(crate) fn whole(value: f64) -> usize {
+pub fn whole(value: f64) -> usize {
     value.clamp(0.0, 1e6) as usize
 }
 
@@ -54,13 +54,13 @@ pub(crate) fn single(value: f64) -> f32 {
 
 /// Lengths in ascending order: how many are within any tolerance takes no counting.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub(crate) struct Ascending {
+pub struct Ascending {
     ascending_mm: Vec<f64>,
 }
 
 impl Ascending {
     /// These lengths, mm, without those that are not known.
-    pub(crate) fn new(lengths_mm: &[f64]) -> Self {
+    pub fn new(lengths_mm: &[f64]) -> Self {
         let known = lengths_mm.iter().copied().filter(|l| l.is_finite());
         let mut ascending_mm: Vec<f64> = known.collect();
         ascending_mm.sort_unstable_by(f64::total_cmp);

@@ -44,7 +44,7 @@ pub enum ReadError {
 
 impl ReadError {
     /// What is wrong, where it could not have been cancelled.
-    pub(crate) fn rejected(self) -> Rejected {
+    pub fn rejected(self) -> Rejected {
         match self {
             Self::Rejected(rejected) => rejected,
             Self::Cancelled(_) => Rejected::of(Vec::new()),
@@ -58,7 +58,7 @@ pub fn unwatched(_: f64) -> ControlFlow<()> {
 }
 
 /// Between the work and its watcher.
-pub(crate) struct Progress<'a> {
+pub struct Progress<'a> {
     watch: &'a dyn Fn(f64) -> ControlFlow<()>,
     /// Which part is done, as it was told last.
     share: Cell<f64>,
@@ -67,7 +67,7 @@ pub(crate) struct Progress<'a> {
 
 impl<'a> Progress<'a> {
     /// Nothing is done yet.
-    pub(crate) fn new(watch: &'a dyn Fn(f64) -> ControlFlow<()>) -> Self {
+    pub fn new(watch: &'a dyn Fn(f64) -> ControlFlow<()>) -> Self {
         Self {
             watch,
             share: Cell::new(0.0),
@@ -76,7 +76,7 @@ impl<'a> Progress<'a> {
     }
 
     /// All of the work.
-    pub(crate) fn whole(&self) -> ProgressSpan<'_> {
+    pub fn whole(&self) -> ProgressSpan<'_> {
         ProgressSpan {
             progress: self,
             from: 0.0,
@@ -87,7 +87,7 @@ impl<'a> Progress<'a> {
 
 /// A part of the work.
 #[derive(Clone, Copy)]
-pub(crate) struct ProgressSpan<'p> {
+pub struct ProgressSpan<'p> {
     progress: &'p Progress<'p>,
     /// Where in the whole it begins and ends.
     from: f64,
@@ -96,7 +96,7 @@ pub(crate) struct ProgressSpan<'p> {
 
 impl ProgressSpan<'_> {
     /// The part of this part between two shares of it.
-    pub(crate) fn part(self, from: f64, to: f64) -> Self {
+    pub fn part(self, from: f64, to: f64) -> Self {
         let at = |share: f64| self.from + share * (self.to - self.from);
         Self {
             from: at(from),
@@ -106,14 +106,14 @@ impl ProgressSpan<'_> {
     }
 
     /// For work of unknown length: a third of what is left.
-    pub(crate) fn next_pass(self) -> Self {
+    pub fn next_pass(self) -> Self {
         let from = self.progress.share.get().clamp(self.from, self.to);
         let to = from + (self.to - from) / 3.0;
         Self { from, to, ..self }
     }
 
     /// So much of this part is done, 0 to 1.
-    pub(crate) fn reached(self, share: f64) -> Result<(), Cancelled> {
+    pub fn reached(self, share: f64) -> Result<(), Cancelled> {
         let Progress {
             watch,
             share: told,
@@ -134,12 +134,12 @@ impl ProgressSpan<'_> {
     }
 
     /// So many of so many are done.
-    pub(crate) fn counted(self, done: usize, of: usize) -> Result<(), Cancelled> {
+    pub fn counted(self, done: usize, of: usize) -> Result<(), Cancelled> {
         self.reached(done as f64 / of.max(1) as f64)
     }
 
     /// Whether it was cancelled already.
-    pub(crate) fn check(self) -> Result<(), Cancelled> {
+    pub fn check(self) -> Result<(), Cancelled> {
         if self.progress.cancelled.get() {
             return Err(Cancelled);
         }
@@ -147,7 +147,6 @@ impl ProgressSpan<'_> {
     }
 
     /// For work that is given a watch of its own.
-    #[cfg(feature = "gui")]
     pub(crate) fn watch(self) -> impl Fn(f64) -> ControlFlow<()> {
         move |share| match self.reached(share) {
             Ok(()) => ControlFlow::Continue(()),
@@ -157,46 +156,7 @@ impl ProgressSpan<'_> {
 }
 
 #[cfg(test)]
-pub(crate) mod testing {
-    //! Someone who watches.
-
-    use super::*;
-
-    /// Every share that the work tells, if it is let go to the end.
-    pub(crate) fn report_to<T>(
-        work: impl FnOnce(&dyn Fn(f64) -> ControlFlow<()>) -> T,
-    ) -> (Vec<f64>, T) {
-        let shares = Cell::new(Vec::new());
-        let done = work(&|share| {
-            let mut all = shares.take();
-            all.push(share);
-            shares.set(all);
-            ControlFlow::Continue(())
-        });
-        (shares.take(), done)
-    }
-
-    /// Says no when it is told the share with this number, and yes to whatever comes then: it
-    /// must not be asked again.
-    pub(crate) fn no_at(number: usize) -> impl Fn(f64) -> ControlFlow<()> {
-        let asked = Cell::new(0);
-        move |_| {
-            asked.set(asked.get() + 1);
-            if asked.get() - 1 == number {
-                return ControlFlow::Break(());
-            }
-            assert!(asked.get() <= number, "told something after it said no");
-            ControlFlow::Continue(())
-        }
-    }
-
-    /// That shares grow from 0 to 1.
-    pub(crate) fn assert_grows(shares: &[f64]) {
-        assert!(shares.is_sorted(), "{shares:?}");
-        assert!(shares.iter().all(|s| (0.0..=1.0).contains(s)), "{shares:?}");
-        assert_eq!(shares.last(), Some(&1.0), "{shares:?}");
-    }
-}
+mod testing;
 
 #[cfg(test)]
 mod tests {

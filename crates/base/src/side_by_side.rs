@@ -11,20 +11,20 @@ const USUAL: usize = 2;
 
 /// On how many threads parts are done.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct Threads(usize);
+pub struct Threads(usize);
 
 impl Threads {
     /// On this one alone.
-    pub(crate) const ONE: Self = Self(1);
+    pub const ONE: Self = Self(1);
 
     /// As many as were asked for, else two where the machine has them.
-    pub(crate) fn of(asked: Option<usize>) -> Self {
+    pub fn of(asked: Option<usize>) -> Self {
         let there = || available_parallelism().map_or(1, |cores| cores.get().min(USUAL));
         Self(asked.unwrap_or_else(there).max(1))
     }
 
     /// What each of so many parts gives, in their order.
-    pub(crate) fn each<R: Send>(self, count: usize, part: impl Fn(usize) -> R + Sync) -> Vec<R> {
+    pub fn each<R: Send>(self, count: usize, part: impl Fn(usize) -> R + Sync) -> Vec<R> {
         let threads = self.0.min(count);
         if threads < 2 {
             return (0..count).map(part).collect();
@@ -55,7 +55,7 @@ impl Threads {
     }
 
     /// The same of parts of which some may have no answer; then there is none of the whole.
-    pub(crate) fn all<R: Send>(
+    pub fn all<R: Send>(
         self,
         count: usize,
         part: impl Fn(usize) -> Option<R> + Sync,
@@ -64,7 +64,7 @@ impl Threads {
     }
 
     /// Cuts so many things into stretches, one for each thread, each a multiple of `together` but the last.
-    pub(crate) fn stretches(self, count: usize, together: usize) -> Vec<std::ops::Range<usize>> {
+    pub fn stretches(self, count: usize, together: usize) -> Vec<std::ops::Range<usize>> {
         let together = together.max(1);
         let own = count.div_ceil(together).div_ceil(self.0).max(1) * together;
         let starts = (0..count).step_by(own);

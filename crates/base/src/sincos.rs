@@ -74,7 +74,7 @@ pub fn sin_cos(angle_rad: f64) -> (f64, f64) {
     clippy::inline_always,
     reason = "the loop above becomes vector code only with this body inside it"
 )]
-pub(crate) fn sin_cos_small(x: f64) -> (f64, f64) {
+pub fn sin_cos_small(x: f64) -> (f64, f64) {
     let shifted = x * FRAC_2_PI + ROUNDING;
     let quadrant = shifted.to_bits();
     let k = shifted - ROUNDING;
@@ -110,7 +110,7 @@ pub(crate) fn sin_cos_small(x: f64) -> (f64, f64) {
 /// Sines and cosines of angles of moderate size in all lanes, each as [`sin_cos_small`] has it.
 #[inline(always)]
 #[allow(clippy::inline_always, reason = "as sin_cos_all")]
-pub(crate) fn sin_cos_lanes(angles_rad: &Lanes) -> (Lanes, Lanes) {
+pub fn sin_cos_lanes(angles_rad: &Lanes) -> (Lanes, Lanes) {
     let (mut sines, mut cosines) = ([0.0; LANES], [0.0; LANES]);
     for i in 0..LANES {
         (sines[i], cosines[i]) = sin_cos_small(angles_rad[i]);

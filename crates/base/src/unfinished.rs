@@ -64,7 +64,7 @@ pub(crate) fn prefix() -> String {
 
 /// Removes every unfinished file of this process and keeps others from being made. Only for a program
 /// that ends.
-pub(crate) fn remove_all() {
+pub fn remove_all() {
     let mut list = List::locked();
     for path in list.0.drain(..) {
         // What has gone already needs no removal.

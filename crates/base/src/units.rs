@@ -9,18 +9,18 @@ use std::f64::consts::PI;
 use serde::{Deserialize, Serialize};
 
 /// A longer length, mm, is none of a robot or of what measures it.
-pub(crate) const LARGEST_LENGTH_MM: f64 = 1e7;
+pub const LARGEST_LENGTH_MM: f64 = 1e7;
 /// A larger value of a joint, in degrees or mm, is none.
-pub(crate) const LARGEST_JOINT_VALUE: f64 = 1e6;
+pub const LARGEST_JOINT_VALUE: f64 = 1e6;
 /// A larger mass, kg, is none of a robot.
-pub(crate) const LARGEST_MASS_KG: f64 = 1e6;
+pub const LARGEST_MASS_KG: f64 = 1e6;
 /// A larger time, s, is none: a clock that counts nanoseconds from 1970 stays below it.
-pub(crate) const LARGEST_TIME_S: f64 = 1e20;
+pub const LARGEST_TIME_S: f64 = 1e20;
 
 /// Unit of lengths for a reader.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
-pub(crate) enum LengthUnit {
+pub enum LengthUnit {
     /// 1 mm.
     #[default]
     Millimetre,
@@ -32,7 +32,7 @@ pub(crate) enum LengthUnit {
 
 impl LengthUnit {
     /// A length in this unit.
-    pub(crate) fn of_mm(self, mm: f64) -> f64 {
+    pub fn of_mm(self, mm: f64) -> f64 {
         match self {
             Self::Millimetre => mm,
             Self::Micrometre => mm * 1000.0,
@@ -41,7 +41,7 @@ impl LengthUnit {
     }
 
     /// Its sign.
-    pub(crate) fn name(self) -> &'static str {
+    pub fn name(self) -> &'static str {
         match self {
             Self::Millimetre => "mm",
             Self::Micrometre => "µm",
@@ -50,7 +50,7 @@ impl LengthUnit {
     }
 
     /// The sign of a unit of lengths for a temperature, a load or a time, as in `mm/kg`; `None`: it is of something else.
-    pub(crate) fn name_of_rate(self, unit: &str) -> Option<&'static str> {
+    pub fn name_of_rate(self, unit: &str) -> Option<&'static str> {
         Some(match (unit, self) {
             ("mm", _) => self.name(),
             ("mm/kg", Self::Millimetre) => "mm/kg",
@@ -70,7 +70,7 @@ impl LengthUnit {
 /// Unit of angles for a reader.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
-pub(crate) enum AngleUnit {
+pub enum AngleUnit {
     /// 1°.
     #[default]
     Degree,
@@ -84,7 +84,7 @@ pub(crate) enum AngleUnit {
 
 impl AngleUnit {
     /// An angle in this unit.
-    pub(crate) fn of_rad(self, rad: f64) -> f64 {
+    pub fn of_rad(self, rad: f64) -> f64 {
         match self {
             Self::Degree => deg_from_rad(rad),
             Self::Radian => rad,
@@ -94,7 +94,7 @@ impl AngleUnit {
     }
 
     /// Its sign, as it is after a number.
-    pub(crate) fn name(self) -> &'static str {
+    pub fn name(self) -> &'static str {
         match self {
             Self::Degree => "°",
             Self::Radian => " rad",

@@ -7,7 +7,7 @@
 
 /// A hot loop. `run` has to be `#[inline(always)]`, and what it calls inlined as well: only what
 /// stands inside the caller is compiled for wide vectors.
-pub(crate) trait Loop {
+pub trait Loop {
     /// What it gives.
     type Output;
     fn run(self) -> Self::Output;
@@ -15,7 +15,7 @@ pub(crate) trait Loop {
 
 /// Runs a loop with the widest vectors that the processor has.
 #[inline]
-pub(crate) fn wide<L: Loop>(work: L) -> L::Output {
+pub fn wide<L: Loop>(work: L) -> L::Output {
     #[cfg(target_arch = "x86_64")]
     {
         #[target_feature(enable = "avx2")]

@@ -101,13 +101,13 @@ impl Statement {
 
 /// Quarter turns of an angle (rad), rounded down.
 #[allow(clippy::cast_possible_truncation, reason = "an angle of a few turns")]
-pub(crate) fn quadrant_of(angle: f64) -> i64 {
+pub fn quadrant_of(angle: f64) -> i64 {
     (angle / FRAC_PI_2).floor() as i64
 }
 
 /// Whole turns of an angle (rad), to the nearest.
 #[allow(clippy::cast_possible_truncation, reason = "an angle of a few turns")]
-pub(crate) fn turns_of(angle: f64) -> i64 {
+pub fn turns_of(angle: f64) -> i64 {
     (angle / TAU).round() as i64
 }
 

@@ -382,7 +382,7 @@ impl Robot {
     }
 
     /// How far the tool is from the first axis along all links at home, and no less than from the base, mm.
-    pub(crate) fn length_along_links_mm(&self) -> f64 {
+    pub fn length_along_links_mm(&self) -> f64 {
         let tool = self.base_from_tool.translation.vector;
         let points = self.joints.iter().map(|joint| joint.axis.point_mm.coords);
         let points: Vec<_> = points.chain([tool]).collect();

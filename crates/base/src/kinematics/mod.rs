@@ -45,20 +45,22 @@
 
 pub(crate) mod chain;
 mod closed_form;
-pub(crate) mod configuration;
+pub mod configuration;
 pub(crate) mod description;
 pub(crate) mod dh;
 mod dh_row;
 pub(crate) mod gravity;
-pub(crate) mod inverse;
+pub mod inverse;
 pub(crate) mod jacobian;
 mod joint_kind;
 pub(crate) mod mjcf;
 mod pose;
 mod problems;
-pub(crate) mod quaternion;
+pub mod quaternion;
+#[doc(hidden)]
+pub mod rigid_motion;
 pub(crate) mod robot;
-pub(crate) mod screw;
+pub mod screw;
 mod tree;
 pub(crate) mod urdf;
 mod urdf_edit;
@@ -77,7 +79,8 @@ pub use inverse::{Goal, Inverse, REACHED_MM, REACHED_RAD};
 pub use joint_kind::JointKind;
 pub use mjcf::robot_from_mjcf;
 pub use pose::Pose;
-pub(crate) use robot::MOST_JOINTS;
+#[doc(hidden)]
+pub use robot::MOST_JOINTS;
 pub use robot::{
     Axis, Follows, Joint, KinematicsError, LinkMass, Range, Robot, RobotSource, pose_from_parts,
 };

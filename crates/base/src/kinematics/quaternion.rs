@@ -35,7 +35,7 @@ pub(crate) fn exp(rotation_rad: &Vector3<f64>) -> UnitQuaternion<f64> {
 ///
 /// At a half turn the vector and its opposite are the same rotation; the one whose first component
 /// that is not zero is positive is returned.
-pub(crate) fn log(rotation: &UnitQuaternion<f64>) -> Vector3<f64> {
+pub fn log(rotation: &UnitQuaternion<f64>) -> Vector3<f64> {
     let vector = rotation.imag();
     let (w, vector) = if rotation.w < 0.0 || (rotation.w == 0.0 && is_negative(&vector)) {
         (-rotation.w, -vector)
@@ -55,7 +55,7 @@ pub(crate) fn log(rotation: &UnitQuaternion<f64>) -> Vector3<f64> {
 
 /// The same of a rotation matrix. nalgebra's own takes the arc cosine of the trace: it loses half of the digits near no
 /// rotation, and where rounding takes the trace beyond 3 it is no number.
-pub(crate) fn log_of_matrix(rotation: &Rotation3<f64>) -> Vector3<f64> {
+pub fn log_of_matrix(rotation: &Rotation3<f64>) -> Vector3<f64> {
     log(&UnitQuaternion::from_rotation_matrix(rotation))
 }
 

@@ -13,7 +13,7 @@ use super::pose::Pose;
 const SHORTEST_DIRECTION: f64 = 1e-12;
 
 /// A chain with more joints is a mistake, and its fit would not end.
-pub(crate) const MOST_JOINTS: usize = 100;
+pub const MOST_JOINTS: usize = 100;
 
 /// Why a robot or a pose cannot be built, or cannot be asked.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

@@ -14,9 +14,9 @@ use super::robot::Axis;
 
 /// A small or finite motion of a body, or its rate: (ω, v) in rad and mm, per unit of what causes it.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Twist {
+pub struct Twist {
     /// Rotation, rad.
-    pub(crate) angular: Vector3<f64>,
+    pub angular: Vector3<f64>,
     /// Translation of the body's point at the origin of the frame, mm.
     pub(crate) linear: Vector3<f64>,
 }
@@ -43,7 +43,7 @@ impl Twist {
     }
 
     /// The velocity of the body's point that is now at `point_mm`.
-    pub(crate) fn velocity_at(&self, point_mm: &Point3<f64>) -> Vector3<f64> {
+    pub fn velocity_at(&self, point_mm: &Point3<f64>) -> Vector3<f64> {
         self.linear + self.angular.cross(&point_mm.coords)
     }
 }

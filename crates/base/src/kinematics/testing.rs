@@ -3,11 +3,8 @@
 use nalgebra::{Point3, Vector3};
 use proptest::prelude::*;
 
-use super::joint_kind::JointKind;
-use super::pose::Pose;
-use super::quaternion;
-use super::robot::{Axis, Joint, LinkMass, Robot};
-use super::screw::Twist;
+use crate::kinematics::screw::Twist;
+use crate::kinematics::{Axis, Joint, JointKind, LinkMass, Pose, Robot, quaternion};
 
 /// The pose with one joint moved.
 pub(crate) fn with_joint_moved(q: &[f64], joint: usize, by: f64) -> Vec<f64> {

@@ -14,16 +14,16 @@ const DEPENDENT: f64 = 1e-6;
 
 /// `A = Q R` on the columns that are independent.
 #[derive(Debug, Clone)]
-pub(crate) struct Basis {
+pub struct Basis {
     /// Orthonormal columns.
-    pub(crate) q: DMatrix<f64>,
+    pub q: DMatrix<f64>,
     /// Upper triangular, one column for each kept column of `A`.
     r: DMatrix<f64>,
     /// Which columns of `A` were kept, in order.
-    pub(crate) kept: Vec<usize>,
+    pub kept: Vec<usize>,
     columns: usize,
     /// The basis that its first columns are.
-    pub(crate) extends: Option<Arc<Self>>,
+    pub extends: Option<Arc<Self>>,
 }
 
 /// A basis that still grows.
@@ -96,7 +96,7 @@ impl Growing {
 
 impl Basis {
     /// Takes a matrix apart.
-    pub(crate) fn new(a: &DMatrix<f64>) -> Self {
+    pub fn new(a: &DMatrix<f64>) -> Self {
         let (m, p) = a.shape();
         let mut growing = Growing {
             q: Vec::with_capacity(m * p),
@@ -108,7 +108,7 @@ impl Basis {
     }
 
     /// Takes a matrix apart of which some columns, those of another basis in their order, are known.
-    pub(crate) fn extending(known: &Arc<Self>, own: &[usize], a: &DMatrix<f64>) -> Self {
+    pub fn extending(known: &Arc<Self>, own: &[usize], a: &DMatrix<f64>) -> Self {
         let (m, p) = a.shape();
         let rank = known.rank();
         let mut growing = Growing {
@@ -123,30 +123,30 @@ impl Basis {
     }
 
     /// Number of independent columns.
-    pub(crate) fn rank(&self) -> usize {
+    pub fn rank(&self) -> usize {
         self.kept.len()
     }
 
     /// The coefficients that bring `A x` closest to `y`; zero for columns that were dropped.
-    pub(crate) fn solve(&self, y: &DVector<f64>) -> DVector<f64> {
+    pub fn solve(&self, y: &DVector<f64>) -> DVector<f64> {
         self.coefficients(along(&self.q, y))
     }
 
     /// The coefficients of the columns from those of the orthonormal ones; zero for columns that were
     /// dropped.
-    pub(crate) fn coefficients(&self, mut along: DVector<f64>) -> DVector<f64> {
+    pub fn coefficients(&self, mut along: DVector<f64>) -> DVector<f64> {
         self.back_substitute(&mut along);
         self.spread(&along)
     }
 
     /// `y` without its part in the span.
-    pub(crate) fn reject(&self, y: &DVector<f64>) -> DVector<f64> {
+    pub fn reject(&self, y: &DVector<f64>) -> DVector<f64> {
         let along = along(&self.q, y);
         y - &self.q * along
     }
 
     /// `(Aᵀ A)⁻¹` on the kept columns; zero elsewhere.
-    pub(crate) fn inverse_gram(&self) -> DMatrix<f64> {
+    pub fn inverse_gram(&self) -> DMatrix<f64> {
         let rank = self.rank();
         let mut inverse_r = DMatrix::identity(rank, rank);
         for k in 0..rank {
@@ -168,7 +168,7 @@ impl Basis {
     /// `(Q c)ᵀ A` of those columns. `None` where the others span all of it.
     ///
     /// The columns of `R⁻ᵀ` are dual to those of `A`.
-    pub(crate) fn only_of(&self, own: &[usize]) -> Option<(DMatrix<f64>, DMatrix<f64>)> {
+    pub fn only_of(&self, own: &[usize]) -> Option<(DMatrix<f64>, DMatrix<f64>)> {
         let rank = self.rank();
         let at: Vec<usize> = (0..rank).filter(|k| own.contains(&self.kept[*k])).collect();
         if at.is_empty() {
@@ -204,7 +204,7 @@ impl Basis {
     }
 
     /// Share of row `i` that the fit explains by itself.
-    pub(crate) fn leverage(&self, row: usize) -> f64 {
+    pub fn leverage(&self, row: usize) -> f64 {
         self.q.row(row).norm_squared()
     }
 

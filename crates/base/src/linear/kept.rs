@@ -6,7 +6,7 @@ use super::products::dot;
 use super::subtraction::reject;
 
 /// Orthonormal columns, added one by one.
-pub(crate) struct Kept {
+pub struct Kept {
     rows: usize,
     q: Vec<DVector<f64>>,
     /// For each: which it is, and its parts along those before it and itself.
@@ -14,7 +14,7 @@ pub(crate) struct Kept {
 }
 
 impl Kept {
-    pub(crate) fn new(rows: usize) -> Self {
+    pub fn new(rows: usize) -> Self {
         Self {
             rows,
             q: Vec::new(),
@@ -23,7 +23,7 @@ impl Kept {
     }
 
     /// What is left of a column.
-    pub(crate) fn reject(&self, column: &DVector<f64>) -> DVector<f64> {
+    pub fn reject(&self, column: &DVector<f64>) -> DVector<f64> {
         let mut left = column.clone();
         if self.q.len() >= self.rows {
             left.fill(0.0);
@@ -37,7 +37,7 @@ impl Kept {
         left
     }
 
-    pub(crate) fn push(&mut self, index: usize, column: &DVector<f64>, free: &DVector<f64>) {
+    pub fn push(&mut self, index: usize, column: &DVector<f64>, free: &DVector<f64>) {
         let q = free / free.norm();
         let mut along = self.along(column);
         along.push(dot(q.as_slice(), column.as_slice()));
@@ -51,7 +51,7 @@ impl Kept {
     }
 
     /// How much of each kept column a dependent one is made of.
-    pub(crate) fn parts(&self, column: &DVector<f64>) -> Vec<(usize, f64)> {
+    pub fn parts(&self, column: &DVector<f64>) -> Vec<(usize, f64)> {
         let mut parts = self.along(column);
         for k in (0..parts.len()).rev() {
             let (earlier, along) = self.kept[k].1.split_at(k);
@@ -66,7 +66,7 @@ impl Kept {
     }
 
     /// Takes a column in the place of another that was kept.
-    pub(crate) fn exchange(
+    pub fn exchange(
         &mut self,
         out: usize,
         new: usize,

@@ -2,14 +2,17 @@
 
 mod basis;
 mod kept;
-mod products;
+pub mod products;
 mod subtraction;
 mod triangle;
 
-pub(crate) use basis::Basis;
-pub(crate) use kept::Kept;
-pub(crate) use products::{
-    along, cross, gram, lower_cross, own_products, products, some_columns, square_apart,
-};
-pub(crate) use subtraction::{reject_all, subtract};
-pub(crate) use triangle::{cholesky, inverse_of_lower, small_cholesky, small_gain, solve_lower};
+#[doc(hidden)]
+pub use basis::Basis;
+#[doc(hidden)]
+pub use kept::Kept;
+#[doc(hidden)]
+pub use products::{along, cross, gram, lower_cross, own_products, products, some_columns, square_apart};
+#[doc(hidden)]
+pub use subtraction::{reject_all, subtract};
+#[doc(hidden)]
+pub use triangle::{cholesky, inverse_of_lower, small_cholesky, small_gain, solve_lower};

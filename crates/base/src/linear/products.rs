@@ -15,12 +15,12 @@ pub(crate) fn norm(v: &[f64]) -> f64 {
 }
 
 /// The square of the distance between two vectors.
-pub(crate) fn square_apart(a: &[f64], b: &[f64]) -> f64 {
+pub fn square_apart(a: &[f64], b: &[f64]) -> f64 {
     wide(Apart { a, b })
 }
 
 /// Some columns that lie side by side.
-pub(crate) fn some_columns(a: &DMatrix<f64>, first: usize, count: usize) -> DMatrix<f64> {
+pub fn some_columns(a: &DMatrix<f64>, first: usize, count: usize) -> DMatrix<f64> {
     let height = a.nrows();
     let own = &a.as_slice()[first * height..(first + count) * height];
     DMatrix::from_vec(height, count, own.to_vec())
@@ -30,7 +30,7 @@ pub(crate) fn some_columns(a: &DMatrix<f64>, first: usize, count: usize) -> DMat
 const GRAM_ROWS: usize = 48;
 
 /// `Aᵀ A` of some columns: its lower half by blocks of rows, the other half is the same.
-pub(crate) fn gram(a: &DMatrix<f64>) -> DMatrix<f64> {
+pub fn gram(a: &DMatrix<f64>) -> DMatrix<f64> {
     let p = a.ncols();
     let transposed = a.transpose();
     let mut gram = DMatrix::zeros(p, p);
@@ -48,7 +48,7 @@ pub(crate) fn gram(a: &DMatrix<f64>) -> DMatrix<f64> {
 const SQUARE: usize = 4;
 
 /// `Aᵀ B` with the bits of [`dot`] for every product.
-pub(crate) fn cross(a: &DMatrix<f64>, b: &DMatrix<f64>) -> DMatrix<f64> {
+pub fn cross(a: &DMatrix<f64>, b: &DMatrix<f64>) -> DMatrix<f64> {
     let mut all = DMatrix::zeros(a.ncols(), b.ncols());
     wide(Cross {
         height: a.nrows().min(b.nrows()),
@@ -61,7 +61,7 @@ pub(crate) fn cross(a: &DMatrix<f64>, b: &DMatrix<f64>) -> DMatrix<f64> {
 }
 
 /// The lower half of `Aᵀ B` where that is symmetric, as [`cross`] has it; what is above the diagonal is not asked for.
-pub(crate) fn lower_cross(a: &DMatrix<f64>, b: &DMatrix<f64>) -> DMatrix<f64> {
+pub fn lower_cross(a: &DMatrix<f64>, b: &DMatrix<f64>) -> DMatrix<f64> {
     let mut all = DMatrix::zeros(a.ncols(), b.ncols());
     wide(Cross {
         height: a.nrows().min(b.nrows()),
@@ -74,7 +74,7 @@ pub(crate) fn lower_cross(a: &DMatrix<f64>, b: &DMatrix<f64>) -> DMatrix<f64> {
 }
 
 /// `Aᵀ A` with the bits of [`dot`] for every product.
-pub(crate) fn own_products(a: &DMatrix<f64>) -> DMatrix<f64> {
+pub fn own_products(a: &DMatrix<f64>) -> DMatrix<f64> {
     let p = a.ncols();
     let mut all = DMatrix::zeros(p, p);
     wide(Cross {
@@ -89,7 +89,7 @@ pub(crate) fn own_products(a: &DMatrix<f64>) -> DMatrix<f64> {
 }
 
 /// `Aᵀ v` with the bits of [`dot`] for every product.
-pub(crate) fn along(a: &DMatrix<f64>, v: &DVector<f64>) -> DVector<f64> {
+pub fn along(a: &DMatrix<f64>, v: &DVector<f64>) -> DVector<f64> {
     let mut all = DVector::zeros(a.ncols());
     products(v.as_slice(), a.as_slice(), all.as_mut_slice());
     all
@@ -218,7 +218,7 @@ fn square_of_products(a: [&[f64]; SQUARE], b: [&[f64]; SQUARE]) -> [[f64; SQUARE
 }
 
 /// Scalar products of a vector with columns, each with the bits of [`dot`].
-pub(crate) fn products(v: &[f64], columns: &[f64], out: &mut [f64]) {
+pub fn products(v: &[f64], columns: &[f64], out: &mut [f64]) {
     wide(Products { v, columns, out });
 }
 

@@ -12,7 +12,7 @@ pub(crate) fn reject(columns: &[f64], v: &mut [f64], parts: &mut [f64]) {
 }
 
 /// Takes from `v` columns times their coefficients, one after the other.
-pub(crate) fn subtract(columns: &[f64], coefficients: &[f64], v: &mut [f64]) {
+pub fn subtract(columns: &[f64], coefficients: &[f64], v: &mut [f64]) {
     wide(Subtracting {
         columns,
         coefficients,
@@ -51,7 +51,7 @@ pub(crate) fn subtract_with_products(
 }
 
 /// Takes from columns what orthonormal ones span of them.
-pub(crate) fn reject_all(q: &DMatrix<f64>, columns: &mut DMatrix<f64>) {
+pub fn reject_all(q: &DMatrix<f64>, columns: &mut DMatrix<f64>) {
     let parts = cross(q, columns);
     if columns.ncols() > FEW {
         columns.gemm(-1.0, q, &parts, 1.0);

@@ -5,7 +5,7 @@ use nalgebra::{Cholesky, DMatrix, Dyn};
 use crate::wide::{Loop, wide};
 
 /// The inverse of a lower triangle.
-pub(crate) fn inverse_of_lower(l: &DMatrix<f64>) -> DMatrix<f64> {
+pub fn inverse_of_lower(l: &DMatrix<f64>) -> DMatrix<f64> {
     let n = l.nrows();
     let mut inverse = DMatrix::identity(n, n);
     wide(Solving {
@@ -108,7 +108,7 @@ fn take_eight(own: &mut [f64], [a, b, c, d]: [&[f64]; 4], by: [f64; 4]) {
 }
 
 /// `L⁻¹ M` for a lower triangle without a zero on its diagonal, with the bits of nalgebra's.
-pub(crate) fn solve_lower(l: &DMatrix<f64>, mut m: DMatrix<f64>) -> DMatrix<f64> {
+pub fn solve_lower(l: &DMatrix<f64>, mut m: DMatrix<f64>) -> DMatrix<f64> {
     let n = l.nrows();
     debug_assert_eq!(n, m.nrows());
     wide(Solving {
@@ -155,7 +155,7 @@ impl Loop for Solving<'_> {
 
 /// The factor of a symmetric matrix, of which the lower half is looked at, with the bits of nalgebra's; `None` where
 /// it is not positive.
-pub(crate) fn cholesky(mut matrix: DMatrix<f64>) -> Option<Cholesky<f64, Dyn>> {
+pub fn cholesky(mut matrix: DMatrix<f64>) -> Option<Cholesky<f64, Dyn>> {
     let n = matrix.nrows();
     debug_assert_eq!(n, matrix.ncols());
     let values = matrix.as_mut_slice();
@@ -228,7 +228,7 @@ fn take(own: &mut [f64], other: &[f64]) {
 
 /// Cholesky factor (lower, row by row) of a small symmetric matrix; a pivot below the tolerance
 /// of its row is dropped: its row of the factor is zero.
-pub(crate) fn small_cholesky(g: &mut [f64], k: usize, tolerance: &[f64]) -> usize {
+pub fn small_cholesky(g: &mut [f64], k: usize, tolerance: &[f64]) -> usize {
     let mut rank = 0;
     for i in 0..k {
         for j in 0..=i {
@@ -253,7 +253,7 @@ pub(crate) fn small_cholesky(g: &mut [f64], k: usize, tolerance: &[f64]) -> usiz
 }
 
 /// `‖L⁻¹ h‖²` for a factor of [`small_cholesky`]; overwrites `h` with `L⁻¹ h`.
-pub(crate) fn small_gain(l: &[f64], k: usize, h: &mut [f64]) -> f64 {
+pub fn small_gain(l: &[f64], k: usize, h: &mut [f64]) -> f64 {
     let mut gain = 0.0;
     for i in 0..k {
         let mut sum = h[i];

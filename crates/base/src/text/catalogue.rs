@@ -15,12 +15,12 @@ struct Sentence {
 }
 
 /// The translations of one language.
-pub(super) struct Catalogue {
+pub struct Catalogue {
     sentences: BTreeMap<(String, String), Sentence>,
 }
 
 /// That of a language; it is read when it is asked for the first time.
-pub(super) fn catalogue(language: Language) -> &'static Catalogue {
+pub fn catalogue(language: Language) -> &'static Catalogue {
     static CATALOGUES: [OnceLock<Catalogue>; LANGUAGES.len() + 2] =
         [const { OnceLock::new() }; LANGUAGES.len() + 2];
     CATALOGUES[language as usize].get_or_init(|| Catalogue::read(language.catalogue()))
@@ -47,7 +47,7 @@ impl Catalogue {
     }
 
     /// The sentence as this language has it, for one or for several.
-    pub(super) fn of(&'static self, template: Template, one: bool) -> Option<&'static str> {
+    pub fn of(&'static self, template: Template, one: bool) -> Option<&'static str> {
         let (context, english) = template.key();
         let key = (context.to_owned(), english.to_owned());
         let forms = &self.sentences.get(&key)?.forms;
@@ -74,8 +74,7 @@ impl Catalogue {
     }
 
     /// Every sentence: context, English, forms.
-    #[cfg(all(test, feature = "gui"))]
-    pub(super) fn all(
+    pub fn all(
         &'static self,
     ) -> impl Iterator<Item = (&'static str, &'static str, &'static [String])> {
         self.sentences

@@ -13,7 +13,8 @@ pub struct Template {
 impl Template {
     /// Of a context (empty where the English alone has one meaning), of the English, and of its form for several
     /// where something is counted. The macros of [`crate::text`] call it.
-    pub(crate) const fn new(
+    #[doc(hidden)]
+    pub const fn new(
         context: &'static str,
         english: &'static str,
         many: &'static str,
@@ -26,7 +27,8 @@ impl Template {
     }
 
     /// What the catalogues know it by: context and English.
-    pub(super) fn key(self) -> (&'static str, &'static str) {
+    #[doc(hidden)]
+    pub fn key(self) -> (&'static str, &'static str) {
         (self.context, self.english)
     }
 
@@ -45,7 +47,8 @@ impl Template {
     }
 
     /// Whether its arguments have these names, all of them and no others. Forms of a count have the same.
-    pub(crate) const fn takes(self, names: &[&str]) -> bool {
+    #[doc(hidden)]
+    pub const fn takes(self, names: &[&str]) -> bool {
         fits(self.english, names) && (self.many.is_empty() || fits(self.many, names))
     }
 }
@@ -117,7 +120,7 @@ const fn same(text: &[u8], start: usize, end: usize, name: &[u8]) -> bool {
 }
 
 /// What stands between braces and beside them, in order: text as `Ok`, the name of an argument as `Err`.
-pub(super) fn parts(text: &str) -> impl Iterator<Item = Result<&str, &str>> {
+pub fn parts(text: &str) -> impl Iterator<Item = Result<&str, &str>> {
     let mut rest = text;
     std::iter::from_fn(move || {
         if rest.is_empty() {

@@ -21,11 +21,13 @@ macro_rules! languages {
         }
 
         /// The languages that are offered: each with the code of ISO 639 and its own name.
-        pub(crate) const LANGUAGES: &[(Language, &str, &str)] = &[$((Language::$name, $code, $own)),*];
+        #[doc(hidden)]
+        pub const LANGUAGES: &[(Language, &str, &str)] = &[$((Language::$name, $code, $own)),*];
 
         impl Language {
             /// The catalogue of its sentences; English needs none.
-            pub(super) const fn catalogue(self) -> &'static str {
+            #[doc(hidden)]
+            pub const fn catalogue(self) -> &'static str {
                 match self {
                     $(Self::$name => $catalogue,)*
                     Self::Marked | Self::Long => "",

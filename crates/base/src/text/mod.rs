@@ -14,9 +14,11 @@
 //! are checked while compiling, as languages have orders of their own. The same English of two meanings is told apart by a context (`text!(in "table", "from")`),
 //! and what is counted has a form for one (`say!(one "{count} sample", "{count} samples", count = n)`).
 //!
-//! Every template is listed where the tests are built, and a test fails for one that a catalogue lacks.
+//! Every template is listed in a build for development, and a test fails for one that a catalogue lacks.
 
 /// The value of an argument; without one, the variable of its name.
+#[doc(hidden)]
+#[macro_export]
 macro_rules! argument {
     ($name:ident) => {
         $name
@@ -27,58 +29,66 @@ macro_rules! argument {
 }
 
 /// A sentence as a value; see the module.
+#[doc(hidden)]
+#[macro_export]
 macro_rules! text {
     (in $context:literal, $english:literal $(, $name:ident $(= $value:expr)?)* $(,)?) => {
         $crate::text::Text::of(
-            template!($context, $english, ""; $($name)*),
-            vec![$((stringify!($name), $crate::text::Argument::from(argument!($name $(, $value)?)))),*],
+            $crate::template!($context, $english, ""; $($name)*),
+            vec![$((stringify!($name), $crate::text::Argument::from($crate::argument!($name $(, $value)?)))),*],
         )
     };
     (one $one:literal, $many:literal, $($name:ident $(= $value:expr)?),+ $(,)?) => {
         $crate::text::Text::of(
-            template!("", $one, $many; $($name)*),
-            vec![$((stringify!($name), $crate::text::Argument::from(argument!($name $(, $value)?)))),+],
+            $crate::template!("", $one, $many; $($name)*),
+            vec![$((stringify!($name), $crate::text::Argument::from($crate::argument!($name $(, $value)?)))),+],
         )
     };
     ($english:literal $($arguments:tt)*) => {
-        text!(in "", $english $($arguments)*)
+        $crate::text!(in "", $english $($arguments)*)
     };
 }
 
 /// A sentence in the language of this thread: text that lives as long as the program, or, with arguments, a
 /// `String`.
+#[doc(hidden)]
+#[macro_export]
 macro_rules! say {
     (in $context:literal, $english:literal $(,)?) => {
-        $crate::text::spoken(template!($context, $english, "";))
+        $crate::text::spoken($crate::template!($context, $english, "";))
     };
     (in $context:literal, $english:literal, $($name:ident $(= $value:expr)?),+ $(,)?) => {
         $crate::text::filled(
-            template!($context, $english, ""; $($name)*),
-            &[$((stringify!($name), &argument!($name $(, $value)?) as &dyn ::std::fmt::Display)),+],
+            $crate::template!($context, $english, ""; $($name)*),
+            &[$((stringify!($name), &$crate::argument!($name $(, $value)?) as &dyn ::std::fmt::Display)),+],
         )
     };
     (one $one:literal, $many:literal, $($name:ident $(= $value:expr)?),+ $(,)?) => {
         $crate::text::filled(
-            template!("", $one, $many; $($name)*),
-            &[$((stringify!($name), &argument!($name $(, $value)?) as &dyn ::std::fmt::Display)),+],
+            $crate::template!("", $one, $many; $($name)*),
+            &[$((stringify!($name), &$crate::argument!($name $(, $value)?) as &dyn ::std::fmt::Display)),+],
         )
     };
     ($english:literal $($arguments:tt)*) => {
-        say!(in "", $english $($arguments)*)
+        $crate::say!(in "", $english $($arguments)*)
     };
 }
 
 /// A sentence as a constant, to be spoken where it is shown. One with arguments names them behind a semicolon.
+#[doc(hidden)]
+#[macro_export]
 macro_rules! phrase {
     (in $context:literal, $english:literal) => {
-        template!($context, $english, "";)
+        $crate::template!($context, $english, "";)
     };
     ($english:literal $(; $($name:ident),+)?) => {
-        template!("", $english, ""; $($($name)+)?)
+        $crate::template!("", $english, ""; $($($name)+)?)
     };
 }
 
 /// `Display` of what says itself: in English, as documents and users of the library have it.
+#[doc(hidden)]
+#[macro_export]
 macro_rules! displays_what_it_says {
     ($what:ty) => {
         impl ::std::fmt::Display for $what {
@@ -89,7 +99,9 @@ macro_rules! displays_what_it_says {
     };
 }
 
-/// The template of a sentence: its arguments are checked while compiling, and where tests are built it is listed.
+/// The template of a sentence: its arguments are checked while compiling, and in a build for development it is listed.
+#[doc(hidden)]
+#[macro_export]
 macro_rules! template {
     ($context:literal, $one:literal, $many:literal; $($name:ident)*) => {{
         const TEMPLATE: $crate::text::Template = $crate::text::Template::new($context, $one, $many);
@@ -97,11 +109,11 @@ macro_rules! template {
             TEMPLATE.takes(&[$(stringify!($name)),*]),
             "the names in braces are not those of the arguments"
         );
-        // A list that the linker makes needs a section of its own, which counts as unsafe; only tests have it.
-        #[cfg(test)]
+        // A list that the linker makes needs a section of its own, which counts as unsafe; no release has it.
+        #[cfg(debug_assertions)]
         #[allow(unsafe_code, reason = "a section of the test program that linkme reads")]
-        #[linkme::distributed_slice($crate::text::TEMPLATES)]
-        #[linkme(crate = linkme)]
+        #[$crate::linkme::distributed_slice($crate::text::TEMPLATES)]
+        #[linkme(crate = $crate::linkme)]
         static LISTED: $crate::text::Template = TEMPLATE;
         TEMPLATE
     }};
@@ -118,21 +130,25 @@ pub use english::Template;
 pub use language::Language;
 pub use sentence::{Argument, Text};
 
-#[cfg(feature = "gui")]
-pub(crate) use language::LANGUAGES;
-pub(crate) use quantity::{InUnits, current_units};
-pub(crate) use sentence::{angle, components, entered, length, lengths, small_angle};
-#[cfg(any(test, feature = "cli", feature = "gui"))]
-pub(crate) use speech::choose;
-#[cfg(feature = "gui")]
-pub(crate) use speech::phrases_in;
-pub(crate) use speech::{ByTitles, by_titles};
-#[cfg(feature = "gui")]
-pub(crate) use speech::{characters, name_by_titles, stretch};
-pub(crate) use speech::{current, filled, known_in, spoken, within};
+#[doc(hidden)]
+pub use catalogue::catalogue;
+#[doc(hidden)]
+pub use english::parts;
+#[doc(hidden)]
+pub use language::LANGUAGES;
+#[doc(hidden)]
+pub use quantity::{InUnits, current_units};
+#[doc(hidden)]
+pub use sentence::{angle, components, entered, length, lengths, small_angle};
+#[doc(hidden)]
+pub use speech::{
+    ByTitles, by_titles, characters, choose, current, filled, known_in, name_by_titles, phrases_in,
+    spoken, stretch, within,
+};
 
-/// Every template of the program.
-#[cfg(test)]
+/// Every template of the program: a list only where debug assertions are on.
+#[cfg(debug_assertions)]
+#[doc(hidden)]
 #[allow(unsafe_code, reason = "as above")]
 #[linkme::distributed_slice]
-pub(crate) static TEMPLATES: [Template];
+pub static TEMPLATES: [Template];

@@ -11,15 +11,15 @@ thread_local! {
 }
 
 /// While this lives, quantities in sentences of this thread have these units.
-pub(crate) struct InUnits((LengthUnit, AngleUnit));
+pub struct InUnits((LengthUnit, AngleUnit));
 
 impl InUnits {
-    pub(crate) fn begin(units: (LengthUnit, AngleUnit)) -> Self {
+    pub fn begin(units: (LengthUnit, AngleUnit)) -> Self {
         Self(UNITS.replace(units))
     }
 
     /// As documents have them.
-    pub(crate) fn of_documents() -> Self {
+    pub fn of_documents() -> Self {
         Self::begin(Default::default())
     }
 }
@@ -31,7 +31,7 @@ impl Drop for InUnits {
 }
 
 /// The units of lengths and angles on this thread.
-pub(crate) fn current_units() -> (LengthUnit, AngleUnit) {
+pub fn current_units() -> (LengthUnit, AngleUnit) {
     UNITS.get()
 }
 

@@ -36,7 +36,7 @@ pub enum Argument {
 }
 
 impl Text {
-    pub(crate) fn of(template: Template, arguments: Vec<(&'static str, Argument)>) -> Self {
+    pub fn of(template: Template, arguments: Vec<(&'static str, Argument)>) -> Self {
         Self(Kind::Sentence(Box::new((template, arguments))))
     }
 
@@ -47,12 +47,12 @@ impl Text {
 
     /// What files and commands have an id for: English has the id where files and commands are near, and these words
     /// in the window and on paper; another language always has the words.
-    pub(crate) fn named(id: impl Into<String>, words: impl Into<Self>) -> Self {
+    pub fn named(id: impl Into<String>, words: impl Into<Self>) -> Self {
         Self(Kind::Named(Box::new((id.into(), words.into()))))
     }
 
     /// One after the other, with this between them.
-    pub(crate) fn listed(all: impl IntoIterator<Item = impl Into<Self>>, between: &str) -> Self {
+    pub fn listed(all: impl IntoIterator<Item = impl Into<Self>>, between: &str) -> Self {
         let mut clauses = Vec::new();
         for one in all {
             if !clauses.is_empty() {
@@ -69,7 +69,7 @@ impl Text {
     }
 
     /// In this language, and whether English has words for what has an id.
-    pub(crate) fn spoken_with(&self, language: Language, by_titles: bool) -> String {
+    pub fn spoken_with(&self, language: Language, by_titles: bool) -> String {
         match &self.0 {
             Kind::Verbatim(text) => text.clone(),
             Kind::Joined(clauses) => {
@@ -112,7 +112,7 @@ impl Text {
 }
 
 /// A length with so many digits behind the point in mm, as the argument of a sentence.
-pub(crate) fn length(mm: impl Borrow<f64>, decimals: usize) -> Text {
+pub fn length(mm: impl Borrow<f64>, decimals: usize) -> Text {
     quantity(
         Dimension::Length,
         (&[*mm.borrow()], Several::Change),
@@ -121,17 +121,17 @@ pub(crate) fn length(mm: impl Borrow<f64>, decimals: usize) -> Text {
 }
 
 /// How a length changes: `0.1350 → 0.0540 mm`.
-pub(crate) fn lengths(mm: [f64; 2], decimals: usize) -> Text {
+pub fn lengths(mm: [f64; 2], decimals: usize) -> Text {
     quantity(Dimension::Length, (&mm, Several::Change), decimals)
 }
 
 /// The components of a vector: `1.00, 2.00, 3.00 mm`.
-pub(crate) fn components(mm: [f64; 3], decimals: usize) -> Text {
+pub fn components(mm: [f64; 3], decimals: usize) -> Text {
     quantity(Dimension::Length, (&mm, Several::Components), decimals)
 }
 
 /// A length, or the components of a vector, as it is entered in a machine: in every unit as fine as 0.0001 mm.
-pub(crate) fn entered(mm: impl AsRef<[f64]>) -> Text {
+pub fn entered(mm: impl AsRef<[f64]>) -> Text {
     let values = (mm.as_ref(), Several::Components);
     Text(Kind::Quantity(
         Quantity::new(Dimension::Length, values, 4).entered(),
@@ -139,7 +139,7 @@ pub(crate) fn entered(mm: impl AsRef<[f64]>) -> Text {
 }
 
 /// An angle with so many digits behind the point in degrees.
-pub(crate) fn angle(rad: impl Borrow<f64>, decimals: usize) -> Text {
+pub fn angle(rad: impl Borrow<f64>, decimals: usize) -> Text {
     quantity(
         Dimension::Angle,
         (&[*rad.borrow()], Several::Change),
@@ -148,7 +148,7 @@ pub(crate) fn angle(rad: impl Borrow<f64>, decimals: usize) -> Text {
 }
 
 /// An error of an orientation with so many digits behind the point in mrad.
-pub(crate) fn small_angle(rad: impl Borrow<f64>, decimals: usize) -> Text {
+pub fn small_angle(rad: impl Borrow<f64>, decimals: usize) -> Text {
     quantity(
         Dimension::SmallAngle,
         (&[*rad.borrow()], Several::Change),

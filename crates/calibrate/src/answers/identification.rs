@@ -216,7 +216,7 @@ pub struct Identification {
 }
 
 /// The step of a calibration's history that is an identification with the full model.
-pub(crate) const FULL_MODEL: &str = "full model";
+pub const FULL_MODEL: &str = "full model";
 
 impl Identification {
     /// What identified the robot, as a step: the full model, or regions.

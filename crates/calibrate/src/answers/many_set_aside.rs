@@ -12,7 +12,7 @@ const FEWEST: usize = 5;
 impl Identification {
     /// What there is to say where more samples were set aside than accidents explain: the figures are those of the
     /// others.
-    pub(crate) fn many_set_aside(&self) -> Option<DataProblem> {
+    pub fn many_set_aside(&self) -> Option<DataProblem> {
         let aside = self.outliers.len();
         let all = self.samples - self.left_out.len().min(self.samples);
         if aside < FEWEST || aside as f64 <= MOST_SHARE * all as f64 {

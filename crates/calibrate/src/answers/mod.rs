@@ -5,9 +5,9 @@
 pub(crate) mod diagnosis;
 pub(crate) mod errors;
 pub(crate) mod far_tool;
-pub(crate) mod identification;
+pub mod identification;
 pub(crate) mod limits;
 mod many_set_aside;
-pub(crate) mod noise;
+pub mod noise;
 pub(crate) mod pose;
 pub(crate) mod rms_error;

@@ -44,7 +44,7 @@ const NO_LEVER: f64 = 1e-9;
 pub(crate) type Places = Vec<Positions>;
 
 /// Where a model puts every reflector at each pose of `inputs`.
-pub(crate) fn places(model: &Model, inputs: &Inputs) -> Places {
+pub fn places(model: &Model, inputs: &Inputs) -> Places {
     let mut one = inputs.clone();
     one.target = None;
     let homes = inputs.reflectors_at_home.iter();
@@ -58,7 +58,7 @@ pub(crate) fn places(model: &Model, inputs: &Inputs) -> Places {
 
 /// The commands, joint by joint, that bring the reflectors of `inputs` closest to `wanted`,
 /// starting from the commands of `inputs`. Only the joints in `free` (counted from 0) move.
-pub(crate) fn closest_commands(
+pub fn closest_commands(
     model: &Model,
     inputs: &Inputs,
     wanted: &Places,

@@ -27,27 +27,28 @@
 
 mod as_read;
 mod carried_over;
-pub(crate) mod conditions;
+pub mod conditions;
 mod conventions;
 pub mod decision;
 mod gross;
 mod hand_out;
-pub(crate) mod interpolation;
-pub(crate) mod inverse;
+pub mod interpolation;
+pub mod inverse;
 mod observed;
-pub(crate) mod plan;
-pub(crate) mod pose;
+pub mod plan;
+pub mod pose;
 pub(crate) mod regional;
-pub(crate) mod remainder;
+pub mod remainder;
 mod set_aside;
 pub(crate) mod table;
 mod table_error;
-pub(crate) mod verification;
+pub mod verification;
 pub(crate) mod verify;
 
 pub use conditions::{Conditions, Side};
 pub use hand_out::{NotHandedOut, VerifiedCalibration};
-pub(crate) use interpolation::SortedTable;
+#[doc(hidden)]
+pub use interpolation::SortedTable;
 pub use plan::Compensation;
 pub use regional::Regional;
 pub use remainder::{Remainder, Share};

@@ -25,7 +25,7 @@ fn is_of_one_target(term: &Term) -> bool {
 
 /// A model without what is the measurement's. A probe that is mounted turned by 20° does not turn what the robot works
 /// with: where `measured` points are (at home, base frame, mm) stays, on average of them.
-pub(crate) fn of_the_robot(model: &Model, mut measured: Vec<[f64; 3]>) -> Model {
+pub fn of_the_robot(model: &Model, mut measured: Vec<[f64; 3]>) -> Model {
     let robot = model.without(is_of_the_measurement);
     let role = |term: &Term| term.effect.about().role;
     let is_place = |term: &Term| role(term) == Role::ToolPlace && !is_of_one_target(term);

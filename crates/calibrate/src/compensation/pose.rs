@@ -64,7 +64,7 @@ const AT_ONCE: usize = 64;
 
 /// Where the commands of one pose ended.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Reached {
+pub struct Reached {
     /// The commands, rad or mm.
     pub q: Vec<f64>,
     /// What is missing of the position, mm.
@@ -81,7 +81,7 @@ pub(crate) struct Reached {
 
 /// Tools: the pose of each at home, in the base frame, and which of them each pose is of.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Tools {
+pub struct Tools {
     /// At home, base frame; at least one.
     pub base_from_tool: Vec<Pose>,
     /// For each pose an index into them; empty: always the first.
@@ -90,7 +90,7 @@ pub(crate) struct Tools {
 
 impl Tools {
     /// The tool of a robot.
-    pub(crate) fn of(robot: &Robot) -> Self {
+    pub fn of(robot: &Robot) -> Self {
         Self {
             base_from_tool: vec![robot.base_from_tool],
             of_pose: Vec::new(),
@@ -99,7 +99,7 @@ impl Tools {
 }
 
 /// Where a model has the tools at each pose of `inputs`; its targets play no part.
-pub(crate) fn tool_poses(model: &Model, inputs: &Inputs, tools: &Tools) -> Vec<Pose> {
+pub fn tool_poses(model: &Model, inputs: &Inputs, tools: &Tools) -> Vec<Pose> {
     let mut poses = Vec::with_capacity(inputs.len());
     for start in (0..inputs.len()).step_by(AT_ONCE) {
         let part = with_tools(inputs, tools, start);
@@ -111,7 +111,7 @@ pub(crate) fn tool_poses(model: &Model, inputs: &Inputs, tools: &Tools) -> Vec<P
 
 /// The commands that bring the tool of `model` to `wanted`, starting from the commands of `inputs`.
 /// Only the joints in `free` (counted from 0) move.
-pub(crate) fn commands_for_poses(
+pub fn commands_for_poses(
     model: &Model,
     inputs: &Inputs,
     wanted: &[Pose],
@@ -242,18 +242,18 @@ struct State {
 }
 
 /// In how many directions the free joints move the tool's origin in a generic pose.
-pub(crate) fn directions(robot: &Robot, free: &[usize]) -> usize {
+pub fn directions(robot: &Robot, free: &[usize]) -> usize {
     Scale::of(robot, free).directions
 }
 
 /// Whether the nominal tool can hardly be moved in some direction at these joint values (rad or mm).
-pub(crate) fn is_singular(robot: &Robot, q: &[f64], free: &[usize]) -> bool {
+pub fn is_singular(robot: &Robot, q: &[f64], free: &[usize]) -> bool {
     conditioning(robot, q, free) <= FLATTEST
 }
 
 /// How evenly the free joints move the nominal tool at these joint values (rad or mm): least over
 /// largest singular value of its Jacobian, 0 where it is singular, at most 1.
-pub(crate) fn conditioning(robot: &Robot, q: &[f64], free: &[usize]) -> f64 {
+pub fn conditioning(robot: &Robot, q: &[f64], free: &[usize]) -> f64 {
     let free = &robot.leading(free)[..];
     let scale = Scale::of(robot, free);
     let jacobian = scale.nominal(robot, q, free);

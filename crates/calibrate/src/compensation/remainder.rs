@@ -84,7 +84,7 @@ impl Remainder {
 }
 
 /// What stays of each pose, mm.
-pub(crate) fn left_over(compensation: &Compensation, inputs: &Inputs) -> Vec<[f64; 3]> {
+pub fn left_over(compensation: &Compensation, inputs: &Inputs) -> Vec<[f64; 3]> {
     let corrections = compensation.joint_corrections(inputs);
     let reached = compensation.reached(inputs, &corrections);
     let nominal = compensation.nominal.predict(inputs);

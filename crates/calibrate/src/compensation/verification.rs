@@ -217,7 +217,7 @@ pub(super) fn held_out(
 ///
 /// # Errors
 /// If the session's robot is another one.
-pub(crate) fn moved_by_correction(
+pub fn moved_by_correction(
     calibration: &Calibration,
     session: &Session,
 ) -> Result<Option<Positions>, VerifyError> {
@@ -251,7 +251,7 @@ pub(super) fn moved(compensation: &Compensation, inputs: &Inputs, model: &Positi
 }
 
 /// How far the table moves poses of a calibration's own session, mm: reached − model, as of its samples.
-pub(crate) fn moved_at(calibration: &Calibration, inputs: &Inputs) -> Positions {
+pub fn moved_at(calibration: &Calibration, inputs: &Inputs) -> Positions {
     let compensation = Compensation::new(calibration);
     let model = where_the_model_is(&compensation, &calibration.model, inputs, None);
     moved(&compensation, inputs, &model)
@@ -266,7 +266,7 @@ fn over_all(problem: &Problem) -> impl Fn(usize) -> bool {
 /// The RMS error that a table leaves on a session, `correction` being what the controller adds for a
 /// sample of this command and side of one joint, all as the controller counts them (rad or mm). The other
 /// joints go uncorrected.
-pub(crate) fn gap_with_table(
+pub fn gap_with_table(
     calibration: &Calibration,
     session: &Session,
     joint: usize,
@@ -308,12 +308,12 @@ pub(crate) fn gap_with_table(
 }
 
 /// The RMS error of the same session without a table.
-pub(crate) fn gap_without_table(calibration: &Calibration, session: &Session) -> Option<Spread> {
+pub fn gap_without_table(calibration: &Calibration, session: &Session) -> Option<Spread> {
     gap_with_table(calibration, session, 0, |_, _| 0.0)
 }
 
 /// The gap to another description of the robot, the instrument's own effects being left to it.
-pub(crate) fn gap_to_robot(
+pub fn gap_to_robot(
     calibration: &Calibration,
     session: &Session,
     robot: &crate::kinematics::Robot,

@@ -36,7 +36,7 @@ const USUAL: f64 = 10.0;
 
 /// How far before a pose the approach to it begins, rad or mm: 5° or 10 mm, within a quarter of the
 /// range.
-pub(crate) fn approach(joint: &Joint, range: Option<Range>) -> f64 {
+pub fn approach(joint: &Joint, range: Option<Range>) -> f64 {
     let usual = match joint.kind {
         JointKind::Revolute => joint.kind.to_base_units(5.0),
         JointKind::Prismatic => 10.0,

@@ -1,7 +1,7 @@
 //! Poses to measure next: those that tell rival explanations apart (`next_poses`), those that
 //! make an effect testable (`enabling_poses`), a first measurement of a joint
-//! (`first_measurement`), those that show the geometry of an arm (`geometry`), and all of them as a
-//! measuring list (`plan`).
+//! (`first_measurement`), those that show the geometry of an arm (`geometry`), and all of them
+//! (`plan`).
 //!
 //! One planner makes them all: candidates, a criterion of what they are worth, and a loop that takes what is
 //! worth most.
@@ -11,7 +11,7 @@
 //! | candidates: a place and its conditions | `candidates` (all combinations beside a session), `first_measurement` (slot by slot of a schedule), `arm` (over the joint ranges, in every way of measuring), `conditions` (the same under loads, temperatures, from other sides) |
 //! | criterion | `exchange::Information`: what is known of parameters (D-optimality); `parting::Parting`: how far models are apart, one refitted to what the other predicts (T-optimality, Atkinson & Fedorov 1975; `comparison`), with the probability of a decision between them (`decision`) |
 //! | loop | `exchange`: greedily, then exchanging |
-//! | as poses | `candidates::Writing`; [`measuring_list()`] and [`measuring_program`] as a file |
+//! | as poses | `candidates::Writing` |
 
 #![allow(
     clippy::cast_possible_truncation,
@@ -21,19 +21,18 @@
 
 pub(crate) mod enabling_poses;
 pub(crate) mod expected_information;
-pub(crate) mod forecast;
-pub(crate) mod geometry;
-pub(crate) mod measuring_list;
-pub(crate) mod needs;
-pub(crate) mod next_poses;
-pub(crate) mod pair_separation;
-pub(crate) mod plan;
+pub mod forecast;
+pub mod geometry;
+pub mod needs;
+pub mod next_poses;
+pub mod pair_separation;
+pub mod plan;
 
 mod arm;
 mod candidate_set;
 mod candidates;
 mod comparison;
-mod conditions;
+pub mod conditions;
 mod decision;
 mod exchange;
 mod expected_rows;
@@ -55,7 +54,6 @@ pub use expected_information::{Alike, ExpectedInformation};
 pub use forecast::{ExpectedError, Forecast};
 pub use geometry::Geometry;
 pub use making::{plan_robot, plan_session};
-pub use measuring_list::{measuring_list, measuring_program};
 pub use named::Named;
 pub use needs::{Need, Untestable};
 pub use pair_separation::Separation;

@@ -73,7 +73,7 @@ pub(crate) fn separate(
 /// What to measure next: poses that decide between the rivals, or where there are none, poses that
 /// make testable what the session cannot show. None of a robot with more joints than poses are planned for: how long
 /// it takes to find them grows with the square of the joints and more.
-pub(crate) fn propose(undecided: &Undecided) -> Proposal {
+pub fn propose(undecided: &Undecided) -> Proposal {
     let (prepared, fit) = (undecided.prepared, undecided.fit);
     let poses = if prepared.survey.joints.len() > MOST_JOINTS {
         Vec::new()

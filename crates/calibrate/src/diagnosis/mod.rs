@@ -54,7 +54,7 @@ use crate::sessions::Session;
 ///
 /// # Errors
 /// If an option makes no sense, if there is no sample to fit, or if the watcher stops it.
-pub(crate) fn diagnose(
+pub fn diagnose(
     session: &Session,
     options: &Options,
     planner: Planner,

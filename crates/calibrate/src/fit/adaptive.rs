@@ -27,23 +27,23 @@ const MOST_CELLS: usize = 1200;
 /// A region rests on at least so many samples.
 const FEWEST_SAMPLES: usize = 3;
 
-impl RegionChoice {
-    /// The regions for a session with one joint.
-    ///
-    /// # Errors
-    /// [`RegionError`] where the choice makes no sense for the session.
-    pub fn resolve(&self, session: &Session) -> Result<Vec<Region>, RegionError> {
-        match self {
-            Self::FromSession if session.regions.is_empty() => uniform(session, DEFAULT_REGIONS),
-            Self::FromSession => Ok(session.regions.clone()),
-            Self::Uniform(number) => uniform(session, *number),
-            Self::Boundaries(boundaries) => between(boundaries),
-            Self::Given(regions) => Ok(regions.clone()),
-            Self::Adaptive => match session.whole() {
-                Ok(session) => adaptive(&session),
-                Err(rejected) => Err(RegionError::Session(rejected.to_string())),
-            },
+/// The regions that a choice means for a session with one joint.
+///
+/// # Errors
+/// [`RegionError`] where the choice makes no sense for the session.
+pub fn regions_of(choice: &RegionChoice, session: &Session) -> Result<Vec<Region>, RegionError> {
+    match choice {
+        RegionChoice::FromSession if session.regions.is_empty() => {
+            uniform(session, DEFAULT_REGIONS)
         }
+        RegionChoice::FromSession => Ok(session.regions.clone()),
+        RegionChoice::Uniform(number) => uniform(session, *number),
+        RegionChoice::Boundaries(boundaries) => between(boundaries),
+        RegionChoice::Given(regions) => Ok(regions.clone()),
+        RegionChoice::Adaptive => match session.whole() {
+            Ok(session) => adaptive(&session),
+            Err(rejected) => Err(RegionError::Session(rejected.to_string())),
+        },
     }
 }
 

@@ -118,7 +118,7 @@ pub(crate) fn free_frames(session: &Session, problem: &Problem) -> Vec<Term> {
 
 /// A robot as it was drawn, seen from each setup where the best rigid motion puts it: a session with
 /// setups does not say where its instrument stands, and that is no error of the robot.
-pub(crate) fn nominal(robot: &Robot, session: &Session, problem: &Problem) -> Model {
+pub fn nominal(robot: &Robot, session: &Session, problem: &Problem) -> Model {
     Model::new(robot.clone(), free_frames(session, problem))
 }
 

@@ -17,7 +17,8 @@
 
 use nalgebra::DMatrix;
 
-pub(crate) use crate::answers::errors::Expected;
+#[doc(hidden)]
+pub use crate::answers::errors::Expected;
 use crate::effects::Inputs;
 use crate::model::Model;
 

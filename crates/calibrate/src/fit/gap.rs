@@ -2,11 +2,13 @@
 //! (two in a planar session), and which of them are suspected outliers. Their RMS error is defined in
 //! `answers::rms_error`.
 
-pub(crate) use crate::answers::errors::Spread;
+#[doc(hidden)]
+pub use crate::answers::errors::Spread;
 use crate::lanes::LANES;
 use crate::model::Model;
 use crate::observations::figures;
-pub(crate) use crate::observations::figures::Deviations;
+#[doc(hidden)]
+pub use crate::observations::figures::Deviations;
 use crate::observations::outliers::{as_if_seen, suspected};
 
 use super::problem::Problem;
@@ -22,7 +24,7 @@ pub(crate) const GROSS_TURN_RAD: f64 = GROSS_SHARE * std::f64::consts::TAU;
 const FEWEST_TO_BALANCE: usize = 30;
 
 /// Deviations of a session's samples from a model.
-pub(crate) fn deviations(problem: &Problem, model: &Model) -> Deviations {
+pub fn deviations(problem: &Problem, model: &Model) -> Deviations {
     if let Some(layer) = &problem.observed {
         return figures::deviations(layer, model);
     }

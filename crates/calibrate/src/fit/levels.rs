@@ -9,7 +9,9 @@
 //! seen. The frame of an instrument that was never aligned belongs to every level: no controller has
 //! to know it.
 
-pub(crate) use crate::answers::errors::{Errors, Level};
+#[doc(hidden)]
+pub use crate::answers::errors::Level;
+pub(crate) use crate::answers::errors::Errors;
 use crate::effects::{LINK_GEOMETRY, MEASURING_FRAME, Role, Setting};
 use crate::model::Model;
 use crate::text::Template;

@@ -1,22 +1,22 @@
 //! From measured samples to a model: the paper's corrections by region ([`identify_regional`]),
 //! and the exact nonlinear fit ([`identify_exact`]).
 
-pub(crate) mod base_model;
-pub(crate) mod expected;
-pub(crate) mod gap;
+pub mod base_model;
+pub mod expected;
+pub mod gap;
 pub(crate) mod gauge;
-pub(crate) mod levels;
+pub mod levels;
 pub(crate) mod levers;
-pub(crate) mod noise;
+pub mod noise;
 pub(crate) mod normal;
 pub(crate) mod priors;
-pub(crate) mod problem;
+pub mod problem;
 pub(crate) mod ranges;
 pub(crate) mod regression;
 pub(crate) mod scan;
-pub(crate) mod solver;
+pub mod solver;
 pub(crate) mod spectrum;
-pub(crate) mod uncertainty;
+pub mod uncertainty;
 pub(crate) mod unseen;
 
 mod adaptive;
@@ -28,7 +28,7 @@ mod exact;
 pub(crate) mod example;
 mod frames;
 pub(crate) mod observed;
-pub(crate) mod plane;
+pub mod plane;
 mod prior_rows;
 mod prior_scale;
 mod regional;
@@ -38,6 +38,7 @@ mod unidentifiable;
 mod unrepeated;
 mod usual_noise;
 
+pub use adaptive::regions_of;
 pub use crate::answers::errors::{Errors, Expected, Level, Spread, UnusableReason};
 pub use crate::answers::identification::{
     Estimate, Gap, Identification, LeftOut, NotIdentifiable, Outlier, Quality, RegionResult,

@@ -21,6 +21,7 @@ use crate::text::Text;
 use crate::text::length;
 
 use super::IdentifyError;
+use super::adaptive::regions_of;
 use super::answer::{left_out, outliers};
 use super::gap::suspects;
 use super::gap::{Deviations, Spread};
@@ -42,7 +43,7 @@ pub fn identify_regional(
 ) -> Result<Identification, IdentifyError> {
     let session = &*session.whole()?;
     single_revolute_joint(session)?;
-    let regions = choice.resolve(session)?;
+    let regions = regions_of(choice, session)?;
     let mut problem = Problem::new(session, values);
     problem.axis_weights = [1.0, 1.0, 0.0];
     if problem.samples() == 0 {

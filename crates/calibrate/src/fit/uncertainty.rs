@@ -25,11 +25,11 @@ pub(crate) fn half_width_factor(degrees_of_freedom: usize) -> f64 {
 
 /// The factor by which a standard error becomes half of a 95 % interval where the number of samples
 /// behind it is not known: a model keeps its covariance only.
-pub(crate) const NORMAL_95: f64 = 1.959964;
+pub const NORMAL_95: f64 = 1.959964;
 
 /// The estimates of all parameters that a calibration holds, with intervals by its covariance and
 /// `factor`; without a covariance there are none.
-pub(crate) fn all_estimates(calibration: &Calibration, factor: f64) -> Vec<Estimate> {
+pub fn all_estimates(calibration: &Calibration, factor: f64) -> Vec<Estimate> {
     let mut all = Vec::new();
     let mut first = 0;
     for term in calibration.model.terms() {

@@ -84,7 +84,7 @@ pub(crate) fn mended(raw: &Session, joint_values: JointValues) -> CorrectedSessi
 }
 
 /// The rows and the gross mistakes alone, for an identification.
-pub(crate) fn noticed(raw: &Session, joint_values: JointValues) -> CorrectedSession<'_> {
+pub fn noticed(raw: &Session, joint_values: JointValues) -> CorrectedSession<'_> {
     without_mistakes(raw, joint_values, false)
 }
 

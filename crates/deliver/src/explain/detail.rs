@@ -8,7 +8,7 @@ use super::section::{Block, Fact};
 
 /// How much of an answer is asked for.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Detail {
+pub struct Detail {
     /// Units of lengths as the reader chose them, with three digits; `None`: mm with the four decimals of a report.
     pub(crate) units: Option<Units>,
     /// Most points of a list; how many more there are is said.
@@ -28,8 +28,7 @@ impl Detail {
     }
 
     /// In the terminal: on one page.
-    #[cfg(feature = "cli")]
-    pub(crate) const TERMINAL: Self = Self {
+    pub const TERMINAL: Self = Self {
         units: None,
         most: 6,
         brief: true,
@@ -44,7 +43,6 @@ impl Detail {
     };
 
     /// In the window.
-    #[cfg(feature = "gui")]
     pub(crate) fn window(units: Units) -> Self {
         Self {
             units: Some(units),
@@ -91,7 +89,6 @@ impl Detail {
 }
 
 /// A length to the nanometre: a model has to give the same figure wherever it is checked.
-#[cfg(any(feature = "cli", feature = "gui"))]
 pub(super) fn to_the_nanometre(length_mm: f64, detail: Detail) -> String {
     match detail.units {
         None => format!("{length_mm:.6} mm"),

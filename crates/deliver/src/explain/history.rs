@@ -9,7 +9,7 @@ use crate::present::history::{CHANGED, entries, parameters};
 const MOST: usize = 4;
 
 /// The section of one robot.
-pub(crate) fn history(robot: &RobotHistory, detail: Detail) -> Section {
+pub fn history(robot: &RobotHistory, detail: Detail) -> Section {
     let last = robot.entries.len();
     let shown: Vec<usize> = (last.saturating_sub(MOST)..last).collect();
     let blocks = vec![

@@ -1,31 +1,22 @@
 //! An identification: its errors, the geometry, what each level of correction brings, parameters, regions, and what
 //! it is to be read with.
 
-#[cfg(feature = "cli")]
 use super::detail::to_the_nanometre;
-#[cfg(feature = "cli")]
 use super::diagnosis::expected;
-#[cfg(feature = "cli")]
 use super::values;
 use super::{Block, Detail, Fact, Section, Topic, cleaned, fact, open};
 use crate::answers::noise::StatedNoise;
 use crate::fit::{Identification, UnusableReason};
-#[cfg(feature = "cli")]
 use crate::fit::{RegionResult, gap::Spread};
 use crate::language::spoken;
-#[cfg(feature = "cli")]
 use crate::present::identification_v1::degrees;
-#[cfg(feature = "cli")]
 use crate::present::kinds;
-#[cfg(feature = "cli")]
 use crate::present::table::Table;
 use crate::sessions::Session;
-#[cfg(any(feature = "cli", feature = "gui"))]
 use crate::set_up_errors::DataProblem;
 
 /// The whole answer, in the order in which it is read.
-#[cfg(feature = "cli")]
-pub(crate) fn identification(
+pub fn identification(
     answer: &Identification,
     session: &Session,
     data_problems: &[DataProblem],
@@ -58,7 +49,6 @@ pub(crate) fn identification(
     sections
 }
 
-#[cfg(feature = "cli")]
 fn errors(answer: &Identification, detail: Detail) -> Vec<Fact> {
     let error = |error: &Spread| {
         say!(
@@ -85,7 +75,6 @@ fn errors(answer: &Identification, detail: Detail) -> Vec<Fact> {
 }
 
 /// What each level of correction would bring.
-#[cfg(feature = "cli")]
 fn levels(answer: &Identification) -> Option<Section> {
     if answer.levels.is_empty() {
         return None;
@@ -107,7 +96,6 @@ fn levels(answer: &Identification) -> Option<Section> {
     Some(Section::new(title, vec![Block::Table(table)]))
 }
 
-#[cfg(feature = "cli")]
 fn regions(results: &[RegionResult]) -> Table {
     let mut table = Table::headed(say!(
         "region | >from ° | >to ° | >samples | >Δθ rad | >Δl1 mm | >before mm | >after mm"
@@ -129,7 +117,6 @@ fn regions(results: &[RegionResult]) -> Table {
 }
 
 /// What was wrong in the session, with evidence and proposal.
-#[cfg(feature = "gui")]
 pub(crate) fn problems_of_data(problems: &[DataProblem], detail: Detail) -> Vec<Section> {
     let _speaking = detail.speaking();
     open::data_problems(problems)

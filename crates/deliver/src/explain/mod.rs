@@ -8,46 +8,43 @@ mod diagnosis;
 mod found;
 mod geometry;
 mod history;
-#[cfg(any(feature = "cli", feature = "gui"))]
 mod identification;
-#[cfg(any(feature = "cli", feature = "gui"))]
 mod imported;
 mod open;
 mod parameters;
-#[cfg(feature = "cli")]
 mod plan;
-#[cfg(any(feature = "cli", feature = "gui"))]
 mod program;
 mod section;
 mod sight;
-mod standards;
-#[cfg(any(feature = "cli", feature = "gui"))]
+pub mod standards;
 mod table;
-#[cfg(any(feature = "cli", feature = "gui"))]
-mod verification;
+pub mod verification;
 
 pub(crate) use clean::cleaned;
 pub use clean::{clean, clean_note};
-pub(crate) use detail::Detail;
-pub(crate) use diagnosis::{answer, diagnosis, expected, floor_from, noise, remarks};
-pub(crate) use history::history;
-#[cfg(feature = "cli")]
-pub(crate) use identification::identification;
-#[cfg(feature = "gui")]
+#[doc(hidden)]
+pub use detail::Detail;
+#[doc(hidden)]
+pub use diagnosis::diagnosis;
+pub(crate) use diagnosis::{answer, expected, floor_from, noise, remarks};
+#[doc(hidden)]
+pub use history::history;
+#[doc(hidden)]
+pub use identification::identification;
 pub(crate) use identification::{problems_of_data, remarks_on_fit};
-#[cfg(any(feature = "cli", feature = "gui"))]
-pub(crate) use imported::imported;
-pub(crate) use parameters::values;
-#[cfg(feature = "cli")]
-pub(crate) use plan::plan;
-#[cfg(feature = "cli")]
-pub(crate) use program::left_as_it_is;
-#[cfg(any(feature = "cli", feature = "gui"))]
-pub(crate) use program::program;
+#[doc(hidden)]
+pub use imported::imported;
+#[doc(hidden)]
+pub use parameters::values;
+#[doc(hidden)]
+pub use plan::plan;
+#[doc(hidden)]
+pub use program::left_as_it_is;
+#[doc(hidden)]
+pub use program::program;
 pub(crate) use section::fact;
 pub use section::{Block, Fact, Section, Topic};
-pub(crate) use standards::standards;
-#[cfg(any(feature = "cli", feature = "gui"))]
-pub(crate) use table::{Exported, table};
-#[cfg(any(feature = "cli", feature = "gui"))]
-pub(crate) use verification::verification;
+pub use standards::standards;
+#[doc(hidden)]
+pub use table::{Exported, table};
+pub use verification::verification;

@@ -6,6 +6,7 @@ use crate::diagnosis::{Correction, Diagnosis, Unnamed};
 use crate::fit::{Identification, NotIdentifiable};
 use crate::present::names::title_of;
 use crate::present::numbers::{grouped, significant};
+use crate::present::place::described;
 use crate::present::poses::{new_reflectors, table};
 use crate::set_up_errors::DataProblem;
 use crate::text::{ByTitles, within};
@@ -64,7 +65,7 @@ pub(super) fn unexplained(d: &Diagnosis, detail: Detail) -> Option<Section> {
         facts.push(fact(say!("Size"), detail.length(left.rms_mm)));
         facts.push(fact(say!("Evidence"), cleaned(&left.description)));
         if let Some(place) = &left.place {
-            facts.push(fact(say!("Where"), cleaned(place.describe())));
+            facts.push(fact(say!("Where"), cleaned(described(place))));
         }
         if !left.resembles.is_empty() {
             let names = left.resembles.iter().map(|name| title_of(name));

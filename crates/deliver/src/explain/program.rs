@@ -13,7 +13,7 @@ type LineColumn = (u64, u64);
 
 /// The whole answer; at most so many targets or remarks of a kind are listed, and the others counted.
 /// `orientation`: whether the robot could keep one, which fewer than six joints never can.
-pub(crate) fn program(
+pub fn program(
     answer: &Answer,
     orientation: bool,
     most: usize,
@@ -48,7 +48,7 @@ pub(crate) fn program(
 }
 
 /// Why a target was left as it is, with its name; where it is stands before it.
-pub(crate) fn left_as_it_is(target: &Outcome, left: &SkippedTarget) -> String {
+pub fn left_as_it_is(target: &Outcome, left: &SkippedTarget) -> String {
     let says = say!(
         "{target} is left as it is ({reason}): {left}",
         target = called(&target.name),

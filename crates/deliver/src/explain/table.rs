@@ -10,21 +10,21 @@ use crate::text::Text;
 
 /// An export with what it is held against.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Exported<'a> {
+pub struct Exported<'a> {
     /// The export.
-    pub(crate) export: &'a Export,
+    pub export: &'a Export,
     /// RMS error of the session under the export, where there is one and that can be said.
-    pub(crate) error: Option<Spread>,
+    pub error: Option<Spread>,
     /// RMS error of the nominal robot on the session, as every other answer states it.
-    pub(crate) nominal: Option<Spread>,
+    pub nominal: Option<Spread>,
     /// RMS error of the model itself on the session, mm, where that is known.
-    pub(crate) identified_mm: Option<f64>,
+    pub identified_mm: Option<f64>,
     /// What no joint can correct; `None` where that was not worked out.
-    pub(crate) remainder: Option<&'a Remainder>,
+    pub remainder: Option<&'a Remainder>,
 }
 
 /// What it leaves, what its numbers mean, what else there is to know.
-pub(crate) fn table(of: &Exported<'_>, detail: Detail) -> Vec<Section> {
+pub fn table(of: &Exported<'_>, detail: Detail) -> Vec<Section> {
     let _speaking = detail.speaking();
     let mut sections: Vec<Section> = leaves(of, detail).into_iter().collect();
     let meaning: Vec<String> = of

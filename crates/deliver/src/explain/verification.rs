@@ -5,7 +5,7 @@ use super::{Block, Detail, Fact, Section, Topic, cleaned, fact, open};
 use crate::compensation::Verification;
 
 /// The figures, what is wrong with the samples, suspected outliers, notes.
-pub(crate) fn verification(v: &Verification, detail: Detail) -> Vec<Section> {
+pub fn verification(v: &Verification, detail: Detail) -> Vec<Section> {
     let _speaking = detail.speaking();
     let figures = errors(v, detail).into_iter().chain(corrected(v, detail));
     let figures = vec![Block::Facts(figures.collect())];

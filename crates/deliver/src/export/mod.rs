@@ -41,7 +41,6 @@ pub(crate) mod sidecar;
 mod steps;
 mod table_file;
 
-#[cfg(feature = "gui")]
 pub(crate) use dh_rows::nominal_rows;
 pub use exporter::{Document, Export, Exporter, Format};
 pub use job::{ExportError, Job};

@@ -3,7 +3,7 @@
 
 use crate::document::Member;
 pub use crate::document::Value as Json;
-pub(crate) use crate::document::object;
+pub use crate::document::object;
 
 /// A value, or nothing: the key is left out then. An empty list is nothing.
 pub fn optional(value: impl Into<Json>) -> Json {
@@ -24,20 +24,6 @@ pub fn keyed(pairs: impl IntoIterator<Item = (impl Into<String>, Json)>) -> Json
 /// A list of what is made of each.
 pub fn list<T>(all: impl IntoIterator<Item = T>, each: impl Fn(T) -> Json) -> Json {
     all.into_iter().map(each).collect()
-}
-
-impl Json {
-    /// An object with the keys of another one behind its own.
-    #[must_use]
-    pub fn with(self, more: Self) -> Self {
-        match (self, more) {
-            (Self::Object(mut pairs), Self::Object(more)) => {
-                pairs.extend(more);
-                Self::Object(pairs)
-            }
-            (own, _) => own,
-        }
-    }
 }
 
 #[cfg(test)]

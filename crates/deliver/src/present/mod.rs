@@ -15,7 +15,7 @@ pub mod import_v1;
 pub mod json;
 pub(crate) mod kinds;
 pub(crate) mod limits;
-pub(crate) mod names;
+pub mod names;
 pub(crate) mod numbers;
 mod parts;
 pub mod plan_v1;
@@ -29,4 +29,4 @@ pub mod test_cube_v1;
 pub(crate) mod units;
 pub mod verification_v1;
 
-mod place;
+pub(crate) mod place;

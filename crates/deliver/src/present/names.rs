@@ -20,7 +20,7 @@ pub(crate) fn title_on(id: &str, joint: Option<usize>, joints: usize) -> String 
 }
 
 /// The title of a name that may end with its joint, `id joint`.
-pub(crate) fn title_of(name: &str) -> String {
+pub fn title_of(name: &str) -> String {
     match name.split_once(' ') {
         Some((id, joint)) => on_joint(id, joint),
         None => title(name).to_owned(),
@@ -33,7 +33,7 @@ pub(crate) fn on_joint(id: &str, joint: &str) -> String {
 }
 
 /// A parameter in words, and its unit as it is written behind a number.
-pub(crate) fn parameter(name: &str) -> (String, &'static str) {
+pub fn parameter(name: &str) -> (String, &'static str) {
     let (words, unit) = parameter_in_english(name);
     (word(&words), unit)
 }
@@ -73,7 +73,7 @@ const WORDS: &[Template] = &[
 
 /// A word of a name in files (of a parameter, of a kind of measurement) in the language of this thread; what no
 /// catalogue has stays as it is.
-pub(crate) fn word(english: &str) -> String {
+pub fn word(english: &str) -> String {
     match WORDS.iter().find(|word| word.english() == english) {
         Some(word) => spoken(*word).to_owned(),
         None => known_in(current(), "", english, &[]).unwrap_or_else(|| english.to_owned()),

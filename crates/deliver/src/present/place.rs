@@ -5,45 +5,43 @@ use crate::model::shapes::Where;
 use crate::sessions::Group;
 use crate::text::Text;
 
-impl Where {
-    /// In words, as they stand behind "where".
-    pub fn describe(&self) -> Text {
-        match self {
-            Self::Range { variable, from, to } => {
-                if let Some((group, name)) = of_a_group(variable) {
-                    return text!(
-                        "{thing}, samples {from} to {to}",
-                        thing = group.called(name),
-                        from = trimmed(*from, 0),
-                        to = trimmed(*to, 0)
-                    );
-                }
-                let (what, unit) = in_words(variable);
-                // Sides and reflectors are no range of numbers.
-                let Some(unit) = unit else { return what };
-                let [from, to] = [from, to].map(|value| format!("{}{unit}", trimmed(*value, 2)));
-                text!("{quantity} from {from} to {to}", quantity = what, from, to)
+/// In words, as they stand behind "where".
+pub(crate) fn described(place: &Where) -> Text {
+    match place {
+        Where::Range { variable, from, to } => {
+            if let Some((group, name)) = of_a_group(variable) {
+                return text!(
+                    "{thing}, samples {from} to {to}",
+                    thing = group.called(name),
+                    from = trimmed(*from, 0),
+                    to = trimmed(*to, 0)
+                );
             }
-            Self::Cycles {
-                variable,
-                cycles_per_turn,
-            } => {
-                let (what, unit) = in_words(variable);
-                let cycles = trimmed(*cycles_per_turn, 2);
-                // A joint that slides has no turns: its waves are counted by the metre.
-                if unit == Some("°") {
-                    text!(
-                        "{cycles} cycles per turn of {quantity}",
-                        cycles,
-                        quantity = what
-                    )
-                } else {
-                    text!(
-                        "{cycles} cycles per metre of {quantity}",
-                        cycles,
-                        quantity = what
-                    )
-                }
+            let (what, unit) = in_words(variable);
+            // Sides and reflectors are no range of numbers.
+            let Some(unit) = unit else { return what };
+            let [from, to] = [from, to].map(|value| format!("{}{unit}", trimmed(*value, 2)));
+            text!("{quantity} from {from} to {to}", quantity = what, from, to)
+        }
+        Where::Cycles {
+            variable,
+            cycles_per_turn,
+        } => {
+            let (what, unit) = in_words(variable);
+            let cycles = trimmed(*cycles_per_turn, 2);
+            // A joint that slides has no turns: its waves are counted by the metre.
+            if unit == Some("°") {
+                text!(
+                    "{cycles} cycles per turn of {quantity}",
+                    cycles,
+                    quantity = what
+                )
+            } else {
+                text!(
+                    "{cycles} cycles per metre of {quantity}",
+                    cycles,
+                    quantity = what
+                )
             }
         }
     }
@@ -96,7 +94,7 @@ mod tests {
     fn a_place_is_said_without_names_of_columns() {
         let range = |variable: &str, from, to| {
             let variable = variable.to_owned();
-            Where::Range { variable, from, to }.describe().to_string()
+            described(&Where::Range { variable, from, to }).to_string()
         };
         let cases = [
             (range("q1_deg", -31.592, 4.0), "joint 1 from −31.59° to 4°"),
@@ -125,11 +123,10 @@ mod tests {
         let cycles = |variable: &str| {
             let variable = variable.to_owned();
             let cycles_per_turn = 7.5;
-            Where::Cycles {
+            described(&Where::Cycles {
                 variable,
                 cycles_per_turn,
-            }
-            .describe()
+            })
             .to_string()
         };
         assert_eq!(cycles("q1_deg"), "7.5 cycles per turn of joint 1");

@@ -28,7 +28,6 @@ pub(crate) fn table(poses: &[NextPose], robot: &Robot) -> Table {
 
 /// The same with a column for each joint, its value with its side, and without columns that would be empty: for
 /// places where letters are equally wide.
-#[cfg(feature = "cli")]
 pub(crate) fn table_by_joint(poses: &[NextPose], robot: &Robot) -> Table {
     let joints = (1..=robot.joints.len()).map(|joint| say!("joint {joint}", joint));
     let columns = [Column::numbers("")].into_iter();

@@ -196,7 +196,7 @@ impl Table {
 }
 
 /// How many columns of a terminal a text takes: letters of East Asian scripts take two.
-pub(crate) fn width(text: &str) -> usize {
+pub fn width(text: &str) -> usize {
     let wide = |c: char| {
         matches!(c,
             '\u{1100}'..='\u{115f}' | '\u{2e80}'..='\u{303e}' | '\u{3041}'..='\u{a4cf}' | '\u{ac00}'..='\u{d7a3}'

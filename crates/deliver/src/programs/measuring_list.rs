@@ -9,9 +9,9 @@ use std::fmt::Write as _;
 
 use crate::kinematics::Robot;
 
-use super::conditions::approach;
+use super::{Stop, WriteError, stops};
+use crate::design::conditions::approach;
 use crate::diagnosis::NextPose;
-use crate::programs::{Stop, WriteError, stops};
 use crate::tables::as_cell;
 
 /// The poses as a program of joint moves in `language` (`rapid`, `krl`, `urscript`): each is approached

@@ -2,8 +2,8 @@
 //!
 //! A reader finds the targets of a file, each number with its place, and leaves every other byte
 //! alone: comments and strings are no targets, and what a program computes at run time is listed.
-//! [`compensate()`] replaces the numbers by those of the corrected commands, in place. [`stops`] writes a
-//! program for measuring poses.
+//! [`compensate()`] replaces the numbers by those of the corrected commands, in place. [`measuring_list()`] and
+//! [`measuring_program`] write poses to measure.
 //!
 //! # To add a language
 //! Write one file like its neighbours, which says how statements end, what they declare, set and move to
@@ -26,6 +26,7 @@ mod fanuc;
 mod frames;
 mod krl;
 mod language;
+mod measuring_list;
 mod number;
 mod pose;
 mod program;
@@ -50,6 +51,7 @@ pub use answer::{Answer, Outcome, Reason, SkippedTarget, Written};
 pub use axes::{Axes, Slot};
 pub use compensate::compensate;
 pub use language::Language;
+pub use measuring_list::{measuring_list, measuring_program};
 pub use number::Number;
 pub use pose::{Frame, Orientation};
 pub use program::Program;

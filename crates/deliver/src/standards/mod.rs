@@ -16,7 +16,7 @@ pub(crate) mod axis;
 pub(crate) mod path;
 pub(crate) mod pose;
 pub(crate) mod positioning;
-pub(crate) mod test_cube;
+pub mod test_cube;
 
 mod attained;
 mod grouping;

@@ -11,7 +11,7 @@
 //! and repeat.
 
 /// Directions of a curve, in order: along the joint's motion, along its radius, along its axis.
-pub(crate) const DIRECTIONS: usize = 3;
+pub const DIRECTIONS: usize = 3;
 /// Parts of a curve: what is common to both sides in each direction, then half of the reversal in each.
 pub(crate) const PARTS: usize = 2 * DIRECTIONS;
 /// More knots than this are a mistake.
@@ -185,7 +185,7 @@ fn split(u: f64, largest: usize) -> (usize, f64) {
 
 /// Values at the knots, or their standard deviations, part by part: rad (a sliding joint: mm) along the motion, mm
 /// across it; none where the curve does nothing.
-pub(crate) type Parts = [Vec<f64>; PARTS];
+pub type Parts = [Vec<f64>; PARTS];
 
 /// A cubic spline over a joint's value in three directions, given at equal steps.
 #[derive(Debug, Clone, PartialEq)]

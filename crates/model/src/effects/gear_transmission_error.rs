@@ -42,17 +42,17 @@ const PER_MOTOR_TURN: [f64; 3] = [1.0, 2.0, 4.0];
 
 /// An order that a stated gear ratio asks for.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct StatedOrder {
+pub struct StatedOrder {
     /// Cycles for a turn of the motor.
-    pub(crate) per_motor_turn: f64,
+    pub per_motor_turn: f64,
     /// Turns of the motor for one of the joint.
-    pub(crate) ratio: f64,
+    pub ratio: f64,
     /// Cycles for a turn of the joint.
-    pub(crate) order: f64,
+    pub order: f64,
 }
 
 /// The orders that a joint's stated gear ratio asks for; none where none is stated.
-pub(crate) fn stated_orders(robot: &Robot, joint: usize) -> impl Iterator<Item = StatedOrder> {
+pub fn stated_orders(robot: &Robot, joint: usize) -> impl Iterator<Item = StatedOrder> {
     let ratio = robot.joints.get(joint).and_then(|joint| joint.gear_ratio);
     let all = PER_MOTOR_TURN.into_iter();
     all.filter_map(move |per_motor_turn| {
@@ -71,7 +71,7 @@ pub(crate) fn stated_orders(robot: &Robot, joint: usize) -> impl Iterator<Item =
 }
 
 /// Which of the orders that its joint's gear ratio asks for a term is.
-pub(crate) fn stated(robot: &Robot, term: &Term) -> Option<StatedOrder> {
+pub fn stated(robot: &Robot, term: &Term) -> Option<StatedOrder> {
     let mut all = stated_orders(robot, term.joint);
     let own = all.find(|stated| stated.order == term.setting);
     own.filter(|_| term.effect.about().id == ABOUT.id)

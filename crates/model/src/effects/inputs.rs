@@ -46,7 +46,7 @@ pub struct Inputs<'a> {
     /// Index of the measuring frame, a whole number.
     pub setup: Option<Vec<f64>>,
     /// The [pose](crate::sessions::poses) of each sample; `None`: each has its own.
-    pub(crate) pose: Option<Vec<u32>>,
+    pub pose: Option<Vec<u32>>,
     /// Index into `reflectors_at_home`; `None`: always the first.
     pub target: Option<Cow<'a, [u32]>>,
     /// Reflectors at home, base frame, mm; at least one.
@@ -57,7 +57,7 @@ pub struct Inputs<'a> {
 }
 
 /// The temperature to which all models refer, °C.
-pub(crate) const REFERENCE_TEMPERATURE_C: f64 = 20.0;
+pub const REFERENCE_TEMPERATURE_C: f64 = 20.0;
 
 impl<'a> Inputs<'a> {
     /// The inputs of a session's samples. Columns of another length than the points' are as if they had not
@@ -201,7 +201,7 @@ impl<'a> Inputs<'a> {
 
     /// The same for a robot of so many joints: with a column for each, as many values in every column as
     /// there are samples, and a reflector for every sample.
-    pub(crate) fn fitted_to(&self, joints: usize) -> Cow<'_, Self> {
+    pub fn fitted_to(&self, joints: usize) -> Cow<'_, Self> {
         let len = self.len;
         let fits = |column: usize| column == len;
         let each = |columns: &[Option<Cow<'a, [f64]>>]| {

@@ -15,15 +15,15 @@
 //! Signs: a value says what the real robot does. A link that is 5 mm short has −5 mm.
 
 pub(crate) mod about;
-pub(crate) mod block;
-pub(crate) mod curve;
-pub(crate) mod inputs;
+pub mod block;
+pub mod curve;
+pub mod inputs;
 pub(crate) mod needs;
-pub(crate) mod places;
-pub(crate) mod survey;
-pub(crate) mod term;
-pub(crate) mod units;
-pub(crate) mod words;
+pub mod places;
+pub mod survey;
+pub mod term;
+pub mod units;
+pub mod words;
 
 mod axis_tilt;
 mod axis_wobble;
@@ -49,10 +49,10 @@ mod link_geometry;
 mod link_length;
 mod lost_motion;
 pub(crate) mod measuring_frame;
-pub(crate) mod place;
+pub mod place;
 mod place_effects;
 mod placed;
-pub(crate) mod rest;
+pub mod rest;
 pub(crate) mod rotation;
 mod screw_pitch;
 mod step;
@@ -68,7 +68,7 @@ mod unknown_anchor;
 mod unknown_plane;
 mod unknown_socket;
 mod unknown_station;
-pub(crate) mod unnamed;
+pub mod unnamed;
 mod wrist_coupling;
 
 pub use about::{
@@ -81,7 +81,8 @@ pub use catalogue::{
 };
 pub use curve::{Curve, CurveError, Knots};
 pub use from_parameters::TermError;
-pub(crate) use gear_transmission_error::{stated, stated_orders};
+#[doc(hidden)]
+pub use gear_transmission_error::{stated, stated_orders};
 pub use inputs::{Inputs, JointValues};
 pub use joint_frame::JointFrame;
 pub use link_geometry::LINK_GEOMETRY;

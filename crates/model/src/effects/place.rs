@@ -27,7 +27,7 @@ pub struct Place {
 }
 
 /// Most coefficients that a place has.
-pub(crate) const MOST: usize = 6;
+pub const MOST: usize = 6;
 
 /// What is the same of every place; its file says the rest.
 pub(super) const ABOUT: About = About {

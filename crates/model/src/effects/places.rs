@@ -17,7 +17,7 @@ use crate::kinematics::quaternion::log;
 use crate::sessions::{Anchor, Plane, References, Socket, Station};
 
 /// What a session says of a place, coefficient by coefficient; `None` where it does not.
-pub(crate) fn stated(references: &References, place: Place) -> [Option<f64>; MOST] {
+pub fn stated(references: &References, place: Place) -> [Option<f64>; MOST] {
     let mut all = [None; MOST];
     let mut put = |first: usize, values: &[f64]| {
         for (to, value) in all[first..].iter_mut().zip(values) {
@@ -70,7 +70,7 @@ pub(crate) fn stated(references: &References, place: Place) -> [Option<f64>; MOS
 }
 
 /// Name of a place in the session.
-pub(crate) fn name(references: &References, place: Place) -> &str {
+pub fn name(references: &References, place: Place) -> &str {
     match place.kind {
         PlaceKind::Anchor => &references.anchors[place.index].name,
         PlaceKind::Station => &references.stations[place.index].name,

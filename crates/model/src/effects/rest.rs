@@ -17,7 +17,7 @@ const MOST_WAVES: usize = 1000;
 /// Outside the measured range a correction has faded after so much of the range.
 const FADE: f64 = 0.25;
 /// Joints whose parts sag: the joint and two behind it; two moments each.
-pub(crate) const UNIT_SAGS: usize = 6;
+pub const UNIT_SAGS: usize = 6;
 
 /// A sine and a cosine of a sum of joint values.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -72,11 +72,11 @@ pub enum RestError {
 
 /// Where a joint's correction is asked for.
 #[derive(Debug, Clone)]
-pub(crate) struct RestPoint<'a> {
+pub struct RestPoint<'a> {
     pub(crate) robot: &'a Robot,
     pub(crate) joint: usize,
     /// Commands of all joints, rad or mm.
-    pub(crate) q: Vec<f64>,
+    pub q: Vec<f64>,
     pub(crate) load_nm: f64,
     pub(crate) torque_nm: f64,
     pub(crate) side: f64,
@@ -86,7 +86,7 @@ pub(crate) struct RestPoint<'a> {
 
 impl RestPoint<'_> {
     /// What the conditions are multiplied with, in the order of [`Along::conditions`].
-    pub(crate) fn conditions(&self) -> [f64; 5] {
+    pub fn conditions(&self) -> [f64; 5] {
         [
             self.load_nm,
             self.torque_nm,
@@ -214,7 +214,7 @@ fn sag(robot: &Robot, joint: usize, q: &[f64], moments: &[f64]) -> f64 {
 }
 
 /// The sag under one unit of each moment.
-pub(crate) fn unit_sag(robot: &Robot, joint: usize, q: &[f64]) -> [f64; UNIT_SAGS] {
+pub fn unit_sag(robot: &Robot, joint: usize, q: &[f64]) -> [f64; UNIT_SAGS] {
     std::array::from_fn(|k| {
         let mut moments = [0.0; UNIT_SAGS];
         moments[k] = 1.0;

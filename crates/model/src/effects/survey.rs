@@ -60,7 +60,7 @@ pub struct Survey {
 }
 
 /// Different values are counted only so far.
-pub(crate) const ENOUGH: usize = 16;
+pub const ENOUGH: usize = 16;
 
 impl Survey {
     /// Looks through a session.

@@ -49,7 +49,7 @@ pub struct FixedMask(u32);
 
 impl FixedMask {
     /// All of them.
-    pub(crate) const ALL: Self = Self(u32::MAX);
+    pub const ALL: Self = Self(u32::MAX);
 
     /// The same with one coefficient more.
     #[must_use]
@@ -215,7 +215,7 @@ pub(super) fn fade(setting: f64, u: f64) -> f64 {
 }
 
 /// Name and inner size of the scanned parameter, where the user sees one.
-pub(crate) fn setting_quantity(setting: Setting) -> Option<Quantity> {
+pub fn setting_quantity(setting: Setting) -> Option<Quantity> {
     match setting {
         Setting::None | Setting::Setup | Setting::Target | Setting::Place => None,
         Setting::Order { from, .. } => {
@@ -232,7 +232,7 @@ pub(crate) fn setting_quantity(setting: Setting) -> Option<Quantity> {
 }
 
 /// Names of an effect's parameters in the order in which they are shown.
-pub(crate) fn parameter_names(effect: &Effect) -> Vec<&'static str> {
+pub fn parameter_names(effect: &Effect) -> Vec<&'static str> {
     names_on(effect, JointKind::Revolute)
 }
 
@@ -276,7 +276,7 @@ pub(crate) fn coefficient_names_on(effect: &Effect, kind: JointKind) -> Vec<&'st
 }
 
 /// Limits of a joint, else the range of its values in the data.
-pub(crate) fn travel_of(robot: &Robot, joint: usize, q: &[f64]) -> Range {
+pub fn travel_of(robot: &Robot, joint: usize, q: &[f64]) -> Range {
     robot.joints[joint].limits.unwrap_or_else(|| {
         let [from, to] = extent(q.iter().copied());
         Range { from, to }

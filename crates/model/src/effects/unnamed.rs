@@ -95,7 +95,7 @@ impl Term {
     }
 
     /// The same with the coefficients that the rest of the model has without it.
-    pub(crate) fn beside_geometry(&self, alone: &[f64]) -> Self {
+    pub fn beside_geometry(&self, alone: &[f64]) -> Self {
         let rest = self.rest.as_deref().map(|rest| {
             Arc::new(Rest {
                 geometry_alone: alone.to_vec(),
@@ -115,7 +115,7 @@ impl Term {
 }
 
 /// Where the samples ask for the correction of a joint, sample by sample.
-pub(crate) fn asked_at<'r>(robot: &'r Robot, inputs: &Inputs, joint: usize) -> Vec<RestPoint<'r>> {
+pub fn asked_at<'r>(robot: &'r Robot, inputs: &Inputs, joint: usize) -> Vec<RestPoint<'r>> {
     let mut block = Block::new(robot, 0, false);
     let mut all = Vec::with_capacity(inputs.len());
     for start in (0..inputs.len()).step_by(LANES) {

@@ -28,7 +28,7 @@ const WORDS: &[Template] = &[
 ];
 
 /// A parameter in words, and its unit as it is written behind a number.
-pub(crate) fn parameter(name: &str) -> (Text, &'static str) {
+pub fn parameter(name: &str) -> (Text, &'static str) {
     let (stem, unit) = Unit::of_name(name);
     let stem = if stem.is_empty() { "rate" } else { stem };
     let english = stem.replace('_', " ");

@@ -102,7 +102,7 @@ pub struct Calibration {
 
 impl Calibration {
     /// Where the targets that were measured are at home, base frame, mm.
-    pub(crate) fn measured_places(&self) -> Vec<[f64; 3]> {
+    pub fn measured_places(&self) -> Vec<[f64; 3]> {
         let tool = self.model.robot.base_from_tool;
         let is_measured = |k: usize| {
             let measured = self.measured_targets.as_ref();
@@ -120,7 +120,7 @@ impl Calibration {
     ///
     /// # Errors
     /// [`Rejected`] with everything that no robot has.
-    pub(crate) fn sound(&self) -> Result<(), Rejected> {
+    pub fn sound(&self) -> Result<(), Rejected> {
         let robot = &self.model.robot;
         let joints = robot.joints.len();
         let mut findings = robot.out_of_range(&Place::default());
@@ -195,7 +195,7 @@ impl Calibration {
     ///
     /// # Errors
     /// [`Rejected`] where it is another model's.
-    pub(crate) fn with_its_own_covariance(&self) -> Result<(), Rejected> {
+    pub fn with_its_own_covariance(&self) -> Result<(), Rejected> {
         let coefficients = self.model.coefficient_count();
         let (rows, columns) = match &self.covariance {
             Some(covariance) => covariance.shape(),

@@ -10,12 +10,12 @@
 //! all go through it, so they cannot disagree.
 
 mod calibration;
-pub(crate) mod format_v1;
+pub mod format_v1;
 mod forward_map;
-pub(crate) mod names;
-pub(crate) mod rigid_motion;
+pub mod names;
+pub mod rigid_motion;
 mod set_up;
-pub(crate) mod shapes;
+pub mod shapes;
 
 pub use calibration::{Calibration, Conditions, RegionalCorrection, ResidualStep};
 pub use format_v1::{is_model, load_model, model_hash, read_model};

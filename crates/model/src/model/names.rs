@@ -8,7 +8,7 @@ use crate::kinematics::Robot;
 use crate::text::Text;
 
 /// An effect's name, with its joint where the robot has several.
-pub(crate) fn name_on_joint(effect: &Effect, joint: usize, robot: &Robot) -> Text {
+pub fn name_on_joint(effect: &Effect, joint: usize, robot: &Robot) -> Text {
     let (id, title) = (effect.about().id, effect.about().title);
     if effect.about().per_joint && robot.joints.len() > 1 {
         Text::named(
@@ -21,7 +21,7 @@ pub(crate) fn name_on_joint(effect: &Effect, joint: usize, robot: &Robot) -> Tex
 }
 
 /// `effect: parameter` for every coefficient; an amplitude and its phase stand as their two parts.
-pub(crate) fn coefficient_names(model: &Model) -> Vec<Text> {
+pub fn coefficient_names(model: &Model) -> Vec<Text> {
     let names = model.terms().iter().flat_map(|term| {
         let about = term.effect.about();
         let place = match (about.setting, &term.label) {
@@ -51,7 +51,7 @@ pub(crate) fn coefficient_names(model: &Model) -> Vec<Text> {
 }
 
 /// Coefficients that stand together.
-pub(crate) fn together(names: impl IntoIterator<Item = Text>) -> Text {
+pub fn together(names: impl IntoIterator<Item = Text>) -> Text {
     let names = names.into_iter();
     let all = names.reduce(|all, next| text!("{first} with {next}", first = all, next));
     all.unwrap_or_default()

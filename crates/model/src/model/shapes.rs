@@ -151,7 +151,7 @@ impl Profile {
     }
 
     /// Hands on each of its [`values`](Self::values), in their order.
-    pub(crate) fn each(
+    pub fn each(
         &self,
         v: f64,
         origin: f64,

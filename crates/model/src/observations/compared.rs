@@ -11,15 +11,15 @@ use crate::sessions::{Group, Session, SessionCorrection};
 use super::{Layer, Residual};
 
 /// Most numbers that say where a group is.
-pub(crate) const MOST_NUMBERS: usize = MOST;
+pub const MOST_NUMBERS: usize = MOST;
 
 /// One observation beside a model, in units of its noise.
 #[derive(Debug, Clone)]
-pub(crate) struct ComparedObservation {
+pub struct ComparedObservation {
     /// The sample.
-    pub(crate) sample: usize,
+    pub sample: usize,
     /// Measured − predicted, and its derivatives.
-    pub(crate) left: Residual,
+    pub left: Residual,
     /// Where its target is, mm.
     point: Vector3<f64>,
     /// The tool's axes in the measuring frame.
@@ -29,7 +29,7 @@ pub(crate) struct ComparedObservation {
 impl ComparedObservation {
     /// How what is predicted moves with the numbers of a group, row by row: mm along x, y, z of the tool of a target;
     /// a rotation vector and mm of a setup, rad; the coefficients of a place.
-    pub(crate) fn by(&self, group: Group) -> [[f64; MOST_NUMBERS]; 3] {
+    pub fn by(&self, group: Group) -> [[f64; MOST_NUMBERS]; 3] {
         std::array::from_fn(|row| match group {
             Group::Target => {
                 let along = self.turn.tr_mul(&Vector3::from(self.left.by_point[row]));
@@ -46,7 +46,7 @@ impl ComparedObservation {
 }
 
 /// Every observation that there is to be fitted beside a model, sample by sample.
-pub(crate) fn compared_with(
+pub fn compared_with(
     session: &Session,
     values: JointValues,
     model: &Model,

@@ -103,7 +103,7 @@ const CLEARLY: f64 = 3.0;
 /// Where several kinds were measured, one whose noise is clearly below what is stated weighs as it is: a
 /// careful figure in the data sheet of one instrument would leave the robot to the other. A noise above the
 /// stated one may be an effect that is still missing, and changes no weight.
-pub(crate) fn judge(layer: &mut Layer, model: &Model, rank: usize) -> bool {
+pub fn judge(layer: &mut Layer, model: &Model, rank: usize) -> bool {
     let left = left(layer, model);
     // What the fit has not seen is farther off for that.
     let factor = as_if_seen(rank, layer.used_rows());
@@ -154,13 +154,13 @@ fn no_larger(stated: f64, found: f64, rows: usize, rank: usize) -> f64 {
 }
 
 /// Which observations stand apart from their kind beside a model.
-pub(crate) fn apart_beside(layer: &Layer, model: &Model) -> Vec<bool> {
+pub fn apart_beside(layer: &Layer, model: &Model) -> Vec<bool> {
     outlying(layer, &left(layer, model).rows)
 }
 
 /// Which observations stand apart from their kind, from what is left of each in units of its noise;
 /// those to be fitted make the bulk.
-pub(crate) fn outlying(layer: &Layer, left: &[[f64; 3]]) -> Vec<bool> {
+pub fn outlying(layer: &Layer, left: &[[f64; 3]]) -> Vec<bool> {
     let mut marked = vec![false; layer.items.len()];
     for kind in 0..KINDS.len() {
         for rows in 1..=3 {
@@ -182,7 +182,7 @@ pub(crate) fn outlying(layer: &Layer, left: &[[f64; 3]]) -> Vec<bool> {
 }
 
 /// What a model leaves of every row that counts, in units of its noise.
-pub(crate) fn whitened(layer: &Layer, model: &Model) -> Vec<f64> {
+pub fn whitened(layer: &Layer, model: &Model) -> Vec<f64> {
     let left = left(layer, model);
     let items = (0..layer.items.len()).filter(|i| layer.used[*i]);
     items
@@ -191,14 +191,14 @@ pub(crate) fn whitened(layer: &Layer, model: &Model) -> Vec<f64> {
 }
 
 /// What is left of a kind whose noise is stated.
-pub(crate) struct ResidualsOfKind {
-    pub(crate) name: &'static str,
+pub struct ResidualsOfKind {
+    pub name: &'static str,
     /// Squares of its rows that count, in units of the stated noise.
-    pub(crate) squares: Vec<f64>,
+    pub squares: Vec<f64>,
 }
 
 /// What a model leaves of every kind whose noise is stated.
-pub(crate) fn left_of_kinds(layer: &Layer, model: &Model) -> Vec<ResidualsOfKind> {
+pub fn left_of_kinds(layer: &Layer, model: &Model) -> Vec<ResidualsOfKind> {
     let left = left(layer, model);
     let mut all = Vec::new();
     for (kind, own) in KINDS.iter().enumerate() {
@@ -234,7 +234,7 @@ fn spread(layer: &Layer, kind: usize, left: &WhitenedRows) -> Option<(f64, usize
 
 /// Deviations of every sample: along the axes of a point, and a length in mm; where a sample was
 /// measured in several ways, in the one that looks at where the target is. NaN without any.
-pub(crate) fn deviations(layer: &Layer, model: &Model) -> Deviations {
+pub fn deviations(layer: &Layer, model: &Model) -> Deviations {
     let left = left(layer, model);
     let n = layer.session.samples.len();
     let mut deviations = Deviations {
@@ -253,7 +253,7 @@ pub(crate) fn deviations(layer: &Layer, model: &Model) -> Deviations {
 
 /// Root mean square of a coordinate of what is a length in mm, beside a fit of so many coefficients: the noise
 /// as it was found, without a row of an angle in it. `None` where nothing counts.
-pub(crate) fn coordinate_mm(layer: &Layer, model: &Model, rank: f64) -> Option<f64> {
+pub fn coordinate_mm(layer: &Layer, model: &Model, rank: f64) -> Option<f64> {
     let left = left(layer, model);
     let (mut sum, mut rows) = (0.0, 0);
     for i in layer.length_items().into_iter().filter(|i| layer.used[*i]) {
@@ -266,7 +266,7 @@ pub(crate) fn coordinate_mm(layer: &Layer, model: &Model, rank: f64) -> Option<f
 }
 
 /// The figures of every kind that was measured; `before` is the nominal robot.
-pub(crate) fn by_kind(layer: &Layer, before: &Model, after: &Model) -> Vec<KindFigures> {
+pub fn by_kind(layer: &Layer, before: &Model, after: &Model) -> Vec<KindFigures> {
     let (then, now) = (left(layer, before), left(layer, after));
     let mut all = Vec::new();
     for (kind, own) in KINDS.iter().enumerate() {

@@ -27,7 +27,7 @@ use crate::effects::places::stated;
 use crate::effects::{Place, PlaceKind};
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub(crate) struct Open {
+pub struct Open {
     /// Where the base stands.
     pub base: bool,
     /// How large everything is.
@@ -35,7 +35,7 @@ pub(crate) struct Open {
 }
 
 /// What the kinds and places that are to be fitted leave open.
-pub(crate) fn open(layer: &Layer) -> Open {
+pub fn open(layer: &Layer) -> Open {
     let session = layer.session;
     let references = &session.instrument.references;
     let mut base = session.samples.setups.is_none();
@@ -91,7 +91,7 @@ pub(crate) fn open(layer: &Layer) -> Open {
 
 /// Parts of the size: the weight of each coefficient in wᵀ x, and how well the priors know it.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Size {
+pub struct Size {
     /// w, one for each coefficient of the model.
     pub weights: Vec<f64>,
     /// Standard deviation of the size that the priors leave, as a ratio.
@@ -103,7 +103,7 @@ const RIDGE: f64 = 1e-6;
 
 /// The size of a model as its coefficients make it; `sigma` says how far each may be from zero.
 /// `None` where no coefficient makes anything larger.
-pub(crate) fn size(layer: &Layer, model: &Model, sigma: &[Option<f64>]) -> Option<Size> {
+pub fn size(layer: &Layer, model: &Model, sigma: &[Option<f64>]) -> Option<Size> {
     let count = model.coefficient_count();
     // Growth about any point, however the whole is turned and moved besides.
     let all = count + 6;

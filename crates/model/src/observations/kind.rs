@@ -59,7 +59,7 @@ pub struct AboutKind {
 
 impl AboutKind {
     /// Its name in answers where English names by ids, and its name for people elsewhere.
-    pub(crate) fn in_words(&self) -> Text {
+    pub fn in_words(&self) -> Text {
         Text::named(self.name, self.title)
     }
 }

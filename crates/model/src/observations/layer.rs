@@ -143,7 +143,7 @@ impl<'a> Layer<'a> {
     }
 
     /// The observations of a session whose joints were where `inputs` say, sample by sample.
-    pub(crate) fn at(session: &'a Session, inputs: &Inputs) -> Self {
+    pub fn at(session: &'a Session, inputs: &Inputs) -> Self {
         Self::of_samples(session, inputs, session.samples.len())
     }
 

@@ -27,16 +27,16 @@
 //! it, with exact derivatives, and none has to say how.
 
 pub(crate) mod block;
-pub(crate) mod compared;
-pub(crate) mod constrained;
-pub(crate) mod figures;
+pub mod compared;
+pub mod constrained;
+pub mod figures;
 mod follows;
-pub(crate) mod gauge;
+pub mod gauge;
 pub(crate) mod layer;
-pub(crate) mod outliers;
-pub(crate) mod rows;
-pub(crate) mod start;
-pub(crate) mod streams;
+pub mod outliers;
+pub mod rows;
+pub mod start;
+pub mod streams;
 
 mod kind;
 pub(crate) mod kinds;
@@ -47,7 +47,8 @@ pub use figures::{Deviations, Errors, KindFigures};
 pub use kind::{ANGLES_AT_MM, AboutKind, Kind, Observable, Unit};
 pub(crate) use kind::{named, put_name};
 pub use kinds::KINDS;
-pub(crate) use kinds::kind_in_words;
+#[doc(hidden)]
+pub use kinds::kind_in_words;
 pub use layer::Layer;
 pub use residual::{Residual, Seen};
 pub use rows::ObservedRows;

@@ -46,7 +46,7 @@ const MOST_SHARE: f64 = 0.35;
 /// Marks what stands apart in deviations along some axes, mm, one value for each sample; `counts`
 /// says which of them make the bulk. `sigma` is the sizes of the axes, up to a common factor;
 /// where `balance` is true they are estimated.
-pub(crate) fn suspected(
+pub fn suspected(
     axes: &[&[f64]],
     counts: &[bool],
     sigma: &[f64],
@@ -104,7 +104,7 @@ pub(crate) fn suspected(
 
 /// Whether so many of all are no contamination any more: of samples that no fit has seen most stand apart where the
 /// model fails, which is what they were held out to show.
-pub(crate) fn are_the_rule(apart: usize, all: usize) -> bool {
+pub fn are_the_rule(apart: usize, all: usize) -> bool {
     apart as f64 > MOST_SHARE * all as f64
 }
 
@@ -116,7 +116,7 @@ pub(crate) fn are_the_rule(apart: usize, all: usize) -> bool {
 ///
 /// on the average of the leverages. Without it a sample that was left out of a short session stays out for being
 /// left out, and takes others along.
-pub(crate) fn as_if_seen(rank: usize, rows: usize) -> f64 {
+pub fn as_if_seen(rank: usize, rows: usize) -> f64 {
     let h = (rank as f64 / rows.max(1) as f64).min(0.9);
     ((1.0 - h) / (1.0 + h)).sqrt()
 }

@@ -41,12 +41,12 @@ impl<'a> ObservedRows<'a> {
     }
 
     /// The same with some of its observations only.
-    pub(crate) fn only(&self, kept: &[bool]) -> Self {
+    pub fn only(&self, kept: &[bool]) -> Self {
         Self::new(&self.layer, kept)
     }
 
     /// Takes the distances across which angles are seen from a model.
-    pub(crate) fn see_by(&mut self, model: &Model) {
+    pub fn see_by(&mut self, model: &Model) {
         let layer = &self.layer;
         let n = layer.items.len();
         let lengths = layer.length_items();

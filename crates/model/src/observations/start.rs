@@ -49,7 +49,7 @@ fn thinned(items: &[usize]) -> Vec<usize> {
 }
 
 /// Terms of every place that is not wholly known, from where it seems to be beside a model.
-pub(crate) fn unknown_places(layer: &Layer, model: &Model) -> Vec<Term> {
+pub fn unknown_places(layer: &Layer, model: &Model) -> Vec<Term> {
     let seen = layer.seen(model);
     let references = &layer.session.instrument.references;
     let mut terms = Vec::new();
@@ -331,7 +331,7 @@ fn plane_guess(items: &[usize], seen: &[Prediction]) -> [f64; MOST] {
 
 /// The motion from the robot's base to the measuring frame that points, places that the session
 /// states, and orientations show; `None` where they do not.
-pub(crate) fn frame(
+pub fn frame(
     layer: &Layer,
     nominal: &Model,
     inside: impl Fn(usize) -> bool,
@@ -365,7 +365,7 @@ pub(crate) fn frame(
     }
     known_places(layer, &seen, &inside, &mut points, &mut turns);
     if spread_in_two(&points) {
-        return crate::model::rigid_motion::rigid_motion(&points);
+        return crate::kinematics::rigid_motion::rigid_motion(&points);
     }
     if turns.len() < 3 {
         return None;
@@ -472,7 +472,7 @@ fn pointing_without_station(
 
 /// How the tool is turned beside what the session says, as a rotation vector in the tool's axes: the
 /// mean of what the orientations show beside a model whose frame is right.
-pub(crate) fn tool_turn(layer: &Layer, model: &Model) -> [f64; 3] {
+pub fn tool_turn(layer: &Layer, model: &Model) -> [f64; 3] {
     let session: &Session = layer.session;
     let seen = layer.seen(model);
     let mut pairs = Vec::new();

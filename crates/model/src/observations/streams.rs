@@ -54,7 +54,7 @@ impl Stream {
 }
 
 /// Where a model has the target of every sample, and how it turns the tool.
-pub(crate) fn predictions(
+pub fn predictions(
     session: &Session,
     values: JointValues,
     model: &Model,

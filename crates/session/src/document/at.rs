@@ -4,23 +4,23 @@ use super::number::quoted;
 use super::{Fields, Node, Path, Value};
 use crate::text::Text;
 
-pub(crate) struct Cursor<'o, 'a> {
-    pub(crate) fields: &'o mut Fields<'a>,
-    pub(crate) node: &'o Node,
-    pub(crate) path: &'o Path<'o>,
-    pub(crate) expected: Text,
+pub struct Cursor<'o, 'a> {
+    pub fields: &'o mut Fields<'a>,
+    pub node: &'o Node,
+    pub path: &'o Path<'o>,
+    pub expected: Text,
 }
 
 impl<'o> Cursor<'o, '_> {
     /// Complains that something else stands here.
-    pub(crate) fn wrong<T>(&mut self) -> Option<T> {
+    pub fn wrong<T>(&mut self) -> Option<T> {
         self.fields
             .mismatch(self.node, self.path, self.expected.clone());
         None
     }
 
     /// Complains of what stands here.
-    pub(crate) fn error<T>(
+    pub fn error<T>(
         &mut self,
         found: impl Into<Text>,
         expected: impl Into<Text>,
@@ -30,7 +30,7 @@ impl<'o> Cursor<'o, '_> {
     }
 
     /// A finite number for which this holds.
-    pub(crate) fn number(&mut self, holds: impl Fn(f64) -> bool) -> Option<f64> {
+    pub fn number(&mut self, holds: impl Fn(f64) -> bool) -> Option<f64> {
         match self.node.value {
             Value::Number(value) if value.is_finite() && holds(value) => Some(value),
             _ => self.wrong(),
@@ -38,13 +38,13 @@ impl<'o> Cursor<'o, '_> {
     }
 
     /// `N` finite numbers.
-    pub(crate) fn numbers<const N: usize>(&mut self) -> Option<[f64; N]> {
+    pub fn numbers<const N: usize>(&mut self) -> Option<[f64; N]> {
         self.fields
             .numbers(self.node, self.path, self.expected.clone())
     }
 
     /// The one of these that has the name that stands here.
-    pub(crate) fn one_of<T: Copy>(&mut self, all: &[T], name: fn(T) -> &'static str) -> Option<T> {
+    pub fn one_of<T: Copy>(&mut self, all: &[T], name: fn(T) -> &'static str) -> Option<T> {
         let Value::Text(text) = &self.node.value else {
             return self.wrong();
         };
@@ -61,7 +61,7 @@ impl<'o> Cursor<'o, '_> {
     }
 
     /// Reads an array with one element for each of these into them; `None` when one is wrong.
-    pub(crate) fn each<T>(
+    pub fn each<T>(
         &mut self,
         mut all: Vec<T>,
         expected: impl Into<Text>,
@@ -86,7 +86,7 @@ impl<'o> Cursor<'o, '_> {
     }
 
     /// As [`Cursor::list`], of elements that are read like this.
-    pub(crate) fn list_by<T>(
+    pub fn list_by<T>(
         &mut self,
         read: impl Fn(&mut Cursor<'_, '_>) -> Option<T>,
     ) -> Option<Vec<T>> {

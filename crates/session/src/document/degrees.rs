@@ -9,7 +9,7 @@
 use crate::units::{deg_from_rad, rad_from_deg};
 
 /// The degrees to write for this angle.
-pub(crate) fn degrees(rad: f64) -> f64 {
+pub fn degrees(rad: f64) -> f64 {
     let near = deg_from_rad(rad);
     if near == 0.0 || !near.is_finite() {
         return near;

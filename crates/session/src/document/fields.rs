@@ -16,18 +16,18 @@ use crate::progress::{Progress, ProgressSpan, ReadError, unwatched};
 
 /// The way from the document to a value, such as `robot.joints[0].axis`.
 #[derive(Debug, Clone, Copy)]
-pub(crate) enum Path<'a> {
+pub enum Path<'a> {
     Root,
     Key(&'a Path<'a>, &'a str),
     Index(&'a Path<'a>, usize),
 }
 
 impl Path<'_> {
-    pub(crate) fn key<'b>(&'b self, key: &'b str) -> Path<'b> {
+    pub fn key<'b>(&'b self, key: &'b str) -> Path<'b> {
         Path::Key(self, key)
     }
 
-    pub(crate) fn index(&self, index: usize) -> Path<'_> {
+    pub fn index(&self, index: usize) -> Path<'_> {
         Path::Index(self, index)
     }
 }
@@ -44,16 +44,16 @@ impl fmt::Display for Path<'_> {
 }
 
 /// A document that is being read, and what was found so far.
-pub(crate) struct Fields<'a> {
-    pub(crate) source: Source<'a>,
-    pub(crate) findings: Vec<Diagnostic>,
+pub struct Fields<'a> {
+    pub source: Source<'a>,
+    pub findings: Vec<Diagnostic>,
     /// Other files that were read on the way: no output may replace them.
-    pub(crate) also_read: Vec<PathBuf>,
+    pub also_read: Vec<PathBuf>,
 }
 
 impl<'a> Fields<'a> {
     /// A document as it was read, and its outermost value; what is no JSON is refused whole.
-    pub(crate) fn open(place: Place, text: &'a str) -> Result<(Self, Node), Rejected> {
+    pub fn open(place: Place, text: &'a str) -> Result<(Self, Node), Rejected> {
         let progress = Progress::new(&unwatched);
         Self::open_in(place, text, progress.whole()).map_err(ReadError::rejected)
     }
@@ -75,25 +75,25 @@ impl<'a> Fields<'a> {
     }
 
     /// What was read, if nothing makes the document unusable.
-    pub(crate) fn finish<T>(self, read: Option<T>) -> Result<T, Rejected> {
+    pub fn finish<T>(self, read: Option<T>) -> Result<T, Rejected> {
         let read = read.filter(|_| !self.has_errors());
         read.ok_or_else(|| Rejected::of(self.findings))
     }
 
     /// Whether anything so far makes the document unusable.
-    pub(crate) fn has_errors(&self) -> bool {
+    pub fn has_errors(&self) -> bool {
         self.findings
             .iter()
             .any(|finding| finding.severity == Severity::Error)
     }
 
     /// The folder in which the files that a document names are looked for; none for one in memory.
-    pub(crate) fn folder(&self) -> Option<&FilePath> {
+    pub fn folder(&self) -> Option<&FilePath> {
         self.source.file.as_deref().map(folder_of)
     }
 
     /// The members of a document of this format; `None` when it is of another one.
-    pub(crate) fn of_format<'n>(
+    pub fn of_format<'n>(
         &mut self,
         root: &'n Node,
         format: &str,
@@ -119,7 +119,7 @@ impl<'a> Fields<'a> {
     }
 
     /// The place of a byte, under its path.
-    pub(crate) fn place(&self, at: usize, path: &Path<'_>) -> Place {
+    pub fn place(&self, at: usize, path: &Path<'_>) -> Place {
         let place = self.source.place(at);
         match path {
             Path::Root => place,
@@ -132,7 +132,7 @@ impl<'a> Fields<'a> {
         self.place(at, &path.index(index))
     }
 
-    pub(crate) fn error(
+    pub fn error(
         &mut self,
         at: usize,
         path: &Path<'_>,
@@ -145,12 +145,12 @@ impl<'a> Fields<'a> {
     }
 
     /// Complains that a value is something else.
-    pub(crate) fn mismatch(&mut self, node: &Node, path: &Path<'_>, expected: impl Into<Text>) {
+    pub fn mismatch(&mut self, node: &Node, path: &Path<'_>, expected: impl Into<Text>) {
         self.error(node.at, path, node.value.describe(), expected);
     }
 
     /// The members of an object.
-    pub(crate) fn object<'n>(
+    pub fn object<'n>(
         &mut self,
         node: &'n Node,
         path: &Path<'_>,
@@ -164,7 +164,7 @@ impl<'a> Fields<'a> {
     }
 
     /// Reports keys that are not read.
-    pub(crate) fn unknown_keys(&mut self, members: &[Member], path: &Path<'_>, known: &[&str]) {
+    pub fn unknown_keys(&mut self, members: &[Member], path: &Path<'_>, known: &[&str]) {
         let notes = self.notes_of_unknown(members, path, known);
         self.findings.extend(notes);
     }
@@ -201,7 +201,7 @@ impl<'a> Fields<'a> {
     }
 
     /// A member that has to be there; `at` is where its object starts.
-    pub(crate) fn required<'n>(
+    pub fn required<'n>(
         &mut self,
         members: &'n [Member],
         at: usize,
@@ -217,7 +217,7 @@ impl<'a> Fields<'a> {
     }
 
     /// A text that has to be there.
-    pub(crate) fn required_text(
+    pub fn required_text(
         &mut self,
         members: &[Member],
         at: usize,
@@ -228,7 +228,7 @@ impl<'a> Fields<'a> {
         self.text(node, &path.key(key))
     }
 
-    pub(crate) fn text(&mut self, node: &Node, path: &Path<'_>) -> Option<String> {
+    pub fn text(&mut self, node: &Node, path: &Path<'_>) -> Option<String> {
         if let Value::Text(text) = &node.value {
             return Some(text.clone());
         }
@@ -237,7 +237,7 @@ impl<'a> Fields<'a> {
     }
 
     /// A finite number.
-    pub(crate) fn number(&mut self, node: &Node, path: &Path<'_>) -> Option<f64> {
+    pub fn number(&mut self, node: &Node, path: &Path<'_>) -> Option<f64> {
         match node.value {
             Value::Number(value) if value.is_finite() => Some(value),
             _ => {
@@ -266,7 +266,7 @@ impl<'a> Fields<'a> {
 }
 
 /// A member that may be missing or null.
-pub(crate) fn optional<'n>(members: &'n [Member], key: &str) -> Option<&'n Node> {
+pub fn optional<'n>(members: &'n [Member], key: &str) -> Option<&'n Node> {
     let member = members.iter().find(|member| member.key == key)?;
     (member.node.value != Value::Null).then_some(&member.node)
 }

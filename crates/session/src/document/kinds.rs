@@ -7,28 +7,28 @@ use super::{Value, degrees};
 use crate::text::Template;
 use crate::units::rad_from_deg;
 
-pub(crate) const TEXT: Kind<String> = Kind {
+pub const TEXT: Kind<String> = Kind {
     expected: phrase!("a text"),
     read: |at| at.fields.text(at.node, at.path),
     write: |text| text.into(),
 };
 
 /// A finite number, as it stands.
-pub(crate) const NUMBER: Kind<f64> = Kind {
+pub const NUMBER: Kind<f64> = Kind {
     expected: phrase!("a number"),
     read: |at| at.number(|_| true),
     write: |value| (*value).into(),
 };
 
 /// An angle: degrees in the file, rad in the program.
-pub(crate) const DEGREES: Kind<f64> = Kind {
+pub const DEGREES: Kind<f64> = Kind {
     expected: phrase!("a number"),
     read: |at| at.number(|_| true).map(rad_from_deg),
     write: |rad| degrees(*rad).into(),
 };
 
 /// A number above 0.
-pub(crate) const fn positive(expected: Template) -> Kind<f64> {
+pub const fn positive(expected: Template) -> Kind<f64> {
     Kind {
         expected,
         read: |at| at.number(|value| value > 0.0),
@@ -37,7 +37,7 @@ pub(crate) const fn positive(expected: Template) -> Kind<f64> {
 }
 
 /// A whole number from 0 on.
-pub(crate) const fn count(expected: Template) -> Kind<usize> {
+pub const fn count(expected: Template) -> Kind<usize> {
     Kind {
         expected,
         #[allow(
@@ -63,18 +63,18 @@ pub(crate) const fn point(expected: Template) -> Kind<Point3<f64>> {
 }
 
 /// Three numbers.
-pub(crate) const VECTOR: Kind<Vector3<f64>> = Kind {
+pub const VECTOR: Kind<Vector3<f64>> = Kind {
     expected: phrase!("an array of 3 numbers"),
     read: |at| at.numbers::<3>().map(Vector3::from),
     write: |vector| <[f64; 3]>::from(*vector).into(),
 };
 
 /// What a direction is written as.
-pub(crate) fn components(direction: &Unit<Vector3<f64>>) -> Value {
+pub fn components(direction: &Unit<Vector3<f64>>) -> Value {
     <[f64; 3]>::from(direction.into_inner()).into()
 }
 
 /// What an attitude is written as: w, x, y, z.
-pub(crate) fn wxyz(attitude: &UnitQuaternion<f64>) -> Value {
+pub fn wxyz(attitude: &UnitQuaternion<f64>) -> Value {
     [attitude.w, attitude.i, attitude.j, attitude.k].into()
 }

@@ -22,7 +22,7 @@ pub(crate) fn write_document(output: impl io::Write, document: &impl Serialize) 
 ///
 /// # Panics
 /// Never: writing to memory does not fail.
-pub(crate) fn text_of(document: &impl Serialize) -> String {
+pub fn text_of(document: &impl Serialize) -> String {
     let mut text = Vec::new();
     write_document(&mut text, document).expect("writing to memory does not fail");
     String::from_utf8(text).expect("JSON is UTF-8")

@@ -10,26 +10,30 @@
 //! 64 levels. A number that overflows is infinite here and refused where it is used.
 
 mod at;
-mod degrees;
+pub mod degrees;
 mod fields;
-pub(crate) mod kinds;
+pub mod kinds;
 mod layout;
 mod node;
-pub(crate) mod number;
-pub(crate) mod object;
+pub mod number;
+pub mod object;
 mod parser;
-pub(crate) mod ranges;
+pub mod ranges;
 mod source;
 mod value;
 
-pub(crate) use degrees::degrees;
-pub(crate) use fields::{Fields, Path, optional};
-pub(crate) use layout::{text_of, write_document, write_number};
+pub use degrees::degrees;
+#[doc(hidden)]
+pub use fields::{Fields, Path, optional};
+#[doc(hidden)]
+pub use layout::text_of;
+pub(crate) use layout::{write_document, write_number};
 pub use node::Value;
-pub(crate) use node::{Member, Node};
+#[doc(hidden)]
+pub use node::{Member, Node};
 pub(crate) use parser::{element_offset, parse};
 pub(crate) use source::Source;
-pub(crate) use value::object;
+pub use crate::object;
 
 #[cfg(test)]
 mod tests;

@@ -7,8 +7,8 @@ use super::number;
 /// A value and the byte of the document at which it starts.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Node {
-    pub(crate) at: usize,
-    pub(crate) value: Value,
+    pub at: usize,
+    pub value: Value,
 }
 
 /// A JSON value.
@@ -37,9 +37,9 @@ pub enum Value {
 /// A key and its value.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Member {
-    pub(crate) key: String,
+    pub key: String,
     pub(crate) key_at: usize,
-    pub(crate) node: Node,
+    pub node: Node,
 }
 
 impl Value {

@@ -244,7 +244,7 @@ fn is_decimal_comma(text: &str) -> bool {
 }
 
 /// Bytes such as a hash's: two digits each.
-pub(crate) fn hexadecimal(bytes: &[u8]) -> String {
+pub fn hexadecimal(bytes: &[u8]) -> String {
     let digit = |half: u8| char::from(b"0123456789abcdef"[usize::from(half)]);
     let digits = bytes.iter().flat_map(|byte| [byte >> 4, byte & 15]);
     digits.map(digit).collect()
@@ -252,7 +252,7 @@ pub(crate) fn hexadecimal(bytes: &[u8]) -> String {
 
 /// Text in a message: in quotes, without control characters, signs that cannot be seen by their number, and no longer
 /// than a line can bear.
-pub(crate) fn quoted(text: &str) -> String {
+pub fn quoted(text: &str) -> String {
     const LONGEST: usize = 40;
     let shown: String = text
         .chars()

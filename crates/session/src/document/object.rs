@@ -5,24 +5,25 @@
 //! whether it has to be there. Reading runs it over a blank value and fills that; writing runs it over
 //! a finished one. What the function never names is an unknown key.
 
-pub(crate) use super::at::Cursor;
+#[doc(hidden)]
+pub use super::at::Cursor;
 use crate::text::{Template, Text};
 
 use super::{Fields, Member, Node, Path, Value, optional};
 
 /// How one kind of value stands in a document.
-pub(crate) struct Kind<T> {
+pub struct Kind<T> {
     /// What should stand there.
-    pub(crate) expected: Template,
+    pub expected: Template,
     /// Takes it from its place, or complains.
-    pub(crate) read: fn(&mut Cursor<'_, '_>) -> Option<T>,
+    pub read: fn(&mut Cursor<'_, '_>) -> Option<T>,
     /// What is written.
-    pub(crate) write: fn(&T) -> Value,
+    pub write: fn(&T) -> Value,
 }
 
 impl<T> Kind<T> {
     /// Reads a value of this kind.
-    pub(crate) fn read(&self, fields: &mut Fields<'_>, node: &Node, path: &Path<'_>) -> Option<T> {
+    pub fn read(&self, fields: &mut Fields<'_>, node: &Node, path: &Path<'_>) -> Option<T> {
         (self.read)(&mut Cursor {
             fields,
             node,
@@ -33,7 +34,7 @@ impl<T> Kind<T> {
 }
 
 /// An object whose fields are being read or written.
-pub(crate) struct Object<'o, 'a> {
+pub struct Object<'o, 'a> {
     side: Side<'o, 'a>,
     path: &'o Path<'o>,
     /// No field was wrong so far.
@@ -52,7 +53,7 @@ enum Side<'o, 'a> {
 }
 
 /// What an object's fields write of a value.
-pub(crate) fn written<T>(mut value: T, declare: impl FnOnce(&mut Object<'_, '_>, &mut T)) -> Value {
+pub fn written<T>(mut value: T, declare: impl FnOnce(&mut Object<'_, '_>, &mut T)) -> Value {
     let mut object = Object {
         side: Side::Writing(Vec::new()),
         path: &Path::Root,
@@ -91,14 +92,14 @@ impl<'o, 'a> Object<'o, 'a> {
 
 impl Object<'_, '_> {
     /// A field that has to be there.
-    pub(crate) fn required<T>(&mut self, key: &'static str, value: &mut T, kind: &Kind<T>) {
+    pub fn required<T>(&mut self, key: &'static str, value: &mut T, kind: &Kind<T>) {
         if self.needs(key, kind.expected) {
             self.field(key, value, kind);
         }
     }
 
     /// A field that keeps its usual value where it is missing or null.
-    pub(crate) fn usual<T>(&mut self, key: &'static str, value: &mut T, kind: &Kind<T>) {
+    pub fn usual<T>(&mut self, key: &'static str, value: &mut T, kind: &Kind<T>) {
         self.know(key);
         if self.is_given(key) {
             self.field(key, value, kind);
@@ -106,7 +107,7 @@ impl Object<'_, '_> {
     }
 
     /// A field that keeps its usual value where it is missing; null is none.
-    pub(crate) fn usual_or_null<T>(
+    pub fn usual_or_null<T>(
         &mut self,
         key: &'static str,
         value: &mut Option<T>,
@@ -121,7 +122,7 @@ impl Object<'_, '_> {
     }
 
     /// A field that may be missing or null, and is not written then.
-    pub(crate) fn optional<T>(&mut self, key: &'static str, value: &mut Option<T>, kind: &Kind<T>) {
+    pub fn optional<T>(&mut self, key: &'static str, value: &mut Option<T>, kind: &Kind<T>) {
         self.know(key);
         if self.is_given(key) {
             self.some(key, value, kind);
@@ -136,13 +137,13 @@ impl Object<'_, '_> {
     }
 
     /// A field that is there; null is something wrong.
-    pub(crate) fn field<T>(&mut self, key: &'static str, value: &mut T, kind: &Kind<T>) {
+    pub fn field<T>(&mut self, key: &'static str, value: &mut T, kind: &Kind<T>) {
         let write = |value: &T| Some((kind.write)(value));
         self.with(key, value, kind.expected, |at| (kind.read)(at), write);
     }
 
     /// A field that is read and written like this, where it is there at all.
-    pub(crate) fn with<T>(
+    pub fn with<T>(
         &mut self,
         key: &'static str,
         value: &mut T,
@@ -177,7 +178,7 @@ impl Object<'_, '_> {
     }
 
     /// An object within it that is about the same value; it has to be there.
-    pub(crate) fn part<T>(
+    pub fn part<T>(
         &mut self,
         key: &'static str,
         value: &mut T,
@@ -198,7 +199,7 @@ impl Object<'_, '_> {
     }
 
     /// A field that always says the same, and was read before.
-    pub(crate) fn describe(&mut self, key: &'static str, text: &str) {
+    pub fn describe(&mut self, key: &'static str, text: &str) {
         self.with(
             key,
             &mut (),
@@ -209,7 +210,7 @@ impl Object<'_, '_> {
     }
 
     /// A key that is known, whatever stands there.
-    pub(crate) fn know(&mut self, key: &'static str) {
+    pub fn know(&mut self, key: &'static str) {
         if let Side::Reading {
             accepted_keys: known,
             ..
@@ -220,7 +221,7 @@ impl Object<'_, '_> {
     }
 
     /// Whether there is something to read under a key; what is written is always there.
-    pub(crate) fn is_given(&self, key: &str) -> bool {
+    pub fn is_given(&self, key: &str) -> bool {
         match &self.side {
             Side::Reading { members, .. } => optional(members, key).is_some(),
             Side::Writing(_) => true,
@@ -228,12 +229,12 @@ impl Object<'_, '_> {
     }
 
     /// Whether it is being read.
-    pub(crate) fn is_read(&self) -> bool {
+    pub fn is_read(&self) -> bool {
         matches!(self.side, Side::Reading { .. })
     }
 
     /// As [`Object::is_given`], null being something; complains where nothing is.
-    pub(crate) fn needs(&mut self, key: &'static str, expected: impl Into<Text>) -> bool {
+    pub fn needs(&mut self, key: &'static str, expected: impl Into<Text>) -> bool {
         self.know(key);
         match &mut self.side {
             _ if self.is_over => true,
@@ -252,7 +253,7 @@ impl Object<'_, '_> {
     }
 
     /// Complains of the object as a whole.
-    pub(crate) fn error(&mut self, found: impl Into<Text>, expected: impl Into<Text>) {
+    pub fn error(&mut self, found: impl Into<Text>, expected: impl Into<Text>) {
         self.good = false;
         if let Side::Reading { fields, at, .. } = &mut self.side {
             fields.error(*at, self.path, found, expected);
@@ -260,7 +261,7 @@ impl Object<'_, '_> {
     }
 
     /// Complains of a field, or of its lack.
-    pub(crate) fn error_in(
+    pub fn error_in(
         &mut self,
         key: &str,
         found: impl Into<Text>,
@@ -281,12 +282,12 @@ impl Object<'_, '_> {
     }
 
     /// Reads no more fields: they would be judged by one that was wrong.
-    pub(crate) fn end_if_wrong(&mut self) {
+    pub fn end_if_wrong(&mut self) {
         self.is_over |= !self.good;
     }
 
     /// Whether it is being read and no field was wrong so far: what they say together can be checked.
-    pub(crate) fn has_read_well(&self) -> bool {
+    pub fn has_read_well(&self) -> bool {
         self.good && self.is_read()
     }
 
@@ -316,7 +317,7 @@ impl Cursor<'_, '_> {
     }
 
     /// Every element of an array, unless one of them is wrong.
-    pub(crate) fn list<T>(&mut self, kind: &Kind<T>) -> Option<Vec<T>> {
+    pub fn list<T>(&mut self, kind: &Kind<T>) -> Option<Vec<T>> {
         self.list_by(|at| {
             at.expected = kind.expected.into();
             (kind.read)(at)
@@ -324,7 +325,7 @@ impl Cursor<'_, '_> {
     }
 
     /// The value that an object's fields make of a blank one; `None` when one of them is wrong.
-    pub(crate) fn object<T>(
+    pub fn object<T>(
         &mut self,
         mut blank: T,
         declare: fn(&mut Object<'_, '_>, &mut T),
@@ -333,7 +334,7 @@ impl Cursor<'_, '_> {
     }
 
     /// Fills what the fields of an object say into a value; whether all of them were good.
-    pub(crate) fn fill<T>(
+    pub fn fill<T>(
         &mut self,
         value: &mut T,
         declare: impl FnOnce(&mut Object<'_, '_>, &mut T),

@@ -9,7 +9,7 @@ use crate::text::Text;
 use crate::units::{LARGEST_JOINT_VALUE, LARGEST_LENGTH_MM, LARGEST_MASS_KG, LARGEST_TIME_S};
 
 /// A smaller noise is no noise of an instrument, and the weight that it gives is too large to square.
-pub(crate) const SMALLEST_SIGMA: f64 = 1e-15;
+pub const SMALLEST_SIGMA: f64 = 1e-15;
 
 /// Endings of keys with the largest size of their numbers, longer endings first.
 const RANGES: &[(&str, f64)] = &[
@@ -35,7 +35,7 @@ const NAMED: &[(&str, f64)] = &[
 ];
 
 /// Complains of every number in `node` that is out of the range of its unit.
-pub(crate) fn check(fields: &mut Fields<'_>, node: &Node, path: &Path<'_>) {
+pub fn check(fields: &mut Fields<'_>, node: &Node, path: &Path<'_>) {
     let limit = match path {
         Path::Key(_, key) => of_key(key),
         Path::Root | Path::Index(..) => None,

@@ -6,8 +6,8 @@ use std::path::PathBuf;
 
 /// The text of a document and its name.
 #[derive(Debug, Clone)]
-pub(crate) struct Source<'a> {
-    pub(crate) file: Option<PathBuf>,
+pub struct Source<'a> {
+    pub file: Option<PathBuf>,
     pub(crate) text: &'a str,
     /// Where each line starts, once a place was asked for: a file can be wrong in many places.
     lines: OnceCell<Vec<usize>>,
@@ -20,7 +20,7 @@ impl<'a> Source<'a> {
     }
 
     /// Line and column (in bytes) of a byte of the document.
-    pub(crate) fn place(&self, at: usize) -> Place {
+    pub fn place(&self, at: usize) -> Place {
         let at = at.min(self.text.len());
         let lines = self.lines.get_or_init(|| {
             let feeds = memchr::memchr_iter(b'\n', self.text.as_bytes());

@@ -7,6 +7,8 @@ use serde::ser::{Serialize, SerializeMap, Serializer};
 use super::{Member, Node, Value};
 
 /// An object with these keys, in this order. A value is anything that [`Value`] is made from.
+#[doc(hidden)]
+#[macro_export]
 macro_rules! object {
     ($($key:literal : $value:expr),* $(,)?) => {
         $crate::document::Value::Object(vec![
@@ -14,17 +16,30 @@ macro_rules! object {
         ])
     };
 }
-pub(crate) use object;
 
 impl Member {
     /// A key and its value in a document that is being written.
-    pub(crate) fn new(key: impl Into<String>, value: impl Into<Value>) -> Self {
+    pub fn new(key: impl Into<String>, value: impl Into<Value>) -> Self {
         let value = value.into();
         let node = Node { at: 0, value };
         Self {
             key: key.into(),
             key_at: 0,
             node,
+        }
+    }
+}
+
+impl Value {
+    /// An object with the keys of another one behind its own.
+    #[must_use]
+    pub fn with(self, more: Self) -> Self {
+        match (self, more) {
+            (Self::Object(mut pairs), Self::Object(more)) => {
+                pairs.extend(more);
+                Self::Object(pairs)
+            }
+            (own, _) => own,
         }
     }
 }

@@ -19,7 +19,7 @@ use nalgebra::{Matrix3, Matrix6, Point3, Vector3, Vector6};
 
 use crate::importers::path::Path;
 use crate::kinematics::Robot;
-use crate::model::rigid_motion::rigid_motion;
+use crate::kinematics::rigid_motion::rigid_motion;
 
 /// Steps of the coarse search.
 const STEPS: usize = 4000;

@@ -42,7 +42,7 @@ mod session;
 mod settings;
 mod times;
 mod turns;
-pub(crate) mod units;
+pub mod units;
 mod upwards;
 #[cfg(test)]
 mod watched;
@@ -52,7 +52,6 @@ pub use formats::{IMPORTERS, Importer, Meanings, OwnOption, Questions, find};
 pub use inspect::{inspect, inspect_watched};
 pub use job::{Companion, Imported, Matched, Settings};
 pub use matching::Matching;
-#[cfg(feature = "gui")]
 pub(crate) use options::EULER;
 pub use reference::{AlignError, Alignment, Landmark, Residual, align};
 pub use session::{import, import_watched};

@@ -12,7 +12,7 @@ use rand_chacha::ChaCha8Rng;
 use statrs::distribution::{ContinuousCDF, FisherSnedecor};
 
 use crate::importers::clock::FARTHEST_MM;
-use crate::model::rigid_motion::rigid_motion;
+use crate::kinematics::rigid_motion::rigid_motion;
 use crate::text::Text;
 
 /// Up to so many points every triple is tried.

@@ -127,7 +127,7 @@ impl TimeUnit {
 
 /// What a word says as a unit.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Word {
+pub enum Word {
     /// A length or an angle.
     Unit(Unit),
     /// Seconds in one.
@@ -137,7 +137,7 @@ pub(crate) enum Word {
 }
 
 /// Reads a unit: `mm`, `µm`, `Inches`, `°`, `arcsec`, `deg/s`, …
-pub(crate) fn word(text: &str) -> Option<Word> {
+pub fn word(text: &str) -> Option<Word> {
     let text = text.trim().to_lowercase();
     let text = text.trim_end_matches('.');
     if let Some(speed) = text.strip_suffix("/s").or_else(|| text.strip_suffix("_s")) {

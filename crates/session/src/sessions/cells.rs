@@ -3,7 +3,7 @@
 
 /// For each point the number of its cell; cells are as many as `count` rounded down to a power of two
 /// and hold the same number of points within one.
-pub(crate) fn cells(points_mm: &[[f64; 3]], count: usize) -> Vec<usize> {
+pub fn cells(points_mm: &[[f64; 3]], count: usize) -> Vec<usize> {
     let mut groups: Vec<Vec<usize>> = vec![(0..points_mm.len()).collect()];
     while 2 * groups.len() <= count && groups.iter().all(|g| g.len() >= 2) {
         groups = groups
@@ -22,7 +22,7 @@ pub(crate) fn cells(points_mm: &[[f64; 3]], count: usize) -> Vec<usize> {
 
 /// For each point the fold that it is in, where points belong to groups: each group is cut into cells
 /// by itself and spread over all folds, as what it refers to may be known from it alone.
-pub(crate) fn folds_of_groups(
+pub fn folds_of_groups(
     points_mm: &[[f64; 3]],
     groups: &[usize],
     folds: usize,

@@ -13,7 +13,7 @@ use crate::units::{
 
 /// What a column holds. Joints count from 0 here and from 1 in headings.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) enum Quantity {
+pub enum Quantity {
     Commanded(usize),
     ReadBack(usize),
     X,
@@ -214,7 +214,7 @@ impl Quantity {
     }
 
     /// Its heading; without a unit where that is not known or not one of a session's.
-    pub(crate) fn heading(self, unit: Option<Unit>) -> String {
+    pub fn heading(self, unit: Option<Unit>) -> String {
         let heading = self.declared().heading;
         let heading = match (heading.split_once("_~"), unit.and_then(Unit::suffix)) {
             (None, _) => heading.to_owned(),
@@ -226,7 +226,7 @@ impl Quantity {
     }
 
     /// The unit in which files are written: degrees for angles, mm for lengths.
-    pub(crate) fn written_in(self, joints: &[Joint]) -> Unit {
+    pub fn written_in(self, joints: &[Joint]) -> Unit {
         let turns = match self.declared().takes {
             AcceptedUnits::Length => false,
             AcceptedUnits::Angle => true,
@@ -254,7 +254,7 @@ impl Quantity {
 
 /// A unit in a heading.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Unit {
+pub enum Unit {
     Length(f64),
     Angle(f64),
     /// The only unit that the quantity has.
@@ -285,7 +285,7 @@ impl Unit {
     }
 
     /// How many inner units (mm, rad) one of these is.
-    pub(crate) fn factor(self) -> f64 {
+    pub fn factor(self) -> f64 {
         match self {
             Self::Length(factor) | Self::Angle(factor) => factor,
             Self::Fixed => 1.0,
@@ -295,7 +295,7 @@ impl Unit {
 
 /// A heading that is understood, or not.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) enum Heading {
+pub enum Heading {
     Known(Quantity, Unit),
     /// Kept and ignored; the hint says what it might have been meant to be.
     Unknown {
@@ -312,7 +312,7 @@ impl Heading {
     }
 
     /// Reads a heading by itself, without knowing the robot.
-    pub(crate) fn read(heading: &str) -> Self {
+    pub fn read(heading: &str) -> Self {
         recognized(heading).map_or_else(
             || Self::Unknown {
                 hint: hint(heading),

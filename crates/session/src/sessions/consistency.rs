@@ -22,7 +22,7 @@ impl Session {
     ///
     /// # Errors
     /// [`Rejected`] where it cannot be computed with.
-    pub(crate) fn whole(&self) -> Result<Cow<'_, Self>, Rejected> {
+    pub fn whole(&self) -> Result<Cow<'_, Self>, Rejected> {
         let mut whole = Cow::Borrowed(self);
         if lacks_columns(self) {
             complete(whole.to_mut());

@@ -320,7 +320,7 @@ fn unit_of_joint(factor: f64) -> Option<Template> {
 }
 
 /// What values are divided by that are multiplied by so much.
-pub(crate) fn divisor(factor: f64) -> String {
+pub fn divisor(factor: f64) -> String {
     let ratio = 1.0 / factor;
     if (ratio - ratio.round()).abs() < 1e-9 * ratio.abs() {
         format!("{ratio:.0}")

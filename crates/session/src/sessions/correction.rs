@@ -7,16 +7,16 @@ use super::Group;
 use crate::text::Template;
 
 /// A day, s.
-pub(crate) const DAY_S: f64 = 86_400.0;
+pub const DAY_S: f64 = 86_400.0;
 
 /// A gradian, degrees: a full turn has 400.
-pub(crate) const GRADIAN_DEG: f64 = 0.9;
+pub const GRADIAN_DEG: f64 = 0.9;
 
 /// A full turn, degrees.
-pub(crate) const TURN_DEG: f64 = 360.0;
+pub const TURN_DEG: f64 = 360.0;
 
 /// Units in which the values of a joint that slides may be written, mm.
-pub(crate) const TRAVEL_UNITS_MM: [(f64, Template); 4] = [
+pub const TRAVEL_UNITS_MM: [(f64, Template); 4] = [
     (10.0, phrase!("centimetres")),
     (1000.0, phrase!("metres")),
     (25.4, phrase!("inches")),

@@ -71,10 +71,10 @@ impl std::error::Error for RegionError {}
 /// More regions than this are a slip of the keyboard.
 pub const MOST_REGIONS: usize = 100_000;
 /// Regions where neither session nor operator says otherwise: the paper's number.
-pub(crate) const DEFAULT_REGIONS: usize = 6;
+pub const DEFAULT_REGIONS: usize = 6;
 
 /// Equal regions over the joint's limits, else over the data's range, named 1…N upwards.
-pub(crate) fn uniform(session: &Session, number: usize) -> Result<Vec<Region>, RegionError> {
+pub fn uniform(session: &Session, number: usize) -> Result<Vec<Region>, RegionError> {
     if !(1..=MOST_REGIONS).contains(&number) {
         return Err(RegionError::Number(number));
     }
@@ -95,7 +95,7 @@ pub fn range_to_divide(session: &Session) -> Option<Range> {
 }
 
 /// Regions between neighbouring boundaries, named 1…N upwards.
-pub(crate) fn between(boundaries: &[f64]) -> Result<Vec<Region>, RegionError> {
+pub fn between(boundaries: &[f64]) -> Result<Vec<Region>, RegionError> {
     if boundaries.len() < 2 {
         return Err(RegionError::TooFewBoundaries(boundaries.len()));
     }

@@ -132,7 +132,7 @@ pub struct Setups {
 
 impl Setups {
     /// Which setups have one of these samples.
-    pub(crate) fn seen_in(&self, samples: impl Iterator<Item = usize>) -> Vec<bool> {
+    pub fn seen_in(&self, samples: impl Iterator<Item = usize>) -> Vec<bool> {
         let mut seen = vec![false; self.names.len()];
         for setup in samples.filter_map(|sample| self.index.get(sample)) {
             if let Some(seen) = seen.get_mut(*setup as usize) {
@@ -143,7 +143,7 @@ impl Setups {
     }
 
     /// Whether the setup of a sample is among those that [`seen_in`](Self::seen_in) has found.
-    pub(crate) fn is_seen(&self, seen: &[bool], sample: usize) -> bool {
+    pub fn is_seen(&self, seen: &[bool], sample: usize) -> bool {
         let setup = self.index.get(sample);
         setup.is_some_and(|setup| seen.get(*setup as usize) == Some(&true))
     }
@@ -267,7 +267,7 @@ impl Samples {
     }
 
     /// Spread of the measured points about their mean, root mean square length, mm; 0 without points.
-    pub(crate) fn spread_mm(&self) -> f64 {
+    pub fn spread_mm(&self) -> f64 {
         let columns = [&self.x_mm, &self.y_mm].into_iter().chain(&self.z_mm);
         let variance = columns.map(|column| {
             let known = || column.iter().copied().filter(|v| v.is_finite());
@@ -279,13 +279,13 @@ impl Samples {
     }
 
     /// The coordinates of a sample; NaN where one is missing.
-    pub(crate) fn coordinates(&self, sample: usize) -> [f64; 3] {
+    pub fn coordinates(&self, sample: usize) -> [f64; 3] {
         let z = self.z_mm.as_ref().map_or(f64::NAN, |z| cell(z, sample));
         [cell(&self.x_mm, sample), cell(&self.y_mm, sample), z]
     }
 
     /// Whether a sample has a measured orientation.
-    pub(crate) fn is_turned(&self, sample: usize) -> bool {
+    pub fn is_turned(&self, sample: usize) -> bool {
         let parts = self.orientation_wxyz.as_ref();
         parts.is_some_and(|parts| parts.iter().all(|part| !cell(part, sample).is_nan()))
     }
@@ -331,7 +331,7 @@ pub struct Session {
 pub(crate) const DEFAULT_TARGET: &str = "tool";
 
 /// A session without `targets` has one, at the tool's origin.
-pub(crate) fn default_targets() -> Vec<Target> {
+pub fn default_targets() -> Vec<Target> {
     vec![Target {
         name: DEFAULT_TARGET.to_owned(),
         position_mm: Point3::origin(),

@@ -28,7 +28,7 @@ named! {
 
 impl Group {
     /// One of the group, by its name or number, in words.
-    pub(crate) fn called(self, name: impl Into<Argument>) -> Text {
+    pub fn called(self, name: impl Into<Argument>) -> Text {
         let name = name.into();
         match self {
             Self::Target => text!("target {target}", target = name),

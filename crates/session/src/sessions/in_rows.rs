@@ -70,7 +70,7 @@ fn seen_from_elsewhere(session: &mut Session, rows: &[(usize, usize)]) {
 }
 
 /// Rows in ascending order as stretches, each from its first up to and without its second.
-pub(crate) fn ranges(rows: &[usize]) -> Vec<(usize, usize)> {
+pub fn ranges(rows: &[usize]) -> Vec<(usize, usize)> {
     let mut ranges: Vec<(usize, usize)> = Vec::new();
     for &row in rows {
         match ranges.last_mut() {
@@ -82,7 +82,7 @@ pub(crate) fn ranges(rows: &[usize]) -> Vec<(usize, usize)> {
 }
 
 /// The rows for a person, counted from 1.
-pub(crate) fn listed(rows: &[(usize, usize)]) -> Text {
+pub fn listed(rows: &[(usize, usize)]) -> Text {
     match rows {
         [(first, end)] if first + 1 == *end => text!("sample {sample}", sample = end),
         [(first, end)] => text!("samples {first} to {last}", first = first + 1, last = end),

@@ -19,7 +19,7 @@ const ANEW: f64 = 0.5;
 
 /// How often the clock runs backwards without beginning anew, where that is no accident; else `None`.
 /// A missing time is NaN.
-pub(crate) fn falls_of_the_clock(time_s: &[f64]) -> Option<usize> {
+pub fn falls_of_the_clock(time_s: &[f64]) -> Option<usize> {
     let mut last = f64::NAN;
     let (mut falls, mut first) = (0, f64::INFINITY);
     for &time in time_s.iter().filter(|time| time.is_finite()) {
@@ -45,7 +45,7 @@ pub(crate) fn falls_of_the_clock(time_s: &[f64]) -> Option<usize> {
 
 /// The samples in the order in which they were measured, where that is not the order of the file. A
 /// sample without a time stays behind the one before it.
-pub(crate) fn measuring_order(time_s: Option<&[f64]>) -> Option<Vec<usize>> {
+pub fn measuring_order(time_s: Option<&[f64]>) -> Option<Vec<usize>> {
     let time_s = time_s?;
     falls_of_the_clock(time_s)?;
     let mut last = f64::NEG_INFINITY;

@@ -10,34 +10,36 @@
 //! nothing here knows.
 
 mod built;
-pub(crate) mod cells;
-pub(crate) mod columns;
+pub mod cells;
+pub mod columns;
 mod consistency;
-pub(crate) mod correct;
-pub(crate) mod correction;
-pub(crate) mod division;
+pub mod correct;
+pub mod correction;
+pub mod division;
 mod domain;
-pub(crate) mod files;
+pub mod files;
 mod group;
 mod group_samples;
-pub(crate) mod in_rows;
+pub mod in_rows;
 pub(crate) mod layout;
-pub(crate) mod measuring_order;
+pub mod measuring_order;
 mod observed;
-pub(crate) mod poses;
+pub mod poses;
 mod references;
-pub(crate) mod regions;
-pub(crate) mod resolution;
+pub mod regions;
+pub mod resolution;
 mod rows;
 pub(crate) mod table;
-pub(crate) mod validation;
+pub mod validation;
 
 pub use crate::atomic::WriteError;
 pub use crate::tables::Lines;
-pub(crate) use correction::DAY_S;
+#[doc(hidden)]
+pub use correction::DAY_S;
 pub use correction::{Corrected, SessionCorrection};
 pub use division::{MOST_REGIONS, RegionChoice, RegionError, range_to_divide};
-pub(crate) use domain::default_targets;
+#[doc(hidden)]
+pub use domain::default_targets;
 pub use domain::{
     Instrument, Region, Samples, Session, Setups, Sigma, Target, Tracker, UnknownColumn,
 };

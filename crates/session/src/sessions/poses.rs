@@ -9,7 +9,7 @@ use super::measuring_order::measuring_order;
 
 /// For each sample the number of its pose, in the order of measuring; `None` where every sample has its own. With a
 /// joint that moves while it is measured every sample is a pose.
-pub(crate) fn poses(samples: &Samples) -> Option<Vec<u32>> {
+pub fn poses(samples: &Samples) -> Option<Vec<u32>> {
     let n = samples.len();
     let clock = samples.time_s.as_deref().filter(|times| times.len() == n);
     let order = measuring_order(clock);
@@ -25,16 +25,16 @@ pub(crate) fn poses(samples: &Samples) -> Option<Vec<u32>> {
 
 /// Some samples by their poses.
 #[derive(Debug, Clone)]
-pub(crate) struct ByPose {
+pub struct ByPose {
     /// The first sample of each pose.
-    pub(crate) first: Vec<usize>,
+    pub first: Vec<usize>,
     /// For each sample which of these it belongs to.
     of: Vec<usize>,
 }
 
 impl ByPose {
     /// Of so many samples with these poses; without any, each is one.
-    pub(crate) fn of(pose: Option<&[u32]>, samples: usize) -> Self {
+    pub fn of(pose: Option<&[u32]>, samples: usize) -> Self {
         let Some(pose) = pose else {
             return Self {
                 first: (0..samples).collect(),
@@ -54,7 +54,7 @@ impl ByPose {
     }
 
     /// What each sample has of what was worked out for the poses.
-    pub(crate) fn to_samples<T: Copy>(&self, of_poses: &[T]) -> Vec<T> {
+    pub fn to_samples<T: Copy>(&self, of_poses: &[T]) -> Vec<T> {
         self.of.iter().map(|pose| of_poses[*pose]).collect()
     }
 }

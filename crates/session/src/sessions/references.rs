@@ -146,14 +146,14 @@ pub struct ObservedColumns {
 }
 
 /// One of these columns.
-pub(crate) struct ObservedColumn<C> {
+pub struct ObservedColumn<C> {
     /// What it holds.
     pub(crate) quantity: Quantity,
     /// What it is called in the hash of a session's samples.
     pub(crate) label: &'static str,
     /// Its place in a session, as problems of a library's caller name it.
     pub(crate) field: &'static str,
-    pub(crate) values: C,
+    pub values: C,
 }
 
 macro_rules! column {
@@ -170,7 +170,7 @@ macro_rules! column {
 /// Columns from one list: what each holds, its label in the hash, its field.
 macro_rules! columns {
     ($all:ident, $count:literal of $cell:ty: $($quantity:ident $label:literal $column:ident,)*) => {
-        pub(crate) fn $all(&self) -> [ObservedColumn<&Option<Vec<$cell>>>; $count] {
+        pub fn $all(&self) -> [ObservedColumn<&Option<Vec<$cell>>>; $count] {
             [$(column!($quantity $label $column, &self.$column)),*]
         }
     };

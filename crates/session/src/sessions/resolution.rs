@@ -21,7 +21,7 @@ const INCH_MM: f64 = 25.4;
 
 /// The step of which the values are multiples, mm; `None` where none is found that is at least a
 /// micrometre's thousandth. NaN is passed over.
-pub(crate) fn resolution_mm(values: &[f64]) -> Option<f64> {
+pub fn resolution_mm(values: &[f64]) -> Option<f64> {
     let n = values.len();
     let every = n.div_ceil(MOST).max(1);
     let mut some: Vec<f64> = values
@@ -44,7 +44,7 @@ pub(crate) fn resolution_mm(values: &[f64]) -> Option<f64> {
 }
 
 /// Whether all values are multiples of a step, mm, however few they are.
-pub(crate) fn is_rounded_to(values: &[f64], step: f64) -> bool {
+pub fn is_rounded_to(values: &[f64], step: f64) -> bool {
     let mut some = values
         .iter()
         .filter(|v| v.is_finite())

@@ -42,7 +42,7 @@ pub(crate) fn findings(session: &Session, file: &Place) -> Vec<Diagnostic> {
 }
 
 /// Looks at a robot alone.
-pub(crate) fn robot(robot: &Robot, file: &Place, findings: &mut Vec<Diagnostic>) {
+pub fn robot(robot: &Robot, file: &Place, findings: &mut Vec<Diagnostic>) {
     findings.extend(robot.out_of_range(file));
     for (index, joint) in robot.joints.iter().enumerate() {
         let earlier = robot.joints[..index]

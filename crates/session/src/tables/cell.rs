@@ -10,10 +10,10 @@ use super::dialect::{Dialect, trimmed};
 
 /// A cell as it stands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct Cell {
+pub struct Cell {
     /// Its content, without the quotes around it.
-    pub(crate) start: usize,
-    pub(crate) end: usize,
+    pub start: usize,
+    pub end: usize,
     pub(crate) quotes: Quotes,
     /// What ends it: a separator, a line end, or the end of everything.
     pub(crate) stop: usize,
@@ -32,7 +32,7 @@ pub(crate) enum Quotes {
 }
 
 /// A text as a cell of a table with commas or semicolons (RFC 4180): in quotes where it would not come back without.
-pub(crate) fn as_cell(text: &str) -> Cow<'_, str> {
+pub fn as_cell(text: &str) -> Cow<'_, str> {
     let spaced = text.starts_with([' ', '\t']) || text.ends_with([' ', '\t']);
     if spaced || text.contains([',', ';', '"', '\n', '\r']) {
         Cow::Owned(format!("\"{}\"", text.replace('"', "\"\"")))
@@ -145,7 +145,7 @@ impl Cell {
     }
 
     /// What stands between its closing quote and its end, without the blanks around it.
-    pub(crate) fn behind_quote(self, bytes: &[u8]) -> Range<usize> {
+    pub fn behind_quote(self, bytes: &[u8]) -> Range<usize> {
         match self.quotes {
             Quotes::None | Quotes::Open => self.stop..self.stop,
             Quotes::Around | Quotes::Doubled => trimmed(bytes, self.end + 1..self.stop),

@@ -33,7 +33,7 @@ impl Separator {
     }
 
     /// The one that a line of headings uses most; commas where it uses none.
-    pub(crate) fn of_headings(line: &[u8]) -> Self {
+    pub fn of_headings(line: &[u8]) -> Self {
         let count = |sign: u8| memchr::memchr_iter(sign, line).count();
         let mut best = (Self::Comma, count(b','));
         for (separator, sign) in [(Self::Semicolon, b';'), (Self::Tab, b'\t')] {
@@ -53,7 +53,7 @@ impl fmt::Display for Separator {
 
 /// What ends cells and lines, and which lines are none of a table.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Dialect {
+pub struct Dialect {
     pub(crate) separator: Separator,
     /// Whether a carriage return ends a line as well as a line feed.
     returns_end_lines: bool,
@@ -90,7 +90,7 @@ impl Dialect {
     }
 
     /// A table in which every line is a row: a slip in one must not take the next one with it.
-    pub(crate) fn of_lines(separator: Separator) -> Self {
+    pub fn of_lines(separator: Separator) -> Self {
         Self {
             separator,
             returns_end_lines: true,
@@ -181,7 +181,7 @@ impl Dialect {
 
 /// A range without the blanks at both ends; empty at its start where it holds nothing else.
 #[inline]
-pub(crate) fn trimmed(bytes: &[u8], range: Range<usize>) -> Range<usize> {
+pub fn trimmed(bytes: &[u8], range: Range<usize>) -> Range<usize> {
     let is_blank = |byte: u8| matches!(byte, b'\t'..=b'\r' | b' ');
     let Range { mut start, mut end } = range.clone();
     while start < end && is_blank(bytes[start]) {

@@ -52,7 +52,7 @@ impl fmt::Display for Encoding {
 
 /// What a byte order mark says.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Mark {
+pub enum Mark {
     Utf8,
     Utf16Le,
     Utf16Be,
@@ -60,7 +60,7 @@ pub(crate) enum Mark {
 }
 
 /// The byte order mark of a file and its length.
-pub(crate) fn mark(bytes: &[u8]) -> Option<(Mark, usize)> {
+pub fn mark(bytes: &[u8]) -> Option<(Mark, usize)> {
     Some(match bytes {
         [0xff, 0xfe, 0, 0, ..] | [0, 0, 0xfe, 0xff, ..] => (Mark::Utf32, 4),
         [0xff, 0xfe, ..] => (Mark::Utf16Le, 2),

@@ -19,20 +19,24 @@ mod columns;
 mod complaints;
 pub(crate) mod decimals;
 mod dialect;
-pub(crate) mod encoding;
+pub mod encoding;
 mod grid;
 mod head;
 mod lines;
 mod rows;
 mod samples;
 
-pub(crate) use cell::{Cell, as_cell};
+#[doc(hidden)]
+pub use cell::{Cell, as_cell};
 pub(crate) use columns::{CellKind, Cells, Names};
 pub(crate) use complaints::Complaints;
 pub use dialect::Separator;
-pub(crate) use dialect::{Dialect, trimmed};
+#[doc(hidden)]
+pub use dialect::{Dialect, trimmed};
 pub(crate) use grid::{Grid, MOST_COLUMNS, open_quote};
 pub(crate) use head::Words;
 pub use lines::Lines;
-pub(crate) use rows::{OpenQuote, Row, Rows, TextRow, TextRows};
+#[doc(hidden)]
+pub use rows::{OpenQuote, Row, Rows};
+pub(crate) use rows::{TextRow, TextRows};
 pub(crate) use samples::SampleTable;

@@ -12,23 +12,23 @@ use super::dialect::{Dialect, trimmed};
 
 /// One row by the places of its cells.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct Row {
+pub struct Row {
     /// Where it starts, counted from 1.
     pub(crate) line: u64,
     /// Its first byte.
-    pub(crate) start: usize,
+    pub start: usize,
     /// How many lines that are not blank begin up to here, this one included.
-    pub(crate) number: usize,
+    pub number: usize,
     /// Without the blanks around them.
-    pub(crate) cells: Vec<Cell>,
+    pub cells: Vec<Cell>,
 }
 
 /// A quote that nothing closes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct OpenQuote {
+pub struct OpenQuote {
     pub(crate) line: u64,
     /// Its byte.
-    pub(crate) at: usize,
+    pub at: usize,
 }
 
 /// Bytes between two looks at the watcher.
@@ -39,7 +39,7 @@ const MOST_COMMENTS: usize = 20;
 
 /// Goes through a table row by row.
 #[derive(Clone)]
-pub(crate) struct Rows<'a> {
+pub struct Rows<'a> {
     bytes: &'a [u8],
     at: usize,
     line: u64,
@@ -54,7 +54,7 @@ pub(crate) struct Rows<'a> {
 
 impl<'a> Rows<'a> {
     /// The rows from this byte on, which is in the first line.
-    pub(crate) fn new(bytes: &'a [u8], at: usize, dialect: Dialect) -> Self {
+    pub fn new(bytes: &'a [u8], at: usize, dialect: Dialect) -> Self {
         Self {
             bytes,
             at,
@@ -78,7 +78,7 @@ impl<'a> Rows<'a> {
 
     /// Reads the next row into `row`; false at the end. Behind an open quote it goes on where the dialect lets no cell
     /// go over a line end.
-    pub(crate) fn next(&mut self, row: &mut Row) -> Result<bool, OpenQuote> {
+    pub fn next(&mut self, row: &mut Row) -> Result<bool, OpenQuote> {
         while self.at < self.bytes.len() {
             if self.at >= self.tell_at && self.is_cancelled() {
                 self.at = self.bytes.len();

@@ -39,7 +39,7 @@ use crate::diagnosis::{DiagnoseError, Progress, Watch};
 use crate::set_up_errors::{CorrectedSession, DataProblem};
 
 /// What stays undecided, for the proposal of poses.
-pub(crate) struct Undecided<'u, 'a> {
+pub struct Undecided<'u, 'a> {
     pub(crate) prepared: &'u PreparedSearch<'a>,
     pub(crate) fit: &'u Fit,
     pub(crate) rivals: &'u [&'u crate::diagnosis::evidence::rival::Rival],
@@ -48,7 +48,7 @@ pub(crate) struct Undecided<'u, 'a> {
 
 /// Poses to measure next, and for each rival what would tell it from the model.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub(crate) struct Proposal {
+pub struct Proposal {
     pub(crate) poses: Vec<NextPose>,
     pub(crate) separate_by: Vec<Text>,
 }

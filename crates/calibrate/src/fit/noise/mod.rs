@@ -36,7 +36,9 @@ mod restricted;
 mod slow_part;
 
 use crate::answers::noise::Trial;
-pub(crate) use crate::answers::noise::{Noise, Slow, StatedNoise};
+#[doc(hidden)]
+pub use crate::answers::noise::Noise;
+pub(crate) use crate::answers::noise::{Slow, StatedNoise};
 pub(crate) use filter::{Filter, Step};
 use joints::JointFilter;
 pub(crate) use joints::carried;

@@ -5,7 +5,7 @@ use nalgebra::{Isometry3, Vector3};
 
 use crate::effects::Inputs;
 use crate::model::Model;
-use crate::model::rigid_motion::rigid_motion;
+use crate::kinematics::rigid_motion::rigid_motion;
 use crate::numeric::median;
 use crate::sessions::Session;
 

@@ -6,7 +6,7 @@
 
 use nalgebra::{Isometry3, Point3, Vector3};
 
-use crate::model::rigid_motion::rigid_motion;
+use crate::kinematics::rigid_motion::rigid_motion;
 
 /// The logarithm by which a part that differs has to be likelier, its place paid for.
 pub(super) const EVIDENCE: f64 = 30.0;

@@ -18,7 +18,6 @@ pub use axis_test::{AxisDeviation, AxisStage, axis_figures};
 pub use deviation::{Deviation, LEAST_SPAN, Series};
 pub use gap::{gap, in_words};
 pub(crate) use ticks::among;
-#[cfg(feature = "gui")]
 pub(crate) use ticks::decade;
 pub use ticks::ticks;
 

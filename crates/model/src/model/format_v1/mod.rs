@@ -20,7 +20,8 @@ mod term;
 
 pub(crate) use term::term;
 
-pub(crate) use read::write_model;
+#[doc(hidden)]
+pub use read::write_model;
 pub use read::{is_model, load_model, model_hash, read_model};
 
 #[cfg(test)]

@@ -131,7 +131,7 @@ fn document(fields: &mut Fields<'_>, root: &Node) -> Option<Calibration> {
 }
 
 /// The model as the text of its file: the gate (`compensation::VerifiedCalibration`) is its only way out.
-pub(crate) fn write_model(calibration: &Calibration) -> String {
+pub fn write_model(calibration: &Calibration) -> String {
     text_of(&written(calibration.clone(), self::calibration))
 }
 

@@ -3,11 +3,11 @@
 use std::path::{Path, PathBuf};
 
 /// A session that comes with the program.
-pub(crate) struct Bundled {
+pub struct Bundled {
     /// Its name, without an ending.
-    pub(crate) name: &'static str,
-    pub(crate) document: &'static [u8],
-    pub(crate) samples: &'static [u8],
+    pub name: &'static str,
+    pub document: &'static [u8],
+    pub samples: &'static [u8],
 }
 
 macro_rules! bundled {
@@ -21,7 +21,7 @@ macro_rules! bundled {
 }
 
 /// All of them; the window opens on the first.
-pub(crate) const BUNDLED: [Bundled; 4] = [
+pub const BUNDLED: [Bundled; 4] = [
     bundled!("lamp-commissioning"),
     bundled!("paper-30"),
     bundled!("paper-run"),
@@ -49,7 +49,7 @@ fn on_disk() -> Option<PathBuf> {
 
 /// The command that does the main job in the terminal, on a session that comes with the program; where none lies there as a
 /// file, with the command that puts them there.
-pub(crate) fn job_in_the_terminal() -> String {
+pub fn job_in_the_terminal() -> String {
     let Some(session) = on_disk() else {
         let prefix = if cfg!(any(windows, target_os = "macos")) {
             " --prefix FOLDER"

@@ -8,13 +8,13 @@
 //! - `hash`: the fingerprint of what was measured; `bundled`: sessions that are in the binary.
 
 pub(crate) mod assemble;
-pub(crate) mod bundled;
+pub mod bundled;
 mod file_hash;
-pub(crate) mod format_v1;
+pub mod format_v1;
 pub(crate) mod hash;
 pub(crate) mod load;
 pub(crate) mod load_robot;
-pub(crate) mod open;
+pub mod open;
 pub(crate) mod save;
 mod saved_columns;
 #[cfg(test)]

@@ -9,7 +9,9 @@ use std::path::{Path, PathBuf};
 
 use crate::diagnostic::{Diagnostic, Place, Rejected, unreadable};
 use crate::guard;
-pub(crate) use crate::guard::{Refusal, open_regular};
+#[doc(hidden)]
+pub use crate::guard::open_regular;
+pub(crate) use crate::guard::Refusal;
 use crate::progress::{Progress, ProgressSpan, ReadError, unwatched};
 
 /// Bytes that are read between two looks at the watcher.
@@ -52,7 +54,7 @@ pub(crate) fn samples_path(folder: &Path, name: &str) -> Result<PathBuf, Refusal
 }
 
 /// A JSON document as text.
-pub(crate) fn as_text<'a>(bytes: &'a [u8], file: &Place) -> Result<&'a str, Rejected> {
+pub fn as_text<'a>(bytes: &'a [u8], file: &Place) -> Result<&'a str, Rejected> {
     const EXPECTED: Template = phrase!("a JSON document in UTF-8");
     let refused = |place: Place, found: Text| {
         Err(Rejected::because(Diagnostic::error(place, found, EXPECTED)))

@@ -119,10 +119,10 @@ pub(crate) fn write(session: &Session) -> Value {
 }
 
 /// How far off a tool may be.
-pub(crate) const TOLERANCE_MM: Kind<f64> = positive(phrase!("a length above 0 mm"));
+pub const TOLERANCE_MM: Kind<f64> = positive(phrase!("a length above 0 mm"));
 
 /// Names of targets, and where they are in the tool frame.
-pub(crate) const TARGETS: Kind<Vec<Target>> = Kind {
+pub const TARGETS: Kind<Vec<Target>> = Kind {
     expected: phrase!("an object with a position for each name"),
     read: |at| {
         let targets = at.named(|name, at| {
@@ -152,7 +152,7 @@ pub(crate) const TARGETS: Kind<Vec<Target>> = Kind {
 };
 
 /// The measuring instrument.
-pub(crate) const INSTRUMENT: Kind<Instrument> = Kind {
+pub const INSTRUMENT: Kind<Instrument> = Kind {
     expected: phrase!("an object with name and sigma_mm"),
     read: |at| at.object(Instrument::default(), instrument),
     write: |own| written(own.clone(), instrument),
@@ -256,7 +256,7 @@ fn as_written(value: f64, outer: f64, inner: f64) -> f64 {
 }
 
 /// Regions of the first joint.
-pub(crate) const REGIONS: Kind<Vec<Region>> = Kind {
+pub const REGIONS: Kind<Vec<Region>> = Kind {
     expected: phrase!("an array of regions"),
     read: |at| at.list(&REGION),
     write: |all| all.iter().map(REGION.write).collect(),

@@ -8,13 +8,13 @@
 //! A direction or a quaternion that is of unit length to within rounding is taken as it stands:
 //! normalising it again would change its last bit at every saving.
 
-pub(crate) mod head;
+pub mod head;
 pub(crate) mod inline;
-pub(crate) mod references;
-pub(crate) mod robot;
+pub mod references;
+pub mod robot;
 mod robot_beside;
-pub(crate) mod robot_parts;
-pub(crate) mod robot_source;
+pub mod robot_parts;
+pub mod robot_source;
 
 /// What the key `format` says.
 pub(crate) const FORMAT: &str = "truepose-session/1";

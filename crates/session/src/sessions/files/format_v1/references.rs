@@ -12,7 +12,7 @@ use crate::sessions::references::{
 };
 
 /// The fields of a session, or a scenario, that are declared here.
-pub(crate) fn references(o: &mut Object<'_, '_>, all: &mut References) {
+pub fn references(o: &mut Object<'_, '_>, all: &mut References) {
     named(o, "anchors", &mut all.anchors, &ANCHOR);
     named(o, "stations", &mut all.stations, &STATION);
     named(o, "planes", &mut all.planes, &PLANE);

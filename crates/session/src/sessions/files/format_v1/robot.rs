@@ -18,7 +18,7 @@ use crate::kinematics::{
 };
 
 /// A robot. A file that it names is looked for beside the document.
-pub(crate) const ROBOT: Kind<Robot> = Kind {
+pub const ROBOT: Kind<Robot> = Kind {
     expected: phrase!("an object that describes the robot"),
     read: |at| {
         ranges::check(at.fields, at.node, at.path);
@@ -28,7 +28,7 @@ pub(crate) const ROBOT: Kind<Robot> = Kind {
 };
 
 /// A robot of which nothing is known yet.
-pub(crate) fn blank() -> Robot {
+pub fn blank() -> Robot {
     Robot {
         name: String::new(),
         joints: Vec::new(),
@@ -212,7 +212,7 @@ fn follows(o: &mut Object<'_, '_>, own: &mut Follows) {
 }
 
 /// A value of a joint as a file says it: degrees that are read as the same angle, or mm.
-pub(crate) fn to_display(kind: JointKind, inner: f64) -> f64 {
+pub fn to_display(kind: JointKind, inner: f64) -> f64 {
     match kind {
         JointKind::Revolute => degrees(inner),
         JointKind::Prismatic => inner,

@@ -30,7 +30,7 @@ pub(super) fn from_dh(at: &mut Cursor<'_, '_>) -> Option<Robot> {
 }
 
 /// Denavit–Hartenberg rows, as sessions and models say them.
-pub(crate) const DH_ROWS: Kind<Vec<DhRow>> = Kind {
+pub const DH_ROWS: Kind<Vec<DhRow>> = Kind {
     expected: phrase!("an array with an object for each joint"),
     read: |at| at.some(&DH_ROW),
     write: |rows| rows.iter().map(DH_ROW.write).collect(),
