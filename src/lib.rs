@@ -121,11 +121,11 @@
 extern crate truepose_base;
 
 #[doc(inline)]
-pub use truepose_base::{diagnostic, kinematics, progress, text, units};
+pub use truepose_base::text::{self};
 #[doc(inline)]
-pub use truepose_calibrate::{
-    compensation, design, diagnosis, fit, row_checks, set_up_errors,
-};
+pub use truepose_base::{diagnostic, kinematics, progress, units};
+#[doc(inline)]
+pub use truepose_calibrate::{compensation, design, diagnosis, fit, row_checks, set_up_errors};
 #[doc(inline)]
 pub use truepose_deliver::{explain, export, fonts, history, present, programs, report, standards};
 #[doc(inline)]
@@ -141,6 +141,9 @@ use truepose_session::{document, tables};
 pub mod pipeline;
 #[cfg(all(test, debug_assertions, feature = "gui"))]
 mod sentences;
+#[cfg(all(test, feature = "gui"))]
+#[path = "../crates/base/src/progress/testing.rs"]
+mod watching;
 
 /// Steps inside the library that the benches time and the tests of `tests` look at; they change
 /// with any version.

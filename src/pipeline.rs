@@ -254,6 +254,50 @@ pub fn verify(calibration: &Calibration, session: &Session) -> Result<Verificati
 }
 
 /// A calibration, verified on the raw session that it came from: the one value of which files are made.
+/// It is made here and nowhere else, and can be read but not changed:
+///
+/// ```compile_fail,E0423
+/// use truepose::compensation::VerifiedCalibration;
+/// fn made(calibration: truepose::model::Calibration) {
+///     let _ = VerifiedCalibration(calibration);
+/// }
+/// ```
+///
+/// ```compile_fail,E0594
+/// fn change(verified: &mut truepose::compensation::VerifiedCalibration) {
+///     verified.samples_hash = String::new();
+/// }
+/// ```
+///
+/// Nothing that writes takes a calibration that was not verified:
+///
+/// ```compile_fail,E0308
+/// fn made(calibration: &truepose::model::Calibration) {
+///     let _ = truepose::pipeline::write_model(calibration);
+/// }
+/// ```
+///
+/// ```compile_fail,E0308
+/// fn made(calibration: &truepose::model::Calibration) {
+///     let _ = truepose::export::Job::new(calibration, "table.csv");
+/// }
+/// ```
+///
+/// ```compile_fail,E0308
+/// fn made(calibration: &truepose::model::Calibration) {
+///     let _ = truepose::compensation::JointTable::new(calibration, 0, 1.0, Default::default());
+/// }
+/// ```
+///
+/// ```compile_fail,E0308
+/// fn made(calibration: &truepose::model::Calibration) {
+///     let _ = truepose::pipeline::report_of_model(calibration, &Default::default());
+/// }
+/// ```
+///
+/// ```compile_fail,E0603
+/// use truepose::model::format_v1::write_model;
+/// ```
 ///
 /// # Errors
 /// See [`NotHandedOut`].

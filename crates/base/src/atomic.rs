@@ -188,7 +188,7 @@ impl StagedFile {
     }
 
     /// Gives the file its name.
-    pub(crate) fn commit(self) -> Result<(), WriteError> {
+    pub fn commit(self) -> Result<(), WriteError> {
         let path = self.path.clone();
         self.named(&mut List::locked())?;
         sync_folder(folder_of(&path));

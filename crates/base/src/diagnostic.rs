@@ -172,6 +172,7 @@ pub struct Rejected {
 }
 
 impl Rejected {
+    #[doc(hidden)]
     pub fn of(diagnostics: Vec<Diagnostic>) -> Self {
         Self {
             diagnostics: summarised(diagnostics),
@@ -198,6 +199,7 @@ const MOST_FINDINGS: usize = 200;
 
 /// The first findings of each severity, and how many more there are: a file can be wrong in as many
 /// places as it has bytes, and its reader reads none of them then.
+#[doc(hidden)]
 pub fn summarised(findings: Vec<Diagnostic>) -> Vec<Diagnostic> {
     if findings.len() <= MOST_FINDINGS {
         return findings;
@@ -239,6 +241,7 @@ pub fn summarised(findings: Vec<Diagnostic>) -> Vec<Diagnostic> {
 }
 
 /// Why a file cannot be read.
+#[doc(hidden)]
 pub fn unreadable(error: &io::Error) -> Text {
     match error.kind() {
         io::ErrorKind::NotFound => text!("no such file"),

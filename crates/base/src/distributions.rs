@@ -2,7 +2,7 @@
 //! of freedom.
 //!
 //! The continued fraction of the incomplete beta function converges in about √ν terms: statrs stops at
-//! 140, and its inverse does not end at ν = 10⁷. Beyond [`MANY`] degrees of freedom the fraction gets as
+//! 140, and its inverse does not end at ν = 10⁷. Beyond `MANY` degrees of freedom the fraction gets as
 //! many terms as it needs, and the quantile of t is its asymptotic expansion, which is exact to more
 //! digits there:
 //!

@@ -48,7 +48,7 @@ pub fn whole(value: f64) -> usize {
 
 /// A number as it is drawn; one that does not fit is infinite, and is not.
 #[allow(clippy::cast_possible_truncation, reason = "drawn in single precision")]
-pub(crate) fn single(value: f64) -> f32 {
+pub fn single(value: f64) -> f32 {
     value as f32
 }
 
@@ -68,7 +68,7 @@ impl Ascending {
     }
 
     /// How many are within this tolerance, of how many.
-    pub(crate) fn within(&self, tolerance_mm: f64) -> (usize, usize) {
+    pub fn within(&self, tolerance_mm: f64) -> (usize, usize) {
         let inside = self.ascending_mm.partition_point(|l| *l <= tolerance_mm);
         (inside, self.ascending_mm.len())
     }

@@ -1,6 +1,6 @@
 //! How far long work is, and whether anybody still wants it.
 //!
-//! Work that takes its time is given a `watch`, as [`simulate`](crate::simulation::simulate) is: it
+//! Work that takes its time is given a `watch`, as `simulation::simulate` is: it
 //! hears now and then which part is done, from 0 to 1 and never less than before, and answers
 //! whether to go on. Once it said no the work is [`Cancelled`], whatever it says later.
 //!
@@ -44,6 +44,7 @@ pub enum ReadError {
 
 impl ReadError {
     /// What is wrong, where it could not have been cancelled.
+    #[doc(hidden)]
     pub fn rejected(self) -> Rejected {
         match self {
             Self::Rejected(rejected) => rejected,
@@ -58,6 +59,7 @@ pub fn unwatched(_: f64) -> ControlFlow<()> {
 }
 
 /// Between the work and its watcher.
+#[doc(hidden)]
 pub struct Progress<'a> {
     watch: &'a dyn Fn(f64) -> ControlFlow<()>,
     /// Which part is done, as it was told last.
@@ -87,6 +89,7 @@ impl<'a> Progress<'a> {
 
 /// A part of the work.
 #[derive(Clone, Copy)]
+#[doc(hidden)]
 pub struct ProgressSpan<'p> {
     progress: &'p Progress<'p>,
     /// Where in the whole it begins and ends.
@@ -147,7 +150,7 @@ impl ProgressSpan<'_> {
     }
 
     /// For work that is given a watch of its own.
-    pub(crate) fn watch(self) -> impl Fn(f64) -> ControlFlow<()> {
+    pub fn watch(self) -> impl Fn(f64) -> ControlFlow<()> {
         move |share| match self.reached(share) {
             Ok(()) => ControlFlow::Continue(()),
             Err(Cancelled) => ControlFlow::Break(()),

@@ -9,12 +9,16 @@ use std::f64::consts::PI;
 use serde::{Deserialize, Serialize};
 
 /// A longer length, mm, is none of a robot or of what measures it.
+#[doc(hidden)]
 pub const LARGEST_LENGTH_MM: f64 = 1e7;
 /// A larger value of a joint, in degrees or mm, is none.
+#[doc(hidden)]
 pub const LARGEST_JOINT_VALUE: f64 = 1e6;
 /// A larger mass, kg, is none of a robot.
+#[doc(hidden)]
 pub const LARGEST_MASS_KG: f64 = 1e6;
 /// A larger time, s, is none: a clock that counts nanoseconds from 1970 stays below it.
+#[doc(hidden)]
 pub const LARGEST_TIME_S: f64 = 1e20;
 
 /// Unit of lengths for a reader.

@@ -6,9 +6,14 @@
 #[macro_use]
 extern crate truepose_base;
 
-use truepose_base::{decompose, diagnostic, distributions, kinematics, lanes, linear, numeric, side_by_side, sincos, text, units, wide};
+use truepose_base::{
+    decompose, diagnostic, distributions, kinematics, lanes, linear, numeric, side_by_side, sincos,
+    text, units, wide,
+};
+#[cfg(test)]
+use truepose_model::simulation;
+use truepose_model::{effects, model, observations};
 use truepose_session::{document, sessions};
-use truepose_model::{effects, model, observations, simulation};
 
 #[doc(hidden)]
 pub mod answers;
@@ -20,3 +25,8 @@ pub mod fit;
 pub mod paper;
 pub mod row_checks;
 pub mod set_up_errors;
+
+#[cfg(test)]
+#[allow(dead_code, reason = "of what tests share, each crate uses some")]
+#[path = "../../base/src/kinematics/testing.rs"]
+mod testing;

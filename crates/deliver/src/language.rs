@@ -15,7 +15,7 @@ pub fn finding(finding: &Diagnostic) -> String {
 }
 
 /// What the core says in these words, among those of this kind, where the language has it.
-pub(crate) fn known_words(kind: &str, english: &str) -> Option<String> {
+pub fn known_words(kind: &str, english: &str) -> Option<String> {
     let as_written = |one: &&str| one.eq_ignore_ascii_case(english);
     let english = phrases_in(kind).find(as_written).unwrap_or(english);
     known_in(current(), kind, english, &[])

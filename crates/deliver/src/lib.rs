@@ -7,9 +7,11 @@
 extern crate truepose_base;
 
 use truepose_base::{diagnostic, guard, kinematics, lanes, numeric, progress, text, units};
-use truepose_session::{document, importers, robots, sessions, tables};
-use truepose_model::{effects, model, observations, simulation};
 use truepose_calibrate::{answers, compensation, design, diagnosis, fit, paper, set_up_errors};
+#[cfg(test)]
+use truepose_model::simulation;
+use truepose_model::{effects, model, observations};
+use truepose_session::{document, importers, robots, sessions, tables};
 
 pub mod explain;
 pub mod export;
@@ -21,3 +23,8 @@ pub mod present;
 pub mod programs;
 pub mod report;
 pub mod standards;
+
+#[cfg(test)]
+#[allow(dead_code, reason = "of what tests share, each crate uses some")]
+#[path = "../../base/src/kinematics/testing.rs"]
+mod testing;

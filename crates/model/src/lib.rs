@@ -6,10 +6,20 @@
 #[macro_use]
 extern crate truepose_base;
 
-use truepose_base::{decompose, diagnostic, kinematics, lanes, numeric, progress, sincos, text, units, wide};
+use truepose_base::{
+    decompose, diagnostic, kinematics, lanes, numeric, progress, sincos, text, units, wide,
+};
 use truepose_session::{document, sessions};
 
 pub mod effects;
 pub mod model;
 pub mod observations;
 pub mod simulation;
+
+#[doc(hidden)]
+pub use model::format_v1::read::write_model;
+
+#[cfg(test)]
+#[allow(dead_code, reason = "of what tests share, each crate uses some")]
+#[path = "../../base/src/kinematics/testing.rs"]
+mod testing;

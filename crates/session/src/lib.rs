@@ -5,7 +5,9 @@
 #[macro_use]
 extern crate truepose_base;
 
-use truepose_base::{atomic, decompose, diagnostic, guard, kinematics, lanes, numeric, progress, text, units};
+use truepose_base::{
+    atomic, decompose, diagnostic, guard, kinematics, lanes, numeric, progress, text, units,
+};
 
 #[doc(hidden)]
 pub mod document;
@@ -15,3 +17,11 @@ pub mod robots;
 pub mod sessions;
 #[doc(hidden)]
 pub mod tables;
+
+#[cfg(test)]
+#[allow(dead_code, reason = "of what tests share, each crate uses some")]
+#[path = "../../base/src/kinematics/testing.rs"]
+mod testing;
+#[cfg(test)]
+#[path = "../../base/src/progress/testing.rs"]
+mod watching;

@@ -333,8 +333,7 @@ impl Decision {
 
 /// Divides where the samples ask for it. Takes its time with many samples.
 pub(crate) fn adapt(session: &Session) -> Result<(Vec<Region>, Decision), String> {
-    let regions =
-        regions_of(&RegionChoice::Adaptive, session).map_err(|e| spoken(e.describe()))?;
+    let regions = regions_of(&RegionChoice::Adaptive, session).map_err(|e| spoken(e.describe()))?;
     let left = |choice| {
         let method = pipeline::Method::Regional(choice);
         let (found, _) = identify(session, &method, JointValues::Commanded).ok()?;

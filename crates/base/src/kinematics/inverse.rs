@@ -9,7 +9,7 @@
 //! spread evenly over the joints' travel (Halton 1960). The starts are always the same, and so is
 //! the answer. A robot with more joints than the pose asks for has endlessly many solutions; for it
 //! only the one nearest to a start means anything. Arms of the usual shapes have all their solutions at once
-//! ([`super::closed_form`]).
+//! (`closed_form`).
 
 use std::f64::consts::{PI, TAU};
 
@@ -382,6 +382,7 @@ impl Robot {
     }
 
     /// How far the tool is from the first axis along all links at home, and no less than from the base, mm.
+    #[doc(hidden)]
     pub fn length_along_links_mm(&self) -> f64 {
         let tool = self.base_from_tool.translation.vector;
         let points = self.joints.iter().map(|joint| joint.axis.point_mm.coords);

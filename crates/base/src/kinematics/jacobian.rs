@@ -24,6 +24,7 @@ const GENERIC_STEP: f64 = 2.399_963_229_728_653;
 
 impl Robot {
     /// The twist of each joint at `q`, in the base frame, per unit of its value.
+    #[doc(hidden)]
     pub fn joint_twists(&self, q: &[f64]) -> Vec<Twist> {
         let mut before = Pose::identity();
         let mut twists = Vec::with_capacity(self.joints.len());

@@ -26,6 +26,7 @@
 //!   files ([`robot_from_file`]).
 //!
 //! ```
+//! # use truepose_base as truepose;
 //! use nalgebra::{Point3, Vector3};
 //! use truepose::kinematics::{Axis, Joint, JointKind, Pose, Robot, RobotSource};
 //!
@@ -45,21 +46,25 @@
 
 pub(crate) mod chain;
 mod closed_form;
+#[doc(hidden)]
 pub mod configuration;
 pub(crate) mod description;
 pub(crate) mod dh;
 mod dh_row;
 pub(crate) mod gravity;
+#[doc(hidden)]
 pub mod inverse;
 pub(crate) mod jacobian;
 mod joint_kind;
 pub(crate) mod mjcf;
 mod pose;
 mod problems;
+#[doc(hidden)]
 pub mod quaternion;
 #[doc(hidden)]
 pub mod rigid_motion;
 pub(crate) mod robot;
+#[doc(hidden)]
 pub mod screw;
 mod tree;
 pub(crate) mod urdf;
@@ -79,7 +84,6 @@ pub use inverse::{Goal, Inverse, REACHED_MM, REACHED_RAD};
 pub use joint_kind::JointKind;
 pub use mjcf::robot_from_mjcf;
 pub use pose::Pose;
-#[doc(hidden)]
 pub use robot::MOST_JOINTS;
 pub use robot::{
     Axis, Follows, Joint, KinematicsError, LinkMass, Range, Robot, RobotSource, pose_from_parts,

@@ -65,6 +65,7 @@ impl Robot {
 impl Robot {
     /// Numbers that are not finite or beyond any robot's range, and more joints than a fit ends
     /// with: what every source of a robot is held to, after its own checks.
+    #[doc(hidden)]
     pub fn out_of_range(&self, place: &Place) -> Vec<Diagnostic> {
         let mut problems = Vec::new();
         if self.joints.len() > MOST_JOINTS {

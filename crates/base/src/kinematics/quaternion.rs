@@ -18,7 +18,7 @@ use nalgebra::{Quaternion, Rotation3, UnitQuaternion, Vector3};
 const SMALL_RAD: f64 = 1e-2;
 
 /// The rotation by |`rotation_rad`| about `rotation_rad`.
-pub(crate) fn exp(rotation_rad: &Vector3<f64>) -> UnitQuaternion<f64> {
+pub fn exp(rotation_rad: &Vector3<f64>) -> UnitQuaternion<f64> {
     let angle = rotation_rad.norm();
     let half = 0.5 * angle;
     let sine_over_angle = if angle < SMALL_RAD {

@@ -13,6 +13,7 @@ use super::pose::Pose;
 const SHORTEST_DIRECTION: f64 = 1e-12;
 
 /// A chain with more joints is a mistake, and its fit would not end.
+#[doc(hidden)]
 pub const MOST_JOINTS: usize = 100;
 
 /// Why a robot or a pose cannot be built, or cannot be asked.

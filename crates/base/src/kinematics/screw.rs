@@ -18,12 +18,12 @@ pub struct Twist {
     /// Rotation, rad.
     pub angular: Vector3<f64>,
     /// Translation of the body's point at the origin of the frame, mm.
-    pub(crate) linear: Vector3<f64>,
+    pub linear: Vector3<f64>,
 }
 
 impl Twist {
     /// A twist from its two parts.
-    pub(crate) fn new(angular: Vector3<f64>, linear: Vector3<f64>) -> Self {
+    pub fn new(angular: Vector3<f64>, linear: Vector3<f64>) -> Self {
         Self { angular, linear }
     }
 

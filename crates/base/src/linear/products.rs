@@ -47,7 +47,7 @@ pub fn gram(a: &DMatrix<f64>) -> DMatrix<f64> {
 /// Columns whose products with each other are made at once: each of them is read once for all of the others.
 const SQUARE: usize = 4;
 
-/// `Aᵀ B` with the bits of [`dot`] for every product.
+/// `Aᵀ B` with the bits of `dot` for every product.
 pub fn cross(a: &DMatrix<f64>, b: &DMatrix<f64>) -> DMatrix<f64> {
     let mut all = DMatrix::zeros(a.ncols(), b.ncols());
     wide(Cross {
@@ -73,7 +73,7 @@ pub fn lower_cross(a: &DMatrix<f64>, b: &DMatrix<f64>) -> DMatrix<f64> {
     all
 }
 
-/// `Aᵀ A` with the bits of [`dot`] for every product.
+/// `Aᵀ A` with the bits of `dot` for every product.
 pub fn own_products(a: &DMatrix<f64>) -> DMatrix<f64> {
     let p = a.ncols();
     let mut all = DMatrix::zeros(p, p);
@@ -88,7 +88,7 @@ pub fn own_products(a: &DMatrix<f64>) -> DMatrix<f64> {
     all
 }
 
-/// `Aᵀ v` with the bits of [`dot`] for every product.
+/// `Aᵀ v` with the bits of `dot` for every product.
 pub fn along(a: &DMatrix<f64>, v: &DVector<f64>) -> DVector<f64> {
     let mut all = DVector::zeros(a.ncols());
     products(v.as_slice(), a.as_slice(), all.as_mut_slice());
@@ -217,7 +217,7 @@ fn square_of_products(a: [&[f64]; SQUARE], b: [&[f64]; SQUARE]) -> [[f64; SQUARE
     ]
 }
 
-/// Scalar products of a vector with columns, each with the bits of [`dot`].
+/// Scalar products of a vector with columns, each with the bits of `dot`.
 pub fn products(v: &[f64], columns: &[f64], out: &mut [f64]) {
     wide(Products { v, columns, out });
 }

@@ -20,6 +20,7 @@ pub struct Catalogue {
 }
 
 /// That of a language; it is read when it is asked for the first time.
+#[doc(hidden)]
 pub fn catalogue(language: Language) -> &'static Catalogue {
     static CATALOGUES: [OnceLock<Catalogue>; LANGUAGES.len() + 2] =
         [const { OnceLock::new() }; LANGUAGES.len() + 2];

@@ -14,11 +14,7 @@ impl Template {
     /// Of a context (empty where the English alone has one meaning), of the English, and of its form for several
     /// where something is counted. The macros of [`crate::text`] call it.
     #[doc(hidden)]
-    pub const fn new(
-        context: &'static str,
-        english: &'static str,
-        many: &'static str,
-    ) -> Self {
+    pub const fn new(context: &'static str, english: &'static str, many: &'static str) -> Self {
         Self {
             context,
             english,
@@ -120,6 +116,7 @@ const fn same(text: &[u8], start: usize, end: usize, name: &[u8]) -> bool {
 }
 
 /// What stands between braces and beside them, in order: text as `Ok`, the name of an argument as `Err`.
+#[doc(hidden)]
 pub fn parts(text: &str) -> impl Iterator<Item = Result<&str, &str>> {
     let mut rest = text;
     std::iter::from_fn(move || {

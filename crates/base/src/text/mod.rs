@@ -130,17 +130,11 @@ pub use english::Template;
 pub use language::Language;
 pub use sentence::{Argument, Text};
 
-#[doc(hidden)]
 pub use catalogue::catalogue;
-#[doc(hidden)]
 pub use english::parts;
-#[doc(hidden)]
 pub use language::LANGUAGES;
-#[doc(hidden)]
 pub use quantity::{InUnits, current_units};
-#[doc(hidden)]
 pub use sentence::{angle, components, entered, length, lengths, small_angle};
-#[doc(hidden)]
 pub use speech::{
     ByTitles, by_titles, characters, choose, current, filled, known_in, name_by_titles, phrases_in,
     spoken, stretch, within,

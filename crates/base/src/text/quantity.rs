@@ -11,6 +11,7 @@ thread_local! {
 }
 
 /// While this lives, quantities in sentences of this thread have these units.
+#[doc(hidden)]
 pub struct InUnits((LengthUnit, AngleUnit));
 
 impl InUnits {
@@ -31,6 +32,7 @@ impl Drop for InUnits {
 }
 
 /// The units of lengths and angles on this thread.
+#[doc(hidden)]
 pub fn current_units() -> (LengthUnit, AngleUnit) {
     UNITS.get()
 }

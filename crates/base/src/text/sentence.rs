@@ -36,6 +36,7 @@ pub enum Argument {
 }
 
 impl Text {
+    #[doc(hidden)]
     pub fn of(template: Template, arguments: Vec<(&'static str, Argument)>) -> Self {
         Self(Kind::Sentence(Box::new((template, arguments))))
     }
@@ -47,6 +48,7 @@ impl Text {
 
     /// What files and commands have an id for: English has the id where files and commands are near, and these words
     /// in the window and on paper; another language always has the words.
+    #[doc(hidden)]
     pub fn named(id: impl Into<String>, words: impl Into<Self>) -> Self {
         Self(Kind::Named(Box::new((id.into(), words.into()))))
     }
@@ -69,6 +71,7 @@ impl Text {
     }
 
     /// In this language, and whether English has words for what has an id.
+    #[doc(hidden)]
     pub fn spoken_with(&self, language: Language, by_titles: bool) -> String {
         match &self.0 {
             Kind::Verbatim(text) => text.clone(),
@@ -112,6 +115,7 @@ impl Text {
 }
 
 /// A length with so many digits behind the point in mm, as the argument of a sentence.
+#[doc(hidden)]
 pub fn length(mm: impl Borrow<f64>, decimals: usize) -> Text {
     quantity(
         Dimension::Length,
@@ -121,16 +125,19 @@ pub fn length(mm: impl Borrow<f64>, decimals: usize) -> Text {
 }
 
 /// How a length changes: `0.1350 → 0.0540 mm`.
+#[doc(hidden)]
 pub fn lengths(mm: [f64; 2], decimals: usize) -> Text {
     quantity(Dimension::Length, (&mm, Several::Change), decimals)
 }
 
 /// The components of a vector: `1.00, 2.00, 3.00 mm`.
+#[doc(hidden)]
 pub fn components(mm: [f64; 3], decimals: usize) -> Text {
     quantity(Dimension::Length, (&mm, Several::Components), decimals)
 }
 
 /// A length, or the components of a vector, as it is entered in a machine: in every unit as fine as 0.0001 mm.
+#[doc(hidden)]
 pub fn entered(mm: impl AsRef<[f64]>) -> Text {
     let values = (mm.as_ref(), Several::Components);
     Text(Kind::Quantity(
@@ -139,6 +146,7 @@ pub fn entered(mm: impl AsRef<[f64]>) -> Text {
 }
 
 /// An angle with so many digits behind the point in degrees.
+#[doc(hidden)]
 pub fn angle(rad: impl Borrow<f64>, decimals: usize) -> Text {
     quantity(
         Dimension::Angle,
@@ -148,6 +156,7 @@ pub fn angle(rad: impl Borrow<f64>, decimals: usize) -> Text {
 }
 
 /// An error of an orientation with so many digits behind the point in mrad.
+#[doc(hidden)]
 pub fn small_angle(rad: impl Borrow<f64>, decimals: usize) -> Text {
     quantity(
         Dimension::SmallAngle,

@@ -17,6 +17,7 @@ thread_local! {
 }
 
 /// Speaks this language on this thread from now on.
+#[doc(hidden)]
 pub fn choose(language: Language) {
     CURRENT.set(language);
 }
@@ -27,6 +28,7 @@ thread_local! {
 
 /// While this lives, English on this thread has titles for what files and commands have ids for: in the window and on
 /// paper no id means anything.
+#[doc(hidden)]
 pub struct ByTitles(bool);
 
 impl ByTitles {
@@ -42,21 +44,25 @@ impl Drop for ByTitles {
 }
 
 /// Whether English has titles on this thread.
+#[doc(hidden)]
 pub fn by_titles() -> bool {
     BY_TITLES.get()
 }
 
 /// English has titles, or ids, on this thread from now on.
+#[doc(hidden)]
 pub fn name_by_titles(titles: bool) {
     BY_TITLES.set(titles);
 }
 
 /// The language of this thread.
+#[doc(hidden)]
 pub fn current() -> Language {
     CURRENT.get()
 }
 
 /// A sentence without arguments, in the language of this thread.
+#[doc(hidden)]
 pub fn spoken(template: Template) -> &'static str {
     match current() {
         Language::English => template.english(),
@@ -66,6 +72,7 @@ pub fn spoken(template: Template) -> &'static str {
 }
 
 /// A sentence with its arguments, in the language of this thread.
+#[doc(hidden)]
 pub fn filled(template: Template, arguments: &[(&str, &dyn Display)]) -> String {
     filled_in(current(), template, arguments)
 }
@@ -133,6 +140,7 @@ fn kept(language: Language, template: Template) -> &'static str {
 }
 
 /// What a catalogue has in this context for these words, which no template of the code has.
+#[doc(hidden)]
 pub fn known_in(
     language: Language,
     context: &str,
@@ -153,11 +161,13 @@ pub fn known_in(
 }
 
 /// What the catalogues have in this context, in English.
+#[doc(hidden)]
 pub fn phrases_in(context: &str) -> impl Iterator<Item = &'static str> {
     catalogue(Language::German).in_context(context)
 }
 
 /// How much wider than in English what stands in one row may be, at most.
+#[doc(hidden)]
 pub fn stretch() -> f32 {
     match current() {
         Language::English | Language::Marked | Language::Chinese => 1.0,
@@ -167,6 +177,7 @@ pub fn stretch() -> f32 {
 }
 
 /// A name as it stands within a sentence: English begins it with a small letter.
+#[doc(hidden)]
 pub fn within(name: &str) -> Cow<'_, str> {
     match current() {
         Language::English | Language::Long => name.to_lowercase().into(),
@@ -175,6 +186,7 @@ pub fn within(name: &str) -> Cow<'_, str> {
 }
 
 /// The characters of a language's sentences that no bundled font has: those of East Asian scripts.
+#[doc(hidden)]
 pub fn characters(language: Language) -> impl Iterator<Item = char> {
     language.catalogue().chars().filter(|c| *c >= '\u{2e80}')
 }

@@ -21,6 +21,7 @@ pub(crate) fn farthest_tool_mm(robot: &Robot) -> f64 {
 impl Identification {
     /// What there is to say where the tool is far from where the session states. Which of the tool and the targets is
     /// wrong no sample tells: what is measured is both together.
+    #[doc(hidden)]
     pub fn far_tool(&self) -> Option<DataProblem> {
         let moved = self.parameters.iter().filter(|own| {
             let of_all = own.effect == TOOL_POSITION.about().id && own.target.is_none();

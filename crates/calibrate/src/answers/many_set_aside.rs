@@ -12,6 +12,7 @@ const FEWEST: usize = 5;
 impl Identification {
     /// What there is to say where more samples were set aside than accidents explain: the figures are those of the
     /// others.
+    #[doc(hidden)]
     pub fn many_set_aside(&self) -> Option<DataProblem> {
         let aside = self.outliers.len();
         let all = self.samples - self.left_out.len().min(self.samples);

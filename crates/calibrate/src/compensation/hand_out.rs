@@ -119,50 +119,7 @@ impl From<VerifyError> for NotHandedOut {
 
 /// A calibration that was verified on its own session, or read from the file of one that was. Files of models,
 /// tables, corrected programs, descriptions of robots and reports are made from it and from nothing else. It can
-/// be read like the [`Calibration`] that it is and not be changed:
-///
-/// ```compile_fail,E0423
-/// use truepose::compensation::VerifiedCalibration;
-/// fn made(calibration: truepose::model::Calibration) {
-///     let _ = VerifiedCalibration(calibration);
-/// }
-/// ```
-///
-/// ```compile_fail,E0594
-/// fn change(verified: &mut truepose::compensation::VerifiedCalibration) {
-///     verified.samples_hash = String::new();
-/// }
-/// ```
-///
-/// Nothing that writes takes a calibration that was not verified:
-///
-/// ```compile_fail,E0308
-/// fn made(calibration: &truepose::model::Calibration) {
-///     let _ = truepose::pipeline::write_model(calibration);
-/// }
-/// ```
-///
-/// ```compile_fail,E0308
-/// fn made(calibration: &truepose::model::Calibration) {
-///     let _ = truepose::export::Job::new(calibration, "table.csv");
-/// }
-/// ```
-///
-/// ```compile_fail,E0308
-/// fn made(calibration: &truepose::model::Calibration) {
-///     let _ = truepose::compensation::JointTable::new(calibration, 0, 1.0, Default::default());
-/// }
-/// ```
-///
-/// ```compile_fail,E0308
-/// fn made(calibration: &truepose::model::Calibration) {
-///     let _ = truepose::pipeline::report_of_model(calibration, &Default::default());
-/// }
-/// ```
-///
-/// ```compile_fail,E0603
-/// use truepose::model::format_v1::write_model;
-/// ```
+/// be read like the [`Calibration`] that it is and not be changed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct VerifiedCalibration(Calibration);
 
@@ -213,13 +170,7 @@ impl VerifiedCalibration {
 
     /// The text of its model file.
     pub fn document(&self) -> String {
-        format_v1::write_model(&self.0)
-    }
-
-    /// Any calibration, for tests of what is made from one.
-    #[cfg(test)]
-    pub(crate) fn unverified(calibration: Calibration) -> Self {
-        Self(calibration)
+        truepose_model::write_model(&self.0)
     }
 }
 

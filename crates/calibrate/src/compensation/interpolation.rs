@@ -52,6 +52,7 @@ impl UniformTable {
 
 /// Entries at any ascending places.
 #[derive(Debug, Clone, PartialEq)]
+#[doc(hidden)]
 pub struct SortedTable {
     places: Vec<f64>,
     values: Vec<f64>,

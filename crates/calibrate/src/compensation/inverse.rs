@@ -255,8 +255,8 @@ mod tests {
     use crate::compensation::Conditions;
     use crate::compensation::conditions::Side;
     use crate::effects::Term;
-    use crate::kinematics::testing::column;
     use crate::kinematics::{Axis, Joint, Pose, Robot};
+    use crate::testing::column;
     use nalgebra::{Point3, Vector3};
 
     fn arm() -> Robot {

@@ -27,27 +27,33 @@
 
 mod as_read;
 mod carried_over;
+#[doc(hidden)]
 pub mod conditions;
 mod conventions;
 pub mod decision;
 mod gross;
 mod hand_out;
+#[doc(hidden)]
 pub mod interpolation;
+#[doc(hidden)]
 pub mod inverse;
 mod observed;
+#[doc(hidden)]
 pub mod plan;
+#[doc(hidden)]
 pub mod pose;
 pub(crate) mod regional;
+#[doc(hidden)]
 pub mod remainder;
 mod set_aside;
 pub(crate) mod table;
 mod table_error;
+#[doc(hidden)]
 pub mod verification;
 pub(crate) mod verify;
 
 pub use conditions::{Conditions, Side};
 pub use hand_out::{NotHandedOut, VerifiedCalibration};
-#[doc(hidden)]
 pub use interpolation::SortedTable;
 pub use plan::Compensation;
 pub use regional::Regional;

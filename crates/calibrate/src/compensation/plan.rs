@@ -225,7 +225,7 @@ mod tests {
     /// where it is in every pose, and nothing is left of the turn.
     #[test]
     fn how_a_probe_is_turned_is_none_of_the_robots() {
-        let bytes = include_bytes!("../../sessions/arm/robot.json");
+        let bytes = include_bytes!("../../../../sessions/arm/robot.json");
         let robot = parse_robot(bytes).expect("a robot").robot;
         let term = |id: &str, values: &[(&str, f64)]| {
             Term::from_parameters(id, 1, values, robot.joints.len()).expect("a term")

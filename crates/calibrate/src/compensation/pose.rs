@@ -11,7 +11,7 @@
 //! ```
 //!
 //! σᵢ and vᵢ are the singular values and directions of the orientation's part Jr N. Where the joints turn
-//! the tool well (σ ≥ ε, [`DAMPED_BELOW`]) both are met, and of several commands that do the nearest are
+//! the tool well (σ ≥ ε, `DAMPED_BELOW`) both are met, and of several commands that do the nearest are
 //! taken. Near a singular pose (a stretched wrist) a turn about the lost axis would take a large move:
 //! there the orientation is met in part, the less the nearer, and goes over into the exact answer without a
 //! jump (numerical filtering: Maciejewski and Klein 1988). The damping holds the commands to q₀, the ones

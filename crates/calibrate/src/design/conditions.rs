@@ -2,7 +2,7 @@
 //! joint comes, with which load, how warm, so that they tell most of the effects beside the geometry.
 //!
 //! Loads and temperatures follow a schedule in four stretches; which pose is measured in which stretch, and from which sides, is
-//! chosen by the information about every effect of the catalogue (D-optimality, [`super::exchange`]).
+//! chosen by the information about every effect of the catalogue (D-optimality, `exchange`).
 //! Within a stretch the poses are put into a short way. All are measured at standstill, after an
 //! approach of its own that is as long for every pose ([`approach`]).
 

@@ -21,17 +21,24 @@
 
 pub(crate) mod enabling_poses;
 pub(crate) mod expected_information;
+#[doc(hidden)]
 pub mod forecast;
+#[doc(hidden)]
 pub mod geometry;
+#[doc(hidden)]
 pub mod needs;
+#[doc(hidden)]
 pub mod next_poses;
+#[doc(hidden)]
 pub mod pair_separation;
+#[doc(hidden)]
 pub mod plan;
 
 mod arm;
 mod candidate_set;
 mod candidates;
 mod comparison;
+#[doc(hidden)]
 pub mod conditions;
 mod decision;
 mod exchange;

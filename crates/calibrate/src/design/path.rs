@@ -54,7 +54,7 @@ pub(crate) fn short(robot: &Robot, poses: &[&[f64]], start: &[f64]) -> Vec<usize
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::kinematics::testing::column;
+    use crate::testing::column;
 
     #[test]
     fn a_joint_sweeps_once_however_its_poses_are_listed() {

@@ -10,7 +10,7 @@
 //!    no fit has seen.
 //! 5. `search`: forward, swaps, drops, pairs, rivals; `search::searched` is all of it on one screen.
 //! 6. `verdict`: values with intervals, what is left, what would have been seen, what predicts without a name. Poses
-//!    that decide between rivals are proposed by a planner that the caller hands in ([`crate::pipeline::diagnose`] takes
+//!    that decide between rivals are proposed by a planner that the caller hands in (`pipeline::diagnose` takes
 //!    [`crate::design`]'s).
 //!
 //! Family-wise false alarms: Westfall & Young 1993. Marginal likelihood: Schwarz 1978. Poses:
@@ -54,6 +54,7 @@ use crate::sessions::Session;
 ///
 /// # Errors
 /// If an option makes no sense, if there is no sample to fit, or if the watcher stops it.
+#[doc(hidden)]
 pub fn diagnose(
     session: &Session,
     options: &Options,

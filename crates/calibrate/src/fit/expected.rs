@@ -13,11 +13,10 @@
 //! J d = 0 at the measured poses,   var p(q) += σ_d² |J(q) d|²,   1/σ_d² = Σ_k (d_k/σ_k)²
 //! ```
 //!
-//! unless the model and its covariance hold them already ([`super::unseen`]).
+//! unless the model and its covariance hold them already (`unseen`).
 
 use nalgebra::DMatrix;
 
-#[doc(hidden)]
 pub use crate::answers::errors::Expected;
 use crate::effects::Inputs;
 use crate::model::Model;
@@ -29,7 +28,7 @@ use super::spread::spread;
 use super::unseen::{Unseen, beforehand, nothing_held};
 
 /// The expected error of a model with the covariance of its coefficients; `completed`: it holds what the samples do not
-/// show as well ([`super::unseen`]).
+/// show as well (`unseen`).
 pub(crate) fn expected_error(
     problem: &Problem,
     model: &Model,
@@ -62,7 +61,7 @@ pub(crate) fn expected_error(
 
 /// √ tr J Σ Jᵀ of every pose, mm: one standard uncertainty of the predicted point; `None` where the
 /// sizes do not fit.
-pub(crate) fn uncertainties_mm(
+pub fn uncertainties_mm(
     model: &Model,
     inputs: &Inputs,
     covariance: &DMatrix<f64>,

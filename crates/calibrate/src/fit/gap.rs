@@ -2,12 +2,10 @@
 //! (two in a planar session), and which of them are suspected outliers. Their RMS error is defined in
 //! `answers::rms_error`.
 
-#[doc(hidden)]
 pub use crate::answers::errors::Spread;
 use crate::lanes::LANES;
 use crate::model::Model;
 use crate::observations::figures;
-#[doc(hidden)]
 pub use crate::observations::figures::Deviations;
 use crate::observations::outliers::{as_if_seen, suspected};
 

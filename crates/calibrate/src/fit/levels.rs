@@ -9,9 +9,8 @@
 //! seen. The frame of an instrument that was never aligned belongs to every level: no controller has
 //! to know it.
 
-#[doc(hidden)]
-pub use crate::answers::errors::Level;
 pub(crate) use crate::answers::errors::Errors;
+pub use crate::answers::errors::Level;
 use crate::effects::{LINK_GEOMETRY, MEASURING_FRAME, Role, Setting};
 use crate::model::Model;
 use crate::text::Template;

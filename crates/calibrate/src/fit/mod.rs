@@ -1,21 +1,30 @@
 //! From measured samples to a model: the paper's corrections by region ([`identify_regional`]),
 //! and the exact nonlinear fit ([`identify_exact`]).
 
+#[doc(hidden)]
 pub mod base_model;
+#[doc(hidden)]
 pub mod expected;
+#[doc(hidden)]
 pub mod gap;
 pub(crate) mod gauge;
+#[doc(hidden)]
 pub mod levels;
 pub(crate) mod levers;
+#[doc(hidden)]
 pub mod noise;
 pub(crate) mod normal;
 pub(crate) mod priors;
+#[doc(hidden)]
 pub mod problem;
-pub(crate) mod ranges;
+#[doc(hidden)]
+pub mod ranges;
 pub(crate) mod regression;
 pub(crate) mod scan;
+#[doc(hidden)]
 pub mod solver;
 pub(crate) mod spectrum;
+#[doc(hidden)]
 pub mod uncertainty;
 pub(crate) mod unseen;
 
@@ -28,6 +37,7 @@ mod exact;
 pub(crate) mod example;
 mod frames;
 pub(crate) mod observed;
+#[doc(hidden)]
 pub mod plane;
 mod prior_rows;
 mod prior_scale;
@@ -38,13 +48,13 @@ mod unidentifiable;
 mod unrepeated;
 mod usual_noise;
 
-pub use adaptive::regions_of;
 pub use crate::answers::errors::{Errors, Expected, Level, Spread, UnusableReason};
 pub use crate::answers::identification::{
     Estimate, Gap, Identification, LeftOut, NotIdentifiable, Outlier, Quality, RegionResult,
     measured_ranges,
 };
 pub use crate::answers::noise::{Noise, Slow, StatedNoise};
+pub use adaptive::regions_of;
 pub(crate) use answer::{covariance_of, outliers, parameters_of, report};
 pub(crate) use base_model::free_frames;
 pub use error::IdentifyError;

@@ -9,7 +9,7 @@ use super::problem::Problem;
 pub(super) const POSES: usize = 400;
 
 /// Poses over the limits of the joints, on the targets in turn.
-pub(crate) fn over_the_ranges(problem: &Problem) -> Inputs<'static> {
+pub fn over_the_ranges(problem: &Problem) -> Inputs<'static> {
     let joints = &problem.session.robot.joints;
     let n = joints.len();
     // The positive root of x^(n+1) = x + 1.
@@ -37,7 +37,7 @@ pub(crate) fn over_the_ranges(problem: &Problem) -> Inputs<'static> {
 
 /// Every reflector at each of these values of joint 1, rad or mm, reflector after reflector; the other
 /// joints at 0.
-pub(crate) fn along_joint(problem: &Problem, values: &[f64]) -> Inputs<'static> {
+pub fn along_joint(problem: &Problem, values: &[f64]) -> Inputs<'static> {
     let joints = problem.session.robot.joints.len();
     let count = values.len() * problem.inputs.reflectors_at_home.len().max(1);
     let mut columns = vec![vec![0.0; count]; joints];

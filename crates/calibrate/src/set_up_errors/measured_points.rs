@@ -2,8 +2,8 @@
 
 use nalgebra::{Point3, Vector3};
 
-use crate::model::Positions;
 use crate::kinematics::rigid_motion::rigid_motion;
+use crate::model::Positions;
 use crate::sessions::Session;
 
 /// The share of the samples, farthest off, that may be wrong in themselves.

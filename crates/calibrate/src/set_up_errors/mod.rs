@@ -84,6 +84,7 @@ pub(crate) fn mended(raw: &Session, joint_values: JointValues) -> CorrectedSessi
 }
 
 /// The rows and the gross mistakes alone, for an identification.
+#[doc(hidden)]
 pub fn noticed(raw: &Session, joint_values: JointValues) -> CorrectedSession<'_> {
     without_mistakes(raw, joint_values, false)
 }

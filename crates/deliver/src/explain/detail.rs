@@ -8,6 +8,7 @@ use super::section::{Block, Fact};
 
 /// How much of an answer is asked for.
 #[derive(Debug, Clone, Copy)]
+#[doc(hidden)]
 pub struct Detail {
     /// Units of lengths as the reader chose them, with three digits; `None`: mm with the four decimals of a report.
     pub(crate) units: Option<Units>,
@@ -43,7 +44,7 @@ impl Detail {
     };
 
     /// In the window.
-    pub(crate) fn window(units: Units) -> Self {
+    pub fn window(units: Units) -> Self {
         Self {
             units: Some(units),
             most: 8,

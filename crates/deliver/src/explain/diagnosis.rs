@@ -8,6 +8,7 @@ use crate::present::identification_v1::worst_pose;
 use crate::present::kinds;
 
 /// The whole answer, in the order in which it is read.
+#[doc(hidden)]
 pub fn diagnosis(d: &Diagnosis, detail: Detail) -> Vec<Section> {
     let _speaking = detail.speaking();
     let mut sections = vec![verdict(d, detail)];

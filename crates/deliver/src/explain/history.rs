@@ -9,6 +9,7 @@ use crate::present::history::{CHANGED, entries, parameters};
 const MOST: usize = 4;
 
 /// The section of one robot.
+#[doc(hidden)]
 pub fn history(robot: &RobotHistory, detail: Detail) -> Section {
     let last = robot.entries.len();
     let shown: Vec<usize> = (last.saturating_sub(MOST)..last).collect();

@@ -16,6 +16,7 @@ use crate::sessions::Session;
 use crate::set_up_errors::DataProblem;
 
 /// The whole answer, in the order in which it is read.
+#[doc(hidden)]
 pub fn identification(
     answer: &Identification,
     session: &Session,
@@ -117,17 +118,15 @@ fn regions(results: &[RegionResult]) -> Table {
 }
 
 /// What was wrong in the session, with evidence and proposal.
-pub(crate) fn problems_of_data(problems: &[DataProblem], detail: Detail) -> Vec<Section> {
+#[doc(hidden)]
+pub fn problems_of_data(problems: &[DataProblem], detail: Detail) -> Vec<Section> {
     let _speaking = detail.speaking();
     open::data_problems(problems)
 }
 
 /// What the samples do not determine, the noise, notes, and samples that do not count.
-pub(crate) fn remarks_on_fit(
-    answer: &Identification,
-    session: &Session,
-    detail: Detail,
-) -> Vec<Section> {
+#[doc(hidden)]
+pub fn remarks_on_fit(answer: &Identification, session: &Session, detail: Detail) -> Vec<Section> {
     let _speaking = detail.speaking();
     let not_identifiable =
         open::not_identifiable(&answer.not_identifiable, detail, open::MOST_COMBINATIONS);

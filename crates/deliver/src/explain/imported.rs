@@ -6,6 +6,7 @@ use crate::importers::{Alignment, Matched, Matching};
 use crate::present::numbers::grouped;
 
 /// What there is to say; problems and notes with their places are the import log.
+#[doc(hidden)]
 pub fn imported(
     samples: usize,
     nominal: Option<Spread>,

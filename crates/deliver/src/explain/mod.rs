@@ -16,35 +16,27 @@ mod plan;
 mod program;
 mod section;
 mod sight;
+#[doc(hidden)]
 pub mod standards;
 mod table;
+#[doc(hidden)]
 pub mod verification;
 
 pub(crate) use clean::cleaned;
 pub use clean::{clean, clean_note};
-#[doc(hidden)]
 pub use detail::Detail;
-#[doc(hidden)]
 pub use diagnosis::diagnosis;
 pub(crate) use diagnosis::{answer, expected, floor_from, noise, remarks};
-#[doc(hidden)]
 pub use history::history;
-#[doc(hidden)]
 pub use identification::identification;
-pub(crate) use identification::{problems_of_data, remarks_on_fit};
-#[doc(hidden)]
+pub use identification::{problems_of_data, remarks_on_fit};
 pub use imported::imported;
-#[doc(hidden)]
 pub use parameters::values;
-#[doc(hidden)]
 pub use plan::plan;
-#[doc(hidden)]
 pub use program::left_as_it_is;
-#[doc(hidden)]
 pub use program::program;
 pub(crate) use section::fact;
 pub use section::{Block, Fact, Section, Topic};
 pub use standards::standards;
-#[doc(hidden)]
 pub use table::{Exported, table};
 pub use verification::verification;

@@ -11,6 +11,7 @@ use crate::present::table::{Column, Table};
 use crate::present::units::Units;
 
 /// All of them: of an arm the geometry as a table of its joints, then the others, then sizes that no machine has.
+#[doc(hidden)]
 pub fn values(estimates: &[Estimate], robot: &Robot, detail: Detail) -> Vec<Block> {
     let arm = is_of_an_arm(estimates);
     let mut blocks = if arm {

@@ -13,6 +13,7 @@ use crate::present::poses::{new_reflectors, table_by_joint};
 use crate::present::table::{Column, Table};
 
 /// The whole answer, in the order in which it is read.
+#[doc(hidden)]
 pub fn plan(plan: &Plan, detail: Detail) -> Vec<Section> {
     let _speaking = detail.speaking();
     let mut sections = vec![poses(plan, detail)];

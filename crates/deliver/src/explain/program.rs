@@ -13,12 +13,8 @@ type LineColumn = (u64, u64);
 
 /// The whole answer; at most so many targets or remarks of a kind are listed, and the others counted.
 /// `orientation`: whether the robot could keep one, which fewer than six joints never can.
-pub fn program(
-    answer: &Answer,
-    orientation: bool,
-    most: usize,
-    detail: Detail,
-) -> Vec<Section> {
+#[doc(hidden)]
+pub fn program(answer: &Answer, orientation: bool, most: usize, detail: Detail) -> Vec<Section> {
     let _speaking = detail.speaking();
     let summary = Summary::new(answer);
     let title = say!(
@@ -48,6 +44,7 @@ pub fn program(
 }
 
 /// Why a target was left as it is, with its name; where it is stands before it.
+#[doc(hidden)]
 pub fn left_as_it_is(target: &Outcome, left: &SkippedTarget) -> String {
     let says = say!(
         "{target} is left as it is ({reason}): {left}",

@@ -5,6 +5,7 @@ use crate::present::standards::{Group, groups};
 use crate::standards::Standards;
 
 /// At most so many series of an axis, and what else there is to say.
+#[doc(hidden)]
 pub fn standards(standards: &Standards, series: usize) -> Vec<Section> {
     let mut sections: Vec<Section> = groups(standards, series).iter().map(of_group).collect();
     if !standards.notes.is_empty() {

@@ -10,6 +10,7 @@ use crate::text::Text;
 
 /// An export with what it is held against.
 #[derive(Debug, Clone, Copy)]
+#[doc(hidden)]
 pub struct Exported<'a> {
     /// The export.
     pub export: &'a Export,
@@ -24,6 +25,7 @@ pub struct Exported<'a> {
 }
 
 /// What it leaves, what its numbers mean, what else there is to know.
+#[doc(hidden)]
 pub fn table(of: &Exported<'_>, detail: Detail) -> Vec<Section> {
     let _speaking = detail.speaking();
     let mut sections: Vec<Section> = leaves(of, detail).into_iter().collect();

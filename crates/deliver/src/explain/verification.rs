@@ -5,6 +5,7 @@ use super::{Block, Detail, Fact, Section, Topic, cleaned, fact, open};
 use crate::compensation::Verification;
 
 /// The figures, what is wrong with the samples, suspected outliers, notes.
+#[doc(hidden)]
 pub fn verification(v: &Verification, detail: Detail) -> Vec<Section> {
     let _speaking = detail.speaking();
     let figures = errors(v, detail).into_iter().chain(corrected(v, detail));

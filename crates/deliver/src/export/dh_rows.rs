@@ -25,7 +25,8 @@ struct Between {
 }
 
 /// The frame before the first row, in the base frame, and the rows.
-pub(crate) fn nominal_rows(robot: &Robot, convention: DhConvention) -> (Pose, Vec<DhRow>) {
+#[doc(hidden)]
+pub fn nominal_rows(robot: &Robot, convention: DhConvention) -> (Pose, Vec<DhRow>) {
     if let RobotSource::Dh {
         base_from_first,
         rows,
@@ -146,7 +147,7 @@ pub(super) fn parallel(one: &Axis, other: &Axis) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::kinematics::testing::robot_and_pose;
+    use crate::testing::robot_and_pose;
     use proptest::prelude::*;
 
     proptest! {

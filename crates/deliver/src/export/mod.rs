@@ -32,7 +32,8 @@ mod job;
 mod knots;
 mod names;
 mod options;
-pub(crate) mod poses;
+#[doc(hidden)]
+pub mod poses;
 mod read_back;
 mod residual_error;
 mod rules;
@@ -41,7 +42,7 @@ pub(crate) mod sidecar;
 mod steps;
 mod table_file;
 
-pub(crate) use dh_rows::nominal_rows;
+pub use dh_rows::nominal_rows;
 pub use exporter::{Document, Export, Exporter, Format};
 pub use job::{ExportError, Job};
 pub use lerobot::lerobot_calibration;

@@ -12,7 +12,7 @@ pub(super) const POSES: usize = 181;
 
 /// Poses that fill the measured range, once for each reflector: evenly for one joint; for several, points of a lattice that
 /// fills the box evenly (Korobov; the golden ratio's powers, Roberts 2018).
-pub(crate) fn measured_poses(job: &Job) -> Inputs<'static> {
+pub fn measured_poses(job: &Job) -> Inputs<'static> {
     poses(job, Side::Forward)
 }
 

@@ -10,7 +10,7 @@ use crate::sessions::division::RegionChoice;
 use crate::simulation::{Scenario, load_scenario, simulate, unwatched};
 
 fn scenario(name: &str) -> Scenario {
-    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/sessions/");
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../sessions/");
     load_scenario(format!("{folder}{name}.scenario.json"))
         .unwrap()
         .scenario
@@ -198,7 +198,7 @@ fn an_empty_or_odd_joint_name_still_makes_a_c_identifier() {
             model,
             ..Calibration::clone(&calibration)
         };
-        calibration = VerifiedCalibration::unverified(renamed);
+        calibration = VerifiedCalibration::read(&truepose_model::write_model(&renamed)).unwrap();
         let header = text(&export(&calibration, "c-header", "t.h", 30.0), 0);
         assert!(
             header.contains(&format!("{expected}_forward_deg[7]")),

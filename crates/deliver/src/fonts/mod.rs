@@ -34,7 +34,7 @@ mod library;
 #[cfg(test)]
 mod tests;
 #[cfg(test)]
-#[path = "../../tests/support/tiny_font.rs"]
+#[path = "../../../../tests/support/tiny_font.rs"]
 pub(crate) mod tiny_font;
 mod unshown;
 

@@ -23,17 +23,17 @@ const FAR: f64 = 10.0;
 
 /// Equal bins side by side.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Bins {
+pub struct Bins {
     /// Where the first begins, mm.
     pub(crate) from_mm: f64,
-    pub(crate) width_mm: f64,
+    pub width_mm: f64,
     /// How many.
-    pub(crate) count: usize,
+    pub count: usize,
 }
 
 impl Bins {
     /// The bin that a value is in; those beyond the ends are in the first or the last.
-    pub(crate) fn of(&self, mm: f64) -> Option<usize> {
+    pub fn of(&self, mm: f64) -> Option<usize> {
         if !mm.is_finite() {
             return None;
         }
@@ -42,12 +42,12 @@ impl Bins {
     }
 
     /// Where a bin begins and ends, mm.
-    pub(crate) fn ends(&self, bin: usize) -> [f64; 2] {
+    pub fn ends(&self, bin: usize) -> [f64; 2] {
         [0, 1].map(|k| self.from_mm + self.width_mm * (bin + k) as f64)
     }
 
     /// Where the first begins and the last ends, mm.
-    pub(crate) fn span(&self) -> [f64; 2] {
+    pub fn span(&self) -> [f64; 2] {
         [self.ends(0)[0], self.ends(self.count - 1)[1]]
     }
 
@@ -62,31 +62,31 @@ impl Bins {
 
 /// One picture: bins that suit it, and how many samples are in each.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Counted {
-    pub(crate) bins: Bins,
+pub struct Counted {
+    pub bins: Bins,
     /// Of the nominal robot's deviations; `None` where they are left out.
-    pub(crate) before: Option<Vec<usize>>,
+    pub before: Option<Vec<usize>>,
     /// Of what is left.
-    pub(crate) after: Option<Vec<usize>>,
+    pub after: Option<Vec<usize>>,
     /// How many values lie beyond the ends.
-    pub(crate) beyond: usize,
+    pub beyond: usize,
 }
 
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Distribution {
+pub struct Distribution {
     /// Before and after, as far as there is one.
     pub(crate) both: Counted,
     /// What is left alone.
     pub(crate) only_after: Option<Counted>,
     /// Sizes before, in ascending order.
-    pub(crate) sizes_before: Ascending,
-    pub(crate) sizes_after: Option<Ascending>,
+    pub sizes_before: Ascending,
+    pub sizes_after: Option<Ascending>,
 }
 
 impl Distribution {
     /// Of values before, and after where they are known; `None` where there is none. A length
     /// begins at zero.
-    pub(crate) fn new(before: &[f64], after: Option<&[f64]>, length: bool) -> Option<Self> {
+    pub fn new(before: &[f64], after: Option<&[f64]>, length: bool) -> Option<Self> {
         let sizes = |values: &[f64]| {
             let sizes: Vec<f64> = values.iter().map(|v| v.abs()).collect();
             Ascending::new(&sizes)
@@ -100,7 +100,7 @@ impl Distribution {
     }
 
     /// The picture that is looked at.
-    pub(crate) fn shown(&self, only_after: bool) -> &Counted {
+    pub fn shown(&self, only_after: bool) -> &Counted {
         let alone = self.only_after.as_ref().filter(|_| only_after);
         alone.unwrap_or(&self.both)
     }
@@ -180,17 +180,17 @@ fn counted(before: Option<&[f64]>, after: Option<&[f64]>, length: bool) -> Optio
 
 /// How noise alone is spread.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct NoiseCurve {
+pub struct NoiseCurve {
     /// One standard deviation of a coordinate, mm.
-    pub(crate) sigma_mm: f64,
+    pub sigma_mm: f64,
     /// Of how many coordinates the length is; 1: of a component.
-    pub(crate) axes: usize,
+    pub axes: usize,
 }
 
 impl NoiseCurve {
     /// The part of all samples that noise alone brings below `mm`: normal for a component,
     /// Rayleigh or Maxwell for a length in two or three coordinates.
-    pub(crate) fn below(self, mm: f64) -> f64 {
+    pub fn below(self, mm: f64) -> f64 {
         let z = mm / self.sigma_mm;
         match self.axes {
             1 => 0.5 * (1.0 + erf(z / std::f64::consts::SQRT_2)),
@@ -204,7 +204,7 @@ impl NoiseCurve {
     }
 
     /// How many of `samples` a bin of this width about `mm` would hold.
-    pub(crate) fn count(self, mm: f64, width_mm: f64, samples: usize) -> f64 {
+    pub fn count(self, mm: f64, width_mm: f64, samples: usize) -> f64 {
         let part = self.below(mm + 0.5 * width_mm) - self.below(mm - 0.5 * width_mm);
         part * samples as f64
     }

@@ -64,7 +64,7 @@ pub(crate) fn applies(robot: &Robot, effect: &str, joint: Option<usize>) -> bool
 }
 
 /// What a limit says: a size that no machine has is one that these poses do not show.
-pub(crate) fn sight(effect: &str, name: &str, size: f64) -> Detectability {
+pub fn sight(effect: &str, name: &str, size: f64) -> Detectability {
     let seen = Detectability::of(size);
     let about = find(effect).map(super::super::effects::Effect::about);
     // A size stands for the parameters of its own form: a sliding joint has others, and a ratio of a

@@ -1,7 +1,8 @@
 //! What is shown of an answer, without computing any of it, once for terminal, window and report: JSON
 //! documents, charts and drawings, names, numbers, and the words for a place.
 
-pub(crate) mod bins;
+#[doc(hidden)]
+pub mod bins;
 pub mod chart;
 pub mod compensation_v1;
 pub mod decision;
@@ -14,19 +15,26 @@ pub mod identification_v1;
 pub mod import_v1;
 pub mod json;
 pub(crate) mod kinds;
-pub(crate) mod limits;
+#[doc(hidden)]
+pub mod limits;
+#[doc(hidden)]
 pub mod names;
-pub(crate) mod numbers;
+#[doc(hidden)]
+pub mod numbers;
 mod parts;
 pub mod plan_v1;
-pub(crate) mod poses;
+#[doc(hidden)]
+pub mod poses;
 pub mod robots_v1;
-pub(crate) mod spectrum;
-pub(crate) mod standards;
+#[doc(hidden)]
+pub mod spectrum;
+#[doc(hidden)]
+pub mod standards;
 pub mod standards_v1;
 pub mod table;
 pub mod test_cube_v1;
-pub(crate) mod units;
+#[doc(hidden)]
+pub mod units;
 pub mod verification_v1;
 
 pub(crate) mod place;

@@ -7,12 +7,12 @@ use crate::fit::Estimate;
 use crate::text::{Template, current, known_in, spoken};
 
 /// The title of an effect; what is no effect stays as it is.
-pub(crate) fn title(id: &str) -> &str {
+pub fn title(id: &str) -> &str {
     find(id).map_or(id, |effect| spoken(effect.about().title))
 }
 
 /// The title with the joint, counted from 1, where the robot has several.
-pub(crate) fn title_on(id: &str, joint: Option<usize>, joints: usize) -> String {
+pub fn title_on(id: &str, joint: Option<usize>, joints: usize) -> String {
     match joint.filter(|_| joints > 1) {
         Some(joint) => on_joint(id, &joint.to_string()),
         None => title(id).to_owned(),
@@ -39,7 +39,7 @@ pub fn parameter(name: &str) -> (String, &'static str) {
 }
 
 /// The same in English, as what other programs read has it.
-pub(crate) fn parameter_in_english(name: &str) -> (String, &'static str) {
+pub fn parameter_in_english(name: &str) -> (String, &'static str) {
     let (stem, unit) = Unit::of_name(name);
     let stem = if stem.is_empty() { "rate" } else { stem };
     (stem.replace('_', " "), unit.symbol)
@@ -90,7 +90,7 @@ pub(crate) fn figure((name, value): (&str, Option<f64>)) -> String {
 }
 
 /// What is said of a value that no machine has, with the usual size.
-pub(crate) fn usual_size(one: &Estimate) -> &'static str {
+pub fn usual_size(one: &Estimate) -> &'static str {
     find(one.effect).map_or("", |effect| spoken(effect.about().usual_size))
 }
 

@@ -7,7 +7,7 @@ use std::cell::Cell;
 
 /// How numbers are written for people.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub(crate) struct Notation {
+pub struct Notation {
     /// Decimals of lengths; `None`: as many as can be read.
     pub decimals: Option<u8>,
     /// Whether decimals follow a comma.
@@ -21,12 +21,12 @@ thread_local! {
 }
 
 /// Writes numbers like this from now on, on this thread.
-pub(crate) fn write_numbers(notation: Notation) {
+pub fn write_numbers(notation: Notation) {
     NOTATION.set(notation);
 }
 
 /// The notation of this thread.
-pub(crate) fn notation() -> Notation {
+pub fn notation() -> Notation {
     NOTATION.get()
 }
 
@@ -48,7 +48,7 @@ pub(crate) fn typed(text: &str) -> Option<f64> {
 pub(super) const NOTHING: f64 = 1e-9;
 
 /// So many significant digits, in plain notation where that is short; a real minus sign.
-pub(crate) fn significant(value: f64, digits: usize) -> String {
+pub fn significant(value: f64, digits: usize) -> String {
     if !value.is_finite() {
         return "–".to_owned();
     }
@@ -69,7 +69,7 @@ fn scientific(value: f64, digits: usize) -> String {
 }
 
 /// At most so many decimals, without zeros at the end.
-pub(crate) fn trimmed(value: f64, decimals: usize) -> String {
+pub fn trimmed(value: f64, decimals: usize) -> String {
     let text = format!("{value:.decimals$}");
     let text = if text.contains('.') {
         text.trim_end_matches('0').trim_end_matches('.')
@@ -80,7 +80,7 @@ pub(crate) fn trimmed(value: f64, decimals: usize) -> String {
 }
 
 /// So many decimals, whatever the size: for columns whose numbers are compared.
-pub(crate) fn fixed(value: f64, decimals: usize) -> String {
+pub fn fixed(value: f64, decimals: usize) -> String {
     with_minus(&format!("{value:.decimals$}"))
 }
 
@@ -147,7 +147,7 @@ pub(crate) fn with_interval(value: f64, interval: Option<[f64; 2]>) -> [String; 
 }
 
 /// A count, from 10 000 on in groups of three digits with a narrow space between them.
-pub(crate) fn grouped(count: usize) -> String {
+pub fn grouped(count: usize) -> String {
     let digits = count.to_string();
     if digits.len() < 5 {
         return digits;
@@ -163,7 +163,7 @@ pub(crate) fn grouped(count: usize) -> String {
 }
 
 /// A text that goes into files as well, with real minus signs before its numbers.
-pub(crate) fn with_minus_signs(text: &str) -> String {
+pub fn with_minus_signs(text: &str) -> String {
     let mut before = ' ';
     let mut letters = text.chars().peekable();
     let mut out = String::with_capacity(text.len());

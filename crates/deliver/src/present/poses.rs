@@ -8,7 +8,7 @@ use crate::text::{by_titles, current};
 
 /// The poses in order: joint values, the side from which each joint comes (+ from below, − from above),
 /// the reflector, what else is to be seen to, and why.
-pub(crate) fn table(poses: &[NextPose], robot: &Robot) -> Table {
+pub fn table(poses: &[NextPose], robot: &Robot) -> Table {
     let mut table = Table::of([
         Column::words(say!("pose")),
         Column::words(say!(in "table", "from")),
@@ -99,7 +99,7 @@ fn side(dir: f64) -> &'static str {
 }
 
 /// Where each reflector is to be mounted that the session does not have.
-pub(crate) fn new_reflectors(poses: &[NextPose]) -> Vec<String> {
+pub fn new_reflectors(poses: &[NextPose]) -> Vec<String> {
     let mut lines = Vec::new();
     for pose in poses {
         let (Some(name), Some(at)) = (&pose.target, pose.target_mm) else {

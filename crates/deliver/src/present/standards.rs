@@ -9,7 +9,7 @@ use crate::text::{Template, Text, spoken};
 
 /// The figures of one test.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct Group {
+pub struct Group {
     /// What was tested, a joint or the poses, as a heading.
     pub title: Text,
     /// After which standard.
@@ -26,7 +26,7 @@ pub(crate) struct Group {
 
 /// One figure, in the unit of its group.
 #[derive(Debug, Clone)]
-pub(crate) struct FigureRow {
+pub struct FigureRow {
     /// Its symbol in the standard.
     pub symbol: &'static str,
     /// What it is.
@@ -39,7 +39,7 @@ pub(crate) struct FigureRow {
 
 impl Group {
     /// A figure as it is shown: to 0.1 µm or 0.1″.
-    pub(crate) fn shown(&self, value: f64) -> String {
+    pub fn shown(&self, value: f64) -> String {
         fixed(value, if self.unit == "mm" { 4 } else { 1 })
     }
 
@@ -66,7 +66,7 @@ impl Group {
 
 /// One group for each of at most `most` series of an axis, and one for the poses; axes without a figure for one and the
 /// same reason are one group.
-pub(crate) fn groups(standards: &Standards, most: usize) -> Vec<Group> {
+pub fn groups(standards: &Standards, most: usize) -> Vec<Group> {
     let axes = standards.axes.iter().flat_map(|axis| of_axis(axis, most));
     let all = axes.chain([of_poses(&standards.poses, standards.compensated)]);
     let all: Vec<Group> = all.collect();

@@ -196,6 +196,7 @@ impl Table {
 }
 
 /// How many columns of a terminal a text takes: letters of East Asian scripts take two.
+#[doc(hidden)]
 pub fn width(text: &str) -> usize {
     let wide = |c: char| {
         matches!(c,

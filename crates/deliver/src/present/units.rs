@@ -7,12 +7,12 @@ use crate::fit::Estimate;
 use crate::importers::units::{Word, word};
 use crate::sessions::columns::Unit;
 use crate::text::current_units;
-pub(crate) use crate::units::{AngleUnit, LengthUnit};
+pub use crate::units::{AngleUnit, LengthUnit};
 use crate::units::{deg_from_rad, rad_from_deg};
 
 /// Both.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub(crate) struct Units {
+pub struct Units {
     /// Of lengths.
     pub length: LengthUnit,
     /// Of angles.
@@ -21,32 +21,32 @@ pub(crate) struct Units {
 
 impl Units {
     /// A length in the chosen unit.
-    pub(crate) fn length_value(self, mm: f64) -> f64 {
+    pub fn length_value(self, mm: f64) -> f64 {
         self.length.of_mm(mm)
     }
 
     /// The unit of lengths.
-    pub(crate) fn length_name(self) -> &'static str {
+    pub fn length_name(self) -> &'static str {
         self.length.name()
     }
 
     /// An angle in the chosen unit.
-    pub(crate) fn angle_value(self, rad: f64) -> f64 {
+    pub fn angle_value(self, rad: f64) -> f64 {
         self.angle.of_rad(rad)
     }
 
     /// The unit of angles, as it stands after a number.
-    pub(crate) fn angle_name(self) -> &'static str {
+    pub fn angle_name(self) -> &'static str {
         self.angle.name()
     }
 
     /// A length with its unit.
-    pub(crate) fn length(self, mm: f64) -> String {
+    pub fn length(self, mm: f64) -> String {
         format!("{} {}", self.length_number(mm), self.length_name())
     }
 
     /// The same without the unit.
-    pub(crate) fn length_number(self, mm: f64) -> String {
+    pub fn length_number(self, mm: f64) -> String {
         let value = self.length_value(mm);
         match notation().decimals {
             Some(decimals) if value.is_finite() => fixed(value, usize::from(decimals)),
@@ -55,7 +55,7 @@ impl Units {
     }
 
     /// The same with as many decimals as a number like this one has: for a column of a table.
-    pub(crate) fn length_like(self, mm: f64, like_mm: f64) -> String {
+    pub fn length_like(self, mm: f64, like_mm: f64) -> String {
         if notation().decimals.is_some() || !mm.is_finite() {
             return self.length_number(mm);
         }
@@ -86,7 +86,7 @@ impl Units {
     }
 
     /// A value in `unit` with its interval, in the chosen unit where `unit` is one of lengths or angles.
-    pub(crate) fn with_interval(
+    pub fn with_interval(
         self,
         value: f64,
         interval: Option<[f64; 2]>,
@@ -102,11 +102,7 @@ impl Units {
 
     /// A parameter with half of its interval, and the name of its unit; a whole number has no
     /// interval.
-    pub(crate) fn estimate(
-        self,
-        one: &Estimate,
-        unit: &'static str,
-    ) -> (String, String, &'static str) {
+    pub fn estimate(self, one: &Estimate, unit: &'static str) -> (String, String, &'static str) {
         if one.is_whole_number() {
             return (trimmed(one.value, 0), String::new(), unit);
         }
@@ -114,7 +110,7 @@ impl Units {
     }
 
     /// An angle with its unit.
-    pub(crate) fn angle(self, rad: f64) -> String {
+    pub fn angle(self, rad: f64) -> String {
         match self.angle {
             AngleUnit::Degree => format!("{}°", trimmed(deg_from_rad(rad), 2)),
             AngleUnit::Radian => format!("{} rad", trimmed(rad, 4)),
@@ -149,7 +145,7 @@ fn factor(unit: &str, into: &str) -> Option<f64> {
 ///
 /// # Errors
 /// It is no number, or its unit is unknown or of another quantity.
-pub(crate) fn typed_in(text: &str, usual: &str, into: &str) -> Result<f64, String> {
+pub fn typed_in(text: &str, usual: &str, into: &str) -> Result<f64, String> {
     let text = text.trim();
     if let Some(value) = typed(text) {
         return Ok(value * factor(usual, into).filter(|_| usual != into).unwrap_or(1.0));

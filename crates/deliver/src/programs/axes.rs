@@ -173,7 +173,7 @@ fn external(name: &str) -> Option<usize> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::kinematics::testing::column;
+    use crate::testing::column;
 
     #[test]
     fn external_axes_go_by_their_names() {

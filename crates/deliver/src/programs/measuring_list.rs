@@ -156,7 +156,7 @@ mod tests {
 
     #[test]
     fn it_has_the_columns_of_a_session_and_only_those_that_matter() {
-        let session = concat!(env!("CARGO_MANIFEST_DIR"), "/sessions/paper-30.json");
+        let session = concat!(env!("CARGO_MANIFEST_DIR"), "/../../sessions/paper-30.json");
         let robot = crate::sessions::load(session)
             .expect("bundled")
             .session

@@ -27,8 +27,6 @@ mod escape;
 mod extras;
 mod findings;
 mod fonts;
-#[cfg(test)]
-mod languages;
 mod logo;
 mod parts;
 mod pdf_error;

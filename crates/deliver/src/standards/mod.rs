@@ -16,6 +16,7 @@ pub(crate) mod axis;
 pub(crate) mod path;
 pub(crate) mod pose;
 pub(crate) mod positioning;
+#[doc(hidden)]
 pub mod test_cube;
 
 mod attained;

@@ -152,7 +152,7 @@ mod tests {
     const SIGMA: f64 = 0.000_2;
 
     fn slide() -> Session {
-        let sessions = Path::new(env!("CARGO_MANIFEST_DIR")).join("sessions");
+        let sessions = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../sessions");
         let loaded = crate::sessions::load(sessions.join("slide-lead-error.json"));
         loaded.expect("it is there").session
     }

@@ -52,6 +52,7 @@ pub struct StatedOrder {
 }
 
 /// The orders that a joint's stated gear ratio asks for; none where none is stated.
+#[doc(hidden)]
 pub fn stated_orders(robot: &Robot, joint: usize) -> impl Iterator<Item = StatedOrder> {
     let ratio = robot.joints.get(joint).and_then(|joint| joint.gear_ratio);
     let all = PER_MOTOR_TURN.into_iter();
@@ -71,6 +72,7 @@ pub fn stated_orders(robot: &Robot, joint: usize) -> impl Iterator<Item = Stated
 }
 
 /// Which of the orders that its joint's gear ratio asks for a term is.
+#[doc(hidden)]
 pub fn stated(robot: &Robot, term: &Term) -> Option<StatedOrder> {
     let mut all = stated_orders(robot, term.joint);
     let own = all.find(|stated| stated.order == term.setting);
@@ -102,7 +104,7 @@ pub(super) fn add_sine_of_the_command(me: &Placed, block: &mut Block, order: f64
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::kinematics::testing::{revolute, robot_of, z_axis_at};
+    use crate::testing::{revolute, robot_of, z_axis_at};
 
     #[test]
     fn a_stated_ratio_asks_for_its_orders_within_those_that_there_are() {

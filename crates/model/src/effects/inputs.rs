@@ -46,6 +46,7 @@ pub struct Inputs<'a> {
     /// Index of the measuring frame, a whole number.
     pub setup: Option<Vec<f64>>,
     /// The [pose](crate::sessions::poses) of each sample; `None`: each has its own.
+    #[doc(hidden)]
     pub pose: Option<Vec<u32>>,
     /// Index into `reflectors_at_home`; `None`: always the first.
     pub target: Option<Cow<'a, [u32]>>,
@@ -201,6 +202,7 @@ impl<'a> Inputs<'a> {
 
     /// The same for a robot of so many joints: with a column for each, as many values in every column as
     /// there are samples, and a reflector for every sample.
+    #[doc(hidden)]
     pub fn fitted_to(&self, joints: usize) -> Cow<'_, Self> {
         let len = self.len;
         let fits = |column: usize| column == len;

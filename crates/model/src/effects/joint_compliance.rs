@@ -92,8 +92,8 @@ mod tests {
     use crate::effects::gravity::{first_moments, seen_by_all};
     use crate::effects::{Inputs, JointValues};
     use crate::kinematics::JointKind;
-    use crate::kinematics::testing::{robot_and_pose, with_joint_moved};
     use crate::sessions::{Instrument, Samples, Session, Target};
+    use crate::testing::{robot_and_pose, with_joint_moved};
     use proptest::prelude::*;
 
     /// A session with so many samples from a pose on, each a step from the one before, under growing loads.

@@ -65,6 +65,7 @@ impl JointFrame {
 
     /// The plane that the tool turns in: away from the axis at home, and a quarter turn further. Of a
     /// tool on the axis any direction across it will do.
+    #[doc(hidden)]
     pub fn plane_of_motion(&self) -> [[f64; 3]; 2] {
         if self.radius_mm > 0.0 {
             [self.radial, self.tangential]

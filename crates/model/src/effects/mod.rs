@@ -15,14 +15,22 @@
 //! Signs: a value says what the real robot does. A link that is 5 mm short has −5 mm.
 
 pub(crate) mod about;
+#[doc(hidden)]
 pub mod block;
+#[doc(hidden)]
 pub mod curve;
+#[doc(hidden)]
 pub mod inputs;
 pub(crate) mod needs;
+#[doc(hidden)]
 pub mod places;
+#[doc(hidden)]
 pub mod survey;
+#[doc(hidden)]
 pub mod term;
+#[doc(hidden)]
 pub mod units;
+#[doc(hidden)]
 pub mod words;
 
 mod axis_tilt;
@@ -49,9 +57,11 @@ mod link_geometry;
 mod link_length;
 mod lost_motion;
 pub(crate) mod measuring_frame;
+#[doc(hidden)]
 pub mod place;
 mod place_effects;
 mod placed;
+#[doc(hidden)]
 pub mod rest;
 pub(crate) mod rotation;
 mod screw_pitch;
@@ -68,6 +78,7 @@ mod unknown_anchor;
 mod unknown_plane;
 mod unknown_socket;
 mod unknown_station;
+#[doc(hidden)]
 pub mod unnamed;
 mod wrist_coupling;
 
@@ -81,7 +92,6 @@ pub use catalogue::{
 };
 pub use curve::{Curve, CurveError, Knots};
 pub use from_parameters::TermError;
-#[doc(hidden)]
 pub use gear_transmission_error::{stated, stated_orders};
 pub use inputs::{Inputs, JointValues};
 pub use joint_frame::JointFrame;

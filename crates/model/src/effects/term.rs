@@ -49,6 +49,7 @@ pub struct FixedMask(u32);
 
 impl FixedMask {
     /// All of them.
+    #[doc(hidden)]
     pub const ALL: Self = Self(u32::MAX);
 
     /// The same with one coefficient more.
@@ -250,7 +251,7 @@ pub(crate) fn names_on(effect: &Effect, kind: JointKind) -> Vec<&'static str> {
 }
 
 /// An effect's parameters on a joint of this kind, at values that can be seen in a simulation.
-pub(crate) fn parameters_to_see(effect: &Effect, kind: JointKind) -> Vec<(&'static str, f64)> {
+pub fn parameters_to_see(effect: &Effect, kind: JointKind) -> Vec<(&'static str, f64)> {
     let about = effect.about();
     let quantities = setting_quantity(about.setting).into_iter();
     let quantities = quantities.chain(about.form.quantities().iter().copied());

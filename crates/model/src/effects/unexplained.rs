@@ -172,8 +172,8 @@ mod tests {
     use super::*;
     use crate::effects::Inputs;
     use crate::effects::curve::{Knots, Parts};
-    use crate::kinematics::testing::column;
     use crate::model::Model;
+    use crate::testing::column;
 
     fn curve() -> Curve {
         let knots = Knots {

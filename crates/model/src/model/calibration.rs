@@ -102,6 +102,7 @@ pub struct Calibration {
 
 impl Calibration {
     /// Where the targets that were measured are at home, base frame, mm.
+    #[doc(hidden)]
     pub fn measured_places(&self) -> Vec<[f64; 3]> {
         let tool = self.model.robot.base_from_tool;
         let is_measured = |k: usize| {
@@ -120,6 +121,7 @@ impl Calibration {
     ///
     /// # Errors
     /// [`Rejected`] with everything that no robot has.
+    #[doc(hidden)]
     pub fn sound(&self) -> Result<(), Rejected> {
         let robot = &self.model.robot;
         let joints = robot.joints.len();
@@ -195,6 +197,7 @@ impl Calibration {
     ///
     /// # Errors
     /// [`Rejected`] where it is another model's.
+    #[doc(hidden)]
     pub fn with_its_own_covariance(&self) -> Result<(), Rejected> {
         let coefficients = self.model.coefficient_count();
         let (rows, columns) = match &self.covariance {

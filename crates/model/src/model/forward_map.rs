@@ -90,6 +90,7 @@ impl Model {
     /// The same model after a step of its coefficients; one of a fade is cut to what it may do
     /// at once.
     #[must_use]
+    #[doc(hidden)]
     pub fn stepped(&self, step: &[f64]) -> Self {
         let mut model = self.clone();
         let mut rest = step;

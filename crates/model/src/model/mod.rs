@@ -10,11 +10,15 @@
 //! all go through it, so they cannot disagree.
 
 mod calibration;
+#[doc(hidden)]
 pub mod format_v1;
 mod forward_map;
+#[doc(hidden)]
 pub mod names;
+#[doc(hidden)]
 pub mod rigid_motion;
 mod set_up;
+#[doc(hidden)]
 pub mod shapes;
 
 pub use calibration::{Calibration, Conditions, RegionalCorrection, ResidualStep};

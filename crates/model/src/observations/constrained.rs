@@ -19,11 +19,7 @@ pub(crate) type Missing = (Vec<f64>, Vec<[f64; 3]>);
 
 /// Moves the one pose of these inputs by the shortest way of the joints (Newton's method) until nothing
 /// is missing; whether that was reached. Joint limits are not looked at.
-pub fn bring(
-    model: &Model,
-    own: &mut Inputs,
-    missing: impl Fn([f64; 3]) -> Missing,
-) -> bool {
+pub fn bring(model: &Model, own: &mut Inputs, missing: impl Fn([f64; 3]) -> Missing) -> bool {
     let joints = model.robot.joints.len();
     let zero = joint_zero();
     // A joint moves the target as its zero offset does; the nominal robot's slopes are near enough.

@@ -59,6 +59,7 @@ pub struct AboutKind {
 
 impl AboutKind {
     /// Its name in answers where English names by ids, and its name for people elsewhere.
+    #[doc(hidden)]
     pub fn in_words(&self) -> Text {
         Text::named(self.name, self.title)
     }

@@ -143,6 +143,7 @@ impl<'a> Layer<'a> {
     }
 
     /// The observations of a session whose joints were where `inputs` say, sample by sample.
+    #[doc(hidden)]
     pub fn at(session: &'a Session, inputs: &Inputs) -> Self {
         Self::of_samples(session, inputs, session.samples.len())
     }

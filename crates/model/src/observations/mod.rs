@@ -27,15 +27,23 @@
 //! it, with exact derivatives, and none has to say how.
 
 pub(crate) mod block;
+#[doc(hidden)]
 pub mod compared;
+#[doc(hidden)]
 pub mod constrained;
+#[doc(hidden)]
 pub mod figures;
 mod follows;
+#[doc(hidden)]
 pub mod gauge;
 pub(crate) mod layer;
+#[doc(hidden)]
 pub mod outliers;
+#[doc(hidden)]
 pub mod rows;
+#[doc(hidden)]
 pub mod start;
+#[doc(hidden)]
 pub mod streams;
 
 mod kind;
@@ -47,7 +55,6 @@ pub use figures::{Deviations, Errors, KindFigures};
 pub use kind::{ANGLES_AT_MM, AboutKind, Kind, Observable, Unit};
 pub(crate) use kind::{named, put_name};
 pub use kinds::KINDS;
-#[doc(hidden)]
 pub use kinds::kind_in_words;
 pub use layer::Layer;
 pub use residual::{Residual, Seen};

@@ -46,12 +46,7 @@ const MOST_SHARE: f64 = 0.35;
 /// Marks what stands apart in deviations along some axes, mm, one value for each sample; `counts`
 /// says which of them make the bulk. `sigma` is the sizes of the axes, up to a common factor;
 /// where `balance` is true they are estimated.
-pub fn suspected(
-    axes: &[&[f64]],
-    counts: &[bool],
-    sigma: &[f64],
-    balance: bool,
-) -> Vec<bool> {
+pub fn suspected(axes: &[&[f64]], counts: &[bool], sigma: &[f64], balance: bool) -> Vec<bool> {
     let n = counts.len();
     let in_bulk = |i: &usize| counts[*i] && axes.iter().all(|e| e[*i].is_finite());
     let count = (0..n).filter(in_bulk).count();

@@ -41,11 +41,13 @@ impl<'a> ObservedRows<'a> {
     }
 
     /// The same with some of its observations only.
+    #[doc(hidden)]
     pub fn only(&self, kept: &[bool]) -> Self {
         Self::new(&self.layer, kept)
     }
 
     /// Takes the distances across which angles are seen from a model.
+    #[doc(hidden)]
     pub fn see_by(&mut self, model: &Model) {
         let layer = &self.layer;
         let n = layer.items.len();

@@ -306,7 +306,7 @@ fn an_effect_that_cannot_show_is_said() {
 fn the_papers_boundaries_belong_to_the_regions_that_the_paper_has_them_in() {
     let path = concat!(
         env!("CARGO_MANIFEST_DIR"),
-        "/sessions/paper-30.scenario.json"
+        "/../../sessions/paper-30.scenario.json"
     );
     let scenario = load_scenario(path).unwrap().scenario;
     let (session, _) = simulate(&scenario, scenario.seed, unwatched).unwrap();
@@ -326,7 +326,7 @@ proptest! {
         which in 0..2usize,
     ) {
         let name = ["paper-30", "lamp-commissioning"][which];
-        let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/sessions/");
+        let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../sessions/");
         let mut text = std::fs::read_to_string(format!("{folder}{name}.scenario.json")).unwrap();
         let mut cut = at.index(text.len());
         while !text.is_char_boundary(cut) {

@@ -20,11 +20,7 @@ impl<'o> Cursor<'o, '_> {
     }
 
     /// Complains of what stands here.
-    pub fn error<T>(
-        &mut self,
-        found: impl Into<Text>,
-        expected: impl Into<Text>,
-    ) -> Option<T> {
+    pub fn error<T>(&mut self, found: impl Into<Text>, expected: impl Into<Text>) -> Option<T> {
         self.fields.error(self.node.at, self.path, found, expected);
         None
     }

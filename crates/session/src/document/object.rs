@@ -5,7 +5,6 @@
 //! whether it has to be there. Reading runs it over a blank value and fills that; writing runs it over
 //! a finished one. What the function never names is an unknown key.
 
-#[doc(hidden)]
 pub use super::at::Cursor;
 use crate::text::{Template, Text};
 
@@ -107,12 +106,7 @@ impl Object<'_, '_> {
     }
 
     /// A field that keeps its usual value where it is missing; null is none.
-    pub fn usual_or_null<T>(
-        &mut self,
-        key: &'static str,
-        value: &mut Option<T>,
-        kind: &Kind<T>,
-    ) {
+    pub fn usual_or_null<T>(&mut self, key: &'static str, value: &mut Option<T>, kind: &Kind<T>) {
         let read = |at: &mut Cursor<'_, '_>| match at.node.value {
             Value::Null => Some(None),
             _ => (kind.read)(at).map(Some),
@@ -261,12 +255,7 @@ impl Object<'_, '_> {
     }
 
     /// Complains of a field, or of its lack.
-    pub fn error_in(
-        &mut self,
-        key: &str,
-        found: impl Into<Text>,
-        expected: impl Into<Text>,
-    ) {
+    pub fn error_in(&mut self, key: &str, found: impl Into<Text>, expected: impl Into<Text>) {
         self.good = false;
         if let Side::Reading {
             fields,

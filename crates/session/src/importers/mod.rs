@@ -42,6 +42,7 @@ mod session;
 mod settings;
 mod times;
 mod turns;
+#[doc(hidden)]
 pub mod units;
 mod upwards;
 #[cfg(test)]
@@ -52,7 +53,7 @@ pub use formats::{IMPORTERS, Importer, Meanings, OwnOption, Questions, find};
 pub use inspect::{inspect, inspect_watched};
 pub use job::{Companion, Imported, Matched, Settings};
 pub use matching::Matching;
-pub(crate) use options::EULER;
+pub use options::EULER;
 pub use reference::{AlignError, Alignment, Landmark, Residual, align};
 pub use session::{import, import_watched};
 pub use settings::{About, ColumnGuess, Inspection, Known, Question, Reading};

@@ -42,7 +42,8 @@ pub(crate) const SOCKET_DISTANCES_OPTION: OwnOption = OwnOption {
 };
 
 /// Option: the order of the angles and what their axes do.
-pub(crate) const EULER: &str = "euler";
+#[doc(hidden)]
+pub const EULER: &str = "euler";
 
 /// The order of the angles of an orientation, in tables that a person explains.
 pub(crate) const EULER_OPTION: OwnOption = OwnOption {

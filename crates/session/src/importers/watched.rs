@@ -8,7 +8,7 @@ use super::{Companion, Reading, Settings, import, import_watched};
 use super::{IMPORTERS, inspect, inspect_watched};
 use crate::kinematics::{Axis, Joint, JointKind, Robot, pose_from_parts};
 use crate::progress::ReadError;
-use crate::progress::testing::{assert_grows, no_at, report_to};
+use crate::watching::{assert_grows, no_at, report_to};
 
 /// Rows enough for several looks at the watcher.
 const ROWS: u32 = 12_000;

@@ -22,11 +22,7 @@ pub fn cells(points_mm: &[[f64; 3]], count: usize) -> Vec<usize> {
 
 /// For each point the fold that it is in, where points belong to groups: each group is cut into cells
 /// by itself and spread over all folds, as what it refers to may be known from it alone.
-pub fn folds_of_groups(
-    points_mm: &[[f64; 3]],
-    groups: &[usize],
-    folds: usize,
-) -> Vec<usize> {
+pub fn folds_of_groups(points_mm: &[[f64; 3]], groups: &[usize], folds: usize) -> Vec<usize> {
     let mut fold = vec![0; points_mm.len()];
     let mut known: Vec<usize> = groups.to_vec();
     known.sort_unstable();

@@ -22,6 +22,7 @@ impl Session {
     ///
     /// # Errors
     /// [`Rejected`] where it cannot be computed with.
+    #[doc(hidden)]
     pub fn whole(&self) -> Result<Cow<'_, Self>, Rejected> {
         let mut whole = Cow::Borrowed(self);
         if lacks_columns(self) {

@@ -7,6 +7,7 @@ use super::Group;
 use crate::text::Template;
 
 /// A day, s.
+#[doc(hidden)]
 pub const DAY_S: f64 = 86_400.0;
 
 /// A gradian, degrees: a full turn has 400.

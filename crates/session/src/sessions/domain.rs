@@ -132,6 +132,7 @@ pub struct Setups {
 
 impl Setups {
     /// Which setups have one of these samples.
+    #[doc(hidden)]
     pub fn seen_in(&self, samples: impl Iterator<Item = usize>) -> Vec<bool> {
         let mut seen = vec![false; self.names.len()];
         for setup in samples.filter_map(|sample| self.index.get(sample)) {
@@ -143,6 +144,7 @@ impl Setups {
     }
 
     /// Whether the setup of a sample is among those that [`seen_in`](Self::seen_in) has found.
+    #[doc(hidden)]
     pub fn is_seen(&self, seen: &[bool], sample: usize) -> bool {
         let setup = self.index.get(sample);
         setup.is_some_and(|setup| seen.get(*setup as usize) == Some(&true))
@@ -267,6 +269,7 @@ impl Samples {
     }
 
     /// Spread of the measured points about their mean, root mean square length, mm; 0 without points.
+    #[doc(hidden)]
     pub fn spread_mm(&self) -> f64 {
         let columns = [&self.x_mm, &self.y_mm].into_iter().chain(&self.z_mm);
         let variance = columns.map(|column| {
@@ -279,12 +282,14 @@ impl Samples {
     }
 
     /// The coordinates of a sample; NaN where one is missing.
+    #[doc(hidden)]
     pub fn coordinates(&self, sample: usize) -> [f64; 3] {
         let z = self.z_mm.as_ref().map_or(f64::NAN, |z| cell(z, sample));
         [cell(&self.x_mm, sample), cell(&self.y_mm, sample), z]
     }
 
     /// Whether a sample has a measured orientation.
+    #[doc(hidden)]
     pub fn is_turned(&self, sample: usize) -> bool {
         let parts = self.orientation_wxyz.as_ref();
         parts.is_some_and(|parts| parts.iter().all(|part| !cell(part, sample).is_nan()))
@@ -331,6 +336,7 @@ pub struct Session {
 pub(crate) const DEFAULT_TARGET: &str = "tool";
 
 /// A session without `targets` has one, at the tool's origin.
+#[doc(hidden)]
 pub fn default_targets() -> Vec<Target> {
     vec![Target {
         name: DEFAULT_TARGET.to_owned(),

@@ -28,6 +28,7 @@ named! {
 
 impl Group {
     /// One of the group, by its name or number, in words.
+    #[doc(hidden)]
     pub fn called(self, name: impl Into<Argument>) -> Text {
         let name = name.into();
         match self {

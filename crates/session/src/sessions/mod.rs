@@ -10,35 +10,45 @@
 //! nothing here knows.
 
 mod built;
+#[doc(hidden)]
 pub mod cells;
+#[doc(hidden)]
 pub mod columns;
 mod consistency;
+#[doc(hidden)]
 pub mod correct;
+#[doc(hidden)]
 pub mod correction;
+#[doc(hidden)]
 pub mod division;
 mod domain;
+#[doc(hidden)]
 pub mod files;
 mod group;
 mod group_samples;
+#[doc(hidden)]
 pub mod in_rows;
 pub(crate) mod layout;
+#[doc(hidden)]
 pub mod measuring_order;
 mod observed;
+#[doc(hidden)]
 pub mod poses;
 mod references;
+#[doc(hidden)]
 pub mod regions;
+#[doc(hidden)]
 pub mod resolution;
 mod rows;
 pub(crate) mod table;
+#[doc(hidden)]
 pub mod validation;
 
 pub use crate::atomic::WriteError;
 pub use crate::tables::Lines;
-#[doc(hidden)]
 pub use correction::DAY_S;
 pub use correction::{Corrected, SessionCorrection};
 pub use division::{MOST_REGIONS, RegionChoice, RegionError, range_to_divide};
-#[doc(hidden)]
 pub use domain::default_targets;
 pub use domain::{
     Instrument, Region, Samples, Session, Setups, Sigma, Target, Tracker, UnknownColumn,

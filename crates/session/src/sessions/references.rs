@@ -170,6 +170,7 @@ macro_rules! column {
 /// Columns from one list: what each holds, its label in the hash, its field.
 macro_rules! columns {
     ($all:ident, $count:literal of $cell:ty: $($quantity:ident $label:literal $column:ident,)*) => {
+        #[doc(hidden)]
         pub fn $all(&self) -> [ObservedColumn<&Option<Vec<$cell>>>; $count] {
             [$(column!($quantity $label $column, &self.$column)),*]
         }

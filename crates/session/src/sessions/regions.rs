@@ -139,12 +139,12 @@ impl Slots {
 }
 
 #[cfg(test)]
-pub(crate) mod testing {
-    use super::Region;
+mod tests {
+    use super::*;
     use crate::units::rad_from_deg;
 
     /// Regions from and to these degrees, named 1, 2, … in this order.
-    pub(crate) fn regions(degrees: &[(f64, f64)]) -> Vec<Region> {
+    fn regions(degrees: &[(f64, f64)]) -> Vec<Region> {
         let make = |(k, (from, to)): (usize, &(f64, f64))| Region {
             name: (k + 1).to_string(),
             from_rad: rad_from_deg(*from),
@@ -152,13 +152,6 @@ pub(crate) mod testing {
         };
         degrees.iter().enumerate().map(make).collect()
     }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::testing::regions;
-    use super::*;
-    use crate::units::rad_from_deg;
 
     /// Asked one by one and by the block, which have to agree.
     fn owner(regions: &[Region], deg: f64) -> Option<usize> {

@@ -21,6 +21,7 @@ impl Samples {
 
     /// These samples in this order, which count from 0; where there is none an empty one, measured of the
     /// first target and in the first setup.
+    #[doc(hidden)]
     pub fn select(&mut self, rows: &[Option<usize>]) {
         *self = self.selected(rows);
     }
@@ -103,6 +104,7 @@ fn picked<T: Clone>(column: &[T], rows: &[Option<usize>], empty: T) -> Vec<T> {
 
 impl Session {
     /// The session with some of its samples; see [`Samples::selected`].
+    #[doc(hidden)]
     pub fn of_rows(&self, rows: &[Option<usize>]) -> Self {
         Self {
             name: self.name.clone(),

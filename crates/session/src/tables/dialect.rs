@@ -33,6 +33,7 @@ impl Separator {
     }
 
     /// The one that a line of headings uses most; commas where it uses none.
+    #[doc(hidden)]
     pub fn of_headings(line: &[u8]) -> Self {
         let count = |sign: u8| memchr::memchr_iter(sign, line).count();
         let mut best = (Self::Comma, count(b','));

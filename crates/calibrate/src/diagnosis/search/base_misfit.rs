@@ -138,7 +138,7 @@ mod tests {
 
     #[test]
     fn a_size_of_no_machine_is_impossible_on_a_joint_that_turns() {
-        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/sessions/arm/arm.json");
+        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../sessions/arm/arm.json");
         let mut robot = load(std::path::Path::new(path)).unwrap().session.robot;
         robot.joints[2].kind = JointKind::Prismatic;
         let impossible = |id: &str, joint, name: &str, value: f64| {

@@ -104,7 +104,7 @@ mod tests {
     /// Their columns say nothing of their orders: near one another they cancel at the samples however large they are.
     #[test]
     fn orders_that_cancel_each_other_run_away() {
-        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/sessions/arm/arm.json");
+        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../sessions/arm/arm.json");
         let session = load(std::path::Path::new(path)).unwrap().session;
         let mut problem = Problem::new(&session, JointValues::Commanded);
         // Measured near home only: over the ranges the difference of two orders grows.

@@ -1,5 +1,5 @@
 //! The noise of a measurement in three layers: white along each axis (the instrument), what the robot does not repeat
-//! and all rows of a pose share ([`joints`]), and a part that wanders slowly in time (a tripod that settles, air, a
+//! and all rows of a pose share (`joints`), and a part that wanders slowly in time (a tripod that settles, air, a
 //! tracker that warms up).
 //!
 //! ```text
@@ -35,9 +35,8 @@ pub(crate) mod joints;
 mod restricted;
 mod slow_part;
 
-use crate::answers::noise::Trial;
-#[doc(hidden)]
 pub use crate::answers::noise::Noise;
+use crate::answers::noise::Trial;
 pub(crate) use crate::answers::noise::{Slow, StatedNoise};
 pub(crate) use filter::{Filter, Step};
 use joints::JointFilter;

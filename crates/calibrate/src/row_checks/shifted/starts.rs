@@ -4,8 +4,8 @@
 use nalgebra::{Isometry3, Vector3};
 
 use crate::effects::Inputs;
-use crate::model::Model;
 use crate::kinematics::rigid_motion::rigid_motion;
+use crate::model::Model;
 use crate::numeric::median;
 use crate::sessions::Session;
 

@@ -10,19 +10,20 @@ mod axis_test;
 mod deviation;
 mod drawing;
 mod gap;
-pub(crate) mod panel;
+#[doc(hidden)]
+pub mod panel;
 mod spec;
 mod ticks;
 
 pub use axis_test::{AxisDeviation, AxisStage, axis_figures};
 pub use deviation::{Deviation, LEAST_SPAN, Series};
 pub use gap::{gap, in_words};
-pub(crate) use ticks::among;
-pub(crate) use ticks::decade;
+pub use ticks::among;
+pub use ticks::decade;
 pub use ticks::ticks;
 
 pub use panel::FULL_WIDTH;
 pub use spec::{
     Axis, Bar, Chart, ChartText, ColourRole, Entry, Form, Item, LegendSymbol, Lengths, Mark, Ticks,
 };
-pub(crate) use spec::{is_wide, shortened};
+pub use spec::{is_wide, shortened};

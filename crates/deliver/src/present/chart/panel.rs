@@ -9,13 +9,13 @@ pub(crate) const SMALL: f64 = 7.0;
 pub const FULL_WIDTH: f64 = 487.0;
 
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Panel {
-    pub(crate) left: f64,
-    pub(crate) top: f64,
-    pub(crate) width: f64,
-    pub(crate) height: f64,
-    pub(crate) x: [f64; 2],
-    pub(crate) y: [f64; 2],
+pub struct Panel {
+    pub left: f64,
+    pub top: f64,
+    pub width: f64,
+    pub height: f64,
+    pub x: [f64; 2],
+    pub y: [f64; 2],
 }
 
 impl Panel {
@@ -28,7 +28,7 @@ impl Panel {
     }
 
     /// Grid lines with what stands at the ticks, then the frame. Words have no lines.
-    pub(crate) fn frame(&self, axes: [&Axis; 2], most: [f64; 2], drawing: &mut Drawing) {
+    pub fn frame(&self, axes: [&Axis; 2], most: [f64; 2], drawing: &mut Drawing) {
         let (bottom, right) = (self.top + self.height, self.left + self.width);
         let (across, lines) = marks(axes[0], self.x, most[0]);
         for (x, word) in across {
@@ -59,12 +59,12 @@ impl Panel {
         drawing.text(label.bold());
     }
 
-    pub(crate) fn x_label(&self, label: &str, drawing: &mut Drawing) {
+    pub fn x_label(&self, label: &str, drawing: &mut Drawing) {
         let at = [self.left + self.width / 2.0, self.top + self.height + 20.0];
         drawing.text(Label::new(at, label, SMALL, MUTED).anchored(Anchor::Middle));
     }
 
-    pub(crate) fn y_label(&self, label: &str, left: f64, drawing: &mut Drawing) {
+    pub fn y_label(&self, label: &str, left: f64, drawing: &mut Drawing) {
         let mut label = Label::new([left, self.top + self.height / 2.0], label, SMALL, MUTED);
         label.upwards = true;
         drawing.text(label.anchored(Anchor::Middle));

@@ -262,12 +262,14 @@ pub struct Lengths<'a> {
 }
 
 /// Whether a letter is as wide as it is high, as those of East Asian scripts with their marks are.
-pub(crate) fn is_wide(c: char) -> bool {
+#[doc(hidden)]
+pub fn is_wide(c: char) -> bool {
     matches!(c, '\u{2e80}'..='\u{9fff}' | '\u{ac00}'..='\u{d7a3}' | '\u{f900}'..='\u{faff}' | '\u{ff00}'..='\u{ff60}' | '\u{20000}'..='\u{3fffd}')
 }
 
 /// A name that leaves room for the rest of a label.
-pub(crate) fn shortened(name: &str, most: usize) -> String {
+#[doc(hidden)]
+pub fn shortened(name: &str, most: usize) -> String {
     if name.chars().count() <= most {
         return name.to_owned();
     }

@@ -3,7 +3,8 @@
 /// The largest power of ten that is not above a value above 0, to the last bit on every system: logarithms
 /// and powers that a system brings may be a bit off.
 #[expect(clippy::cast_possible_truncation, reason = "an exponent")]
-pub(crate) fn decade(value: f64) -> f64 {
+#[doc(hidden)]
+pub fn decade(value: f64) -> f64 {
     let at = value.log10().floor() as i32;
     let next = ten_to(at + 1);
     if next <= value { next } else { ten_to(at) }
@@ -16,7 +17,8 @@ fn ten_to(exponent: i32) -> f64 {
 
 /// The largest of these leading digits, or 1, × 10ⁿ that is not above `value`; 1 where that makes
 /// no sense.
-pub(crate) fn among(value: f64, digits: &[f64]) -> f64 {
+#[doc(hidden)]
+pub fn among(value: f64, digits: &[f64]) -> f64 {
     if !(value.is_finite() && value > 0.0) {
         return 1.0;
     }

@@ -41,40 +41,40 @@ const SEEN: f64 = 0.02;
 
 /// The size of one order.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Amplitude {
+pub struct Amplitude {
     /// How large it is, mm.
-    pub(crate) mm: f64,
+    pub mm: f64,
     /// How large noise alone makes it; `None` where there are too few samples to say.
-    pub(crate) line_mm: Option<f64>,
+    pub line_mm: Option<f64>,
 }
 
 impl Amplitude {
     /// Whether it is more than noise.
-    pub(crate) fn stands_out(self) -> bool {
+    pub fn stands_out(self) -> bool {
         self.line_mm.is_some_and(|line| self.mm > line)
     }
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Order {
+pub struct Order {
     /// Cycles per turn.
-    pub(crate) order: usize,
+    pub order: usize,
     /// Of the nominal robot's deviation.
-    pub(crate) before: Amplitude,
+    pub before: Amplitude,
     /// Of what is left.
-    pub(crate) after: Option<Amplitude>,
+    pub after: Option<Amplitude>,
 }
 
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Spectrum {
+pub struct Spectrum {
     /// The orders, ascending; those that the range does not show are left out.
-    pub(crate) orders: Vec<Order>,
+    pub orders: Vec<Order>,
     /// Orders up to this one cannot be seen in the range; 0: all can.
-    pub(crate) unseen: usize,
+    pub unseen: usize,
     /// Which part of a turn the samples cover.
-    pub(crate) turns: f64,
+    pub turns: f64,
     /// Orders of gears that are known.
-    pub(crate) gears: Vec<usize>,
+    pub gears: Vec<usize>,
     /// Number of samples.
     pub(crate) samples: usize,
 }
@@ -82,12 +82,7 @@ pub(crate) struct Spectrum {
 impl Spectrum {
     /// Of values before, and after where they are known, at these angles (rad). `gears` are
     /// orders that have to be looked at with their neighbours.
-    pub(crate) fn new(
-        angles_rad: &[f64],
-        before: &[f64],
-        after: Option<&[f64]>,
-        gears: &[usize],
-    ) -> Self {
+    pub fn new(angles_rad: &[f64], before: &[f64], after: Option<&[f64]>, gears: &[usize]) -> Self {
         let (turns, finest) = reach(angles_rad);
         let freedom = angles_rad.len().saturating_sub(1) / 4;
         let highest = HIGHEST.min(finest).min(freedom);

@@ -406,7 +406,7 @@ mod tests {
     use super::super::tests::some_samples;
     use super::*;
     use crate::effects::JointValues;
-    use crate::kinematics::testing::robot_and_pose;
+    use crate::testing::robot_and_pose;
     use proptest::prelude::*;
 
     proptest! {

@@ -13,15 +13,13 @@
 mod curve;
 mod exact;
 mod of_samples;
-mod read;
+pub(crate) mod read;
 mod rest;
 mod set_up;
 mod term;
 
 pub(crate) use term::term;
 
-#[doc(hidden)]
-pub use read::write_model;
 pub use read::{is_model, load_model, model_hash, read_model};
 
 #[cfg(test)]

@@ -7,6 +7,7 @@ use crate::effects::{CATALOGUE, Inputs, Term};
 use crate::kinematics::{Axis, Joint, JointKind, LinkMass, Pose, Range, Robot};
 use crate::model::{Calibration, Model, RegionalCorrection, ResidualStep, SetUp};
 use crate::sessions::{SessionCorrection, Target};
+use crate::write_model;
 
 fn vector(size: f64) -> impl Strategy<Value = Vector3<f64>> {
     prop::array::uniform3(-size..size).prop_map(Vector3::from)

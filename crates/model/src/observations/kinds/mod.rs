@@ -26,6 +26,7 @@ register! {
 }
 
 /// A kind by its name in answers, in words.
+#[doc(hidden)]
 pub fn kind_in_words(name: &str) -> Text {
     let known = KINDS.iter().find(|kind| kind.about().name == name);
     known.map_or_else(|| Text::verbatim(name), |kind| kind.about().in_words())

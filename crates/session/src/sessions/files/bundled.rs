@@ -64,7 +64,7 @@ pub fn job_in_the_terminal() -> String {
 }
 
 /// The command that identifies a session, for a shell.
-pub(crate) fn identify(session: &Path) -> String {
+pub fn identify(session: &Path) -> String {
     let session = session.display().to_string();
     if session.contains(' ') {
         format!("truepose identify \"{session}\" --json")

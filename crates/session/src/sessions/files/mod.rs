@@ -8,12 +8,15 @@
 //! - `hash`: the fingerprint of what was measured; `bundled`: sessions that are in the binary.
 
 pub(crate) mod assemble;
+#[doc(hidden)]
 pub mod bundled;
 mod file_hash;
+#[doc(hidden)]
 pub mod format_v1;
 pub(crate) mod hash;
 pub(crate) mod load;
 pub(crate) mod load_robot;
+#[doc(hidden)]
 pub mod open;
 pub(crate) mod save;
 mod saved_columns;

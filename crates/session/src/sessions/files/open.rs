@@ -9,9 +9,8 @@ use std::path::{Path, PathBuf};
 
 use crate::diagnostic::{Diagnostic, Place, Rejected, unreadable};
 use crate::guard;
-#[doc(hidden)]
-pub use crate::guard::open_regular;
 pub(crate) use crate::guard::Refusal;
+pub use crate::guard::open_regular;
 use crate::progress::{Progress, ProgressSpan, ReadError, unwatched};
 
 /// Bytes that are read between two looks at the watcher.
@@ -30,7 +29,7 @@ pub fn read_document(path: &Path) -> Result<Vec<u8>, Rejected> {
 ///
 /// # Errors
 /// [`ReadError`].
-pub(crate) fn read_document_in(path: &Path, part: ProgressSpan<'_>) -> Result<Vec<u8>, ReadError> {
+pub fn read_document_in(path: &Path, part: ProgressSpan<'_>) -> Result<Vec<u8>, ReadError> {
     let refused = |(found, expected): Refusal| {
         Rejected::because(Diagnostic::error(Place::file(path), found, expected))
     };

@@ -6,9 +6,9 @@ use std::path::{Path, PathBuf};
 
 use crate::atomic::WriteError;
 use crate::progress::ReadError;
-use crate::progress::testing::{assert_grows, no_at, report_to};
 use crate::sessions::load;
 use crate::sessions::{Replacing, load_watched, save_watched};
+use crate::watching::{assert_grows, no_at, report_to};
 
 const HEAD: &str = r#"{"format":"truepose-session/1","name":"s","robot":{"name":"r","joints":[{"name":"pan",
 "kind":"revolute","axis":[0,0,1],"point_mm":[0,0,0]}],"tool":{"position_mm":[250,0,300],"quaternion_wxyz":[1,0,0,0]}},"samples":"#;

@@ -8,12 +8,17 @@
 //! A direction or a quaternion that is of unit length to within rounding is taken as it stands:
 //! normalising it again would change its last bit at every saving.
 
+#[doc(hidden)]
 pub mod head;
 pub(crate) mod inline;
+#[doc(hidden)]
 pub mod references;
+#[doc(hidden)]
 pub mod robot;
 mod robot_beside;
+#[doc(hidden)]
 pub mod robot_parts;
+#[doc(hidden)]
 pub mod robot_source;
 
 /// What the key `format` says.

@@ -4,15 +4,15 @@
 use std::collections::BTreeSet;
 use std::path::Path;
 
-use super::document::{Block, Report};
-use super::{Details, Extras, html};
-use crate::compensation::decision::Rule;
-use crate::diagnosis::Options;
-use crate::pipeline;
-use crate::present::drawing::{Drawing, Item};
-use crate::sessions::Session;
-use crate::sessions::load;
-use crate::text::{Language, choose};
+use truepose::compensation::decision::Rule;
+use truepose::diagnosis::Options;
+use truepose::pipeline;
+use truepose::present::drawing::{Drawing, Item};
+use truepose::report::document::{Block, Report};
+use truepose::report::{Details, Extras, html};
+use truepose::sessions::Session;
+use truepose::sessions::load;
+use truepose::text::{Language, choose};
 
 /// Units, axes, and the symbols and names of standards.
 const SYMBOLS: [&str; 15] = [
