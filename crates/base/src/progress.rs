@@ -99,6 +99,7 @@ pub struct ProgressSpan<'p> {
 
 impl ProgressSpan<'_> {
     /// The part of this part between two shares of it.
+    #[must_use]
     pub fn part(self, from: f64, to: f64) -> Self {
         let at = |share: f64| self.from + share * (self.to - self.from);
         Self {
@@ -109,6 +110,7 @@ impl ProgressSpan<'_> {
     }
 
     /// For work of unknown length: a third of what is left.
+    #[must_use]
     pub fn next_pass(self) -> Self {
         let from = self.progress.share.get().clamp(self.from, self.to);
         let to = from + (self.to - from) / 3.0;
@@ -116,6 +118,9 @@ impl ProgressSpan<'_> {
     }
 
     /// So much of this part is done, 0 to 1.
+    ///
+    /// # Errors
+    /// If it was cancelled.
     pub fn reached(self, share: f64) -> Result<(), Cancelled> {
         let Progress {
             watch,
@@ -137,11 +142,17 @@ impl ProgressSpan<'_> {
     }
 
     /// So many of so many are done.
+    ///
+    /// # Errors
+    /// If it was cancelled.
     pub fn counted(self, done: usize, of: usize) -> Result<(), Cancelled> {
         self.reached(done as f64 / of.max(1) as f64)
     }
 
     /// Whether it was cancelled already.
+    ///
+    /// # Errors
+    /// If it was.
     pub fn check(self) -> Result<(), Cancelled> {
         if self.progress.cancelled.get() {
             return Err(Cancelled);

@@ -27,6 +27,5 @@ pub mod row_checks;
 pub mod set_up_errors;
 
 #[cfg(test)]
-#[allow(dead_code, reason = "of what tests share, each crate uses some")]
 #[path = "../../base/src/kinematics/testing.rs"]
 mod testing;

@@ -25,6 +25,5 @@ pub mod report;
 pub mod standards;
 
 #[cfg(test)]
-#[allow(dead_code, reason = "of what tests share, each crate uses some")]
 #[path = "../../base/src/kinematics/testing.rs"]
 mod testing;

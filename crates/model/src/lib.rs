@@ -20,6 +20,5 @@ pub mod simulation;
 pub use model::format_v1::read::write_model;
 
 #[cfg(test)]
-#[allow(dead_code, reason = "of what tests share, each crate uses some")]
 #[path = "../../base/src/kinematics/testing.rs"]
 mod testing;

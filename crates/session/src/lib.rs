@@ -19,7 +19,6 @@ pub mod sessions;
 pub mod tables;
 
 #[cfg(test)]
-#[allow(dead_code, reason = "of what tests share, each crate uses some")]
 #[path = "../../base/src/kinematics/testing.rs"]
 mod testing;
 #[cfg(test)]

@@ -1,4 +1,9 @@
-//! Random robots and poses for the tests of this module.
+//! Random robots and poses for tests.
+
+#![allow(
+    dead_code,
+    reason = "the tests of other crates see this file too, and each uses some of it"
+)]
 
 use nalgebra::{Point3, Vector3};
 use proptest::prelude::*;

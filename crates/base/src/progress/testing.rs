@@ -1,5 +1,10 @@
 //! Someone who watches.
 
+#![allow(
+    dead_code,
+    reason = "the tests of other crates see this file too, and each uses some of it"
+)]
+
 use std::cell::Cell;
 use std::ops::ControlFlow;
 

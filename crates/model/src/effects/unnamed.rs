@@ -96,6 +96,7 @@ impl Term {
 
     /// The same with the coefficients that the rest of the model has without it.
     #[doc(hidden)]
+    #[must_use]
     pub fn beside_geometry(&self, alone: &[f64]) -> Self {
         let rest = self.rest.as_deref().map(|rest| {
             Arc::new(Rest {

@@ -42,6 +42,7 @@ impl<'a> ObservedRows<'a> {
 
     /// The same with some of its observations only.
     #[doc(hidden)]
+    #[must_use]
     pub fn only(&self, kept: &[bool]) -> Self {
         Self::new(&self.layer, kept)
     }

@@ -105,6 +105,7 @@ fn picked<T: Clone>(column: &[T], rows: &[Option<usize>], empty: T) -> Vec<T> {
 impl Session {
     /// The session with some of its samples; see [`Samples::selected`].
     #[doc(hidden)]
+    #[must_use]
     pub fn of_rows(&self, rows: &[Option<usize>]) -> Self {
         Self {
             name: self.name.clone(),
