@@ -112,7 +112,7 @@
 #![cfg_attr(
     not(feature = "gui"),
     allow(
-        dead_code,
+        unused_imports,
         reason = "some of it only the window uses; the build with it finds what nothing uses"
     )
 )]
