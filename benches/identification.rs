@@ -8,7 +8,7 @@ use std::hint::black_box;
 use criterion::{Criterion, criterion_group, criterion_main};
 use nalgebra::{Point3, Unit, Vector3};
 use truepose::effects::{JointValues, Term, find};
-use truepose::fit::identify_exact;
+use truepose::fit::{identify_exact, regions_of};
 use truepose::inside::Problem;
 use truepose::inside::solve;
 use truepose::inside::{fit_base_model, start_of_base_model, sum_by_region};
@@ -106,9 +106,8 @@ fn regional(c: &mut Criterion) {
     let mut group = c.benchmark_group("regional identification");
     for n in [1_000, 100_000, 1_000_000] {
         let session = session(n);
-        let regions = RegionChoice::Uniform(6)
-            .resolve(&session)
-            .expect("six regions over known limits");
+        let regions =
+            regions_of(&RegionChoice::Uniform(6), &session).expect("six regions over known limits");
         let problem = Problem::new(&session, JointValues::Commanded);
         group.bench_function(n.to_string(), |b| {
             b.iter(|| sum_by_region(black_box(&problem), &regions));

@@ -110,86 +110,40 @@
 //! the window and of the terminal is built, and nothing that only they need.
 
 #![cfg_attr(
-    test,
-    allow(
-        clippy::unsafe_derive_deserialize,
-        reason = "where tests are built a sentence is listed in a section of the program, which counts as unsafe"
-    )
-)]
-#![cfg_attr(
     not(feature = "gui"),
     allow(
-        dead_code,
+        unused_imports,
         reason = "some of it only the window uses; the build with it finds what nothing uses"
     )
 )]
 
-// First: their macros are in the scope of what follows.
 #[macro_use]
-mod named;
-#[macro_use]
-pub mod text;
+extern crate truepose_base;
 
-pub(crate) mod atomic;
-pub(crate) mod decompose;
-pub mod diagnostic;
-pub(crate) mod distributions;
-pub(crate) mod document;
-pub mod fonts;
-pub(crate) mod guard;
-pub(crate) mod lanes;
-pub(crate) mod linear;
-pub(crate) mod numeric;
-pub mod progress;
-pub mod recorder;
-pub(crate) mod side_by_side;
-pub(crate) mod sincos;
-pub(crate) mod unfinished;
-pub mod units;
-pub(crate) mod wide;
+#[doc(inline)]
+pub use truepose_base::text::{self};
+#[doc(inline)]
+pub use truepose_base::{diagnostic, kinematics, progress, units};
+#[doc(inline)]
+pub use truepose_calibrate::{compensation, design, diagnosis, fit, row_checks, set_up_errors};
+#[doc(inline)]
+pub use truepose_deliver::{explain, export, fonts, history, present, programs, report, standards};
+#[doc(inline)]
+pub use truepose_model::{effects, model, observations, simulation};
+#[doc(inline)]
+pub use truepose_session::{importers, recorder, robots, sessions};
 
-pub mod kinematics;
-pub(crate) mod tables;
+use truepose_base::{atomic, lanes, numeric, sincos, unfinished};
+use truepose_calibrate::{answers, paper};
+use truepose_deliver::language;
+use truepose_session::{document, tables};
 
-pub mod sessions;
-
-pub mod robots;
-
-pub mod effects;
-
-pub mod model;
-
-pub mod observations;
-
-pub(crate) mod answers;
-pub mod fit;
-pub mod simulation;
-
-pub mod row_checks;
-pub mod set_up_errors;
-
-pub mod diagnosis;
-
-pub mod design;
-
-pub(crate) mod paper;
-pub mod present;
-
-pub mod compensation;
-
-pub mod export;
-pub mod history;
-pub mod importers;
 pub mod pipeline;
-pub mod programs;
-
-pub mod standards;
-
-pub(crate) mod language;
-
-pub mod explain;
-
-pub mod report;
+#[cfg(all(test, debug_assertions, feature = "gui"))]
+mod sentences;
+#[cfg(all(test, feature = "gui"))]
+#[path = "../crates/base/src/progress/testing.rs"]
+mod watching;
 
 /// Steps inside the library that the benches time and the tests of `tests` look at; they change
 /// with any version.

@@ -44,13 +44,12 @@ use crate::set_up_errors::{CorrectedSession, DataProblem, corrected_session, not
 use crate::standards::Standards;
 use crate::text::Text;
 
-pub use crate::design::{measuring_list, measuring_program};
 pub use crate::design::{plan_robot, plan_session};
 pub use crate::history::{history, history_of_robot, history_watched};
 pub use crate::importers::{import, import_watched};
 pub use crate::model::format_v1::is_model;
 pub use crate::paper::{RegionalStart, regional_start};
-pub use crate::programs::compensate;
+pub use crate::programs::{compensate, measuring_list, measuring_program};
 pub use crate::sessions::{load, save};
 pub use crate::sessions::{
     load_robot, load_watched, parse, parse_with_csv, save_watched, save_with_samples, write_inline,
@@ -255,6 +254,50 @@ pub fn verify(calibration: &Calibration, session: &Session) -> Result<Verificati
 }
 
 /// A calibration, verified on the raw session that it came from: the one value of which files are made.
+/// It is made here and nowhere else, and can be read but not changed:
+///
+/// ```compile_fail,E0423
+/// use truepose::compensation::VerifiedCalibration;
+/// fn made(calibration: truepose::model::Calibration) {
+///     let _ = VerifiedCalibration(calibration);
+/// }
+/// ```
+///
+/// ```compile_fail,E0594
+/// fn change(verified: &mut truepose::compensation::VerifiedCalibration) {
+///     verified.samples_hash = String::new();
+/// }
+/// ```
+///
+/// Nothing that writes takes a calibration that was not verified:
+///
+/// ```compile_fail,E0308
+/// fn made(calibration: &truepose::model::Calibration) {
+///     let _ = truepose::pipeline::write_model(calibration);
+/// }
+/// ```
+///
+/// ```compile_fail,E0308
+/// fn made(calibration: &truepose::model::Calibration) {
+///     let _ = truepose::export::Job::new(calibration, "table.csv");
+/// }
+/// ```
+///
+/// ```compile_fail,E0308
+/// fn made(calibration: &truepose::model::Calibration) {
+///     let _ = truepose::compensation::JointTable::new(calibration, 0, 1.0, Default::default());
+/// }
+/// ```
+///
+/// ```compile_fail,E0308
+/// fn made(calibration: &truepose::model::Calibration) {
+///     let _ = truepose::pipeline::report_of_model(calibration, &Default::default());
+/// }
+/// ```
+///
+/// ```compile_fail,E0603
+/// use truepose::model::format_v1::write_model;
+/// ```
 ///
 /// # Errors
 /// See [`NotHandedOut`].

@@ -22,16 +22,17 @@ pub fn all(copy: &Path, changes: &mut Vec<Change>) -> Outcome<Vec<PathBuf>> {
             std::fs::read_to_string(&path).map_err(|e| format!("{}: {e}", path.display()))?;
         originals.insert(change.file.clone(), text);
     }
-    let library = copy.join("src/lib.rs");
-    let own =
-        std::fs::read_to_string(&library).map_err(|e| format!("{}: {e}", library.display()))?;
-    put(
-        &library,
-        &format!("{own}\n#[doc(hidden)]\npub mod switch;\n"),
-    )?;
     let last = changes.iter().map(|c| c.id).max().unwrap_or(FIRST);
     let switch = include_str!("switch.rs.txt").replace("COUNT", &(last + 1).to_string());
-    put(&copy.join("src/switch.rs"), &switch)?;
+    put(&copy.join("crates/base/src/switch.rs"), &switch)?;
+    for source in ["base", "session", "model", "calibrate", "deliver"] {
+        let module = match source {
+            "base" => "#[doc(hidden)]\npub mod switch;\n",
+            _ => "use truepose_base::switch;\n",
+        };
+        add(&copy.join("crates").join(source).join("src/lib.rs"), module)?;
+    }
+    add(&copy.join("src/lib.rs"), "use truepose_base::switch;\n")?;
     for round in 1..=MOST_ROUNDS {
         for (file, text) in &originals {
             let own: Vec<&Change> = changes.iter().filter(|c| c.file == *file).collect();
@@ -63,6 +64,11 @@ pub fn all(copy: &Path, changes: &mut Vec<Change>) -> Outcome<Vec<PathBuf>> {
         }
     }
     Err("the compiler found something new to refuse each time".to_owned())
+}
+
+fn add(path: &Path, more: &str) -> Outcome<()> {
+    let own = std::fs::read_to_string(path).map_err(|e| format!("{}: {e}", path.display()))?;
+    put(path, &format!("{own}\n{more}"))
 }
 
 fn put(path: &Path, text: &str) -> Outcome<()> {

@@ -2,9 +2,9 @@
 //! tested.
 //!
 //! ```text
-//! cargo run --release --manifest-path mutation/Cargo.toml -- src/kinematics src/fit
-//! cargo run --release --manifest-path mutation/Cargo.toml -- --every 7 src/effects
-//! cargo run --release --manifest-path mutation/Cargo.toml -- --tests programs --tests export src/programs
+//! cargo run --release --manifest-path mutation/Cargo.toml -- crates/base/src/kinematics crates/calibrate/src/fit
+//! cargo run --release --manifest-path mutation/Cargo.toml -- --every 7 crates/model/src/effects
+//! cargo run --release --manifest-path mutation/Cargo.toml -- --tests programs --tests export crates/deliver/src/programs
 //! ```
 //!
 //! A tool that compiles the program anew for every change needs days for some thousand changes. Here all of
@@ -56,7 +56,7 @@ fn run() -> Outcome<()> {
         }
     }
     if under.is_empty() {
-        return Err("which folders or files? for example: src/kinematics src/fit".to_owned());
+        return Err("which folders or files? for example: crates/base/src/kinematics crates/calibrate/src/fit".to_owned());
     }
     let home = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     let copy = copy::make(&home)?;

@@ -363,6 +363,7 @@ fn named_file(code: &str) -> Option<&str> {
     let file = code.split([' ', ':', '#']).next()?;
     let folders = [
         "src/",
+        "crates/",
         "tests/",
         "scripts/",
         "docs/",
@@ -378,7 +379,8 @@ fn named_file(code: &str) -> Option<&str> {
 
 #[test]
 fn every_file_that_a_page_names_is_there() {
-    let folders = ["src", "tests", "docs/examples/extending"].map(|folder| root().join(folder));
+    let mut folders = house::sources();
+    folders.extend(["tests", "docs/examples/extending"].map(|folder| root().join(folder)));
     let sources: Vec<PathBuf> = folders
         .iter()
         .flat_map(|folder| house::files(folder))
@@ -448,27 +450,31 @@ fn the_exercises_apply_to_the_sources_as_they_are() {
     };
     let said = String::from_utf8_lossy(&ran.stderr);
     assert!(ran.status.success(), "{said}");
-    let source = folder.path().join("exercises/src");
+    let source = folder.path().join("exercises");
     for (file, register, line) in [
         (
-            "effects/scale_expansion.rs",
-            "effects/catalogue.rs",
+            "crates/model/src/effects/scale_expansion.rs",
+            "crates/model/src/effects/catalogue.rs",
             "&super::scale_expansion::SCALE_EXPANSION,",
         ),
-        ("export/json.rs", "export/mod.rs", "json,"),
         (
-            "importers/formats/euroc.rs",
-            "importers/formats/mod.rs",
+            "crates/deliver/src/export/json.rs",
+            "crates/deliver/src/export/mod.rs",
+            "json,",
+        ),
+        (
+            "crates/session/src/importers/formats/euroc.rs",
+            "crates/session/src/importers/formats/mod.rs",
             "euroc,",
         ),
         (
-            "observations/kinds/height.rs",
-            "observations/kinds/mod.rs",
+            "crates/model/src/observations/kinds/height.rs",
+            "crates/model/src/observations/kinds/mod.rs",
             "height: Height,",
         ),
         (
-            "gui/charts/cumulative.rs",
-            "gui/charts/mod.rs",
+            "src/gui/charts/cumulative.rs",
+            "src/gui/charts/mod.rs",
             "cumulative: CUMULATIVE;",
         ),
     ] {

@@ -10,9 +10,29 @@ use truepose::effects::{BESIDE_THE_CATALOGUE, CATALOGUE};
 
 /// One line of code, outside tests and without its comment.
 pub(crate) struct Line {
+    /// Below the `src` of its crate.
     pub(crate) path: String,
+    file: PathBuf,
     number: usize,
     pub(crate) text: String,
+}
+
+impl Line {
+    /// Where it is, and what it says.
+    fn shown(&self) -> String {
+        let (file, text) = (self.file.display(), self.text.trim());
+        format!("{file}:{}: {text}", self.number)
+    }
+}
+
+/// The folders of the sources: of every crate, and of the program.
+pub(crate) fn sources() -> Vec<PathBuf> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let crates = fs::read_dir(root.join("crates")).unwrap();
+    let mut all: Vec<PathBuf> = crates.map(|one| one.unwrap().path().join("src")).collect();
+    all.push(root.join("src"));
+    all.sort();
+    all
 }
 
 /// Every Rust file below a folder.
@@ -62,14 +82,22 @@ fn test_modules(all: &[(PathBuf, String)]) -> Vec<PathBuf> {
     modules
 }
 
-/// The code below `src`, without tests and comments.
+/// The code of all crates, without tests and comments.
 pub(crate) fn code() -> Vec<Line> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let lines: Vec<Line> = sources()
+        .iter()
+        .flat_map(|source| code_below(source))
+        .collect();
+    assert!(lines.len() > 10_000, "the sources are not where they were");
+    lines
+}
+
+fn code_below(root: &Path) -> Vec<Line> {
     let read = |path: PathBuf| {
         let text = fs::read_to_string(&path).unwrap();
         (path, text)
     };
-    let all: Vec<_> = files(&root).into_iter().map(read).collect();
+    let all: Vec<_> = files(root).into_iter().map(read).collect();
     let tests = test_modules(&all);
     let mut lines = Vec::new();
     for (path, text) in &all {
@@ -79,7 +107,9 @@ pub(crate) fn code() -> Vec<Line> {
         if of_tests {
             continue;
         }
-        let relative = path.strip_prefix(&root).unwrap();
+        let relative = path.strip_prefix(root).unwrap();
+        let home = Path::new(env!("CARGO_MANIFEST_DIR"));
+        let file = path.strip_prefix(home).unwrap();
         // Tests stand beneath the code.
         let code = text.lines().enumerate().take_while({
             let mut before = "";
@@ -95,13 +125,13 @@ pub(crate) fn code() -> Vec<Line> {
             if !line.trim_start().starts_with("//") {
                 lines.push(Line {
                     path: relative.to_str().unwrap().replace('\\', "/"),
+                    file: file.to_owned(),
                     number: k + 1,
                     text: line.to_owned(),
                 });
             }
         }
     }
-    assert!(lines.len() > 10_000, "the sources are not where they were");
     lines
 }
 
@@ -122,7 +152,7 @@ fn an_effect_is_named_in_its_own_file_and_nowhere_else() {
         .iter()
         .filter(|line| !line.path.starts_with("effects/"))
         .filter(|line| ids.iter().any(|id| line.text.contains(id)))
-        .map(|line| format!("src/{}:{}: {}", line.path, line.number, line.text.trim()))
+        .map(Line::shown)
         .collect();
     report(
         "ask the effect's data (About: role, owner, over, needs, setting …), not its name:",
@@ -147,12 +177,7 @@ fn an_effect_is_named_in_a_file_or_folder_of_its_own() {
                 && line.text.contains(&quoted)
                 && !limit
             {
-                found.push(format!(
-                    "src/{}:{}: {}",
-                    line.path,
-                    line.number,
-                    line.text.trim()
-                ));
+                found.push(line.shown());
             }
         }
     }
@@ -161,8 +186,7 @@ fn an_effect_is_named_in_a_file_or_folder_of_its_own() {
 
 #[test]
 fn what_the_head_of_a_folder_lists_is_there() {
-    let src = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
-    let all = files(&src);
+    let all: Vec<PathBuf> = sources().iter().flat_map(|source| files(source)).collect();
     let stem = |path: &Path| path.file_stem().unwrap().to_str().unwrap().to_owned();
     let folders = all.iter().filter_map(|file| file.parent());
     let modules: BTreeSet<String> = all
@@ -190,10 +214,7 @@ fn what_the_head_of_a_folder_lists_is_there() {
             {
                 listed += 1;
                 if !modules.contains(name) {
-                    found.push(format!(
-                        "{}: {name}",
-                        file.strip_prefix(&src).unwrap().display()
-                    ));
+                    found.push(format!("{}: {name}", file.display()));
                 }
             }
         }
@@ -219,7 +240,7 @@ fn matrices_are_decomposed_where_that_ends() {
         .iter()
         .filter(|line| line.path != "decompose.rs")
         .filter(|line| own.iter().any(|name| line.text.contains(name)))
-        .map(|line| format!("src/{}:{}: {}", line.path, line.number, line.text.trim()))
+        .map(Line::shown)
         .collect();
     report(
         "nalgebra's own may go on for ever, take crate::decompose:",
@@ -232,7 +253,7 @@ fn the_vector_of_a_rotation_is_taken_where_it_is_a_number() {
     let found: Vec<String> = code()
         .iter()
         .filter(|line| line.text.contains(".scaled_axis("))
-        .map(|line| format!("src/{}:{}: {}", line.path, line.number, line.text.trim()))
+        .map(Line::shown)
         .collect();
     report(
         "nalgebra's own is no number for some matrices, take crate::kinematics::quaternion:",
@@ -242,7 +263,7 @@ fn the_vector_of_a_rotation_is_taken_where_it_is_a_number() {
 
 #[test]
 fn the_core_knows_nothing_of_the_window() {
-    // The command that opens the window has to.
+    // The command that opens the window has to. To the other crates Cargo gives no library of the window.
     let may = ["cli/window.rs", "lib.rs"];
     let found: Vec<String> = code()
         .iter()
@@ -252,7 +273,7 @@ fn the_core_knows_nothing_of_the_window() {
                 .iter()
                 .any(|name| line.text.contains(name))
         })
-        .map(|line| format!("src/{}:{}: {}", line.path, line.number, line.text.trim()))
+        .map(Line::shown)
         .collect();
     report("the core does not import the window:", &found);
 }
@@ -365,7 +386,7 @@ fn the_window_takes_no_joint_for_the_only_one() {
     let found: Vec<String> = code()
         .iter()
         .filter(|line| line.path.starts_with("gui/") && line.text.contains("joints[0]"))
-        .map(|line| format!("src/{}:{}: {}", line.path, line.number, line.text.trim()))
+        .map(Line::shown)
         .collect();
     report("a robot has as many joints as it has:", &found);
 }

@@ -10,19 +10,20 @@
 
 use std::time::Instant;
 
+use nalgebra::Point3;
 use truepose::compensation::{Compensation, Remainder};
 use truepose::design::PlanOptions;
 use truepose::diagnosis::Options;
 use truepose::effects::{CATALOGUE, Inputs, JointValues, Survey};
 use truepose::export::{ReadBack, gap_left, gap_to, gap_without};
-use truepose::kinematics::JointKind;
+use truepose::kinematics::{JointKind, Pose, Robot};
 use truepose::model::Calibration;
 use truepose::observations::Layer;
 use truepose::pipeline::{self, Method};
 use truepose::report::as_measured;
-use truepose::sessions::{RegionChoice, Session, write_csv, write_inline};
+use truepose::sessions::{RegionChoice, Samples, Session, write_csv, write_inline};
 
-use crate::library_sessions::{BROKEN, COMMANDED, STRANGE, calibrated, sound};
+use crate::library_sessions::{BROKEN, COMMANDED, STRANGE, arm, calibrated, sound};
 
 /// What answers without being able to refuse.
 fn answers(session: &Session, good: &Calibration) {
@@ -149,7 +150,7 @@ fn a_session_in_which_nearly_everything_is_missing_ends() {
             RegionChoice::Given(Vec::new()),
             RegionChoice::Adaptive,
         ] {
-            let _ = choice.resolve(&s);
+            let _ = truepose::fit::regions_of(&choice, &s);
             let _ = pipeline::identify(&s, &Method::Regional(choice), COMMANDED);
         }
         let _ = pipeline::standards(&s, Some(&good));
@@ -214,5 +215,56 @@ fn options_that_make_no_sense_are_refused_or_do_nothing() {
                 "{options:?}"
             );
         }
+    }
+}
+
+#[test]
+fn what_a_stranger_fills_in_by_hand_is_completed_and_never_panics() {
+    let q: Vec<[f64; 1]> = (-20..=20).map(|k| [0.07 * f64::from(k)]).collect();
+    let seen = |[q]: &[f64; 1]| Point3::new(250.0 * q.cos(), 250.0 * q.sin(), 300.0);
+    let points: Vec<Point3<f64>> = q.iter().map(seen).collect();
+    let column = Robot {
+        base_from_tool: Pose::translation(250.0, 0.0, 300.0),
+        ..arm(1)
+    };
+    // No `dir`, no targets: what the types allow.
+    let session = Session {
+        samples: Samples {
+            q: vec![q.iter().map(|[q]| *q).collect()],
+            x_mm: points.iter().map(|p| p.x).collect(),
+            y_mm: points.iter().map(|p| p.y).collect(),
+            z_mm: Some(points.iter().map(|p| p.z).collect()),
+            ..Samples::default()
+        },
+        targets: Vec::new(),
+        ..Session::new(column, &q, &points).unwrap()
+    };
+    let identify =
+        |session: &Session| pipeline::identify_checked(session, &Method::default(), COMMANDED);
+    assert!(identify(&session).unwrap().identification.gap.after.rms_mm < 1e-9);
+    assert!(pipeline::diagnose(&session, &Options::default(), &|_| true).is_ok());
+    // Anything else is refused in words.
+    let spoils: &[fn(&mut Session)] = &[
+        |s| s.samples.q.clear(),
+        |s| s.samples.q[0].truncate(3),
+        |s| s.samples.y_mm.clear(),
+        |s| s.samples.z_mm = Some(Vec::new()),
+        |s| s.samples.target = Some(vec![7; s.samples.x_mm.len()]),
+        |s| s.samples.dir = vec![None; 4],
+        |s| s.samples.held_out = Some(Vec::new()),
+        |s| s.samples.time_s = Some(vec![1.0]),
+        |s| s.robot.joints.clear(),
+        |s| s.robot.joints = vec![s.robot.joints[0].clone(); 101],
+        |s| s.robot.base_from_tool.translation.vector.x = 1e160,
+    ];
+    for (k, spoil) in spoils.iter().enumerate() {
+        let mut wrong = session.clone();
+        spoil(&mut wrong);
+        assert!(identify(&wrong).is_err(), "{k}");
+        assert!(
+            pipeline::diagnose(&wrong, &Options::default(), &|_| true).is_err(),
+            "{k}"
+        );
+        assert!(wrong.checked().is_err(), "{k}");
     }
 }

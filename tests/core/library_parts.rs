@@ -13,7 +13,7 @@ use std::ops::ControlFlow;
 
 use nalgebra::{DMatrix, Point3, Vector3};
 use truepose::compensation::{Compensation, Conditions, JointTable, Remainder, Side};
-use truepose::design::{measuring_list, measuring_program, plan_robot};
+use truepose::design::plan_robot;
 use truepose::diagnosis::NextPose;
 use truepose::effects::{CATALOGUE, Curve, Inputs, JointFrame, Knots, Term};
 use truepose::export::{EXPORTERS, Job, gap_to, gap_without};
@@ -21,6 +21,7 @@ use truepose::kinematics::{Follows, Goal, Inverse, Pose, Range, Robot};
 use truepose::model::{Calibration, Model, model_hash};
 use truepose::pipeline;
 use truepose::programs::{Axes, LANGUAGES, Stop, Text, stops};
+use truepose::programs::{measuring_list, measuring_program};
 use truepose::sessions::Session;
 use truepose::simulation::{Noise, NoiseKind, Poses, Scenario, Sweep, Temperature, simulate};
 use truepose::standards::TestCube;

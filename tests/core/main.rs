@@ -66,6 +66,7 @@ mod recordings;
 mod recovery;
 mod report;
 mod report_details;
+mod report_languages;
 mod rivals;
 mod robot_library;
 mod robots;

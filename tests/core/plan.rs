@@ -7,12 +7,12 @@ use std::process::Output;
 
 use crate::rig::{Design, Hidden, Random, Rig, Shot};
 use serde_json::Value;
-use truepose::design::measuring_list;
 use truepose::design::{PlanError, PlanOptions, plan_robot, plan_session};
 use truepose::diagnosis::NextPose;
 use truepose::diagnosis::{Diagnosis, Options};
 use truepose::kinematics::{JointKind, Robot};
 use truepose::pipeline::diagnose;
+use truepose::programs::measuring_list;
 use truepose::sessions::{Session, parse, parse_robot, parse_with_csv};
 
 const AXIS: &str = r#"{ "name": "axis", "joints": [ { "name": "pan", "kind": "revolute",

@@ -26,10 +26,10 @@ use std::path::PathBuf;
 
 use nalgebra::{DMatrix, Matrix3, Vector3};
 use serde_json::Value;
-use truepose::design::measuring_program;
 use truepose::design::{Plan, PlanError, PlanOptions, plan_robot, plan_session};
 use truepose::diagnosis::NextPose;
 use truepose::kinematics::Robot;
+use truepose::programs::measuring_program;
 use truepose::programs::{Axes, Shape, find};
 use truepose::sessions::{Session, load, parse_robot};
 

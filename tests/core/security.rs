@@ -9,10 +9,10 @@ use std::path::Path;
 
 use serde_json::{Value, json};
 
-use crate::house::code;
+use crate::house::{self, code};
 use crate::limits::{Ran, folder, identified, of_description, session, truepose};
 
-/// Files of `src`, without tests, that say one of these words.
+/// Files of all crates, without tests, that say one of these words.
 fn files_that_say(words: &[&str]) -> Vec<String> {
     let says = |text: &str| words.iter().any(|word| text.contains(word));
     let mut files: Vec<String> = code()
@@ -20,6 +20,7 @@ fn files_that_say(words: &[&str]) -> Vec<String> {
         .filter(|line| says(&line.text))
         .map(|line| line.path)
         .collect();
+    files.sort();
     files.dedup();
     files
 }
@@ -215,7 +216,8 @@ fn named_tests(page: &str) -> Vec<String> {
 fn every_test_that_the_pages_name_is_there() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let mut functions = Vec::new();
-    let mut folders = vec![root.join("src"), root.join("tests")];
+    let mut folders = house::sources();
+    folders.push(root.join("tests"));
     while let Some(folder) = folders.pop() {
         for entry in fs::read_dir(folder).unwrap() {
             let path = entry.unwrap().path();

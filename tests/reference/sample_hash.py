@@ -1,4 +1,4 @@
-"""The hash that src/sessions/files/hash.rs pins, computed from its description and nothing else.
+"""The hash that crates/session/src/sessions/files/hash.rs pins, computed from its description and nothing else.
 
 Run: python3 tests/reference/sample_hash.py
 """

@@ -206,10 +206,19 @@ pub(crate) fn gaps(regions: &[Region], within: (f64, f64)) -> Vec<(f64, f64)> {
 
 #[cfg(test)]
 mod tests {
-    use crate::sessions::regions::testing::regions;
     use crate::units::rad_from_deg;
 
     use super::*;
+
+    /// Regions from and to these degrees, named 1, 2, … in this order.
+    fn regions(degrees: &[(f64, f64)]) -> Vec<Region> {
+        let make = |(k, (from, to)): (usize, &(f64, f64))| Region {
+            name: (k + 1).to_string(),
+            from_rad: rad_from_deg(*from),
+            to_rad: rad_from_deg(*to),
+        };
+        degrees.iter().enumerate().map(make).collect()
+    }
 
     const WITHIN: (f64, f64) = (-1.6, 1.6);
 

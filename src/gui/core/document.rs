@@ -6,7 +6,7 @@ use std::sync::Arc;
 use crate::diagnosis::Diagnosis;
 use crate::effects::{JointValues, Term};
 use crate::export::{find, usual};
-use crate::fit::DEFAULT_EFFECTS;
+use crate::fit::{DEFAULT_EFFECTS, regions_of};
 use crate::kinematics::Robot;
 use crate::language::spoken;
 use crate::model::RegionalCorrection;
@@ -121,9 +121,7 @@ impl Document {
     pub(crate) fn new(loaded_session: Arc<LoadedSession>) -> Self {
         let regions = if loaded_session.single_revolute() && !loaded_session.is_empty() {
             // A session at one angle has no range to divide, and so no regions.
-            RegionChoice::FromSession
-                .resolve(&loaded_session.session)
-                .unwrap_or_default()
+            regions_of(&RegionChoice::FromSession, &loaded_session.session).unwrap_or_default()
         } else {
             Vec::new()
         };
@@ -335,9 +333,7 @@ impl Decision {
 
 /// Divides where the samples ask for it. Takes its time with many samples.
 pub(crate) fn adapt(session: &Session) -> Result<(Vec<Region>, Decision), String> {
-    let regions = RegionChoice::Adaptive
-        .resolve(session)
-        .map_err(|e| spoken(e.describe()))?;
+    let regions = regions_of(&RegionChoice::Adaptive, session).map_err(|e| spoken(e.describe()))?;
     let left = |choice| {
         let method = pipeline::Method::Regional(choice);
         let (found, _) = identify(session, &method, JointValues::Commanded).ok()?;

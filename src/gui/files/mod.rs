@@ -205,7 +205,7 @@ pub(crate) fn open_example(index: usize) -> Result<Opened, Message> {
 mod tests {
     use super::*;
     use crate::gui::core::disk::EXAMPLES;
-    use crate::progress::testing::{assert_grows, no_at, report_to};
+    use crate::watching::{assert_grows, no_at, report_to};
 
     #[test]
     fn looking_through_a_session_can_be_cancelled_wherever_it_tells_how_far_it_is() {

@@ -18,7 +18,7 @@ use crate::gui::view::{NextAction, Sheet};
 use crate::gui::views::status;
 use crate::gui::{dialogs, files};
 use crate::progress::Progress;
-use crate::progress::testing::{assert_grows, no_at, report_to};
+use crate::watching::{assert_grows, no_at, report_to};
 
 /// A part of the window with this workbench, without a display.
 struct Shown {

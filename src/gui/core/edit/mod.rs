@@ -7,6 +7,7 @@ use std::sync::Arc;
 use crate::diagnosis::SessionCorrection;
 use crate::document::degrees;
 use crate::effects::Term;
+use crate::fit::regions_of;
 use crate::language::spoken;
 use crate::sessions::Region;
 use crate::sessions::division::RegionChoice;
@@ -126,7 +127,7 @@ fn apply_to_regions(edit: &Edit, document: &Document) -> Option<Result<Document,
 fn divided(edit: &Edit, document: &Document) -> Option<Result<(Vec<Region>, Division), String>> {
     let loaded_session = &document.loaded_session;
     let resolved = |choice: RegionChoice| {
-        let regions = choice.resolve(&loaded_session.session);
+        let regions = regions_of(&choice, &loaded_session.session);
         regions.map_err(|e| spoken(e.describe()))
     };
     let by_hand = |regions: Option<Vec<Region>>, otherwise: &str| {

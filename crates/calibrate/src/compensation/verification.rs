@@ -1,0 +1,521 @@
+//! How well a calibration does on a session: its own, or another one of the same robot.
+//!
+//! - *nominal*: measured − nominal robot, of a session with setups seen from where each stands best. *model*: measured − model.
+//! - *within tolerance*: poses whose deviation is at most the tolerance, before (nominal) and after
+//!   (model); the tolerance is the session's, else the calibration's.
+//! - *compensated*: what would be measured with the table active, measured − model + what the model
+//!   says stays: noise and everything unknown are in it. The table is for the reference conditions,
+//!   so what load, warmth and speed do at the sample stays in as well.
+//! - *cannot be removed by joints*: what stays of the model when each command is corrected for its
+//!   own conditions; root mean square over the poses.
+//!
+//! A session that was measured with a table active (`compensated_by`) is not compensated a second
+//! time. If it was this model's table, the model predicts where the corrected commands lead.
+//!
+//! Frames of another session (a bump of the tripod, its drift, its setups) are none of this one's:
+//! they count only where the samples are the ones that the calibration came from. A setup that the model
+//! knows by its name stands where the model says; for another one the frame is fitted, and that is said.
+//! So is the tool's position in a session with another tool or other targets: joints and links carry over.
+//!
+//! Every RMS error is over all samples, suspected outliers among them; beside it stands what is left without
+//! those, with their number, and where they are many or belong together that is a problem of the data. Of the
+//! session that the model came from the held-out samples are apart. For the paper's method everything is in
+//! the plane of motion; z is not used.
+
+use crate::effects::{Inputs, JointValues, MEASURING_FRAME, Owner, Role, Term, called};
+use crate::fit::gap::{Deviations, Spread};
+use crate::fit::problem::Problem;
+use crate::kinematics::JointKind;
+use crate::kinematics::quaternion::log;
+use crate::lanes::{add_scaled, minus};
+use crate::model::rigid_motion::best_rigid_motion;
+use crate::model::{Calibration, Model, Positions};
+use crate::sessions::{Session, hash_of_samples};
+use crate::text::Text;
+
+use crate::answers::diagnosis::DataProblem;
+
+use super::conditions::Conditions;
+use super::plan::Compensation;
+
+/// Numbers of poses within the tolerance.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct WithinTolerance {
+    /// With the nominal robot.
+    pub before: usize,
+    /// With the model.
+    pub after: usize,
+    /// With corrected commands; `None` for a session that was compensated already.
+    pub corrected: Option<usize>,
+    /// Of so many.
+    pub of: usize,
+}
+
+/// The robot with its commands corrected.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Compensated {
+    /// The gap to the nominal robot, mm.
+    pub gap: Spread,
+    /// What no joint can remove, root mean square, mm.
+    pub cannot_be_removed_by_joints_mm: f64,
+}
+
+/// The error that is left without the samples that are suspected outliers.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Trimmed {
+    /// RMS error of the nominal robot, mm.
+    pub nominal_mm: f64,
+    /// RMS error of the model, mm.
+    pub model_mm: f64,
+    /// So many samples were set aside.
+    pub set_aside: usize,
+}
+
+impl Trimmed {
+    /// Of the lengths that count, to the nominal robot and to the model, mm; `None` where nothing is suspected.
+    pub(super) fn of(
+        nominal_mm: &[f64],
+        model_mm: &[f64],
+        counts: impl Fn(usize) -> bool,
+        suspected: &[bool],
+    ) -> Option<Self> {
+        let is_set_aside = |i: &usize| counts(*i) && suspected[*i];
+        let set_aside = (0..model_mm.len()).filter(is_set_aside).count();
+        let left = |lengths_mm: &[f64]| {
+            let left = Spread::of(lengths_mm, |i| counts(i) && !suspected[i], |_| false);
+            left.map_or(f64::NAN, |left| left.rms_mm)
+        };
+        (set_aside > 0).then(|| Self {
+            nominal_mm: left(nominal_mm),
+            model_mm: left(model_mm),
+            set_aside,
+        })
+    }
+}
+
+/// RMS errors of samples that no fit has seen, mm.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct HeldOutErrors {
+    /// How many there are.
+    pub samples: usize,
+    /// Nominal robot.
+    pub nominal_mm: f64,
+    /// Model.
+    pub model_mm: f64,
+}
+
+/// Errors in mm of the nominal robot, the model and corrected commands on one session.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Verification {
+    /// Name of the session.
+    pub session: String,
+    /// Number of samples that could be used.
+    pub samples: usize,
+    /// Gap to the nominal robot.
+    pub nominal: Spread,
+    /// Gap to the model.
+    pub model: Spread,
+    /// `None` without a tolerance.
+    pub within_tolerance: Option<WithinTolerance>,
+    /// `None` for a session that was compensated already.
+    pub compensated: Option<Compensated>,
+    /// Measured − nominal robot, sample by sample.
+    pub before: Deviations,
+    /// Measured − model, sample by sample.
+    pub after: Deviations,
+    /// RMS errors of the held-out samples of the session that the model came from, which are in none of the
+    /// above; `None` of any other session, all of whose samples are unseen.
+    pub held_out: Option<HeldOutErrors>,
+    /// The same without suspected outliers; `None` where there are none.
+    pub trimmed: Option<Trimmed>,
+    /// Suspected outliers that are too many to be set aside, or that belong together.
+    pub data_problems: Vec<DataProblem>,
+    /// Suspected outliers, counted from 0.
+    pub outliers: Vec<usize>,
+    /// What else there is to say.
+    pub notes: Vec<Text>,
+}
+
+/// Why a session cannot be compared with a model.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum VerifyError {
+    /// Another number or kind of joints.
+    DifferentRobots {
+        /// Joints of the session's robot.
+        session: Text,
+        /// Joints of the model's robot.
+        model: Text,
+    },
+    /// No sample is complete.
+    NothingToVerify,
+    /// The session is no whole one: columns of different lengths, more joints than a robot has.
+    Rejected(crate::diagnostic::Rejected),
+}
+
+impl VerifyError {
+    /// In words.
+    pub fn describe(&self) -> Text {
+        match self {
+            Self::DifferentRobots { session, model } => text!(
+                "the session's robot has {session} and the model's {model}: they are different robots",
+                session,
+                model
+            ),
+            Self::NothingToVerify => text!(
+                "no sample can be used: every one lacks a joint value or a measured point (x_mm, y_mm)"
+            ),
+            Self::Rejected(inner) => inner.describe(),
+        }
+    }
+}
+
+displays_what_it_says!(VerifyError);
+
+impl std::error::Error for VerifyError {}
+
+impl From<crate::diagnostic::Rejected> for VerifyError {
+    fn from(error: crate::diagnostic::Rejected) -> Self {
+        Self::Rejected(error)
+    }
+}
+
+/// Samples that the session that a model came from holds out.
+pub(super) fn held_out_of(problem: &Problem, own: bool) -> Vec<bool> {
+    let held_out = problem.session.samples.held_out.as_deref();
+    let is_apart = |i: usize| own && problem.usable[i] && held_out.is_some_and(|h| h[i]);
+    (0..problem.usable.len()).map(is_apart).collect()
+}
+
+/// Samples that the figures are taken over: every one that can be used, of the session that a model came from
+/// those that may be fitted. Where that leaves none, all.
+pub(super) fn counted(problem: &Problem, apart: &[bool]) -> Vec<bool> {
+    let pairs = problem.usable.iter().zip(apart);
+    let counted: Vec<bool> = pairs.map(|(usable, apart)| *usable && !apart).collect();
+    if counted.contains(&true) {
+        counted
+    } else {
+        problem.usable.clone()
+    }
+}
+
+/// Errors of the samples that are held out.
+pub(super) fn held_out(
+    is_held_out: &[bool],
+    before: &Deviations,
+    after: &Deviations,
+) -> Option<HeldOutErrors> {
+    let rms = |d: &Deviations| Spread::of(&d.length_mm, |i| is_held_out[i], |_| false);
+    Some(HeldOutErrors {
+        samples: is_held_out.iter().filter(|apart| **apart).count(),
+        nominal_mm: rms(before)?.rms_mm,
+        model_mm: rms(after)?.rms_mm,
+    })
+}
+
+/// How far corrected commands would move each of a session's points from where they were measured,
+/// mm: reached − model. `None` for a session that was compensated already.
+///
+/// # Errors
+/// If the session's robot is another one.
+pub fn moved_by_correction(
+    calibration: &Calibration,
+    session: &Session,
+) -> Result<Option<Positions>, VerifyError> {
+    let mut notes = same_robot(calibration, session)?;
+    if session.compensated_by.is_some() {
+        return Ok(None);
+    }
+    let problem = Problem::new(session, JointValues::Commanded);
+    let compensation = Compensation::new(calibration);
+    let full = model_for(calibration, session, &problem, &mut notes);
+    let model = where_the_model_is(&compensation, &full, &problem.inputs, None);
+    Ok(Some(moved(&compensation, &problem.inputs, &model)))
+}
+
+/// Reached with the table for the reference conditions − where the model is, mm.
+pub(super) fn moved(compensation: &Compensation, inputs: &Inputs, model: &Positions) -> Positions {
+    let table = Conditions::default().impose_on(inputs);
+    let corrections = compensation.joint_corrections(&table);
+    let mut reached = compensation.reached(inputs, &corrections);
+    let columns = [
+        (&mut reached.x_mm, &model.x_mm),
+        (&mut reached.y_mm, &model.y_mm),
+        (&mut reached.z_mm, &model.z_mm),
+    ];
+    for (reached, model) in columns {
+        for (reached, model) in reached.iter_mut().zip(model) {
+            *reached -= model;
+        }
+    }
+    reached
+}
+
+/// How far the table moves poses of a calibration's own session, mm: reached − model, as of its samples.
+pub fn moved_at(calibration: &Calibration, inputs: &Inputs) -> Positions {
+    let compensation = Compensation::new(calibration);
+    let model = where_the_model_is(&compensation, &calibration.model, inputs, None);
+    moved(&compensation, inputs, &model)
+}
+
+/// Samples that a question about a whole session is asked of: without excluded ones.
+fn over_all(problem: &Problem) -> impl Fn(usize) -> bool {
+    let usable = problem.usable.clone();
+    move |i| usable[i]
+}
+
+/// The RMS error that a table leaves on a session, `correction` being what the controller adds for a
+/// sample of this command and side of one joint, all as the controller counts them (rad or mm). The other
+/// joints go uncorrected.
+pub fn gap_with_table(
+    calibration: &Calibration,
+    session: &Session,
+    joint: usize,
+    correction: impl Fn(f64, f64) -> f64,
+) -> Option<Spread> {
+    if joint >= session.robot.joints.len() {
+        return None;
+    }
+    let set_up = &calibration.set_up;
+    let session = &*set_up.applied(session, is_own(calibration, session));
+    let robot = &calibration.model.robot;
+    let problem = Problem::new(session, JointValues::Commanded);
+    let inputs = &problem.inputs;
+    let compensation = Compensation::new(calibration);
+    let nominal = compensation.nominal.predict(inputs);
+    let mut ignored = Vec::new();
+    let full = model_for(calibration, session, &problem, &mut ignored);
+    let model = where_the_model_is(&compensation, &full, inputs, None);
+    let mut corrections = vec![vec![0.0; inputs.len()]; inputs.q.len()];
+    let mut sides = vec![0.0; inputs.q.len()];
+    for i in 0..inputs.len() {
+        let of_model: Vec<f64> = inputs.q.iter().map(|q| q[i]).collect();
+        let mut told = of_model.clone();
+        set_up.to_raw(robot, &mut told);
+        for (side, dir) in sides.iter_mut().zip(&inputs.dir) {
+            *side = dir.as_ref().map_or(0.0, |dir| dir[i]);
+        }
+        set_up.signs_to_raw(&mut sides);
+        told[joint] += correction(told[joint], sides[joint]);
+        set_up.to_model(robot, &mut told);
+        for ((all, told), was) in corrections.iter_mut().zip(told).zip(of_model) {
+            all[i] = told - was;
+        }
+    }
+    let reached = compensation.reached(inputs, &corrections);
+    let expected = |i: usize| add_scaled(nominal.get(i), minus(model.get(i), reached.get(i)), 1.0);
+    let left = measured_minus(session, &problem, &compensation, expected);
+    Spread::of(&left.length_mm, over_all(&problem), |_| false)
+}
+
+/// The RMS error of the same session without a table.
+pub fn gap_without_table(calibration: &Calibration, session: &Session) -> Option<Spread> {
+    gap_with_table(calibration, session, 0, |_, _| 0.0)
+}
+
+/// The gap to another description of the robot, the instrument's own effects being left to it.
+pub fn gap_to_robot(
+    calibration: &Calibration,
+    session: &Session,
+    robot: &crate::kinematics::Robot,
+) -> Option<Spread> {
+    let session = &*calibration
+        .set_up
+        .applied(session, is_own(calibration, session));
+    let problem = Problem::new(session, JointValues::Commanded);
+    let inputs = &problem.inputs;
+    let compensation = Compensation::new(calibration);
+    let mut ignored = Vec::new();
+    let full = model_for(calibration, session, &problem, &mut ignored);
+    // What the instrument adds to the model it adds to any robot in the same place.
+    let (full, own) = (full.predict(inputs), compensation.robot.predict(inputs));
+    let mut inputs_there = inputs.clone();
+    let nominal = &calibration.model.robot.base_from_tool;
+    for home in &mut inputs_there.reflectors_at_home {
+        let in_tool = nominal.inverse_transform_point(&(*home).into());
+        *home = (robot.base_from_tool * in_tool).coords.into();
+    }
+    let there = Model::nominal(robot.clone()).predict(&inputs_there);
+    let expected = |i: usize| add_scaled(there.get(i), minus(full.get(i), own.get(i)), 1.0);
+    let left = measured_minus(session, &problem, &compensation, expected);
+    Spread::of(&left.length_mm, over_all(&problem), |_| false)
+}
+
+/// Whether the model came from these samples.
+pub(super) fn is_own(calibration: &Calibration, session: &Session) -> bool {
+    hash_of_samples(session) == calibration.samples_hash
+}
+
+pub(super) fn same_robot(
+    calibration: &Calibration,
+    session: &Session,
+) -> Result<Vec<Text>, VerifyError> {
+    let kinds = |robot: &crate::kinematics::Robot| {
+        let said = |kind: JointKind| match kind {
+            JointKind::Revolute => Text::named(kind.name(), phrase!("revolute")),
+            JointKind::Prismatic => Text::named(kind.name(), phrase!("prismatic")),
+        };
+        Text::listed(robot.joints.iter().map(|j| said(j.kind)), ", ")
+    };
+    let (a, b) = (&session.robot, &calibration.model.robot);
+    let (a, b) = (kinds(a), kinds(b));
+    if a != b {
+        return Err(VerifyError::DifferentRobots {
+            session: a,
+            model: b,
+        });
+    }
+    let same = session
+        .robot
+        .joints
+        .iter()
+        .zip(&calibration.model.robot.joints);
+    let same_axes = same.into_iter().all(|(a, b)| a.axis == b.axis);
+    // The tool of an arm is fitted; a single axis has effects of its own for where its tool is.
+    let same_tool = session.robot.base_from_tool == calibration.model.robot.base_from_tool;
+    Ok(
+        match (same_axes, same_tool || session.robot.joints.len() > 1) {
+            (true, true) => Vec::new(),
+            (true, false) => vec![text!(
+                "the session's robot has another tool than the model's: the model's nominal robot is used"
+            )],
+            (false, _) => vec![text!(
+                "the session's robot has other axes than the model's: the model's nominal robot is used"
+            )],
+        },
+    )
+}
+
+/// The corrections that were active while measuring; `None` where there were none, or where they
+/// are another model's.
+pub(super) fn applied_corrections(
+    hash: &str,
+    session: &Session,
+    compensation: &Compensation,
+    inputs: &Inputs,
+    notes: &mut Vec<Text>,
+) -> Option<Vec<Vec<f64>>> {
+    let by = session.compensated_by.as_ref()?;
+    let ours = by == hash;
+    notes.push(
+        if ours {
+            text!("the session was measured with this model's table active: it shows what is left, and is not compensated a second time")
+        } else {
+            text!("the session was measured with another model's table active: it is not compensated a second time, and this model does not know what that table did")
+        },
+    );
+    let table = Conditions::default().impose_on(inputs);
+    ours.then(|| compensation.joint_corrections(&table))
+}
+
+/// The model as it applies to this session: shifts and drifts of another one are left out. A setup
+/// that the model knows by name stands where the model says, another one where it fits best.
+pub(super) fn model_for(
+    calibration: &Calibration,
+    session: &Session,
+    problem: &Problem,
+    notes: &mut Vec<Text>,
+) -> Model {
+    if hash_of_samples(session) == calibration.samples_hash {
+        return calibration.model.clone();
+    }
+    let is_frame = |t: &Term| t.effect.about().role == Role::FreeFrame;
+    let setups = session.samples.setups.as_ref();
+    // Without setups on either side there is one instrument, and it stands where it stood.
+    let arm = session.robot.joints.len() > 1;
+    let one_place = |t: &Term| arm && is_frame(t) && t.label.is_none() && setups.is_none();
+    let theirs = |t: &Term| t.effect.about().owner == Owner::Session && !one_place(t);
+    let dropped: Vec<&str> = calibration
+        .model
+        .terms()
+        .iter()
+        .filter(|t| theirs(t) && !is_frame(t))
+        .map(|t| t.effect.about().id)
+        .collect();
+    if !dropped.is_empty() {
+        notes.push(text!(
+            "{effects} belong to the session that the model came from and are excluded",
+            effects = Text::listed(dropped.into_iter().map(called), ", ")
+        ));
+    }
+    let mut model = calibration.model.without(theirs);
+    let Some(setups) = setups else {
+        return model;
+    };
+    let predicted = model.predict(&problem.inputs);
+    for (setup, name) in setups.names.iter().enumerate() {
+        let known = calibration.model.terms().iter();
+        let mut known = known.filter(|t| is_frame(t) && t.label.as_deref() == Some(name));
+        if let Some(frame) = known.next() {
+            let setting = setup as f64;
+            model = model.with_term(Term {
+                setting,
+                ..frame.clone()
+            });
+            continue;
+        }
+        notes.push(text!(
+            "the model knows no setup {name}: its frame is fitted to these samples",
+            name
+        ));
+        let inside = |i: usize| problem.usable[i] && setups.index[i] as usize == setup;
+        if let Some(frame) = best_rigid_motion(session, &predicted, inside) {
+            let mut term = Term::absent(&MEASURING_FRAME, 0, setup as f64);
+            let turn = log(&frame.rotation);
+            let shift = frame.translation.vector;
+            term.coefficients = [turn.as_slice(), shift.as_slice()].concat();
+            model = model.with_term(term);
+        }
+    }
+    model
+}
+
+pub(super) fn where_the_model_is(
+    compensation: &Compensation,
+    full: &Model,
+    inputs: &Inputs,
+    applied: Option<&[Vec<f64>]>,
+) -> Positions {
+    let none: Vec<Vec<f64>>;
+    let corrections = if let Some(applied) = applied {
+        applied
+    } else {
+        none = vec![vec![0.0; inputs.len()]; inputs.q.len()];
+        &none
+    };
+    if compensation.regional.is_some() {
+        return compensation.reached(inputs, corrections);
+    }
+    let mut told = inputs.clone();
+    for (q, by) in told.q.iter_mut().zip(corrections) {
+        for (q, by) in q.to_mut().iter_mut().zip(by) {
+            *q += by;
+        }
+    }
+    full.predict(&told)
+}
+
+/// Deviations of the measured points from expected ones; NaN where a sample cannot be used.
+pub(super) fn measured_minus(
+    session: &Session,
+    problem: &Problem,
+    compensation: &Compensation,
+    expected: impl Fn(usize) -> [f64; 3],
+) -> Deviations {
+    let samples = &session.samples;
+    let mut deviations = Deviations::default();
+    for i in 0..samples.len() {
+        let expected = expected(i);
+        let z = samples.z_mm.as_ref().map_or(expected[2], |z| z[i]);
+        let measured = [samples.x_mm[i], samples.y_mm[i], z];
+        let e = if problem.usable[i] {
+            compensation.deviation(measured, expected)
+        } else {
+            [f64::NAN; 3]
+        };
+        for (column, value) in deviations.axes_mm.iter_mut().zip(e) {
+            column.push(value);
+        }
+        deviations.length_mm.push(crate::lanes::dot(e, e).sqrt());
+    }
+    deviations
+}

@@ -1,0 +1,217 @@
+//! Under which conditions the poses of a robot with several joints are measured: from which side every
+//! joint comes, with which load, how warm, so that they tell most of the effects beside the geometry.
+//!
+//! Loads and temperatures follow a schedule in four stretches; which pose is measured in which stretch, and from which sides, is
+//! chosen by the information about every effect of the catalogue (D-optimality, `exchange`).
+//! Within a stretch the poses are put into a short way. All are measured at standstill, after an
+//! approach of its own that is as long for every pose ([`approach`]).
+
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+
+use super::arm::Arm;
+use super::candidates::Candidate;
+use super::exchange::{Criterion, Information, choose};
+use super::expected_rows::{SECONDS_PER_POSE, shown};
+use super::first_measurement::WARMTHS;
+use super::information::every_effect;
+use super::needs::WARMING_C;
+use super::path;
+use super::varied::Varied;
+use crate::diagnosis::NextPose;
+use crate::effects::{Setting, Term};
+use crate::kinematics::{Joint, JointKind, Range};
+use crate::model::Model;
+
+/// Load in each stretch, as a share of the test load: it is changed twice, and a drift in time cancels.
+/// Warmth is that of a first measurement: cold, warming up, warm, cooling down.
+const LOADS: [f64; 4] = [0.0, 1.0, 1.0, 0.0];
+/// Poses from which on there are stretches.
+const SOME: usize = 16;
+/// Sides of approach that are tried for each pose, and of many poses.
+const SIDES: [usize; 2] = [4, 2];
+const MANY: usize = 120;
+/// What is known of an effect beforehand: it moves the target by no more than so many times the noise.
+const USUAL: f64 = 10.0;
+
+/// How far before a pose the approach to it begins, rad or mm: 5° or 10 mm, within a quarter of the
+/// range.
+pub fn approach(joint: &Joint, range: Option<Range>) -> f64 {
+    let usual = match joint.kind {
+        JointKind::Revolute => joint.kind.to_base_units(5.0),
+        JointKind::Prismatic => 10.0,
+    };
+    range.map_or(usual, |r| usual.min(0.25 * (r.to - r.from)))
+}
+
+/// The poses in measuring order, each with its conditions.
+pub(crate) fn conditioned(
+    arm: &Arm,
+    poses: &[Candidate],
+    varied: Varied,
+    seed: u64,
+) -> Vec<NextPose> {
+    let stretches = if poses.len() >= SOME && (varied.load_kg.is_some() || varied.heats) {
+        LOADS.len()
+    } else {
+        1
+    };
+    let mut slots = ConditionedPoses::new(arm, poses, varied, seed, stretches);
+    let order = choose(&mut slots, poses.len());
+    let robot = &arm.session.robot;
+    let at_home = |range: &Range| 0.0_f64.clamp(range.from, range.to);
+    let mut here: Vec<f64> = arm.ranges.iter().map(at_home).collect();
+    let mut all: Vec<&Candidate> = Vec::new();
+    for stretch in 0..stretches {
+        let inside = order.iter().filter(|k| slots.stretch[**k] == stretch);
+        let own: Vec<&Candidate> = inside.map(|k| &slots.candidates[*k]).collect();
+        let places: Vec<&[f64]> = own.iter().map(|c| &c.q[..]).collect();
+        let way = path::short(robot, &places, &here);
+        all.extend(way.into_iter().map(|k| own[k]));
+        if let Some(last) = all.last() {
+            here.clone_from(&last.q);
+        }
+    }
+    let (writing, why) = (
+        arm.writing(Some(varied)),
+        text!("joint values that tell most"),
+    );
+    let poses = all.into_iter().map(|c| writing.pose(c, why.clone()));
+    poses.collect()
+}
+
+/// Poses under all conditions that are offered.
+struct ConditionedPoses {
+    candidates: Vec<Candidate>,
+    pose: Vec<usize>,
+    stretch: Vec<usize>,
+    information: Information,
+    used: Vec<bool>,
+    free_in_stretch: Vec<usize>,
+}
+
+impl ConditionedPoses {
+    fn new(arm: &Arm, poses: &[Candidate], varied: Varied, seed: u64, stretches: usize) -> Self {
+        let mut random = ChaCha8Rng::seed_from_u64(seed ^ 0x51de);
+        let (mut candidates, mut pose, mut stretch) = (Vec::new(), Vec::new(), Vec::new());
+        let sides = SIDES[usize::from(poses.len() > MANY)];
+        for (k, own) in poses.iter().enumerate() {
+            let mut dir = vec![1.0; own.q.len()];
+            for side in 0..sides {
+                for d in &mut dir {
+                    // Every other one is the opposite of that before.
+                    *d = if side % 2 == 1 {
+                        -*d
+                    } else if random.random::<bool>() {
+                        1.0
+                    } else {
+                        -1.0
+                    };
+                }
+                let dir = possible(arm, &own.q, &dir);
+                for s in 0..stretches {
+                    let above_20_c = WARMING_C * WARMTHS[s];
+                    candidates.push(Candidate {
+                        dir: dir.clone(),
+                        load_kg: varied.load_kg.map_or(0.0, |kg| kg * LOADS[s]),
+                        above_20_c: if varied.heats { above_20_c } else { 0.0 },
+                        ..own.clone()
+                    });
+                    pose.push(k);
+                    stretch.push(s);
+                }
+            }
+        }
+        let n = poses.len();
+        Self {
+            information: information(arm, &candidates, varied, &stretch, [n, stretches]),
+            used: vec![false; n],
+            free_in_stretch: (0..stretches)
+                .map(|s| (s + 1) * n / stretches - s * n / stretches)
+                .collect(),
+            candidates,
+            pose,
+            stretch,
+        }
+    }
+}
+
+/// Sides from which the approach begins within the limits.
+fn possible(arm: &Arm, q: &[f64], dir: &[f64]) -> Vec<f64> {
+    let joints = arm.session.robot.joints.iter().zip(&arm.ranges);
+    let one = |((joint, range), (q, dir)): ((&Joint, &Range), (&f64, &f64))| {
+        let from = q - dir * approach(joint, Some(*range));
+        if from < range.from {
+            -1.0
+        } else if from > range.to {
+            1.0
+        } else {
+            *dir
+        }
+    };
+    joints.zip(q.iter().zip(dir)).map(one).collect()
+}
+
+impl Criterion for ConditionedPoses {
+    fn worths(&self) -> Vec<f64> {
+        let of = |k: usize| {
+            let free = !self.used[self.pose[k]] && self.free_in_stretch[self.stretch[k]] > 0;
+            // Where nothing is to be told any more the pose is measured all the same.
+            if free {
+                self.information.gain(k).max(1e-6)
+            } else {
+                0.0
+            }
+        };
+        (0..self.candidates.len()).map(of).collect()
+    }
+
+    fn take(&mut self, candidate: usize) {
+        self.information.take(candidate);
+        self.used[self.pose[candidate]] = true;
+        self.free_in_stretch[self.stretch[candidate]] -= 1;
+    }
+}
+
+/// What the candidates show of geometry and effects beside what was measured.
+fn information(
+    arm: &Arm,
+    candidates: &[Candidate],
+    varied: Varied,
+    stretch: &[usize],
+    [poses, stretches]: [usize; 2],
+) -> Information {
+    let mut whole = arm.with(candidates, &arm.writing(Some(varied)));
+    let before = arm.session.samples.len();
+    let mut middle_s = 0.0;
+    if let Some(time_s) = &mut whole.samples.time_s {
+        // Times are those of the stretches, not of so many candidates.
+        let start = time_s.get(before).copied().unwrap_or(0.0);
+        let each = SECONDS_PER_POSE * poses as f64;
+        for (to, stretch) in time_s[before..].iter_mut().zip(stretch) {
+            *to = start + each * (*stretch as f64 + 0.5) / stretches as f64;
+        }
+        middle_s = start + 0.5 * each;
+    }
+    let of_base = |t: &Term| arm.base.terms().iter().any(|b| b.same_column(t));
+    let effects = every_effect(&arm.session.robot, &arm.ranges, middle_s);
+    let effects = effects.terms().iter().filter(|t| {
+        let about = t.effect.about();
+        // How far the joints travel before a pose is not known yet.
+        !about.role.is_of_every_calibration() && about.setting != Setting::Fade && !of_base(t)
+    });
+    let all = arm.base.terms().iter().chain(effects).cloned().collect();
+    let model = Model::new(arm.session.robot.clone(), all);
+    let (columns, mut precision) = arm.measured_information(&model);
+    let shown = shown(&whole, &model, &columns);
+    let owner: Vec<bool> = model.columns().map(|(term, _)| of_base(term)).collect();
+    for (to, _) in columns.iter().enumerate().filter(|own| !owner[*own.1]) {
+        let mean = shown.rows.column(to).norm_squared() / shown.rows.nrows().max(1) as f64;
+        precision[(to, to)] = if mean > 0.0 {
+            mean / (USUAL * USUAL)
+        } else {
+            1.0
+        };
+    }
+    shown.information(before, precision)
+}

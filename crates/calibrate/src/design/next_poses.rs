@@ -1,0 +1,256 @@
+//! Poses that decide between explanations that the samples cannot tell apart: T-optimality,
+//! greedily, over everything that may be measured.
+//!
+//! Each pair of explanations meets in two comparisons, for either may be the true one. Poses are
+//! added until they decide all comparisons at once in `SURE` of all sessions, whichever explanation
+//! is true (`decision`). Where one reflector cannot decide, the place of a second one is
+//! chosen with the poses: the one that decides with the fewest.
+
+use crate::diagnosis::NextPose;
+use crate::diagnosis::evidence::Fit;
+use crate::diagnosis::evidence::rival::{Rival, UNDECIDED};
+use crate::diagnosis::search::aliases;
+use crate::diagnosis::search::prepare::PreparedSearch;
+use crate::diagnosis::verdict::{Proposal, Undecided};
+use crate::effects::{Condition, Over, Term, called};
+use crate::text::Text;
+
+use super::candidates::{Arrival, CandidatePoses, Conditions};
+use super::comparison::{Field, ModelDistance, enough_for};
+use super::decision::{self, Decision, Explanation, SURE};
+use super::enabling_poses;
+use super::exchange::choose;
+use super::model_separation::{Attempt, ModelSeparation, over_reflectors};
+use super::plan_options::MOST_JOINTS;
+
+/// Poses that are proposed at most.
+pub(crate) const MOST: usize = 24;
+/// Explanations that are compared, and of how many of them rivals are looked for.
+const MOST_COMPETING: usize = 14;
+/// Of a fit with more names than this so many are: every two of them are a comparison of as many columns as a fit has.
+const MANY_NAMES: usize = 4;
+const MOST_OF_MANY: usize = 6;
+const MOST_ASKED: usize = 3;
+/// One condition is proposed at most so often.
+const REPEATS: u8 = 2;
+
+/// Poses that tell the fit from its rivals, at most `most`.
+pub(crate) fn separate(
+    prepared: &PreparedSearch,
+    fit: &Fit,
+    rivals: &[&Rival],
+    most: usize,
+) -> Vec<NextPose> {
+    if rivals.is_empty() {
+        return Vec::new();
+    }
+    let terms = rivals
+        .iter()
+        .flat_map(|r| r.removed.iter().chain(&r.instead));
+    let mut conditions = conditions(prepared, &terms.collect::<Vec<_>>());
+    conditions.uneven = rivals.iter().any(|r| !r.other_names());
+    let competing = competing(prepared, fit, rivals);
+    prepared.regression.make_room();
+    let (best, ()) = over_reflectors(prepared, |targets| {
+        let offer = CandidatePoses::new(prepared, targets, &conditions);
+        (attempt(prepared, offer, &competing, most), ())
+    });
+    let why = why(rivals);
+    let mut poses = best.poses(prepared, &why, most);
+    for k in 0..poses.len() {
+        let (before, rest) = poses.split_at_mut(k);
+        if before.iter().any(|earlier| rest[0].repeats(earlier)) {
+            let once = std::mem::take(&mut rest[0].why);
+            rest[0].why = text!(
+                "{why}; measured a second time, as once is not enough over the noise",
+                why = once
+            );
+        }
+    }
+    poses
+}
+
+/// What to measure next: poses that decide between the rivals, or where there are none, poses that
+/// make testable what the session cannot show. None of a robot with more joints than poses are planned for: how long
+/// it takes to find them grows with the square of the joints and more.
+pub fn propose(undecided: &Undecided) -> Proposal {
+    let (prepared, fit) = (undecided.prepared, undecided.fit);
+    let poses = if prepared.survey.joints.len() > MOST_JOINTS {
+        Vec::new()
+    } else if undecided.rivals.is_empty() {
+        enabling_poses::worth_enabling(prepared, fit, undecided.not_testable)
+    } else {
+        separate(prepared, fit, undecided.rivals, MOST)
+    };
+    let rivals = undecided.rivals.iter();
+    Proposal {
+        separate_by: rivals.map(|rival| separate_by(rival, &poses)).collect(),
+        poses,
+    }
+}
+
+/// Conditions that matter to these effects.
+pub(crate) fn conditions(prepared: &PreparedSearch, terms: &[&Term]) -> Conditions {
+    let survey = &prepared.survey;
+    let distinguished_by = |condition| {
+        let mut abouts = terms.iter().map(|t| t.effect.about());
+        abouts.any(|about| about.distinguished_by.contains(&condition))
+    };
+    let moves = terms.iter().any(|t| t.effect.about().over == Over::Speed);
+    let mut conditions = Conditions::after(prepared);
+    let speeds_known = survey.joints.iter().any(|j| j.speeds > 0);
+    if moves || speeds_known && distinguished_by(Condition::Speed) {
+        conditions.speeds = vec![0.0, 1.0, 3.0];
+    }
+    if survey.loads > 0 && survey.largest_load_kg > 0.0 {
+        conditions.loads_kg = vec![0.0, survey.largest_load_kg];
+    }
+    let warmth = prepared.problem.inputs.above_20_c.as_ref();
+    if let Some(warmth) = warmth.filter(|_| distinguished_by(Condition::Temperature)) {
+        let low = warmth.iter().copied().fold(f64::INFINITY, f64::min);
+        let high = warmth.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        conditions.above_20_c = vec![low, high];
+        conditions.above_20_c.dedup();
+    }
+    if distinguished_by(Condition::Approach) {
+        let short = [0.01, 0.05].map(Arrival::Short);
+        conditions.arrivals.extend(short);
+    }
+    conditions
+}
+
+/// The fit, its open rivals, and what comes close to any of them: what is ruled out now may come
+/// back with new poses, and a rival that is true has rivals of its own.
+fn competing(prepared: &PreparedSearch, fit: &Fit, open: &[&Rival]) -> Vec<Explanation> {
+    let regression = &prepared.regression;
+    let mut all: Vec<Explanation> = Vec::new();
+    let most = if regression.added(fit).len() > MANY_NAMES {
+        MOST_OF_MANY
+    } else {
+        MOST_COMPETING
+    };
+    join(&mut all, fit, true, most);
+    for rival in open {
+        join(&mut all, &rival.fit, true, most);
+    }
+    let most_open = open.iter().take(MOST_ASKED).map(|r| &r.fit);
+    for one in [fit].into_iter().chain(most_open) {
+        if all.len() == most {
+            break;
+        }
+        for near in aliases::rivals(regression, one) {
+            if near.other_names() {
+                join(&mut all, &near.fit, false, most);
+            }
+        }
+    }
+    all
+}
+
+/// Adds an explanation that is not there yet, if there is room.
+fn join(all: &mut Vec<Explanation>, fit: &Fit, open: bool, most: usize) {
+    let known = all.iter().any(|a| same_terms(&a.fit, fit));
+    if !known && all.len() < most {
+        let another_setting = |a: &Explanation| decision::only_settings_differ(&a.fit, fit);
+        let setting = all.first().is_some_and(another_setting);
+        let fit = fit.clone();
+        all.push(Explanation { fit, open, setting });
+    }
+}
+
+fn same_terms(one: &Fit, other: &Fit) -> bool {
+    let (a, b) = (one.model.terms(), other.model.terms());
+    let within = |a: &[Term], b: &[Term]| a.iter().all(|t| b.iter().any(|o| o.same_column(t)));
+    a.len() == b.len() && within(a, b)
+}
+
+/// Poses one after the other until they decide often enough, or `most` are chosen.
+fn attempt(
+    prepared: &PreparedSearch,
+    candidates: CandidatePoses,
+    all: &[Explanation],
+    most: usize,
+) -> Attempt {
+    let field = Field::new(prepared, &candidates);
+    let decision = Decision::new(&field, all, UNDECIDED);
+    let comparisons = decision.comparisons(|truth, other| {
+        let lead = all[truth].fit.ln_evidence - all[other].fit.ln_evidence;
+        enough_for(UNDECIDED, lead)
+    });
+    let mut parting = ModelSeparation::new(comparisons, candidates.candidates.len(), REPEATS);
+    let enough: Vec<f64> = parting.distances().map(|c| c.enough.max(1.0)).collect();
+    parting.decision = Some(decision);
+    let mut order = choose(&mut parting, most);
+    let needed = parting
+        .decision
+        .as_ref()
+        .map(|decision| decision.needed(SURE));
+    let (poses, unparted, probability) = needed.unwrap_or_default();
+    order.truncate(poses);
+    let share = |(c, enough): (&ModelDistance, &f64)| (c.delta / enough).min(1.0);
+    let shares = parting.distances().zip(&enough).map(share);
+    Attempt {
+        score: probability + shares.sum::<f64>() / enough.len().max(1) as f64,
+        decides: unparted == 0 && probability >= SURE,
+        unparted,
+        order,
+        candidates,
+    }
+}
+
+/// What would tell a rival from the model, in words.
+pub(crate) fn separate_by(rival: &Rival, poses: &[NextPose]) -> Text {
+    let mut words = rival
+        .removed
+        .iter()
+        .chain(&rival.instead)
+        .map(|t| t.effect.about().confused_with);
+    if poses.is_empty() {
+        let hint = words.next().map_or_else(Text::default, Text::from);
+        return text!("no pose within the limits tells them apart; {hint}", hint);
+    }
+    let mut conditions = Vec::new();
+    if poses.iter().any(|p| p.target_mm.is_some()) {
+        conditions.push(phrase!("a reflector at another radius"));
+    }
+    if poses.iter().any(|p| p.speed.is_some()) {
+        conditions.push(phrase!("other speeds"));
+    }
+    if poses.iter().any(|p| p.load_kg.is_some()) {
+        conditions.push(phrase!("other loads"));
+    }
+    if poses.iter().any(|p| p.temperature_c.is_some()) {
+        conditions.push(phrase!("another temperature"));
+    }
+    let none = conditions.is_empty();
+    let conditions = Text::listed(conditions, ", ");
+    match poses.len() {
+        1 if none => text!("measure the proposed pose"),
+        1 => text!("measure the proposed pose ({conditions})", conditions),
+        count if none => text!("measure the {count} proposed poses", count),
+        count => text!(
+            "measure the {count} proposed poses ({conditions})",
+            count,
+            conditions
+        ),
+    }
+}
+
+fn why(rivals: &[&Rival]) -> Text {
+    let names = |terms: &[Term]| {
+        let names = terms.iter().map(|t| called(t.effect.about().id));
+        Text::listed(names, " + ")
+    };
+    let mut pairs: Vec<Text> = Vec::new();
+    for rival in rivals {
+        let pair = text!(
+            "distinguishes {one} from {other}",
+            one = names(&rival.removed),
+            other = names(&rival.instead)
+        );
+        if !pairs.contains(&pair) && pairs.len() < 3 {
+            pairs.push(pair);
+        }
+    }
+    Text::listed(pairs, "; ")
+}

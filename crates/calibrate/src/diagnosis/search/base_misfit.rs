@@ -1,0 +1,153 @@
+//! Names in place of what the description of a robot with several joints lacks. Where several are
+//! needed and much is left all the same, it is the base model that does not fit; where they predict
+//! unseen places no better than the geometry alone, they only follow the samples; one of a size that no machine has,
+//! beside much that is left, stands for something else. None of them is said.
+
+use crate::fit::base_model;
+
+use super::floor::floor;
+use super::forward::mean_sigma_mm;
+use super::found::SearchResult;
+use super::prepare::PreparedSearch;
+use super::{aliases, final_set};
+use crate::answers::diagnosis::FloorFrom;
+use crate::diagnosis::evidence::Fit;
+use crate::diagnosis::evidence::rival::Rival;
+use crate::effects::Term;
+use crate::kinematics::{JointKind, Robot};
+
+/// So many names are several.
+const SEVERAL: usize = 2;
+/// Names that are right leave less than this many times the floor.
+const MOST_OVER_THE_FLOOR: f64 = 1.5;
+
+/// So many likelier sets of names are held against what is said of them, likeliest first.
+const MOST_HELD_AGAINST: usize = 6;
+
+/// A size so many times as large as one that is implausible is no size of its effect: where much is left beside it,
+/// it stands for something else.
+const IMPOSSIBLE: f64 = 3.0;
+/// One of a joint, so many times as large, stands for something else whatever is left beside it: a joint whose values
+/// are in another unit passes for an encoder that errs by half a turn.
+const ABSURD: f64 = 20.0;
+
+/// Withdraws the names of a robot with several joints whose base model does not fit.
+pub(crate) fn withdraw(prepared: &PreparedSearch, found: &mut SearchResult) {
+    let regression = &prepared.regression;
+    found.fit = likeliest(prepared, found.fit.clone());
+    let model = &found.fit.model;
+    let absurd =
+        |term: &Term| term.effect.about().per_joint && is_beyond(&model.robot, term, ABSURD);
+    if model.terms().iter().any(absurd) {
+        let base = regression.fit(&regression.base, &[]);
+        found.named_effects_only = std::mem::replace(&mut found.fit, base);
+        found.base_misfit = true;
+        found.other_ends.clear();
+        return;
+    }
+    let names = regression.added(&found.fit).len();
+    if names == 0 || !base_model::is_arm(prepared.problem.session) {
+        return;
+    }
+    // Names alone are what a model keeps.
+    let alone = regression.fit(&found.fit.model, &[]);
+    let base = regression.fit(&regression.base, &[]);
+    let unseen = |fit: &Fit| prepared.folds.rms(regression, fit);
+    if prepared.folds.say_something() && unseen(&alone) >= unseen(&base) {
+        let shapes = found.fit.shapes.clone();
+        found.named_effects_only = alone;
+        found.fit = regression.fit(&regression.base, &shapes);
+        return;
+    }
+    let model = &found.fit.model;
+    let impossible = |term: &Term| is_beyond(&model.robot, term, IMPOSSIBLE);
+    let several = names >= SEVERAL || model.terms().iter().any(impossible);
+    // A search that ended early leaves what it had no time for: that says nothing of the base.
+    if !several || regression.work.ended().is_some() {
+        return;
+    }
+    let floor = floor(prepared, &found.fit);
+    let more = left_mm(prepared, &found.fit) > MOST_OVER_THE_FLOOR * floor.mm;
+    if floor.from != FloorFrom::Estimated && more {
+        found.named_effects_only = std::mem::replace(&mut found.fit, base);
+        found.base_misfit = true;
+    }
+}
+
+/// Whether a term has a size so many times as large as what is implausible. No limit is known for what slides: its
+/// sizes have other units, and other names.
+fn is_beyond(robot: &Robot, term: &Term, times: f64) -> bool {
+    let about = term.effect.about();
+    let sizes = about.form.quantities();
+    let kind = robot.joints.get(term.joint).map(|joint| joint.kind);
+    let parameters = term.parameters_on(kind.unwrap_or(JointKind::Revolute));
+    about.implausible_above.is_some_and(|limit| {
+        parameters.iter().any(|own| {
+            let is_size = sizes.iter().any(|size| size.name == own.name);
+            is_size && own.value.abs() > times * limit
+        })
+    })
+}
+
+/// The likeliest set of names that can be said of a robot with several joints: others take the place of those
+/// in hand where they are likelier and stand when they are held against what is said of them. A rival that
+/// does not stand itself is no reason to doubt.
+fn likeliest(prepared: &PreparedSearch, mut fit: Fit) -> Fit {
+    let regression = &prepared.regression;
+    if !base_model::is_arm(prepared.problem.session) {
+        return fit;
+    }
+    // The evidence rises with each exchange, so that it ends.
+    loop {
+        if regression.work.is_spent() {
+            return fit;
+        }
+        let above = |r: &Rival| r.other_names() && final_set::is_above(&r.fit, &fit);
+        let stands = |r: &Rival| {
+            let said = final_set::self_supporting(prepared, r.fit.clone())?;
+            let fits = regression.added(&said).len() <= prepared.cap();
+            (fits && final_set::is_above(&said, &fit)).then_some(said)
+        };
+        let rivals = aliases::rivals(regression, &fit).into_iter();
+        let goes_on = |_: &Rival| !regression.work.is_spent();
+        let mut rivals = rivals
+            .filter(above)
+            .take(MOST_HELD_AGAINST)
+            .take_while(goes_on);
+        let Some(likelier) = rivals.find_map(|r| stands(&r)) else {
+            return fit;
+        };
+        fit = likelier;
+    }
+}
+
+/// Root mean square length of what a fit leaves, mm.
+pub(crate) fn left_mm(prepared: &PreparedSearch, fit: &Fit) -> f64 {
+    let regression = &prepared.regression;
+    if let Some(noise_mm) = regression.rows.noise_mm(&regression.noise) {
+        return regression.scale(fit) * noise_mm;
+    }
+    let axes = regression.rows.axes.len() as f64;
+    regression.scale(fit) * mean_sigma_mm(regression) * axes.sqrt()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sessions::load;
+
+    #[test]
+    fn a_size_of_no_machine_is_impossible_on_a_joint_that_turns() {
+        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../sessions/arm/arm.json");
+        let mut robot = load(std::path::Path::new(path)).unwrap().session.robot;
+        robot.joints[2].kind = JointKind::Prismatic;
+        let impossible = |id: &str, joint, name: &str, value: f64| {
+            let term = Term::from_parameters(id, joint, &[(name, value)], 6).unwrap();
+            is_beyond(&robot, &term, IMPOSSIBLE)
+        };
+        assert!(impossible("thermal-growth", 6, "ppm_per_degc", 17_728.0));
+        assert!(!impossible("thermal-growth", 6, "ppm_per_degc", 60.0));
+        assert!(impossible("backlash", 2, "width_deg", 4.0));
+        assert!(!impossible("backlash", 3, "width_mm", 0.4));
+    }
+}

@@ -1,0 +1,139 @@
+//! What a model leaves of the samples: the deviations e = measured − predicted, in mm, over three coordinates
+//! (two in a planar session), and which of them are suspected outliers. Their RMS error is defined in
+//! `answers::rms_error`.
+
+pub use crate::answers::errors::Spread;
+use crate::lanes::LANES;
+use crate::model::Model;
+use crate::observations::figures;
+pub use crate::observations::figures::Deviations;
+use crate::observations::outliers::{as_if_seen, suspected};
+
+use super::problem::Problem;
+
+/// An error above this share of the robot's size is gross: effects leave less, so that it is of the rows, the set-up
+/// or the description. (Derived: a set-up error moves the tool by more than a hundredth of the robot's size.)
+pub(crate) const GROSS_SHARE: f64 = 0.01;
+
+/// The same of an angle: a hundredth of a turn.
+pub(crate) const GROSS_TURN_RAD: f64 = GROSS_SHARE * std::f64::consts::TAU;
+
+/// With fewer samples the axes are taken as stated.
+const FEWEST_TO_BALANCE: usize = 30;
+
+/// Deviations of a session's samples from a model.
+pub fn deviations(problem: &Problem, model: &Model) -> Deviations {
+    if let Some(layer) = &problem.observed {
+        return figures::deviations(layer, model);
+    }
+    let mut left = Deviations::default();
+    deviations_again(problem, model, &mut left);
+    left
+}
+
+/// The same in the memory of earlier ones: of a long session that is most of the work.
+pub(crate) fn deviations_again(problem: &Problem, model: &Model, left: &mut Deviations) {
+    if problem.observed.is_some() {
+        *left = deviations(problem, model);
+        return;
+    }
+    for column in left.axes_mm.iter_mut().chain([&mut left.length_mm]) {
+        column.clear();
+        column.reserve_exact(problem.inputs.len());
+    }
+    each_block(problem, model, |axes, length| {
+        for (all, own) in left.axes_mm.iter_mut().zip(axes) {
+            all.extend_from_slice(own);
+        }
+        left.length_mm.extend_from_slice(length);
+    });
+}
+
+/// The lengths of the deviations alone: of a long session the axes are three times as much.
+pub(crate) fn lengths_mm(problem: &Problem, model: &Model) -> Vec<f64> {
+    if let Some(layer) = &problem.observed {
+        return figures::deviations(layer, model).length_mm;
+    }
+    let mut lengths = Vec::with_capacity(problem.inputs.len());
+    each_block(problem, model, |_, length| {
+        lengths.extend_from_slice(length);
+    });
+    lengths
+}
+
+/// Gives the deviations of plain points along the axes and their lengths, block by block.
+fn each_block(problem: &Problem, model: &Model, mut take: impl FnMut([&[f64]; 3], &[f64])) {
+    let samples = &problem.session.samples;
+    let measured = [
+        Some(&samples.x_mm),
+        Some(&samples.y_mm),
+        samples.z_mm.as_ref(),
+    ];
+    model.visit(&problem.inputs, false, |start, block| {
+        let rows = start..start + block.len;
+        let usable = &problem.usable[rows.clone()];
+        let mut axes = [[0.0; LANES]; 3];
+        for ((own, measured), point) in axes.iter_mut().zip(measured).zip(&block.point) {
+            match measured {
+                Some(measured) => {
+                    for ((e, measured), point) in
+                        own.iter_mut().zip(&measured[rows.clone()]).zip(point)
+                    {
+                        *e = measured - point;
+                    }
+                }
+                None => own.fill(0.0),
+            }
+            for (e, usable) in own.iter_mut().zip(usable) {
+                *e = if *usable { *e } else { f64::NAN };
+            }
+        }
+        // In a plane the third is zero, or missing like the others.
+        let mut length = [0.0; LANES];
+        for (i, length) in length.iter_mut().enumerate() {
+            let [x, y, z] = [axes[0][i], axes[1][i], axes[2][i]];
+            *length = (x * x + y * y + z * z).sqrt();
+        }
+        let len = block.len;
+        take(
+            [&axes[0][..len], &axes[1][..len], &axes[2][..len]],
+            &length[..len],
+        );
+    });
+}
+
+/// Like [`suspects`] beside a fit of so many coefficients, which has not seen what it left out: there the
+/// deviations are changed.
+pub(crate) fn suspects_beside(
+    problem: &Problem,
+    deviations: &mut Deviations,
+    rank: usize,
+) -> Vec<bool> {
+    if problem.session.robot.joints.len() > 1 {
+        let axes = problem.axis_weights.iter().filter(|w| **w > 0.0).count();
+        let used = problem.used.iter().filter(|used| **used).count();
+        let factor = as_if_seen(rank, axes * used);
+        for axis in &mut deviations.axes_mm {
+            let unseen = axis.iter_mut().zip(&problem.used);
+            for (value, _) in unseen.filter(|(_, used)| !**used) {
+                *value *= factor;
+            }
+        }
+    }
+    suspects(problem, deviations)
+}
+
+/// Marks the samples of the problem that are suspected; held-out ones are judged as well, and do
+/// not count in the bulk.
+pub(crate) fn suspects(problem: &Problem, deviations: &Deviations) -> Vec<bool> {
+    if let Some(layer) = &problem.observed {
+        // Every kind was judged beside its own bulk while it was fitted.
+        return layer.samples_with(&layer.suspected);
+    }
+    let axes: Vec<usize> = (0..3).filter(|a| problem.axis_weights[*a] > 0.0).collect();
+    let all: Vec<&[f64]> = axes.iter().map(|a| &deviations.axes_mm[*a][..]).collect();
+    let balanced = problem.samples() >= FEWEST_TO_BALANCE;
+    let stated = problem.axis_weights;
+    let sigma: Vec<f64> = axes.iter().map(|a| 1.0 / stated[*a].sqrt()).collect();
+    suspected(&all, &problem.fit, &sigma, balanced)
+}

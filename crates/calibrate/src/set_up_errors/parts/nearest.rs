@@ -1,0 +1,107 @@
+//! How far points are from where the nominal robot has them, wherever the instrument stands.
+//!
+//! The rigid motion is the least-squares one of those three quarters of a setup's points that it brings nearest, and
+//! what is left has heavy tails (Student's t, ν = 4): points that are wrong in themselves neither turn it nor count for
+//! much.
+
+use nalgebra::{Isometry3, Point3, Vector3};
+
+use crate::kinematics::rigid_motion::rigid_motion;
+
+/// The logarithm by which a part that differs has to be likelier, its place paid for.
+pub(super) const EVIDENCE: f64 = 30.0;
+
+/// Degrees of freedom of the heavy-tailed noise.
+const TAILS: f64 = 4.0;
+/// Coordinates of a point.
+const AXES: f64 = 3.0;
+/// How often the motion is sought of the nearest points.
+const ROUNDS: usize = 4;
+/// Below this a deviation is rounding, mm.
+const LEAST_SIGMA_MM: f64 = 1e-4;
+
+/// What a deviation costs, as a logarithm.
+pub(super) fn cost_of(length_mm: f64, sigma_mm: f64) -> f64 {
+    0.5 * (TAILS + AXES) * (length_mm * length_mm / (TAILS * sigma_mm * sigma_mm)).ln_1p()
+}
+
+/// The likeliest scale of deviations, mm, and what they cost all together beside it.
+pub(super) fn cost(lengths_mm: &[f64]) -> (f64, f64) {
+    let n = lengths_mm.len().max(1) as f64;
+    let mean = lengths_mm.iter().sum::<f64>() / n;
+    let mut sigma = mean.max(LEAST_SIGMA_MM);
+    for _ in 0..30 {
+        let weighed = lengths_mm.iter().map(|r| {
+            let square = r * r;
+            (TAILS + AXES) * square / (TAILS + square / (sigma * sigma))
+        });
+        let next = (weighed.sum::<f64>() / (AXES * n))
+            .sqrt()
+            .max(LEAST_SIGMA_MM);
+        let settled = (next / sigma).ln().abs() < 1e-3;
+        sigma = next;
+        if settled {
+            break;
+        }
+    }
+    let costs = lengths_mm.iter().map(|r| cost_of(*r, sigma));
+    (sigma, costs.sum::<f64>() + AXES * n * sigma.ln())
+}
+
+/// The motion of the nearest points, of pairs (predicted, measured); `None` where there are too few.
+pub(super) fn motion(pairs: &[(Vector3<f64>, Vector3<f64>)]) -> Option<Isometry3<f64>> {
+    let mut motion = rigid_motion(pairs)?;
+    let kept = (pairs.len() * 3 / 4).max(4);
+    let mut near = pairs.to_vec();
+    for _ in 0..ROUNDS {
+        if kept >= pairs.len() {
+            break;
+        }
+        near.sort_by(|a, b| left(&motion, a).total_cmp(&left(&motion, b)));
+        motion = rigid_motion(&near[..kept])?;
+    }
+    Some(motion)
+}
+
+/// How far a pair is apart, mm.
+pub(super) fn left(motion: &Isometry3<f64>, pair: &(Vector3<f64>, Vector3<f64>)) -> f64 {
+    (moved(motion, &pair.0) - pair.1).norm()
+}
+
+pub(super) fn moved(motion: &Isometry3<f64>, point: &Vector3<f64>) -> Vector3<f64> {
+    (motion * Point3::from(*point)).coords
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn points_that_are_wrong_in_themselves_do_not_turn_the_motion() {
+        let at =
+            |k: u32| Vector3::new((7 * k % 11).into(), (5 * k % 13).into(), (3 * k % 7).into());
+        let true_motion =
+            Isometry3::new(Vector3::new(3.0, -2.0, 1.0), Vector3::new(0.1, 0.2, -0.3));
+        let pairs: Vec<_> = (0..40)
+            .map(|k| {
+                let wrong = if k % 5 == 0 { 50.0 } else { 0.0 };
+                (
+                    at(k),
+                    moved(&true_motion, &at(k)) + Vector3::new(wrong, 0.0, 0.0),
+                )
+            })
+            .collect();
+        let found = motion(&pairs).expect("there are enough");
+        assert!((found.translation.vector - true_motion.translation.vector).norm() < 1e-9);
+        assert!(found.rotation.angle_to(&true_motion.rotation) < 1e-9);
+    }
+
+    #[test]
+    fn a_few_deviations_that_are_far_off_hardly_widen_the_scale() {
+        let mut lengths = vec![3.0_f64.sqrt(); 95];
+        let (alone, _) = cost(&lengths);
+        lengths.extend([1e4; 5]);
+        let (beside, _) = cost(&lengths);
+        assert!(beside < 1.6 * alone, "{alone} {beside}");
+    }
+}

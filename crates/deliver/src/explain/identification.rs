@@ -1,0 +1,205 @@
+//! An identification: its errors, the geometry, what each level of correction brings, parameters, regions, and what
+//! it is to be read with.
+
+use super::detail::to_the_nanometre;
+use super::diagnosis::expected;
+use super::values;
+use super::{Block, Detail, Fact, Section, Topic, cleaned, fact, open};
+use crate::answers::noise::StatedNoise;
+use crate::fit::{Identification, UnusableReason};
+use crate::fit::{RegionResult, gap::Spread};
+use crate::language::spoken;
+use crate::present::identification_v1::degrees;
+use crate::present::kinds;
+use crate::present::table::Table;
+use crate::sessions::Session;
+use crate::set_up_errors::DataProblem;
+
+/// The whole answer, in the order in which it is read.
+#[doc(hidden)]
+pub fn identification(
+    answer: &Identification,
+    session: &Session,
+    data_problems: &[DataProblem],
+    detail: Detail,
+) -> Vec<Section> {
+    let _speaking = detail.speaking();
+    let title = if answer.regions.is_empty() {
+        say!("Identification, full model")
+    } else {
+        say!("Identification by region, errors in the plane of motion")
+    };
+    let mut blocks = vec![Block::Facts(errors(answer, detail))];
+    if !answer.kinds.is_empty() {
+        blocks.push(Block::Table(kinds::table(&answer.kinds)));
+    }
+    blocks.extend(expected(answer, detail));
+    let mut sections = vec![Section::of(Topic::Answer, title, blocks)];
+    sections.extend(open::data_problems(data_problems));
+    if !answer.parameters.is_empty() {
+        let blocks = values(&answer.parameters, &session.robot, detail);
+        sections.push(Section::new(say!("Identified parameters"), blocks));
+    }
+    sections.extend(levels(answer));
+    if !answer.regions.is_empty() {
+        let table = Block::Table(regions(&answer.regions));
+        let title = say!("Correction of each region");
+        sections.push(Section::new(title, vec![table]));
+    }
+    sections.extend(remarks_on_fit(answer, session, detail));
+    sections
+}
+
+fn errors(answer: &Identification, detail: Detail) -> Vec<Fact> {
+    let error = |error: &Spread| {
+        say!(
+            "{rms} (largest {largest})",
+            rms = to_the_nanometre(error.rms_mm, detail),
+            largest = to_the_nanometre(error.max_mm, detail)
+        )
+    };
+    let gap = &answer.gap;
+    let mut facts = vec![
+        fact(say!("RMS error, nominal robot"), error(&gap.before)),
+        fact(say!("RMS error, identified"), error(&gap.after)),
+    ];
+    if let Some(unseen) = &answer.held_out {
+        let sentence = say!(
+            "{nominal} nominal, {model} with the model, of {samples} samples apart",
+            nominal = to_the_nanometre(unseen.before.rms_mm, detail),
+            model = to_the_nanometre(unseen.after.rms_mm, detail),
+            samples = unseen.samples
+        );
+        facts.push(fact(say!("held-out samples"), sentence));
+    }
+    facts
+}
+
+/// What each level of correction would bring.
+fn levels(answer: &Identification) -> Option<Section> {
+    if answer.levels.is_empty() {
+        return None;
+    }
+    let mut table = Table::headed(say!(
+        "level of correction | >parameters | >RMS, mm | >cross-validated: mean | >RMS | >95 % | >largest"
+    ));
+    for level in &answer.levels {
+        let unseen = level.cross_validated;
+        let unseen = unseen.map(|e| [e.mean_mm, e.rms_mm, e.p95_mm, e.max_mm]);
+        let errors = [level.rms_mm]
+            .into_iter()
+            .chain(unseen.into_iter().flatten());
+        let mut cells = vec![spoken(level.what), level.parameters.to_string()];
+        cells.extend(errors.map(|mm| format!("{mm:.4}")));
+        table.row(cells);
+    }
+    let title = say!("Levels of correction");
+    Some(Section::new(title, vec![Block::Table(table)]))
+}
+
+fn regions(results: &[RegionResult]) -> Table {
+    let mut table = Table::headed(say!(
+        "region | >from ° | >to ° | >samples | >Δθ rad | >Δl1 mm | >before mm | >after mm"
+    ));
+    for r in results {
+        let c = &r.correction;
+        table.row([
+            c.name.clone(),
+            format!("{:.3}", degrees(c.from_rad)),
+            format!("{:.3}", degrees(c.to_rad)),
+            c.samples.to_string(),
+            format!("{:.7}", c.theta_rad),
+            format!("{:.7}", c.l1_mm),
+            format!("{:.4}", r.rms_before_mm),
+            format!("{:.4}", r.rms_after_mm),
+        ]);
+    }
+    table
+}
+
+/// What was wrong in the session, with evidence and proposal.
+#[doc(hidden)]
+pub fn problems_of_data(problems: &[DataProblem], detail: Detail) -> Vec<Section> {
+    let _speaking = detail.speaking();
+    open::data_problems(problems)
+}
+
+/// What the samples do not determine, the noise, notes, and samples that do not count.
+#[doc(hidden)]
+pub fn remarks_on_fit(answer: &Identification, session: &Session, detail: Detail) -> Vec<Section> {
+    let _speaking = detail.speaking();
+    let not_identifiable =
+        open::not_identifiable(&answer.not_identifiable, detail, open::MOST_COMBINATIONS);
+    let outliers = open::outliers(answer, detail);
+    let all = [
+        not_identifiable,
+        notes(answer, session, detail),
+        outliers,
+        unusable(answer, detail),
+    ];
+    all.into_iter().flatten().collect()
+}
+
+fn notes(answer: &Identification, session: &Session, detail: Detail) -> Option<Section> {
+    let mut blocks = Vec::new();
+    let quality = &answer.quality;
+    if !quality.converged {
+        blocks.push(Block::Warning(say!(
+            "the fit did not converge: {stopped}",
+            stopped = spoken(quality.stopped)
+        )));
+    }
+    let mut facts = noise(answer, session);
+    if detail.brief {
+        facts.push(fact(
+            say!("Solver"),
+            say!(
+                "{stopped}; {rank} of {coefficients} coefficients determined, condition {condition}",
+                stopped = spoken(quality.stopped),
+                rank = quality.rank,
+                coefficients = quality.coefficients,
+                condition = format!("{:.1}", quality.condition)
+            ),
+        ));
+    }
+    if !facts.is_empty() {
+        blocks.push(Block::Facts(facts));
+    }
+    if !answer.notes.is_empty() {
+        let notes = answer.notes.iter().map(cleaned);
+        blocks.push(Block::List(notes.collect()));
+    }
+    (!blocks.is_empty()).then(|| Section::new(say!("Notes"), blocks))
+}
+
+/// The noise that the fit allows for.
+fn noise(answer: &Identification, session: &Session) -> Vec<Fact> {
+    let Some(noise) = &answer.noise else {
+        return Vec::new();
+    };
+    let stated = noise.against_stated(session).filter(StatedNoise::differs);
+    let stated = stated.map(|stated| fact(say!("Measurement noise"), spoken(stated.describe())));
+    let slow = noise.slow.as_ref().map(|slow| {
+        let says = slow.says_of_remaining_error(answer.gap.after.rms_mm);
+        fact(say!("Slow noise"), spoken(&says))
+    });
+    let robot = noise.describe_robot();
+    let robot = robot.map(|robot| fact(say!("Repeatability of the robot"), spoken(robot)));
+    stated.into_iter().chain(robot).chain(slow).collect()
+}
+
+/// Samples that could not be used, each with the reason.
+fn unusable(answer: &Identification, detail: Detail) -> Option<Section> {
+    let lost = answer.left_out.iter();
+    let lost = lost.filter(|one| one.because != UnusableReason::Excluded);
+    let facts: Vec<Fact> = lost
+        .map(|one| {
+            let sample = say!("sample {sample}", sample = one.sample + 1);
+            (sample, spoken(one.because.describe()))
+        })
+        .collect();
+    (!facts.is_empty()).then(|| {
+        let title = say!("Samples that cannot be used");
+        Section::of(Topic::Outliers, title, detail.first_facts(facts))
+    })
+}

@@ -1,0 +1,191 @@
+//! Which axis of a controller is which joint of the model.
+//!
+//! Controllers count six axes of the robot (A1 … A6, J1 … J6, `rax_1` …) and six external ones (E1 … E6,
+//! `eax_a` … `eax_f`). A joint of the model that has the name of an external axis is that one; the others
+//! are the robot's, in order.
+
+use crate::kinematics::{JointKind, Robot};
+
+use super::number::Number;
+use super::target::{Problem, Shape, Target};
+
+/// An axis of a controller, counted from 0.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Slot {
+    /// One of the robot's own.
+    Own(usize),
+    /// An external one.
+    External(usize),
+}
+
+/// For each axis of a controller the joint of the model that it moves.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Axes {
+    /// The axis of each joint.
+    slots: Vec<Slot>,
+    kinds: Vec<JointKind>,
+}
+
+/// Axes of one kind that a controller has.
+pub(super) const MOST_OWN: usize = 6;
+
+impl Axes {
+    /// The axes of a robot.
+    pub fn new(robot: &Robot) -> Self {
+        let mut own = 0;
+        let slots = robot.joints.iter().map(|joint| {
+            external(&joint.name).map_or_else(
+                || {
+                    own += 1;
+                    Slot::Own(own - 1)
+                },
+                Slot::External,
+            )
+        });
+        Self {
+            slots: slots.collect(),
+            kinds: robot.joints.iter().map(|joint| joint.kind).collect(),
+        }
+    }
+
+    /// Number of joints.
+    pub fn joints(&self) -> usize {
+        self.slots.len()
+    }
+
+    /// Number of the robot's own axes.
+    pub fn own(&self) -> usize {
+        let own = self.slots.iter().filter(|s| matches!(s, Slot::Own(_)));
+        own.count()
+    }
+
+    /// That the controller has no room for the model's own axes; `external`: how it calls the others.
+    pub(super) fn check_own(&self, external: &str) -> Result<(), Vec<Problem>> {
+        if self.own() <= MOST_OWN {
+            return Ok(());
+        }
+        let found = text!("a model with {own} axes of its own", own = self.own());
+        let expected = text!(
+            "at most 6; external axes are called {external} in the model",
+            external
+        );
+        Err(vec![Problem::new(0, found, expected)])
+    }
+
+    /// The joints at the robot's own axes, in their order.
+    pub(super) fn own_numbered(&self) -> Vec<Option<u8>> {
+        (0..MOST_OWN).map(|k| self.numbered(Slot::Own(k))).collect()
+    }
+
+    /// A target of joint values in degrees and mm, each taken from its axis.
+    ///
+    /// # Errors
+    /// What `number` says of an axis.
+    pub(super) fn joint_target<E>(
+        &self,
+        name: &str,
+        at: usize,
+        number: impl FnMut(Slot) -> Result<Number, E>,
+    ) -> Result<Target, E> {
+        let numbers: Result<Vec<Number>, E> = self.slots.iter().copied().map(number).collect();
+        let shape = Shape::Joints {
+            numbers: numbers?,
+            scales: self.inner_of_degrees().into(),
+            decimals: 5,
+        };
+        Ok(Target::new(name, at, shape))
+    }
+
+    /// The values of the external axes beside a pose, rad or mm, by joint.
+    ///
+    /// # Errors
+    /// What `number` says of an axis.
+    pub(super) fn external<E>(
+        &self,
+        mut number: impl FnMut(Slot) -> Result<Number, E>,
+    ) -> Result<Vec<(usize, f64)>, E> {
+        let external = (0..self.joints()).filter(|j| matches!(self.slot(*j), Slot::External(_)));
+        external
+            .map(|joint| {
+                let value = number(self.slot(joint))?.value;
+                Ok((joint, self.kind(joint).to_base_units(value)))
+            })
+            .collect()
+    }
+
+    /// The joint at an axis.
+    pub fn joint(&self, slot: Slot) -> Option<usize> {
+        self.slots.iter().position(|s| *s == slot)
+    }
+
+    /// The same in a byte: a robot has at most 100 joints.
+    pub(super) fn numbered(&self, slot: Slot) -> Option<u8> {
+        u8::try_from(self.joint(slot)?).ok()
+    }
+
+    /// The axis of a joint; of one that the robot has not, an axis of its own behind all others.
+    pub fn slot(&self, joint: usize) -> Slot {
+        let slot = self.slots.get(joint).copied();
+        slot.unwrap_or(Slot::Own(joint))
+    }
+
+    /// What a joint does; one that the robot has not would turn.
+    pub fn kind(&self, joint: usize) -> JointKind {
+        let kind = self.kinds.get(joint).copied();
+        kind.unwrap_or(JointKind::Revolute)
+    }
+
+    /// rad or mm in a degree or mm of each joint.
+    pub fn inner_of_degrees(&self) -> Vec<f64> {
+        self.kinds
+            .iter()
+            .map(|kind| kind.to_base_units(1.0))
+            .collect()
+    }
+
+    /// Joints that a correction moves: external axes stay where the program puts them, unless there
+    /// is nothing else to move.
+    pub fn free(&self) -> Vec<usize> {
+        let own = |j: &usize| matches!(self.slots[*j], Slot::Own(_));
+        let free: Vec<usize> = (0..self.joints()).filter(own).collect();
+        if free.is_empty() {
+            (0..self.joints()).collect()
+        } else {
+            free
+        }
+    }
+}
+
+/// The external axis of this name.
+fn external(name: &str) -> Option<usize> {
+    let name = name.to_lowercase();
+    let letter = name.strip_prefix("eax_").map(|l| l.as_bytes().to_vec());
+    let by_letter = letter.and_then(|l| match l[..] {
+        [l @ b'a'..=b'f'] => Some(usize::from(l - b'a')),
+        _ => None,
+    });
+    by_letter.or_else(|| match name.as_bytes() {
+        [b'e', digit @ b'1'..=b'6'] => Some(usize::from(digit - b'1')),
+        _ => None,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::testing::column;
+
+    #[test]
+    fn external_axes_go_by_their_names() {
+        let mut robot = column();
+        let mut track = robot.joints[0].clone();
+        track.name = "E1".to_owned();
+        robot.joints.insert(0, track);
+        let axes = Axes::new(&robot);
+        assert_eq!(axes.slot(0), Slot::External(0));
+        assert_eq!(axes.joint(Slot::Own(0)), Some(1));
+        assert_eq!((axes.own(), axes.free()), (1, vec![1]));
+        assert_eq!(external("eax_c"), Some(2));
+        assert_eq!(external("elbow"), None);
+    }
+}

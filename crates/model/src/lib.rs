@@ -1,0 +1,24 @@
+//! The robot as it is: physical effects, the exact forward map with its derivatives, what instruments see of it, and
+//! simulated sessions.
+//!
+//! A part of `truepose`, which shows what of it is public; the rest changes with any version.
+
+#[macro_use]
+extern crate truepose_base;
+
+use truepose_base::{
+    decompose, diagnostic, kinematics, lanes, numeric, progress, sincos, text, units, wide,
+};
+use truepose_session::{document, sessions};
+
+pub mod effects;
+pub mod model;
+pub mod observations;
+pub mod simulation;
+
+#[doc(hidden)]
+pub use model::format_v1::read::write_model;
+
+#[cfg(test)]
+#[path = "../../base/src/kinematics/testing.rs"]
+mod testing;

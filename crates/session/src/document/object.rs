@@ -1,0 +1,342 @@
+//! The fields of an object, declared once.
+//!
+//! A declaration is a function that names each field once: its key, where it is in the value of the
+//! program, its kind (unit, range and what a complaint expects, see [`kinds`](super::kinds)), and
+//! whether it has to be there. Reading runs it over a blank value and fills that; writing runs it over
+//! a finished one. What the function never names is an unknown key.
+
+pub use super::at::Cursor;
+use crate::text::{Template, Text};
+
+use super::{Fields, Member, Node, Path, Value, optional};
+
+/// How one kind of value stands in a document.
+pub struct Kind<T> {
+    /// What should stand there.
+    pub expected: Template,
+    /// Takes it from its place, or complains.
+    pub read: fn(&mut Cursor<'_, '_>) -> Option<T>,
+    /// What is written.
+    pub write: fn(&T) -> Value,
+}
+
+impl<T> Kind<T> {
+    /// Reads a value of this kind.
+    pub fn read(&self, fields: &mut Fields<'_>, node: &Node, path: &Path<'_>) -> Option<T> {
+        (self.read)(&mut Cursor {
+            fields,
+            node,
+            path,
+            expected: self.expected.into(),
+        })
+    }
+}
+
+/// An object whose fields are being read or written.
+pub struct Object<'o, 'a> {
+    side: Side<'o, 'a>,
+    path: &'o Path<'o>,
+    /// No field was wrong so far.
+    good: bool,
+    is_over: bool,
+}
+
+enum Side<'o, 'a> {
+    Reading {
+        fields: &'o mut Fields<'a>,
+        members: &'o [Member],
+        at: usize,
+        accepted_keys: Vec<&'static str>,
+    },
+    Writing(Vec<Member>),
+}
+
+/// What an object's fields write of a value.
+pub fn written<T>(mut value: T, declare: impl FnOnce(&mut Object<'_, '_>, &mut T)) -> Value {
+    let mut object = Object {
+        side: Side::Writing(Vec::new()),
+        path: &Path::Root,
+        good: true,
+        is_over: false,
+    };
+    declare(&mut object, &mut value);
+    match object.side {
+        Side::Writing(members) => Value::Object(members),
+        Side::Reading { .. } => Value::Null,
+    }
+}
+
+impl<'o, 'a> Object<'o, 'a> {
+    /// The fields of an object that starts at this byte.
+    pub(super) fn read(
+        fields: &'o mut Fields<'a>,
+        members: &'o [Member],
+        at: usize,
+        path: &'o Path<'o>,
+    ) -> Self {
+        let side = Side::Reading {
+            fields,
+            members,
+            at,
+            accepted_keys: Vec::new(),
+        };
+        Self {
+            side,
+            path,
+            good: true,
+            is_over: false,
+        }
+    }
+}
+
+impl Object<'_, '_> {
+    /// A field that has to be there.
+    pub fn required<T>(&mut self, key: &'static str, value: &mut T, kind: &Kind<T>) {
+        if self.needs(key, kind.expected) {
+            self.field(key, value, kind);
+        }
+    }
+
+    /// A field that keeps its usual value where it is missing or null.
+    pub fn usual<T>(&mut self, key: &'static str, value: &mut T, kind: &Kind<T>) {
+        self.know(key);
+        if self.is_given(key) {
+            self.field(key, value, kind);
+        }
+    }
+
+    /// A field that keeps its usual value where it is missing; null is none.
+    pub fn usual_or_null<T>(&mut self, key: &'static str, value: &mut Option<T>, kind: &Kind<T>) {
+        let read = |at: &mut Cursor<'_, '_>| match at.node.value {
+            Value::Null => Some(None),
+            _ => (kind.read)(at).map(Some),
+        };
+        let write = |value: &Option<T>| Some(value.as_ref().map_or(Value::Null, kind.write));
+        self.with(key, value, kind.expected, read, write);
+    }
+
+    /// A field that may be missing or null, and is not written then.
+    pub fn optional<T>(&mut self, key: &'static str, value: &mut Option<T>, kind: &Kind<T>) {
+        self.know(key);
+        if self.is_given(key) {
+            self.some(key, value, kind);
+        }
+    }
+
+    /// A field that is there, of a value that the program may lack.
+    pub(crate) fn some<T>(&mut self, key: &'static str, value: &mut Option<T>, kind: &Kind<T>) {
+        let read = |at: &mut Cursor<'_, '_>| (kind.read)(at).map(Some);
+        let write = |value: &Option<T>| value.as_ref().map(kind.write);
+        self.with(key, value, kind.expected, read, write);
+    }
+
+    /// A field that is there; null is something wrong.
+    pub fn field<T>(&mut self, key: &'static str, value: &mut T, kind: &Kind<T>) {
+        let write = |value: &T| Some((kind.write)(value));
+        self.with(key, value, kind.expected, |at| (kind.read)(at), write);
+    }
+
+    /// A field that is read and written like this, where it is there at all.
+    pub fn with<T>(
+        &mut self,
+        key: &'static str,
+        value: &mut T,
+        expected: impl Into<Text>,
+        read: impl FnOnce(&mut Cursor<'_, '_>) -> Option<T>,
+        write: impl FnOnce(&T) -> Option<Value>,
+    ) {
+        self.know(key);
+        if self.is_over {
+            return;
+        }
+        match &mut self.side {
+            Side::Writing(out) => out.extend(write(value).map(|value| Member::new(key, value))),
+            Side::Reading {
+                fields, members, ..
+            } => {
+                let Some(member) = members.iter().find(|member| member.key == key) else {
+                    return;
+                };
+                let read = read(&mut Cursor {
+                    fields,
+                    node: &member.node,
+                    path: &self.path.key(key),
+                    expected: expected.into(),
+                });
+                match read {
+                    Some(read) => *value = read,
+                    None => self.good = false,
+                }
+            }
+        }
+    }
+
+    /// An object within it that is about the same value; it has to be there.
+    pub fn part<T>(
+        &mut self,
+        key: &'static str,
+        value: &mut T,
+        expected: impl Into<Text>,
+        declare: fn(&mut Object<'_, '_>, &mut T),
+    ) {
+        if let Side::Writing(out) = &mut self.side {
+            let part = written(value, |o, value| declare(o, value));
+            out.push(Member::new(key, part));
+        } else {
+            let expected = expected.into();
+            if !self.needs(key, &expected) {
+                return;
+            }
+            let read = |at: &mut Cursor<'_, '_>| at.fill(value, declare).then_some(());
+            self.with(key, &mut (), expected, read, |()| None);
+        }
+    }
+
+    /// A field that always says the same, and was read before.
+    pub fn describe(&mut self, key: &'static str, text: &str) {
+        self.with(
+            key,
+            &mut (),
+            phrase!(""),
+            |_| Some(()),
+            |()| Some(text.into()),
+        );
+    }
+
+    /// A key that is known, whatever stands there.
+    pub fn know(&mut self, key: &'static str) {
+        if let Side::Reading {
+            accepted_keys: known,
+            ..
+        } = &mut self.side
+        {
+            known.push(key);
+        }
+    }
+
+    /// Whether there is something to read under a key; what is written is always there.
+    pub fn is_given(&self, key: &str) -> bool {
+        match &self.side {
+            Side::Reading { members, .. } => optional(members, key).is_some(),
+            Side::Writing(_) => true,
+        }
+    }
+
+    /// Whether it is being read.
+    pub fn is_read(&self) -> bool {
+        matches!(self.side, Side::Reading { .. })
+    }
+
+    /// As [`Object::is_given`], null being something; complains where nothing is.
+    pub fn needs(&mut self, key: &'static str, expected: impl Into<Text>) -> bool {
+        self.know(key);
+        match &mut self.side {
+            _ if self.is_over => true,
+            Side::Writing(_) => true,
+            Side::Reading {
+                fields,
+                members,
+                at,
+                ..
+            } => {
+                let found = fields.required(members, *at, self.path, key, expected);
+                self.good &= found.is_some();
+                found.is_some()
+            }
+        }
+    }
+
+    /// Complains of the object as a whole.
+    pub fn error(&mut self, found: impl Into<Text>, expected: impl Into<Text>) {
+        self.good = false;
+        if let Side::Reading { fields, at, .. } = &mut self.side {
+            fields.error(*at, self.path, found, expected);
+        }
+    }
+
+    /// Complains of a field, or of its lack.
+    pub fn error_in(&mut self, key: &str, found: impl Into<Text>, expected: impl Into<Text>) {
+        self.good = false;
+        if let Side::Reading {
+            fields,
+            members,
+            at,
+            ..
+        } = &mut self.side
+        {
+            let member = members.iter().find(|member| member.key == key);
+            let at = member.map_or(*at, |member| member.node.at);
+            fields.error(at, &self.path.key(key), found, expected);
+        }
+    }
+
+    /// Reads no more fields: they would be judged by one that was wrong.
+    pub fn end_if_wrong(&mut self) {
+        self.is_over |= !self.good;
+    }
+
+    /// Whether it is being read and no field was wrong so far: what they say together can be checked.
+    pub fn has_read_well(&self) -> bool {
+        self.good && self.is_read()
+    }
+
+    /// Notes the keys that are not read, before what was found in the others.
+    pub(super) fn finish(self, first: usize) -> bool {
+        if let Side::Reading {
+            fields,
+            members,
+            accepted_keys: known,
+            ..
+        } = self.side
+        {
+            let notes = fields.notes_of_unknown(members, self.path, &known);
+            fields.findings.splice(first..first, notes);
+        }
+        self.good
+    }
+}
+
+impl Cursor<'_, '_> {
+    /// As [`Cursor::list`], of one element or more.
+    pub(crate) fn some<T>(&mut self, kind: &Kind<T>) -> Option<Vec<T>> {
+        match &self.node.value {
+            Value::List(list) if list.is_empty() => self.wrong(),
+            _ => self.list(kind),
+        }
+    }
+
+    /// Every element of an array, unless one of them is wrong.
+    pub fn list<T>(&mut self, kind: &Kind<T>) -> Option<Vec<T>> {
+        self.list_by(|at| {
+            at.expected = kind.expected.into();
+            (kind.read)(at)
+        })
+    }
+
+    /// The value that an object's fields make of a blank one; `None` when one of them is wrong.
+    pub fn object<T>(
+        &mut self,
+        mut blank: T,
+        declare: fn(&mut Object<'_, '_>, &mut T),
+    ) -> Option<T> {
+        self.fill(&mut blank, declare).then_some(blank)
+    }
+
+    /// Fills what the fields of an object say into a value; whether all of them were good.
+    pub fn fill<T>(
+        &mut self,
+        value: &mut T,
+        declare: impl FnOnce(&mut Object<'_, '_>, &mut T),
+    ) -> bool {
+        let Some(members) = self
+            .fields
+            .object(self.node, self.path, self.expected.clone())
+        else {
+            return false;
+        };
+        let first = self.fields.findings.len();
+        let mut object = Object::read(self.fields, members, self.node.at, self.path);
+        declare(&mut object, value);
+        object.finish(first)
+    }
+}

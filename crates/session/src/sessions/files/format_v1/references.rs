@@ -1,0 +1,273 @@
+//! `anchors`, `stations`, `planes`, `sockets`, `socket_distances_mm`, `pointing`: what measurements
+//! other than points refer to.
+
+use crate::text::Template;
+use nalgebra::{Point3, Quaternion, Unit, UnitQuaternion, Vector3};
+
+use crate::document::kinds::{NUMBER, components, point, wxyz};
+use crate::document::object::{Cursor, Kind, Object, written};
+use crate::document::{Member, Node, Value};
+use crate::sessions::references::{
+    Anchor, Azimuth, Plane, Pointing, References, Socket, SocketDistance, Station,
+};
+
+/// The fields of a session, or a scenario, that are declared here.
+pub fn references(o: &mut Object<'_, '_>, all: &mut References) {
+    named(o, "anchors", &mut all.anchors, &ANCHOR);
+    named(o, "stations", &mut all.stations, &STATION);
+    named(o, "planes", &mut all.planes, &PLANE);
+    named(o, "sockets", &mut all.sockets, &SOCKET);
+    let (key, sockets) = ("socket_distances_mm", &all.sockets);
+    o.know(key);
+    if o.is_given(key) {
+        let expected = text!("an array of [\"S1\", \"S2\", 400.0]");
+        let read = |at: &mut Cursor<'_, '_>| Some(distances(at, sockets));
+        let name = |index: usize| Value::from(&sockets[index].name);
+        let write = |all: &Vec<SocketDistance>| {
+            let one = |d: &SocketDistance| {
+                let [a, b] = d.between;
+                [name(a), name(b), d.distance_mm.into()]
+            };
+            (!all.is_empty()).then(|| all.iter().map(one).collect())
+        };
+        o.with(key, &mut all.socket_distances, expected, read, write);
+    }
+    let (key, stations) = ("pointing", &all.stations);
+    o.know(key);
+    if o.is_given(key) {
+        let declare = |o: &mut Object<'_, '_>, own: &mut Pointing| pointing(o, own, stations);
+        let read = |at: &mut Cursor<'_, '_>| {
+            let mut own = Pointing {
+                axis: Vector3::z_axis(),
+                stations: None,
+            };
+            at.fill(&mut own, declare).then_some(Some(own))
+        };
+        let write = |own: &Option<Pointing>| own.clone().map(|own| written(own, declare));
+        o.with(
+            key,
+            &mut all.pointing,
+            phrase!("an object with axis"),
+            read,
+            write,
+        );
+    }
+}
+
+/// One of the things that have names.
+struct Entry<T> {
+    blank: fn(String) -> T,
+    name: fn(&T) -> &String,
+    /// What is not known is null.
+    is_known: fn(&T) -> bool,
+    expected: Template,
+    declare: fn(&mut Object<'_, '_>, &mut T),
+}
+
+/// An object with one entry for each name, not written where there is none.
+fn named<T: Clone>(o: &mut Object<'_, '_>, key: &'static str, all: &mut Vec<T>, entry: &Entry<T>) {
+    o.know(key);
+    if !o.is_given(key) {
+        return;
+    }
+    let read = |at: &mut Cursor<'_, '_>| {
+        at.named(|name, at| {
+            let mut one = (entry.blank)(name.to_owned());
+            let is_empty = matches!(&at.node.value, Value::Object(members) if members.is_empty());
+            if at.node.value != Value::Null && !is_empty {
+                at.expected = entry.expected.into();
+                at.fill(&mut one, entry.declare);
+            }
+            one
+        })
+    };
+    let write = |all: &Vec<T>| {
+        let one = |one: &T| {
+            let known = (entry.is_known)(one);
+            let fields = known.then(|| written(one.clone(), entry.declare));
+            Member::new((entry.name)(one), fields)
+        };
+        (!all.is_empty()).then(|| Value::Object(all.iter().map(one).collect()))
+    };
+    o.with(
+        key,
+        all,
+        phrase!("an object with an entry for each name"),
+        read,
+        write,
+    );
+}
+
+const POSITION: Kind<Option<Point3<f64>>> = Kind {
+    expected: phrase!("an array of 3 numbers: the position in the measuring frame, mm; or null"),
+    read: |at| at.numbers::<3>().map(|position| Some(position.into())),
+    write: |position| position.as_ref().map(point(phrase!("")).write).into(),
+};
+
+/// Of any length but zero.
+const DIRECTION: Kind<Unit<Vector3<f64>>> = Kind {
+    expected: phrase!("an array of 3 numbers: a direction that is not zero"),
+    read: |at| {
+        let unit = Unit::try_new(Vector3::from(at.numbers::<3>()?), 1e-9);
+        unit.or_else(|| {
+            let expected = at.expected.clone();
+            at.error(text!("a direction of zero length"), expected)
+        })
+    },
+    write: components,
+};
+
+const ATTITUDE: Kind<Option<UnitQuaternion<f64>>> = Kind {
+    expected: phrase!(
+        "an array of 4 numbers: w, x, y, z of a quaternion that is not zero; or null"
+    ),
+    read: |at| {
+        let [w, x, y, z] = at.numbers::<4>()?;
+        let unit = UnitQuaternion::try_new(Quaternion::new(w, x, y, z), 1e-9);
+        let unit = unit.or_else(|| {
+            let expected = at.expected.clone();
+            at.error(text!("a quaternion of zero length"), expected)
+        });
+        unit.map(Some)
+    },
+    write: |attitude| attitude.as_ref().map(wxyz).into(),
+};
+
+const AZIMUTH: Kind<Azimuth> = Kind {
+    expected: phrase!("\"counterclockwise\" or \"clockwise\""),
+    read: |at| {
+        let all = [Azimuth::Counterclockwise, Azimuth::Clockwise];
+        at.one_of(&all, Azimuth::name)
+    },
+    write: |azimuth| azimuth.name().into(),
+};
+
+const ANCHOR: Entry<Anchor> = Entry {
+    blank: |name| Anchor {
+        name,
+        position_mm: None,
+        offset_mm: Some(0.0),
+    },
+    name: |anchor| &anchor.name,
+    is_known: |_| true,
+    expected: phrase!("an object with position_mm, offset_mm, or null"),
+    declare: |o, anchor| {
+        o.usual("position_mm", &mut anchor.position_mm, &POSITION);
+        o.usual_or_null("offset_mm", &mut anchor.offset_mm, &NUMBER);
+    },
+};
+
+const STATION: Entry<Station> = Entry {
+    blank: |name| Station {
+        name,
+        position_mm: None,
+        attitude: None,
+        azimuth: Azimuth::default(),
+    },
+    name: |station| &station.name,
+    is_known: |_| true,
+    expected: phrase!("an object with position_mm, quaternion_wxyz, azimuth, or null"),
+    declare: |o, station| {
+        o.usual("position_mm", &mut station.position_mm, &POSITION);
+        o.usual("quaternion_wxyz", &mut station.attitude, &ATTITUDE);
+        o.usual("azimuth", &mut station.azimuth, &AZIMUTH);
+    },
+};
+
+const PLANE: Entry<Plane> = Entry {
+    blank: |name| Plane { name, stated: None },
+    name: |plane| &plane.name,
+    is_known: |plane| plane.stated.is_some(),
+    expected: phrase!("an object with normal, distance_mm, or null"),
+    declare: |o, plane| {
+        let (mut normal, mut distance) = plane.stated.unwrap_or((Vector3::z_axis(), 0.0));
+        if o.needs("normal", phrase!("a direction across the plane")) {
+            o.field("normal", &mut normal, &DIRECTION);
+        }
+        o.required("distance_mm", &mut distance, &NUMBER);
+        if o.has_read_well() {
+            plane.stated = Some((normal, distance));
+        }
+    },
+};
+
+const SOCKET: Entry<Socket> = Entry {
+    blank: |name| Socket {
+        name,
+        position_mm: None,
+    },
+    name: |socket| &socket.name,
+    is_known: |_| true,
+    expected: phrase!("an object with position_mm, or null"),
+    declare: |o, socket| o.usual("position_mm", &mut socket.position_mm, &POSITION),
+};
+
+fn distances(at: &mut Cursor<'_, '_>, sockets: &[Socket]) -> Vec<SocketDistance> {
+    const EXPECTED: Template = phrase!(
+        "two different sockets of the session and their distance above 0 mm, \
+                            such as [\"S1\", \"S2\", 400.0]"
+    );
+    let place = |node: &Node| match &node.value {
+        Value::Text(name) => sockets.iter().position(|s| s.name == *name),
+        _ => None,
+    };
+    let read = |node: &Node| {
+        let Value::List(three) = &node.value else {
+            return None;
+        };
+        let [a, b, distance] = three.as_slice() else {
+            return None;
+        };
+        match (place(a)?, place(b)?, &distance.value) {
+            (a, b, Value::Number(mm)) if a != b && mm.is_finite() && *mm > 0.0 => {
+                Some(SocketDistance {
+                    between: [a, b],
+                    distance_mm: *mm,
+                })
+            }
+            _ => None,
+        }
+    };
+    let mut all = Vec::new();
+    for (index, node) in at.elements().unwrap_or_default().iter().enumerate() {
+        match read(node) {
+            Some(distance) => all.push(distance),
+            None => at.fields.mismatch(node, &at.path.index(index), EXPECTED),
+        }
+    }
+    all
+}
+
+fn pointing(o: &mut Object<'_, '_>, own: &mut Pointing, stations: &[Station]) {
+    if o.needs(
+        "axis",
+        phrase!("the direction in the tool frame that points"),
+    ) {
+        o.field("axis", &mut own.axis, &DIRECTION);
+    }
+    o.know("stations");
+    if !o.is_given("stations") {
+        return;
+    }
+    let read = |at: &mut Cursor<'_, '_>| {
+        let mut all = Vec::new();
+        for (index, node) in at.elements().unwrap_or_default().iter().enumerate() {
+            let place = match &node.value {
+                Value::Text(name) => stations.iter().position(|s| s.name == *name),
+                _ => None,
+            };
+            if place.is_none() {
+                let expected = text!("a station of the session");
+                at.fields.mismatch(node, &at.path.index(index), expected);
+            }
+            all.extend(place);
+        }
+        Some(Some(all))
+    };
+    let write = |all: &Option<Vec<usize>>| {
+        let name = |index: &usize| &stations[*index].name;
+        all.as_ref().map(|all| all.iter().map(name).collect())
+    };
+    let expected = text!("an array of names of stations");
+    o.with("stations", &mut own.stations, expected, read, write);
+}
