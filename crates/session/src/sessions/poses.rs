@@ -55,7 +55,7 @@ impl ByPose {
     }
 
     /// By where the robot was sent, however often it came back there.
-    pub(crate) fn of_places(q: &[Cow<[f64]>], samples: usize) -> Self {
+    pub fn of_places(q: &[Cow<[f64]>], samples: usize) -> Self {
         let mut known = BTreeMap::new();
         let place = |sample: usize| -> u32 {
             let own: Vec<u64> = q.iter().map(|q| (q[sample] + 0.0).to_bits()).collect();
@@ -67,7 +67,7 @@ impl ByPose {
     }
 
     /// The samples of each pose.
-    pub(crate) fn samples(&self) -> Vec<Vec<usize>> {
+    pub fn samples(&self) -> Vec<Vec<usize>> {
         let mut all = vec![Vec::new(); self.first.len()];
         for (sample, pose) in self.of.iter().enumerate() {
             all[*pose].push(sample);
@@ -76,7 +76,7 @@ impl ByPose {
     }
 
     /// What part each sample is of its pose.
-    pub(crate) fn shares(&self) -> Vec<f64> {
+    pub fn shares(&self) -> Vec<f64> {
         let counts: Vec<f64> = self.samples().iter().map(|own| own.len() as f64).collect();
         self.of.iter().map(|pose| 1.0 / counts[*pose]).collect()
     }
