@@ -217,7 +217,9 @@ fn a_scale_that_is_far_off_hides_no_effect() {
 #[test]
 fn an_error_of_no_machine_is_no_name() {
     let mut wrong = with_backlash();
-    wrong.samples.q[0].iter_mut().for_each(|q| *q *= 0.3 * q.abs());
+    wrong.samples.q[0]
+        .iter_mut()
+        .for_each(|q| *q *= 0.3 * q.abs());
     let answer = diagnosed(&wrong);
     assert_eq!(names(&answer), [] as [&str; 0]);
     assert_eq!(answer.verdict, Verdict::Unexplained);

@@ -9,8 +9,7 @@ use crate::fit::problem::{Problem, unusable};
 use crate::fit::{base_model, fit_without_outliers};
 use crate::kinematics::Range;
 use crate::model::Model;
-use crate::sessions::Session;
-use crate::sessions::SessionCorrection;
+use crate::sessions::{Samples, Session, SessionCorrection};
 use crate::text::Text;
 
 use super::DataProblem;
@@ -70,10 +69,7 @@ pub(super) fn mislocked(
         return;
     }
     let samples = &session.samples;
-    let at = |i: usize| {
-        let z = samples.z_mm.as_ref().map_or(0.0, |z| z[i]);
-        Vector3::new(samples.x_mm[i], samples.y_mm[i], z)
-    };
+    let at = |i: usize| point(samples, i);
     for other in 0..session.targets.len() {
         let mut inputs = problem.inputs.clone();
         let n = inputs.len();
@@ -105,8 +101,20 @@ pub(super) fn mislocked(
             });
         }
     }
-    // The same point again and again while the commands move the robot. Where the robot was there at one of them, it is
-    // the robot that stood still; beside equal commands nothing is odd.
+    at_one_place(session, &problem, &fitted, &off, problems);
+}
+
+/// The same point again and again while the commands move the robot. Where the robot was there at one of them, it is
+/// the robot that stood still; beside equal commands nothing is odd.
+fn at_one_place(
+    session: &Session,
+    problem: &Problem,
+    fitted: &Model,
+    off: &[usize],
+    problems: &mut Vec<DataProblem>,
+) {
+    let samples = &session.samples;
+    let at = |i: usize| point(samples, i);
     let predicted = fitted.predict(&problem.inputs);
     let place = |i: usize| Vector3::from(predicted.get(i));
     let is_same = |i: usize, j: usize| (at(i) - at(j)).norm() < SAME_MM;
@@ -154,6 +162,12 @@ pub(super) fn mislocked(
             samples: stuck,
         });
     }
+}
+
+/// Where a sample was measured, mm.
+fn point(samples: &Samples, i: usize) -> Vector3<f64> {
+    let z = samples.z_mm.as_ref().map_or(0.0, |z| z[i]);
+    Vector3::new(samples.x_mm[i], samples.y_mm[i], z)
 }
 
 /// The commands as far as the limits of the joints let them.

@@ -7,6 +7,7 @@ use crate::fit::problem::Problem;
 use crate::fit::solver::solve;
 use crate::kinematics::JointKind;
 use crate::model::Model;
+use crate::numeric::whole;
 use crate::sessions::Session;
 use crate::units::rad_from_deg;
 
@@ -37,7 +38,7 @@ pub(super) fn in_order(mut lengths_mm: Vec<f64>) -> Vec<f64> {
 
 /// Of lengths in order the one that so large a share of them is within; infinite where there is none.
 pub(super) fn within(lengths_mm: &[f64], share: f64) -> f64 {
-    let at = (share * lengths_mm.len() as f64) as usize;
+    let at = whole(share * lengths_mm.len() as f64);
     let last = lengths_mm.len().saturating_sub(1);
     lengths_mm
         .get(at.min(last))
