@@ -295,7 +295,7 @@ pub fn verify(calibration: &Calibration, session: &Session) -> Result<Verificati
 /// }
 /// ```
 ///
-/// ```compile_fail,E0603
+/// ```compile_fail,E0432
 /// use truepose::model::format_v1::write_model;
 /// ```
 ///

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use truepose::importers::{
-    AngleUnit, Companion, Decimal, Importer, LengthUnit, Matching, Motion, Reading, Settings, TimeUnit, import, inspect,
+    AngleUnit, Companion, Decimal, Importer, LengthUnit, Matching, Reading, Settings, TimeUnit, import, inspect,
 };
 use truepose::sessions::{parse, parse_robot, write_inline};
 
@@ -50,11 +50,11 @@ pub fn import_any(importer: &'static Importer, data: &[u8]) {
         },
         reference: beside.filter(|_| as_reference).map(companion),
         matching: match choice >> 5 & 3 {
-            0 => Matching::Order,
-            1 => Matching::Name,
-            _ => Matching::Time,
+            0 => Some(Matching::Order),
+            1 => Some(Matching::Name),
+            2 => Some(Matching::Time),
+            _ => None,
         },
-        motion: if said { Motion::Auto } else { Motion::All },
         clock_offset_s: (choice & 96 == 64).then_some(0.0),
         scale: said,
         ..Settings::new(reading, &robot)

@@ -31,7 +31,6 @@ const FEWEST_SAMPLES: usize = 3;
 ///
 /// # Errors
 /// [`RegionError`] where the choice makes no sense for the session.
-#[doc(hidden)]
 pub fn regions_of(choice: &RegionChoice, session: &Session) -> Result<Vec<Region>, RegionError> {
     match choice {
         RegionChoice::FromSession if session.regions.is_empty() => {
