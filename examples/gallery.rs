@@ -1,7 +1,7 @@
 //! Makes the pictures of the README and of the documentation: drives the window through the walk of
 //! `docs/walk-through.md`, in both themes, and writes what it shows into `docs/pictures`.
 //!
-//! `cargo run --features window-tests --example gallery`; with `-- arm` only the pictures of the arm;
+//! `cargo run --example gallery`; with `-- arm` only the pictures of the arm;
 //! with `-- languages` only those of a diagnosis in other languages and units; with `-- looks FOLDER [de|zh]` every
 //! step of four robots at four sizes into that folder, to be looked at
 //!

@@ -399,7 +399,7 @@ impl eframe::App for App {
     }
 }
 
-#[cfg(any(test, feature = "window-tests"))]
+#[cfg(any(test, debug_assertions))]
 impl App {
     pub(crate) fn bench(&mut self) -> &mut Workbench {
         &mut self.workbench

@@ -55,7 +55,7 @@ use crate::sessions::files::bundled;
 pub use crate::text::Language;
 pub use app::App;
 pub use jobs::Runner;
-#[cfg(feature = "window-tests")]
+#[cfg(debug_assertions)]
 pub use workbench::walk;
 
 const TITLE: &str = "truepose";
@@ -143,7 +143,7 @@ fn icon() -> Arc<egui::IconData> {
 }
 
 /// What the window's own tests start from: a workbench whose tasks run at once.
-#[cfg(any(test, feature = "window-tests"))]
+#[cfg(any(test, debug_assertions))]
 mod testing {
     use std::sync::Arc;
 

@@ -45,6 +45,7 @@ mod session;
 mod setup;
 mod sizes;
 mod space;
+#[cfg(debug_assertions)]
 mod walk;
 mod walk_through;
 mod workspace;

@@ -2,7 +2,7 @@
 //! its work done, light and dark, and the sheets. They need something to draw with; without an
 //! adapter they say so and pass, and the rest of the window's tests does without.
 //!
-//! `UPDATE_SNAPSHOTS=1 cargo test --features window-tests --test window pictures::` renews them.
+//! `UPDATE_SNAPSHOTS=1 cargo test --test window pictures::` renews them.
 use std::path::PathBuf;
 use std::sync::Arc;
 

@@ -51,7 +51,7 @@ pub(crate) struct Chosen {
 
 impl Chosen {
     /// An effect of the first joint, which turns, at values that can be seen.
-    #[cfg(any(test, feature = "window-tests"))]
+    #[cfg(any(test, debug_assertions))]
     pub(crate) fn new(id: &'static str) -> Option<Self> {
         Self::on(id, (1, JointKind::Revolute))
     }

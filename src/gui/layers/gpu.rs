@@ -189,7 +189,7 @@ impl Layer for SpaceLayer {
     }
 }
 
-#[cfg(all(test, feature = "window-tests"))]
+#[cfg(test)]
 mod tests {
     use std::sync::Arc;
 

@@ -16,7 +16,7 @@
 
 mod drawer;
 pub(crate) mod gpu;
-#[cfg(all(test, feature = "window-tests"))]
+#[cfg(test)]
 mod tests;
 
 use egui::{Color32, Rect};

@@ -196,7 +196,7 @@ impl Workbench {
     }
 
     /// Whether the answer that is shown belongs to the document as it is.
-    #[cfg(any(test, feature = "window-tests"))]
+    #[cfg(any(test, debug_assertions))]
     pub(crate) fn settled(&self) -> bool {
         match (self.question(), &self.identified) {
             (None, _) => true,

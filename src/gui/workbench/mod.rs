@@ -19,8 +19,8 @@ mod tests;
 #[cfg(test)]
 mod under_way;
 mod unsaved;
-/// What the tests of the window do at random; built optimised, as they are.
-#[cfg(feature = "window-tests")]
+/// What the tests of the window do at random; no release has it.
+#[cfg(debug_assertions)]
 #[path = "../../../tests/support/walk/mod.rs"]
 pub mod walk;
 
