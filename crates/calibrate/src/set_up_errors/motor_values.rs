@@ -31,8 +31,10 @@ const LARGEST_RATIO: f64 = 1000.0;
 const STEP: f64 = 1.02;
 /// Steps of the refinement, each to a third of the one before.
 const REFINED: usize = 8;
-/// A single joint moves no more than so many times what it is told, nor less than such a part of it.
+/// A single joint moves no more than so many times what it is told, nor less than such a part of it …
 const LARGEST_SCALE: f64 = 5.0;
+/// … and a scale that is off by less than this is an effect's.
+const FAR_FROM_ONE: f64 = 0.1;
 /// The best ratio of the nominal robot is off by no more than this share.
 const COARSE: f64 = 0.02;
 /// A plain ratio is taken within this share: a scale error of a joint is smaller.
@@ -90,7 +92,9 @@ pub(super) fn likely_scales(
         let ratio = refined(best.1, left);
         Some(1.0 / with_base_model(session, values, 0, ratio))
     };
-    [1.0, -1.0].into_iter().filter_map(of_sign).collect()
+    let both = [1.0, -1.0].into_iter().filter_map(of_sign);
+    both.filter(|scale| (scale.abs() - 1.0).abs() > FAR_FROM_ONE)
+        .collect()
 }
 
 /// The least ratio that brings the values of a joint within its limits; `None` where they are not far beyond them.
