@@ -51,10 +51,7 @@ pub(crate) fn files(folder: &Path) -> Vec<PathBuf> {
 }
 
 /// What stands above what only tests see, those of the window too.
-const OF_TESTS: [&str; 2] = [
-    "#[cfg(test)]",
-    "#[cfg(any(test, debug_assertions))]",
-];
+const OF_TESTS: [&str; 2] = ["#[cfg(test)]", "#[cfg(any(test, debug_assertions))]"];
 
 /// Modules that their parent declares under `#[cfg(test)]`.
 fn test_modules(all: &[(PathBuf, String)]) -> Vec<PathBuf> {
