@@ -7,7 +7,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::effects::{Form, Setting, Term, stated, stated_orders};
+use crate::effects::{Form, Owner, Setting, Term, stated, stated_orders};
 use crate::linear::Basis;
 use crate::model::Model;
 use crate::model::shapes::Shape;
@@ -27,6 +27,18 @@ const PRICE_OF_A_SHAPE: f64 = 3.5 + EFFECT_PRIOR_PENALTY;
 /// Derived: half the logarithm of the number of resolved settings between two points of a scan
 /// (some twenty).
 const PRICE_OF_A_SETTING: f64 = 1.5;
+
+/// An instrument comes with a certificate: before anything is measured it is taken to be a hundred times rarer the cause
+/// than the machine is (ln 100). Else an axis whose scale is off would leave without a table where noise prefers the
+/// instrument's scale, which is no error of the machine.
+const PRICE_OF_AN_INSTRUMENT: f64 = 4.6;
+
+pub(super) fn price_of_owner(term: &Term) -> f64 {
+    match term.effect.about().owner {
+        Owner::Instrument => PRICE_OF_AN_INSTRUMENT,
+        Owner::Robot | Owner::Session => 0.0,
+    }
+}
 
 pub(super) fn price_of(shape: &Shape) -> f64 {
     PRICE_OF_A_SHAPE + PRICE_OF_A_SETTING * shape.refined() as f64
@@ -170,6 +182,10 @@ impl Regression<'_> {
     }
 
     pub(crate) fn price_of_term(&self, term: &Term) -> f64 {
+        price_of_owner(term) + self.price_of_setting(term)
+    }
+
+    fn price_of_setting(&self, term: &Term) -> f64 {
         if term.effect.about().setting == Setting::None {
             return 0.0;
         }

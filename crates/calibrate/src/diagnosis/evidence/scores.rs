@@ -9,7 +9,7 @@ use crate::linear::{Basis, along, reject_all, small_cholesky, small_gain};
 use crate::model::Model;
 
 use super::fit::Fit;
-use super::likelihood::{EFFECT_PRIOR_PENALTY, choices, price_of, subsets};
+use super::likelihood::{EFFECT_PRIOR_PENALTY, choices, price_of, price_of_owner, subsets};
 use super::projected::{Grams, Projected};
 use super::regression::Regression;
 use super::score::{Score, weight_of};
@@ -99,7 +99,7 @@ impl Regression<'_> {
                 ln_odds: best_part
                     - candidate.tried.max(1.0).ln()
                     - match &candidate.what {
-                        CandidateKind::Named(_) => EFFECT_PRIOR_PENALTY,
+                        CandidateKind::Named(term) => EFFECT_PRIOR_PENALTY + price_of_owner(term),
                         CandidateKind::Anonymous(shape) => price_of(shape),
                     },
             });
