@@ -129,7 +129,7 @@ fn visits_to_few_places_are_no_unseen_poses() {
     let (_, few) = measured(&design("five poses", &mut random), &mut random, 9);
     let answer = diagnose(&few, &Options::default(), &|_| true).unwrap();
     assert!(answer.held_out.gaps.is_none() && answer.found.is_empty());
-    // Ten places are enough to leave some out, and then with all their visits: few of 37 coefficients are known of them.
+    // Ten places are enough to leave some out with all their visits, and they do not show what the others need.
     let ten: Vec<_> = (0..10).map(|_| anywhere(&mut random, 0.7)).collect();
     let rows: Vec<_> = (0..60).map(|i| ten[i % 10]).collect();
     let (_, session) = measured(&rows, &mut random, 9);

@@ -33,7 +33,7 @@ pub(super) fn changes(session: &Session, values: JointValues) -> Vec<Change> {
     all.extend(measured(session));
     all.extend(driven(session));
     let motors = likely_ratios(session, values, |scaled| {
-        trial(scaled, values, true).map(|end| end.median_mm)
+        trial(scaled, values, true).map(|end| end.median_mm())
     });
     let motors = motors
         .into_iter()

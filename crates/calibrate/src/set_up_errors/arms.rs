@@ -151,7 +151,7 @@ fn many(part: &Session, values: JointValues, before: f64, most: f64) -> Vec<Data
     let Some(end) = trial(&corrected, values, true).filter(|_| !changes.is_empty()) else {
         return Vec::new();
     };
-    let after = end.median_mm;
+    let after = end.median_mm();
     let believed = after <= most
         && as_it_stands::is_plausible(&corrected, &end.model)
         && as_it_stands::predicts(part, values, &mends, [HALF, most]);
@@ -276,7 +276,7 @@ fn never_aligned(part: &Session, values: JointValues) -> Option<DataProblem> {
         return None;
     }
     let free = trial(part, values, true)?;
-    let adjusted = trial(part, values, false).map_or(f64::INFINITY, |t| t.median_mm);
+    let adjusted = trial(part, values, false).map_or(f64::INFINITY, |t| t.median_mm());
     let fixed = adjusted.min(as_it_stands::least_mm(part, values, false, HALF));
     let is_frame = |t: &&Term| t.effect.about().setting == Setting::Setup;
     let frame = free.model.terms().iter().find(is_frame)?;
@@ -284,7 +284,7 @@ fn never_aligned(part: &Session, values: JointValues) -> Option<DataProblem> {
     let shift = Vector3::from_column_slice(&frame.coefficients[3..]);
     let far = turn.norm() > rad_from_deg(LEAST_TURN_DEG) || shift.norm() > LEAST_MOVE_MM;
     let gross = fixed > GROSS_SHARE * spread_mm(part);
-    if !far || !gross || free.median_mm > MENDED_SHARE * fixed {
+    if !far || !gross || free.median_mm() > MENDED_SHARE * fixed {
         return None;
     }
     let first = &part.robot.joints[0];
@@ -318,12 +318,12 @@ fn never_aligned(part: &Session, values: JointValues) -> Option<DataProblem> {
             text!(
                 "the median error is {fixed} as it stands and {free} with the frame fitted",
                 fixed = length(fixed, 3),
-                free = length(free.median_mm, 3)
+                free = length(free.median_mm(), 3)
             )
         } else {
             text!(
                 "no geometry fits the samples as they stand; with the frame fitted the median error is {free}",
-                free = length(free.median_mm, 3)
+                free = length(free.median_mm(), 3)
             )
         },
         proposal: text!(

@@ -123,6 +123,10 @@ fn at_one_place(
         let same = || off.iter().copied().filter(|j| is_same(*i, *j));
         same().count() >= FEWEST_STUCK && same().any(|j| moves(*i, j))
     });
+    let stuck: Vec<usize> = stuck.collect();
+    if stuck.is_empty() {
+        return;
+    }
     let at_the_limits = fitted.predict(&within_limits(session, &problem.inputs));
     let is_at_a_limit = |i: usize| {
         let limit = Vector3::from(at_the_limits.get(i));
@@ -131,7 +135,7 @@ fn at_one_place(
     let was_there = |i: usize| {
         is_at_a_limit(i) || (0..problem.used.len()).any(|j| problem.used[j] && is_same(i, j))
     };
-    let (still, stuck): (Vec<usize>, Vec<usize>) = stuck.partition(|i| was_there(*i));
+    let (still, stuck): (Vec<usize>, Vec<usize>) = stuck.into_iter().partition(|i| was_there(*i));
     if !still.is_empty() {
         problems.push(DataProblem {
             what: text!(

@@ -13,6 +13,7 @@ use crate::fit::problem::Problem;
 use crate::fit::{base_model, fit_without_outliers};
 use crate::kinematics::JointKind;
 use crate::model::Model;
+use crate::sessions::correction::{LARGEST_SCALE, SCALE_FAR_FROM_ONE};
 use crate::sessions::{Session, SessionCorrection};
 
 use super::groups::start_of;
@@ -31,10 +32,6 @@ const LARGEST_RATIO: f64 = 1000.0;
 const STEP: f64 = 1.02;
 /// Steps of the refinement, each to a third of the one before.
 const REFINED: usize = 8;
-/// A single joint moves no more than so many times what it is told, nor less than such a part of it …
-const LARGEST_SCALE: f64 = 5.0;
-/// … and a scale that is off by less than this is an effect's.
-const FAR_FROM_ONE: f64 = 0.1;
 /// The best ratio of the nominal robot is off by no more than this share.
 const COARSE: f64 = 0.02;
 /// A plain ratio is taken within this share: a scale error of a joint is smaller.
@@ -93,7 +90,7 @@ pub(super) fn likely_scales(
         Some(1.0 / with_base_model(session, values, 0, ratio))
     };
     let both = [1.0, -1.0].into_iter().filter_map(of_sign);
-    both.filter(|scale| (scale.abs() - 1.0).abs() > FAR_FROM_ONE)
+    both.filter(|scale| (scale.abs() - 1.0).abs() > SCALE_FAR_FROM_ONE)
         .collect()
 }
 

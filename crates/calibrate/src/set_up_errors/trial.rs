@@ -11,18 +11,20 @@ use crate::numeric::whole;
 use crate::sessions::Session;
 use crate::units::rad_from_deg;
 
-use super::thresholds::LARGEST_OFFSET_DEG;
+use super::thresholds::{HALF, LARGEST_OFFSET_DEG};
 
 /// What a trial ends with.
 pub(super) struct Trial {
-    /// Median length of the deviations, mm.
-    pub(super) median_mm: f64,
-    /// Their lengths, the smallest first, mm.
+    /// Lengths of the deviations, the smallest first, mm; at least one.
     lengths_mm: Vec<f64>,
     pub(super) model: Model,
 }
 
 impl Trial {
+    pub(super) fn median_mm(&self) -> f64 {
+        self.within_mm(HALF)
+    }
+
     /// The length that so large a share of the deviations is within, mm.
     pub(super) fn within_mm(&self, share: f64) -> f64 {
         within(&self.lengths_mm, share)
@@ -70,8 +72,7 @@ pub(super) fn trial(session: &Session, values: JointValues, free_frame: bool) ->
         return None;
     }
     let lengths = in_order(lengths_mm(&problem, &fitted));
-    Some(Trial {
-        median_mm: *lengths.get(lengths.len() / 2)?,
+    (!lengths.is_empty()).then_some(Trial {
         lengths_mm: lengths,
         model: fitted,
     })

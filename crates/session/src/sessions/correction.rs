@@ -13,6 +13,15 @@ pub const DAY_S: f64 = 86_400.0;
 /// A gradian, degrees: a full turn has 400.
 pub const GRADIAN_DEG: f64 = 0.9;
 
+/// An axis whose scale is off by less than this share has an error of its own, which an effect names …
+#[doc(hidden)]
+pub const SCALE_FAR_FROM_ONE: f64 = 0.1;
+
+/// … and one that moves more than so many times what it is told, or less than such a part of it, was told something
+/// else: units of angles and lengths begin at ten, gradians apart.
+#[doc(hidden)]
+pub const LARGEST_SCALE: f64 = 5.0;
+
 /// A full turn, degrees.
 pub const TURN_DEG: f64 = 360.0;
 

@@ -21,7 +21,7 @@ use crate::importers::settings::{ColumnGuess, Known, ReadContext};
 use crate::importers::times::extent;
 use crate::sessions::Lines;
 use crate::sessions::columns::{Quantity, Unit};
-use crate::sessions::correction::GRADIAN_DEG;
+use crate::sessions::correction::{GRADIAN_DEG, LARGEST_SCALE, SCALE_FAR_FROM_ONE};
 use crate::tables::Cells;
 use crate::tables::decimals::{Decimal, value};
 use crate::tables::{Complaints, Grid};
@@ -195,6 +195,8 @@ fn measurements(
     list
 }
 
+/// What is smaller than this share of the travel are deviations of an axis and no positions.
+const DEVIATIONS_SHARE: f64 = 0.02;
 /// Fewer positions lie on a line by accident.
 const FEWEST_ON_A_LINE: usize = 6;
 
@@ -219,10 +221,10 @@ fn deviations(
         each.fold(0.0, f64::max)
     };
     let off = largest(&|measured, target| measured - target);
-    if travel == 0.0 || off <= 0.1 * travel {
+    if travel == 0.0 || off <= SCALE_FAR_FROM_ONE * travel {
         return Some(false);
     }
-    if largest(&|measured, _| measured) <= 0.02 * travel {
+    if largest(&|measured, _| measured) <= DEVIATIONS_SHARE * travel {
         context.warn(
             text!("the measured values are far too small for positions: they are taken as deviations from the targets"),
             text!("a heading with the word deviation, or positions"),
@@ -250,8 +252,8 @@ fn deviations(
     None
 }
 
-/// The scale of an axis that moves far more or less than it is told: all positions lie on a line over their targets,
-/// whose slope no mistaken unit has.
+/// The scale of an axis that moves far more or less than it is told: all positions lie on a line over their targets (off
+/// it by less than deviations are taken for positions), whose slope no mistaken unit has.
 fn scale_of(targets: &[f64], measured: &[f64]) -> Option<f64> {
     let n = targets.len() as f64;
     let mean = |of: &[f64]| of.iter().sum::<f64>() / n;
@@ -266,11 +268,13 @@ fn scale_of(targets: &[f64], measured: &[f64]) -> Option<f64> {
     let off = both()
         .map(|(t, m)| (m - slope * t).abs())
         .fold(0.0, f64::max);
-    let is_line = targets.len() >= FEWEST_ON_A_LINE && off <= 0.02 * slope.abs() * extent(targets);
+    let is_line = targets.len() >= FEWEST_ON_A_LINE
+        && off <= DEVIATIONS_SHARE * slope.abs() * extent(targets);
     let is_unit = [GRADIAN_DEG, 1.0 / GRADIAN_DEG]
         .iter()
         .any(|unit| (slope / unit - 1.0).abs() < 0.01);
-    (is_line && !is_unit && (0.1..10.0).contains(&slope.abs())).then_some(slope)
+    (is_line && !is_unit && (1.0 / LARGEST_SCALE..LARGEST_SCALE).contains(&slope.abs()))
+        .then_some(slope)
 }
 
 /// In the order in which it was measured.
