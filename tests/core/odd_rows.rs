@@ -3,9 +3,12 @@
 
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 
-use truepose::diagnosis::{Diagnosis, Options, Verdict};
+use nalgebra::Vector3;
+use truepose::diagnosis::{Diagnosis, FoundEffect, Options, Verdict};
+use truepose::effects::{Term, find};
 use truepose::pipeline::diagnose;
-use truepose::sessions::{Session, parse};
+use truepose::sessions::{Session, Setups, parse};
+use truepose::simulation::{simulate, unwatched};
 
 use crate::few_poses::{anywhere, measured};
 use crate::rig::Random;
@@ -122,4 +125,151 @@ fn the_only_joint_may_have_another_scale() {
         assert!(said.starts_with(&start), "{said}");
         assert!(answer.gap.end_mm < 0.05 && answer.found.is_empty());
     }
+}
+
+/// On a wall the load turns the first joint, and no other joint as on the floor.
+#[test]
+fn a_robot_on_a_wall_is_not_one_on_the_floor() {
+    for (across, said) in [(true, 1), (false, 0)] {
+        let mut random = Random(11);
+        let rows: Vec<_> = (0..90).map(|_| anywhere(&mut random, 1.0)).collect();
+        let (mut scenario, _) = measured(&rows, &mut random, 11);
+        let g = if across { Vector3::x() } else { -Vector3::z() };
+        scenario.robot.gravity_m_s2 = Some(9.81 * g);
+        scenario.circumstances.loads_kg = vec![0.0, 15.0, 30.0];
+        let gives = find("joint-compliance").unwrap();
+        for (joint, rad_per_nm) in [1.5e-6, 2e-6, 2.5e-6].into_iter().enumerate() {
+            let mut term = Term::absent(gives, joint, 0.0);
+            term.coefficients[0] = rad_per_nm;
+            scenario.effects.push(term);
+        }
+        let (mut session, ..) = simulate(&scenario, 11, unwatched).unwrap();
+        session.robot.gravity_m_s2 = Some(-9.81 * Vector3::z());
+        let answer = diagnosed(&session);
+        let problems: Vec<String> = answer
+            .data_problems
+            .iter()
+            .map(|problem| problem.what.to_string())
+            .collect();
+        assert_eq!(problems.len(), said, "{problems:?}");
+        for what in &problems {
+            assert!(what.starts_with("gravity runs along (1.00, "), "{what}");
+        }
+        let other = |effect: &&FoundEffect| effect.effect != "joint-compliance";
+        assert!(
+            !answer.found.iter().any(|e| other(&e)),
+            "{:?}",
+            answer.found
+        );
+        assert!(answer.gap.end_mm < 0.05, "{}", answer.gap.end_mm);
+    }
+}
+
+/// The instrument stood in other air at its second station.
+#[test]
+fn stations_of_different_scale_are_told_apart() {
+    for (ppm, said) in [(180.0, 1), (0.0, 0)] {
+        let mut random = Random(13);
+        let rows: Vec<_> = (0..90).map(|_| anywhere(&mut random, 1.0)).collect();
+        let (_, mut session) = measured(&rows, &mut random, 13);
+        let samples = &mut session.samples;
+        let late = |row: usize| row >= 50;
+        // Seen from three metres and a half away.
+        for row in 0..90 {
+            let scale = if late(row) { 1.0 + 1e-6 * ppm } else { 1.0 };
+            samples.x_mm[row] = (samples.x_mm[row] + 3500.0) * scale;
+            samples.y_mm[row] *= scale;
+            samples.z_mm.as_mut().unwrap()[row] *= scale;
+        }
+        samples.setups = Some(Setups {
+            names: vec!["S1".to_owned(), "S2".to_owned()],
+            index: (0..90).map(|row| u32::from(late(row))).collect(),
+        });
+        let answer = diagnosed(&session);
+        assert_eq!(
+            answer.data_problems.len(),
+            said,
+            "{:?}",
+            answer.data_problems
+        );
+        for problem in &answer.data_problems {
+            let what = problem.what.to_string();
+            assert!(what.starts_with("the scale of setup S2 is 1"), "{what}");
+        }
+        assert!(answer.found.is_empty(), "{:?}", answer.found);
+        assert!(answer.gap.end_mm < 0.05, "{}", answer.gap.end_mm);
+    }
+}
+
+/// Measurements one after another, a quarter of a minute each, of a robot that is seen from three metres and a half away.
+fn from_afar(session: &mut Session) {
+    let n = session.samples.len();
+    let samples = &mut session.samples;
+    samples.x_mm.iter_mut().for_each(|x| *x += 3500.0);
+    samples.time_s = Some((0..n).map(|i| 15.0 * i as f64).collect());
+    samples.setups = Some(Setups {
+        names: vec!["S1".to_owned()],
+        index: vec![0; n],
+    });
+}
+
+#[test]
+fn distances_that_settle_are_no_frame_that_drifts() {
+    let mut random = Random(17);
+    let rows: Vec<_> = (0..120).map(|_| anywhere(&mut random, 1.0)).collect();
+    let (_, mut session) = measured(&rows, &mut random, 17);
+    from_afar(&mut session);
+    let samples = &mut session.samples;
+    for row in 0..120 {
+        let z = &mut samples.z_mm.as_mut().unwrap()[row];
+        let [x, y] = [&mut samples.x_mm[row], &mut samples.y_mm[row]];
+        let distance = (*x * *x + *y * *y + *z * *z).sqrt();
+        let factor = 1.0 + 0.4 * (-(row as f64) / 40.0).exp() / distance;
+        [x, y, z].into_iter().for_each(|v| *v *= factor);
+    }
+    let answer = diagnosed(&session);
+    let what = answer.data_problems[0].what.to_string();
+    let size = what.trim_start_matches("the instrument's distances settle: 0.");
+    assert!(
+        size.starts_with("38") || size.starts_with("39") || size.starts_with("40"),
+        "{what}"
+    );
+    assert!(answer.found.is_empty(), "{:?}", answer.found);
+    assert!(answer.gap.end_mm < 0.05, "{}", answer.gap.end_mm);
+}
+
+#[test]
+fn a_base_that_moved_and_turned_is_said_and_so_is_every_homing() {
+    let mut random = Random(19);
+    let rows: Vec<_> = (0..120).map(|_| anywhere(&mut random, 1.0)).collect();
+    let (_, mut session) = measured(&rows, &mut random, 19);
+    from_afar(&mut session);
+    let mut homed = session.clone();
+    for (row, q) in homed.samples.q[0].iter_mut().enumerate() {
+        *q += [0.0, 0.08, -0.1, 0.06_f64][row / 30].to_radians();
+    }
+    let said = |session: &Session| -> Vec<String> {
+        let answer = diagnosed(session);
+        assert!(answer.found.is_empty(), "{:?}", answer.found);
+        assert!(answer.gap.end_mm < 0.05, "{}", answer.gap.end_mm);
+        let problems = answer.data_problems.iter();
+        problems.map(|problem| problem.what.to_string()).collect()
+    };
+    let each = said(&homed);
+    let at = |sample: u32| format!("at sample {sample}");
+    assert!(
+        each.iter()
+            .zip([31, 61, 91])
+            .all(|(said, from)| said.ends_with(&at(from))),
+        "{each:?}"
+    );
+    assert!(said(&session).is_empty());
+    let samples = &mut session.samples;
+    for row in 70..120 {
+        // 0.3 mrad about z and half a millimetre.
+        samples.x_mm[row] -= 3e-4 * samples.y_mm[row];
+        samples.y_mm[row] += 3e-4 * samples.x_mm[row] - 0.5;
+    }
+    let moved = "the robot's base or the instrument moved and turned at sample 71";
+    assert_eq!(said(&session), [moved]);
 }

@@ -407,8 +407,23 @@ pub(super) fn applied_corrections(
     ours.then(|| compensation.joint_corrections(&table))
 }
 
+/// Terms of the model of which a coefficient was held in the fit because no sample shows it: its variance is none.
+fn are_held(calibration: &Calibration) -> Vec<bool> {
+    let mut first = 0;
+    let terms = calibration.model.terms().iter();
+    let held = terms.map(|term| {
+        let own = first..first + term.coefficients.len();
+        first = own.end;
+        let covariance = calibration.covariance.as_ref();
+        covariance
+            .is_some_and(|c| c.nrows() >= own.end && own.into_iter().any(|k| c[(k, k)] == 0.0))
+    });
+    held.collect()
+}
+
 /// The model as it applies to this session: shifts and drifts of another one are left out. A setup
-/// that the model knows by name stands where the model says, another one where it fits best.
+/// that the model knows by name stands where the model says, another one, and one whose frame the model's own samples
+/// did not determine (two poses of one reflector), where it fits best.
 pub(super) fn model_for(
     calibration: &Calibration,
     session: &Session,
@@ -441,22 +456,29 @@ pub(super) fn model_for(
     let Some(setups) = setups else {
         return model;
     };
+    let held = are_held(calibration);
     let predicted = model.predict(&problem.inputs);
     for (setup, name) in setups.names.iter().enumerate() {
-        let known = calibration.model.terms().iter();
-        let mut known = known.filter(|t| is_frame(t) && t.label.as_deref() == Some(name));
-        if let Some(frame) = known.next() {
-            let setting = setup as f64;
-            model = model.with_term(Term {
-                setting,
-                ..frame.clone()
-            });
-            continue;
+        let known = calibration.model.terms().iter().zip(&held);
+        let mut known = known.filter(|(t, _)| is_frame(t) && t.label.as_deref() == Some(name));
+        match known.next() {
+            Some((frame, false)) => {
+                let setting = setup as f64;
+                model = model.with_term(Term {
+                    setting,
+                    ..frame.clone()
+                });
+                continue;
+            }
+            Some((_, true)) => notes.push(text!(
+                "the model's own samples do not determine the frame of setup {name}: it is fitted to these samples",
+                name
+            )),
+            None => notes.push(text!(
+                "the model knows no setup {name}: its frame is fitted to these samples",
+                name
+            )),
         }
-        notes.push(text!(
-            "the model knows no setup {name}: its frame is fitted to these samples",
-            name
-        ));
         let inside = |i: usize| problem.usable[i] && setups.index[i] as usize == setup;
         if let Some(frame) = best_rigid_motion(session, &predicted, inside) {
             let mut term = Term::absent(&MEASURING_FRAME, 0, setup as f64);

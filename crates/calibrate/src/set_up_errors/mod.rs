@@ -9,15 +9,19 @@ mod arm_hypotheses;
 mod arms;
 mod as_it_stands;
 mod corrected;
+mod gravity;
 mod groups;
 mod hypotheses;
+mod left;
 mod losses;
 mod measured_points;
 mod motor_values;
 mod orientations;
 mod parts;
 mod read_back;
+mod settling;
 mod several;
+mod station_scale;
 mod targets_in_base;
 mod thinned;
 mod thresholds;
@@ -180,6 +184,18 @@ fn without_mistakes_of(
         && let Some(brought_up) = read_back::lagging(&session, joint_values, &mut problems)
     {
         session = Cow::Owned(brought_up);
+    }
+    if small_ones && let Some(settled) = settling::corrected(&session, joint_values, &mut problems)
+    {
+        session = Cow::Owned(settled);
+    }
+    if small_ones
+        && let Some(scaled) = station_scale::corrected(&session, joint_values, &mut problems)
+    {
+        session = Cow::Owned(scaled);
+    }
+    if small_ones && let Some(turned) = gravity::turned(&session, joint_values, &mut problems) {
+        session = Cow::Owned(turned);
     }
     made.extend(made_for(&problems[known..]));
     if small_ones {

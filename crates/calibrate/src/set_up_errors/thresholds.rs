@@ -21,3 +21,7 @@ pub(super) const HALF: f64 = 0.5;
 /// … and, where that shows nothing, all but a tenth: no more than those are ever set aside. Poses of one joint at a time
 /// show a mistake of one joint in a sixth of the rows.
 pub(super) const NEARLY_ALL: f64 = 0.9;
+
+/// The logarithm by which an unusual set-up has to be likelier than the one that a session states: a thousand times, where
+/// one session in a hundred has it (a robot on a wall that is said to stand on the floor, a station in other air).
+pub(super) const LIKELIER: f64 = 11.5;

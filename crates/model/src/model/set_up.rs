@@ -68,6 +68,7 @@ fn is_a_convention(correction: &SessionCorrection) -> bool {
             | SessionCorrection::ScaleCoordinate { .. }
             | SessionCorrection::Reorder(_)
             | SessionCorrection::FreeFrame
+            | SessionCorrection::TurnGravity(_)
     )
 }
 
@@ -146,6 +147,7 @@ impl SetUp {
                     | SessionCorrection::ScaleCoordinate { .. }
                     | SessionCorrection::Reorder(_)
                     | SessionCorrection::FreeFrame
+                    | SessionCorrection::TurnGravity(_)
             )
         };
         self.conventions.iter().any(about_joints)

@@ -64,6 +64,8 @@ impl SessionCorrection {
                 text!("Read x, y, z from {axes}", axes = format!("{a}, {b}, {c}"))
             }
             Self::FreeFrame => text!("Fit the measuring frame"),
+            Self::Settle { .. } => text!("Take out what the instrument's distances settle by"),
+            Self::TurnGravity(_) => text!("Take gravity as the joints feel it"),
             Self::Remove(rows) if rows.len() == 1 => text!("Remove this sample"),
             Self::Remove(rows) => text!("Remove these {count} samples", count = rows.len()),
             Self::PairRows(_) => text!("Pair the rows again"),
@@ -181,6 +183,8 @@ impl SessionCorrection {
                     index: vec![0; samples.len()],
                 });
             }
+            Self::Settle { by_mm, tau_s } => settle(samples, *by_mm, *tau_s),
+            Self::TurnGravity(m_s2) => session.robot.gravity_m_s2 = Some((*m_s2).into()),
             Self::Remove(rows) => samples.remove(rows),
             Self::PairRows(shifts) => pair_rows(samples, shifts),
             Self::ScaleSpeed { joint, factor } => {
@@ -244,10 +248,27 @@ impl SessionCorrection {
             Self::Remove(_)
                 | Self::PairRows(_)
                 | Self::RenameTargets(_)
+                | Self::Settle { .. }
                 | Self::Split { .. }
                 | Self::InRows { .. }
                 | Self::Free { .. }
         )
+    }
+}
+
+/// Takes from every distance what it had settled by at its time.
+fn settle(samples: &mut Samples, by_mm: f64, tau_s: f64) {
+    let (Some(time_s), Some(z_mm)) = (&samples.time_s, &mut samples.z_mm) else {
+        return;
+    };
+    let first_s = time_s.iter().copied().fold(f64::INFINITY, f64::min);
+    let columns = samples.x_mm.iter_mut().zip(&mut samples.y_mm).zip(z_mm);
+    for (((x, y), z), t) in columns.zip(time_s) {
+        let distance = (*x * *x + *y * *y + *z * *z).sqrt();
+        let factor = 1.0 - by_mm * (-(t - first_s) / tau_s).exp() / distance;
+        if factor.is_finite() {
+            [x, y, z].into_iter().for_each(|v| *v *= factor);
+        }
     }
 }
 

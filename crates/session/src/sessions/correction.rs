@@ -95,6 +95,15 @@ pub enum SessionCorrection {
     Reorder([usize; 3]),
     /// The measuring frame is free: all samples in one setup.
     FreeFrame,
+    /// The instrument's distances were too long by so much at the first sample, and less and less so.
+    Settle {
+        /// At the first sample, mm.
+        by_mm: f64,
+        /// The time in which it falls to 1/e, s.
+        tau_s: f64,
+    },
+    /// Gravity is this, base frame, m/s².
+    TurnGravity([f64; 3]),
     /// Without these samples, counted from 0 in ascending order.
     Remove(Vec<usize>),
     /// Rows are paired again with the points that belong to them. From each row (counted from 0, in

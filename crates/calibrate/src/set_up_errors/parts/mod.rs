@@ -15,6 +15,7 @@ mod rows;
 mod steps;
 
 pub(super) use gross::corrected as gross;
+pub(super) use rows::{Part, RowsInOrder};
 pub(super) use steps::corrected as steps;
 
 #[cfg(test)]

@@ -1,4 +1,5 @@
-//! A home that moved while the robot was measured: an encoder that slips on its shaft, one that is homed anew.
+//! A home that moved while the robot was measured (an encoder that slips on its shaft, one that is homed anew), or a base
+//! or an instrument that moved and turned (bolts that came loose, a tripod).
 //!
 //! What the fitted robot leaves is regressed on the motion of each joint from a row on, beside every column of the base
 //! model and what else may look like a step: waves over each joint, its side of approach, a drift. The gain of a step at
@@ -8,26 +9,27 @@
 //! g(k) = v² / (cᵀc − |Qᵀc|²),   c = J_j on the rows from k on,   v = cᵀr
 //! ```
 //!
-//! comes from sums over the rows from the last to the first, at a cost linear in the rows. A target that moved and a frame
-//! that did are tried at the same rows: only where the home of a joint is likelier than these is it said. One step after
-//! another is added while it is likelier by far.
+//! comes from sums over the rows from the last to the first, at a cost linear in the rows; a frame has six columns.
+//! One step after another is added while it is likelier; then each has to be likelier by far beside all the others, sharp
+//! in its row, and likelier than a target that moved or, for a home, a frame that did. The weakest of those that are not
+//! is dropped, and the others are looked at again.
 
 use nalgebra::{DMatrix, DVector, SMatrix, SVector, Vector3};
 
 use crate::answers::diagnosis::DataProblem;
 use crate::effects::JointValues;
-use crate::fit::problem::Problem;
-use crate::fit::regression::Rows;
+use crate::fit::base_model;
 use crate::kinematics::JointKind;
 use crate::linear::Basis;
 use crate::model::Model;
-use crate::numeric::{self, median};
+use crate::numeric;
 use crate::sessions::{Group, Session, SessionCorrection};
 use crate::text::{angle, length};
 
-use super::nearest::EVIDENCE;
 use super::rows::{Part, RowsInOrder};
 use crate::set_up_errors::groups::fitted;
+use crate::set_up_errors::left::{Beside, Left, MOST, Motion, beside};
+use crate::set_up_errors::thresholds;
 
 /// Rows that are looked at.
 const MOST_ROWS: usize = 240;
@@ -44,19 +46,32 @@ const SHARP: f64 = 8.0;
 const BESIDE_SHARE: f64 = 1.0 / 15.0;
 /// The logarithm by which the home has to be likelier than a target or a frame that moved.
 const LIKELIER: f64 = 3.0;
-/// A turn by which a joint's motion is measured, rad; of a slide mm.
-const SMALL: f64 = 1e-5;
-/// Rows that are farther off than so many times the median are wrong in themselves.
-const WRONG: f64 = 8.0;
 /// How often sizes are fitted again with what they corrected.
 const ROUNDS: usize = 3;
-/// Most numbers of what may move at a row.
-const MOST: usize = 6;
 
-/// A home that moved: by so much (rad, mm) from the k-th row that counts on.
+/// What moved.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum What {
+    /// The home of a joint.
+    Home(usize),
+    /// What the instrument stands on, or the robot: moved and turned.
+    Frame,
+}
+
+impl What {
+    /// How many numbers say how far.
+    fn numbers(self) -> usize {
+        match self {
+            Self::Home(_) => 1,
+            Self::Frame => MOST,
+        }
+    }
+}
+
+/// What moved, a home by so much (rad, mm), from the k-th row that counts on.
 #[derive(Debug, Clone, Copy)]
 struct Step {
-    joint: usize,
+    what: What,
     from: usize,
     by: f64,
 }
@@ -74,20 +89,30 @@ pub(in crate::set_up_errors) fn corrected(
     let few = rows.select(session);
     let (model, before_mm) = fitted(&few, values)?;
     let mut steps = found(&few, values, &model)?;
+    // A frame is that of all rows before its step until an earlier one takes some: the last is made first.
+    steps.sort_by_key(|step| match step.what {
+        What::Frame => (0, rows.len() - step.from),
+        What::Home(_) => (1, step.from),
+    });
     let mut left_mm = before_mm;
-    for _ in 0..ROUNDS {
+    for round in 0..ROUNDS {
         let mut corrected = few.clone();
         for step in &steps {
             step.correction(vec![(0, step.from)]).apply(&mut corrected);
         }
         let (model, left) = fitted(&corrected, values)?;
         left_mm = left;
-        refine(&corrected, values, &model, &mut steps)?;
+        let left = Left::of(&corrected, values, &model)?;
+        refine(&left, &mut steps);
+        // Beside large steps, before they are corrected, their curvature looks like small ones.
+        if round > 0 {
+            let all = steps.clone();
+            steps.retain(|step| still_likelier(&left, &all, *step));
+        }
     }
-    if left_mm >= before_mm {
+    if left_mm >= before_mm || steps.is_empty() {
         return None;
     }
-    steps.sort_by_key(|step| step.from);
     let mut better = session.clone();
     for step in &steps {
         let before = rows.ranges(session, Part::Stretch(0, step.from));
@@ -99,15 +124,16 @@ pub(in crate::set_up_errors) fn corrected(
 }
 
 impl Step {
-    /// Turns these rows, which were measured before it.
+    /// Turns these rows, which were measured before it, or gives them a frame of their own.
     fn correction(&self, rows: Vec<(usize, usize)>) -> SessionCorrection {
-        SessionCorrection::InRows {
-            rows,
-            by: Box::new(SessionCorrection::TurnHome {
-                joint: self.joint,
+        let by = Box::new(match self.what {
+            What::Home(joint) => SessionCorrection::TurnHome {
+                joint,
                 by_rad: -self.by,
-            }),
-        }
+            },
+            What::Frame => SessionCorrection::FreeFrame,
+        });
+        SessionCorrection::InRows { rows, by }
     }
 
     fn problem(
@@ -117,27 +143,44 @@ impl Step {
         mend: SessionCorrection,
         [before_mm, left_mm]: [f64; 2],
     ) -> DataProblem {
-        let joint = self.joint + 1;
-        let by = match session.robot.joints[self.joint].kind {
-            JointKind::Revolute => angle(self.by, 4),
-            JointKind::Prismatic => length(self.by, 3),
+        let sample = rows.row(self.from) + 1;
+        let (what, proposal) = match self.what {
+            What::Home(joint) => {
+                let by = match session.robot.joints[joint].kind {
+                    JointKind::Revolute => angle(self.by, 4),
+                    JointKind::Prismatic => length(self.by, 3),
+                };
+                let joint = joint + 1;
+                let what = text!(
+                    "the home position of joint {joint} moved by {by} at sample {sample}",
+                    joint,
+                    by,
+                    sample
+                );
+                let proposal = text!(
+                    "the samples before are turned by it, to the home as it is now; look at the encoder's coupling, or at how joint {joint} is homed",
+                    joint
+                );
+                (what, proposal)
+            }
+            What::Frame => (
+                text!(
+                    "the robot's base or the instrument moved and turned at sample {sample}",
+                    sample
+                ),
+                text!(
+                    "the samples before have a measuring frame of their own; look at the bolts of the base and at the instrument's stand"
+                ),
+            ),
         };
         DataProblem {
-            what: text!(
-                "the home position of joint {joint} moved by {by} at sample {sample}",
-                joint,
-                by = by.clone(),
-                sample = rows.row(self.from) + 1
-            ),
+            what,
             evidence: text!(
                 "the base model leaves {before} as it stands and {after} with these samples corrected; more than 1000 times likelier",
                 before = length(before_mm, 3),
                 after = length(left_mm, 3)
             ),
-            proposal: text!(
-                "the samples before are turned by it, to the home as it is now; look at the encoder's coupling, or at how joint {joint} is homed",
-                joint
-            ),
+            proposal,
             mend: Some(mend),
             samples: (0..rows.len())
                 .filter(|k| *k < self.from)
@@ -147,118 +190,31 @@ impl Step {
     }
 }
 
-/// The motion of what may move at a row: for each sample its columns.
-type Motion = Vec<[Vector3<f64>; MOST]>;
-
-/// What the rows of a session leave, and the columns beside.
-struct Left {
-    residual: DVector<f64>,
-    base: DMatrix<f64>,
-    /// Of each joint, per unit.
-    joints: Vec<DVector<f64>>,
-    /// Of the frame: turns about x, y, z and moves along them, by sample.
-    frame: Motion,
-    /// Of a target.
-    target: Motion,
-    /// Samples, and axes of each.
-    n: usize,
-    axes: Vec<usize>,
-    /// The size of a deviation along each axis.
-    scale: Vec<f64>,
-}
-
 impl Left {
-    fn of(few: &Session, values: JointValues, model: &Model) -> Option<Self> {
-        let problem = Problem::new(few, values);
-        let n = few.samples.len();
-        let rows = Rows::of_samples(&problem, (0..n).collect());
-        if rows.samples.iter().copied().ne(0..n) {
-            return None;
+    /// The columns of a step.
+    fn from(&self, what: What, first: usize) -> Vec<DVector<f64>> {
+        let is_after = |i: usize| f64::from(u8::from(i >= first));
+        match what {
+            What::Home(joint) => vec![self.times(&self.joints[joint], is_after)],
+            What::Frame => (0..MOST)
+                .map(|k| self.column(|i| self.frame[i][k] * is_after(i)))
+                .collect(),
         }
-        let (mut residual, mut base) = rows.extract(model);
-        let axes = rows.axes.clone();
-        let turned = |joint: usize| {
-            let mut moved = few.clone();
-            SessionCorrection::TurnHome {
-                joint,
-                by_rad: SMALL,
-            }
-            .apply(&mut moved);
-            let problem = Problem::new(&moved, values);
-            let there = Rows::of_samples(&problem, (0..n).collect()).residual(model);
-            (&residual - there) / SMALL
-        };
-        let mut joints: Vec<DVector<f64>> = (0..few.robot.joints.len()).map(turned).collect();
-        let points = rows.points(model);
-        let mean = points
-            .iter()
-            .map(|p| Vector3::from(*p))
-            .sum::<Vector3<f64>>()
-            / n as f64;
-        let along = |axis: usize| {
-            let mut moved = few.clone();
-            let mut by_mm = [0.0; 3];
-            by_mm[axis] = 1.0;
-            for target in 0..moved.targets.len() {
-                SessionCorrection::MoveTarget { target, by_mm }.apply(&mut moved);
-            }
-            let problem = Problem::new(&moved, values);
-            Rows::of_samples(&problem, (0..n).collect()).points(model)
-        };
-        let displaced = [0, 1, 2].map(along);
-        let zero = Vector3::zeros();
-        let unit = |k: usize| Vector3::ith(k, 1.0);
-        let size = points
-            .iter()
-            .map(|p| (Vector3::from(*p) - mean).norm())
-            .fold(1.0, f64::max);
-        let frame = points.iter().map(|p| {
-            let arm = (Vector3::from(*p) - mean) / size;
-            std::array::from_fn(|k| {
-                if k < 3 {
-                    unit(k)
-                } else {
-                    unit(k - 3).cross(&arm)
-                }
-            })
-        });
-        let target = (0..n).map(|i| {
-            let place = Vector3::from(points[i]);
-            let by = |k: usize| Vector3::from(displaced[k][i]) - place;
-            std::array::from_fn(|k| if k < 3 { by(k) } else { zero })
-        });
-        let (frame, target) = (frame.collect(), target.collect());
-        // Axes count by what they leave.
-        let of_axis = |a: usize| median((0..n).map(|i| residual[a * n + i].abs()));
-        let scale: Vec<f64> = (0..axes.len())
-            .map(|a| of_axis(a).unwrap_or(1.0).max(1e-6))
-            .collect();
-        for (a, scale) in scale.iter().enumerate() {
-            residual.rows_mut(a * n, n).unscale_mut(*scale);
-            base.rows_mut(a * n, n).unscale_mut(*scale);
-            for joint in &mut joints {
-                joint.rows_mut(a * n, n).unscale_mut(*scale);
-            }
-        }
-        Some(Self {
-            residual,
-            base,
-            joints,
-            frame,
-            target,
-            n,
-            axes,
-            scale,
-        })
     }
 
-    /// A column with each sample's part times a factor.
-    fn times(&self, column: &DVector<f64>, factor: impl Fn(usize) -> f64) -> DVector<f64> {
-        DVector::from_fn(column.len(), |row, _| column[row] * factor(row % self.n))
-    }
-
-    fn from(&self, joint: usize, first: usize) -> DVector<f64> {
-        self.times(&self.joints[joint], |i| f64::from(u8::from(i >= first)))
+    /// What moves at a row, by sample.
+    fn motion(&self, what: What) -> Motion {
+        let What::Home(joint) = what else {
+            return self.frame.clone();
+        };
+        let of_sample = |i: usize| {
+            let mut own = [Vector3::zeros(); MOST];
+            for (a, axis) in self.axes.iter().enumerate() {
+                own[0][*axis] = self.joints[joint][a * self.n + i] * self.scale[a];
+            }
+            own
+        };
+        (0..self.n).map(of_sample).collect()
     }
 
     /// What else may look like a step: waves over each joint, its side of approach, a drift of its home and of the
@@ -290,56 +246,19 @@ impl Left {
             }
         }
         for order in [1.0, 2.0] {
-            for (joint, own) in self.joints.iter().enumerate() {
-                let q = &samples.q[joint];
-                // A slide has waves over its travel.
-                let cycle = match few.robot.joints[joint].kind {
-                    JointKind::Revolute => order,
-                    JointKind::Prismatic => {
-                        let [low, high] = numeric::extent(q);
-                        order * std::f64::consts::TAU / (high - low).max(1e-9)
-                    }
-                };
-                all.push(self.times(own, |i| (cycle * q[i]).sin()));
-                all.push(self.times(own, |i| (cycle * q[i]).cos()));
-            }
+            all.extend(self.waves(few, order));
         }
         for own in &self.joints {
             all.push(self.times(own, |i| time(i) * time(i)));
         }
         all
     }
-
-    fn column(&self, of: impl Fn(usize) -> Vector3<f64>) -> DVector<f64> {
-        DVector::from_fn(self.residual.len(), |row, _| {
-            let a = row / self.n;
-            of(row % self.n)[self.axes[a]] / self.scale[a]
-        })
-    }
-}
-
-/// Columns side by side.
-fn beside(base: &DMatrix<f64>, more: &[DVector<f64>]) -> DMatrix<f64> {
-    let mut all = base
-        .clone()
-        .resize_horizontally(base.ncols() + more.len(), 0.0);
-    for (k, column) in more.iter().enumerate() {
-        all.set_column(base.ncols() + k, column);
-    }
-    for mut column in all.column_iter_mut() {
-        let norm = column.norm();
-        if norm > 0.0 {
-            column /= norm;
-        }
-    }
-    all
 }
 
 /// The gain in square of what moves from a row on, for each row: the first so many of its columns.
 fn gains(
     left: &Left,
-    basis: &Basis,
-    free: &DVector<f64>,
+    Beside { basis, free, .. }: &Beside,
     motion: &Motion,
     count: usize,
     own: impl Fn(usize) -> bool,
@@ -391,106 +310,141 @@ fn gains(
     gains
 }
 
-/// Every home that moved.
+/// Everything that moved.
 fn found(few: &Session, values: JointValues, model: &Model) -> Option<Vec<Step>> {
     let left = Left::of(few, values, model)?;
-    let rows = left.residual.len();
     let mut rivals = left.rivals(few);
     // What matters most comes first.
-    let most = (rows / ROWS_TO_A_COLUMN).checked_sub(left.base.ncols())?;
+    let most = (left.residual.len() / ROWS_TO_A_COLUMN).checked_sub(left.base.ncols())?;
     rivals.truncate(most);
+    let mut all: Vec<What> = (0..left.joints.len()).map(What::Home).collect();
+    let setups = few.samples.setups.as_ref();
+    if base_model::is_arm(few) && setups.is_none_or(|setups| setups.names.len() < 2) {
+        all.push(What::Frame);
+    }
+    let beside_these = |steps: &[Step]| {
+        let own = steps
+            .iter()
+            .flat_map(|step| left.from(step.what, step.from));
+        let columns: Vec<_> = rivals.iter().cloned().chain(own).collect();
+        AtRows::beside(&left, &columns)
+    };
     let mut steps: Vec<Step> = Vec::new();
     while steps.len() < MOST_STEPS {
-        let basis = Basis::new(&beside(&left.base, &rivals));
-        let free = basis.reject(&left.residual);
-        let Some(step) = likeliest(few, &left, &basis, &free) else {
+        let beside = beside_these(&steps)?;
+        let each = all.iter().map(|what| (*what, beside.best(*what)));
+        let price = |what| f64::from(u8::from(what == What::Frame)) * thresholds::LIKELIER;
+        let likeliest = |(what, (_, nats)): &(What, (usize, f64))| nats - price(*what);
+        let best = each.max_by(|a, b| likeliest(a).total_cmp(&likeliest(b)));
+        let (what, (from, nats)) = best?;
+        if nats < thresholds::LIKELIER {
             break;
+        }
+        let by = 0.0;
+        steps.push(Step { what, from, by });
+    }
+    while !steps.is_empty() {
+        let evidence = |k: usize| {
+            let mut others = steps.clone();
+            let step = others.remove(k);
+            beside_these(&others).map_or(f64::MIN, |beside| beside.evidence(few, step))
         };
-        rivals.push(left.from(step.joint, step.from));
-        steps.push(step);
+        let each = (0..steps.len()).map(|k| (k, evidence(k)));
+        let (weakest, evidence) = each.min_by(|a, b| a.1.total_cmp(&b.1))?;
+        if evidence >= thresholds::LIKELIER {
+            return Some(steps);
+        }
+        steps.remove(weakest);
     }
-    (!steps.is_empty()).then_some(steps)
+    None
 }
 
-/// The joint and the row of the likeliest step, if it is likely enough.
-fn likeliest(few: &Session, left: &Left, basis: &Basis, free: &DVector<f64>) -> Option<Step> {
-    let n = left.n;
-    let rows = free.len();
-    let freedom = rows.saturating_sub(basis.rank()) as f64;
-    // Rows that are wrong in themselves count as what is usual.
-    let usual = median(free.iter().map(|e| e.abs()))?;
-    let free = free.map(|e| e.clamp(-WRONG * usual, WRONG * usual));
-    let square = free.norm_squared();
-    let nats = |gain: f64, numbers: usize| {
-        let remaining = (square - gain).max(1e-6 * square).max(f64::MIN_POSITIVE);
-        0.5 * freedom * (square / remaining).ln()
-            - 0.5 * numbers as f64 * (rows as f64).ln()
-            - (n as f64).ln()
-    };
-    let best_of = |gains: Vec<f64>| {
-        let best = gains.into_iter().enumerate();
-        best.max_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or((0, 0.0))
-    };
-    let of_joint = |joint: usize| {
-        let motion: Motion = (0..n)
-            .map(|i| {
-                let mut own = [Vector3::zeros(); MOST];
-                for (a, axis) in left.axes.iter().enumerate() {
-                    own[0][*axis] = left.joints[joint][a * n + i] * left.scale[a];
-                }
-                own
-            })
+/// What moved at which row, beside other columns.
+struct AtRows<'a> {
+    left: &'a Left,
+    beside: Beside,
+}
+
+impl<'a> AtRows<'a> {
+    fn beside(left: &'a Left, columns: &[DVector<f64>]) -> Option<Self> {
+        let beside = Beside::of(left, columns)?;
+        Some(Self { left, beside })
+    }
+
+    /// The logarithm by which a step of so many numbers is likelier than none, its row paid for.
+    fn nats(&self, gain: f64, numbers: usize) -> f64 {
+        self.beside.nats(gain, numbers) - (self.left.n as f64).ln()
+    }
+
+    /// That of each row, for the first so many numbers of what moves in the samples that do.
+    fn of_rows(&self, motion: &Motion, count: usize, own: impl Fn(usize) -> bool) -> Vec<f64> {
+        gains(self.left, &self.beside, motion, count, own)
+    }
+
+    /// That of a step, by row.
+    fn by_row(&self, what: What) -> Vec<f64> {
+        let numbers = what.numbers();
+        let gains = self.of_rows(&self.left.motion(what), numbers, |_| true);
+        gains
+            .into_iter()
+            .map(|gain| self.nats(gain, numbers))
+            .collect()
+    }
+
+    /// The likeliest row of a step.
+    fn best(&self, what: What) -> (usize, f64) {
+        let all = self.by_row(what).into_iter().enumerate();
+        let best = all.max_by(|a, b| a.1.total_cmp(&b.1));
+        best.unwrap_or((0, f64::MIN))
+    }
+
+    /// The logarithm by which a step is likelier, of correlated noise so much less; the lowest there is for what is as
+    /// likely some rows on or before, and where something else that moved about there is as likely.
+    fn evidence(&self, few: &Session, step: Step) -> f64 {
+        let Step { what, from, .. } = step;
+        let (left, n) = (self.left, self.left.n);
+        let all = self.by_row(what);
+        let own = all[from];
+        let aside = numeric::whole((BESIDE_SHARE * n as f64).max(3.0));
+        let about = from.saturating_sub(aside)..(from + aside + 1).min(n);
+        let there = [from.checked_sub(aside), Some(from + aside)];
+        let there = there.into_iter().flatten().filter_map(|k| all.get(k));
+        let is_sharp = there.into_iter().all(|nats| own >= nats + SHARP);
+        let best = |nats: &[f64]| nats[about.clone()].iter().copied().fold(f64::MIN, f64::max);
+        let gained =
+            |motion: &Motion, count: usize, is_own: &dyn Fn(usize) -> bool, numbers: usize| {
+                let gains = self.of_rows(motion, count, is_own);
+                let nats: Vec<f64> = gains.into_iter().map(|g| self.nats(g, numbers)).collect();
+                best(&nats)
+            };
+        let mut rivals = match what {
+            // A slide's home is its frame along it: that has a name of its own, at the price of one number.
+            What::Home(_) => {
+                let moved = gained(&left.frame, 3, &|_| true, 1);
+                best(&self.by_row(What::Frame)).max(moved) + LIKELIER
+            }
+            // A frame that moved and did not turn is an effect.
+            What::Frame => {
+                let moved = gained(&left.frame, 3, &|_| true, 3);
+                let homes = (0..left.joints.len()).map(|j| best(&self.by_row(What::Home(j))));
+                homes.fold(moved, f64::max) + thresholds::LIKELIER
+            }
+        };
+        for target in 0..Group::Target.count(few) {
+            let is_own = |i: usize| Group::Target.of(few, i) == Some(target);
+            rivals = rivals.max(gained(&left.target, 3, &is_own, 3) + LIKELIER);
+        }
+        if !is_sharp || own <= rivals {
+            return f64::MIN;
+        }
+        let columns = left.from(what, from);
+        let columns: Vec<_> = columns
+            .iter()
+            .map(|own| self.beside.basis.reject(own))
             .collect();
-        let all = gains(left, basis, &free, &motion, 1, |_| true);
-        let (from, gain) = best_of(all.clone());
-        (joint, from, gain, all)
-    };
-    let homes = (0..left.joints.len()).map(of_joint);
-    let (joint, from, gain, all) = homes.max_by(|a, b| a.2.total_cmp(&b.2))?;
-    // What is as likely some rows on is no step.
-    let aside = numeric::whole((BESIDE_SHARE * n as f64).max(3.0));
-    let beside = [from.checked_sub(aside), Some(from + aside)];
-    let beside = beside.into_iter().flatten().filter_map(|k| all.get(k));
-    if beside
-        .into_iter()
-        .any(|other| nats(gain, 1) < nats(*other, 1) + SHARP)
-    {
-        return None;
+        let along = Basis::new(&DMatrix::from_columns(&columns));
+        own / dilution(left, &along.reject(&self.beside.free))
     }
-    let own = nats(gain, 1);
-    // Correlated noise has fewer independent rows.
-    let own = own / dilution(left, &(&free - projection(left, basis, joint, from, &free)));
-    if own < EVIDENCE {
-        return None;
-    }
-    let everything = |_: usize| true;
-    let moved = best_of(gains(left, basis, &free, &left.frame, 3, everything)).1;
-    let turned = best_of(gains(left, basis, &free, &left.frame, 6, everything)).1;
-    // A slide's home is its frame along it: that has a name of its own.
-    let mut rivals = nats(moved, 1).max(nats(turned, 6));
-    for target in 0..Group::Target.count(few) {
-        let own = |i: usize| Group::Target.of(few, i) == Some(target);
-        let gain = best_of(gains(left, basis, &free, &left.target, 3, own)).1;
-        rivals = rivals.max(nats(gain, 3));
-    }
-    (nats(gain, 1) > rivals + LIKELIER).then_some(Step {
-        joint,
-        from,
-        by: 0.0,
-    })
-}
-
-/// The part of what is left along a step.
-fn projection(
-    left: &Left,
-    basis: &Basis,
-    joint: usize,
-    from: usize,
-    free: &DVector<f64>,
-) -> DVector<f64> {
-    let column = basis.reject(&left.from(joint, from));
-    let square = column.norm_squared().max(1e-12);
-    &column * (column.dot(free) / square)
 }
 
 /// By how much rows that follow one another say the same: (1 + ρ)/(1 − ρ) with the correlation ρ of neighbours, at
@@ -507,26 +461,36 @@ fn dilution(left: &Left, residual: &DVector<f64>) -> f64 {
     (1.0 + correlation) / (1.0 - correlation)
 }
 
-/// Adds to each step what the corrected rows leave of it.
-fn refine(
-    corrected: &Session,
-    values: JointValues,
-    model: &Model,
-    steps: &mut [Step],
-) -> Option<()> {
-    let left = Left::of(corrected, values, model)?;
-    let columns: Vec<DVector<f64>> = steps
-        .iter()
-        .map(|step| left.from(step.joint, step.from))
+/// Adds to each home's step what the corrected rows leave of it.
+fn refine(left: &Left, steps: &mut [Step]) {
+    let homes = steps.iter().filter(|step| step.what != What::Frame);
+    let columns: Vec<DVector<f64>> = homes
+        .flat_map(|step| left.from(step.what, step.from))
         .collect();
     let all = beside(&left.base, &columns);
-    let norms: Vec<f64> = columns
-        .iter()
-        .map(|column| column.norm().max(1e-12))
-        .collect();
     let solution = Basis::new(&all).solve(&left.residual);
-    for (k, step) in steps.iter_mut().enumerate() {
-        step.by += solution[left.base.ncols() + k] / norms[k];
+    let homes = steps.iter_mut().filter(|step| step.what != What::Frame);
+    for (k, (step, column)) in homes.zip(&columns).enumerate() {
+        step.by += solution[left.base.ncols() + k] / column.norm().max(1e-12);
     }
-    Some(())
+}
+
+/// Whether a home's step is likelier than none where every step is corrected.
+fn still_likelier(left: &Left, all: &[Step], step: Step) -> bool {
+    if step.what == What::Frame {
+        return true;
+    }
+    let others = all.iter().filter(|other| other.from != step.from);
+    let others: Vec<_> = others
+        .flat_map(|other| left.from(other.what, other.from))
+        .collect();
+    AtRows::beside(left, &others).is_some_and(|at_rows| {
+        let own = &left.from(step.what, step.from)[0];
+        let own = at_rows.beside.basis.reject(own);
+        at_rows
+            .beside
+            .nats_without(step.by * step.by * own.norm_squared())
+            - (left.n as f64).ln()
+            >= thresholds::LIKELIER
+    })
 }

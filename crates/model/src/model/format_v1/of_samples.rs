@@ -30,6 +30,8 @@ pub(super) fn numbers_of(correction: &SessionCorrection) -> Option<(&'static str
             "continue-clock",
             days.iter().map(|sample| place(*sample)).collect(),
         ),
+        SessionCorrection::Settle { by_mm, tau_s } => ("settle", vec![*by_mm, *tau_s]),
+        SessionCorrection::TurnGravity(m_s2) => ("turn-gravity", m_s2.to_vec()),
         SessionCorrection::WidenNoise(by_mm) => ("widen-noise", by_mm.to_vec()),
         SessionCorrection::MoveTarget { target, by_mm } => {
             let numbers = [place(*target)].into_iter().chain(*by_mm);
@@ -80,6 +82,11 @@ pub(super) fn of_numbers(name: &str, numbers: &[f64]) -> Option<SessionCorrectio
             let days = days.iter().map(|sample| index(*sample));
             SessionCorrection::ContinueClock(days.collect::<Option<_>>()?)
         }
+        ("settle", [by_mm, tau_s]) if *tau_s > 0.0 => SessionCorrection::Settle {
+            by_mm: *by_mm,
+            tau_s: *tau_s,
+        },
+        ("turn-gravity", [x, y, z]) => SessionCorrection::TurnGravity([*x, *y, *z]),
         ("widen-noise", [x, y, z]) => SessionCorrection::WidenNoise([*x, *y, *z]),
         ("move-target", [target, x, y, z]) => SessionCorrection::MoveTarget {
             target: index(*target)?,
@@ -184,6 +191,11 @@ mod tests {
                 factor: -1.0,
             },
             SessionCorrection::ScaleLoad(0.001),
+            SessionCorrection::TurnGravity([9.81, 0.0, 0.0]),
+            SessionCorrection::Settle {
+                by_mm: 0.2,
+                tau_s: 600.0,
+            },
             SessionCorrection::ConvertTemperature {
                 factor: 1.0,
                 offset: -273.15,

@@ -1,0 +1,191 @@
+//! Gravity that runs otherwise than the session says: a robot on a wall, under a ceiling, on a slope.
+//!
+//! Where the load changes, what it turns joint j by is linear in gravity,
+//!
+//! ```text
+//! δ_j = C_j m Σ_g d_g τ_jg(q),   τ_jg = e_g · ∂x_tool/∂q_j
+//! ```
+//!
+//! with the joints' compliances C and the direction d of gravity in the base frame. Beside every column of the base model,
+//! waves over the joints, and the same torques of a load that is always there (what links weigh, what an eccentricity
+//! does), the 3 · joints columns have a Gram matrix G and products b with what the base leaves; a direction gains
+//! b_dᵀ G_d⁻¹ b_d. It is said where one direction is likelier by far than the one that the session states.
+
+use nalgebra::{DMatrix, DVector, Vector3};
+
+use crate::answers::diagnosis::DataProblem;
+use crate::effects::JointValues;
+use crate::fit::base_model;
+use crate::kinematics::{JointKind, Robot};
+use crate::linear::cholesky;
+use crate::numeric::extent;
+use crate::sessions::{Session, SessionCorrection};
+use crate::text::Text;
+
+use super::groups::fitted;
+use super::left::{Beside, Left};
+use super::parts::RowsInOrder;
+use super::thresholds::LIKELIER;
+
+/// Rows that are looked at.
+const MOST_ROWS: usize = 400;
+/// Directions that are tried first, evenly over the sphere: 5° apart.
+const DIRECTIONS: usize = 2000;
+/// Halvings of the step around the best of them: to a hundredth of a degree.
+const HALVINGS: usize = 10;
+/// A robot that stands so level (the sine of 10°) sags as one that is level, within what is known of its compliance.
+const LEVEL: f64 = 0.17;
+
+/// The session with gravity as its joints feel it; `None` where that is as the session says, or not shown.
+pub(super) fn turned(
+    session: &Session,
+    values: JointValues,
+    problems: &mut Vec<DataProblem>,
+) -> Option<Session> {
+    let stated = session.robot.gravity_m_s2.filter(|g| g.norm() > 0.0)?;
+    let loads = session.samples.load_kg.as_ref()?;
+    let [least, most] = extent(loads.iter().copied().filter(|kg| kg.is_finite()));
+    if !base_model::is_arm(session) || !session.has_plain_points() || least >= most {
+        return None;
+    }
+    let few = RowsInOrder::of(session, MOST_ROWS).select(session);
+    let sag = Sag::of(&few, values)?;
+    let direction = sag.likeliest()?;
+    let as_stated = stated.normalize();
+    let needed = LIKELIER + sag.nats(&as_stated, 0).max(0.0);
+    if sag.nats(&direction, 2) < needed || (direction - as_stated).norm() < LEVEL {
+        return None;
+    }
+    let mend = SessionCorrection::TurnGravity((direction * stated.norm()).into());
+    let along = |d: &Vector3<f64>| Text::verbatim(format!("({:.2}, {:.2}, {:.2})", d.x, d.y, d.z));
+    problems.push(DataProblem {
+        what: text!(
+            "gravity runs along {found} of the base, not along {stated}",
+            found = along(&direction),
+            stated = along(&as_stated)
+        ),
+        evidence: text!(
+            "what the joints give under the changing load is more than 1000 times likelier so"
+        ),
+        proposal: text!("it is taken so; say in the session how the robot is mounted"),
+        mend: Some(mend.clone()),
+        samples: Vec::new(),
+    });
+    let mut better = session.clone();
+    mend.apply(&mut better);
+    Some(better)
+}
+
+/// What the load turns the joints by, apart from everything else.
+struct Sag {
+    /// Columns of joint j and gravity along g at 3 j + g: their products.
+    gram: DMatrix<f64>,
+    /// With what is left.
+    pull: DVector<f64>,
+    beside: Beside,
+    joints: usize,
+}
+
+impl Sag {
+    fn of(few: &Session, values: JointValues) -> Option<Self> {
+        let (model, _) = fitted(few, values)?;
+        let left = Left::of(few, values, &model)?;
+        let load = few.samples.load_kg.as_ref()?;
+        if load.iter().any(|kg| !kg.is_finite()) {
+            return None;
+        }
+        let turning = |j: &usize| few.robot.joints[*j].kind == JointKind::Revolute;
+        let joints: Vec<usize> = (0..few.robot.joints.len()).filter(turning).collect();
+        let (mut own, mut rivals) = (Vec::new(), left.waves(few, 1.0));
+        for &joint in &joints {
+            let motion = &left.joints[joint];
+            for along in 0..3 {
+                let torques = torques_of_a_kilogram(few, joint, along);
+                rivals.push(left.times(motion, |i| torques[i]));
+                own.push(left.times(motion, |i| torques[i] * load[i]));
+            }
+        }
+        let beside = Beside::of(&left, &rivals)?;
+        let own: Vec<_> = own.iter().map(|c| beside.basis.reject(c)).collect();
+        let own = DMatrix::from_columns(&own);
+        Some(Self {
+            gram: own.tr_mul(&own),
+            pull: own.tr_mul(&beside.free),
+            beside,
+            joints: joints.len(),
+        })
+    }
+
+    /// The logarithm by which the joints' compliances under gravity along a direction are likelier than none, their
+    /// number and that of the direction's angles paid for; zero where joints would give against the load.
+    fn nats(&self, direction: &Vector3<f64>, angles: usize) -> f64 {
+        let part = |j: usize, k: usize| {
+            direction.dot(&(self.gram.fixed_view::<3, 3>(3 * j, 3 * k) * direction))
+        };
+        let mut gram = DMatrix::from_fn(self.joints, self.joints, part);
+        let pull = DVector::from_fn(self.joints, |j, _| {
+            self.pull.fixed_rows::<3>(3 * j).dot(direction)
+        });
+        // A joint that the load does not turn shows nothing.
+        let usual = gram.diagonal().max();
+        for j in 0..self.joints {
+            gram[(j, j)] += 1e-9 * usual;
+        }
+        let Some(compliances) = cholesky(gram).map(|factor| factor.solve(&pull)) else {
+            return 0.0;
+        };
+        let gains = compliances.component_mul(&pull);
+        let given_way: f64 = (0..self.joints)
+            .map(|j| compliances[j].signum() * gains[j])
+            .sum();
+        if given_way <= 0.0 {
+            return 0.0;
+        }
+        self.beside.nats(gains.sum(), self.joints + angles)
+    }
+
+    /// The likeliest direction; `None` where none is likelier than no compliance.
+    fn likeliest(&self) -> Option<Vector3<f64>> {
+        let golden = std::f64::consts::PI * (3.0 - 5.0_f64.sqrt());
+        let on_the_sphere = (0..DIRECTIONS).map(|k| {
+            let z = 1.0 - 2.0 * (k as f64 + 0.5) / DIRECTIONS as f64;
+            let (sin, cos) = (golden * k as f64).sin_cos();
+            Vector3::new(cos, sin, 0.0) * (1.0 - z * z).sqrt() + Vector3::z() * z
+        });
+        let valued = on_the_sphere.map(|d| (self.nats(&d, 2), d));
+        let (mut nats, mut best) = valued.max_by(|a, b| a.0.total_cmp(&b.0))?;
+        let mut step = 0.1;
+        for _ in 0..HALVINGS {
+            for axis in 0..3 {
+                for sign in [-step, step] {
+                    let there: Vector3<f64> = best + Vector3::ith(axis, 1.0) * sign;
+                    let there = there.normalize();
+                    let other = self.nats(&there, 2);
+                    if other > nats {
+                        (nats, best) = (other, there);
+                    }
+                }
+            }
+            step *= 0.5;
+        }
+        (nats > 0.0).then_some(best)
+    }
+}
+
+/// The torque about a joint of a kilogram at the tool for gravity of 1 m/s² along an axis, N·m.
+fn torques_of_a_kilogram(few: &Session, joint: usize, along: usize) -> Vec<f64> {
+    let mut robot: Robot = few.robot.clone();
+    robot.gravity_m_s2 = Some(Vector3::ith(along, 1.0));
+    for own in &mut robot.joints {
+        own.link = None;
+    }
+    let mut q = vec![0.0; robot.joints.len()];
+    (0..few.samples.len())
+        .map(|i| {
+            for (q, column) in q.iter_mut().zip(&few.samples.q) {
+                *q = column[i];
+            }
+            robot.gravity_torque_nm(&q, 1.0, joint).unwrap_or(0.0)
+        })
+        .collect()
+}

@@ -1,0 +1,116 @@
+//! An instrument that warms up while it measures: its distances settle.
+//!
+//! ```text
+//! p_i = p_i⁰ + a · s_i · exp(−(t_i − t_0) / τ),   s_i the line of sight
+//! ```
+//!
+//! What the fitted robot leaves is regressed on that column for some τ, beside the base model and waves over the joints,
+//! and on what else settles in the same time: the frame (moved, or moved and turned), the home of a joint. Lines of sight
+//! have to spread for it to be told from a frame that moves.
+
+use crate::answers::diagnosis::DataProblem;
+use crate::effects::JointValues;
+use crate::fit::base_model;
+use crate::numeric::extent;
+use crate::sessions::{Session, SessionCorrection};
+use crate::text::{Text, length};
+use nalgebra::{DVector, Vector3};
+
+use super::groups::fitted;
+use super::left::{Beside, Left};
+use super::parts::RowsInOrder;
+use super::thresholds::LIKELIER;
+
+/// Rows that are looked at.
+const MOST_ROWS: usize = 400;
+/// Times that are tried, as parts of the time that was measured: what settles faster is a few rows, what settles slower a
+/// straight line.
+const PARTS: [f64; 5] = [0.05, 0.1, 0.2, 0.35, 0.6];
+
+/// How often the size is fitted again with what it corrected.
+const ROUNDS: usize = 2;
+
+/// The session with its distances as they are in the end; `None` where they do not settle.
+pub(super) fn corrected(
+    session: &Session,
+    values: JointValues,
+    problems: &mut Vec<DataProblem>,
+) -> Option<Session> {
+    let one_station = session.samples.setups.as_ref()?.names.len() == 1;
+    let time_s = session.samples.time_s.as_ref()?;
+    let [first_s, last_s] = extent(time_s);
+    if !one_station
+        || first_s >= last_s
+        || !base_model::is_arm(session)
+        || !session.has_plain_points()
+    {
+        return None;
+    }
+    let few = RowsInOrder::of(session, MOST_ROWS).select(session);
+    let span_s = [first_s, last_s];
+    let (mut by_mm, tau_s) = settled(&few, values, span_s)?;
+    // What was far off counted as little: sizes are fitted again with what they corrected.
+    for _ in 0..ROUNDS {
+        let mut corrected = few.clone();
+        SessionCorrection::Settle { by_mm, tau_s }.apply(&mut corrected);
+        let left = Left::of(&corrected, values, &fitted(&corrected, values)?.0)?;
+        let beside = Beside::of(&left, &left.waves(&corrected, 1.0))?;
+        by_mm += beside
+            .with(&[along_sight(&corrected, &left, first_s, tau_s)?])
+            .0[0];
+    }
+    let mend = SessionCorrection::Settle { by_mm, tau_s };
+    problems.push(DataProblem {
+        what: text!(
+            "the instrument's distances settle: {by} at the beginning, within {minutes} min",
+            by = length(by_mm, 3),
+            minutes = Text::verbatim(format!("{:.0}", tau_s / 60.0))
+        ),
+        evidence: text!(
+            "more than 1000 times likelier than a frame that moves or turns, or a joint whose home does"
+        ),
+        proposal: text!(
+            "the samples are taken without it; let the instrument warm up before measuring"
+        ),
+        mend: Some(mend.clone()),
+        samples: Vec::new(),
+    });
+    let mut better = session.clone();
+    mend.apply(&mut better);
+    Some(better)
+}
+
+/// What the instrument settles by, mm, and its time, s.
+fn settled(few: &Session, values: JointValues, [first_s, last_s]: [f64; 2]) -> Option<(f64, f64)> {
+    let (model, _) = fitted(few, values)?;
+    let left = Left::of(few, values, &model)?;
+    let beside = Beside::of(&left, &left.waves(few, 1.0))?;
+    let at_s = few.samples.time_s.as_ref()?;
+    let (mut best, mut rivals) = ((0.0, 0.0, 0.0), 0.0_f64);
+    for part in PARTS {
+        let tau_s = part * (last_s - first_s);
+        let settles = |i: usize| (-(at_s[i] - first_s) / tau_s).exp();
+        let (by_mm, nats) = beside.with(&[along_sight(few, &left, first_s, tau_s)?]);
+        if nats > best.0 {
+            best = (nats, by_mm[0], tau_s);
+        }
+        let frame: Vec<_> = (0..6)
+            .map(|k| left.column(|i| left.frame[i][k] * settles(i)))
+            .collect();
+        let homes = left.joints.iter();
+        let homes = homes.map(|own| beside.with(&[left.times(own, settles)]).1);
+        rivals = homes.fold(rivals, f64::max);
+        rivals = rivals
+            .max(beside.with(&frame[..3]).1)
+            .max(beside.with(&frame).1);
+    }
+    let (nats, by_mm, tau_s) = best;
+    (nats >= LIKELIER.max(rivals + 1000.0_f64.ln())).then_some((by_mm, tau_s))
+}
+
+/// The column of distances that settle in this time.
+fn along_sight(few: &Session, left: &Left, first_s: f64, tau_s: f64) -> Option<DVector<f64>> {
+    let at_s = few.samples.time_s.as_ref()?;
+    let sight = |i: usize| Vector3::from(few.samples.coordinates(i)).normalize();
+    Some(left.column(|i| sight(i) * (-(at_s[i] - first_s) / tau_s).exp()))
+}
