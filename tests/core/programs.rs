@@ -47,7 +47,7 @@ fn arm() -> &'static VerifiedCalibration {
     ARM.get_or_init(|| identified("arm.json", &effects))
 }
 
-fn request<'a>(
+pub(crate) fn request<'a>(
     calibration: &'a VerifiedCalibration,
     bytes: &'a [u8],
     language: &str,

@@ -26,7 +26,8 @@ pub mod solver;
 pub(crate) mod spectrum;
 #[doc(hidden)]
 pub mod uncertainty;
-pub(crate) mod unseen;
+#[doc(hidden)]
+pub mod unseen;
 
 mod adaptive;
 mod answer;

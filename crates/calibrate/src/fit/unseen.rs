@@ -105,25 +105,34 @@ impl Unseen {
         all
     }
 
-    /// Keeps those that do anything over the joint ranges: where one does not it is another name for the same.
+    /// Keeps those that do anything over the joint ranges, where one does not it is another name for the same, and that
+    /// are of the robot: how an instrument is turned about the line through two places is no matter of its commands.
     fn retain_what_matters(&mut self, inputs: &Inputs) {
-        let mut largest = vec![[0.0_f64; 2]; self.combinations.len()];
+        let of_frame: Vec<bool> = self
+            .model
+            .columns()
+            .map(|(term, _)| term.effect.about().role == Role::FreeFrame)
+            .collect();
+        let mut largest = vec![[0.0_f64; 3]; self.combinations.len()];
         self.model.visit(inputs, true, |_, block| {
-            for (own, [all, part]) in self.combinations.iter().zip(&mut largest) {
+            for (own, [all, of_robot, part]) in self.combinations.iter().zip(&mut largest) {
                 for i in 0..block.len {
-                    let mut moved = Vector3::zeros();
-                    for (d, column) in own.iter().zip(&block.columns) {
+                    let (mut frame, mut robot) = (Vector3::zeros(), Vector3::zeros());
+                    for (k, (d, column)) in own.iter().zip(&block.columns).enumerate() {
                         let by = Vector3::from_fn(|axis, _| d * column[axis][i]);
                         *part = part.max(by.norm());
-                        moved += by;
+                        *(if of_frame[k] { &mut frame } else { &mut robot }) += by;
                     }
-                    *all = all.max(moved.norm());
+                    *all = all.max((frame + robot).norm());
+                    *of_robot = of_robot.max(robot.norm());
                 }
             }
         });
-        let mut matters = largest.iter().map(|[all, part]| *all > MOST_SEEN * part);
-        self.combinations
-            .retain(|_| matters.next().unwrap_or(false));
+        let mut largest = largest.into_iter();
+        self.combinations.retain(|_| {
+            let matters = |[all, of_robot, part]: [f64; 3]| all.min(of_robot) > MOST_SEEN * part;
+            largest.next().is_some_and(matters)
+        });
     }
 }
 
@@ -291,7 +300,8 @@ fn places(model: &Model, wider: &Model) -> Vec<usize> {
 }
 
 /// The model with a column for every coefficient: what is held has none.
-pub(super) fn nothing_held(model: &Model) -> Model {
+#[doc(hidden)]
+pub fn nothing_held(model: &Model) -> Model {
     model.with_each(|_, term| {
         if term.effect.about().role != Role::Place {
             term.held = FixedMask::default();

@@ -22,6 +22,8 @@ named! {
         Changed = "changed",
         /// An external axis stands elsewhere, and the model does not have it.
         External = "external",
+        /// No pose that was measured shows enough of it.
+        Unseen = "unseen",
     }
     /// Its name in answers.
     pub fn name;

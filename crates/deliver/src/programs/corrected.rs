@@ -12,8 +12,11 @@ use std::collections::BTreeMap;
 use crate::compensation::Compensation;
 use crate::compensation::pose::{Reached, Tools, commands_for_poses, directions, tool_poses};
 use crate::effects::Inputs;
+use crate::fit::expected::uncertainties_mm;
+use crate::fit::unseen::nothing_held;
 use crate::kinematics::configuration::Statement;
 use crate::kinematics::{JointKind, Pose, Robot};
+use crate::model::Calibration;
 use crate::text::{length, small_angle};
 
 use super::answer::{Reason, SkippedTarget, Written};
@@ -43,6 +46,9 @@ pub(super) struct Corrector<'a> {
     positions: bool,
     /// Whether they can turn it there in any way.
     whole: bool,
+    calibration: &'a Calibration,
+    /// How far the nominal robot was off where it was measured, RMS, mm.
+    nominal_mm: f64,
 }
 
 /// The corrected commands of every target that could be resolved.
@@ -61,8 +67,11 @@ pub(super) fn corrected(
     }
     let (tools, tool_of) = tools(robot, program);
     let free = axes.free();
+    let nominal = request.calibration.history.first();
     let corrector = Corrector {
         robot,
+        calibration: request.calibration,
+        nominal_mm: nominal.map_or(f64::INFINITY, |nominal| nominal.gap_mm),
         compensation,
         positions: directions(robot, &free) == 3,
         whole: free.len() >= 6 && robot.mobility() == 6,
@@ -130,12 +139,13 @@ impl Corrector<'_> {
         } else {
             tool_poses(&self.compensation.robot, &inputs, &tools)
         };
-        let mut reached = reached.into_iter().zip(before).zip(wanted);
+        let unsure_mm = self.unsure_mm(&inputs);
+        let mut reached = reached.into_iter().zip(before).zip(wanted).zip(unsure_mm);
         let answer = |(k, result): (usize, Result<Resolved, SkippedTarget>)| {
             let resolved = result?;
             let k = first + k;
             let next = reached.next();
-            let ((reached, before), wanted) = next.ok_or_else(|| {
+            let (((reached, before), wanted), unsure_mm) = next.ok_or_else(|| {
                 SkippedTarget::new(
                     Reason::Unreachable,
                     text!("no corrected commands were found"),
@@ -143,6 +153,16 @@ impl Corrector<'_> {
             })?;
             let turned_before_rad = before.rotation.angle_to(&wanted.rotation);
             self.check(&self.targets[k], &resolved.q, &reached, turned_before_rad)?;
+            if unsure_mm > self.nominal_mm {
+                return Err(SkippedTarget::new(
+                    Reason::Unseen,
+                    text!(
+                        "the measured poses show too little of it: there the model may be off by {unsure}, and the nominal robot was off by {nominal} where it was measured; measure near it",
+                        unsure = length(unsure_mm, 3),
+                        nominal = length(self.nominal_mm, 3)
+                    ),
+                ));
+            }
             Ok(Written {
                 commanded: resolved.q,
                 corrected: reached.q,
@@ -156,6 +176,14 @@ impl Corrector<'_> {
             })
         };
         results.into_iter().enumerate().map(answer).collect()
+    }
+
+    /// One standard uncertainty of where the model says that each pose is, mm; zero where it has none.
+    fn unsure_mm(&self, inputs: &Inputs) -> Vec<f64> {
+        let model = nothing_held(&self.calibration.model);
+        let covariance = self.calibration.covariance.as_ref();
+        let of_model = covariance.and_then(|c| uncertainties_mm(&model, inputs, c));
+        of_model.unwrap_or_else(|| vec![0.0; inputs.len()])
     }
 
     fn inputs(&self, indices: &[usize], q: Vec<Vec<f64>>) -> Inputs<'static> {

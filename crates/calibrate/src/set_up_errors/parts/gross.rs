@@ -268,7 +268,8 @@ impl<'a> Search<'a> {
         let seen = self.seen(trial.change);
         let own = self.is_frame(trial.change);
         let setups = Group::Setup.count(&self.few).max(1);
-        let mut last = None;
+        // Two stretches may each ask for the other.
+        let mut looked_at = Vec::new();
         let (after, before) = loop {
             let mask = self.rows.mask(self.session, trial.part);
             let (lengths, motions) = self.lengths(&seen, &mask, own);
@@ -283,10 +284,10 @@ impl<'a> Search<'a> {
             let Part::Stretch(first, end) = trial.part else {
                 break (lengths, both);
             };
-            if last == Some((first, end)) {
+            if looked_at.contains(&(first, end)) {
                 break (lengths, both);
             }
-            last = Some((first, end));
+            looked_at.push((first, end));
             let (sigma, _) = cost(&lengths);
             let gain = both.iter().map(|[stands, then]| {
                 cost_of(*stands, sigma) - cost_of(*then, sigma) + seen.ln_volume
