@@ -178,6 +178,8 @@ actions! {
     EXAMPLE_1: PLAIN, F2, phrase!("first example"), |_| EXAMPLES[0].name().into(), |_| Command::OpenExample(0);
     EXAMPLE_2: PLAIN, F3, phrase!("second example"), |_| EXAMPLES[1].name().into(), |_| Command::OpenExample(1);
     EXAMPLE_3: PLAIN, F4, phrase!("third example"), |_| EXAMPLES[2].name().into(), |_| Command::OpenExample(2);
+    EXAMPLE_4: PLAIN, F5, phrase!("fourth example"), |_| EXAMPLES[3].name().into(), |_| Command::OpenExample(3);
+    EXAMPLE_5: PLAIN, F7, phrase!("fifth example"), |_| EXAMPLES[4].name().into(), |_| Command::OpenExample(4);
     ROBOTS: SHIFTED, N, phrase!("robots of the library"), |_| say!("Robots…").into(), |_| Command::sheet(Sheet::ROBOTS);
     NEW: COMMAND, N, phrase!("simulate session"), |_| say!("Simulate session…").into(),
         |_| Command::sheet(Sheet::Simulate(Form::default()));
@@ -273,7 +275,8 @@ actions! {
 }
 
 /// The examples, in their order.
-pub(crate) const OPEN_EXAMPLE: [Action; EXAMPLES.len()] = [EXAMPLE_1, EXAMPLE_2, EXAMPLE_3];
+pub(crate) const OPEN_EXAMPLE: [Action; EXAMPLES.len()] =
+    [EXAMPLE_1, EXAMPLE_2, EXAMPLE_3, EXAMPLE_4, EXAMPLE_5];
 
 /// The steps, in their order; a robot without regions has no fifth.
 pub(crate) const STEPS: [Action; 5] = [STEP_1, STEP_2, STEP_3, STEP_4, STEP_5];
@@ -369,9 +372,11 @@ pub(crate) fn layout(ctx: &Context, workbench: &Workbench) -> Layout {
     Layout::of(size.x, size.y, view.results, [sizes.left, sizes.right])
 }
 
-/// What the keyboard asks for. Behind a sheet, and while text is typed, the keys belong to the text.
+/// What the keyboard asks for. Behind a sheet, and while text is typed, the keys belong to the text; behind a
+/// dialog of the system they belong to nobody.
 pub(crate) fn read(ctx: &Context, workbench: &Workbench) -> Vec<Command> {
-    if workbench.view().sheet.is_some() || ctx.text_edit_focused() {
+    let covered = workbench.view().sheet.is_some() || workbench.asking().is_some();
+    if covered || ctx.text_edit_focused() {
         return Vec::new();
     }
     let now = WindowState { ctx, workbench };

@@ -129,6 +129,13 @@ impl App {
         self
     }
 
+    /// Takes this for the answer of every dialog of the system; `None` is one that was cancelled.
+    #[must_use]
+    pub fn choosing(mut self, chooser: Arc<dyn Fn() -> Option<PathBuf> + Send + Sync>) -> Self {
+        self.workbench.choose_by(chooser);
+        self
+    }
+
     /// Keeps preferences, recent files and what is not saved in this folder, and offers what it
     /// holds from before. Without a folder nothing outlives the window.
     #[must_use]
@@ -279,6 +286,7 @@ impl App {
         views::steps::grips(ui, workbench, room, middle, commands);
         views::status::notices(ui, workbench, room, commands);
         dialogs::show(ui, workbench, commands);
+        dialogs::asking(ui, workbench, commands);
         views::status::dropped(ui, commands);
         widgets::focus_ring(ui.ctx());
     }
@@ -288,7 +296,9 @@ impl App {
             self.workbench.tidy();
             ctx.send_viewport_cmd(ViewportCommand::Close);
         } else if ctx.input(|i| i.viewport().close_requested()) {
-            if self.workbench.at_risk().any() || self.workbench.writing().is_some() {
+            if self.workbench.asking().is_some() {
+                ctx.send_viewport_cmd(ViewportCommand::CancelClose);
+            } else if self.workbench.at_risk().any() || self.workbench.writing().is_some() {
                 ctx.send_viewport_cmd(ViewportCommand::CancelClose);
                 self.workbench.execute(Command::Leave);
             } else {
@@ -381,7 +391,8 @@ fn write_fields(ctx: &Context, comma: bool) {
     ctx.all_styles_mut(|style| {
         style.number_formatter = NumberFormatter::new(move |value, decimals| {
             let text = egui::emath::format_with_decimals_in_range(value, decimals);
-            let text = text.replace('-', "−");
+            let is_zero = text.bytes().all(|b| matches!(b, b'-' | b'0' | b'.'));
+            let text = text.replace('-', if is_zero { "" } else { "−" });
             if comma { text.replace('.', ",") } else { text }
         });
     });

@@ -122,16 +122,6 @@ impl<B: 'static> Jobs<B> {
         self.running.iter().find(|r| r.kind == kind)
     }
 
-    /// Asks the job of this kind to end with what it has so far, which is taken; whether it was not asked before.
-    pub(crate) fn ask_to_end(&self, kind: Kind) -> bool {
-        let asked = self.running(kind).map(|running| &running.watch);
-        asked.is_some_and(|watch| {
-            let first = !watch.stopped();
-            watch.stop();
-            first
-        })
-    }
-
     /// Cancels the newest job of these kinds: what it makes will not be taken, unless it is a file
     /// that is being written. The kind of the job that is dropped.
     pub(crate) fn cancel(&mut self, meant: impl Fn(Kind) -> bool) -> Option<Kind> {
@@ -282,6 +272,8 @@ pub(crate) enum Kind {
     Once,
     /// It brings another session: the newest counts.
     Opens,
+    /// A dialog of the system is open.
+    Asks,
     /// It writes a file: how that went is told, cancelled or not.
     Writes,
     /// It identifies the robot.

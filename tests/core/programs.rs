@@ -865,7 +865,7 @@ fn rapid_poses_are_corrected_in_their_work_objects_and_of_their_tools() {
         ("MoveL p0,v9,fine,tGun;", "frames fix and none"),
         (
             "MoveL Offs(p0,0,0,9),v9,fine,tPen\\WObj:=fix;",
-            "tools tgun and tpen",
+            "tools tGun and tPen",
         ),
     ] {
         let changed = program.replace("ENDPROC", &format!("{change}\nENDPROC"));
@@ -932,7 +932,7 @@ fn krl_poses_are_corrected_in_the_base_and_of_the_tool_that_is_set() {
         );
         from_zyx(&all[..3], [all[3], all[4], all[5]])
     };
-    let left = [(3, "base_data[4] is declared elsewhere"), (6, "branch")];
+    let left = [(3, "BASE_DATA[4] is declared elsewhere"), (6, "branch")];
     let answer = with_tool("krl", &program, Some(model_tool()));
     assert_held(&answer, &q, &frames, read, &left);
     assert_eq!(

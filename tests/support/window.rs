@@ -3,6 +3,7 @@
 #![allow(unreachable_pub, reason = "included in several tests")]
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use egui::accesskit::Role;
 use egui::{Key, Modifiers};
@@ -25,6 +26,15 @@ pub fn window_at(path: Option<PathBuf>, home: Option<&Path>) -> Window {
 /// A window of this size, which works on threads or at once.
 pub fn window_of(size: [f32; 2], path: Option<PathBuf>, runner: Runner) -> Window {
     made(size, path, None, runner)
+}
+
+/// A window on threads whose dialogs of the system this answers.
+pub fn window_choosing(chooser: Arc<dyn Fn() -> Option<PathBuf> + Send + Sync>) -> Window {
+    let mut window = Harness::builder()
+        .with_size([1280.0, 800.0])
+        .build_eframe(|cc| App::new(&cc.egui_ctx, None, Runner::Threads).choosing(chooser));
+    window.run_steps(4);
+    window
 }
 
 fn made(size: [f32; 2], path: Option<PathBuf>, home: Option<&Path>, runner: Runner) -> Window {
@@ -89,6 +99,18 @@ pub fn copied(window: &mut Window, label: &str) -> Vec<Vec<String>> {
 
 pub fn says(window: &Window, part: &str) -> bool {
     window.query_all_by_label_contains(part).count() > 0
+}
+
+/// Frames until something is in sight.
+pub fn until(window: &mut Window, part: &str) {
+    for _ in 0..20_000 {
+        window.step();
+        if says(window, part) {
+            return;
+        }
+        std::thread::sleep(std::time::Duration::from_millis(1));
+    }
+    panic!("{part} never came");
 }
 
 pub fn there(window: &Window, label: &str) -> bool {

@@ -73,13 +73,16 @@ fn a_change_is_not_lost_by_opening_something_else() {
         "nothing was opened"
     );
 
-    // Save: to its own file, and then on to what was asked for (the model is asked about next).
+    // Save: the session to its own file, the model to one that is asked for, and on to what was asked for.
     keys(&mut window, Modifiers::NONE, Key::F2);
-    press(&mut window, "Save session");
+    press(&mut window, "Save session and model…");
     let saved = fs::read_to_string(&session).expect("the session");
     assert!(saved.contains("\"from_deg\": 0"), "{saved}");
-    assert!(says(&window, "What was identified from"));
-    press(&mut window, "Open without saving");
+    assert!(there(&window, "Path to save to"), "of the model");
+    press(&mut window, "Save");
+    let models = fs::read_dir(folder.path()).expect("a folder").flatten();
+    let models = models.filter(|entry| entry.path().display().to_string().ends_with(".model.json"));
+    assert_eq!(models.count(), 1, "it is written as well");
     assert!(says(&window, "208 samples · RMS error"));
     assert!(!says(&window, "without saving"));
 }

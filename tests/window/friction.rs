@@ -4,7 +4,8 @@
 use std::collections::BTreeMap;
 
 use crate::window::{
-    Window, bundled, export_to, keys, press, says, there, type_into, window, window_at, window_of,
+    Window, bundled, export_to, keys, press, says, there, type_into, until, window, window_at,
+    window_of,
 };
 use egui::{Key, Modifiers, Rect};
 use egui_kittest::kittest::{NodeT, Queryable};
@@ -104,18 +105,6 @@ fn the_first_frame_after_a_change_has_the_new_layout() {
             assert!(!moved, "{label}: {name} was at {at:?}, is at {rect:?}");
         }
     }
-}
-
-/// Frames until something is in sight.
-fn until(window: &mut Window, part: &str) {
-    for _ in 0..200_000 {
-        window.step();
-        if says(window, part) {
-            return;
-        }
-        std::thread::yield_now();
-    }
-    panic!("{part} never came");
 }
 
 #[test]

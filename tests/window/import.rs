@@ -104,8 +104,7 @@ fn a_unit_that_nobody_says_is_asked_for() {
     open(&mut window, &path);
     press(&mut window, "that of the example The paper's full run");
     assert!(says(&window, "Answer what is asked above first"));
-    window.get_by_label("It is m").click();
-    window.run_steps(4);
+    press(&mut window, "It is m");
     assert!(!says(&window, "Answer what is asked above first"));
     press(&mut window, "Import");
     assert!(says(&window, "361 samples · RMS error"));
@@ -403,8 +402,7 @@ fn a_robot_of_the_library_is_found_by_typing() {
     above.expect("it stands in its place").scroll_to_me();
     window.run_steps(6);
     assert_eq!(window.query_all_by_label_contains(reason).count(), 1);
-    window.get_by_label("Find a robot").click();
-    window.run_steps(2);
+    press(&mut window, "Find a robot");
     window.get_by_label("Find a robot").type_text("kr 6");
     window.run_steps(4);
     assert!(!says(&window, "UR5e"), "typing looks for another");

@@ -45,6 +45,7 @@ mod session;
 mod setup;
 mod sizes;
 mod space;
+mod trial;
 #[cfg(debug_assertions)]
 mod walk;
 mod walk_through;

@@ -97,6 +97,7 @@ fn the_library_is_opened_again_as_it_was_the_first_time() {
         }
         // Back to where it was opened from, and from there to the window.
         keys(&mut window, Modifiers::NONE, Key::Escape);
+        press(&mut window, "Discard");
         assert!(!there(&window, "Add an effect") && there(&window, "Find a robot"));
         assert!(there(&window, &format!("{title} at its zero")), "{name}");
         keys(&mut window, Modifiers::NONE, Key::Escape);

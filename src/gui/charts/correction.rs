@@ -9,6 +9,8 @@ use crate::gui::view::Step;
 use crate::kinematics::JointKind;
 use crate::present::chart::{Axis, Chart, ColourRole, Item, LEAST_SPAN};
 use crate::present::table::{Table, cell};
+use crate::present::units::{AngleUnit, Units};
+use crate::units::rad_from_deg;
 
 pub(crate) struct Correction;
 
@@ -38,7 +40,8 @@ impl ChartKind for Correction {
     }
 
     fn show<'a>(&self, scene: &'a Scene<'a>) -> Result<Shown<'a>, ChartPlaceholder> {
-        let chart = scene.made.and_then(chart).ok_or(ChartPlaceholder::new(
+        let made = scene.made.and_then(|made| chart(made, scene.units));
+        let chart = made.ok_or(ChartPlaceholder::new(
             say!("This format describes the robot itself and has no table"),
             "",
         ))?;
@@ -70,29 +73,36 @@ impl ChartKind for Correction {
     }
 }
 
-/// Points of one curve: commanded value and correction, in the table's unit.
-fn curve(column: &SortedTable) -> Vec<[f64; 2]> {
+/// Points of one curve: commanded value and correction, as many times as large as in the table's unit.
+fn curve(column: &SortedTable, factor: f64) -> Vec<[f64; 2]> {
     let every = stride(column.values().len(), MOST_POINTS / 4);
     let all = column.places().iter().zip(column.values()).step_by(every);
-    all.map(|(at, value)| [*at, *value]).collect()
+    all.map(|(at, value)| [factor * at, factor * value])
+        .collect()
 }
 
 /// What the upward axis has to show: zero, every correction, and no less than can be read. A
 /// constant correction is a straight line then, not the noise of its last digit.
-fn span<'p>(points: impl Iterator<Item = &'p [f64; 2]>) -> [f64; 2] {
+fn span<'p>(points: impl Iterator<Item = &'p [f64; 2]>, least: f64) -> [f64; 2] {
     let finite = points.map(|p| p[1]).filter(|v| v.is_finite());
     let [low, high] = finite.fold([0.0_f64, 0.0_f64], |[a, b], v| [a.min(v), b.max(v)]);
-    let more = 0.5 * (LEAST_SPAN - (high - low)).max(0.0);
+    let more = 0.5 * (least - (high - low)).max(0.0);
     [low - more, high + more]
 }
 
 /// The curve; `None` where the export has no table.
-fn chart(made: &ExportPreview) -> Option<Chart> {
+fn chart(made: &ExportPreview, units: Units) -> Option<Chart> {
     let table = made.export.reads_as.as_ref()?;
-    let degrees = table.kind == JointKind::Revolute;
-    let unit = if degrees { "°" } else { "mm" };
-    let (forward, reverse) = (curve(&table.forward), curve(&table.reverse));
-    let [low, high] = span(forward.iter().chain(&reverse));
+    let turns = table.kind == JointKind::Revolute;
+    let (factor, unit) = if turns {
+        let unit = units.angle_name().trim();
+        (units.angle_value(rad_from_deg(1.0)), unit)
+    } else {
+        (units.length_value(1.0), units.length_name())
+    };
+    let degrees = turns && units.angle == AngleUnit::Degree;
+    let (forward, reverse) = (curve(&table.forward, factor), curve(&table.reverse, factor));
+    let [low, high] = span(forward.iter().chain(&reverse), factor * LEAST_SPAN);
     let from = forward.first().map_or(0.0, |p| p[0]);
     let to = forward.last().map_or(1.0, |p| p[0]).max(from + 1e-6);
     let (beside, by) = (0.03 * (to - from), 0.2 * (high - low));
@@ -127,10 +137,10 @@ mod tests {
     #[test]
     fn a_constant_table_is_shown_from_zero() {
         let table = [[0.0, 0.3614], [1.0, 0.3614 + 1e-15]];
-        let [low, high] = span(table.iter());
+        let [low, high] = span(table.iter(), LEAST_SPAN);
         assert_eq!(low, 0.0);
         assert!((high - 0.3614).abs() < 1e-12);
-        let [low, high] = span([[0.0, 1e-17], [1.0, -1e-17]].iter());
+        let [low, high] = span([[0.0, 1e-17], [1.0, -1e-17]].iter(), LEAST_SPAN);
         assert!(high - low >= 0.999 * LEAST_SPAN, "{low} {high}");
     }
 }

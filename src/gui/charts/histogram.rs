@@ -9,7 +9,7 @@ use crate::gui::help;
 use crate::present::bins::{Bins, Counted, Distribution, NoiseCurve};
 use crate::present::chart::{Axis, Chart, ChartText, ColourRole, Entry, Item, LegendSymbol};
 use crate::present::drawing::Anchor;
-use crate::present::numbers::significant;
+use crate::present::numbers::{grouped, significant};
 use crate::present::table::{Cell, Table};
 use crate::sessions::Sigma;
 
@@ -269,9 +269,9 @@ fn note(scene: &Scene, found: &Distribution, counted: &Counted) -> String {
             _ => "±",
         };
         let (before, all) = found.sizes_before.within(tolerance);
-        let mut counts = before.to_string();
+        let mut counts = grouped(before);
         if let Some(sizes) = &found.sizes_after {
-            counts += &format!(" → {}", sizes.within(tolerance).0);
+            counts += &format!(" → {}", grouped(sizes.within(tolerance).0));
         }
         let tolerance = units.length(tolerance);
         notes.push(say!(
@@ -279,7 +279,7 @@ fn note(scene: &Scene, found: &Distribution, counted: &Counted) -> String {
             sign,
             tolerance,
             counts,
-            all
+            all = grouped(all)
         ));
     }
     if counted.beyond > 0 {

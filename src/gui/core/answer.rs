@@ -296,7 +296,6 @@ impl Search {
 pub(crate) fn options() -> Options {
     Options {
         names_one_by_one: true,
-        keep_when_stopped: true,
         ..Options::default()
     }
 }

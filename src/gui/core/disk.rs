@@ -109,8 +109,15 @@ impl Example {
     }
 }
 
+/// The arm of `docs/first-arm.md`.
+static ARM: Bundled = Bundled {
+    name: "arm",
+    document: include_bytes!("../../../sessions/arm/arm.json"),
+    samples: include_bytes!("../../../sessions/arm/arm.csv"),
+};
+
 /// Every session that comes with the program; the window opens on the first.
-pub(crate) const EXAMPLES: [Example; 3] = [
+pub(crate) const EXAMPLES: [Example; 5] = [
     Example {
         name: phrase!("Lamp commissioning"),
         what: phrase!("two reflectors, both sides, noise, while the machine warms up"),
@@ -125,6 +132,16 @@ pub(crate) const EXAMPLES: [Example; 3] = [
         name: phrase!("The paper's full run"),
         what: phrase!("361 samples, every half degree"),
         files: &BUNDLED[2],
+    },
+    Example {
+        name: phrase!("A six-axis arm"),
+        what: phrase!("90 poses, one reflector, each joint from both sides"),
+        files: &ARM,
+    },
+    Example {
+        name: phrase!("A slide with a lead error"),
+        what: phrase!("runs in both directions along a screw"),
+        files: &BUNDLED[3],
     },
 ];
 

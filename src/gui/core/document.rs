@@ -50,6 +50,11 @@ impl ExportChoice {
         }
     }
 
+    /// Whether it is the same table, at whatever step.
+    pub(crate) fn is_of_the_table(self, other: Self) -> bool {
+        (self.format, self.joint) == (other.format, other.joint)
+    }
+
     /// What the file is called unless the user says otherwise.
     pub(crate) fn file_name(&self, session: &str) -> String {
         let (session, format) = (plain(session), find(self.format));

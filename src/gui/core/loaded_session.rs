@@ -123,6 +123,9 @@ pub(crate) struct LoadedSession {
     pub(crate) hidden: Option<Arc<[Term]>>,
     /// The range of joint 1 that a model was measured in, where there are no samples, rad or mm.
     pub(crate) measured_range: Option<Range>,
+    /// The session from which this one differs in nothing but what is excluded by hand: from that it can be made
+    /// again.
+    whole: Option<Arc<Self>>,
 }
 
 /// Only itself: what was opened twice is not the same.
@@ -204,6 +207,7 @@ impl LoadedSession {
             samples_file: None,
             hidden: None,
             measured_range: None,
+            whole: None,
         };
         done(1.0)?;
         Ok(loaded_session)
@@ -217,6 +221,27 @@ impl LoadedSession {
             samples_file: self.samples_file.clone(),
             ..Self::new(session, self.findings.clone(), self.origin.clone())
         }
+    }
+
+    /// The same session with exactly these samples excluded by hand.
+    pub(crate) fn excluding(whole: &Arc<Self>, excluded: &[usize]) -> Self {
+        let mut session = whole.session.clone();
+        let mut marks = vec![false; session.samples.len()];
+        for sample in excluded {
+            marks[*sample] = true;
+        }
+        session.samples.excluded = Some(marks).filter(|_| !excluded.is_empty());
+        Self {
+            hidden: whole.hidden.clone(),
+            whole: Some(Arc::clone(whole)),
+            ..whole.with(session)
+        }
+    }
+
+    /// What it is made of, where that is less than itself: another session, and what is excluded of it.
+    pub(crate) fn made_of(&self) -> Option<(&Arc<Self>, Vec<usize>)> {
+        let whole = self.whole.as_ref()?;
+        Some((whole, self.session.samples.excluded_by_hand()))
     }
 
     /// Number of samples.

@@ -167,6 +167,11 @@ impl Default for Form {
 }
 
 impl Form {
+    /// The same as it was opened.
+    pub(crate) fn untouched(&self) -> Self {
+        self.robot.clone().map_or_else(Self::default, Self::of)
+    }
+
     /// Joints of what is simulated.
     pub(crate) fn joints(&self) -> usize {
         let robot = self.robot.as_ref();

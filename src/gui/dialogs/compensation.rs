@@ -32,7 +32,7 @@ pub(super) fn compensation(ui: &mut Ui, workbench: &Workbench, commands: &mut Ve
     let Some(compensated) = workbench.compensated() else {
         return commands.push(Command::no_sheet());
     };
-    ui.set_width(WIDE.min(ui.ctx().content_rect().width() - 96.0));
+    widgets::wide(ui, WIDE);
     let name = name_of(&compensated.wanted.path);
     widgets::heading(ui, &say!("Compensate {name}", name));
     let differs: &[DifferingNumber] = match &compensated.result {

@@ -16,7 +16,7 @@ use crate::text::spoken;
 const WIDE: f32 = 640.0;
 
 pub(super) fn details(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
-    ui.set_width(WIDE.min(ui.ctx().content_rect().width() - 96.0));
+    widgets::wide(ui, WIDE);
     widgets::heading(ui, say!("Report details"));
     widgets::hint(
         ui,

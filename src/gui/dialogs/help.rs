@@ -15,7 +15,7 @@ use crate::gui::workbench::{Command, Workbench};
 use crate::gui::{help, widgets};
 
 pub(super) fn about(ui: &mut Ui, _: &Workbench, commands: &mut Vec<Command>) {
-    ui.set_width(400.0);
+    widgets::wide(ui, 400.0);
     widgets::heading(ui, "truepose");
     widgets::hint(
         ui,
@@ -33,16 +33,15 @@ pub(super) fn about(ui: &mut Ui, _: &Workbench, commands: &mut Vec<Command>) {
     widgets::done(ui, commands);
 }
 
-/// Widest, and what is beside it, points.
+/// Widest, points.
 const WIDE: f32 = 760.0;
-const BESIDE: f32 = 96.0;
 /// Height of everything but the list, and least height of that, points.
 const OTHER: f32 = 190.0;
 const LEAST: f32 = 120.0;
 
 /// Keyboard and mouse: what can be pressed, and what it does.
 pub(super) fn keys(ui: &mut Ui, _: &Workbench, commands: &mut Vec<Command>) {
-    ui.set_width(WIDE.min(ui.ctx().content_rect().width() - BESIDE));
+    widgets::wide(ui, WIDE);
     widgets::heading(ui, say!("Keyboard and mouse"));
     let next = actions::in_words(ui.ctx(), widgets::NEXT);
     let others: [(&str, &str); 8] = [
@@ -111,7 +110,7 @@ struct PaletteInput {
 
 /// Everything that can be done, by a word of its name: typed, chosen with the arrows, done with Enter.
 pub(super) fn palette(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
-    ui.set_width(460.0);
+    widgets::wide(ui, 460.0);
     let ctx = ui.ctx().clone();
     let id = ui.scope_id().with("typed command");
     let before: Option<PaletteInput> = ui.data(|data| data.get_temp(id));
@@ -205,7 +204,7 @@ const REST: f32 = 240.0;
 
 /// What the words mean, all of them.
 pub(super) fn words(ui: &mut Ui, _: &Workbench, commands: &mut Vec<Command>) {
-    ui.set_width(520.0);
+    widgets::wide(ui, 520.0);
     widgets::heading(ui, say!("Glossary"));
     widgets::hint(
         ui,

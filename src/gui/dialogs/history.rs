@@ -20,7 +20,7 @@ pub(super) fn history(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Com
     let Some(past) = workbench.past() else {
         return commands.push(Command::no_sheet());
     };
-    ui.set_width(WIDE.min(ui.ctx().content_rect().width() - 96.0));
+    widgets::wide(ui, WIDE);
     let id = Id::unique("history of a machine");
     let open = &workbench.loaded_session().session.robot.name;
     let chosen: String = ui

@@ -10,7 +10,7 @@ use egui::{Context, Id, LayerId, Margin, Modal, Popup, ScrollArea, Ui};
 use crate::gui::style::{Palette, space};
 use crate::gui::view::Sheet;
 use crate::gui::widgets;
-use crate::gui::workbench::{Command, ViewChange, Workbench};
+use crate::gui::workbench::{Command, Task, ViewChange, Workbench};
 
 type Show = fn(&mut Ui, &Workbench, &mut Vec<Command>);
 
@@ -33,30 +33,28 @@ register! {
     unsaved: recovery;
 }
 
-/// Room around what a sheet says, points: half as much again as in a panel, which has the
-/// window's edge beside it.
-const SHEET: i8 = space::PANEL + space::PANEL / 2;
-
-/// Between a sheet and the window's edges, together, points.
-const MARGIN: f32 = 12.0;
+/// Width of what is said while a dialog of the system is open, points.
+const ASKING: f32 = 300.0;
 
 /// Shows the open sheet, if there is one.
 pub(crate) fn show(ui: &Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let Some(sheet) = &workbench.view().sheet else {
         return;
     };
-    let frame = egui::Frame::popup(ui.style()).inner_margin(Margin::same(SHEET));
+    let frame = egui::Frame::popup(ui.style()).inner_margin(Margin::same(space::SHEET));
     let modal = Modal::new(Id::unique("sheet"))
         .frame(frame)
         .backdrop_color(Palette::of(ui).veil);
     let shown = modal.show(ui.ctx(), |ui| {
         ui.spacing_mut().item_spacing.y = space::ROW;
         as_short_as_they_are(ui);
-        // On a small screen, or with large text, a sheet is higher than the window.
-        let high = ui.ctx().content_rect().height() - 2.0 * f32::from(SHEET) - MARGIN;
-        let scroll = ScrollArea::vertical()
-            .max_height(high)
-            .min_scrolled_height(high);
+        // On a small screen, or with large text, a sheet is higher than the window, and its rows are wider.
+        let room = widgets::room_of_a_sheet(ui);
+        let scroll = ScrollArea::both()
+            .max_width(room.x)
+            .max_height(room.y)
+            .min_scrolled_width(room.x)
+            .min_scrolled_height(room.y);
         scroll.show(ui, |ui| {
             match sheet {
                 Sheet::SavePath { path, replace } => {
@@ -71,7 +69,10 @@ pub(crate) fn show(ui: &Ui, workbench: &Workbench, commands: &mut Vec<Command>) 
                     Some(robot) => new_session::of_robot(ui, robot, form, commands),
                     None => new_session::simulation(ui, form, commands),
                 },
-                Sheet::RobotTable(table) => robot_table::show(ui, workbench, table, commands),
+                Sheet::RobotTable { table, opened } => {
+                    robot_table::show(ui, table, opened, commands);
+                }
+                Sheet::Discard(typed) => unsaved::typed(ui, typed, commands),
                 Sheet::Unsaved(then) => unsaved::losses(ui, workbench, then, commands),
                 Sheet::Overwrite(path) => unsaved::overwrite(ui, path, commands),
                 Sheet::Import(foreign) => import::show(ui, workbench, foreign, commands),
@@ -84,11 +85,32 @@ pub(crate) fn show(ui: &Ui, workbench: &Workbench, commands: &mut Vec<Command>) 
         });
     });
     lists_above(ui.ctx(), shown.response.layer_id);
-    let beside = shown.backdrop_response.clicked();
-    let left = shown.should_close() && !(beside && sheet.holds_entries());
-    if left {
-        commands.push(Command::View(ViewChange::Sheet(sheet.before())));
+    let beside = shown.backdrop_response.clicked() && sheet.holds_entries();
+    let field = sheet.is_a_form() && widgets::was_typed_into(ui.ctx());
+    if shown.should_close() && !beside && !field {
+        commands.push(Command::View(ViewChange::Sheet(sheet.escaped())));
     }
+}
+
+/// While a dialog of the system is open the window takes no commands: what it asks for is for what is open now. It is
+/// said, as on some systems the dialog may lie behind the window.
+pub(crate) fn asking(ui: &Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    let Some(asking) = workbench.asking() else {
+        return;
+    };
+    let frame = egui::Frame::popup(ui.style()).inner_margin(Margin::same(space::SHEET));
+    let modal = Modal::new(Id::unique("dialog of the system"))
+        .frame(frame)
+        .backdrop_color(Palette::of(ui).veil);
+    modal.show(ui.ctx(), |ui| {
+        widgets::wide(ui, ASKING);
+        ui.spacing_mut().item_spacing.y = space::ROW;
+        widgets::bold(ui, &asking.what);
+        widgets::hint(ui, say!("The window goes on once the dialog is answered"));
+        if widgets::secondary(ui, say!("Go on without it")).clicked() {
+            commands.push(Command::Stop(Task::Dialog));
+        }
+    });
 }
 
 /// Numbers in fields without the zeros that a field has for its finest step: `30°`, not `30.00°`.

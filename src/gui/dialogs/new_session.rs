@@ -18,7 +18,7 @@ const LIST: [f32; 2] = [190.0, 420.0];
 const OTHER: f32 = 610.0;
 
 pub(super) fn simulation(ui: &mut Ui, form: &Form, commands: &mut Vec<Command>) {
-    ui.set_width(520.0);
+    widgets::wide(ui, 520.0);
     widgets::heading(ui, say!("Simulate session"));
     widgets::hint(
         ui,
@@ -226,7 +226,7 @@ pub(super) fn of_robot(
     form: &Form,
     commands: &mut Vec<Command>,
 ) {
-    ui.set_width(WIDTH);
+    widgets::wide(ui, WIDTH);
     widgets::heading(ui, &robot.title);
     widgets::hint(
         ui,

@@ -36,7 +36,7 @@ fn language(
 }
 
 pub(super) fn preferences(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
-    ui.set_width(440.0);
+    widgets::wide(ui, 440.0);
     widgets::heading(ui, say!("Preferences"));
     let now = workbench.view().preferences;
     let mut next = now;

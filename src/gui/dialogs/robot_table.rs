@@ -7,15 +7,14 @@ use crate::gui::core::simulate;
 use crate::gui::style::{Palette, size, space};
 use crate::gui::view::{Camera, Sheet};
 use crate::gui::widgets;
-use crate::gui::workbench::{Command, ViewChange, Workbench};
+use crate::gui::workbench::{Command, ViewChange};
 use crate::gui::workspace::robot_alone;
 
 /// Width of the table with axes and of that with rows, points.
 const AXES: f32 = 708.0;
 const DH: f32 = 594.0;
-/// Width of the robot, at least and at most, and what is beside table and robot.
+/// Width of the robot, at least and at most.
 const PICTURE: [f32; 2] = [230.0, 460.0];
-const BESIDE: f32 = 86.0;
 /// Height of both, at least and at most, and of everything else in the sheet.
 const HEIGHT: [f32; 2] = [300.0, 520.0];
 const OTHER: f32 = 500.0;
@@ -24,18 +23,31 @@ const NUMBER: f32 = 54.0;
 const NAME: [f32; 2] = [76.0, 28.0];
 const MOVES: [f32; 2] = [54.0, 28.0];
 
-pub(super) fn show(ui: &mut Ui, _: &Workbench, table: &RobotTable, commands: &mut Vec<Command>) {
+pub(super) fn show(
+    ui: &mut Ui,
+    table: &RobotTable,
+    opened: &RobotTable,
+    commands: &mut Vec<Command>,
+) {
     let mut typed = table.clone();
     let wide = if typed.form == TableForm::Axes {
         AXES
     } else {
         DH
     };
-    let window = ui.ctx().content_rect();
+    let (window, room) = (ui.ctx().content_rect(), widgets::room_of_a_sheet(ui).x);
+    let wide = wide.min(room);
     // The same of both forms: the sheet's height does not change with it.
-    let picture = (window.width() - AXES - BESIDE).clamp(PICTURE[0], PICTURE[1]);
+    let picture = (room - AXES - f32::from(space::PANEL)).clamp(PICTURE[0], PICTURE[1]);
     let high = (window.height() - OTHER).clamp(HEIGHT[0], HEIGHT[1]);
-    ui.set_width(wide + picture + f32::from(space::PANEL));
+    // Where there is no room beside the table the robot stands below it.
+    let both = wide + picture + f32::from(space::PANEL);
+    let (layout, whole) = if both <= room {
+        (egui::Layout::left_to_right(egui::Align::Min), both)
+    } else {
+        (egui::Layout::top_down(egui::Align::Min), wide)
+    };
+    ui.set_width(whole);
     widgets::heading(ui, say!("Robot as a table"));
     widgets::hint(
         ui,
@@ -45,7 +57,7 @@ pub(super) fn show(ui: &mut Ui, _: &Workbench, table: &RobotTable, commands: &mu
     );
     head(ui, &mut typed);
     let made = typed.robot();
-    ui.horizontal_top(|ui| {
+    ui.with_layout(layout, |ui| {
         ui.spacing_mut().item_spacing.x = f32::from(space::PANEL);
         let down = egui::Layout::top_down(egui::Align::Min);
         ui.allocate_ui_with_layout(vec2(wide, high), down, |ui| {
@@ -72,14 +84,15 @@ pub(super) fn show(ui: &mut Ui, _: &Workbench, table: &RobotTable, commands: &mu
         widgets::wrong(ui, &crate::language::spoken(problem));
     }
     ends(ui, &typed, made.is_ok(), commands);
-    let entered = ui.input(|i| i.key_pressed(egui::Key::Escape));
     if typed != *table
-        && !entered
         && !commands
             .iter()
             .any(|c| matches!(c, Command::View(ViewChange::Sheet(_))))
     {
-        commands.push(Command::sheet(Sheet::RobotTable(Box::new(typed))));
+        commands.push(Command::sheet(Sheet::RobotTable {
+            table: Box::new(typed),
+            opened: Box::new(opened.clone()),
+        }));
     }
 }
 

@@ -1,7 +1,7 @@
 //! The library of robots and one's own: found by typing, drawn as they are chosen, simulated, saved, typed anew.
 
 use egui::{
-    Align, Button, Key, Layout, Modifiers, Role, ScrollArea, TextEdit, Ui, WidgetInfo, vec2,
+    Align, Button, Key, Layout, Modifiers, Role, ScrollArea, Sense, TextEdit, Ui, WidgetInfo, vec2,
 };
 
 use crate::gui::core::robot_table::RobotTable;
@@ -16,8 +16,9 @@ use crate::kinematics;
 use crate::present::robots_v1::figure;
 use crate::robots::{LibraryRobot, find, library, source};
 
-/// Width of the list, points.
+/// Width of the list, and where there is little room, points.
 const LIST: f32 = 320.0;
+const LEAST_LIST: f32 = 220.0;
 /// Width of the robot, at least and at most, and as a share of the window.
 const PICTURE: [f32; 2] = [360.0, 620.0];
 const SHARE: f32 = 0.35;
@@ -27,13 +28,14 @@ const OTHER: f32 = 420.0;
 /// Height of what is known of the robot, points.
 const FACTS: f32 = 110.0;
 
-/// Size of the robot with what is known of it: a large window has more room for it.
-fn picture_size(ui: &Ui) -> egui::Vec2 {
+/// Width of the list, and size of the robot with what is known of it: a large window has more room for it.
+fn sizes(ui: &Ui) -> (f32, egui::Vec2) {
     let window = ui.ctx().content_rect();
-    vec2(
-        (SHARE * window.width()).clamp(PICTURE[0], PICTURE[1]),
-        (window.height() - OTHER).clamp(HEIGHT[0], HEIGHT[1]),
-    )
+    let most = widgets::room_of_a_sheet(ui).x - f32::from(space::PANEL);
+    let list = LIST.min(most - PICTURE[0]).max(LEAST_LIST);
+    let wide = (SHARE * window.width()).clamp(PICTURE[0], PICTURE[1]);
+    let high = (window.height() - OTHER).clamp(HEIGHT[0], HEIGHT[1]);
+    (list, vec2(wide.min(most - list), high))
 }
 
 /// What was typed, which robot is chosen, and from where it is seen.
@@ -121,8 +123,8 @@ impl<'w> Robot<'w> {
 }
 
 pub(super) fn robots(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
-    let room = picture_size(ui);
-    ui.set_width(LIST + room.x + f32::from(space::PANEL));
+    let (wide, room) = sizes(ui);
+    ui.set_width(wide + room.x + f32::from(space::PANEL));
     widgets::heading(ui, say!("Robots"));
     widgets::hint(
         ui,
@@ -139,8 +141,8 @@ pub(super) fn robots(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comm
     typed.shown = pass;
     let steps = [(Key::ArrowUp, -1), (Key::ArrowDown, 1)];
     let field = TextEdit::singleline(&mut typed.text).hint_text(examples());
-    let wide = vec2(ui.available_width(), space::PRIMARY);
-    let field = ui.add_sized(wide, field.align(egui::Align2::LEFT_CENTER));
+    let line = vec2(ui.available_width(), space::PRIMARY);
+    let field = ui.add_sized(line, field.align(egui::Align2::LEFT_CENTER));
     widgets::label(&field, say!("Find a robot"));
     if first {
         field.request_focus();
@@ -163,7 +165,7 @@ pub(super) fn robots(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comm
     let mut chosen = at.map(|at| found[at]);
     ui.horizontal_top(|ui| {
         ui.spacing_mut().item_spacing.x = f32::from(space::PANEL);
-        if let Some(clicked) = list(ui, room.y, (&found, chosen), moved) {
+        if let Some(clicked) = list(ui, vec2(wide, room.y), (&found, chosen), moved) {
             chosen = Some(clicked);
         }
         ui.vertical(|ui| match chosen {
@@ -173,7 +175,9 @@ pub(super) fn robots(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comm
         });
     });
     typed.chosen = chosen.map_or_else(String::new, Robot::key);
-    ends(ui, chosen, commands);
+    // On a button it presses that.
+    let entered = field.lost_focus() && ui.input(|i| i.key_pressed(Key::Enter));
+    ends(ui, chosen, entered || widgets::entered(ui), commands);
     if ui.input(|i| i.key_pressed(Key::Escape)) {
         // Next time it begins anew.
         typed = RobotsInput::default();
@@ -189,7 +193,7 @@ pub(super) fn examples() -> &'static str {
 /// The robots that were found; which was clicked.
 fn list<'w>(
     ui: &mut Ui,
-    high: f32,
+    size: egui::Vec2,
     (found, chosen): (&[Robot<'w>], Option<Robot<'w>>),
     moved: bool,
 ) -> Option<Robot<'w>> {
@@ -197,18 +201,20 @@ fn list<'w>(
     let mut clicked = None;
     let scroll = ScrollArea::vertical()
         .id_salt("robots")
-        .max_height(high)
+        .max_height(size.y)
         .auto_shrink(false);
     // Below each other, beside the picture.
     let down = Layout::top_down(Align::Min);
-    ui.allocate_ui_with_layout(vec2(LIST, high), down, |ui| {
-        ui.set_width(LIST);
+    ui.allocate_ui_with_layout(size, down, |ui| {
+        ui.set_width(size.x);
         scroll.show(ui, |ui| {
             ui.spacing_mut().item_spacing.y = 0.0;
             for robot in found {
                 let on = chosen.as_ref() == Some(&robot.key());
                 let title = robot.title();
                 let button = Button::selectable(on, title.as_str()).shortcut_text(robot.subtitle());
+                // The arrows choose among them: the focus does not go through all of them.
+                let button = button.sense(Sense::CLICK);
                 let row = ui.add(button.min_size(vec2(ui.available_width(), space::CONTROL)));
                 row.widget_info(|| WidgetInfo::selected(Role::ListBoxOption, true, on, &title));
                 if on && moved {
@@ -296,7 +302,7 @@ fn kind(robot: &LibraryRobot) -> String {
     says.to_owned()
 }
 
-fn ends(ui: &mut Ui, chosen: Option<Robot<'_>>, commands: &mut Vec<Command>) {
+fn ends(ui: &mut Ui, chosen: Option<Robot<'_>>, entered: bool, commands: &mut Vec<Command>) {
     ui.add_space(space::ROW);
     let mut simulate = false;
     ui.columns(4, |columns| {
@@ -307,7 +313,11 @@ fn ends(ui: &mut Ui, chosen: Option<Robot<'_>>, commands: &mut Vec<Command>) {
         let edit = columns[1].add_enabled_ui(chosen.is_some(), edit).inner;
         let edit = edit.on_hover_text(say!("Change its table, or type a robot of your own"));
         if let (true, Some(robot)) = (edit.clicked(), chosen) {
-            commands.push(Command::sheet(Sheet::RobotTable(Box::new(robot.table()))));
+            let table = Box::new(robot.table());
+            commands.push(Command::sheet(Sheet::RobotTable {
+                opened: table.clone(),
+                table,
+            }));
         }
         let save = |ui: &mut Ui| widgets::other(ui, say!("Save robot file…"));
         let save = columns[2].add_enabled_ui(chosen.is_some(), save).inner;
@@ -325,7 +335,6 @@ fn ends(ui: &mut Ui, chosen: Option<Robot<'_>>, commands: &mut Vec<Command>) {
         let primary = columns[3].add_enabled_ui(chosen.is_some(), primary).inner;
         simulate = primary.clicked();
     });
-    let entered = ui.input(|i| i.key_pressed(Key::Enter));
     if let (true, Some(robot)) = (simulate || entered, chosen)
         && let Some(form) = robot.form()
     {

@@ -14,7 +14,7 @@ use crate::gui::core::disk::name_of;
 use crate::gui::style::space;
 use crate::gui::view::{NextAction, Sheet, What};
 use crate::gui::widgets;
-use crate::gui::workbench::{Asked, Command, LeftBehind, Workbench};
+use crate::gui::workbench::{Asked, Command, LeftBehind, ViewChange, Workbench};
 
 /// Shows what would be lost, and what can be done about it.
 pub(super) fn losses(
@@ -23,7 +23,7 @@ pub(super) fn losses(
     then: &NextAction,
     commands: &mut Vec<Command>,
 ) {
-    ui.set_width(420.0);
+    widgets::wide(ui, 420.0);
     let (title, discard) = match then {
         NextAction::Leave => (say!("Leave without saving?"), say!("Leave without saving")),
         NextAction::Open(_) | NextAction::Example(_) => {
@@ -55,7 +55,8 @@ pub(super) fn losses(
         ));
     }
     let save = match (losses.session, losses.model) {
-        (true, _) => say!("Save session"),
+        (true, true) => say!("Save session and model…"),
+        (true, false) => say!("Save session"),
         (false, true) => say!("Save model…"),
         (false, false) => say!("Go on"),
     };
@@ -82,9 +83,25 @@ fn decided(ui: &mut Ui, keep: &str, lose: &str, commands: &mut Vec<Command>) -> 
     [kept, lost]
 }
 
+/// Asks before what was typed on a sheet is discarded.
+pub(super) fn typed(ui: &mut Ui, sheet: &Sheet, commands: &mut Vec<Command>) {
+    widgets::wide(ui, 420.0);
+    widgets::heading(ui, say!("Discard what was typed?"));
+    ui.add_space(space::ROW);
+    ui.columns(2, |columns| {
+        if widgets::other(&mut columns[0], say!("Discard")).clicked() {
+            commands.push(Command::View(ViewChange::Sheet(sheet.before())));
+        }
+        let goes_on = widgets::primary(&mut columns[1], say!("Go on with it"));
+        if goes_on.clicked() || widgets::entered(&columns[1]) {
+            commands.push(Command::sheet(sheet.clone()));
+        }
+    });
+}
+
 /// Asks whether a file that changed since it was read is to be replaced.
 pub(super) fn overwrite(ui: &mut Ui, path: &Path, commands: &mut Vec<Command>) {
-    ui.set_width(420.0);
+    widgets::wide(ui, 420.0);
     widgets::heading(ui, say!("Replace what another program wrote?"));
     ui.label(say!(
         "{path} changed since it was read. Saving here would replace what was written there",
@@ -100,7 +117,7 @@ pub(super) fn overwrite(ui: &mut Ui, path: &Path, commands: &mut Vec<Command>) {
 
 /// What windows that are gone have left behind: what, from when, and whether to bring it back.
 pub(super) fn recovery(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
-    ui.set_width(460.0);
+    widgets::wide(ui, 460.0);
     widgets::heading(ui, say!("Recover unsaved work"));
     widgets::hint(
         ui,
@@ -262,7 +279,7 @@ fn path_form(
     (path, replace): (&str, bool),
     commands: &mut Vec<Command>,
 ) -> PathInput {
-    ui.set_width(420.0);
+    widgets::wide(ui, 420.0);
     widgets::heading(ui, title);
     let (mut typed, mut allowed) = (path.to_owned(), replace);
     let field = ui.add(TextEdit::singleline(&mut typed).desired_width(f32::INFINITY));

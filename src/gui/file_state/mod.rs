@@ -8,6 +8,7 @@ pub(crate) mod machines;
 pub(crate) mod recovery;
 
 use std::fs;
+use std::io;
 use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Deserializer, Serialize};
@@ -101,30 +102,40 @@ fn file(folder: &Path) -> PathBuf {
     folder.join("settings.json")
 }
 
-/// What was kept; the defaults where nothing was, or where it cannot be read. Then the second is a
-/// sentence about it, and the document stays under another name.
-pub(crate) fn read(folder: &Path) -> (Settings, Option<String>) {
+/// What was kept; the defaults where nothing was, or where it is damaged. Then the second is a sentence about it, and
+/// the document stays under a name of its own.
+///
+/// # Errors
+/// It is there and cannot be read, or be put aside: it may be whole, and must not be written over.
+pub(crate) fn read(folder: &Path) -> io::Result<(Settings, Option<String>)> {
     let path = file(folder);
-    let Ok(bytes) = fs::read(&path) else {
-        return (Settings::default(), None);
+    let bytes = match fs::read(&path) {
+        Err(error) if error.kind() == io::ErrorKind::NotFound => {
+            return Ok((Settings::default(), None));
+        }
+        bytes => bytes?,
     };
     match serde_json::from_slice::<Settings>(&bytes) {
         Ok(mut settings) if settings.format == FORMAT => {
             settings.preferences = settings.preferences.sound();
-            (settings, None)
+            Ok((settings, None))
         }
         _ => {
-            let aside = folder.join("settings.damaged.json");
-            let says = match fs::rename(&path, &aside) {
-                Ok(()) => say!(
-                    "they were damaged and are kept as {aside}",
-                    aside = aside.display()
-                ),
-                Err(_) => say!("{path} is damaged", path = path.display()),
-            };
-            (Settings::default(), Some(says))
+            let aside = unused(folder);
+            fs::rename(&path, &aside)?;
+            let aside = aside.display();
+            let says = say!("they were damaged and are kept as {aside}", aside);
+            Ok((Settings::default(), Some(says)))
         }
     }
+}
+
+/// A name for damaged settings that no earlier ones have.
+fn unused(folder: &Path) -> PathBuf {
+    let numbers = (2..).map(|number| format!("settings.damaged-{number}.json"));
+    let names = std::iter::once("settings.damaged.json".to_owned()).chain(numbers);
+    let mut paths = names.map(|name| folder.join(name));
+    paths.find(|path| !path.exists()).unwrap_or_default()
 }
 
 /// Changes what is kept: read anew before, as another window may have changed it, and written whole.
@@ -135,7 +146,7 @@ pub(crate) fn change(folder: &Path, change: impl FnOnce(&mut Settings)) -> Resul
         source,
     };
     fs::create_dir_all(folder).map_err(failed)?;
-    let (mut settings, _) = read(folder);
+    let (mut settings, _) = read(folder).map_err(failed)?;
     change(&mut settings);
     let document = serde_json::to_vec_pretty(&settings).map_err(|e| failed(e.into()))?;
     write_atomically(&path, true, |output| output.write_all(&document))
@@ -159,14 +170,14 @@ mod tests {
             let used = Recent::Used(name.into());
             change(&folder, |kept| used.apply(&mut kept.recent)).unwrap();
         }
-        let (settings, says) = read(&folder);
+        let (settings, says) = read(&folder).unwrap();
         assert_eq!(settings.preferences, inches);
         assert_eq!(settings.recent, [PathBuf::from("a.json"), "b.json".into()]);
         assert!(says.is_none());
         let forgotten = Recent::Forgotten("a.json".into());
         change(&folder, |kept| forgotten.apply(&mut kept.recent)).unwrap();
-        assert_eq!(read(&folder).0.recent, [PathBuf::from("b.json")]);
-        assert_eq!(read(&folder).0.preferences, inches);
+        assert_eq!(read(&folder).unwrap().0.recent, [PathBuf::from("b.json")]);
+        assert_eq!(read(&folder).unwrap().0.preferences, inches);
     }
 
     #[test]
@@ -183,24 +194,31 @@ mod tests {
     #[test]
     fn a_damaged_file_costs_the_preferences_and_nothing_else() {
         let folder = tempfile::tempdir().unwrap();
-        for damaged in [
+        let all = [
             "",
             "{",
             "[]",
             "\u{0}",
             r#"{"format":"truepose-settings/9"}"#,
-        ] {
+        ];
+        for damaged in all {
             fs::write(file(folder.path()), damaged).unwrap();
-            let (settings, says) = read(folder.path());
+            let (settings, says) = read(folder.path()).unwrap();
             assert_eq!(settings, Settings::default());
             assert!(
                 says.is_some_and(|says| says.contains("damaged")),
                 "{damaged}"
             );
-            let aside = folder.path().join("settings.damaged.json");
-            assert_eq!(fs::read_to_string(aside).unwrap(), damaged);
         }
-        assert_eq!(read(folder.path()).1, None, "said once");
+        let mut kept: Vec<String> = fs::read_dir(folder.path())
+            .unwrap()
+            .map(|entry| fs::read_to_string(entry.unwrap().path()).unwrap())
+            .collect();
+        kept.sort();
+        let mut all = all.map(str::to_owned);
+        all.sort();
+        assert_eq!(kept, all, "none took the place of another");
+        assert_eq!(read(folder.path()).unwrap().1, None, "said once");
     }
 
     #[test]
@@ -211,7 +229,7 @@ mod tests {
                 r#"{{"format":"truepose-settings/1","preferences":{{"decimals":2}},"panes":{panes}}}"#
             );
             fs::write(file(folder.path()), text).unwrap();
-            let (settings, says) = read(folder.path());
+            let (settings, says) = read(folder.path()).unwrap();
             assert!(says.is_none(), "{panes}");
             assert_eq!(settings.preferences.decimals, Some(2), "{panes}");
             settings.panes.sound(|_| true)
@@ -242,7 +260,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let text = r#"{"format":"truepose-settings/1","preferences":{"decimals":200,"zoom":1e9}}"#;
         fs::write(file(folder.path()), text).unwrap();
-        let preferences = read(folder.path()).0.preferences;
+        let preferences = read(folder.path()).unwrap().0.preferences;
         assert!(preferences.zoom <= 3.0 && preferences.decimals.is_none_or(|d| d <= 6));
     }
 }

@@ -5,7 +5,6 @@ use crate::language::spoken;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use crate::diagnosis::Options;
 use crate::history::History;
 use crate::report::exported::sidecar_of;
 use crate::report::{ExportedTable, Extras, Kind};
@@ -75,11 +74,7 @@ fn make(
         Source::Model(outcome) => pipeline::report_of_model(&*outcome.handed_out()?, &extras),
         Source::Session(document, searched, in_use) => {
             let session = document.session_to_save();
-            // A report that is cancelled is none.
-            let options = Options {
-                keep_when_stopped: false,
-                ..answer::options()
-            };
+            let options = answer::options();
             let there = searched.as_ref().and_then(|s| s.answer.as_ref().ok());
             let made;
             let found = if let Some(found) = there {

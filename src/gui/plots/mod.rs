@@ -99,9 +99,12 @@ pub(super) fn of_chart<'a>(
 pub(super) fn places(of: &Ticks, bounds: (f64, f64), most: f64) -> Vec<GridMark> {
     match of {
         Ticks::Words(words) => {
+            // What lies closer to another than it is wide is not named.
+            let apart = words.windows(2).map(|two| (two[0].0 - two[1].0).abs());
+            let step_size = apart.reduce(f64::min).unwrap_or(1.0);
             let mark = |(value, _): &(f64, String)| GridMark {
                 value: *value,
-                step_size: 1.0,
+                step_size,
             };
             words.iter().map(mark).collect()
         }

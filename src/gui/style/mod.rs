@@ -174,6 +174,8 @@ pub(crate) mod space {
     pub(crate) const ROW: f32 = 8.0;
     /// Inside panels.
     pub(crate) const PANEL: i8 = 16;
+    /// Room around what a sheet says: half as much again as in a panel, which has the window's edge beside it.
+    pub(crate) const SHEET: i8 = PANEL + PANEL / 2;
     /// Around plots.
     pub(crate) const PLOT: i8 = 12;
     /// Inside cards.

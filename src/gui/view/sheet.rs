@@ -31,7 +31,13 @@ pub(crate) enum Sheet {
     /// A simulation, as it is filled in.
     Simulate(Form),
     /// A robot, as its table is typed.
-    RobotTable(Box<RobotTable>),
+    RobotTable {
+        table: Box<RobotTable>,
+        /// As it was opened.
+        opened: Box<RobotTable>,
+    },
+    /// Whether what was typed on this one is discarded.
+    Discard(Box<Self>),
     /// What is lost if this is done now.
     Unsaved(NextAction),
     /// This file is not what it was when it was read: whether to replace it all the same.
@@ -58,9 +64,32 @@ impl Sheet {
     pub(crate) fn before(&self) -> Option<Self> {
         match self {
             Self::Simulate(form) => form.robot.is_some().then_some(Self::ROBOTS),
-            Self::RobotTable(_) => Some(Self::ROBOTS),
+            Self::RobotTable { .. } => Some(Self::ROBOTS),
+            Self::Discard(typed) => Some((**typed).clone()),
             _ => None,
         }
+    }
+
+    /// Where Escape leads: what was typed is not discarded without a question.
+    pub(crate) fn escaped(&self) -> Option<Self> {
+        let typed = match self {
+            Self::Simulate(form) => *form != form.untouched(),
+            Self::RobotTable { table, opened } => table != opened,
+            _ => false,
+        };
+        if typed {
+            Some(Self::Discard(Box::new(self.clone())))
+        } else {
+            self.before()
+        }
+    }
+
+    /// Whether it has many fields: Escape leaves the one that is typed into, and only then the sheet.
+    pub(crate) fn is_a_form(&self) -> bool {
+        matches!(
+            self,
+            Self::Simulate(_) | Self::RobotTable { .. } | Self::Import(_) | &Self::DETAILS
+        )
     }
 
     /// Whether it holds what was typed or chosen in it. A click beside it, which may be meant for something else, does
@@ -70,7 +99,8 @@ impl Sheet {
             Self::SavePath { .. }
             | Self::ExportPath { .. }
             | Self::Simulate(_)
-            | Self::RobotTable(_)
+            | Self::RobotTable { .. }
+            | Self::Discard(_)
             | Self::Unsaved(_)
             | Self::Overwrite(_)
             | Self::Import(_) => true,

@@ -177,6 +177,14 @@ fn one_below_the_other(ui: &mut Ui, table: &Table) {
     }
 }
 
+/// What the button says that adds every found effect.
+pub(super) fn add_all(n: usize) -> String {
+    match n {
+        1 => say!("Add it to the model").to_owned(),
+        n => say!("Add all {n} to the model", n),
+    }
+}
+
 /// The title of an effect, with its joint where the robot has several.
 pub(super) fn in_words(id: &str, joint: Option<usize>, workbench: &Workbench) -> String {
     title_on(

@@ -15,7 +15,7 @@ use crate::gui::widgets;
 use crate::gui::workbench::Workbench;
 use crate::kinematics::JointKind;
 use crate::present::numbers::{grouped, trimmed};
-use crate::units::deg_from_rad;
+use crate::present::units::Units;
 
 /// Shows it, what belongs to the step first.
 pub(super) fn show(ui: &mut Ui, workbench: &Workbench) {
@@ -66,7 +66,11 @@ fn gap(ui: &mut Ui, workbench: &Workbench) {
             widgets::fact_of(
                 ui,
                 phrase!("within tolerance"),
-                say!("{inside} of {all}", inside, all),
+                say!(
+                    "{inside} of {all}",
+                    inside = grouped(inside),
+                    all = grouped(all)
+                ),
             );
         }
         if let Some(floor_mm) = loaded_session.coverage.floor_mm {
@@ -122,7 +126,11 @@ fn covers(ui: &mut Ui, workbench: &Workbench) {
         of_joints(ui, phrase!("approach"), &came_from, |k| {
             say!("approach, joint {joint}", joint = k)
         });
-        let speeds: Vec<String> = survey.joints.iter().map(speeds).collect();
+        let speeds: Vec<String> = survey
+            .joints
+            .iter()
+            .map(|joint| speeds(joint, units))
+            .collect();
         of_joints(ui, phrase!("speed"), &speeds, |k| {
             say!("speed, joint {joint}", joint = k)
         });
@@ -303,11 +311,12 @@ fn sides(joint: &JointSurvey) -> String {
 }
 
 /// How fast a joint was while it was measured.
-fn speeds(joint: &JointSurvey) -> String {
+fn speeds(joint: &JointSurvey, units: Units) -> String {
     let speed = match joint.kind {
-        JointKind::Revolute => format!("{}°/s", trimmed(deg_from_rad(joint.largest_speed), 1)),
-        JointKind::Prismatic => format!("{} mm/s", trimmed(joint.largest_speed, 1)),
+        JointKind::Revolute => units.angle(joint.largest_speed),
+        JointKind::Prismatic => units.length(joint.largest_speed),
     };
+    let speed = speed + "/s";
     match joint.speeds {
         0 => say!("not recorded").to_owned(),
         1 if joint.largest_speed == 0.0 => say!("standstill").to_owned(),
@@ -319,12 +328,25 @@ fn speeds(joint: &JointSurvey) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::present::units::AngleUnit;
 
     #[test]
     fn conditions_read_as_people_say_them() {
         assert_eq!(range(None, "kg", 2), "not recorded");
         assert_eq!(range(Some([2.0, 2.0]), "kg", 2), "2 kg throughout");
         assert_eq!(range(Some([0.0, 2.5]), "kg", 2), "0 … 2.5 kg");
+        let session = crate::gui::files::first_example();
+        let joint = JointSurvey {
+            speeds: 2,
+            largest_speed: 0.5,
+            ..session.coverage.survey.joints[0].clone()
+        };
+        let radians = Units {
+            angle: AngleUnit::Radian,
+            ..Units::default()
+        };
+        assert_eq!(speeds(&joint, Units::default()), "up to 28.65°/s");
+        assert_eq!(speeds(&joint, radians), "up to 0.5 rad/s");
         assert_eq!(duration(45.0), "45 s");
         assert_eq!(duration(1800.0), "30 min");
         assert_eq!(duration(9000.0), "2.5 h");

@@ -70,16 +70,8 @@ fn not_added(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         names
     );
     ui.label(RichText::new(says).color(Palette::of(ui).warning));
-    if widgets::secondary(ui, &add_all(missing.len())).clicked() {
+    if widgets::secondary(ui, &blocks::add_all(missing.len())).clicked() {
         commands.push(Command::Edit(Edit::Add(missing)));
-    }
-}
-
-/// What the button says that adds every found effect.
-pub(super) fn add_all(n: usize) -> String {
-    match n {
-        1 => say!("Add it to the model").to_owned(),
-        n => say!("Add all {n} to the model", n),
     }
 }
 
@@ -139,6 +131,12 @@ fn export(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         joint_and_step(ui, workbench, choice, commands);
     }
     match workbench.export() {
+        None if workbench.is_unprepared() => {
+            widgets::hint(ui, say!("The preparation of the table was cancelled"));
+            if widgets::secondary(ui, say!("Prepare the table")).clicked() {
+                commands.push(Command::Prepare);
+            }
+        }
         None => widgets::hint(ui, say!("The table is being prepared")),
         Some(Err(because)) => {
             let color = Palette::of(ui).outside;
@@ -150,6 +148,12 @@ fn export(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
                         "Corrected targets and programs take all of the model: “Compensate…” below, or choose another format"
                     ),
                 );
+            } else {
+                // What the format cannot hold is switched off here, or left out of the fit.
+                super::gap::switches(ui, workbench, commands);
+                if widgets::secondary(ui, say!("Go to identify")).clicked() {
+                    commands.push(Command::View(ViewChange::GoTo(Step::Identify)));
+                }
             }
         }
         Some(Ok(made)) => {
@@ -236,6 +240,9 @@ pub(crate) fn preview(ui: &mut Ui, workbench: &Workbench) {
         // Why stands at the left, beside what can be done instead.
         Some(Err(_)) => widgets::hint(ui, say!("No preview: this export is refused")),
         None if workbench.answer().is_none() => super::coverage::show(ui, workbench),
+        None if workbench.is_unprepared() => {
+            widgets::hint(ui, say!("The preparation of the table was cancelled"));
+        }
         None => widgets::hint(ui, say!("The table is being prepared")),
     }
     super::standards::show(ui, workbench);
@@ -336,7 +343,7 @@ fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     } else {
         say!("Save table as .{title}…", title)
     };
-    let ready = matches!(workbench.export(), Some(Ok(_)));
+    let ready = matches!(workbench.export(), Some(Ok(_))) || workbench.is_unprepared();
     if is_refused_for_an_arm(workbench) {
         if widgets::primary(ui, say!("Compensate…")).clicked() {
             commands.push(Command::Ask(Asked::Targets));

@@ -168,7 +168,7 @@ fn names_so_far(ui: &mut Ui, found: &[String]) {
 }
 
 /// What each effect is worth: switched off and on.
-fn switches(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+pub(super) fn switches(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let added = &workbench.document().added;
     if added.is_empty() {
         return;
@@ -209,7 +209,10 @@ fn state(workbench: &Workbench) -> (String, Progress) {
 
 fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     if workbench.searching().is_some() {
-        if widgets::secondary(ui, say!("Stop the search")).clicked() {
+        // It lies where it was started: the second click of a double click is not meant for it.
+        let meant = widgets::has_stood(ui, "stop the search");
+        let stop = |ui: &mut Ui| widgets::secondary(ui, say!("Stop the search"));
+        if ui.add_enabled_ui(meant, stop).inner.clicked() {
             commands.push(Command::Stop(Task::Search));
         }
         return;
@@ -223,7 +226,7 @@ fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         }
     } else if !missing.is_empty() {
         // The effect that was found comes before the table that would leave it uncorrected.
-        let text = super::export::add_all(missing.len());
+        let text = super::blocks::add_all(missing.len());
         if widgets::primary(ui, &text).clicked() {
             commands.push(Command::Edit(Edit::Add(missing)));
         }

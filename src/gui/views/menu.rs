@@ -4,7 +4,7 @@ use egui::containers::menu::MenuButton;
 use egui::gui_zoom::{kb_shortcuts, zoom_in, zoom_out};
 use egui::{
     Align, Button, Context, FontId, Id, Label, Layout, MenuBar, Popup, Response, RichText, Role,
-    Ui, WidgetInfo,
+    ScrollArea, Ui, WidgetInfo,
 };
 
 use crate::gui::actions::{self, Action, OPEN_EXAMPLE, OPEN_LATEST, WindowState};
@@ -17,6 +17,9 @@ use crate::gui::workbench::{Command, ViewChange, Workbench};
 
 /// Width of the menus, points.
 const MENUS: f32 = 200.0;
+
+/// Between a menu's items and its header and the window's edge, together, points.
+const AROUND_MENU: f32 = 24.0;
 
 /// With less room it is not said where the session comes from, points.
 const LEAST_ORIGIN: f32 = 80.0;
@@ -185,7 +188,15 @@ fn header(ui: &mut Ui, name: &str, contents: impl FnOnce(&mut Ui)) {
     let key = Id::unique("open menu");
     let mut open: Open = ui.data(|data| data.get_temp(key)).unwrap_or_default();
     let time = ui.input(|input| input.time);
-    let (response, shown) = MenuButton::new(name).ui(ui, contents);
+    // In a low window, or with large text, a menu is higher than what is below its header.
+    let high = ui.ctx().content_rect().bottom() - ui.max_rect().bottom() - AROUND_MENU;
+    let (response, shown) = MenuButton::new(name).ui(ui, |ui| {
+        let scroll = ScrollArea::vertical().max_height(high);
+        scroll.min_scrolled_height(high).show(ui, |ui| {
+            contents(ui);
+            widgets::focus_in_sight(ui);
+        });
+    });
     let id = Popup::default_response_id(&response);
     let another = open.now.is_some_and(|now| now != id);
     let soon = |(opened, at): (Id, f64)| opened == id && time - at <= SOON_S;

@@ -179,7 +179,12 @@ fn gap_card(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
             widgets::fact_of(
                 ui,
                 label,
-                say!("{before} → {after} of {all}", before, after, all),
+                say!(
+                    "{before} → {after} of {all}",
+                    before = grouped(before),
+                    after = grouped(after),
+                    all = grouped(all)
+                ),
             );
             let share = after as f32 / all.max(1) as f32;
             widgets::share_bar(ui, share, palette.within);

@@ -165,6 +165,10 @@ pub(crate) fn notices(
     commands: &mut Vec<Command>,
 ) {
     let (message, on_disk) = (&workbench.view().message, &workbench.view().on_disk);
+    if message.is_none() {
+        // The same may be said again: it stands as long as the first time.
+        ui.data_mut(|data| data.remove::<Shown>(Id::unique("notice")));
+    }
     if message.is_none() && on_disk.is_none() {
         return;
     }

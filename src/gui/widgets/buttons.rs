@@ -109,6 +109,26 @@ pub(crate) fn primary(ui: &mut Ui, text: &str) -> Response {
     response
 }
 
+/// Whether what has this name has been in sight for half a second without a break: what comes up under the pointer
+/// would else be pressed by a click that was meant for what was there before.
+pub(crate) fn has_stood(ui: &Ui, name: &str) -> bool {
+    const SETTLES_S: f64 = 0.5;
+    /// Passes of a frame that are not shown lie between two that are.
+    const BREAK: u64 = 16;
+    let (id, pass) = (Id::unique(name), ui.ctx().cumulative_pass_nr());
+    let now = ui.input(|input| input.time);
+    let before: Option<(f64, u64)> = ui.data(|data| data.get_temp(id));
+    let since = before.filter(|(_, seen)| pass <= seen + BREAK);
+    let since = since.map_or(now, |(since, _)| since);
+    ui.data_mut(|data| data.insert_temp(id, (since, pass)));
+    let left = since + SETTLES_S - now;
+    if left > 0.0 {
+        let left = std::time::Duration::from_secs_f64(left);
+        ui.ctx().request_repaint_after(left);
+    }
+    left <= 0.0
+}
+
 /// Something else that can be done, as wide as the panel.
 pub(crate) fn secondary(ui: &mut Ui, text: &str) -> Response {
     quiet(ui, text, 32.0)

@@ -7,7 +7,9 @@ use super::buttons::{other, primary, segmented};
 use super::text::{label, wrong};
 use egui::text::{CCursor, CCursorRange};
 use egui::text_edit::TextEditState;
-use egui::{Align, ComboBox, DragValue, Id, Key, Layout, Response, RichText, Tooltip, Ui, vec2};
+use egui::{
+    Align, ComboBox, DragValue, Id, Key, Layout, Response, RichText, Tooltip, Ui, Vec2, vec2,
+};
 
 use crate::present::units::typed_in;
 
@@ -175,6 +177,18 @@ pub(crate) fn cell_number(
     let response = typing(ui, [width, high], unit, field);
     label(&response, name);
     response
+}
+
+/// The room that the window has for what a sheet says.
+pub(crate) fn room_of_a_sheet(ui: &Ui) -> Vec2 {
+    /// Between a sheet and the window's edges, together, points.
+    const MARGIN: f32 = 12.0;
+    ui.ctx().content_rect().size() - Vec2::splat(2.0 * f32::from(space::SHEET) + MARGIN)
+}
+
+/// Makes a sheet as wide as this, or as the window has room for.
+pub(crate) fn wide(ui: &mut Ui, width: f32) {
+    ui.set_width(width.min(room_of_a_sheet(ui).x));
 }
 
 /// The buttons at the end of a sheet. Whether the first was pressed.

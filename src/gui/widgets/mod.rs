@@ -6,18 +6,21 @@ mod fields;
 mod text;
 
 pub(crate) use buttons::{
-    NEXT, copy_button, data_button, history_button, icon_button, other, primary, read_next,
-    save_button, secondary, segmented, segmented_named, side_button, sign_that, width_of_segments,
+    NEXT, copy_button, data_button, has_stood, history_button, icon_button, other, primary,
+    read_next, save_button, secondary, segmented, segmented_named, side_button, sign_that,
+    width_of_segments,
 };
 pub(crate) use fields::{
-    buttons_or_back, cell_number, choice, choice_row, done, done_beside, form_row, list, number,
-    or_none, row, select_all, sheet_buttons, sheet_buttons_without_enter,
+    buttons_or_back, cell_number, choice, choice_row, done, done_beside, entered, form_row, list,
+    number, or_none, room_of_a_sheet, row, select_all, sheet_buttons, sheet_buttons_without_enter,
+    wide,
 };
 pub(crate) use text::{
     bold, caption, cell_right, cut, dense, explained, explained_effect, fact, fact_of, facts, fine,
     folded, heading, hint, hint_above_the_button, label, question, section, title, width_of, wrong,
 };
 
+use egui::text_edit::TextEditState;
 use egui::{
     Color32, CornerRadius, CursorIcon, EventFilter, Frame, Id, Key, Margin, Rect, Role, Sense,
     Stroke, StrokeKind, Ui, WidgetInfo, accesskit, vec2,
@@ -88,6 +91,12 @@ pub(crate) fn focus_in_sight(ui: &Ui) {
     if here && within && response.layer_id == ui.layer_id() {
         ui.scroll_to_rect(response.rect.expand(BEYOND), None);
     }
+}
+
+/// Whether the focus was in a field of text until now: Escape has taken it away by the time that it is read.
+pub(crate) fn was_typed_into(ctx: &egui::Context) -> bool {
+    let before = ctx.data(|data| data.get_temp(focus_before()));
+    before.is_some_and(|id| TextEditState::load(ctx, id).is_some())
 }
 
 /// A ring around whatever has the keyboard, in the layer that it is in.

@@ -170,16 +170,24 @@ impl Workbench {
         Some(&self.plane_cache()?.thinned.as_deref()?.samples)
     }
 
-    /// The export as it would be written, or why there is none. While a newer one is being made it
-    /// is the one before.
+    /// The export as it would be written, or why there is none. While a newer one of the same table is being made it
+    /// is the one before; the figures of another format say nothing of this one.
     pub(crate) fn export(&self) -> Option<Result<&ExportPreview, &String>> {
         self.answer()?;
         let preview = self.preview.as_ref()?;
-        let same = Arc::ptr_eq(
-            &preview.wanted.identified.question.loaded_session,
-            self.loaded_session(),
-        );
+        let PreviewRequest {
+            identified, choice, ..
+        } = &preview.wanted;
+        let same = Arc::ptr_eq(&identified.question.loaded_session, self.loaded_session())
+            && choice.is_of_the_table(self.document().export);
         same.then_some(preview.made.as_ref())
+    }
+
+    /// Whether the preparation of the export was cancelled: it is not begun again by itself.
+    pub(crate) fn is_unprepared(&self) -> bool {
+        let choice = self.document().export;
+        let cancelled = self.unprepared.as_ref();
+        cancelled.is_some_and(|wanted| wanted.choice.is_of_the_table(choice))
     }
 
     /// The files that were exported from the model that is shown, the newest last: a table of another
@@ -205,9 +213,12 @@ impl Workbench {
         }
     }
 
-    /// A search of the open session.
+    /// A search of the open session: it begins where the identification ends, and goes with it where that is undone.
     pub(super) fn search_of_this(&self) -> Option<&Arc<Search>> {
-        let search = self.searched.as_ref()?;
+        let search = self
+            .searched
+            .as_ref()
+            .filter(|_| self.document().identified)?;
         Arc::ptr_eq(&search.loaded_session, self.loaded_session()).then_some(search)
     }
 
@@ -284,7 +295,8 @@ impl Workbench {
             name: saved.map(|(_, name)| name.clone()),
         };
         let made = self.preview.as_ref().is_some_and(|p| p.wanted == wanted);
-        if !made {
+        if !made && self.unprepared.as_ref() != Some(&wanted) {
+            self.unprepared = None;
             self.want_preview(wanted);
         }
     }

@@ -11,13 +11,13 @@ use crate::text::LANGUAGES;
 use crate::gui::cache::identified::{IdentifiedAnswer, Preview, PreviewRequest};
 use crate::gui::cache::{PlotCache, PlotInputs};
 use crate::gui::core::answer::Search;
-use crate::gui::core::document::Question;
+use crate::gui::core::document::{ExportChoice, Question};
 use crate::gui::core::edit::Edit;
 use crate::gui::core::loaded_session::LoadedSession;
 use crate::gui::files::{self, Opened};
 use crate::gui::jobs::{Jobs, Kind, Running, Watch};
 use crate::gui::style::font_fallback::Characters;
-use crate::gui::view::{Message, Sheet, What};
+use crate::gui::view::Message;
 
 use super::{Command, Workbench};
 
@@ -53,6 +53,7 @@ impl Workbench {
                             self.prepare(next);
                         }
                     }
+                    Kind::Searches => self.asked.searched = None,
                     _ => {}
                 }
                 match outcome {
@@ -141,6 +142,7 @@ impl Workbench {
             return;
         }
         self.stopped = None;
+        self.asked.searched = Some(Arc::clone(&loaded_session));
         self.jobs.start(
             Kind::Searches,
             say!("searching"),
@@ -154,19 +156,26 @@ impl Workbench {
         );
     }
 
-    /// Asks the search to end with what is proven until then; asked again, it is cancelled.
+    /// Stops the search. The names that it had found until then stay in sight, and a diagnosis that was complete
+    /// stays what it was: what is stopped half-way answers nothing.
     pub(super) fn stop_search(&mut self) {
-        if !self.jobs.ask_to_end(Kind::Searches) {
-            self.cancel_search();
-        }
+        let found = self.jobs.running(Kind::Searches).map(Running::found);
+        self.jobs.cancel(|kind| kind == Kind::Searches);
+        let searched = self.asked.searched.take();
+        self.stopped = searched.zip(found);
     }
 
-    /// Cancels the search; the names that it had found until then stay in sight.
-    fn cancel_search(&mut self) {
-        let found = self.searching().map(Running::found);
-        self.jobs.cancel(|kind| kind == Kind::Searches);
-        if let Some(found) = found {
-            self.stopped = Some((Arc::clone(self.loaded_session()), found));
+    /// Stops the search where it is about other samples than those that are here now, or what it began from was
+    /// undone.
+    pub(super) fn stop_search_of_others(&mut self) {
+        let here = |searched: &Arc<LoadedSession>| {
+            Arc::ptr_eq(searched, self.loaded_session()) && self.document().identified
+        };
+        if self.asked.searched.as_ref().is_some_and(|one| !here(one)) {
+            self.stop_search();
+            let title = say!("The diagnosis was stopped: what it was about has changed").to_owned();
+            let again = say!("Run it again for what is here now").to_owned();
+            self.view.message = Some(Message::done(title, vec![again]));
         }
     }
 
@@ -179,13 +188,13 @@ impl Workbench {
     /// Drops the newest job that the status bar names.
     pub(super) fn cancel_newest(&mut self) {
         if self.jobs.newest().is_some_and(Running::searches) {
-            return self.cancel_search();
+            return self.stop_search();
         }
         match self.jobs.cancel(Kind::has_a_name) {
             Some(Kind::Identifies) => {
                 self.declined = self.asked.questions.forget().or(self.declined.take());
             }
-            Some(Kind::Prepares) => drop(self.asked.previews.forget()),
+            Some(Kind::Prepares) => self.unprepared = self.asked.previews.forget(),
             _ => {}
         }
     }
@@ -221,21 +230,29 @@ impl Workbench {
         &mut self,
         path: PathBuf,
         work: impl FnOnce(&Path, &Watch) -> T + Send + 'static,
-        then: fn(&mut Self, T),
+        then: impl FnOnce(&mut Self, T) + Send + 'static,
     ) {
         let says = say!("writing {path}", path = path.display());
         let work = move |watch: &Watch| work(&path, watch);
         self.jobs.start(Kind::Writes, says, work, then);
     }
 
-    pub(super) fn take_exported(&mut self, exported: Result<PathBuf, Message>) {
+    /// A table or a model was written, of the answer to this question, or not.
+    pub(super) fn take_exported(
+        &mut self,
+        exported: Result<PathBuf, Message>,
+        question: Option<Question>,
+        choice: ExportChoice,
+    ) {
         match exported {
             Ok(path) => {
-                self.model_is_on_file();
+                self.file_state.model_on_file.clone_from(&question);
                 self.view.message = Some(files::saved(&path, Vec::new()));
-                self.remember_name(&path);
+                if question == self.question() {
+                    self.remember_name(&path, choice);
+                }
                 self.exported.retain(|(other, _)| *other != path);
-                self.exported.push((path, self.question()));
+                self.exported.push((path, question));
                 self.keep_preparing();
                 self.resume();
             }
@@ -254,71 +271,6 @@ impl Workbench {
         }
     }
 
-    /// Asks for a file to open, beside the one in hand.
-    pub(super) fn choose_file(&mut self, ask: fn(Option<&Path>) -> Option<PathBuf>) {
-        let near = self.file().map(Path::to_path_buf);
-        let near = near.or_else(|| Some(self.recent().next()?.0.to_path_buf()));
-        self.choose(
-            say!("waiting for a file to be chosen"),
-            move || ask(near.as_deref()),
-            |bench, path| match path {
-                Some(path) => bench.execute(Command::OpenFile(path)),
-                // Cancelled, or there is no dialog on this system: the two look alike.
-                None => bench.view.message = Some(no_file_was_chosen()),
-            },
-        );
-    }
-
-    /// Asks where to save the session.
-    pub(super) fn choose_where_to_save(&mut self) {
-        let path = self.proposed_path();
-        let ask = move || files::choose_to_save(&path);
-        self.choose(say!("waiting for a file name"), ask, |bench, path| {
-            let command = match path {
-                // The dialog has asked.
-                Some(path) => Command::SaveAs {
-                    path,
-                    replace: true,
-                },
-                None => bench.typed_path(),
-            };
-            bench.execute(command);
-        });
-    }
-
-    /// Asks where to export to.
-    pub(super) fn choose_where_to_export(&mut self, what: What) {
-        let path = self.placed(self.name_of(what).as_ref());
-        let ask = move || files::choose_to_export(what, &path);
-        self.choose(say!("waiting for a file name"), ask, move |bench, path| {
-            if let Some(path) = path {
-                // The dialog has asked.
-                let replace = true;
-                return bench.execute(Command::ExportTo {
-                    what,
-                    path,
-                    replace,
-                });
-            }
-            let path = bench.placed(bench.name_of(what).as_ref());
-            bench.view.sheet = Some(Sheet::ExportPath {
-                what,
-                path: path.display().to_string(),
-                replace: false,
-            });
-        });
-    }
-
-    /// Waits for the system's dialog.
-    pub(super) fn choose(
-        &mut self,
-        what: &str,
-        ask: impl FnOnce() -> Option<PathBuf> + Send + 'static,
-        then: impl FnOnce(&mut Self, Option<PathBuf>) + Send + 'static,
-    ) {
-        self.jobs.start(Kind::Once, what, move |_| ask(), then);
-    }
-
     /// Opens a file with the system's program for it, or shows it in its folder.
     pub(super) fn open_outside(&mut self, path: PathBuf, in_folder: bool) {
         self.jobs.quietly(
@@ -332,6 +284,16 @@ impl Workbench {
         );
     }
 
+    /// What was worked out is about another session than the one that is open now, and is not taken.
+    pub(super) fn is_of_another(&mut self, title: &str) {
+        self.complain(
+            title,
+            [say!(
+                "The session is another one now: ask for it again where it is still wanted"
+            )],
+        );
+    }
+
     fn broke_off(&mut self) {
         self.stop_figuring();
         self.complain(
@@ -341,14 +303,6 @@ impl Workbench {
             )],
         );
     }
-}
-
-/// Cancelled, or there is no dialog on this system.
-pub(super) fn no_file_was_chosen() -> Message {
-    Message::done(
-        say!("No file was chosen").to_owned(),
-        vec![say!("If no dialog appeared, drop the file on the window, or type its path in the Session step").to_owned()],
-    )
 }
 
 impl Workbench {

@@ -243,7 +243,23 @@ impl Workbench {
         if alone {
             self.view.component = component;
         }
-        self.arrange(panes);
+        // It is looked at once: tomorrow, and in another session, charts follow the steps again.
+        self.view.panes = panes;
+    }
+
+    /// No chart stays on an effect that a session had: of another one there is none yet.
+    pub(super) fn leave_effects(&mut self) {
+        let of_effect = |(key, pane): (Key, &ChartPane)| {
+            let is_effect = pane.chart.as_deref() == Some(effect::ID);
+            is_effect.then_some(key)
+        };
+        let keys: Vec<Key> = self.view.panes.charts().filter_map(of_effect).collect();
+        for key in keys {
+            if let Some(pane) = self.view.panes.chart_mut(key) {
+                pane.chart = None;
+                pane.component = None;
+            }
+        }
     }
 
     /// The panes with this done to them.

@@ -104,6 +104,8 @@ pub(crate) enum Command {
     Adapt,
     /// Search for what is missing.
     Search,
+    /// Prepare the export whose preparation was cancelled.
+    Prepare,
     /// Make a session by simulation.
     Simulate(Form),
     /// Copy what this chart shows as a table.
@@ -242,6 +244,8 @@ pub(crate) enum Task {
     Newest,
     /// End the search that is under way; what it has found stays in sight.
     Search,
+    /// Go on without an answer of the system's dialog.
+    Dialog,
     /// Stops looking at a foreign file; saying something looks again.
     Import,
 }

@@ -73,11 +73,16 @@ impl Workbench {
     /// Asks for a file beside it.
     pub(super) fn choose_beside(&mut self, which: Companion) {
         let measured = self.import_draft().map(|foreign| foreign.path.clone());
+        let of = measured.clone();
         let ask = move || files::choose_beside(which, measured.as_deref());
         self.choose(
             say!("waiting for a file to be chosen"),
             ask,
-            move |bench, path| bench.take_beside(which, path),
+            move |bench, path| {
+                if bench.import_draft().map(|draft| &draft.path) == of.as_ref() {
+                    bench.take_beside(which, path);
+                }
+            },
         );
     }
 
@@ -181,8 +186,7 @@ impl Workbench {
 
     pub(super) fn take_adapted(&mut self, (loaded_session, made): Adapted) {
         if !Arc::ptr_eq(&loaded_session, self.loaded_session()) {
-            // Another session is open now: the answer is about the old one.
-            return;
+            return self.is_of_another(say!("This change cannot be made"));
         }
         match made {
             Ok((regions, decision)) => {

@@ -6,24 +6,23 @@ use std::sync::Arc;
 
 use crate::compensation::decision::FittedErrors;
 use crate::export::find;
-use crate::gui::cache::identified::{Figures, PreviewRequest};
+use crate::gui::cache::identified::{Figures, IdentifiedAnswer, PreviewRequest};
 use crate::gui::charts;
 use crate::gui::core::answer::Search;
 use crate::gui::core::compensated::{Compensated, CompensationRequest, MOST_KG};
 use crate::gui::core::disk::name_of;
-use crate::gui::core::document::plain;
+use crate::gui::core::document::{ExportChoice, plain};
 use crate::gui::files;
 use crate::gui::files::reporting::{self, Source};
 use crate::gui::jobs::{Kind, Watch};
 use crate::gui::view::{About, Plot, Sheet, Step, What};
-use crate::kinematics::Robot;
 use crate::pipeline::measuring_list;
 use crate::report::exported::sidecar_of;
 use crate::robots::named;
 use crate::sessions::{robot_document, samples_path};
 
-use super::background::no_file_was_chosen;
-use super::{Command, Workbench};
+use super::Workbench;
+use super::asking::no_file_was_chosen;
 
 impl Workbench {
     /// What an export's file is called unless the user says otherwise.
@@ -81,8 +80,7 @@ impl Workbench {
     }
 
     /// A table was saved: what is to be entered in the controller names this file from now on.
-    pub(super) fn remember_name(&mut self, path: &Path) {
-        let choice = self.document().export;
+    pub(super) fn remember_name(&mut self, path: &Path, choice: ExportChoice) {
         let ending = find(choice.format).map(|format| format.extension);
         let name = path.file_name().and_then(|name| name.to_str());
         let is_table = path.extension().and_then(|e| e.to_str()) == ending;
@@ -91,71 +89,70 @@ impl Workbench {
         }
     }
 
+    /// Writes an export to a file.
     pub(super) fn export_to(&mut self, what: What, path: PathBuf, replace: bool) {
+        if let Some(write) = self.prepared(what) {
+            write(self, path, replace);
+        }
+    }
+
+    /// An export, once it is known where to: all that goes into it is taken now. Where there is nothing to be
+    /// written, that is said.
+    pub(super) fn prepared(&mut self, what: What) -> Option<Write> {
         match what {
-            What::Report(about) => return self.write_report(about, path, replace),
-            What::Picture(plot) => return self.write_picture(plot, path, replace),
-            What::Numbers(chart) => return self.write_numbers(chart, path, replace),
-            What::Targets => return self.write_targets(path, replace),
+            What::Report(about) => self.report(about),
+            What::Picture(plot) => Some(self.picture(plot)),
+            What::Numbers(chart) => {
+                let numbers = self.numbers_of(chart)?;
+                Some(list(move || numbers().csv()))
+            }
+            What::Targets => self.targets(),
             What::Robot(id) => {
-                let robot = named(id).ok().map(|found| found.robot.clone());
-                return self.write_robot(robot, path, replace);
+                let document = robot_document(&named(id).ok()?.robot);
+                Some(list(|| document))
             }
             What::TypedRobot => {
-                let table = self.file_state.robots.first();
-                let robot = table.and_then(|table| table.robot().ok());
-                return self.write_robot(robot, path, replace);
+                let table = self.file_state.robots.first()?;
+                let document = robot_document(&table.robot().ok()?);
+                Some(list(|| document))
             }
-            What::Table | What::Model | What::Poses => {}
+            What::Poses => self.measuring_list(),
+            What::Table | What::Model => self.table_or_model(what),
         }
-        if what == What::Poses {
-            let Some(diagnosis) = self.diagnosis() else {
-                return self.complain(
-                    say!("There is no measuring list yet"),
-                    [say!("Run the diagnosis first")],
-                );
-            };
-            let list = measuring_list(&diagnosis.next_poses, &self.loaded_session().session.robot);
-            let work = move |path: &Path, _: &Watch| files::write_list(list, path, replace);
-            self.write(path, work, Self::take_written);
-            return;
-        }
-        // From what is shown, but under the name that was chosen.
-        let Some(outcome) = self.shown_outcome() else {
-            return self.complain(
+    }
+
+    fn measuring_list(&mut self) -> Option<Write> {
+        let Some(diagnosis) = self.diagnosis() else {
+            self.complain(
+                say!("There is no measuring list yet"),
+                [say!("Run the diagnosis first")],
+            );
+            return None;
+        };
+        let poses = measuring_list(&diagnosis.next_poses, &self.loaded_session().session.robot);
+        Some(list(|| poses))
+    }
+
+    /// From what is shown, but under the name that is chosen.
+    fn table_or_model(&mut self, what: What) -> Option<Write> {
+        let Some(identified) = self.shown_outcome() else {
+            self.complain(
                 say!("There is nothing to export yet"),
                 [say!("Identify the robot first")],
             );
+            return None;
         };
-        let choice = self.document().export;
-        let work = move |path: &Path, _: &Watch| {
+        let (choice, question) = (self.document().export, self.question());
+        let work = move |path: &Path, replace: bool, _: &Watch| {
             let wanted = PreviewRequest {
-                identified: outcome,
+                identified,
                 choice,
                 name: None,
             };
             files::export(&wanted, what, path, replace)
         };
-        self.write(path, work, Self::take_exported);
-    }
-
-    /// Writes what a chart shows as a table.
-    fn write_numbers(&mut self, chart: &str, path: PathBuf, replace: bool) {
-        let Some(numbers) = self.numbers_of(chart) else {
-            return;
-        };
-        let work = move |path: &Path, _: &Watch| files::write_list(numbers().csv(), path, replace);
-        self.write(path, work, Self::take_written);
-    }
-
-    /// Writes a robot as a file of its own.
-    fn write_robot(&mut self, robot: Option<Robot>, path: PathBuf, replace: bool) {
-        let Some(robot) = robot else {
-            return;
-        };
-        let document = robot_document(&robot);
-        let work = move |path: &Path, _: &Watch| files::write_list(document, path, replace);
-        self.write(path, work, Self::take_written);
+        let then = move |bench: &mut Self, written| bench.take_exported(written, question, choice);
+        Some(later(work, then))
     }
 
     /// Everything that the open session, its model and its tables stand in: no paper replaces it.
@@ -182,7 +179,7 @@ impl Workbench {
         inputs
     }
 
-    pub(super) fn write_report(&mut self, about: About, path: PathBuf, replace: bool) {
+    fn report(&mut self, about: About) -> Option<Write> {
         let source = match (about, &self.identified, self.answer()) {
             (About::Model, Some(outcome), Some(_)) => Source::Model(Arc::clone(outcome)),
             (About::Session, ..) if !self.loaded_session().is_empty() => {
@@ -192,10 +189,11 @@ impl Workbench {
                 Source::Session(Arc::clone(self.history.present()), searched, in_use)
             }
             _ => {
-                return self.complain(
+                self.complain(
                     say!("There is nothing to report yet"),
                     [say!("Open a session, or identify the robot first")],
                 );
+                return None;
             }
         };
         let stated = self.stated();
@@ -208,17 +206,18 @@ impl Workbench {
             tables: self.exported().cloned().collect(),
             inputs: self.inputs(),
         };
-        let work =
-            move |path: &Path, watch: &Watch| reporting::write(&wanted, path, replace, watch);
-        self.write(path, work, Self::take_written);
+        let work = move |path: &Path, replace: bool, watch: &Watch| {
+            reporting::write(&wanted, path, replace, watch)
+        };
+        Some(later(work, Self::take_written))
     }
 
-    pub(super) fn write_picture(&mut self, plot: Plot, path: PathBuf, replace: bool) {
+    fn picture(&self, plot: Plot) -> Write {
         let (draw, inputs) = ((self.draw)(self, plot), self.inputs());
-        let work = move |path: &Path, watch: &Watch| {
+        let work = move |path: &Path, replace: bool, watch: &Watch| {
             files::write_picture(draw, path, replace, &inputs, watch)
         };
-        self.write(path, work, Self::take_written);
+        later(work, Self::take_written)
     }
 
     /// The standards' figures of what is shown; while newer ones are worked out, the ones before.
@@ -279,20 +278,29 @@ impl Workbench {
     /// Asks for a file of targets.
     pub(super) fn choose_targets(&mut self) {
         let near = self.file().map(Path::to_path_buf);
+        let by = self.shown_outcome();
         let ask = move || files::choose_targets(near.as_deref());
         self.choose(
             say!("waiting for a file to be chosen"),
             ask,
-            |bench, path| match path {
-                Some(path) => bench.execute(Command::Compensate(CompensationRequest::new(path))),
+            move |bench, path| match path {
+                Some(path) => bench.compensate_by(by, CompensationRequest::new(path)),
                 None => bench.view.message = Some(no_file_was_chosen()),
             },
         );
     }
 
     /// Corrects the targets of a file by the model that is shown.
-    pub(super) fn compensate(&mut self, mut wanted: CompensationRequest) {
-        let Some(outcome) = self.shown_outcome() else {
+    pub(super) fn compensate(&mut self, wanted: CompensationRequest) {
+        self.compensate_by(self.shown_outcome(), wanted);
+    }
+
+    fn compensate_by(
+        &mut self,
+        by: Option<Arc<IdentifiedAnswer>>,
+        mut wanted: CompensationRequest,
+    ) {
+        let Some(outcome) = by else {
             return self.complain(
                 say!("There is no model to correct targets by"),
                 [say!("Identify the robot first, or open a model")],
@@ -306,34 +314,58 @@ impl Workbench {
         let model = self.name_of(What::Model);
         let name = name_of(&wanted.path);
         let says = say!("correcting the targets of {name}", name);
-        let work = move |_: &Watch| {
-            Some(match outcome.handed_out() {
-                Ok(verified) => Compensated::of(&verified, &model, wanted),
-                Err(says) => Compensated::refused(wanted, says),
-            })
+        let session = Arc::clone(&outcome.question.loaded_session);
+        let work = move |_: &Watch| match outcome.handed_out() {
+            Ok(verified) => Compensated::of(&verified, &model, wanted),
+            Err(says) => Compensated::refused(wanted, says),
         };
-        self.jobs
-            .start(Kind::Once, says, work, |bench: &mut Self, compensated| {
-                bench.compensated = compensated.map(Arc::new);
-                if bench.compensated.is_some() {
-                    bench.view.sheet = Some(Sheet::COMPENSATION);
+        self.jobs.start(
+            Kind::Once,
+            says,
+            work,
+            move |bench: &mut Self, compensated| {
+                if !Arc::ptr_eq(&session, bench.loaded_session()) {
+                    return bench.is_of_another(say!("The targets were not corrected"));
                 }
-            });
+                bench.compensated = Some(Arc::new(compensated));
+                bench.view.sheet = Some(Sheet::COMPENSATION);
+            },
+        );
     }
 
-    /// Writes the corrected targets, and what was changed beside them.
-    pub(super) fn write_targets(&mut self, path: PathBuf, replace: bool) {
+    /// The corrected targets, and what was changed beside them.
+    fn targets(&mut self) -> Option<Write> {
         let Some(compensated) = self.compensated.clone() else {
-            return self.complain(
+            self.complain(
                 say!("There are no corrected targets yet"),
                 [say!("Choose a table of targets or a robot program first")],
             );
+            return None;
         };
         let mut inputs = self.inputs();
         inputs.push(compensated.wanted.path.clone());
-        let work = move |path: &Path, _: &Watch| {
+        let work = move |path: &Path, replace: bool, _: &Watch| {
             files::write_targets(&compensated, path, replace, &inputs)
         };
-        self.write(path, work, Self::take_written);
+        Some(later(work, Self::take_written))
     }
+}
+
+/// What is written once it has a path, and whether a file that is there may be replaced.
+pub(super) type Write = Box<dyn FnOnce(&mut Workbench, PathBuf, bool) + Send>;
+
+fn later<T: Send + 'static>(
+    work: impl FnOnce(&Path, bool, &Watch) -> T + Send + 'static,
+    then: impl FnOnce(&mut Workbench, T) + Send + 'static,
+) -> Write {
+    Box::new(move |bench, path, replace| {
+        let work = move |path: &Path, watch: &Watch| work(path, replace, watch);
+        bench.write(path, work, then);
+    })
+}
+
+/// A text of which nothing more has to be known.
+fn list(text: impl FnOnce() -> String + Send + 'static) -> Write {
+    let work = |path: &Path, replace: bool, _: &Watch| files::write_list(text(), path, replace);
+    later(work, Workbench::take_written)
 }

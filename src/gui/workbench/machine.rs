@@ -78,12 +78,15 @@ impl Workbench {
     /// Asks for a picture.
     pub(super) fn choose_logo(&mut self) {
         let near = self.file().map(Path::to_path_buf);
+        let of = self.loaded_session().lineage;
         let ask = move || files::choose_logo(near.as_deref());
         self.choose(
             say!("waiting for a file to be chosen"),
             ask,
-            |bench, path| {
-                if let Some(path) = path {
+            move |bench, path| {
+                if let Some(path) = path
+                    && bench.loaded_session().lineage == of
+                {
                     let logo = path.display().to_string();
                     bench.state(Stated {
                         logo,

@@ -4,6 +4,7 @@
 //! only function that changes anything.
 
 mod answers;
+mod asking;
 mod background;
 mod charts;
 mod command;
@@ -33,7 +34,6 @@ use crate::gui::core::edit::{Edit, History};
 use crate::gui::core::loaded_session::LoadedSession;
 use crate::gui::file_state::Recent;
 use crate::gui::files::{self, Replace};
-use crate::gui::jobs::Kind;
 use crate::gui::preferences::Preferences;
 use crate::gui::view::{Aspect, Camera, Message, NextAction, Plane, Sheet, Side, Step, ViewState};
 use crate::present::units::Units;
@@ -145,6 +145,7 @@ impl Workbench {
             }
             Command::Adapt => self.adapt(),
             Command::Search => self.search(),
+            Command::Prepare => self.unprepared = None,
             Command::OpenOutside { path, in_folder } => self.open_outside(path, in_folder),
             Command::Prefer(preferences) => {
                 self.view.preferences = preferences.sound();
@@ -164,6 +165,7 @@ impl Workbench {
             // Another robot has no regions.
             self.view.step = Step::Identify;
         }
+        self.stop_search_of_others();
         self.refresh_answer();
         self.keep_preparing();
         self.keep_drawing();
@@ -188,6 +190,7 @@ impl Workbench {
         match task {
             Task::Search => self.stop_search(),
             Task::Import => self.cancel_look(),
+            Task::Dialog => self.stop_asking(),
             Task::Newest => {
                 // What was to be done after it is not wanted any more either.
                 self.cancel_pending_action();
@@ -314,11 +317,8 @@ impl Workbench {
             self.after_travel(before.lineage);
         }
         if before.lineage != self.loaded_session().lineage {
-            // A search of the session that was left answers nothing any more.
-            self.jobs.cancel(|kind| kind == Kind::Searches);
             self.exported.clear();
-            self.compensated = None;
-            self.saved_as = None;
+            self.leave_effects();
             self.look_along_the_axis();
             self.view.step = Step::Session;
             self.view.fitted.everywhere();

@@ -19,7 +19,10 @@ impl Workbench {
     /// Keeps preferences, recent files and what is not saved in this folder, and looks what it
     /// holds.
     pub(crate) fn at_home(&mut self, home: PathBuf) {
-        let (settings, damaged) = file_state::read(&home);
+        let (settings, damaged) = file_state::read(&home).unwrap_or_else(|error| {
+            let says = say!("{error}; they are left as they are", error);
+            (Settings::default(), Some(says))
+        });
         self.view.preferences = settings.preferences;
         self.view.panes = settings.panes.sound(|chart| find(chart).is_some());
         self.file_state.recent = settings.recent;
@@ -141,8 +144,16 @@ impl Workbench {
         self.arrived();
     }
 
-    /// Another opening is looked at now.
+    /// Another opening is looked at now: what was made of the one before is none of its.
     pub(super) fn arrived(&mut self) {
+        self.compensated = None;
+        self.saved_as = None;
+        if let Some(Sheet::SavePath { .. } | Sheet::ExportPath { .. } | Sheet::COMPENSATION) =
+            self.view.sheet
+        {
+            self.view.sheet = None;
+            self.cancel_pending_action();
+        }
         self.forget_looks();
         self.look_at_disk();
     }

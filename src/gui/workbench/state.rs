@@ -34,6 +34,9 @@ pub(crate) type Draw = Box<dyn FnOnce() -> Result<(Drawing, String), String> + S
 /// Who knows how plots are drawn: the views, which stand above the workbench.
 pub(crate) type Drawer = fn(&Workbench, Plot) -> Draw;
 
+/// What answers in place of the system's dialogs: for tests, which cannot press anything in one.
+pub(crate) type Chooser = Arc<dyn Fn() -> Option<PathBuf> + Send + Sync>;
+
 /// Document, view, answer and jobs.
 pub(crate) struct Workbench {
     pub(super) history: History<Document>,
@@ -53,6 +56,8 @@ pub(crate) struct Workbench {
     /// What a search that was stopped had found until then, and in which session.
     pub(super) stopped: Option<(Arc<LoadedSession>, Vec<String>)>,
     pub(super) preview: Option<Preview>,
+    /// The preview that was cancelled: it is not asked for again by itself.
+    pub(super) unprepared: Option<PreviewRequest>,
     pub(super) plot_cache: Option<Arc<PlotCache>>,
     pub(super) compensated: Option<Arc<Compensated>>,
     /// Files that were exported from this session, the newest last, each with what its model answers.
@@ -62,6 +67,7 @@ pub(crate) struct Workbench {
     pub(super) figures: Option<Figures>,
     pub(super) characters: Characters,
     pub(super) draw: Drawer,
+    pub(super) chooser: Option<Chooser>,
     pub(super) jobs: Jobs<Self>,
     pub(super) asked: PendingQueries,
 }
@@ -84,6 +90,7 @@ impl Workbench {
             spoken_sections: SpokenSections::default(),
             stopped: None,
             preview: None,
+            unprepared: None,
             plot_cache: None,
             compensated: None,
             exported: Vec::new(),
@@ -91,6 +98,7 @@ impl Workbench {
             figures: None,
             characters: Characters::default(),
             draw,
+            chooser: None,
             asked: PendingQueries::default(),
             jobs,
         };
@@ -139,6 +147,8 @@ pub(super) struct FileState {
     /// What was asked of the model that was written last.
     pub(super) model_on_file: Option<Question>,
     pub(super) then: Option<NextAction>,
+    /// Whether everything that would be lost is saved before that.
+    pub(super) saves_all: bool,
     /// The document as recovery has it.
     pub(super) kept: Option<Arc<Document>>,
 }
@@ -149,6 +159,8 @@ pub(super) struct PendingQueries {
     pub(super) questions: Latest<Question>,
     pub(super) previews: Latest<PreviewRequest>,
     pub(super) plots: Latest<PlotInputs>,
+    /// The session that is being searched: only that one can be given its answer.
+    pub(super) searched: Option<Arc<LoadedSession>>,
 }
 
 /// Sections as they were said last; nothing until they are asked for.

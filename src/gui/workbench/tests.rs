@@ -7,7 +7,6 @@ use super::{Command, Task, ViewChange, Workbench};
 use crate::gui::core::boundaries::boundaries;
 use crate::gui::core::disk::FileChange;
 
-use crate::diagnosis::Stopped;
 use crate::fit::Estimate;
 use crate::gui::core::answer;
 use crate::gui::core::document::Method;
@@ -315,31 +314,17 @@ fn a_search_ends_where_another_session_is_opened() {
 }
 
 #[test]
-fn a_search_that_is_stopped_answers_with_what_is_proven_so_far() {
+fn a_search_that_is_stopped_answers_nothing_and_takes_the_place_of_nothing() {
     let mut workbench = workbench();
+    workbench.execute(Command::Search);
+    workbench.receive();
+    assert!(workbench.diagnosis().is_some());
     workbench.jobs = Jobs::new(Runner::Threads, Arc::new(|| {}));
     workbench.execute(Command::Search);
     workbench.execute(Command::Stop(Task::Search));
-    // A minute, for machines that do much else.
-    for _ in 0..12_000 {
-        workbench.receive();
-        if workbench.searching().is_none() {
-            break;
-        }
-        std::thread::sleep(std::time::Duration::from_millis(5));
-    }
-    let answer = workbench.diagnosis().expect("the answer so far");
-    assert_eq!(answer.stopped, Some(Stopped::Asked));
-    assert!(answer.unexplained.present);
-    assert!(workbench.stopped().is_none(), "the answer says it");
-    // Stopped twice it is cancelled: there is no answer.
-    let mut workbench = self::workbench();
-    workbench.jobs = Jobs::new(Runner::Threads, Arc::new(|| {}));
-    workbench.execute(Command::Search);
-    workbench.execute(Command::Stop(Task::Search));
-    workbench.execute(Command::Stop(Task::Search));
-    assert!(workbench.searching().is_none() && workbench.diagnosis().is_none());
-    assert!(workbench.stopped().is_some());
+    assert!(workbench.searching().is_none() && workbench.stopped().is_some());
+    let diagnosis = workbench.diagnosis().expect("that which was complete");
+    assert_eq!(diagnosis.stopped, None);
 }
 
 #[test]
@@ -366,4 +351,53 @@ fn new_files_belong_beside_what_they_were_made_of() {
     let report = workbench.name_of(What::Report(About::Session));
     let report = workbench.placed(report.as_ref());
     assert_eq!(report.parent(), Some(folder.path()));
+}
+
+#[test]
+fn excluding_a_sample_keeps_the_sample_and_not_the_session() {
+    let mut workbench = workbench();
+    let opened = Arc::downgrade(workbench.loaded_session());
+    let mut before = Vec::new();
+    for sample in 1..=4 {
+        done(&mut workbench, Edit::Exclude(vec![sample], true));
+        before.push(Arc::downgrade(workbench.loaded_session()));
+    }
+    let alive = before.iter().filter(|one| one.strong_count() > 0).count();
+    assert_eq!(alive, 1, "that which is open");
+    assert!(opened.strong_count() > 0, "and that from which it differs");
+    // What somebody looks at comes back as itself.
+    let held = Arc::clone(workbench.loaded_session());
+    let excluded = |workbench: &Workbench| {
+        let samples = &workbench.loaded_session().session.samples;
+        samples.excluded_by_hand()
+    };
+    for left in [&[1, 2, 3][..], &[1, 2], &[1], &[]] {
+        workbench.execute(Command::Undo);
+        assert_eq!(excluded(&workbench), left);
+    }
+    assert!(std::ptr::eq(
+        opened.as_ptr(),
+        Arc::as_ptr(workbench.loaded_session())
+    ));
+    for _ in 0..4 {
+        workbench.execute(Command::Redo);
+    }
+    assert!(Arc::ptr_eq(&held, workbench.loaded_session()));
+    assert_eq!(excluded(&workbench), [1, 2, 3, 4]);
+}
+
+#[test]
+fn a_preparation_that_was_cancelled_is_not_begun_again_by_itself() {
+    let mut workbench = workbench();
+    workbench.execute(Command::Edit(Edit::Identify));
+    workbench.receive();
+    workbench.jobs = Jobs::new(Runner::Threads, Arc::new(|| {}));
+    workbench.execute(Command::View(ViewChange::GoTo(Step::Export)));
+    assert!(workbench.jobs.newest().is_some());
+    workbench.execute(Command::Stop(Task::Newest));
+    assert!(workbench.is_unprepared());
+    workbench.execute(Command::View(ViewChange::Fit));
+    assert!(workbench.jobs.newest().is_none(), "nobody asked again");
+    workbench.execute(Command::Prepare);
+    assert!(!workbench.is_unprepared() && workbench.jobs.newest().is_some());
 }

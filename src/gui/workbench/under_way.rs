@@ -1,11 +1,11 @@
 //! What happens while something is under way in the background: it is cancelled, something else is
 //! asked for, the window is closed. The work waits for the test, so that nothing depends on time.
 
-use std::sync::Arc;
 use std::sync::mpsc::{Receiver, Sender, channel};
+use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
-use super::{Command, Task, ViewChange, Workbench};
+use super::{Asked, Command, Task, ViewChange, Workbench};
 use crate::gui::core::document::Method;
 use crate::gui::core::edit::Edit;
 use crate::gui::core::simulate::Form;
@@ -245,4 +245,37 @@ fn an_export_while_the_answer_is_worked_out_anew_says_so_or_writes_what_is_shown
     bench.execute(Command::Edit(Edit::Effect("backlash", false)));
     until(&mut bench, idle);
     assert!(path.exists());
+}
+
+/// While a dialog is open the window takes no commands; a session that was being read may come all the same.
+#[test]
+fn what_a_dialog_was_opened_for_is_written_whatever_is_open_by_then() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut bench = on_threads();
+    bench.execute(Command::Edit(Edit::Identify));
+    until(&mut bench, |bench| bench.answer().is_some());
+    for (asked, name) in [
+        (Asked::WhereToSave, "first.json"),
+        (Asked::WhereToExport(What::Table), "first.csv"),
+    ] {
+        let path = folder.path().join(name);
+        let (go, wait) = gate();
+        let (wait, chosen) = (Mutex::new(wait), path.clone());
+        bench.choose_by(Arc::new(move || {
+            let _ = wait.lock().ok()?.recv();
+            Some(chosen.clone())
+        }));
+        let before = bench.loaded_session().session.name.clone();
+        bench.execute(Command::Ask(asked));
+        assert!(bench.asking().is_some());
+        bench.take_opened(files::open_example(1));
+        go.send(()).expect("it waits");
+        until(&mut bench, |bench| path.exists() && idle(bench));
+        let text = std::fs::read_to_string(&path).expect("it is written");
+        let sidecar = std::fs::read_to_string(path.with_extension("csv.meta.json"));
+        let says = text + &sidecar.unwrap_or_default();
+        assert!(says.contains(&before), "{name}: {before}");
+        bench.execute(Command::Undo);
+        until(&mut bench, |bench| bench.answer().is_some());
+    }
 }

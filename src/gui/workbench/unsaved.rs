@@ -113,6 +113,9 @@ impl Workbench {
 
     /// Opens what was dropped: one file, or a session with its samples; of a folder its sessions are compared.
     pub(super) fn drop_files(&mut self, mut paths: Vec<PathBuf>) {
+        if self.asking().is_some() {
+            return;
+        }
         // Beside targets that are shown, others may be dropped.
         let sheet = self.view.sheet.as_ref();
         let form = sheet.filter(|sheet| **sheet != Sheet::COMPENSATION);
@@ -156,6 +159,7 @@ impl Workbench {
     pub(super) fn save_then(&mut self, then: NextAction) {
         self.view.sheet = None;
         self.file_state.then = Some(then);
+        self.file_state.saves_all = true;
         if self.at_risk().session {
             self.execute(Command::Save);
         } else {
@@ -164,16 +168,20 @@ impl Workbench {
         }
     }
 
-    /// Something was written: what was to be done then, if nothing else would be lost.
+    /// Something was written: what was to be done then. Where all was to be saved first, that is what comes next.
     pub(super) fn resume(&mut self) {
-        if let Some(then) = self.file_state.then.take() {
-            self.ask_then(then);
+        let saves = std::mem::take(&mut self.file_state.saves_all);
+        match self.file_state.then.take() {
+            Some(then) if saves && self.at_risk().any() => self.save_then(then),
+            Some(then) => self.ask_then(then),
+            None => {}
         }
     }
 
     /// What was to be done after saving is not done.
     pub(super) fn cancel_pending_action(&mut self) {
         self.file_state.then = None;
+        self.file_state.saves_all = false;
     }
 
     /// Saves to the session's own file, or asks for one.
@@ -184,10 +192,14 @@ impl Workbench {
         }
     }
 
-    /// Saves to a file.
+    /// Saves what is open to a file.
     pub(super) fn save_to(&mut self, path: &Path, replace: Replace) {
+        self.save_document(Arc::clone(self.history.present()), path, replace);
+    }
+
+    /// Saves this to a file.
+    pub(super) fn save_document(&mut self, document: Arc<Document>, path: &Path, replace: Replace) {
         self.view.sheet = None;
-        let document = Arc::clone(self.history.present());
         let known = self.file_state.places.get(&document.loaded_session.lineage);
         let known = known.map_or_else(Vec::new, |place| place.files.clone());
         let (what, path) = (
@@ -248,11 +260,6 @@ impl Workbench {
         if self.file_state.on_file.len() > MOST_ON_FILE {
             self.file_state.on_file.remove(0);
         }
-    }
-
-    /// The model stands in a file.
-    pub(super) fn model_is_on_file(&mut self) {
-        self.file_state.model_on_file = self.question();
     }
 }
 

@@ -12,6 +12,7 @@ use crate::gui::layers::LayerOptions;
 use crate::gui::view::{Ball, Canvas, Colouring, Facing, Plane};
 use crate::gui::workbench::Workbench;
 use crate::numeric::single;
+use crate::present::numbers::grouped;
 
 /// A sample that is drawn by itself.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -182,18 +183,15 @@ impl Shown {
         if drawn >= self.samples {
             return Vec::new();
         }
+        let (drawn, samples) = (grouped(drawn), grouped(self.samples));
         vec![if self.with_largest {
             say!(
                 "{drawn} of {samples} samples, the largest deviations among them",
                 drawn,
-                samples = self.samples
+                samples
             )
         } else {
-            say!(
-                "{drawn} of {samples} samples",
-                drawn,
-                samples = self.samples
-            )
+            say!("{drawn} of {samples} samples", drawn, samples)
         }]
     }
 }
@@ -490,7 +488,7 @@ mod tests {
         let shown = Shown::of(&workbench);
         assert!(shown.each.len() <= MOST && shown.each.len() > MOST / 2);
         let says = format!(
-            "{} of 36002 samples, the largest deviations among them",
+            "{} of 36\u{202f}002 samples, the largest deviations among them",
             shown.each.len()
         );
         assert_eq!(shown.notes(), [says]);

@@ -268,7 +268,10 @@ fn sheet(random: &mut ChaCha8Rng, files: &Files, workbench: &Workbench) -> Optio
         7 => Sheet::Named("preferences"),
         8 => Sheet::Named("none of this name"),
         9 => Sheet::ROBOTS,
-        10 => Sheet::RobotTable(Box::new(typed_robot(random))),
+        10 => Sheet::RobotTable {
+            table: Box::new(typed_robot(random)),
+            opened: Box::new(typed_robot(random)),
+        },
         _ => return None,
     })
 }
@@ -395,7 +398,7 @@ pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Fi
         69 => Command::Say(Box::new(any_answers(random, files, workbench))),
         70 if random.random() => Command::ConfirmColumns,
         70 => Command::Import,
-        71 => Command::OpenExample(random.random_range(0..4)),
+        71 => Command::OpenExample(random.random_range(0..6)),
         72 | 73 => Command::Do(then(random, files)),
         74 => match (workbench.file(), workbench.at_risk().session) {
             // Otherwise it asks the system.
@@ -437,6 +440,7 @@ pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Fi
         }
         104 => Command::Stop(Task::Search),
         105 => Command::Simulate(form(random)),
+        106 if random.random() => Command::Stop(Task::Dialog),
         106 => Command::Stop(Task::Newest),
         at @ 107..=133 => Command::View(seen(random, workbench, at)),
         152 | 153 => chart_of(random),
@@ -457,6 +461,7 @@ pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Fi
         149 => own_robot(random, workbench),
         150 => characters(random),
         151 => look(random),
+        158 if random.random_range(0..8) == 0 => Command::Prepare,
         158 => Command::CopyNumbers(chart(random)),
         _ => {
             // A session beside which models and regions make sense again.

@@ -25,6 +25,7 @@ kinds!(
     OpenExample(..), Do(..), SaveThen(..), Save(), SaveDespite(), Reload(), Forget(..), KeepRecovery(),
     LookAtDisk(), SaveAs {..}, ExportTo {..}, State(..), KeepRobot {..}, ForgetRobot(..),
     CompareSessions(..), Compensate(..), Adapt(), Search(), Simulate(..), OpenOutside {..}, CopyNumbers(..), Prefer(..),
+    Prepare(),
     Leave(), View(..), Ask(..), Left(..), Stop(..), Letters(..),
 );
 
@@ -38,7 +39,7 @@ kinds!(
 
 kinds!(LEFT, left, LeftBehind, "Left ": Restore(..), Discard(..), DiscardAll());
 
-kinds!(STOPPED, stopped, Task, "Stop ": Newest(), Search(), Import());
+kinds!(STOPPED, stopped, Task, "Stop ": Newest(), Search(), Import(), Dialog());
 
 kinds!(LETTERS, letters, Letters, "Letters ": Find(..), OfLanguages(), Dismiss());
 

@@ -11,6 +11,7 @@ use crate::fit::{RegionResult, gap::Spread};
 use crate::language::spoken;
 use crate::present::identification_v1::degrees;
 use crate::present::kinds;
+use crate::present::numbers::grouped;
 use crate::present::table::Table;
 use crate::sessions::Session;
 use crate::set_up_errors::DataProblem;
@@ -68,7 +69,7 @@ fn errors(answer: &Identification, detail: Detail) -> Vec<Fact> {
             "{nominal} nominal, {model} with the model, of {samples} samples apart",
             nominal = to_the_nanometre(unseen.before.rms_mm, detail),
             model = to_the_nanometre(unseen.after.rms_mm, detail),
-            samples = unseen.samples
+            samples = grouped(unseen.samples)
         );
         facts.push(fact(say!("held-out samples"), sentence));
     }

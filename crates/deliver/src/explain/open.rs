@@ -196,7 +196,7 @@ pub(super) fn outliers(answer: &Identification, detail: Detail) -> Option<Sectio
     } else {
         say!(
             "Excluded outliers: {excluded} of {all} samples",
-            excluded = outliers.len(),
+            excluded = grouped(outliers.len()),
             all = grouped(answer.samples)
         )
     };

@@ -112,20 +112,42 @@ fn in_part(answer: &Answer, summary: &Summary, most: usize) -> Option<Section> {
         let [before, after] = written
             .rotation_rad
             .map(|rad| language::spoken(small_angle(rad, 3)));
-        let says = say!(
-            "{target}: {after} left of {before}",
-            target = called(&target.name),
-            after,
-            before
-        );
+        let target_name = called(&target.name);
+        let says = if is_worse(written) {
+            say!(
+                "{target}: {before} became {after}",
+                target = target_name,
+                before,
+                after
+            )
+        } else {
+            say!(
+                "{target}: {after} left of {before}",
+                target = target_name,
+                after,
+                before
+            )
+        };
         Some(at(target.place, &says))
     };
     let targets = answer.targets.iter().filter_map(said);
-    let title = say!(
-        "Orientation corrected in part: {targets}, largest error left {largest}",
-        targets = summary.turned,
-        largest = language::spoken(small_angle(summary.max_after_rad, 3))
-    );
+    let in_part = answer.targets.iter().filter_map(|t| t.result.as_ref().ok());
+    let worse = in_part.filter(|w| is_in_part(w) && is_worse(w)).count();
+    let largest = language::spoken(small_angle(summary.max_after_rad, 3));
+    let title = if worse > 0 {
+        say!(
+            "Orientation off by more than before: {worse} of {targets}, largest error {largest}",
+            worse,
+            targets = summary.turned,
+            largest
+        )
+    } else {
+        say!(
+            "Orientation corrected in part: {targets}, largest error left {largest}",
+            targets = summary.turned,
+            largest
+        )
+    };
     let listed = first(targets, most)?;
     let why = say!("The rest of the orientation would take large moves of the joints");
     let blocks = [Block::Text(why.to_owned())].into_iter().chain(listed);
@@ -134,6 +156,11 @@ fn in_part(answer: &Answer, summary: &Summary, most: usize) -> Option<Section> {
 
 fn is_in_part(written: &Written) -> bool {
     written.rotation_rad[1] > SAID_RAD
+}
+
+/// Whether its orientation is worse than without the correction of its position.
+fn is_worse(written: &Written) -> bool {
+    written.rotation_rad[1] > written.rotation_rad[0]
 }
 
 /// A target's name; rows of a table, which have none, in the reader's language.

@@ -3,6 +3,7 @@
 use super::detail::to_the_nanometre as length;
 use super::{Block, Detail, Fact, Section, Topic, cleaned, fact, open};
 use crate::compensation::Verification;
+use crate::present::numbers::grouped;
 
 /// The figures, what is wrong with the samples, suspected outliers, notes.
 #[doc(hidden)]
@@ -47,8 +48,8 @@ fn errors(v: &Verification, detail: Detail) -> Vec<Fact> {
         let sentence = say!(
             "{model} with the model, {excluded} of {all} samples set aside",
             model = length(trimmed.model_mm),
-            excluded = trimmed.set_aside,
-            all = v.samples
+            excluded = grouped(trimmed.set_aside),
+            all = grouped(v.samples)
         );
         facts.push(fact(say!("without suspected ones"), sentence));
     }
@@ -57,7 +58,7 @@ fn errors(v: &Verification, detail: Detail) -> Vec<Fact> {
             "{nominal} nominal, {model} with the model, of {samples} samples apart",
             nominal = length(unseen.nominal_mm),
             model = length(unseen.model_mm),
-            samples = unseen.samples
+            samples = grouped(unseen.samples)
         );
         facts.push(fact(say!("held-out samples"), sentence));
     }
@@ -69,9 +70,9 @@ fn corrected(v: &Verification, detail: Detail) -> Vec<Fact> {
     if let Some(within) = &v.within_tolerance {
         let sentence = say!(
             "{before} of {all} before, {after} with the model",
-            before = within.before,
-            all = within.of,
-            after = within.after
+            before = grouped(within.before),
+            all = grouped(within.of),
+            after = grouped(within.after)
         );
         facts.push(fact(say!("within the tolerance"), sentence));
     }

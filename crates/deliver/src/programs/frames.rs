@@ -205,7 +205,7 @@ impl<'a> Known<'a> {
             None => Err(text!(
                 "its frame {name} is declared elsewhere: --frame says where it is in the base (one frame in \
                  a file)",
-                name
+                name = name.to_string()
             )),
         }
     }

@@ -4,7 +4,9 @@ use crate::kinematics::Pose;
 use crate::kinematics::inverse::Goal;
 use crate::text::Text;
 use nalgebra::UnitQuaternion;
+use std::cmp::Ordering;
 use std::collections::BTreeMap;
+use std::ops::Deref;
 use std::sync::Arc;
 
 /// What a motion, or a position, says of its frame or tool.
@@ -13,15 +15,60 @@ pub(super) enum Referred {
     /// Nothing.
     #[default]
     Unsaid,
-    /// The one of this name, in small letters.
-    Named(Arc<str>),
+    /// The one of this name.
+    Named(Name),
     /// One that is chosen at run time, in words.
     Unknown(Text),
 }
 
+/// A name, looked up and compared in small letters, and shown as it was written.
+#[derive(Debug, Clone)]
+pub(super) struct Name {
+    small: Arc<str>,
+    written: Arc<str>,
+}
+
+impl Deref for Name {
+    type Target = str;
+
+    fn deref(&self) -> &str {
+        &self.small
+    }
+}
+
+impl std::fmt::Display for Name {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(&self.written)
+    }
+}
+
+impl PartialEq for Name {
+    fn eq(&self, other: &Self) -> bool {
+        self.small == other.small
+    }
+}
+
+impl Eq for Name {}
+
+impl PartialOrd for Name {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for Name {
+    fn cmp(&self, other: &Self) -> Ordering {
+        self.small.cmp(&other.small)
+    }
+}
+
 impl Referred {
     pub(super) fn named(spelled: impl AsRef<str>) -> Self {
-        Self::Named(spelled.as_ref().to_lowercase().into())
+        let written = spelled.as_ref();
+        Self::Named(Name {
+            small: written.to_lowercase().into(),
+            written: written.into(),
+        })
     }
 
     /// Whether it has this name, whatever its capitals.
@@ -34,7 +81,7 @@ impl std::fmt::Display for Referred {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             Self::Unsaid => f.write_str("none"),
-            Self::Named(says) => f.write_str(says),
+            Self::Named(name) => name.fmt(f),
             Self::Unknown(says) => std::fmt::Display::fmt(says, f),
         }
     }
@@ -208,4 +255,12 @@ impl Placement {
             tool_from_model: Pose::identity(),
         }
     }
+}
+
+#[cfg(test)]
+#[test]
+fn a_name_is_shown_as_it_is_written_and_found_whatever_its_capitals() {
+    let tool = Referred::named("tGrip");
+    assert_eq!(tool.to_string(), "tGrip");
+    assert!(tool.is("TGRIP"));
 }

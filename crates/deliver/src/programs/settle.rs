@@ -389,7 +389,7 @@ fn with_tools(program: &Program) -> Vec<(f64, StatedLoad)> {
             && let Some(Declared { at, mass_kg, .. }) = program.tools.get(&**name)
             && let Some(own) = mass_kg.filter(|kg| *kg > 0.0)
         {
-            all.state(own, *at, name);
+            all.state(own, *at, &name.to_string());
             for (kg, load) in &gripped {
                 all.state(own + kg, load.at, &format!("{name} with {}", load.name));
             }

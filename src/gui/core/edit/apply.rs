@@ -1,5 +1,6 @@
 //! What each change makes of a document.
 
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use crate::diagnosis::SessionCorrection;
@@ -138,24 +139,27 @@ fn set_up(document: &mut Document, form: &SetupForm) -> Result<(), String> {
 
 /// Takes samples out of every fit and figure, or in again.
 fn exclude(document: &mut Document, samples: &[usize], out: bool) -> Result<(), String> {
-    let mut session = document.loaded_session.session.clone();
-    let n = session.samples.len();
-    let mut excluded = session.samples.excluded.take();
-    let marks = excluded.get_or_insert_with(|| vec![false; n]);
-    for sample in samples.iter().filter(|sample| **sample < n) {
-        marks[*sample] = out;
+    let loaded_session = &document.loaded_session;
+    let of_session = &loaded_session.session.samples;
+    let mut excluded: BTreeSet<usize> = of_session.excluded_by_hand().into_iter().collect();
+    for sample in samples.iter().filter(|sample| **sample < of_session.len()) {
+        if out {
+            excluded.insert(*sample);
+        } else {
+            excluded.remove(sample);
+        }
     }
-    session.samples.excluded = excluded.filter(|all| all.contains(&true));
-    let held_out = session.samples.held_out.as_deref();
+    let held_out = of_session.held_out.as_deref();
     let counts = |i: usize| {
-        document.loaded_session.usable[i]
-            && !session.samples.is_excluded(i)
-            && !held_out.is_some_and(|h| h[i])
+        loaded_session.usable[i] && !excluded.contains(&i) && !held_out.is_some_and(|h| h[i])
     };
-    if out && !(0..n).any(counts) {
+    if out && !(0..of_session.len()).any(counts) {
         return Err(say!("no sample would be left to fit").to_owned());
     }
-    with_session(document, session);
+    let whole = loaded_session.made_of().map(|(whole, _)| Arc::clone(whole));
+    let whole = whole.unwrap_or_else(|| Arc::clone(loaded_session));
+    let excluded: Vec<usize> = excluded.into_iter().collect();
+    document.loaded_session = Arc::new(LoadedSession::excluding(&whole, &excluded));
     Ok(())
 }
 

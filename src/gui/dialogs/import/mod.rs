@@ -51,7 +51,7 @@ pub(super) fn show(
     commands: &mut Vec<Command>,
 ) {
     let window = ui.ctx().content_rect();
-    ui.set_width(WIDTH.min(window.width() - 80.0));
+    widgets::wide(ui, WIDTH);
     let name = name_of(&now.path);
     widgets::heading(ui, &say!("Import {name}", name));
     widgets::hint(ui, file::found_out(now));
@@ -227,13 +227,6 @@ fn robot(
     if ui.radio(is(&next.robot, &open), text).clicked() {
         next.robot = open;
     }
-    for (k, example) in EXAMPLES.iter().enumerate() {
-        let one = RobotFrom::Example(k);
-        let text = say!("that of the example {example}", example = example.name());
-        if ui.radio(next.robot == one, text).clicked() {
-            next.robot = one;
-        }
-    }
     listed(ui, workbench, next);
     let file = RobotFrom::Open.of_file(String::new());
     if ui
@@ -277,6 +270,13 @@ fn robot(
     }
     if let RobotFrom::Typed(typed) = &mut next.robot {
         axis(ui, typed);
+    }
+    for (k, example) in EXAMPLES.iter().enumerate() {
+        let one = RobotFrom::Example(k);
+        let text = say!("that of the example {example}", example = example.name());
+        if ui.radio(next.robot == one, text).clicked() {
+            next.robot = one;
+        }
     }
     let mut error_in_sight = false;
     match &now.seen.robot {

@@ -1,5 +1,8 @@
 //! The gap step by step, from the nominal robot to the model with everything that was found: a bar
 //! is the RMS error of the samples that were fitted, a diamond that of samples that no fit has seen.
+//!
+//! The axis is logarithmic: the last steps, which decide, are a hundredth of the first. Numbers stand in a column of
+//! their own at the right, where nothing is drawn through them.
 
 use super::{
     Axis, Chart, ChartText, ColourRole, Entry, Form, Item, LegendSymbol, Lengths, Mark, Ticks,
@@ -9,16 +12,25 @@ use crate::effects::find;
 use crate::model::ResidualStep;
 use crate::present::drawing::Anchor;
 use crate::present::names::{title_of, word};
+use crate::present::numbers::trimmed;
 use crate::text::within;
 
 /// Steps that are drawn; a longer history is drawn from its ends.
 const MOST: usize = 24;
 /// As many rows as this have room, so that few bars are no blocks.
 const FEWEST: usize = 5;
-/// Room for the number behind the longest bar, as a part of it, and for a second one.
-const NUMBERS: [f64; 2] = [0.45, 0.35];
-/// From the end of a bar, or the diamond beyond it, to its number, as a part of the chart's width.
-const APART: f64 = 0.02;
+/// Room for the numbers beside the longest bar, as a part of it, and for second ones.
+const NUMBERS: [f64; 2] = [0.3, 0.2];
+/// From the numbers to the chart's edge, as a part of its width.
+const APART: f64 = 0.01;
+/// What is less than this part of the largest is no longer told apart.
+const LEAST_PART: f64 = 1e-5;
+/// The shortest bar begins at no more than this part of its value.
+const FIRST: f64 = 0.7;
+/// A decade of the axis: places that are named are more than one apart.
+const DECADE: f64 = 10.0;
+/// So many decades have names at 2 and 5 of each as well.
+const FEW_DECADES: f64 = 2.0;
 /// Room for the noise floor's name, rows.
 const FOOT: f64 = 0.8;
 
@@ -37,14 +49,16 @@ pub fn gap(
     let gaps = shown
         .iter()
         .flat_map(|(s, _)| [Some(s.gap_mm), s.held_out_mm]);
-    let largest = gaps
-        .flatten()
-        .filter(|mm| mm.is_finite())
-        .fold(0.0, f64::max);
+    let gaps: Vec<f64> = gaps.flatten().filter(|mm| mm.is_finite()).collect();
+    let largest = gaps.iter().copied().fold(0.0, f64::max);
     if largest <= 0.0 {
         return None;
     }
-    let value = |mm: f64| mm * lengths.per_mm;
+    let least = gaps.iter().copied().chain(floor_mm).fold(largest, f64::min);
+    let least = least.max(LEAST_PART * largest);
+    let start = round_below(FIRST * least * lengths.per_mm);
+    let place = |shown: f64| DECADE * (shown / start).log10().max(0.0);
+    let value = |mm: f64| place(mm * lengths.per_mm);
     let says = |mm: f64| format!("{} {}", (lengths.number)(mm), lengths.unit);
     let rows = shown.len().max(FEWEST) as f64;
     let has_unseen = shown
@@ -52,15 +66,14 @@ pub fn gap(
         .any(|(s, _)| s.held_out_mm.is_some_and(f64::is_finite));
     let room = if has_unseen { NUMBERS[1] } else { 0.0 };
     let width = value(largest) * (1.0 + NUMBERS[0] + room);
+    let numbers = (1.0 - APART) * width;
     let mut items = Vec::new();
     let mut marks = Vec::new();
     for (k, (step, in_model)) in shown.iter().enumerate() {
         let y = -(k as f64);
         items.push(bar(value(step.gap_mm), y, *in_model));
-        let mut end = step.gap_mm;
         let mut text = says(step.gap_mm);
         if let Some(mm) = step.held_out_mm.filter(|mm| mm.is_finite()) {
-            end = end.max(mm);
             text += &format!(" · {}", (lengths.number)(mm));
             marks.push(Mark {
                 at: [value(mm), y],
@@ -68,9 +81,9 @@ pub fn gap(
             });
         }
         items.push(Item::Word(ChartText {
-            at: [value(end) + APART * width, y],
+            at: [numbers, y],
             text,
-            anchor: Anchor::Start,
+            anchor: Anchor::End,
             below: false,
         }));
         if shown
@@ -88,7 +101,7 @@ pub fn gap(
         (floor_mm, ColourRole::Noise),
         (tolerance_mm, ColourRole::Tolerance),
     ] {
-        if let Some(mm) = mm.filter(|mm| *mm <= largest) {
+        if let Some(mm) = mm.filter(|mm| *mm <= largest && mm * lengths.per_mm >= start) {
             let line = ends.map(|y| [value(mm), y]).to_vec();
             let dashed = stands == ColourRole::Noise;
             items.push(Item::Line(line, stands, 1.5, dashed));
@@ -113,11 +126,10 @@ pub fn gap(
     let named = |(k, (step, _)): (usize, &(&ResidualStep, bool))| (-(k as f64), row(&step.what));
     Some(Chart {
         title: say!(in "chart-word", "the gap step by step").to_owned(),
-        across: Axis::numbers(format!(
-            "{}, {}",
-            say!(in "chart-word", "RMS error"),
-            lengths.unit
-        )),
+        across: Axis {
+            label: format!("{}, {}", say!(in "chart-word", "RMS error"), lengths.unit),
+            ticks: Ticks::Words(ticks(start, largest * lengths.per_mm, place)),
+        },
         upwards: Axis {
             label: String::new(),
             ticks: Ticks::Words(shown.iter().enumerate().map(named).collect()),
@@ -127,6 +139,29 @@ pub fn gap(
         legend,
         note: String::new(),
     })
+}
+
+/// The largest of 1, 2 and 5 of a decade that is no more than this.
+fn round_below(value: f64) -> f64 {
+    let decade = 10_f64.powf(value.log10().floor());
+    let rounds = [5.0, 2.0, 1.0].map(|part| part * decade);
+    let below = rounds.into_iter().find(|round| *round <= value);
+    below.unwrap_or(decade)
+}
+
+/// Places of the axis that are named, and their names.
+fn ticks(start: f64, end: f64, place: impl Fn(f64) -> f64) -> Vec<(f64, String)> {
+    let few = (end / start).log10() <= FEW_DECADES;
+    let parts: &[f64] = if few { &[1.0, 2.0, 5.0] } else { &[1.0] };
+    let mut ticks = Vec::new();
+    let mut decade = 10_f64.powf(start.log10().floor());
+    while decade <= end {
+        let all = parts.iter().map(|part| part * decade);
+        let within = all.filter(|value| (0.999 * start..=end).contains(value));
+        ticks.extend(within.map(|value| (place(value), trimmed(value, 9))));
+        decade *= 10.0;
+    }
+    ticks
 }
 
 fn cross_validated() -> Entry {

@@ -20,7 +20,7 @@ impl Walk<'_> {
         // After a handler the routine goes on from any of its statements.
         self.facts.interrupted[part] |= self.open.iter().any(|routine| routine.handles);
         if let Referred::Named(name) = &what {
-            self.facts.tools.insert(name.to_string());
+            self.facts.tools.insert((**name).to_owned());
         }
         self.state[part] = Known {
             what,
