@@ -42,6 +42,24 @@ impl RowsInOrder {
         Self { order, counted }
     }
 
+    /// Without those that are sent to the place of the one before once more: they say nothing new of what moves.
+    pub(super) fn of_new_places(mut self, session: &Session) -> Self {
+        let samples = &session.samples;
+        let order = &self.order;
+        let is_again = |a: usize, b: usize| {
+            let target = |row: usize| samples.target.as_ref().map(|target| target[row]);
+            target(a) == target(b) && samples.q.iter().all(|q| q[a] == q[b])
+        };
+        let mut before = None;
+        self.counted.retain(|place| {
+            let row = order[*place];
+            let is_new = before.is_none_or(|before| !is_again(before, row));
+            before = Some(row);
+            is_new
+        });
+        self
+    }
+
     /// How many count.
     pub(in crate::set_up_errors) fn len(&self) -> usize {
         self.counted.len()

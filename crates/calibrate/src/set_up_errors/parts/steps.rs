@@ -82,7 +82,7 @@ pub(in crate::set_up_errors) fn corrected(
     values: JointValues,
     problems: &mut Vec<DataProblem>,
 ) -> Option<Session> {
-    let rows = RowsInOrder::of(session, MOST_ROWS);
+    let rows = RowsInOrder::of(session, MOST_ROWS).of_new_places(session);
     if rows.len() < FEWEST_ROWS || !session.has_plain_points() {
         return None;
     }
