@@ -8,6 +8,7 @@ use std::path::{Path as FilePath, PathBuf};
 
 use std::fmt;
 
+use super::object::Cursor;
 use super::{Member, Node, Source, Value, element_offset};
 use crate::atomic::folder_of;
 use crate::diagnostic::{Diagnostic, Place, Rejected, Severity};
@@ -92,19 +93,19 @@ impl<'a> Fields<'a> {
         self.source.file.as_deref().map(folder_of)
     }
 
-    /// The members of a document of this format; `None` when it is of another one.
-    pub fn of_format<'n>(
+    /// Whether a document is of this format; complains where it is of another one.
+    pub fn of_format(
         &mut self,
-        root: &'n Node,
+        root: &Node,
         format: &str,
         expected: impl Into<Text>,
-    ) -> Option<&'n [Member]> {
+    ) -> Option<()> {
         let members = self.object(root, &Path::Root, expected)?;
         let mut expected = text!("\"{format}\"", format);
         let node = self.required(members, root.at, &Path::Root, "format", expected.clone())?;
         if let Value::Text(tag) = &node.value {
             if tag == format {
-                return Some(members);
+                return Some(());
             }
             let name = format.trim_end_matches(char::is_numeric);
             if tag.starts_with(name) {
@@ -118,6 +119,22 @@ impl<'a> Fields<'a> {
         None
     }
 
+    /// A value that is about to be read.
+    pub fn at<'o>(
+        &'o mut self,
+        node: &'o Node,
+        path: &'o Path<'o>,
+        expected: impl Into<Text>,
+    ) -> Cursor<'o, 'a> {
+        let expected = expected.into();
+        Cursor {
+            fields: self,
+            node,
+            path,
+            expected,
+        }
+    }
+
     /// The place of a byte, under its path.
     pub fn place(&self, at: usize, path: &Path<'_>) -> Place {
         let place = self.source.place(at);
@@ -127,9 +144,17 @@ impl<'a> Fields<'a> {
         }
     }
 
-    pub(crate) fn element_place(&self, array_at: usize, path: &Path<'_>, index: usize) -> Place {
+    /// Complains of an element of an array that starts at this byte.
+    pub(crate) fn element_error(
+        &mut self,
+        array_at: usize,
+        path: &Path<'_>,
+        index: usize,
+        found: impl Into<Text>,
+        expected: impl Into<Text>,
+    ) {
         let at = element_offset(&self.source, array_at, index);
-        self.place(at, &path.index(index))
+        self.error(at, &path.index(index), found, expected);
     }
 
     pub fn error(
@@ -214,54 +239,6 @@ impl<'a> Fields<'a> {
             self.error(at, path, text!("no key {key}", key = quoted(key)), expected);
         }
         found.map(|member| &member.node)
-    }
-
-    /// A text that has to be there.
-    pub fn required_text(
-        &mut self,
-        members: &[Member],
-        at: usize,
-        path: &Path<'_>,
-        key: &str,
-    ) -> Option<String> {
-        let node = self.required(members, at, path, key, text!("a text"))?;
-        self.text(node, &path.key(key))
-    }
-
-    pub fn text(&mut self, node: &Node, path: &Path<'_>) -> Option<String> {
-        if let Value::Text(text) = &node.value {
-            return Some(text.clone());
-        }
-        self.mismatch(node, path, text!("a text"));
-        None
-    }
-
-    /// A finite number.
-    pub fn number(&mut self, node: &Node, path: &Path<'_>) -> Option<f64> {
-        match node.value {
-            Value::Number(value) if value.is_finite() => Some(value),
-            _ => {
-                self.mismatch(node, path, text!("a number"));
-                None
-            }
-        }
-    }
-
-    /// `N` finite numbers.
-    pub(crate) fn numbers<const N: usize>(
-        &mut self,
-        node: &Node,
-        path: &Path<'_>,
-        expected: impl Into<Text>,
-    ) -> Option<[f64; N]> {
-        if let Value::Numbers(values) = &node.value
-            && let Ok(numbers) = <[f64; N]>::try_from(values.as_slice())
-            && numbers.iter().all(|value| value.is_finite())
-        {
-            return Some(numbers);
-        }
-        self.mismatch(node, path, expected);
-        None
     }
 }
 

@@ -23,12 +23,7 @@ pub struct Kind<T> {
 impl<T> Kind<T> {
     /// Reads a value of this kind.
     pub fn read(&self, fields: &mut Fields<'_>, node: &Node, path: &Path<'_>) -> Option<T> {
-        (self.read)(&mut Cursor {
-            fields,
-            node,
-            path,
-            expected: self.expected.into(),
-        })
+        (self.read)(&mut fields.at(node, path, self.expected))
     }
 }
 
@@ -92,16 +87,33 @@ impl<'o, 'a> Object<'o, 'a> {
 impl Object<'_, '_> {
     /// A field that has to be there.
     pub fn required<T>(&mut self, key: &'static str, value: &mut T, kind: &Kind<T>) {
-        if self.needs(key, kind.expected) {
+        self.required_as(key, kind.expected, value, kind);
+    }
+
+    /// As [`Object::required`], with what is expected where nothing is there.
+    pub fn required_as<T>(
+        &mut self,
+        key: &'static str,
+        expected: Template,
+        value: &mut T,
+        kind: &Kind<T>,
+    ) {
+        if self.needs(key, expected) {
             self.field(key, value, kind);
         }
     }
 
     /// A field that keeps its usual value where it is missing or null.
     pub fn usual<T>(&mut self, key: &'static str, value: &mut T, kind: &Kind<T>) {
-        self.know(key);
-        if self.is_given(key) {
+        if self.given(key) {
             self.field(key, value, kind);
+        }
+    }
+
+    /// As [`Object::usual`]; it is written only where it says something.
+    pub fn usual_if<T>(&mut self, says: bool, key: &'static str, value: &mut T, kind: &Kind<T>) {
+        if says || self.is_read() {
+            self.usual(key, value, kind);
         }
     }
 
@@ -117,8 +129,7 @@ impl Object<'_, '_> {
 
     /// A field that may be missing or null, and is not written then.
     pub fn optional<T>(&mut self, key: &'static str, value: &mut Option<T>, kind: &Kind<T>) {
-        self.know(key);
-        if self.is_given(key) {
+        if self.given(key) {
             self.some(key, value, kind);
         }
     }
@@ -157,13 +168,8 @@ impl Object<'_, '_> {
                 let Some(member) = members.iter().find(|member| member.key == key) else {
                     return;
                 };
-                let read = read(&mut Cursor {
-                    fields,
-                    node: &member.node,
-                    path: &self.path.key(key),
-                    expected: expected.into(),
-                });
-                match read {
+                let path = &self.path.key(key);
+                match read(&mut fields.at(&member.node, path, expected)) {
                     Some(read) => *value = read,
                     None => self.good = false,
                 }
@@ -212,6 +218,12 @@ impl Object<'_, '_> {
         {
             known.push(key);
         }
+    }
+
+    /// As [`Object::is_given`], of a key that is known.
+    pub fn given(&mut self, key: &'static str) -> bool {
+        self.know(key);
+        self.is_given(key)
     }
 
     /// Whether there is something to read under a key; what is written is always there.
@@ -328,10 +340,7 @@ impl Cursor<'_, '_> {
         value: &mut T,
         declare: impl FnOnce(&mut Object<'_, '_>, &mut T),
     ) -> bool {
-        let Some(members) = self
-            .fields
-            .object(self.node, self.path, self.expected.clone())
-        else {
+        let Some(members) = self.members() else {
             return false;
         };
         let first = self.fields.findings.len();

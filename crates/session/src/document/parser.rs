@@ -8,11 +8,14 @@ use serde::de::{Deserialize, IgnoredAny};
 use super::{Member, Node, Source, Value};
 use crate::diagnostic::{Diagnostic, Rejected};
 use crate::document::number::{plain_decimal, quoted};
-use crate::progress::{Progress, ProgressSpan, ReadError, unwatched};
+use crate::progress::{Cancelled, Progress, ProgressSpan, ReadError, unwatched};
 use crate::text::{Template, Text};
 
 /// No sound document nests deeper than this, and the stack is finite.
 const DEEPEST: i32 = 64;
+
+/// Bytes between two looks at the watcher.
+const AT_ONCE: usize = 1 << 18;
 
 /// Reads a whole document, told as `part` of something.
 ///
@@ -46,17 +49,29 @@ struct Walk<'s> {
     part: ProgressSpan<'s>,
     at: usize,
     depth: i32,
+    /// Where the watcher is told next.
+    tell_at: usize,
 }
 
 impl<'s> Walk<'s> {
     fn new(source: &'s Source<'s>, part: ProgressSpan<'s>, at: usize) -> Self {
-        let depth = 0;
+        let (depth, tell_at) = (0, 0);
         Self {
             source,
             part,
             at,
             depth,
+            tell_at,
         }
+    }
+
+    /// Tells how far it is, now and then.
+    fn tell(&mut self) -> Result<(), Cancelled> {
+        if self.at < self.tell_at {
+            return Ok(());
+        }
+        self.tell_at = self.at + AT_ONCE;
+        self.part.counted(self.at, self.source.text.len())
     }
 
     fn byte(&self) -> u8 {
@@ -72,6 +87,7 @@ impl<'s> Walk<'s> {
     }
 
     fn node(&mut self) -> Result<Node, ReadError> {
+        self.tell()?;
         self.skip();
         let at = self.at;
         let value = match self.byte() {
@@ -79,7 +95,7 @@ impl<'s> Walk<'s> {
                 let mut keys = BTreeSet::new();
                 Value::Object(self.all(|walk| walk.member(&mut keys))?)
             }
-            b'[' => match self.numbers() {
+            b'[' => match self.numbers()? {
                 Some(numbers) => Value::Numbers(numbers),
                 None => Value::List(self.all(Self::node)?),
             },
@@ -99,7 +115,6 @@ impl<'s> Walk<'s> {
         &mut self,
         mut read: impl FnMut(&mut Self) -> Result<T, ReadError>,
     ) -> Result<Vec<T>, ReadError> {
-        self.part.counted(self.at, self.source.text.len())?;
         self.depth += 1;
         if self.depth > DEEPEST {
             self.source.check_depth()?;
@@ -140,7 +155,7 @@ impl<'s> Walk<'s> {
 
     fn word(&mut self) -> &str {
         let rest = &self.source.text[self.at..];
-        let length = rest.bytes().take_while(is_of_word).count();
+        let length = rest.bytes().take_while(|byte| is_of_word(*byte)).count();
         self.at += length;
         &rest[..length]
     }
@@ -149,7 +164,7 @@ impl<'s> Walk<'s> {
     fn number(&mut self) -> f64 {
         let bytes = self.source.text.as_bytes();
         match plain_decimal(bytes, self.at) {
-            Some((value, after)) if !bytes.get(after).is_some_and(is_of_word) => {
+            Some((value, after)) if !bytes.get(after).copied().is_some_and(is_of_word) => {
                 self.at = after;
                 value
             }
@@ -158,10 +173,11 @@ impl<'s> Walk<'s> {
     }
 
     /// An array of nothing but numbers and nulls (NaN), and not only nulls.
-    fn numbers(&mut self) -> Option<Vec<f64>> {
+    fn numbers(&mut self) -> Result<Option<Vec<f64>>, Cancelled> {
         let (start, mut numbers) = (self.at, Vec::new());
         self.at += 1;
         loop {
+            self.tell()?;
             self.skip();
             match self.byte() {
                 b'-' | b'0'..=b'9' => numbers.push(self.number()),
@@ -171,11 +187,11 @@ impl<'s> Walk<'s> {
                 }
                 b']' if numbers.iter().any(|v| !v.is_nan()) => {
                     self.at += 1;
-                    return Some(numbers);
+                    return Ok(Some(numbers));
                 }
                 _ => {
                     self.at = start;
-                    return None;
+                    return Ok(None);
                 }
             }
         }
@@ -221,61 +237,56 @@ impl Source<'_> {
         if let Err(too_deep) = self.check_depth() {
             return too_deep;
         }
-        let text = self.text.as_bytes();
-        let lines = self.text[from..]
-            .split_inclusive('\n')
-            .take(error.line() - 1);
+        let (text, end) = (self.text.as_bytes(), self.text.len());
+        let lines = self.text[from..].split_inclusive('\n');
+        let lines = lines.take(error.line().saturating_sub(1));
         let line = from + lines.map(str::len).sum::<usize>();
         // The byte that was looked at last.
-        let last = (line + error.column()).saturating_sub(1).min(text.len());
-        let back = |is_part: fn(&u8) -> bool| {
-            let before = text[..last].iter().rposition(|byte| !is_part(byte));
+        let last = (line + error.column()).saturating_sub(1).min(end);
+        let back = |is_before: fn(u8) -> bool| {
+            let before = text[..last].iter().rposition(|byte| is_before(*byte));
             before.map_or(0, |before| before + 1)
         };
+        let is_last = |of: &[u8]| text.trim_ascii_end().last().is_some_and(|b| of.contains(b));
         let value = phrase!("a JSON value");
         let key = phrase!("a key in double quotes");
         let message = error.to_string();
-        let ends_with = |bytes: &[u8]| {
-            text.trim_ascii_end()
-                .last()
-                .is_some_and(|b| bytes.contains(b))
-        };
         let (at, expected) = match message.split(" at line ").next().unwrap_or_default() {
+            "EOF while parsing an object" if is_last(b"{,") => (end, key),
+            "EOF while parsing an object" => (end, phrase!("',' or '}'")),
+            "EOF while parsing a list" if is_last(b"[") => (end, value),
+            "EOF while parsing a list" => (end, phrase!("',' or ']'")),
+            "EOF while parsing a value" => (end, value),
             "EOF while parsing a string" => {
                 let found = text!("a text that is not closed");
                 let at = self.text.rfind('"').unwrap_or(last);
                 return self.wrong(at, found, phrase!("a closing '\"'"));
             }
-            "EOF while parsing an object" if ends_with(b"{,") => (text.len(), key),
-            "EOF while parsing an object" => (text.len(), phrase!("',' or '}'")),
-            "EOF while parsing a list" if ends_with(b",[") => (text.len(), value),
-            "EOF while parsing a list" => (text.len(), phrase!("',' or ']'")),
-            "EOF while parsing a value" => (text.len(), value),
             "key must be a string" => (last, key),
             "expected `:`" => (last, phrase!("':' after the key")),
             "expected `,` or `}`" => (last, phrase!("',' or '}'")),
             "expected `,` or `]`" => (last, phrase!("',' or ']'")),
             "trailing characters" => (last, phrase!("the end of the document")),
             "expected value" => (last, value),
-            "expected ident" => (back(is_of_word), value),
-            "invalid number" => (
-                back(is_of_word),
-                phrase!("a JSON number such as -12.5 or 3e-4"),
-            ),
+            "expected ident" => (back(|byte| !is_of_word(byte)), value),
+            "invalid number" => {
+                let expected = phrase!("a JSON number such as -12.5 or 3e-4");
+                (back(|byte| !is_of_word(byte)), expected)
+            }
             says if says.starts_with("control character") => {
                 let found = text!("a control character in a text");
                 let expected = phrase!("an escape such as \\n or a closing '\"'");
                 return self.wrong(last + 1, found, expected);
             }
             _ => {
-                let at = back(|byte| *byte != b'\\').saturating_sub(1);
-                let found = String::from_utf8_lossy(&text[at..text.len().min(at + 6)]);
+                let at = back(|byte| byte == b'\\').saturating_sub(1);
+                let found = String::from_utf8_lossy(&text[at..end.min(at + 6)]);
                 let expected = phrase!("an escape of JSON such as \\n or \\u00e9");
                 return self.wrong(at, Text::verbatim(quoted(&found)), expected);
             }
         };
-        let rest = String::from_utf8_lossy(&text[at..text.len().min(at + 50)]);
-        let word = rest.bytes().take_while(is_of_word).count();
+        let rest = String::from_utf8_lossy(&text[at..]);
+        let word = rest.bytes().take_while(|byte| is_of_word(*byte)).count();
         let found = match rest.chars().next() {
             None => text!("the end of the file"),
             Some(first) => Text::verbatim(quoted(&rest[..word.max(first.len_utf8())])),
@@ -285,6 +296,6 @@ impl Source<'_> {
 }
 
 /// Whether it belongs to a word or a number.
-fn is_of_word(byte: &u8) -> bool {
-    byte.is_ascii_alphanumeric() || b"+-._".contains(byte)
+fn is_of_word(byte: u8) -> bool {
+    byte.is_ascii_alphanumeric() || b"+-._".contains(&byte)
 }

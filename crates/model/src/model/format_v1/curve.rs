@@ -7,6 +7,7 @@ use crate::text::{Template, Text};
 use std::sync::Arc;
 
 use super::exact::{DISAGREES, agrees};
+use super::set_up::VALUES;
 use crate::document::kinds::{NUMBER, count};
 use crate::document::object::{Cursor, Kind, Object, written};
 use crate::document::{Fields, Member, Node, Path, Value, optional};
@@ -67,16 +68,11 @@ fn declare(o: &mut Object<'_, '_>, own: &mut Points) {
     o.required("from_inner", &mut own.knots.from, &NUMBER);
     o.required("to_inner", &mut own.knots.to, &NUMBER);
     o.optional("period_inner", &mut own.knots.period, &NUMBER);
-    o.required(
-        "knots",
-        &mut own.knots.count,
-        &count(phrase!("a whole number of knots")),
-    );
+    let knots = count(phrase!("a whole number of knots"));
+    o.required("knots", &mut own.knots.count, &knots);
     for (keys, lists) in KEYS.iter().zip(&mut own.lists) {
         for (key, list) in keys.iter().zip(lists) {
-            if o.is_read() || !list.is_empty() {
-                o.usual(key, list, &LIST);
-            }
+            o.usual_if(!list.is_empty(), key, list, &LIST);
         }
     }
     if !o.has_read_well() {
@@ -113,12 +109,12 @@ fn declare(o: &mut Object<'_, '_>, own: &mut Points) {
     o.error_in(key, Text::verbatim(error.to_string()), expected);
 }
 
-/// Finite numbers.
+/// Finite numbers, one or more.
 pub(super) const LIST: Kind<Vec<f64>> = Kind {
     expected: phrase!("an array of numbers"),
-    read: |at| match &at.node.value {
-        Value::Numbers(values) if values.iter().all(|v| v.is_finite()) => Some(values.clone()),
-        _ => at.wrong(),
+    read: |at| match (VALUES.read)(at)? {
+        none if none.is_empty() => at.wrong(),
+        all => Some(all),
     },
     write: |list| list.as_slice().into(),
 };
@@ -146,26 +142,7 @@ pub(super) fn unexplained(
     at: &mut Cursor<'_, '_>,
     members: &[Member],
     joint: usize,
-    joints: usize,
 ) -> Option<Term> {
-    let (fields, node, path) = (&mut *at.fields, at.node, at.path);
-    if joint == 0 || joint > joints {
-        let expected = text!("a joint from 1 to {joints}", joints);
-        fields.error(
-            node.at,
-            &path.key("joint"),
-            Text::verbatim(joint.to_string()),
-            expected,
-        );
-        return None;
-    }
-    let node = fields.required(members, node.at, path, "curve", CURVE)?;
-    let mut at = Cursor {
-        fields,
-        node,
-        path: &path.key("curve"),
-        expected: CURVE.into(),
-    };
     let blank = Points {
         knots: Knots {
             from: 0.0,
@@ -175,9 +152,11 @@ pub(super) fn unexplained(
         },
         lists: Default::default(),
     };
-    let curve = at.object(blank, declare)?.curve().ok()?;
+    let points = at.under(members, "curve", CURVE, |at| at.object(blank, declare))?;
+    let curve = points.curve().ok()?;
     if let Some(given) = optional(members, "parameters") {
-        readable(at.fields, given, &path.key("parameters"), curve.knots())?;
+        let path = &at.path.key("parameters");
+        readable(at.fields, given, path, curve.knots())?;
     }
     Some(Term {
         curve: Some(Arc::new(curve)),
@@ -202,14 +181,11 @@ fn readable(fields: &mut Fields<'_>, node: &Node, path: &Path<'_>, knots: &Knots
             let Some(node) = optional(members, key) else {
                 continue;
             };
-            let value = fields.number(node, &path.key(key))?;
+            let path = &path.key(key);
+            let value = NUMBER.read(fields, node, path)?;
             if !exact.is_some_and(|exact| agrees(exact, inner(value))) {
-                fields.error(
-                    node.at,
-                    &path.key(key),
-                    Text::verbatim(value.to_string()),
-                    DISAGREES,
-                );
+                let found = Text::verbatim(value.to_string());
+                fields.error(node.at, path, found, DISAGREES);
                 good = None;
             }
         }

@@ -3,7 +3,7 @@
 use super::curve::{self, unexplained};
 use super::exact::exact_term;
 use super::rest;
-use crate::document::kinds::count;
+use crate::document::kinds::{NUMBER, TEXT, count};
 use crate::document::number::quoted;
 use crate::document::object::{Cursor, Kind, written};
 use crate::document::{Fields, Member, Node, Path, Value, optional};
@@ -17,23 +17,17 @@ const JOINT: Kind<usize> = count(phrase!("a joint, counted from 1"));
 /// Reads an effect of a robot.
 pub(crate) fn term(at: &mut Cursor<'_, '_>, robot: &Robot) -> Option<Term> {
     let joints = robot.joints.len();
-    let (fields, node, path) = (&mut *at.fields, at.node, at.path);
-    let members = fields.object(node, path, text!("an object with effect and parameters"))?;
-    let id = fields.required_text(members, node.at, path, "effect")?;
+    at.expected = text!("an object with effect and parameters");
+    let members = at.members()?;
+    let id = at.under(members, "effect", TEXT.expected, TEXT.read)?;
     let last = match id.as_str() {
         UNEXPLAINED => "curve",
         UNNAMED => "rest",
         _ => "exact",
     };
-    let known = [
-        "effect",
-        "joint",
-        "setup",
-        "target",
-        "place",
-        "parameters",
-        last,
-    ];
+    let (fields, node, path) = (&mut *at.fields, at.node, at.path);
+    let labels = ["setup", "target", "place"];
+    let known = [&["effect", "joint", "parameters", last], &labels[..]].concat();
     fields.unknown_keys(members, path, &known);
     if find(&id).is_none() {
         let found = text!("no effect is called '{id}'", id);
@@ -45,11 +39,18 @@ pub(crate) fn term(at: &mut Cursor<'_, '_>, robot: &Robot) -> Option<Term> {
         None => 1,
         Some(node) => JOINT.read(fields, node, &path.key("joint"))?,
     };
-    if id == UNEXPLAINED {
-        return unexplained(at, members, joint, joints);
+    if last != "exact" && !(1..=joints).contains(&joint) {
+        let (found, expected) = (
+            joint.to_string(),
+            text!("a joint from 1 to {joints}", joints),
+        );
+        fields.error(node.at, &path.key("joint"), Text::verbatim(found), expected);
+        return None;
     }
-    if id == UNNAMED {
-        return rest::unnamed(at, members, joint, joints);
+    match last {
+        "curve" => return unexplained(at, members, joint),
+        "rest" => return rest::unnamed(at, members, joint, joints),
+        _ => {}
     }
     let given = optional(members, "parameters");
     let parameters = match given {
@@ -57,36 +58,34 @@ pub(crate) fn term(at: &mut Cursor<'_, '_>, robot: &Robot) -> Option<Term> {
         Some(node) => parameters(fields, node, &path.key("parameters"))?,
     };
     let named: Vec<(&str, f64)> = parameters.iter().map(|(n, v)| (n.as_str(), *v)).collect();
-    let readable = match Term::from_parameters(&id, joint, &named, joints) {
+    let given_at = given.map_or(node.at, |given| given.at);
+    let mut term = match Term::from_parameters(&id, joint, &named, joints) {
         Ok(term) => term,
         Err(error) => {
-            let at = given.map_or(node.at, |given| given.at);
             let expected = text!("parameters as `truepose effects` lists them");
-            fields.error(at, path, Text::verbatim(error.to_string()), expected);
+            fields.error(given_at, path, Text::verbatim(error.to_string()), expected);
             return None;
         }
     };
-    if let Some((name, expected)) = of_another_kind(&readable, robot, &named) {
-        let at = given.map_or(node.at, |given| given.at);
+    if let Some((name, expected)) = of_another_kind(&term, robot, &named) {
         let path = path.key("parameters");
-        fields.error(at, &path.key(name), Text::verbatim(quoted(name)), expected);
+        fields.error(
+            given_at,
+            &path.key(name),
+            Text::verbatim(quoted(name)),
+            expected,
+        );
         return None;
     }
-    let mut term = readable;
     if let Some(node) = optional(members, "exact") {
-        let mut at = Cursor {
-            fields,
-            node,
-            path: &path.key("exact"),
-            expected: phrase!("an object with setting and coefficients").into(),
-        };
+        let expected = phrase!("an object with setting and coefficients");
+        let path = &path.key("exact");
+        let mut at = fields.at(node, path, expected);
         at.fill(&mut term, exact_term).then_some(())?;
     }
-    let mut labels = ["setup", "target", "place"].into_iter();
-    let label = labels.find_map(|key| optional(members, key));
+    let label = labels.iter().find_map(|key| optional(members, key));
     if let Some(node) = label {
-        let name = fields.text(node, &path.key("setup"))?;
-        term.label = Some(name.into());
+        term.label = Some(TEXT.read(fields, node, &path.key("setup"))?.into());
     }
     Some(term)
 }
@@ -117,23 +116,18 @@ fn of_another_kind<'n>(
 }
 
 fn parameters(fields: &mut Fields<'_>, node: &Node, path: &Path<'_>) -> Option<Vec<(String, f64)>> {
-    let members = fields.object(
-        node,
-        path,
-        text!("an object with a number for each parameter"),
-    )?;
-    let all: Vec<Option<(String, f64)>> = members
-        .iter()
-        .map(|member| {
-            let path = &path.key(&member.key);
-            let value = fields.number(&member.node, path)?;
-            if member.key.starts_with("amplitude") && value < 0.0 {
-                fields.mismatch(&member.node, path, text!("an amplitude of 0 or more"));
-                return None;
-            }
-            Some((member.key.clone(), value))
-        })
-        .collect();
+    let expected = text!("an object with a number for each parameter");
+    let members = fields.object(node, path, expected)?;
+    let read = |member: &Member| {
+        let path = &path.key(&member.key);
+        let value = NUMBER.read(fields, &member.node, path)?;
+        if member.key.starts_with("amplitude") && value < 0.0 {
+            fields.mismatch(&member.node, path, text!("an amplitude of 0 or more"));
+            return None;
+        }
+        Some((member.key.clone(), value))
+    };
+    let all: Vec<Option<_>> = members.iter().map(read).collect();
     all.into_iter().collect()
 }
 
