@@ -11,7 +11,7 @@ use crate::compensation::decision::Rule;
 use crate::diagnostic::{Diagnostic, Place, Rejected, Severity};
 use crate::document::kinds::{TEXT, positive};
 use crate::document::object::{Kind, Object, written};
-use crate::document::{Fields, Path, Value, text_of};
+use crate::document::{Fields, Value, text_of};
 use crate::guard::{below, read_regular};
 
 /// What a document of this kind begins with.
@@ -90,10 +90,8 @@ impl Details {
         let (mut fields, root) = Fields::open(place, text)?;
         let expected = phrase!("report details: an object with the key \"format\"");
         let mut own = Self::default();
-        if fields.of_format(&root, FORMAT, expected).is_some() {
-            fields
-                .at(&root, &Path::Root, expected)
-                .fill(&mut own, declare);
+        if let Some(mut at) = fields.of_format(&root, FORMAT, expected) {
+            at.fill(&mut own, declare);
         }
         // A misspelt key would leave a line of the certificate empty without a word.
         for note in &mut fields.findings {

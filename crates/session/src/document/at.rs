@@ -1,5 +1,6 @@
 //! A value that is being read: where it stands, and what should stand there.
 
+use super::fields::{member, optional};
 use super::number::quoted;
 use super::{Fields, Member, Node, Path, Value};
 use crate::text::Text;
@@ -57,9 +58,34 @@ impl<'o> Cursor<'o, '_> {
         expected: impl Into<Text>,
         read: impl FnOnce(&mut Cursor<'_, '_>) -> Option<T>,
     ) -> Option<T> {
-        let (fields, expected) = (&mut *self.fields, expected.into());
-        let node = fields.required(members, self.node.at, self.path, key, expected.clone())?;
-        read(&mut fields.at(node, &self.path.key(key), expected))
+        let expected = expected.into();
+        let node = self.required(members, key, &expected)?;
+        read(&mut self.fields.at(node, &self.path.key(key), expected))
+    }
+
+    /// As [`Cursor::under`], where anything is there.
+    pub fn under_if<T>(
+        &mut self,
+        members: &[Member],
+        key: &str,
+        expected: impl Into<Text>,
+        read: impl FnOnce(&mut Cursor<'_, '_>) -> Option<T>,
+    ) -> Option<Option<T>> {
+        if optional(members, key).is_none() {
+            return Some(None);
+        }
+        self.under(members, key, expected, read).map(Some)
+    }
+
+    /// What has to be there under a key of an object with these members.
+    pub(super) fn required<'n>(
+        &mut self,
+        members: &'n [Member],
+        key: &str,
+        expected: impl Into<Text>,
+    ) -> Option<&'n Node> {
+        let found = || text!("no key {key}", key = quoted(key));
+        member(members, key).or_else(|| self.error(found(), expected))
     }
 
     /// The one of these that has the name that stands here.

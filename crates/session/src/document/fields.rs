@@ -93,30 +93,29 @@ impl<'a> Fields<'a> {
         self.source.file.as_deref().map(folder_of)
     }
 
-    /// Whether a document is of this format; complains where it is of another one.
-    pub fn of_format(
-        &mut self,
-        root: &Node,
+    /// A document of this format that is about to be read; `None` when it is of another one.
+    pub fn of_format<'o>(
+        &'o mut self,
+        root: &'o Node,
         format: &str,
         expected: impl Into<Text>,
-    ) -> Option<()> {
-        let members = self.object(root, &Path::Root, expected)?;
-        let mut expected = text!("\"{format}\"", format);
-        let node = self.required(members, root.at, &Path::Root, "format", expected.clone())?;
-        if let Value::Text(tag) = &node.value {
-            if tag == format {
-                return Some(());
-            }
-            let name = format.trim_end_matches(char::is_numeric);
-            if tag.starts_with(name) {
-                expected = text!(
+    ) -> Option<Cursor<'o, 'a>> {
+        let mut at = self.at(root, &Path::Root, expected);
+        let members = at.members()?;
+        let tag = text!("\"{format}\"", format);
+        let name = format.trim_end_matches(char::is_numeric);
+        at.under(members, "format", &tag, |at| match &at.node.value {
+            Value::Text(own) if own == format => Some(()),
+            Value::Text(own) if own.starts_with(name) => {
+                at.expected = text!(
                     "{expected}; another version of truepose may have written this file",
-                    expected
+                    expected = &tag
                 );
+                at.wrong()
             }
-        }
-        self.mismatch(node, &Path::Root.key("format"), expected);
-        None
+            _ => at.wrong(),
+        })?;
+        Some(at)
     }
 
     /// A value that is about to be read.
@@ -174,20 +173,6 @@ impl<'a> Fields<'a> {
         self.error(node.at, path, node.value.describe(), expected);
     }
 
-    /// The members of an object.
-    pub fn object<'n>(
-        &mut self,
-        node: &'n Node,
-        path: &Path<'_>,
-        expected: impl Into<Text>,
-    ) -> Option<&'n [Member]> {
-        if let Value::Object(members) = &node.value {
-            return Some(members);
-        }
-        self.mismatch(node, path, expected);
-        None
-    }
-
     /// Reports keys that are not read.
     pub fn unknown_keys(&mut self, members: &[Member], path: &Path<'_>, known: &[&str]) {
         let notes = self.notes_of_unknown(members, path, known);
@@ -224,26 +209,15 @@ impl<'a> Fields<'a> {
         }
         notes
     }
+}
 
-    /// A member that has to be there; `at` is where its object starts.
-    pub fn required<'n>(
-        &mut self,
-        members: &'n [Member],
-        at: usize,
-        path: &Path<'_>,
-        key: &str,
-        expected: impl Into<Text>,
-    ) -> Option<&'n Node> {
-        let found = members.iter().find(|member| member.key == key);
-        if found.is_none() {
-            self.error(at, path, text!("no key {key}", key = quoted(key)), expected);
-        }
-        found.map(|member| &member.node)
-    }
+/// What stands under a key.
+pub(super) fn member<'n>(members: &'n [Member], key: &str) -> Option<&'n Node> {
+    let member = members.iter().find(|member| member.key == key);
+    member.map(|member| &member.node)
 }
 
 /// A member that may be missing or null.
 pub fn optional<'n>(members: &'n [Member], key: &str) -> Option<&'n Node> {
-    let member = members.iter().find(|member| member.key == key)?;
-    (member.node.value != Value::Null).then_some(&member.node)
+    member(members, key).filter(|node| node.value != Value::Null)
 }

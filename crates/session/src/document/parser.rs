@@ -90,6 +90,11 @@ impl<'s> Walk<'s> {
         self.tell()?;
         self.skip();
         let at = self.at;
+        let level = i32::from(matches!(self.byte(), b'{' | b'['));
+        self.depth += level;
+        if self.depth > DEEPEST {
+            self.source.check_depth()?;
+        }
         let value = match self.byte() {
             b'{' => {
                 let mut keys = BTreeSet::new();
@@ -107,6 +112,7 @@ impl<'s> Walk<'s> {
             }
             _ => Value::Number(self.number()),
         };
+        self.depth -= level;
         Ok(Node { at, value })
     }
 
@@ -115,10 +121,6 @@ impl<'s> Walk<'s> {
         &mut self,
         mut read: impl FnMut(&mut Self) -> Result<T, ReadError>,
     ) -> Result<Vec<T>, ReadError> {
-        self.depth += 1;
-        if self.depth > DEEPEST {
-            self.source.check_depth()?;
-        }
         let mut all = Vec::new();
         self.at += 1;
         self.skip();
@@ -127,7 +129,6 @@ impl<'s> Walk<'s> {
             self.skip();
         }
         self.at += 1;
-        self.depth -= 1;
         Ok(all)
     }
 
@@ -280,6 +281,14 @@ impl Source<'_> {
             }
             _ => {
                 let at = back(|byte| byte == b'\\').saturating_sub(1);
+                // The first half of a pair says more than what should have been its second.
+                let is_half = |at: &usize| {
+                    matches!(
+                        text[*at..],
+                        [b'\\', b'u', b'd', b'8' | b'9' | b'a' | b'b', ..]
+                    )
+                };
+                let at = at.checked_sub(6).filter(is_half).unwrap_or(at);
                 let found = String::from_utf8_lossy(&text[at..end.min(at + 6)]);
                 let expected = phrase!("an escape of JSON such as \\n or \\u00e9");
                 return self.wrong(at, Text::verbatim(quoted(&found)), expected);

@@ -10,7 +10,7 @@ use super::exact::{DISAGREES, agrees};
 use super::set_up::VALUES;
 use crate::document::kinds::{NUMBER, count};
 use crate::document::object::{Cursor, Kind, Object, written};
-use crate::document::{Fields, Member, Node, Path, Value, optional};
+use crate::document::{Member, Value};
 use crate::effects::curve::{Curve, CurveError, Knots, PARTS, Parts};
 use crate::effects::{Parameter, SMOOTH, Term};
 use crate::kinematics::JointKind;
@@ -154,10 +154,10 @@ pub(super) fn unexplained(
     };
     let points = at.under(members, "curve", CURVE, |at| at.object(blank, declare))?;
     let curve = points.curve().ok()?;
-    if let Some(given) = optional(members, "parameters") {
-        let path = &at.path.key("parameters");
-        readable(at.fields, given, path, curve.knots())?;
-    }
+    let expected = phrase!("an object with the range of the curve");
+    at.under_if(members, "parameters", expected, |at| {
+        readable(at, curve.knots())
+    })?;
     Some(Term {
         curve: Some(Arc::new(curve)),
         ..Term::absent(&SMOOTH, joint - 1, 0.0)
@@ -165,29 +165,26 @@ pub(super) fn unexplained(
 }
 
 /// Whether the range for people is that of the curve.
-fn readable(fields: &mut Fields<'_>, node: &Node, path: &Path<'_>, knots: &Knots) -> Option<()> {
-    let expected = text!("an object with the range of the curve");
-    let members = fields.object(node, path, expected)?;
+fn readable(at: &mut Cursor<'_, '_>, knots: &Knots) -> Option<()> {
+    let members = at.members()?;
     let known = [
         ("from_deg", "from_mm", Some(knots.from)),
         ("to_deg", "to_mm", Some(knots.to)),
         ("period_deg", "period_mm", knots.period),
     ];
     let names = known.map(|(a, b, _)| [a, b]);
-    fields.unknown_keys(members, path, names.as_flattened());
+    at.fields
+        .unknown_keys(members, at.path, names.as_flattened());
     let mut good = Some(());
     for (turning, sliding, exact) in known {
         for (key, inner) in [(turning, rad_from_deg as fn(f64) -> f64), (sliding, |v| v)] {
-            let Some(node) = optional(members, key) else {
-                continue;
-            };
-            let path = &path.key(key);
-            let value = NUMBER.read(fields, node, path)?;
-            if !exact.is_some_and(|exact| agrees(exact, inner(value))) {
+            let agreed = at.under_if(members, key, NUMBER.expected, |at| {
+                let value = (NUMBER.read)(at)?;
+                let agrees = exact.is_some_and(|exact| agrees(exact, inner(value)));
                 let found = Text::verbatim(value.to_string());
-                fields.error(node.at, path, found, DISAGREES);
-                good = None;
-            }
+                agrees.then_some(()).or_else(|| at.error(found, DISAGREES))
+            });
+            good = good.and(agreed).map(|_| ());
         }
     }
     good

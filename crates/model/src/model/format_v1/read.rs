@@ -4,7 +4,7 @@ use crate::diagnostic::{Place, Rejected};
 use crate::document::kinds::{DEGREES, NUMBER, TEXT, count};
 use crate::document::number::hexadecimal;
 use crate::document::object::{Cursor, Kind, Object, written};
-use crate::document::{Fields, Node, Path, Value, ranges, text_of};
+use crate::document::{Fields, Node, Value, ranges, text_of};
 use crate::effects::Term;
 use crate::kinematics::{JointKind, Range};
 use crate::model::{Calibration, Conditions, Model, RegionalCorrection, ResidualStep, SetUp};
@@ -102,7 +102,7 @@ fn read(text: &str, place: Place) -> Result<Calibration, Rejected> {
 
 fn document(fields: &mut Fields<'_>, root: &Node) -> Option<Calibration> {
     let expected = text!("a model: an object with the key \"format\"");
-    fields.of_format(root, FORMAT, &expected)?;
+    let mut at = fields.of_format(root, FORMAT, expected)?;
     let blank = Calibration {
         session: String::new(),
         model: Model::nominal(blank()),
@@ -121,9 +121,7 @@ fn document(fields: &mut Fields<'_>, root: &Node) -> Option<Calibration> {
         samples_hash: String::new(),
         program_version: String::new(),
     };
-    fields
-        .at(root, &Path::Root, expected)
-        .object(blank, calibration)
+    at.object(blank, calibration)
 }
 
 /// The model as the text of its file: the gate (`compensation::VerifiedCalibration`) is its only way out.

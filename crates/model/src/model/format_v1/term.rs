@@ -6,7 +6,7 @@ use super::rest;
 use crate::document::kinds::{NUMBER, TEXT, count};
 use crate::document::number::quoted;
 use crate::document::object::{Cursor, Kind, written};
-use crate::document::{Fields, Member, Node, Path, Value, optional};
+use crate::document::{Member, Value, optional};
 use crate::effects::term::names_on;
 use crate::effects::{Setting, Term, UNEXPLAINED, UNNAMED, find};
 use crate::kinematics::{JointKind, Robot};
@@ -25,26 +25,22 @@ pub(crate) fn term(at: &mut Cursor<'_, '_>, robot: &Robot) -> Option<Term> {
         UNNAMED => "rest",
         _ => "exact",
     };
-    let (fields, node, path) = (&mut *at.fields, at.node, at.path);
     let labels = ["setup", "target", "place"];
     let known = [&["effect", "joint", "parameters", last], &labels[..]].concat();
-    fields.unknown_keys(members, path, &known);
+    at.fields.unknown_keys(members, at.path, &known);
+    let (start, path) = (at.node.at, at.path);
     if find(&id).is_none() {
         let found = text!("no effect is called '{id}'", id);
         let expected = text!("a name that `truepose effects` lists");
-        fields.error(node.at, &path.key("effect"), found, expected);
+        at.fields.error(start, &path.key("effect"), found, expected);
         return None;
     }
-    let joint = match optional(members, "joint") {
-        None => 1,
-        Some(node) => JOINT.read(fields, node, &path.key("joint"))?,
-    };
+    let joint = at.under_if(members, "joint", JOINT.expected, JOINT.read)?;
+    let joint = joint.unwrap_or(1);
     if last != "exact" && !(1..=joints).contains(&joint) {
-        let (found, expected) = (
-            joint.to_string(),
-            text!("a joint from 1 to {joints}", joints),
-        );
-        fields.error(node.at, &path.key("joint"), Text::verbatim(found), expected);
+        let found = Text::verbatim(joint.to_string());
+        let expected = text!("a joint from 1 to {joints}", joints);
+        at.fields.error(start, &path.key("joint"), found, expected);
         return None;
     }
     match last {
@@ -52,40 +48,34 @@ pub(crate) fn term(at: &mut Cursor<'_, '_>, robot: &Robot) -> Option<Term> {
         "rest" => return rest::unnamed(at, members, joint, joints),
         _ => {}
     }
-    let given = optional(members, "parameters");
-    let parameters = match given {
-        None => Vec::new(),
-        Some(node) => parameters(fields, node, &path.key("parameters"))?,
-    };
-    let named: Vec<(&str, f64)> = parameters.iter().map(|(n, v)| (n.as_str(), *v)).collect();
-    let given_at = given.map_or(node.at, |given| given.at);
+    let key = "parameters";
+    let expected = phrase!("an object with a number for each parameter");
+    let given = at.under_if(members, key, expected, parameters)?;
+    let given = given.unwrap_or_default();
+    let start = optional(members, key).map_or(start, |given| given.at);
+    let named: Vec<(&str, f64)> = given.iter().map(|(n, v)| (n.as_str(), *v)).collect();
     let mut term = match Term::from_parameters(&id, joint, &named, joints) {
         Ok(term) => term,
         Err(error) => {
+            let found = Text::verbatim(error.to_string());
             let expected = text!("parameters as `truepose effects` lists them");
-            fields.error(given_at, path, Text::verbatim(error.to_string()), expected);
+            at.fields.error(start, path, found, expected);
             return None;
         }
     };
     if let Some((name, expected)) = of_another_kind(&term, robot, &named) {
-        let path = path.key("parameters");
-        fields.error(
-            given_at,
-            &path.key(name),
-            Text::verbatim(quoted(name)),
-            expected,
-        );
+        let found = Text::verbatim(quoted(name));
+        let path = path.key(key);
+        at.fields.error(start, &path.key(name), found, expected);
         return None;
     }
-    if let Some(node) = optional(members, "exact") {
-        let expected = phrase!("an object with setting and coefficients");
-        let path = &path.key("exact");
-        let mut at = fields.at(node, path, expected);
-        at.fill(&mut term, exact_term).then_some(())?;
-    }
-    let label = labels.iter().find_map(|key| optional(members, key));
-    if let Some(node) = label {
-        term.label = Some(TEXT.read(fields, node, &path.key("setup"))?.into());
+    let expected = phrase!("an object with setting and coefficients");
+    at.under_if(members, "exact", expected, |at| {
+        at.fill(&mut term, exact_term).then_some(())
+    })?;
+    let label = labels.iter().find(|key| optional(members, key).is_some());
+    if let Some(key) = label {
+        term.label = Some(at.under(members, key, TEXT.expected, TEXT.read)?.into());
     }
     Some(term)
 }
@@ -115,14 +105,14 @@ fn of_another_kind<'n>(
     Some((name, expected))
 }
 
-fn parameters(fields: &mut Fields<'_>, node: &Node, path: &Path<'_>) -> Option<Vec<(String, f64)>> {
-    let expected = text!("an object with a number for each parameter");
-    let members = fields.object(node, path, expected)?;
+fn parameters(at: &mut Cursor<'_, '_>) -> Option<Vec<(String, f64)>> {
+    let members = at.members()?;
     let read = |member: &Member| {
-        let path = &path.key(&member.key);
-        let value = NUMBER.read(fields, &member.node, path)?;
+        let path = &at.path.key(&member.key);
+        let value = NUMBER.read(at.fields, &member.node, path)?;
         if member.key.starts_with("amplitude") && value < 0.0 {
-            fields.mismatch(&member.node, path, text!("an amplitude of 0 or more"));
+            let expected = text!("an amplitude of 0 or more");
+            at.fields.mismatch(&member.node, path, expected);
             return None;
         }
         Some((member.key.clone(), value))

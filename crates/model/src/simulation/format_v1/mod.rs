@@ -123,17 +123,15 @@ fn offset_of(root: &Node, path: &str) -> usize {
 
 fn document(fields: &mut Fields<'_>, root: &Node) -> Option<Scenario> {
     let expected = text!("a scenario: an object with the key \"format\"");
-    fields.of_format(root, FORMAT, &expected)?;
+    let mut at = fields.of_format(root, FORMAT, expected)?;
     if let Value::Object(members) = &root.value {
         for member in members.iter().filter(|member| member.key != "robot") {
-            ranges::check(fields, &member.node, &Path::Root.key(&member.key));
+            ranges::check(at.fields, &member.node, &Path::Root.key(&member.key));
         }
     }
     let mut scenario = Scenario::new("simulated session", blank(), Poses::List(Vec::new()));
     scenario.targets = default_targets();
-    fields
-        .at(root, &Path::Root, expected)
-        .object(scenario, declare)
+    at.object(scenario, declare)
 }
 
 /// No scenario is written: what stands here only reads.

@@ -107,17 +107,14 @@ fn stop(at: &mut Cursor<'_, '_>, robot: &Robot) -> Option<Stop> {
         let all = at.column().filter(sound).or_else(|| at.wrong());
         all.map(<[f64]>::to_vec)
     };
-    let dir = match optional(members, "dir") {
-        None => Some(None),
-        Some(_) => at.under(members, "dir", &expected, |at| {
-            let dir = each(at)?;
-            if dir.iter().all(|d| [-1.0, 0.0, 1.0].contains(d)) {
-                return Some(Some(dir));
-            }
-            at.expected = text!("1, -1 or 0 (unknown) for each joint");
-            at.wrong()
-        }),
-    };
+    let dir = at.under_if(members, "dir", &expected, |at| {
+        let dir = each(at)?;
+        if dir.iter().all(|d| [-1.0, 0.0, 1.0].contains(d)) {
+            return Some(dir);
+        }
+        at.expected = text!("1, -1 or 0 (unknown) for each joint");
+        at.wrong()
+    });
     let q = at.under(members, "q_deg", expected, each);
     let (q, dir) = (q?, dir?);
     let kinds = robot.joints.iter().map(|j| j.kind).zip(q);
