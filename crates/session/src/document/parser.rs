@@ -251,9 +251,14 @@ impl Source<'_> {
         let is_last = |of: &[u8]| text.trim_ascii_end().last().is_some_and(|b| of.contains(b));
         let value = phrase!("a JSON value");
         let key = phrase!("a key in double quotes");
+        let colon = phrase!("':' after the key");
+        let last_text = self.text.trim_end().strip_suffix('"').unwrap_or_default();
+        let before = last_text.rfind('"').map(|at| last_text[..at].trim_end());
+        let ends_with_key = before.is_some_and(|before| before.ends_with(['{', ',']));
         let message = error.to_string();
         let (at, expected) = match message.split(" at line ").next().unwrap_or_default() {
             "EOF while parsing an object" if is_last(b"{,") => (end, key),
+            "EOF while parsing an object" if ends_with_key => (end, colon),
             "EOF while parsing an object" => (end, phrase!("',' or '}'")),
             "EOF while parsing a list" if is_last(b"[") => (end, value),
             "EOF while parsing a list" => (end, phrase!("',' or ']'")),
@@ -264,7 +269,7 @@ impl Source<'_> {
                 return self.wrong(at, found, phrase!("a closing '\"'"));
             }
             "key must be a string" => (last, key),
-            "expected `:`" => (last, phrase!("':' after the key")),
+            "expected `:`" => (last, colon),
             "expected `,` or `}`" => (last, phrase!("',' or '}'")),
             "expected `,` or `]`" => (last, phrase!("',' or ']'")),
             "trailing characters" => (last, phrase!("the end of the document")),

@@ -52,6 +52,10 @@ fn a_syntax_error_says_where_what_and_what_instead() {
             "{\"a\" 1}",
             "line 1, column 6: '1'; expected ':' after the key",
         ),
+        (
+            "{\"a\" ",
+            "line 1, column 6: the end of the file; expected ':' after the key",
+        ),
         ("[1, 2,]", "line 1, column 7: ']'; expected a JSON value"),
         ("[1 2]", "line 1, column 4: '2'; expected ',' or ']'"),
         (
