@@ -10,8 +10,8 @@ use super::logo::Logo;
 use crate::compensation::decision::Rule;
 use crate::diagnostic::{Diagnostic, Place, Rejected, Severity};
 use crate::document::kinds::{TEXT, positive};
-use crate::document::object::{Cursor, Kind, Object, written};
-use crate::document::{Fields, Path, Value, text_of};
+use crate::document::object::{Kind, Object, written};
+use crate::document::{Fields, Value, text_of};
 use crate::guard::{below, read_regular};
 
 /// What a document of this kind begins with.
@@ -90,13 +90,7 @@ impl Details {
         let (mut fields, root) = Fields::open(place, text)?;
         let expected = phrase!("report details: an object with the key \"format\"");
         let mut own = Self::default();
-        if fields.of_format(&root, FORMAT, expected).is_some() {
-            let mut at = Cursor {
-                fields: &mut fields,
-                node: &root,
-                path: &Path::Root,
-                expected: expected.into(),
-            };
+        if let Some(mut at) = fields.of_format(&root, FORMAT, expected) {
             at.fill(&mut own, declare);
         }
         // A misspelt key would leave a line of the certificate empty without a word.
@@ -138,9 +132,8 @@ impl Details {
 fn declare(o: &mut Object<'_, '_>, own: &mut Details) {
     o.describe("format", FORMAT);
     for line in Details::LINES {
-        if o.is_read() || !(line.of)(own).is_empty() {
-            o.usual(line.key, (line.of)(own), &TEXT);
-        }
+        let says = !(line.of)(own).is_empty();
+        o.usual_if(says, line.key, (line.of)(own), &TEXT);
     }
     let [logo, tolerance, rule] = OTHER_KEYS;
     let above_0 = positive(phrase!("a length above 0 mm"));

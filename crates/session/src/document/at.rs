@@ -1,7 +1,8 @@
 //! A value that is being read: where it stands, and what should stand there.
 
+use super::fields::{member, optional};
 use super::number::quoted;
-use super::{Fields, Node, Path, Value};
+use super::{Fields, Member, Node, Path, Value};
 use crate::text::Text;
 
 pub struct Cursor<'o, 'a> {
@@ -35,8 +36,56 @@ impl<'o> Cursor<'o, '_> {
 
     /// `N` finite numbers.
     pub fn numbers<const N: usize>(&mut self) -> Option<[f64; N]> {
-        self.fields
-            .numbers(self.node, self.path, self.expected.clone())
+        let numbers = self.column().and_then(|all| <[f64; N]>::try_from(all).ok());
+        let finite = numbers.filter(|all| all.iter().all(|value| value.is_finite()));
+        finite.or_else(|| self.wrong())
+    }
+
+    /// The numbers of an array; null is NaN.
+    pub fn column(&self) -> Option<&'o [f64]> {
+        match &self.node.value {
+            Value::Numbers(values) => Some(values),
+            Value::List(list) if list.is_empty() => Some(&[]),
+            _ => None,
+        }
+    }
+
+    /// Reads what has to be there under a key of an object with these members.
+    pub fn under<T>(
+        &mut self,
+        members: &[Member],
+        key: &str,
+        expected: impl Into<Text>,
+        read: impl FnOnce(&mut Cursor<'_, '_>) -> Option<T>,
+    ) -> Option<T> {
+        let expected = expected.into();
+        let node = self.required(members, key, &expected)?;
+        read(&mut self.fields.at(node, &self.path.key(key), expected))
+    }
+
+    /// As [`Cursor::under`], where anything is there.
+    pub fn under_if<T>(
+        &mut self,
+        members: &[Member],
+        key: &str,
+        expected: impl Into<Text>,
+        read: impl FnOnce(&mut Cursor<'_, '_>) -> Option<T>,
+    ) -> Option<Option<T>> {
+        if optional(members, key).is_none() {
+            return Some(None);
+        }
+        self.under(members, key, expected, read).map(Some)
+    }
+
+    /// What has to be there under a key of an object with these members.
+    pub(super) fn required<'n>(
+        &mut self,
+        members: &'n [Member],
+        key: &str,
+        expected: impl Into<Text>,
+    ) -> Option<&'n Node> {
+        let found = || text!("no key {key}", key = quoted(key));
+        member(members, key).or_else(|| self.error(found(), expected))
     }
 
     /// The one of these that has the name that stands here.
@@ -46,6 +95,14 @@ impl<'o> Cursor<'o, '_> {
         };
         let found = all.iter().find(|one| name(**one) == text);
         found.copied().or_else(|| self.wrong())
+    }
+
+    /// The members of an object.
+    pub fn members(&mut self) -> Option<&'o [Member]> {
+        match &self.node.value {
+            Value::Object(members) => Some(members),
+            _ => self.wrong(),
+        }
     }
 
     /// The elements of an array.
@@ -70,13 +127,8 @@ impl<'o> Cursor<'o, '_> {
         let mut good = true;
         let expected = expected.into();
         for (index, (one, node)) in all.iter_mut().zip(list).enumerate() {
-            let mut at = Cursor {
-                fields: self.fields,
-                node,
-                path: &self.path.index(index),
-                expected: expected.clone(),
-            };
-            good &= take(one, &mut at);
+            let path = &self.path.index(index);
+            good &= take(one, &mut self.fields.at(node, path, expected.clone()));
         }
         good.then_some(all)
     }
@@ -88,12 +140,8 @@ impl<'o> Cursor<'o, '_> {
     ) -> Option<Vec<T>> {
         let elements = self.elements()?.iter().enumerate();
         let all = elements.map(|(index, node)| {
-            read(&mut Cursor {
-                fields: self.fields,
-                node,
-                path: &self.path.index(index),
-                expected: phrase!("").into(),
-            })
+            let path = &self.path.index(index);
+            read(&mut self.fields.at(node, path, phrase!("")))
         });
         let all: Vec<Option<T>> = all.collect();
         all.into_iter().collect()
@@ -105,27 +153,16 @@ impl<'o> Cursor<'o, '_> {
         &mut self,
         read: impl Fn(&str, &mut Cursor<'_, '_>) -> T,
     ) -> Option<Vec<T>> {
-        let entries = self
-            .fields
-            .object(self.node, self.path, self.expected.clone())?;
+        let entries = self.members()?;
         let mut all = Vec::new();
         for entry in entries {
             let path = &self.path.key(&entry.key);
             if entry.key.trim() != entry.key || entry.key.is_empty() {
+                let found = Text::verbatim(quoted(&entry.key));
                 let expected = text!("a name without spaces around it");
-                self.fields.error(
-                    entry.key_at,
-                    path,
-                    Text::verbatim(quoted(&entry.key)),
-                    expected,
-                );
+                self.fields.error(entry.key_at, path, found, expected);
             }
-            let mut at = Cursor {
-                fields: self.fields,
-                node: &entry.node,
-                path,
-                expected: phrase!("").into(),
-            };
+            let mut at = self.fields.at(&entry.node, path, phrase!(""));
             all.push(read(&entry.key, &mut at));
         }
         Some(all)

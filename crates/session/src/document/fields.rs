@@ -8,6 +8,7 @@ use std::path::{Path as FilePath, PathBuf};
 
 use std::fmt;
 
+use super::object::Cursor;
 use super::{Member, Node, Source, Value, element_offset};
 use crate::atomic::folder_of;
 use crate::diagnostic::{Diagnostic, Place, Rejected, Severity};
@@ -92,30 +93,45 @@ impl<'a> Fields<'a> {
         self.source.file.as_deref().map(folder_of)
     }
 
-    /// The members of a document of this format; `None` when it is of another one.
-    pub fn of_format<'n>(
-        &mut self,
-        root: &'n Node,
+    /// A document of this format that is about to be read; `None` when it is of another one.
+    pub fn of_format<'o>(
+        &'o mut self,
+        root: &'o Node,
         format: &str,
         expected: impl Into<Text>,
-    ) -> Option<&'n [Member]> {
-        let members = self.object(root, &Path::Root, expected)?;
-        let mut expected = text!("\"{format}\"", format);
-        let node = self.required(members, root.at, &Path::Root, "format", expected.clone())?;
-        if let Value::Text(tag) = &node.value {
-            if tag == format {
-                return Some(members);
-            }
-            let name = format.trim_end_matches(char::is_numeric);
-            if tag.starts_with(name) {
-                expected = text!(
+    ) -> Option<Cursor<'o, 'a>> {
+        let mut at = self.at(root, &Path::Root, expected);
+        let members = at.members()?;
+        let tag = text!("\"{format}\"", format);
+        let name = format.trim_end_matches(char::is_numeric);
+        at.under(members, "format", &tag, |at| match &at.node.value {
+            Value::Text(own) if own == format => Some(()),
+            Value::Text(own) if own.starts_with(name) => {
+                at.expected = text!(
                     "{expected}; another version of truepose may have written this file",
-                    expected
+                    expected = &tag
                 );
+                at.wrong()
             }
+            _ => at.wrong(),
+        })?;
+        Some(at)
+    }
+
+    /// A value that is about to be read.
+    pub fn at<'o>(
+        &'o mut self,
+        node: &'o Node,
+        path: &'o Path<'o>,
+        expected: impl Into<Text>,
+    ) -> Cursor<'o, 'a> {
+        let expected = expected.into();
+        Cursor {
+            fields: self,
+            node,
+            path,
+            expected,
         }
-        self.mismatch(node, &Path::Root.key("format"), expected);
-        None
     }
 
     /// The place of a byte, under its path.
@@ -127,9 +143,17 @@ impl<'a> Fields<'a> {
         }
     }
 
-    pub(crate) fn element_place(&self, array_at: usize, path: &Path<'_>, index: usize) -> Place {
+    /// Complains of an element of an array that starts at this byte.
+    pub(crate) fn element_error(
+        &mut self,
+        array_at: usize,
+        path: &Path<'_>,
+        index: usize,
+        found: impl Into<Text>,
+        expected: impl Into<Text>,
+    ) {
         let at = element_offset(&self.source, array_at, index);
-        self.place(at, &path.index(index))
+        self.error(at, &path.index(index), found, expected);
     }
 
     pub fn error(
@@ -147,20 +171,6 @@ impl<'a> Fields<'a> {
     /// Complains that a value is something else.
     pub fn mismatch(&mut self, node: &Node, path: &Path<'_>, expected: impl Into<Text>) {
         self.error(node.at, path, node.value.describe(), expected);
-    }
-
-    /// The members of an object.
-    pub fn object<'n>(
-        &mut self,
-        node: &'n Node,
-        path: &Path<'_>,
-        expected: impl Into<Text>,
-    ) -> Option<&'n [Member]> {
-        if let Value::Object(members) = &node.value {
-            return Some(members);
-        }
-        self.mismatch(node, path, expected);
-        None
     }
 
     /// Reports keys that are not read.
@@ -199,74 +209,15 @@ impl<'a> Fields<'a> {
         }
         notes
     }
+}
 
-    /// A member that has to be there; `at` is where its object starts.
-    pub fn required<'n>(
-        &mut self,
-        members: &'n [Member],
-        at: usize,
-        path: &Path<'_>,
-        key: &str,
-        expected: impl Into<Text>,
-    ) -> Option<&'n Node> {
-        let found = members.iter().find(|member| member.key == key);
-        if found.is_none() {
-            self.error(at, path, text!("no key {key}", key = quoted(key)), expected);
-        }
-        found.map(|member| &member.node)
-    }
-
-    /// A text that has to be there.
-    pub fn required_text(
-        &mut self,
-        members: &[Member],
-        at: usize,
-        path: &Path<'_>,
-        key: &str,
-    ) -> Option<String> {
-        let node = self.required(members, at, path, key, text!("a text"))?;
-        self.text(node, &path.key(key))
-    }
-
-    pub fn text(&mut self, node: &Node, path: &Path<'_>) -> Option<String> {
-        if let Value::Text(text) = &node.value {
-            return Some(text.clone());
-        }
-        self.mismatch(node, path, text!("a text"));
-        None
-    }
-
-    /// A finite number.
-    pub fn number(&mut self, node: &Node, path: &Path<'_>) -> Option<f64> {
-        match node.value {
-            Value::Number(value) if value.is_finite() => Some(value),
-            _ => {
-                self.mismatch(node, path, text!("a number"));
-                None
-            }
-        }
-    }
-
-    /// `N` finite numbers.
-    pub(crate) fn numbers<const N: usize>(
-        &mut self,
-        node: &Node,
-        path: &Path<'_>,
-        expected: impl Into<Text>,
-    ) -> Option<[f64; N]> {
-        if let Value::Numbers(values) = &node.value
-            && let Ok(numbers) = <[f64; N]>::try_from(values.as_slice())
-            && numbers.iter().all(|value| value.is_finite())
-        {
-            return Some(numbers);
-        }
-        self.mismatch(node, path, expected);
-        None
-    }
+/// What stands under a key.
+pub(super) fn member<'n>(members: &'n [Member], key: &str) -> Option<&'n Node> {
+    let member = members.iter().find(|member| member.key == key);
+    member.map(|member| &member.node)
 }
 
 /// A member that may be missing or null.
 pub fn optional<'n>(members: &'n [Member], key: &str) -> Option<&'n Node> {
-    let member = members.iter().find(|member| member.key == key)?;
-    (member.node.value != Value::Null).then_some(&member.node)
+    member(members, key).filter(|node| node.value != Value::Null)
 }

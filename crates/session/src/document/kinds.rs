@@ -9,7 +9,10 @@ use crate::units::rad_from_deg;
 
 pub const TEXT: Kind<String> = Kind {
     expected: phrase!("a text"),
-    read: |at| at.fields.text(at.node, at.path),
+    read: |at| match &at.node.value {
+        Value::Text(text) => Some(text.clone()),
+        _ => at.wrong(),
+    },
     write: |text| text.into(),
 };
 

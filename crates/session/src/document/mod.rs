@@ -6,8 +6,8 @@
 //! value keeps the byte at which it starts, numbers keep being correctly rounded doubles, and an
 //! array of numbers goes straight into a `Vec<f64>`: 10⁶ inline samples are no trees of nodes.
 //!
-//! RFC 8259, strictly; besides, a key may occur only once in an object, and nesting ends at
-//! 64 levels. A number that overflows is infinite here and refused where it is used.
+//! RFC 8259 as `serde_json` reads it; besides, a key may occur only once in an object, and nesting ends
+//! at 64 levels. A number that overflows is infinite here and refused where it is used.
 
 mod at;
 #[doc(hidden)]

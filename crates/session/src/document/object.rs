@@ -8,7 +8,8 @@
 pub use super::at::Cursor;
 use crate::text::{Template, Text};
 
-use super::{Fields, Member, Node, Path, Value, optional};
+use super::fields::{member, optional};
+use super::{Fields, Member, Node, Path, Value};
 
 /// How one kind of value stands in a document.
 pub struct Kind<T> {
@@ -23,66 +24,34 @@ pub struct Kind<T> {
 impl<T> Kind<T> {
     /// Reads a value of this kind.
     pub fn read(&self, fields: &mut Fields<'_>, node: &Node, path: &Path<'_>) -> Option<T> {
-        (self.read)(&mut Cursor {
-            fields,
-            node,
-            path,
-            expected: self.expected.into(),
-        })
+        (self.read)(&mut fields.at(node, path, self.expected))
     }
 }
 
 /// An object whose fields are being read or written.
 pub struct Object<'o, 'a> {
-    side: Side<'o, 'a>,
-    path: &'o Path<'o>,
+    /// What is read, and its members; nothing where it is written.
+    reading: Option<(Cursor<'o, 'a>, &'o [Member])>,
+    accepted_keys: Vec<&'static str>,
+    written: Vec<Member>,
     /// No field was wrong so far.
     good: bool,
     is_over: bool,
 }
 
-enum Side<'o, 'a> {
-    Reading {
-        fields: &'o mut Fields<'a>,
-        members: &'o [Member],
-        at: usize,
-        accepted_keys: Vec<&'static str>,
-    },
-    Writing(Vec<Member>),
-}
-
 /// What an object's fields write of a value.
 pub fn written<T>(mut value: T, declare: impl FnOnce(&mut Object<'_, '_>, &mut T)) -> Value {
-    let mut object = Object {
-        side: Side::Writing(Vec::new()),
-        path: &Path::Root,
-        good: true,
-        is_over: false,
-    };
+    let mut object = Object::new(None);
     declare(&mut object, &mut value);
-    match object.side {
-        Side::Writing(members) => Value::Object(members),
-        Side::Reading { .. } => Value::Null,
-    }
+    Value::Object(object.written)
 }
 
 impl<'o, 'a> Object<'o, 'a> {
-    /// The fields of an object that starts at this byte.
-    pub(super) fn read(
-        fields: &'o mut Fields<'a>,
-        members: &'o [Member],
-        at: usize,
-        path: &'o Path<'o>,
-    ) -> Self {
-        let side = Side::Reading {
-            fields,
-            members,
-            at,
-            accepted_keys: Vec::new(),
-        };
+    fn new(reading: Option<(Cursor<'o, 'a>, &'o [Member])>) -> Self {
         Self {
-            side,
-            path,
+            reading,
+            accepted_keys: Vec::new(),
+            written: Vec::new(),
             good: true,
             is_over: false,
         }
@@ -92,16 +61,33 @@ impl<'o, 'a> Object<'o, 'a> {
 impl Object<'_, '_> {
     /// A field that has to be there.
     pub fn required<T>(&mut self, key: &'static str, value: &mut T, kind: &Kind<T>) {
-        if self.needs(key, kind.expected) {
+        self.required_as(key, kind.expected, value, kind);
+    }
+
+    /// As [`Object::required`], with what is expected where nothing is there.
+    pub fn required_as<T>(
+        &mut self,
+        key: &'static str,
+        expected: Template,
+        value: &mut T,
+        kind: &Kind<T>,
+    ) {
+        if self.needs(key, expected) {
             self.field(key, value, kind);
         }
     }
 
     /// A field that keeps its usual value where it is missing or null.
     pub fn usual<T>(&mut self, key: &'static str, value: &mut T, kind: &Kind<T>) {
-        self.know(key);
-        if self.is_given(key) {
+        if self.given(key) {
             self.field(key, value, kind);
+        }
+    }
+
+    /// As [`Object::usual`]; it is written only where it says something.
+    pub fn usual_if<T>(&mut self, says: bool, key: &'static str, value: &mut T, kind: &Kind<T>) {
+        if says || self.is_read() {
+            self.usual(key, value, kind);
         }
     }
 
@@ -117,8 +103,7 @@ impl Object<'_, '_> {
 
     /// A field that may be missing or null, and is not written then.
     pub fn optional<T>(&mut self, key: &'static str, value: &mut Option<T>, kind: &Kind<T>) {
-        self.know(key);
-        if self.is_given(key) {
+        if self.given(key) {
             self.some(key, value, kind);
         }
     }
@@ -149,25 +134,18 @@ impl Object<'_, '_> {
         if self.is_over {
             return;
         }
-        match &mut self.side {
-            Side::Writing(out) => out.extend(write(value).map(|value| Member::new(key, value))),
-            Side::Reading {
-                fields, members, ..
-            } => {
-                let Some(member) = members.iter().find(|member| member.key == key) else {
-                    return;
-                };
-                let read = read(&mut Cursor {
-                    fields,
-                    node: &member.node,
-                    path: &self.path.key(key),
-                    expected: expected.into(),
-                });
-                match read {
-                    Some(read) => *value = read,
-                    None => self.good = false,
-                }
-            }
+        let Some((at, members)) = &mut self.reading else {
+            self.written
+                .extend(write(value).map(|value| Member::new(key, value)));
+            return;
+        };
+        let Some(node) = member(members, key) else {
+            return;
+        };
+        let path = &at.path.key(key);
+        match read(&mut at.fields.at(node, path, expected)) {
+            Some(read) => *value = read,
+            None => self.good = false,
         }
     }
 
@@ -179,14 +157,12 @@ impl Object<'_, '_> {
         expected: impl Into<Text>,
         declare: fn(&mut Object<'_, '_>, &mut T),
     ) {
-        if let Side::Writing(out) = &mut self.side {
+        if !self.is_read() {
             let part = written(value, |o, value| declare(o, value));
-            out.push(Member::new(key, part));
-        } else {
-            let expected = expected.into();
-            if !self.needs(key, &expected) {
-                return;
-            }
+            return self.written.push(Member::new(key, part));
+        }
+        let expected = expected.into();
+        if self.needs(key, &expected) {
             let read = |at: &mut Cursor<'_, '_>| at.fill(value, declare).then_some(());
             self.with(key, &mut (), expected, read, |()| None);
         }
@@ -194,79 +170,56 @@ impl Object<'_, '_> {
 
     /// A field that always says the same, and was read before.
     pub fn describe(&mut self, key: &'static str, text: &str) {
-        self.with(
-            key,
-            &mut (),
-            phrase!(""),
-            |_| Some(()),
-            |()| Some(text.into()),
-        );
+        self.know(key);
+        self.written.push(Member::new(key, text));
     }
 
     /// A key that is known, whatever stands there.
     pub fn know(&mut self, key: &'static str) {
-        if let Side::Reading {
-            accepted_keys: known,
-            ..
-        } = &mut self.side
-        {
-            known.push(key);
-        }
+        self.accepted_keys.push(key);
+    }
+
+    /// As [`Object::is_given`], of a key that is known.
+    pub fn given(&mut self, key: &'static str) -> bool {
+        self.know(key);
+        self.is_given(key)
     }
 
     /// Whether there is something to read under a key; what is written is always there.
     pub fn is_given(&self, key: &str) -> bool {
-        match &self.side {
-            Side::Reading { members, .. } => optional(members, key).is_some(),
-            Side::Writing(_) => true,
-        }
+        let members = self.reading.as_ref().map(|(_, members)| members);
+        members.is_none_or(|members| optional(members, key).is_some())
     }
 
     /// Whether it is being read.
     pub fn is_read(&self) -> bool {
-        matches!(self.side, Side::Reading { .. })
+        self.reading.is_some()
     }
 
     /// As [`Object::is_given`], null being something; complains where nothing is.
     pub fn needs(&mut self, key: &'static str, expected: impl Into<Text>) -> bool {
         self.know(key);
-        match &mut self.side {
-            _ if self.is_over => true,
-            Side::Writing(_) => true,
-            Side::Reading {
-                fields,
-                members,
-                at,
-                ..
-            } => {
-                let found = fields.required(members, *at, self.path, key, expected);
-                self.good &= found.is_some();
-                found.is_some()
-            }
-        }
+        let reading = self.reading.as_mut().filter(|_| !self.is_over);
+        let found =
+            reading.is_none_or(|(at, members)| at.required(members, key, expected).is_some());
+        self.good &= found;
+        found
     }
 
     /// Complains of the object as a whole.
     pub fn error(&mut self, found: impl Into<Text>, expected: impl Into<Text>) {
         self.good = false;
-        if let Side::Reading { fields, at, .. } = &mut self.side {
-            fields.error(*at, self.path, found, expected);
+        if let Some((at, _)) = &mut self.reading {
+            at.error::<()>(found, expected);
         }
     }
 
     /// Complains of a field, or of its lack.
     pub fn error_in(&mut self, key: &str, found: impl Into<Text>, expected: impl Into<Text>) {
         self.good = false;
-        if let Side::Reading {
-            fields,
-            members,
-            at,
-            ..
-        } = &mut self.side
-        {
-            let member = members.iter().find(|member| member.key == key);
-            let at = member.map_or(*at, |member| member.node.at);
-            fields.error(at, &self.path.key(key), found, expected);
+        if let Some((at, members)) = &mut self.reading {
+            let node = member(members, key).unwrap_or(at.node);
+            at.fields.error(node.at, &at.path.key(key), found, expected);
         }
     }
 
@@ -278,21 +231,6 @@ impl Object<'_, '_> {
     /// Whether it is being read and no field was wrong so far: what they say together can be checked.
     pub fn has_read_well(&self) -> bool {
         self.good && self.is_read()
-    }
-
-    /// Notes the keys that are not read, before what was found in the others.
-    pub(super) fn finish(self, first: usize) -> bool {
-        if let Side::Reading {
-            fields,
-            members,
-            accepted_keys: known,
-            ..
-        } = self.side
-        {
-            let notes = fields.notes_of_unknown(members, self.path, &known);
-            fields.findings.splice(first..first, notes);
-        }
-        self.good
     }
 }
 
@@ -328,15 +266,17 @@ impl Cursor<'_, '_> {
         value: &mut T,
         declare: impl FnOnce(&mut Object<'_, '_>, &mut T),
     ) -> bool {
-        let Some(members) = self
-            .fields
-            .object(self.node, self.path, self.expected.clone())
-        else {
+        let Some(members) = self.members() else {
             return false;
         };
         let first = self.fields.findings.len();
-        let mut object = Object::read(self.fields, members, self.node.at, self.path);
+        let at = self.fields.at(self.node, self.path, phrase!(""));
+        let mut object = Object::new(Some((at, members)));
         declare(&mut object, value);
-        object.finish(first)
+        let (good, known) = (object.good, object.accepted_keys);
+        // Keys that are not read are noted before what was found in the others.
+        let notes = self.fields.notes_of_unknown(members, self.path, &known);
+        self.fields.findings.splice(first..first, notes);
+        good
     }
 }

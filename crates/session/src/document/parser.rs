@@ -1,34 +1,21 @@
-//! The grammar.
+//! From text to a tree. `serde_json` judges the grammar and reads texts; what it accepted is walked
+//! through once more, for where each value starts.
 
-use crate::text::{Template, Text};
 use std::collections::BTreeSet;
+
+use serde::de::{Deserialize, IgnoredAny};
 
 use super::{Member, Node, Source, Value};
 use crate::diagnostic::{Diagnostic, Rejected};
-use crate::document::number::{NotANumber, any_decimal, plain_decimal, quoted};
-use crate::progress::{Cancelled, ProgressSpan, ReadError};
+use crate::document::number::{plain_decimal, quoted};
+use crate::progress::{Cancelled, Progress, ProgressSpan, ReadError, unwatched};
+use crate::text::{Template, Text};
 
 /// No sound document nests deeper than this, and the stack is finite.
-const DEEPEST: usize = 64;
+const DEEPEST: i32 = 64;
 
 /// Bytes between two looks at the watcher.
 const AT_ONCE: usize = 1 << 18;
-
-/// Why reading ends early.
-enum Stop {
-    /// A syntax error: where, what is there, what should be.
-    Wrong {
-        at: usize,
-        found: Text,
-        expected: Template,
-    },
-    /// Cancelled.
-    Cancelled(Cancelled),
-}
-
-use Stop::Wrong;
-
-type Parsed<T> = Result<T, Stop>;
 
 /// Reads a whole document, told as `part` of something.
 ///
@@ -36,22 +23,8 @@ type Parsed<T> = Result<T, Stop>;
 /// The first syntax error; after it nothing in the document can be trusted. Or that it was
 /// cancelled.
 pub(crate) fn parse(source: &Source<'_>, part: ProgressSpan<'_>) -> Result<Node, ReadError> {
-    let mut parser = Parser::new(source, 0, Some(part));
-    let document = parser.value().and_then(|node| {
-        parser.skip_space();
-        if parser.at < parser.bytes.len() {
-            return Err(parser.wrong(phrase!("the end of the document")));
-        }
-        Ok(node)
-    });
-    let document = document.map_err(|stop| match stop {
-        Wrong {
-            at,
-            found,
-            expected,
-        } => Rejected::because(Diagnostic::error(source.place(at), found, expected)).into(),
-        Stop::Cancelled(cancelled) => ReadError::from(cancelled),
-    })?;
+    source.read::<IgnoredAny>(0, source.text.len())?;
+    let document = Walk::new(source, part, 0).node()?;
     part.reached(1.0)?;
     Ok(document)
 }
@@ -59,367 +32,284 @@ pub(crate) fn parse(source: &Source<'_>, part: ProgressSpan<'_>) -> Result<Node,
 /// Where the element with this index starts in the array that starts at `at` of a document that
 /// was read without an error.
 pub(crate) fn element_offset(source: &Source<'_>, at: usize, index: usize) -> usize {
-    let mut parser = Parser::new(source, at + 1, None);
+    let progress = Progress::new(&unwatched);
+    let mut walk = Walk::new(source, progress.whole(), at + 1);
     for _ in 0..index {
-        if parser.value().is_err() {
-            return at;
+        if walk.node().is_err() {
+            break;
         }
-        parser.skip_space();
-        parser.at += 1;
     }
-    parser.skip_space();
-    parser.at
+    walk.skip();
+    walk.at
 }
 
-struct Parser<'a> {
-    bytes: &'a [u8],
+/// A walk through a document whose grammar is right.
+struct Walk<'s> {
+    source: &'s Source<'s>,
+    part: ProgressSpan<'s>,
     at: usize,
-    depth: usize,
-    part: Option<ProgressSpan<'a>>,
+    depth: i32,
     /// Where the watcher is told next.
     tell_at: usize,
 }
 
-impl<'a> Parser<'a> {
-    fn new(source: &Source<'a>, at: usize, part: Option<ProgressSpan<'a>>) -> Self {
+impl<'s> Walk<'s> {
+    fn new(source: &'s Source<'s>, part: ProgressSpan<'s>, at: usize) -> Self {
+        let (depth, tell_at) = (0, 0);
         Self {
-            bytes: source.text.as_bytes(),
-            at,
-            depth: 0,
+            source,
             part,
-            tell_at: if part.is_some() { 0 } else { usize::MAX },
+            at,
+            depth,
+            tell_at,
         }
     }
 
     /// Tells how far it is, now and then.
-    #[inline]
-    fn tell(&mut self) -> Parsed<()> {
+    fn tell(&mut self) -> Result<(), Cancelled> {
         if self.at < self.tell_at {
             return Ok(());
         }
         self.tell_at = self.at + AT_ONCE;
-        let told = self
-            .part
-            .map(|part| part.counted(self.at, self.bytes.len()));
-        told.unwrap_or(Ok(())).map_err(Stop::Cancelled)
+        self.part.counted(self.at, self.source.text.len())
     }
 
-    #[inline]
-    fn peek(&self) -> Option<u8> {
-        self.bytes.get(self.at).copied()
+    fn byte(&self) -> u8 {
+        let byte = self.source.text.as_bytes().get(self.at);
+        byte.copied().unwrap_or_default()
     }
 
-    #[inline]
-    fn skip_space(&mut self) {
-        while matches!(self.peek(), Some(b' ' | b'\n' | b'\r' | b'\t')) {
+    /// Skips what stands between values.
+    fn skip(&mut self) {
+        while matches!(self.byte(), b' ' | b'\n' | b'\r' | b'\t' | b',' | b':') {
             self.at += 1;
         }
     }
 
-    #[cold]
-    fn wrong(&self, expected: Template) -> Stop {
-        self.wrong_at(self.at, expected)
-    }
-
-    #[cold]
-    fn wrong_at(&self, at: usize, expected: Template) -> Stop {
-        let rest = self.bytes.get(at..).unwrap_or_default();
-        let is_word = |byte: &u8| byte.is_ascii_alphanumeric() || b"+-._".contains(byte);
-        let word = rest.iter().take_while(|byte| is_word(byte)).count();
-        let found = if rest.is_empty() {
-            text!("the end of the file")
-        } else if word > 0 {
-            Text::verbatim(quoted(&String::from_utf8_lossy(&rest[..word])))
-        } else {
-            let first = String::from_utf8_lossy(&rest[..rest.len().min(4)]);
-            Text::verbatim(quoted(&first.chars().take(1).collect::<String>()))
-        };
-        Wrong {
-            at,
-            found,
-            expected,
-        }
-    }
-
-    fn value(&mut self) -> Parsed<Node> {
+    fn node(&mut self) -> Result<Node, ReadError> {
         self.tell()?;
-        self.skip_space();
+        self.skip();
         let at = self.at;
-        let value = match self.peek() {
-            Some(b'{') => self.nested(Self::object)?,
-            Some(b'[') => self.nested(Self::array)?,
-            Some(b'"') => Value::Text(self.text()?),
-            Some(b'-' | b'0'..=b'9') => Value::Number(self.number()?),
-            Some(b't') => self.word("true", Value::Bool(true))?,
-            Some(b'f') => self.word("false", Value::Bool(false))?,
-            Some(b'n') => self.word("null", Value::Null)?,
-            _ => return Err(self.wrong(phrase!("a JSON value"))),
+        let level = i32::from(matches!(self.byte(), b'{' | b'['));
+        self.depth += level;
+        if self.depth > DEEPEST {
+            self.source.check_depth()?;
+        }
+        let value = match self.byte() {
+            b'{' => {
+                let mut keys = BTreeSet::new();
+                Value::Object(self.all(|walk| walk.member(&mut keys))?)
+            }
+            b'[' => match self.numbers()? {
+                Some(numbers) => Value::Numbers(numbers),
+                None => Value::List(self.all(Self::node)?),
+            },
+            b'"' => Value::Text(self.text()?),
+            b't' | b'f' => Value::Bool(self.word() == "true"),
+            b'n' => {
+                self.at += 4;
+                Value::Null
+            }
+            _ => Value::Number(self.number()),
         };
+        self.depth -= level;
         Ok(Node { at, value })
     }
 
-    fn nested(&mut self, read: fn(&mut Self) -> Parsed<Value>) -> Parsed<Value> {
-        if self.depth == DEEPEST {
-            return Err(Wrong {
-                at: self.at,
-                found: text!("more than {most} levels of nesting", most = DEEPEST),
-                expected: phrase!("a session or a robot, which have fewer"),
-            });
-        }
-        self.depth += 1;
+    /// Everything in an array or an object.
+    fn all<T>(
+        &mut self,
+        mut read: impl FnMut(&mut Self) -> Result<T, ReadError>,
+    ) -> Result<Vec<T>, ReadError> {
+        let mut all = Vec::new();
         self.at += 1;
-        let value = read(self)?;
-        self.depth -= 1;
-        Ok(value)
+        self.skip();
+        while !matches!(self.byte(), b']' | b'}') {
+            all.push(read(self)?);
+            self.skip();
+        }
+        self.at += 1;
+        Ok(all)
     }
 
-    fn word(&mut self, word: &str, value: Value) -> Parsed<Value> {
-        if !self.bytes[self.at..].starts_with(word.as_bytes()) {
-            return Err(self.wrong(phrase!("a JSON value")));
+    fn member(&mut self, keys: &mut BTreeSet<String>) -> Result<Member, ReadError> {
+        let key_at = self.at;
+        let key = self.text()?;
+        if !keys.insert(key.clone()) {
+            let found = text!("the key {key} a second time", key = quoted(&key));
+            let expected = phrase!("every key once");
+            return Err(self.source.wrong(key_at, found, expected));
         }
-        self.at += word.len();
-        Ok(value)
+        let node = self.node()?;
+        Ok(Member { key, key_at, node })
     }
 
-    fn object(&mut self) -> Parsed<Value> {
-        let mut members: Vec<Member> = Vec::new();
-        let mut keys = BTreeSet::new();
-        self.skip_space();
-        if self.peek() == Some(b'}') {
-            self.at += 1;
-            return Ok(Value::Object(members));
-        }
-        loop {
-            self.skip_space();
-            let key_at = self.at;
-            if self.peek() != Some(b'"') {
-                return Err(self.wrong(phrase!("a key in double quotes")));
-            }
-            let key = self.text()?;
-            if !keys.insert(key.clone()) {
-                return Err(Wrong {
-                    at: key_at,
-                    found: text!("the key {key} a second time", key = quoted(&key)),
-                    expected: phrase!("every key once"),
-                });
-            }
-            self.skip_space();
-            if self.peek() != Some(b':') {
-                return Err(self.wrong(phrase!("':' after the key")));
-            }
-            self.at += 1;
-            let node = self.value()?;
-            members.push(Member { key, key_at, node });
-            self.skip_space();
-            match self.peek() {
-                Some(b',') => self.at += 1,
-                Some(b'}') => {
-                    self.at += 1;
-                    return Ok(Value::Object(members));
-                }
-                _ => return Err(self.wrong(phrase!("',' or '}'"))),
-            }
-        }
-    }
-
-    fn array(&mut self) -> Parsed<Value> {
-        self.skip_space();
-        if self.peek() == Some(b']') {
-            self.at += 1;
-            return Ok(Value::List(Vec::new()));
-        }
+    fn text(&mut self) -> Result<String, ReadError> {
         let start = self.at;
-        if let Some(numbers) = self.numbers()? {
-            return Ok(Value::Numbers(numbers));
+        self.at += 1;
+        while self.byte() != b'"' {
+            self.at += 1 + usize::from(self.byte() == b'\\');
         }
-        // Something else is among them: once more, with a node for each.
-        self.at = start;
-        let mut list = Vec::new();
-        loop {
-            list.push(self.value()?);
-            self.skip_space();
-            match self.peek() {
-                Some(b',') => self.at += 1,
-                Some(b']') => {
-                    self.at += 1;
-                    return Ok(Value::List(list));
-                }
-                _ => return Err(self.wrong(phrase!("',' or ']'"))),
+        self.at += 1;
+        self.source.read(start, self.at)
+    }
+
+    fn word(&mut self) -> &str {
+        let rest = &self.source.text[self.at..];
+        let length = rest.bytes().take_while(|byte| is_of_word(*byte)).count();
+        self.at += length;
+        &rest[..length]
+    }
+
+    /// What overflows is infinite.
+    fn number(&mut self) -> f64 {
+        let bytes = self.source.text.as_bytes();
+        match plain_decimal(bytes, self.at) {
+            Some((value, after)) if !bytes.get(after).copied().is_some_and(is_of_word) => {
+                self.at = after;
+                value
             }
+            _ => self.word().parse().unwrap_or(f64::NAN),
         }
     }
 
-    /// The rest of an array if it holds nothing but numbers and nulls, and not only nulls.
-    fn numbers(&mut self) -> Parsed<Option<Vec<f64>>> {
-        let mut numbers = Vec::new();
-        let mut any = false;
+    /// An array of nothing but numbers and nulls (NaN), and not only nulls.
+    fn numbers(&mut self) -> Result<Option<Vec<f64>>, Cancelled> {
+        let (start, mut numbers) = (self.at, Vec::new());
+        self.at += 1;
         loop {
             self.tell()?;
-            self.skip_space();
-            match self.peek() {
-                Some(b'-' | b'0'..=b'9') => {
-                    any = true;
-                    numbers.push(self.number()?);
-                }
-                Some(b'n') => {
-                    self.word("null", Value::Null)?;
+            self.skip();
+            match self.byte() {
+                b'-' | b'0'..=b'9' => numbers.push(self.number()),
+                b'n' => {
+                    self.at += 4;
                     numbers.push(f64::NAN);
                 }
-                _ => return Ok(None),
-            }
-            self.skip_space();
-            match self.peek() {
-                Some(b',') => self.at += 1,
-                Some(b']') => {
+                b']' if numbers.iter().any(|v| !v.is_nan()) => {
                     self.at += 1;
-                    return Ok(any.then_some(numbers));
+                    return Ok(Some(numbers));
                 }
-                _ => return Err(self.wrong(phrase!("',' or ']'"))),
-            }
-        }
-    }
-
-    #[inline]
-    fn number(&mut self) -> Parsed<f64> {
-        if let Some((value, after)) = plain_decimal(self.bytes, self.at)
-            && !matches!(
-                self.bytes.get(after),
-                Some(b'0'..=b'9' | b'.' | b'e' | b'E' | b'+' | b'-')
-            )
-            && !self.has_leading_zero()
-        {
-            self.at = after;
-            return Ok(value);
-        }
-        self.any_number()
-    }
-
-    /// `01` is no JSON number.
-    #[inline]
-    fn has_leading_zero(&self) -> bool {
-        let first = self.at + usize::from(self.peek() == Some(b'-'));
-        self.bytes.get(first) == Some(&b'0')
-            && self.bytes.get(first + 1).is_some_and(u8::is_ascii_digit)
-    }
-
-    fn any_number(&mut self) -> Parsed<f64> {
-        let start = self.at;
-        let wrong =
-            |parser: &Self| parser.wrong_at(start, phrase!("a JSON number such as -12.5 or 3e-4"));
-        if self.has_leading_zero() {
-            return Err(wrong(self));
-        }
-        self.at += usize::from(self.peek() == Some(b'-'));
-        self.digits().ok_or_else(|| wrong(self))?;
-        if self.peek() == Some(b'.') {
-            self.at += 1;
-            self.digits().ok_or_else(|| wrong(self))?;
-        }
-        if matches!(self.peek(), Some(b'e' | b'E')) {
-            self.at += 1;
-            self.at += usize::from(matches!(self.peek(), Some(b'+' | b'-')));
-            self.digits().ok_or_else(|| wrong(self))?;
-        }
-        let text = std::str::from_utf8(&self.bytes[start..self.at]).map_err(|_| wrong(self))?;
-        match any_decimal(text) {
-            Ok(value) => Ok(value),
-            Err(NotANumber::Overflow) => Ok(f64::INFINITY),
-            Err(_) => Err(wrong(self)),
-        }
-    }
-
-    /// Skips at least one digit.
-    fn digits(&mut self) -> Option<()> {
-        let start = self.at;
-        while self.peek().is_some_and(|byte| byte.is_ascii_digit()) {
-            self.at += 1;
-        }
-        (self.at > start).then_some(())
-    }
-
-    fn text(&mut self) -> Parsed<String> {
-        let start = self.at;
-        self.at += 1;
-        let mut text = String::new();
-        loop {
-            let rest = &self.bytes[self.at..];
-            let plain = rest
-                .iter()
-                .position(|&byte| byte == b'"' || byte == b'\\' || byte < 0x20)
-                .ok_or_else(|| Wrong {
-                    at: start,
-                    found: text!("a text that is not closed"),
-                    expected: phrase!("a closing '\"'"),
-                })?;
-            // The document is UTF-8, and both ends of the part are next to ASCII.
-            text.push_str(&String::from_utf8_lossy(&rest[..plain]));
-            self.at += plain;
-            match rest[plain] {
-                b'"' => {
-                    self.at += 1;
-                    return Ok(text);
-                }
-                b'\\' => text.push(self.escape()?),
                 _ => {
-                    return Err(Wrong {
-                        at: self.at,
-                        found: text!("a control character in a text"),
-                        expected: phrase!("an escape such as \\n or a closing '\"'"),
-                    });
+                    self.at = start;
+                    return Ok(None);
                 }
             }
         }
     }
+}
 
-    fn escape(&mut self) -> Parsed<char> {
-        let at = self.at;
-        self.at += 2;
-        Ok(match self.bytes.get(at + 1) {
-            Some(b'"') => '"',
-            Some(b'\\') => '\\',
-            Some(b'/') => '/',
-            Some(b'b') => '\u{8}',
-            Some(b'f') => '\u{c}',
-            Some(b'n') => '\n',
-            Some(b'r') => '\r',
-            Some(b't') => '\t',
-            Some(b'u') => return self.unicode_escape(at),
-            _ => return Err(self.bad_escape(at)),
-        })
+impl Source<'_> {
+    /// What `serde_json` reads between two bytes.
+    fn read<'t, T: Deserialize<'t>>(&'t self, from: usize, to: usize) -> Result<T, ReadError> {
+        serde_json::from_str(&self.text[from..to]).map_err(|error| self.refusal(from, &error))
     }
 
-    fn unicode_escape(&mut self, at: usize) -> Parsed<char> {
-        let first = self.four_hex(at)?;
-        let is_high = (0xd800..0xdc00).contains(&first);
-        if !is_high || !self.bytes[self.at..].starts_with(b"\\u") {
-            return char::from_u32(first).ok_or_else(|| self.bad_escape(at));
+    /// Refuses what nests too deeply.
+    fn check_depth(&self) -> Result<(), ReadError> {
+        let (mut depth, mut in_text) = (0, false);
+        let mut bytes = self.text.bytes().enumerate();
+        while let Some((at, byte)) = bytes.next() {
+            match byte {
+                b'"' => in_text = !in_text,
+                b'\\' if in_text => _ = bytes.next(),
+                b'[' | b'{' if !in_text => depth += 1,
+                b']' | b'}' if !in_text => depth -= 1,
+                _ => {}
+            }
+            if depth > DEEPEST {
+                let found = text!(
+                    "more than {most} levels of nesting",
+                    most = DEEPEST as usize
+                );
+                let expected = phrase!("a session or a robot, which have fewer");
+                return Err(self.wrong(at, found, expected));
+            }
         }
-        self.at += 2;
-        let second = self.four_hex(at)?;
-        if !(0xdc00..0xe000).contains(&second) {
-            return Err(self.bad_escape(at));
-        }
-        let code = 0x1_0000 + ((first - 0xd800) << 10) + (second - 0xdc00);
-        char::from_u32(code).ok_or_else(|| self.bad_escape(at))
+        Ok(())
     }
 
-    fn four_hex(&mut self, at: usize) -> Parsed<u32> {
-        let mut code = 0;
-        for _ in 0..4 {
-            let digit = self.peek().and_then(|byte| char::from(byte).to_digit(16));
-            code = code * 16 + digit.ok_or_else(|| self.bad_escape(at))?;
-            self.at += 1;
-        }
-        Ok(code)
+    fn wrong(&self, at: usize, found: Text, expected: Template) -> ReadError {
+        Rejected::because(Diagnostic::error(self.place(at), found, expected)).into()
     }
 
-    #[cold]
-    fn bad_escape(&self, at: usize) -> Stop {
-        let end = (at + 6).min(self.bytes.len());
-        Wrong {
-            at,
-            found: Text::verbatim(quoted(&String::from_utf8_lossy(&self.bytes[at..end]))),
-            expected: phrase!("an escape of JSON such as \\n or \\u00e9"),
+    /// What `serde_json` says of a part of the text, in words that have translations.
+    fn refusal(&self, from: usize, error: &serde_json::Error) -> ReadError {
+        if let Err(too_deep) = self.check_depth() {
+            return too_deep;
         }
+        let (text, end) = (self.text.as_bytes(), self.text.len());
+        let lines = self.text[from..].split_inclusive('\n');
+        let lines = lines.take(error.line().saturating_sub(1));
+        let line = from + lines.map(str::len).sum::<usize>();
+        // The byte that was looked at last.
+        let last = (line + error.column()).saturating_sub(1).min(end);
+        let back = |is_before: fn(u8) -> bool| {
+            let before = text[..last].iter().rposition(|byte| is_before(*byte));
+            before.map_or(0, |before| before + 1)
+        };
+        let is_last = |of: &[u8]| text.trim_ascii_end().last().is_some_and(|b| of.contains(b));
+        let value = phrase!("a JSON value");
+        let key = phrase!("a key in double quotes");
+        let colon = phrase!("':' after the key");
+        let last_text = self.text.trim_end().strip_suffix('"').unwrap_or_default();
+        let before = last_text.rfind('"').map(|at| last_text[..at].trim_end());
+        let ends_with_key = before.is_some_and(|before| before.ends_with(['{', ',']));
+        let message = error.to_string();
+        let (at, expected) = match message.split(" at line ").next().unwrap_or_default() {
+            "EOF while parsing an object" if is_last(b"{,") => (end, key),
+            "EOF while parsing an object" if ends_with_key => (end, colon),
+            "EOF while parsing an object" => (end, phrase!("',' or '}'")),
+            "EOF while parsing a list" if is_last(b"[") => (end, value),
+            "EOF while parsing a list" => (end, phrase!("',' or ']'")),
+            "EOF while parsing a value" => (end, value),
+            "EOF while parsing a string" => {
+                let found = text!("a text that is not closed");
+                let at = self.text.rfind('"').unwrap_or(last);
+                return self.wrong(at, found, phrase!("a closing '\"'"));
+            }
+            "key must be a string" => (last, key),
+            "expected `:`" => (last, colon),
+            "expected `,` or `}`" => (last, phrase!("',' or '}'")),
+            "expected `,` or `]`" => (last, phrase!("',' or ']'")),
+            "trailing characters" => (last, phrase!("the end of the document")),
+            "expected value" => (last, value),
+            "expected ident" => (back(|byte| !is_of_word(byte)), value),
+            "invalid number" => {
+                let expected = phrase!("a JSON number such as -12.5 or 3e-4");
+                (back(|byte| !is_of_word(byte)), expected)
+            }
+            says if says.starts_with("control character") => {
+                let found = text!("a control character in a text");
+                let expected = phrase!("an escape such as \\n or a closing '\"'");
+                return self.wrong(last + 1, found, expected);
+            }
+            _ => {
+                let at = back(|byte| byte == b'\\').saturating_sub(1);
+                // The first half of a pair says more than what should have been its second.
+                let is_half = |at: &usize| {
+                    matches!(
+                        text[*at..],
+                        [b'\\', b'u', b'd', b'8' | b'9' | b'a' | b'b', ..]
+                    )
+                };
+                let at = at.checked_sub(6).filter(is_half).unwrap_or(at);
+                let found = String::from_utf8_lossy(&text[at..end.min(at + 6)]);
+                let expected = phrase!("an escape of JSON such as \\n or \\u00e9");
+                return self.wrong(at, Text::verbatim(quoted(&found)), expected);
+            }
+        };
+        let rest = String::from_utf8_lossy(&text[at..]);
+        let word = rest.bytes().take_while(|byte| is_of_word(*byte)).count();
+        let found = match rest.chars().next() {
+            None => text!("the end of the file"),
+            Some(first) => Text::verbatim(quoted(&rest[..word.max(first.len_utf8())])),
+        };
+        self.wrong(at, found, expected)
     }
+}
+
+/// Whether it belongs to a word or a number.
+fn is_of_word(byte: u8) -> bool {
+    byte.is_ascii_alphanumeric() || b"+-._".contains(&byte)
 }

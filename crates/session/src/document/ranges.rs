@@ -111,14 +111,11 @@ fn walk(fields: &mut Fields<'_>, node: &Node, path: &Path<'_>, limit: Option<Lim
         }
         Value::Numbers(values) => {
             let Some(limit) = limit else { return };
-            let wrong = values.iter().enumerate();
-            let wrong = wrong.filter_map(|(k, v)| limit.refusal(*v).map(|expected| (k, expected)));
-            if let Some((index, expected)) = wrong.take(1).next() {
-                let place = fields.element_place(node.at, path, index);
-                let found = Text::verbatim(short(values[index]));
-                fields
-                    .findings
-                    .push(crate::diagnostic::Diagnostic::error(place, found, expected));
+            let mut each = values.iter().enumerate();
+            let wrong = each.find_map(|(k, v)| Some((k, v, limit.refusal(*v)?)));
+            if let Some((index, value, expected)) = wrong {
+                let found = Text::verbatim(short(*value));
+                fields.element_error(node.at, path, index, found, expected);
             }
         }
         Value::List(list) => {

@@ -52,6 +52,10 @@ fn a_syntax_error_says_where_what_and_what_instead() {
             "{\"a\" 1}",
             "line 1, column 6: '1'; expected ':' after the key",
         ),
+        (
+            "{\"a\" ",
+            "line 1, column 6: the end of the file; expected ':' after the key",
+        ),
         ("[1, 2,]", "line 1, column 7: ']'; expected a JSON value"),
         ("[1 2]", "line 1, column 4: '2'; expected ',' or ']'"),
         (
@@ -84,7 +88,11 @@ fn a_syntax_error_says_where_what_and_what_instead() {
 fn nesting_ends_before_the_stack_does() {
     let error = read(&"[".repeat(1_000_000)).unwrap_err();
     assert!(error.contains("more than 64 levels"), "{error}");
-    assert!(read(&format!("{}{}", "[".repeat(64), "]".repeat(64))).is_ok());
+    for inner in ["", "1", "null", "\"\""] {
+        let nested = |levels| format!("{}{inner}{}", "[".repeat(levels), "]".repeat(levels));
+        assert!(read(&nested(64)).is_ok(), "{inner}");
+        assert!(read(&nested(65)).is_err(), "{inner}");
+    }
 }
 
 #[test]

@@ -2,16 +2,18 @@
 //! each motor.
 
 use serde::Serialize;
-use serde::ser::{SerializeMap, Serializer};
+use serde::ser::Serializer;
 
 use crate::diagnostic::{Place, Rejected};
-use crate::document::{Fields, Member, Node, Path, Value};
+use crate::document::object::{Kind, Object};
+use crate::document::{Fields, Member, Node, Path};
 use crate::sessions::files::open::as_text;
 
 pub(super) const TICKS_PER_TURN: i64 = 4096;
 
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize)]
 pub(super) struct Motor {
+    #[serde(skip)]
     pub(super) name: String,
     pub(super) id: i64,
     pub(super) drive_mode: i64,
@@ -19,14 +21,6 @@ pub(super) struct Motor {
     pub(super) range_min: i64,
     pub(super) range_max: i64,
 }
-
-const KEYS: [&str; 5] = [
-    "id",
-    "drive_mode",
-    "homing_offset",
-    "range_min",
-    "range_max",
-];
 
 /// How many motors a calibration has: whether this can be read as one.
 ///
@@ -49,86 +43,53 @@ pub(super) fn read_calibration(bytes: &[u8], name: &str) -> Result<Vec<Motor>, R
 fn motors(fields: &mut Fields<'_>, root: &Node) -> Option<Vec<Motor>> {
     let expected =
         phrase!("a motor calibration of LeRobot: an object with one motor for each name");
-    let members = fields.object(root, &Path::Root, expected)?;
+    let mut at = fields.at(root, &Path::Root, expected);
+    let members = at.members()?;
     if members.is_empty() {
-        fields.mismatch(root, &Path::Root, expected);
-        return None;
+        return at.wrong();
     }
-    let motors: Vec<Option<Motor>> = members.iter().map(|member| motor(fields, member)).collect();
+    let motor = |member: &Member| {
+        let expected = phrase!("an object with id, homing_offset, …");
+        let path = &Path::Root.key(&member.key);
+        let mut at = at.fields.at(&member.node, path, expected);
+        let motor = at.object(Motor::default(), motor)?;
+        let name = member.key.clone();
+        Some(Motor { name, ..motor })
+    };
+    let motors: Vec<Option<Motor>> = members.iter().map(motor).collect();
     motors.into_iter().collect()
 }
 
-fn motor(fields: &mut Fields<'_>, member: &Member) -> Option<Motor> {
-    let path = &Path::Root.key(&member.key);
-    let node = &member.node;
-    let members = fields.object(node, path, text!("an object with id, homing_offset, …"))?;
-    fields.unknown_keys(members, path, &KEYS);
-    let numbers = KEYS.map(|key| {
-        let expected = phrase!("a whole number");
-        let node = fields.required(members, node.at, path, key, expected)?;
-        let number = whole(node);
-        if number.is_none() {
-            fields.mismatch(node, &path.key(key), expected);
-        }
-        number
-    });
-    let [id, drive_mode, homing_offset, range_min, range_max] = numbers;
-    let motor = Motor {
-        name: member.key.clone(),
-        id: id?,
-        drive_mode: drive_mode?,
-        homing_offset: homing_offset?,
-        range_min: range_min?,
-        range_max: range_max?,
-    };
-    if motor.range_min >= motor.range_max {
-        let found = text!(
-            "a range from {range_min} to {range_max}",
-            range_min = motor.range_min,
-            range_max = motor.range_max
-        );
+fn motor(o: &mut Object<'_, '_>, own: &mut Motor) {
+    o.required("id", &mut own.id, &WHOLE);
+    o.required("drive_mode", &mut own.drive_mode, &WHOLE);
+    o.required("homing_offset", &mut own.homing_offset, &WHOLE);
+    o.required("range_min", &mut own.range_min, &WHOLE);
+    o.required("range_max", &mut own.range_max, &WHOLE);
+    let (range_min, range_max) = (own.range_min, own.range_max);
+    if o.has_read_well() && range_min >= range_max {
+        let found = text!("a range from {range_min} to {range_max}", range_min, range_max);
         let expected = phrase!("a range from the smaller to the larger value");
-        fields.error(node.at, path, found, expected);
-        return None;
+        o.error(found, expected);
     }
-    Some(motor)
 }
 
-fn whole(node: &Node) -> Option<i64> {
-    /// Far beyond any servo.
-    const MOST: f64 = 1e9;
-    match node.value {
-        #[allow(clippy::cast_possible_truncation, reason = "a whole number below 10⁹")]
-        Value::Number(value) if value.fract() == 0.0 && value.abs() < MOST => Some(value as i64),
-        _ => None,
-    }
-}
+/// A whole number that any servo may have.
+const WHOLE: Kind<i64> = Kind {
+    expected: phrase!("a whole number"),
+    #[allow(clippy::cast_possible_truncation, reason = "a whole number below 10⁹")]
+    read: |at| {
+        let whole = |value: f64| value.fract() == 0.0 && value.abs() < 1e9;
+        at.number(whole).map(|value| value as i64)
+    },
+    write: |value| (*value as f64).into(),
+};
 
 struct CalibrationJson<'a>(&'a [Motor]);
 
-#[derive(Serialize)]
-struct MotorJson {
-    id: i64,
-    drive_mode: i64,
-    homing_offset: i64,
-    range_min: i64,
-    range_max: i64,
-}
-
 impl Serialize for CalibrationJson<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut map = serializer.serialize_map(Some(self.0.len()))?;
-        for motor in self.0 {
-            let twin = MotorJson {
-                id: motor.id,
-                drive_mode: motor.drive_mode,
-                homing_offset: motor.homing_offset,
-                range_min: motor.range_min,
-                range_max: motor.range_max,
-            };
-            map.serialize_entry(&motor.name, &twin)?;
-        }
-        map.end()
+        serializer.collect_map(self.0.iter().map(|motor| (&motor.name, motor)))
     }
 }
 

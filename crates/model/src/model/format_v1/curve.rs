@@ -7,9 +7,10 @@ use crate::text::{Template, Text};
 use std::sync::Arc;
 
 use super::exact::{DISAGREES, agrees};
+use super::set_up::VALUES;
 use crate::document::kinds::{NUMBER, count};
 use crate::document::object::{Cursor, Kind, Object, written};
-use crate::document::{Fields, Member, Node, Path, Value, optional};
+use crate::document::{Member, Value};
 use crate::effects::curve::{Curve, CurveError, Knots, PARTS, Parts};
 use crate::effects::{Parameter, SMOOTH, Term};
 use crate::kinematics::JointKind;
@@ -67,16 +68,11 @@ fn declare(o: &mut Object<'_, '_>, own: &mut Points) {
     o.required("from_inner", &mut own.knots.from, &NUMBER);
     o.required("to_inner", &mut own.knots.to, &NUMBER);
     o.optional("period_inner", &mut own.knots.period, &NUMBER);
-    o.required(
-        "knots",
-        &mut own.knots.count,
-        &count(phrase!("a whole number of knots")),
-    );
+    let knots = count(phrase!("a whole number of knots"));
+    o.required("knots", &mut own.knots.count, &knots);
     for (keys, lists) in KEYS.iter().zip(&mut own.lists) {
         for (key, list) in keys.iter().zip(lists) {
-            if o.is_read() || !list.is_empty() {
-                o.usual(key, list, &LIST);
-            }
+            o.usual_if(!list.is_empty(), key, list, &LIST);
         }
     }
     if !o.has_read_well() {
@@ -113,12 +109,12 @@ fn declare(o: &mut Object<'_, '_>, own: &mut Points) {
     o.error_in(key, Text::verbatim(error.to_string()), expected);
 }
 
-/// Finite numbers.
+/// Finite numbers, one or more.
 pub(super) const LIST: Kind<Vec<f64>> = Kind {
     expected: phrase!("an array of numbers"),
-    read: |at| match &at.node.value {
-        Value::Numbers(values) if values.iter().all(|v| v.is_finite()) => Some(values.clone()),
-        _ => at.wrong(),
+    read: |at| match (VALUES.read)(at)? {
+        none if none.is_empty() => at.wrong(),
+        all => Some(all),
     },
     write: |list| list.as_slice().into(),
 };
@@ -146,26 +142,7 @@ pub(super) fn unexplained(
     at: &mut Cursor<'_, '_>,
     members: &[Member],
     joint: usize,
-    joints: usize,
 ) -> Option<Term> {
-    let (fields, node, path) = (&mut *at.fields, at.node, at.path);
-    if joint == 0 || joint > joints {
-        let expected = text!("a joint from 1 to {joints}", joints);
-        fields.error(
-            node.at,
-            &path.key("joint"),
-            Text::verbatim(joint.to_string()),
-            expected,
-        );
-        return None;
-    }
-    let node = fields.required(members, node.at, path, "curve", CURVE)?;
-    let mut at = Cursor {
-        fields,
-        node,
-        path: &path.key("curve"),
-        expected: CURVE.into(),
-    };
     let blank = Points {
         knots: Knots {
             from: 0.0,
@@ -175,10 +152,12 @@ pub(super) fn unexplained(
         },
         lists: Default::default(),
     };
-    let curve = at.object(blank, declare)?.curve().ok()?;
-    if let Some(given) = optional(members, "parameters") {
-        readable(at.fields, given, &path.key("parameters"), curve.knots())?;
-    }
+    let points = at.under(members, "curve", CURVE, |at| at.object(blank, declare))?;
+    let curve = points.curve().ok()?;
+    let expected = phrase!("an object with the range of the curve");
+    at.under_if(members, "parameters", expected, |at| {
+        readable(at, curve.knots())
+    })?;
     Some(Term {
         curve: Some(Arc::new(curve)),
         ..Term::absent(&SMOOTH, joint - 1, 0.0)
@@ -186,32 +165,26 @@ pub(super) fn unexplained(
 }
 
 /// Whether the range for people is that of the curve.
-fn readable(fields: &mut Fields<'_>, node: &Node, path: &Path<'_>, knots: &Knots) -> Option<()> {
-    let expected = text!("an object with the range of the curve");
-    let members = fields.object(node, path, expected)?;
+fn readable(at: &mut Cursor<'_, '_>, knots: &Knots) -> Option<()> {
+    let members = at.members()?;
     let known = [
         ("from_deg", "from_mm", Some(knots.from)),
         ("to_deg", "to_mm", Some(knots.to)),
         ("period_deg", "period_mm", knots.period),
     ];
     let names = known.map(|(a, b, _)| [a, b]);
-    fields.unknown_keys(members, path, names.as_flattened());
+    at.fields
+        .unknown_keys(members, at.path, names.as_flattened());
     let mut good = Some(());
     for (turning, sliding, exact) in known {
         for (key, inner) in [(turning, rad_from_deg as fn(f64) -> f64), (sliding, |v| v)] {
-            let Some(node) = optional(members, key) else {
-                continue;
-            };
-            let value = fields.number(node, &path.key(key))?;
-            if !exact.is_some_and(|exact| agrees(exact, inner(value))) {
-                fields.error(
-                    node.at,
-                    &path.key(key),
-                    Text::verbatim(value.to_string()),
-                    DISAGREES,
-                );
-                good = None;
-            }
+            let agreed = at.under_if(members, key, NUMBER.expected, |at| {
+                let value = (NUMBER.read)(at)?;
+                let agrees = exact.is_some_and(|exact| agrees(exact, inner(value)));
+                let found = Text::verbatim(value.to_string());
+                agrees.then_some(()).or_else(|| at.error(found, DISAGREES))
+            });
+            good = good.and(agreed).map(|_| ());
         }
     }
     good

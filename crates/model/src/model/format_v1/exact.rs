@@ -3,7 +3,6 @@
 use crate::text::{Template, Text};
 use nalgebra::{Quaternion, Unit, UnitQuaternion};
 
-use crate::document::Value;
 use crate::document::kinds::{NUMBER, components, wxyz};
 use crate::document::object::{Cursor, Kind, Object, written};
 use crate::effects::term::setting_quantity;
@@ -97,11 +96,8 @@ fn exact_joint(o: &mut Object<'_, '_>, own: &mut Joint) {
         _ => false,
     };
     if o.has_read_well() && !same {
-        o.error_in(
-            "limits_inner",
-            text!("{limits}", limits = format!("{limits:?}")),
-            DISAGREES,
-        );
+        let found = text!("{limits}", limits = format!("{limits:?}"));
+        o.error_in("limits_inner", found, DISAGREES);
     }
     own.limits = limits.map(|[from, to]| Range { from, to });
 }
@@ -121,38 +117,28 @@ pub(super) fn exact_term(o: &mut Object<'_, '_>, term: &mut Term) {
         term.setting = readable;
     }
     if setting_quantity(setting).is_some() && !agrees(term.setting, readable) {
-        o.error_in(
-            "setting",
-            Text::verbatim(term.setting.to_string()),
-            DISAGREES,
-        );
+        let found = Text::verbatim(term.setting.to_string());
+        o.error_in("setting", found, DISAGREES);
     }
     let readable = term.coefficients.clone();
     let expected = text!("an array of {readable} numbers", readable = readable.len());
     let read = |at: &mut Cursor<'_, '_>| {
-        let exact = match &at.node.value {
-            Value::Numbers(all) if all.len() == readable.len() => all,
-            _ => return at.wrong(),
-        };
         // Larger than any coefficient in mm, rad or parts of one; a sum of squares stays finite.
-        if !exact.iter().all(|v| v.abs() <= 1e15) {
-            return at.wrong();
-        }
+        let sound = |v: &f64| v.abs() <= 1e15;
+        let exact = at
+            .column()
+            .filter(|all| all.len() == readable.len() && all.iter().all(sound));
+        let exact = exact.or_else(|| at.wrong())?;
         let scale = readable.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
         let near = |(a, b): (&f64, &f64)| (a - b).abs() <= AGREES * scale.max(1e-9);
         if exact.iter().zip(&readable).all(near) {
-            return Some(exact.clone());
+            return Some(exact.to_vec());
         }
         at.error(text!("{exact}", exact = format!("{exact:?}")), DISAGREES)
     };
     let write = |all: &Vec<f64>| Some(all.as_slice().into());
     if o.needs("coefficients", &expected) {
-        o.with(
-            "coefficients",
-            &mut term.coefficients,
-            expected,
-            read,
-            write,
-        );
+        let own = &mut term.coefficients;
+        o.with("coefficients", own, expected, read, write);
     }
 }

@@ -4,7 +4,7 @@ use crate::diagnostic::{Place, Rejected};
 use crate::document::kinds::{DEGREES, NUMBER, TEXT, count};
 use crate::document::number::hexadecimal;
 use crate::document::object::{Cursor, Kind, Object, written};
-use crate::document::{Fields, Node, Path, Value, ranges, text_of};
+use crate::document::{Fields, Node, Value, ranges, text_of};
 use crate::effects::Term;
 use crate::kinematics::{JointKind, Range};
 use crate::model::{Calibration, Conditions, Model, RegionalCorrection, ResidualStep, SetUp};
@@ -102,7 +102,7 @@ fn read(text: &str, place: Place) -> Result<Calibration, Rejected> {
 
 fn document(fields: &mut Fields<'_>, root: &Node) -> Option<Calibration> {
     let expected = text!("a model: an object with the key \"format\"");
-    fields.of_format(root, FORMAT, &expected)?;
+    let mut at = fields.of_format(root, FORMAT, expected)?;
     let blank = Calibration {
         session: String::new(),
         model: Model::nominal(blank()),
@@ -120,12 +120,6 @@ fn document(fields: &mut Fields<'_>, root: &Node) -> Option<Calibration> {
         history: Vec::new(),
         samples_hash: String::new(),
         program_version: String::new(),
-    };
-    let mut at = Cursor {
-        fields,
-        node: root,
-        path: &Path::Root,
-        expected,
     };
     at.object(blank, calibration)
 }
@@ -152,8 +146,7 @@ fn calibration(o: &mut Object<'_, '_>, own: &mut Calibration) {
         o.with("robot", &mut robot, ROBOT.expected, robot_of, write);
     }
     o.end_if_wrong();
-    o.know("robot_exact");
-    if o.is_given("robot_exact") {
+    if o.given("robot_exact") {
         let expected = text!("an object with joints and tool_quaternion_wxyz");
         o.part("robot_exact", &mut robot, expected, exact_robot);
     }
@@ -170,57 +163,41 @@ fn calibration(o: &mut Object<'_, '_>, own: &mut Calibration) {
     let joints = robot.joints.len();
     if o.needs("effects", phrase!("an array")) {
         let read = |at: &mut Cursor<'_, '_>| at.list_by(|at| term(at, &robot));
-        let write = |all: &Vec<Term>| {
-            let all = all.iter().map(|own| term_written(own, &robot));
-            Some(all.collect())
-        };
-        o.with(
-            "effects",
-            &mut terms,
-            phrase!("an array of objects"),
-            read,
-            write,
-        );
+        let one = |own: &Term| term_written(own, &robot);
+        let write = |all: &Vec<Term>| Some(all.iter().map(one).collect());
+        let expected = phrase!("an array of objects");
+        o.with("effects", &mut terms, expected, read, write);
     }
     o.end_if_wrong();
     if o.is_read() {
         own.model = Model::new(robot, terms);
     }
     covariance(o, own);
-    if o.needs("regions", phrase!("an array")) {
-        o.field("regions", &mut own.regions, &REGIONS);
-    }
+    let array = phrase!("an array");
+    o.required_as("regions", array, &mut own.regions, &REGIONS);
     let kinds = own.model.robot.joints.iter().map(|joint| joint.kind);
     if !own.regions.is_empty() && !kinds.eq([JointKind::Revolute]) {
         let found = text!("regions of another robot than one with a single turning joint");
         o.error_in("regions", found, text!("no regions for this robot"));
     }
-    if o.needs("measured", phrase!("an array")) {
-        o.field("measured", &mut own.measured, &RANGES);
-        if o.has_read_well() && own.measured.len() != joints {
-            let found = text!(one "{count} range", "{count} ranges", count = own.measured.len());
-            let expected = text!("one range for each of {joints} joints", joints);
-            o.error_in("measured", found, expected);
-        }
+    o.required_as("measured", array, &mut own.measured, &RANGES);
+    if o.has_read_well() && own.measured.len() != joints {
+        let found = text!(one "{count} range", "{count} ranges", count = own.measured.len());
+        let expected = text!("one range for each of {joints} joints", joints);
+        o.error_in("measured", found, expected);
     }
     o.optional("load_kg", &mut own.load_kg, &LOADS);
     o.usual_or_null("tolerance_mm", &mut own.tolerance_mm, &TOLERANCE_MM);
     o.optional("compensated_by", &mut own.compensated_by, &TEXT);
     o.usual("set_up", &mut own.set_up, &SET_UP);
-    o.optional(
-        "measured_targets",
-        &mut own.measured_targets,
-        &MEASURED_TARGETS,
-    );
+    let targets = &mut own.measured_targets;
+    o.optional("measured_targets", targets, &MEASURED_TARGETS);
     o.optional("set_aside", &mut own.set_aside, &SAMPLES);
-    o.know("conditions");
-    if o.is_given("conditions") {
+    if o.given("conditions") {
         let expected = text!("an object with load_kg and temperature_c");
         o.part("conditions", &mut own.conditions, expected, conditions);
     }
-    if o.needs("history", phrase!("an array")) {
-        o.field("history", &mut own.history, &STEPS);
-    }
+    o.required_as("history", array, &mut own.history, &STEPS);
 }
 
 fn covariance(o: &mut Object<'_, '_>, own: &mut Calibration) {
@@ -272,40 +249,26 @@ fn region(o: &mut Object<'_, '_>, own: &mut RegionalCorrection) {
     o.required("name", &mut own.name, &TEXT);
     o.required("from_deg", &mut own.from_rad, &DEGREES);
     o.required("to_deg", &mut own.to_rad, &DEGREES);
-    o.required(
-        "samples",
-        &mut own.samples,
-        &count(phrase!("a number of samples")),
-    );
-    o.part(
-        "correction",
-        own,
-        phrase!("an object with theta_rad and l1_mm"),
-        |o, own| {
-            o.required("theta_rad", &mut own.theta_rad, &NUMBER);
-            o.required("l1_mm", &mut own.l1_mm, &NUMBER);
-        },
-    );
+    let samples = count(phrase!("a number of samples"));
+    o.required("samples", &mut own.samples, &samples);
+    let expected = phrase!("an object with theta_rad and l1_mm");
+    o.part("correction", own, expected, |o, own| {
+        o.required("theta_rad", &mut own.theta_rad, &NUMBER);
+        o.required("l1_mm", &mut own.l1_mm, &NUMBER);
+    });
     o.end_if_wrong();
-    o.know("exact");
-    if o.is_given("exact") {
-        o.part(
-            "exact",
-            own,
-            phrase!("an object with from_rad and to_rad"),
-            |o, own| {
-                exact(o, "from_rad", &mut own.from_rad);
-                exact(o, "to_rad", &mut own.to_rad);
-            },
-        );
+    if o.given("exact") {
+        let expected = phrase!("an object with from_rad and to_rad");
+        o.part("exact", own, expected, |o, own| {
+            exact(o, "from_rad", &mut own.from_rad);
+            exact(o, "to_rad", &mut own.to_rad);
+        });
     }
     let (from, to) = (own.from_rad, own.to_rad);
     if o.has_read_well() && from >= to {
         let expected = text!("a region from the smaller to the larger value");
-        o.error(
-            text!("a region from {from} to {to} rad", from, to),
-            expected,
-        );
+        let found = text!("a region from {from} to {to} rad", from, to);
+        o.error(found, expected);
     }
 }
 
@@ -356,21 +319,15 @@ const MEASURED_TARGETS: Kind<Vec<usize>> = Kind {
 const SAMPLES: Kind<Vec<usize>> = Kind {
     expected: phrase!("an array of numbers of samples, counted from 1"),
     read: |at| {
-        let all = match &at.node.value {
-            Value::Numbers(all) => all.clone(),
-            Value::List(all) if all.is_empty() => Vec::new(),
-            _ => return at.wrong(),
-        };
         let whole = |v: &f64| v.fract() == 0.0 && (1.0..=1e15).contains(v);
-        if !all.iter().all(whole) {
-            return at.wrong();
-        }
+        let all = at.column().filter(|all| all.iter().all(whole));
+        let all = all.or_else(|| at.wrong())?;
         #[allow(
             clippy::cast_possible_truncation,
             clippy::cast_sign_loss,
             reason = "a whole number in the range of the type"
         )]
-        let samples = all.into_iter().map(|v| v as usize - 1);
+        let samples = all.iter().map(|v| *v as usize - 1);
         Some(samples.collect())
     },
     write: |all| {

@@ -106,14 +106,11 @@ pub(super) fn written_rest(rest: &Rest) -> Value {
 fn declare(o: &mut Object<'_, '_>, own: &mut Lists) {
     o.required("ranges_inner", &mut own.ranges, &LIST);
     let key = "others_without_it_inner";
-    if o.is_read() || !own.geometry_alone.is_empty() {
-        o.usual(key, &mut own.geometry_alone, &LIST);
-    }
+    let says = !own.geometry_alone.is_empty();
+    o.usual_if(says, key, &mut own.geometry_alone, &LIST);
     for (keys, lists) in KEYS.iter().zip(&mut own.along) {
         for (key, list) in keys.iter().zip(lists) {
-            if o.is_read() || !list.is_empty() {
-                o.usual(key, list, &LIST);
-            }
+            o.usual_if(!list.is_empty(), key, list, &LIST);
         }
     }
 }
@@ -125,35 +122,21 @@ pub(super) fn unnamed(
     joint: usize,
     joints: usize,
 ) -> Option<Term> {
-    let (fields, node, path) = (&mut *at.fields, at.node, at.path);
-    if joint == 0 || joint > joints {
-        let expected = text!("a joint from 1 to {joints}", joints);
-        fields.error(
-            node.at,
-            &path.key("joint"),
-            Text::verbatim(joint.to_string()),
-            expected,
-        );
-        return None;
-    }
-    let node = fields.required(members, node.at, path, "rest", OBJECT)?;
-    let mut at = Cursor {
-        fields,
-        node,
-        path: &path.key("rest"),
-        expected: OBJECT.into(),
-    };
-    let lists = at.object(Lists::default(), declare)?;
-    let rest = lists.rest(joints);
-    let Some(rest) = rest else {
-        return at.error(
-            text!("lists of different lengths"),
-            text!("five conditions, one order for each joint and wave, as many sines as cosines"),
-        );
-    };
-    if let Err(error) = rest.check(joints) {
-        return at.error(Text::verbatim(error.to_string()), OBJECT);
-    }
+    let rest = at.under(members, "rest", OBJECT, |at| {
+        let lists = at.object(Lists::default(), declare)?;
+        let Some(rest) = lists.rest(joints) else {
+            return at.error(
+                text!("lists of different lengths"),
+                text!(
+                    "five conditions, one order for each joint and wave, as many sines as cosines"
+                ),
+            );
+        };
+        match rest.check(joints) {
+            Ok(()) => Some(rest),
+            Err(error) => at.error(Text::verbatim(error.to_string()), OBJECT),
+        }
+    })?;
     Some(Term {
         rest: Some(Arc::new(rest)),
         ..Term::absent(&REST, joint - 1, 0.0)

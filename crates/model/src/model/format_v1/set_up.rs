@@ -1,8 +1,8 @@
 //! The corrections of the set-up that a model carries; joints count from 1.
 
 use crate::document::kinds::{NUMBER, TEXT, count};
-use crate::document::object::{Cursor, Kind, written};
-use crate::document::{Member, Value};
+use crate::document::object::{Cursor, Kind};
+use crate::document::{Value, object};
 use crate::model::SetUp;
 use crate::sessions::SessionCorrection;
 use crate::text::Template;
@@ -63,78 +63,67 @@ fn correction(at: &mut Cursor<'_, '_>) -> Option<SessionCorrection> {
         o.usual("values", &mut own.values, &VALUES);
         o.usual("rows", &mut own.rows, &VALUES);
     })?;
-    let (Some(joint), Some(other)) = (parts.joint.checked_sub(1), parts.other.checked_sub(1))
-    else {
-        return at.wrong();
-    };
-    let factor = parts.factor;
-    let needs_a_factor = matches!(
-        parts.correction.as_str(),
-        "scale-joint" | "scale-joints" | "couple-joint" | "scale-lengths" | "scale-coordinate"
-    );
-    // Of some rows it says that the joint does not move what was measured; of all it has no inverse.
-    if needs_a_factor && factor == 0.0 && parts.rows.is_empty() {
-        return at.wrong();
-    }
-    let correction = match parts.correction.as_str() {
-        "scale-joint" => SessionCorrection::ScaleJoint { joint, factor },
-        "scale-joints" => SessionCorrection::ScaleJoints { factor },
-        "exchange-joints" => SessionCorrection::ExchangeJoints {
-            first: joint,
-            second: other,
-        },
-        "couple-joint" => SessionCorrection::CoupleJoint {
-            joint,
-            from: other,
-            factor,
-        },
-        "take-read-back" => SessionCorrection::TakeReadBack,
-        "turn-home" => SessionCorrection::TurnHome {
-            joint,
-            by_rad: parts.by_rad,
-        },
-        "scale-lengths" => SessionCorrection::ScaleLengths(factor),
-        "scale-coordinate" => {
-            let axis = parts.axis.checked_sub(1).filter(|axis| *axis < 3);
-            let Some(axis) = axis else {
-                return at.wrong();
-            };
-            SessionCorrection::ScaleCoordinate { axis, factor }
-        }
-        "reorder" => {
-            let mut order = [0; 3];
-            for (to, from) in order.iter_mut().zip(parts.order) {
-                let Some(k) = [1.0, 2.0, 3.0].iter().position(|k| *k == from) else {
-                    return at.wrong();
-                };
-                *to = k;
-            }
-            SessionCorrection::Reorder(order)
-        }
-        "free-frame" => SessionCorrection::FreeFrame,
-        name => match of_numbers(name, &parts.values) {
-            Some(correction) => correction,
-            None => return at.wrong(),
-        },
-    };
-    if parts.rows.is_empty() {
-        return Some(correction);
-    }
-    let Some(rows) = rows_of(&parts.rows) else {
-        return at.wrong();
-    };
-    let by = Box::new(correction);
-    Some(SessionCorrection::InRows { rows, by })
+    parts.correction().or_else(|| at.wrong())
 }
 
-const VALUES: Kind<Vec<f64>> = Kind {
-    expected: phrase!("an array of numbers"),
-    read: |at| match &at.node.value {
-        Value::Numbers(values) if values.iter().all(|value| value.is_finite()) => {
-            Some(values.clone())
+impl Parts {
+    fn correction(&self) -> Option<SessionCorrection> {
+        use SessionCorrection as Is;
+        let (joint, other) = (self.joint.checked_sub(1)?, self.other.checked_sub(1)?);
+        let (factor, by_rad) = (self.factor, self.by_rad);
+        let name = self.correction.as_str();
+        let needs_a_factor = matches!(
+            name,
+            "scale-joint" | "scale-joints" | "couple-joint" | "scale-lengths" | "scale-coordinate"
+        );
+        // Of some rows it says that the joint does not move what was measured; of all it has no inverse.
+        if needs_a_factor && factor == 0.0 && self.rows.is_empty() {
+            return None;
         }
-        Value::List(list) if list.is_empty() => Some(Vec::new()),
-        _ => at.wrong(),
+        let correction = match name {
+            "scale-joint" => Is::ScaleJoint { joint, factor },
+            "scale-joints" => Is::ScaleJoints { factor },
+            "exchange-joints" => {
+                let (first, second) = (joint, other);
+                Is::ExchangeJoints { first, second }
+            }
+            "couple-joint" => {
+                let from = other;
+                Is::CoupleJoint {
+                    joint,
+                    from,
+                    factor,
+                }
+            }
+            "take-read-back" => Is::TakeReadBack,
+            "turn-home" => Is::TurnHome { joint, by_rad },
+            "scale-lengths" => Is::ScaleLengths(factor),
+            "scale-coordinate" => {
+                let axis = self.axis.checked_sub(1).filter(|axis| *axis < 3)?;
+                Is::ScaleCoordinate { axis, factor }
+            }
+            "reorder" => {
+                let place = |from| [1.0, 2.0, 3.0].iter().position(|k| *k == from);
+                let [x, y, z] = self.order.map(place);
+                Is::Reorder([x?, y?, z?])
+            }
+            "free-frame" => Is::FreeFrame,
+            name => of_numbers(name, &self.values)?,
+        };
+        if self.rows.is_empty() {
+            return Some(correction);
+        }
+        let (rows, by) = (rows_of(&self.rows)?, Box::new(correction));
+        Some(Is::InRows { rows, by })
+    }
+}
+
+/// Finite numbers.
+pub(super) const VALUES: Kind<Vec<f64>> = Kind {
+    expected: phrase!("an array of numbers"),
+    read: |at| {
+        let all = at.column().filter(|all| all.iter().all(|v| v.is_finite()));
+        all.map(<[f64]>::to_vec).or_else(|| at.wrong())
     },
     write: |values| values.iter().copied().collect(),
 };
@@ -146,67 +135,47 @@ const THREE: Kind<[f64; 3]> = Kind {
 };
 
 fn correction_written(correction: &SessionCorrection) -> Value {
-    let object = |name: &str, members: Vec<Member>| {
-        let first = Member::new("correction", name);
-        Value::Object([first].into_iter().chain(members).collect())
-    };
-    let joint = |key: &'static str, joint: usize| Member::new(key, joint + 1);
-    let number = |key: &'static str, value: f64| Member::new(key, value);
-    match correction {
-        SessionCorrection::ScaleJoint { joint: of, factor } => object(
+    use SessionCorrection as Is;
+    let (name, more) = match correction {
+        Is::ScaleJoint { joint, factor } => (
             "scale-joint",
-            vec![joint("joint", *of), number("factor", *factor)],
+            object! { "joint": joint + 1, "factor": *factor },
         ),
-        SessionCorrection::ScaleJoints { factor } => {
-            object("scale-joints", vec![number("factor", *factor)])
-        }
-        SessionCorrection::ExchangeJoints { first, second } => object(
+        Is::ScaleJoints { factor } => ("scale-joints", object! { "factor": *factor }),
+        Is::ExchangeJoints { first, second } => (
             "exchange-joints",
-            vec![joint("joint", *first), joint("other_joint", *second)],
+            object! { "joint": first + 1, "other_joint": second + 1 },
         ),
-        SessionCorrection::CoupleJoint {
-            joint: of,
+        Is::CoupleJoint {
+            joint,
             from,
             factor,
-        } => object(
+        } => (
             "couple-joint",
-            vec![
-                joint("joint", *of),
-                joint("other_joint", *from),
-                number("factor", *factor),
-            ],
+            object! { "joint": joint + 1, "other_joint": from + 1, "factor": *factor },
         ),
-        SessionCorrection::TakeReadBack => object("take-read-back", Vec::new()),
-        SessionCorrection::TurnHome { joint: of, by_rad } => object(
+        Is::TakeReadBack => ("take-read-back", object! {}),
+        Is::TurnHome { joint, by_rad } => (
             "turn-home",
-            vec![joint("joint", *of), number("by_rad", *by_rad)],
+            object! { "joint": joint + 1, "by_rad": *by_rad },
         ),
-        SessionCorrection::ScaleLengths(factor) => {
-            object("scale-lengths", vec![number("factor", *factor)])
-        }
-        SessionCorrection::ScaleCoordinate { axis, factor } => object(
+        Is::ScaleLengths(factor) => ("scale-lengths", object! { "factor": *factor }),
+        Is::ScaleCoordinate { axis, factor } => (
             "scale-coordinate",
-            vec![Member::new("axis", axis + 1), number("factor", *factor)],
+            object! { "axis": axis + 1, "factor": *factor },
         ),
-        SessionCorrection::Reorder(order) => {
-            let places = order.map(|k| k as f64 + 1.0);
-            object("reorder", vec![Member::new("order", places)])
+        Is::Reorder(order) => (
+            "reorder",
+            object! { "order": order.map(|k| k as f64 + 1.0) },
+        ),
+        Is::FreeFrame => ("free-frame", object! {}),
+        Is::InRows { rows, by } => {
+            return correction_written(by).with(object! { "rows": numbers_of_rows(rows) });
         }
-        SessionCorrection::FreeFrame => object("free-frame", Vec::new()),
-        SessionCorrection::InRows { rows, by } => match correction_written(by) {
-            Value::Object(mut members) => {
-                let rows: Value = numbers_of_rows(rows).into_iter().collect();
-                members.push(Member::new("rows", rows));
-                Value::Object(members)
-            }
-            other => other,
-        },
         of_samples => match numbers_of(of_samples) {
-            Some((name, values)) => object(
-                name,
-                vec![Member::new("values", values.into_iter().collect::<Value>())],
-            ),
-            None => written((), |_, ()| {}),
+            Some((name, values)) => (name, object! { "values": values }),
+            None => return object! {},
         },
-    }
+    };
+    object! { "correction": name }.with(more)
 }

@@ -3,10 +3,10 @@
 use super::curve::{self, unexplained};
 use super::exact::exact_term;
 use super::rest;
-use crate::document::kinds::count;
+use crate::document::kinds::{NUMBER, TEXT, count};
 use crate::document::number::quoted;
 use crate::document::object::{Cursor, Kind, written};
-use crate::document::{Fields, Member, Node, Path, Value, optional};
+use crate::document::{Member, Value, optional};
 use crate::effects::term::names_on;
 use crate::effects::{Setting, Term, UNEXPLAINED, UNNAMED, find};
 use crate::kinematics::{JointKind, Robot};
@@ -17,76 +17,65 @@ const JOINT: Kind<usize> = count(phrase!("a joint, counted from 1"));
 /// Reads an effect of a robot.
 pub(crate) fn term(at: &mut Cursor<'_, '_>, robot: &Robot) -> Option<Term> {
     let joints = robot.joints.len();
-    let (fields, node, path) = (&mut *at.fields, at.node, at.path);
-    let members = fields.object(node, path, text!("an object with effect and parameters"))?;
-    let id = fields.required_text(members, node.at, path, "effect")?;
+    at.expected = text!("an object with effect and parameters");
+    let members = at.members()?;
+    let id = at.under(members, "effect", TEXT.expected, TEXT.read)?;
     let last = match id.as_str() {
         UNEXPLAINED => "curve",
         UNNAMED => "rest",
         _ => "exact",
     };
-    let known = [
-        "effect",
-        "joint",
-        "setup",
-        "target",
-        "place",
-        "parameters",
-        last,
-    ];
-    fields.unknown_keys(members, path, &known);
+    let labels = ["setup", "target", "place"];
+    let known = [&["effect", "joint", "parameters", last], &labels[..]].concat();
+    at.fields.unknown_keys(members, at.path, &known);
+    let (start, path) = (at.node.at, at.path);
     if find(&id).is_none() {
         let found = text!("no effect is called '{id}'", id);
         let expected = text!("a name that `truepose effects` lists");
-        fields.error(node.at, &path.key("effect"), found, expected);
+        at.fields.error(start, &path.key("effect"), found, expected);
         return None;
     }
-    let joint = match optional(members, "joint") {
-        None => 1,
-        Some(node) => JOINT.read(fields, node, &path.key("joint"))?,
-    };
-    if id == UNEXPLAINED {
-        return unexplained(at, members, joint, joints);
+    let joint = at.under_if(members, "joint", JOINT.expected, JOINT.read)?;
+    let joint = joint.unwrap_or(1);
+    if last != "exact" && !(1..=joints).contains(&joint) {
+        let found = Text::verbatim(joint.to_string());
+        let expected = text!("a joint from 1 to {joints}", joints);
+        at.fields.error(start, &path.key("joint"), found, expected);
+        return None;
     }
-    if id == UNNAMED {
-        return rest::unnamed(at, members, joint, joints);
+    match last {
+        "curve" => return unexplained(at, members, joint),
+        "rest" => return rest::unnamed(at, members, joint, joints),
+        _ => {}
     }
-    let given = optional(members, "parameters");
-    let parameters = match given {
-        None => Vec::new(),
-        Some(node) => parameters(fields, node, &path.key("parameters"))?,
-    };
-    let named: Vec<(&str, f64)> = parameters.iter().map(|(n, v)| (n.as_str(), *v)).collect();
-    let readable = match Term::from_parameters(&id, joint, &named, joints) {
+    let key = "parameters";
+    let expected = phrase!("an object with a number for each parameter");
+    let given = at.under_if(members, key, expected, parameters)?;
+    let given = given.unwrap_or_default();
+    let start = optional(members, key).map_or(start, |given| given.at);
+    let named: Vec<(&str, f64)> = given.iter().map(|(n, v)| (n.as_str(), *v)).collect();
+    let mut term = match Term::from_parameters(&id, joint, &named, joints) {
         Ok(term) => term,
         Err(error) => {
-            let at = given.map_or(node.at, |given| given.at);
+            let found = Text::verbatim(error.to_string());
             let expected = text!("parameters as `truepose effects` lists them");
-            fields.error(at, path, Text::verbatim(error.to_string()), expected);
+            at.fields.error(start, path, found, expected);
             return None;
         }
     };
-    if let Some((name, expected)) = of_another_kind(&readable, robot, &named) {
-        let at = given.map_or(node.at, |given| given.at);
-        let path = path.key("parameters");
-        fields.error(at, &path.key(name), Text::verbatim(quoted(name)), expected);
+    if let Some((name, expected)) = of_another_kind(&term, robot, &named) {
+        let found = Text::verbatim(quoted(name));
+        let path = path.key(key);
+        at.fields.error(start, &path.key(name), found, expected);
         return None;
     }
-    let mut term = readable;
-    if let Some(node) = optional(members, "exact") {
-        let mut at = Cursor {
-            fields,
-            node,
-            path: &path.key("exact"),
-            expected: phrase!("an object with setting and coefficients").into(),
-        };
-        at.fill(&mut term, exact_term).then_some(())?;
-    }
-    let mut labels = ["setup", "target", "place"].into_iter();
-    let label = labels.find_map(|key| optional(members, key));
-    if let Some(node) = label {
-        let name = fields.text(node, &path.key("setup"))?;
-        term.label = Some(name.into());
+    let expected = phrase!("an object with setting and coefficients");
+    at.under_if(members, "exact", expected, |at| {
+        at.fill(&mut term, exact_term).then_some(())
+    })?;
+    let label = labels.iter().find(|key| optional(members, key).is_some());
+    if let Some(key) = label {
+        term.label = Some(at.under(members, key, TEXT.expected, TEXT.read)?.into());
     }
     Some(term)
 }
@@ -116,24 +105,19 @@ fn of_another_kind<'n>(
     Some((name, expected))
 }
 
-fn parameters(fields: &mut Fields<'_>, node: &Node, path: &Path<'_>) -> Option<Vec<(String, f64)>> {
-    let members = fields.object(
-        node,
-        path,
-        text!("an object with a number for each parameter"),
-    )?;
-    let all: Vec<Option<(String, f64)>> = members
-        .iter()
-        .map(|member| {
-            let path = &path.key(&member.key);
-            let value = fields.number(&member.node, path)?;
-            if member.key.starts_with("amplitude") && value < 0.0 {
-                fields.mismatch(&member.node, path, text!("an amplitude of 0 or more"));
-                return None;
-            }
-            Some((member.key.clone(), value))
-        })
-        .collect();
+fn parameters(at: &mut Cursor<'_, '_>) -> Option<Vec<(String, f64)>> {
+    let members = at.members()?;
+    let read = |member: &Member| {
+        let path = &at.path.key(&member.key);
+        let value = NUMBER.read(at.fields, &member.node, path)?;
+        if member.key.starts_with("amplitude") && value < 0.0 {
+            let expected = text!("an amplitude of 0 or more");
+            at.fields.mismatch(&member.node, path, expected);
+            return None;
+        }
+        Some((member.key.clone(), value))
+    };
+    let all: Vec<Option<_>> = members.iter().map(read).collect();
     all.into_iter().collect()
 }
 

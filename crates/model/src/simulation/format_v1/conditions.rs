@@ -36,8 +36,7 @@ pub(super) fn conditions(at: &mut Cursor<'_, '_>, robot: &Robot) -> Option<Circu
         o.usual("load_kg", &mut own.loads_kg, &VALUES);
         o.optional("temperature_c", &mut own.temperature, &TEMPERATURE);
         let key = "joint_temperatures_c";
-        o.know(key);
-        if o.is_given(key) {
+        if o.given(key) {
             let all = &mut own.joint_temperatures;
             let read = |at: &mut Cursor<'_, '_>| of_joints(at, robot);
             o.with(key, all, OF_JOINTS, read, |_| None);

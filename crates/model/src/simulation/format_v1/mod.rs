@@ -123,20 +123,14 @@ fn offset_of(root: &Node, path: &str) -> usize {
 
 fn document(fields: &mut Fields<'_>, root: &Node) -> Option<Scenario> {
     let expected = text!("a scenario: an object with the key \"format\"");
-    fields.of_format(root, FORMAT, &expected)?;
+    let mut at = fields.of_format(root, FORMAT, expected)?;
     if let Value::Object(members) = &root.value {
         for member in members.iter().filter(|member| member.key != "robot") {
-            ranges::check(fields, &member.node, &Path::Root.key(&member.key));
+            ranges::check(at.fields, &member.node, &Path::Root.key(&member.key));
         }
     }
     let mut scenario = Scenario::new("simulated session", blank(), Poses::List(Vec::new()));
     scenario.targets = default_targets();
-    let mut at = Cursor {
-        fields,
-        node: root,
-        path: &Path::Root,
-        expected,
-    };
     at.object(scenario, declare)
 }
 
@@ -153,7 +147,7 @@ fn declare(o: &mut Object<'_, '_>, own: &mut Scenario) {
     o.end_if_wrong();
     let (robot, expected) = (&own.robot, text!("an object with sweep, list or random"));
     if o.needs("poses", &expected) {
-        let read = |at: &mut Cursor<'_, '_>| poses(at.fields, at.node, at.path, robot);
+        let read = |at: &mut Cursor<'_, '_>| poses(at, robot);
         o.with("poses", &mut own.poses, expected, read, nothing);
     }
     o.usual("name", &mut own.name, &TEXT);
@@ -166,37 +160,22 @@ fn declare(o: &mut Object<'_, '_>, own: &mut Scenario) {
     o.optional("tolerance_mm", &mut own.tolerance_mm, &TOLERANCE_MM);
     o.usual("regions", &mut own.regions, &REGIONS);
     o.usual("planar", &mut own.planar, &FLAG);
-    o.know("conditions");
-    if o.is_given("conditions") {
+    if o.given("conditions") {
         let read = |at: &mut Cursor<'_, '_>| conditions(at, robot);
-        let expected = text!("an object with the conditions");
-        o.with(
-            "conditions",
+        let (expected, all) = (
+            text!("an object with the conditions"),
             &mut own.circumstances,
-            expected,
-            read,
-            nothing,
         );
+        o.with("conditions", all, expected, read, nothing);
     }
-    o.know("effects");
-    if o.is_given("effects") {
+    if o.given("effects") {
         let read = |at: &mut Cursor<'_, '_>| at.list_by(|at| term(at, robot));
-        o.with(
-            "effects",
-            &mut own.effects,
-            phrase!("an array of effects"),
-            read,
-            nothing,
-        );
+        let expected = phrase!("an array of effects");
+        o.with("effects", &mut own.effects, expected, read, nothing);
     }
-    o.know("noise");
-    if o.is_given("noise") {
-        o.part(
-            "noise",
-            own,
-            phrase!("an object with sigma_mm and kind"),
-            noise,
-        );
+    if o.given("noise") {
+        let expected = phrase!("an object with sigma_mm and kind");
+        o.part("noise", own, expected, noise);
     }
     o.optional("outliers", &mut own.outliers, &OUTLIERS);
     o.usual("seed", &mut own.seed, &WHOLE);
@@ -239,20 +218,11 @@ fn names<T: Copy>(
 ) -> Option<Vec<T>> {
     let known: Vec<&str> = all.iter().map(|one| name(*one)).collect();
     let expected = text!("an array of some of {known}", known = known.join(", "));
-    let Value::List(list) = &at.node.value else {
-        at.fields.mismatch(at.node, at.path, expected);
-        return None;
-    };
-    let one = |(index, node): (usize, &Node)| {
-        let is = |one: &&T| matches!(&node.value, Value::Text(text) if text == name(**one));
-        let found = all.iter().find(is).copied();
-        if found.is_none() {
-            at.fields.mismatch(node, &at.path.index(index), &expected);
-        }
-        found
-    };
-    let read: Vec<Option<T>> = list.iter().enumerate().map(one).collect();
-    read.into_iter().collect()
+    at.expected = expected.clone();
+    at.list_by(|at| {
+        at.expected = expected.clone();
+        at.one_of(all, name)
+    })
 }
 
 const NOISE_KIND: Kind<NoiseKind> = Kind {

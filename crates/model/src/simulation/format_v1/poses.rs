@@ -3,61 +3,44 @@
 use super::values::{FLAG, WHOLE};
 use crate::document::kinds::NUMBER;
 use crate::document::object::{Cursor, Kind};
-use crate::document::{Fields, Node, Path, Value, optional};
+use crate::document::optional;
 use crate::kinematics::{JointKind, Robot};
 use crate::simulation::scenario::{Order, Poses, Stop, Sweep};
-use crate::text::{Template, Text};
+use crate::text::Text;
 
-pub(super) fn poses(
-    fields: &mut Fields<'_>,
-    node: &Node,
-    path: &Path<'_>,
-    robot: &Robot,
-) -> Option<Poses> {
-    const EXPECTED: Template = phrase!("one of sweep, list or random");
-    let members = fields.object(node, path, text!("an object with sweep, list or random"))?;
-    fields.unknown_keys(members, path, &["sweep", "list", "random"]);
-    let given: Vec<&str> = ["sweep", "list", "random"]
+pub(super) fn poses(at: &mut Cursor<'_, '_>, robot: &Robot) -> Option<Poses> {
+    let keys = ["sweep", "list", "random"];
+    let members = at.members()?;
+    at.fields.unknown_keys(members, at.path, &keys);
+    let given = keys
         .into_iter()
-        .filter(|key| optional(members, key).is_some())
-        .collect();
-    let [kind] = given[..] else {
+        .filter(|key| optional(members, key).is_some());
+    let given: Vec<&str> = given.collect();
+    let [key] = given[..] else {
         let found = match given.len() {
             0 => text!("no poses"),
             _ => Text::verbatim(given.join(" and ")),
         };
-        fields.error(node.at, path, found, EXPECTED);
-        return None;
+        return at.error(found, phrase!("one of sweep, list or random"));
     };
-    let node = optional(members, kind)?;
-    let path = &path.key(kind);
-    match kind {
-        "sweep" => sweep(fields, node, path, robot).map(Poses::Sweep),
-        "list" => list(fields, node, path, robot).map(Poses::List),
+    at.under(members, key, phrase!(""), |at| match key {
+        "sweep" => sweep(at, robot).map(Poses::Sweep),
+        "list" => {
+            at.expected = phrase!("an array of objects with q_deg").into();
+            at.list_by(|at| stop(at, robot)).map(Poses::List)
+        }
         _ => {
-            let mut at = Cursor {
-                fields,
-                node,
-                path,
-                expected: phrase!("an object with count").into(),
-            };
+            at.expected = phrase!("an object with count").into();
             let count = at.object(0, |o, count| {
-                if o.needs("count", phrase!("a number of poses")) {
-                    o.field("count", count, &WHOLE);
-                }
+                o.required_as("count", phrase!("a number of poses"), count, &WHOLE);
             })?;
             usize::try_from(count).ok().map(Poses::Random)
         }
-    }
+    })
 }
 
-fn sweep(fields: &mut Fields<'_>, node: &Node, path: &Path<'_>, robot: &Robot) -> Option<Sweep> {
-    let mut at = Cursor {
-        fields,
-        node,
-        path,
-        expected: phrase!("an object with joint, from_deg, to_deg and step_deg").into(),
-    };
+fn sweep(at: &mut Cursor<'_, '_>, robot: &Robot) -> Option<Sweep> {
+    at.expected = phrase!("an object with joint, from_deg, to_deg and step_deg").into();
     let mut sweep = Sweep {
         joint: 0,
         from: 0.0,
@@ -113,65 +96,28 @@ fn order(own: Order) -> &'static str {
     }
 }
 
-fn list(fields: &mut Fields<'_>, node: &Node, path: &Path<'_>, robot: &Robot) -> Option<Vec<Stop>> {
-    let Value::List(list) = &node.value else {
-        fields.mismatch(node, path, text!("an array of objects with q_deg"));
-        return None;
-    };
-    let stops: Vec<Option<Stop>> = list
-        .iter()
-        .enumerate()
-        .map(|(index, node)| stop(fields, node, &path.index(index), robot))
-        .collect();
-    stops.into_iter().collect()
-}
-
-fn stop(fields: &mut Fields<'_>, node: &Node, path: &Path<'_>, robot: &Robot) -> Option<Stop> {
-    let members = fields.object(
-        node,
-        path,
-        text!("an object with q_deg, and dir where it is known"),
-    )?;
-    fields.unknown_keys(members, path, &["q_deg", "dir"]);
+fn stop(at: &mut Cursor<'_, '_>, robot: &Robot) -> Option<Stop> {
+    at.expected = phrase!("an object with q_deg, and dir where it is known").into();
+    let members = at.members()?;
+    at.fields.unknown_keys(members, at.path, &["q_deg", "dir"]);
     let joints = robot.joints.len();
     let expected = text!("an array of {joints} numbers, one for each joint", joints);
-    let mut each = |node: &Node, key: &str| match &node.value {
-        Value::Numbers(values)
-            if values.len() == joints && values.iter().all(|v| v.is_finite()) =>
-        {
-            Some(values.clone())
+    let each = |at: &mut Cursor<'_, '_>| {
+        let sound = |all: &&[f64]| all.len() == joints && all.iter().all(|v| v.is_finite());
+        let all = at.column().filter(sound).or_else(|| at.wrong());
+        all.map(<[f64]>::to_vec)
+    };
+    let dir = at.under_if(members, "dir", &expected, |at| {
+        let dir = each(at)?;
+        if dir.iter().all(|d| [-1.0, 0.0, 1.0].contains(d)) {
+            return Some(dir);
         }
-        _ => {
-            fields.mismatch(node, &path.key(key), &expected);
-            None
-        }
-    };
-    let q = members.iter().find(|m| m.key == "q_deg");
-    let dir = match optional(members, "dir") {
-        None => None,
-        Some(node) => Some((node, each(node, "dir")?)),
-    };
-    let q = q.map(|m| each(&m.node, "q_deg"));
-    let Some(q) = q else {
-        fields.error(node.at, path, text!("no key 'q_deg'"), expected);
-        return None;
-    };
-    if let Some((node, dir)) = &dir
-        && dir.iter().any(|d| ![-1.0, 0.0, 1.0].contains(d))
-    {
-        fields.mismatch(
-            node,
-            &path.key("dir"),
-            text!("1, -1 or 0 (unknown) for each joint"),
-        );
-        return None;
-    }
-    let kinds = robot.joints.iter().map(|j| j.kind);
-    Some(Stop {
-        q: kinds
-            .zip(q?)
-            .map(|(kind, q)| kind.to_base_units(q))
-            .collect(),
-        dir: dir.map(|(_, dir)| dir),
-    })
+        at.expected = text!("1, -1 or 0 (unknown) for each joint");
+        at.wrong()
+    });
+    let q = at.under(members, "q_deg", expected, each);
+    let (q, dir) = (q?, dir?);
+    let kinds = robot.joints.iter().map(|j| j.kind).zip(q);
+    let q = kinds.map(|(kind, q)| kind.to_base_units(q)).collect();
+    Some(Stop { q, dir })
 }

@@ -1,13 +1,14 @@
 //! The session document but its samples.
 
 use crate::text::{Template, Text};
+use nalgebra::Point3;
 
 use super::FORMAT;
 use super::references::references;
 use super::robot::ROBOT;
 use crate::document::kinds::{DEGREES, TEXT, point, positive};
 use crate::document::number::quoted;
-use crate::document::object::{Cursor, Kind, Object, written};
+use crate::document::object::{Kind, Object, written};
 use crate::document::{Fields, Member, Node, Path, Value, degrees, ranges};
 use crate::kinematics::Robot;
 use crate::sessions::domain::{
@@ -39,27 +40,22 @@ pub(crate) struct Head {
 fn head(o: &mut Object<'_, '_>, own: &mut Head) {
     o.describe("format", FORMAT);
     o.required("name", &mut own.name, &TEXT);
-    if o.is_read() || !own.note.is_empty() {
-        o.usual("note", &mut own.note, &TEXT);
-    }
+    o.usual_if(!own.note.is_empty(), "note", &mut own.note, &TEXT);
     if o.needs("robot", ROBOT.expected) {
         o.some("robot", &mut own.robot, &ROBOT);
     }
-    if o.is_read() || own.targets != default_targets() {
-        o.usual("targets", &mut own.targets, &TARGETS);
-    }
+    let says = own.targets != default_targets();
+    o.usual_if(says, "targets", &mut own.targets, &TARGETS);
     let plain = Instrument {
         references: own.instrument.references.clone(),
         ..Instrument::default()
     };
-    if o.is_read() || own.instrument != plain {
-        o.usual("instrument", &mut own.instrument, &INSTRUMENT);
-    }
+    let says = own.instrument != plain;
+    o.usual_if(says, "instrument", &mut own.instrument, &INSTRUMENT);
     references(o, &mut own.instrument.references);
     o.optional("tolerance_mm", &mut own.tolerance_mm, &TOLERANCE_MM);
-    if o.is_read() || !own.regions.is_empty() {
-        o.usual("regions", &mut own.regions, &REGIONS);
-    }
+    let says = !own.regions.is_empty();
+    o.usual_if(says, "regions", &mut own.regions, &REGIONS);
     o.usual_or_null("compensated_by", &mut own.compensated_by, &TEXT);
 }
 
@@ -92,13 +88,7 @@ pub(crate) fn read(fields: &mut Fields<'_>, mut root: Node) -> Option<(Head, Opt
         regions: Vec::new(),
         compensated_by: None,
     };
-    let mut at = Cursor {
-        fields,
-        node: &root,
-        path: &Path::Root,
-        expected,
-    };
-    at.fill(&mut own, head);
+    fields.at(&root, &Path::Root, expected).fill(&mut own, head);
     let samples = samples_at(fields, samples, root.at);
     Some((own, samples))
 }
@@ -126,10 +116,9 @@ pub const TARGETS: Kind<Vec<Target>> = Kind {
     expected: phrase!("an object with a position for each name"),
     read: |at| {
         let targets = at.named(|name, at| {
-            let position = point(phrase!(
-                "an array of 3 numbers: the position in the tool frame, mm"
-            ));
-            let position = position.read(at.fields, at.node, at.path);
+            at.expected =
+                phrase!("an array of 3 numbers: the position in the tool frame, mm").into();
+            let position = at.numbers::<3>().map(Point3::from);
             Target {
                 name: name.to_owned(),
                 // A declaration that failed must not make every cell that names it fail too.
@@ -144,8 +133,7 @@ pub const TARGETS: Kind<Vec<Target>> = Kind {
     },
     write: |targets| {
         let one = |target: &Target| {
-            let position = (point(phrase!("")).write)(&target.position_mm);
-            Member::new(&target.name, position)
+            Member::new(&target.name, <[f64; 3]>::from(target.position_mm.coords))
         };
         Value::Object(targets.iter().map(one).collect())
     },
@@ -166,9 +154,8 @@ fn instrument(o: &mut Object<'_, '_>, own: &mut Instrument) {
         let kind = positive(phrase!("a length above 0 mm, or null"));
         o.usual_or_null("targets_sigma_mm", &mut own.targets_sigma_mm, &kind);
     }
-    if o.is_read() || !own.free_targets.is_empty() {
-        o.usual("free_targets", &mut own.free_targets, &NAMES);
-    }
+    let says = !own.free_targets.is_empty();
+    o.usual_if(says, "free_targets", &mut own.free_targets, &NAMES);
     tracker(o, &mut own.tracker);
     o.optional("sigma_mrad", &mut own.sigma_orientation, &MILLI);
     o.optional("sigma_distance_mm", &mut own.sigma_distance_mm, &ABOVE_0);
@@ -291,54 +278,44 @@ fn samples_at(fields: &mut Fields<'_>, member: Option<Member>, at: usize) -> Opt
         fields.mismatch(&node, path, EXPECTED);
         return None;
     };
-    fields.unknown_keys(&members, path, &["file", "sha256", "columns"]);
-    let mut file = None;
-    let mut columns = None;
-    let mut sha256 = None;
-    for member in members {
-        match member.key.as_str() {
-            "file" if member.node.value != Value::Null => file = Some(member.node),
-            "columns" if member.node.value != Value::Null => columns = Some(member.node),
-            "sha256" if member.node.value != Value::Null => sha256 = Some(member.node),
-            _ => {}
+    let keys = ["file", "columns", "sha256"];
+    fields.unknown_keys(&members, path, &keys);
+    let mut given = [const { None }; 3];
+    for Member { key, node, .. } in members {
+        if let Some(place) = keys.iter().position(|own| *own == key)
+            && node.value != Value::Null
+        {
+            given[place] = Some(node);
         }
     }
+    let [file, columns, sha256] = given;
     let sha256 = match sha256 {
-        Some(node) => {
-            let key = path.key("sha256");
-            let text = fields.text(&node, &key)?;
-            let digits = text.len() == 64 && text.bytes().all(|b| b.is_ascii_hexdigit());
-            if !digits {
-                fields.error(
-                    node.at,
-                    &key,
-                    Text::verbatim(quoted(&text)),
-                    text!("64 hexadecimal digits"),
-                );
-                return None;
-            }
-            Some(text.to_ascii_lowercase())
-        }
+        Some(node) => Some(SHA256.read(fields, &node, &path.key("sha256"))?),
         None => None,
     };
-    match (file, columns) {
+    let (found, expected) = match (file, columns) {
         (Some(file), None) => {
-            let name = fields.text(&file, &path.key("file"))?;
-            Some(SamplesAt::File(name, file.at, sha256))
+            let name = TEXT.read(fields, &file, &path.key("file"))?;
+            return Some(SamplesAt::File(name, file.at, sha256));
         }
-        (None, Some(columns)) => Some(SamplesAt::Inline(columns)),
-        (None, None) => {
-            fields.error(node_at, path, text!("neither a file nor columns"), EXPECTED);
-            None
-        }
-        (Some(_), Some(_)) => {
-            fields.error(
-                node_at,
-                path,
-                text!("both a file and columns"),
-                text!("one of the two"),
-            );
-            None
-        }
-    }
+        (None, Some(columns)) => return Some(SamplesAt::Inline(columns)),
+        (None, None) => (text!("neither a file nor columns"), EXPECTED),
+        (Some(_), Some(_)) => (text!("both a file and columns"), phrase!("one of the two")),
+    };
+    fields.error(node_at, path, found, expected);
+    None
 }
+
+const SHA256: Kind<String> = Kind {
+    read: |at| {
+        let text = (TEXT.read)(at)?;
+        if text.len() == 64 && text.bytes().all(|b| b.is_ascii_hexdigit()) {
+            return Some(text.to_ascii_lowercase());
+        }
+        at.error(
+            Text::verbatim(quoted(&text)),
+            text!("64 hexadecimal digits"),
+        )
+    },
+    ..TEXT
+};

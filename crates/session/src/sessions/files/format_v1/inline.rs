@@ -2,7 +2,7 @@
 //!
 //! The names are the headings of a CSV file, null is an empty cell, and texts stand in quotes.
 
-use crate::diagnostic::{Diagnostic, Place};
+use crate::diagnostic::Place;
 use crate::document::{Fields, Member, Node, Path, Source, Value, element_offset};
 use crate::kinematics::Joint;
 use crate::sessions::layout::Layout;
@@ -114,52 +114,33 @@ fn column(fields: &mut Fields<'_>, node: Node, path: &Path<'_>, kind: CellKind) 
     match (kind, node.value) {
         (CellKind::Number, Value::Numbers(values)) => {
             if let Some(row) = values.iter().position(|value| value.is_infinite()) {
-                let place = fields.element_place(node.at, path, row);
                 let expected = text!("a number that a double can hold (below 1.8e308)");
                 let found = text!("a number that overflows");
-                fields
-                    .findings
-                    .push(Diagnostic::error(place, found, expected));
+                fields.element_error(node.at, path, row, found, expected);
                 return None;
             }
             Some(Cells::Numbers(values))
         }
         (CellKind::Name | CellKind::Text, Value::Numbers(values)) => {
             // Names such as 1, 2, 3 are written without quotes easily enough.
-            let cell = |value: &f64| {
-                if value.is_nan() {
-                    String::new()
-                } else {
-                    value.to_string()
-                }
-            };
-            Some(text_cells(kind, values.iter().map(cell)))
+            let cell = |value: &f64| (!value.is_nan()).then(|| value.to_string());
+            let cells = values.iter().map(cell).map(Option::unwrap_or_default);
+            Some(text_cells(kind, cells))
         }
         (_, Value::List(list)) => {
-            let wrong: Vec<&Node> = list
-                .iter()
-                .filter(|cell| {
-                    !matches!(
-                        (&cell.value, kind),
-                        (Value::Null, _)
-                            | (_, CellKind::Text)
-                            | (Value::Text(_), CellKind::Name)
-                            | (Value::Number(_), CellKind::Number)
-                    )
-                })
-                .collect();
-            if let Some(first) = wrong.first() {
-                let index = list
-                    .iter()
-                    .position(|cell| cell.at == first.at)
-                    .unwrap_or(0);
-                let found = match wrong.len() {
-                    1 => first.value.describe(),
-                    count => text!(
-                        "{found} (and {more} more like it)",
-                        found = first.value.describe(),
-                        more = count - 1
-                    ),
+            let is_right = |cell: &Value| match cell {
+                Value::Null => true,
+                Value::Text(_) => kind != CellKind::Number,
+                Value::Number(_) => kind != CellKind::Name,
+                _ => kind == CellKind::Text,
+            };
+            let cells = list.iter().enumerate();
+            let mut wrong = cells.filter(|(_, cell)| !is_right(&cell.value));
+            if let Some((index, first)) = wrong.next() {
+                let found = first.value.describe();
+                let found = match wrong.count() {
+                    0 => found,
+                    more => text!("{found} (and {more} more like it)", found, more),
                 };
                 fields.error(first.at, &path.index(index), found, expected);
                 return None;

@@ -18,8 +18,7 @@ pub fn references(o: &mut Object<'_, '_>, all: &mut References) {
     named(o, "planes", &mut all.planes, &PLANE);
     named(o, "sockets", &mut all.sockets, &SOCKET);
     let (key, sockets) = ("socket_distances_mm", &all.sockets);
-    o.know(key);
-    if o.is_given(key) {
+    if o.given(key) {
         let expected = text!("an array of [\"S1\", \"S2\", 400.0]");
         let read = |at: &mut Cursor<'_, '_>| Some(distances(at, sockets));
         let name = |index: usize| Value::from(&sockets[index].name);
@@ -33,8 +32,7 @@ pub fn references(o: &mut Object<'_, '_>, all: &mut References) {
         o.with(key, &mut all.socket_distances, expected, read, write);
     }
     let (key, stations) = ("pointing", &all.stations);
-    o.know(key);
-    if o.is_given(key) {
+    if o.given(key) {
         let declare = |o: &mut Object<'_, '_>, own: &mut Pointing| pointing(o, own, stations);
         let read = |at: &mut Cursor<'_, '_>| {
             let mut own = Pointing {
@@ -44,13 +42,8 @@ pub fn references(o: &mut Object<'_, '_>, all: &mut References) {
             at.fill(&mut own, declare).then_some(Some(own))
         };
         let write = |own: &Option<Pointing>| own.clone().map(|own| written(own, declare));
-        o.with(
-            key,
-            &mut all.pointing,
-            phrase!("an object with axis"),
-            read,
-            write,
-        );
+        let expected = phrase!("an object with axis");
+        o.with(key, &mut all.pointing, expected, read, write);
     }
 }
 
@@ -66,8 +59,7 @@ struct Entry<T> {
 
 /// An object with one entry for each name, not written where there is none.
 fn named<T: Clone>(o: &mut Object<'_, '_>, key: &'static str, all: &mut Vec<T>, entry: &Entry<T>) {
-    o.know(key);
-    if !o.is_given(key) {
+    if !o.given(key) {
         return;
     }
     let read = |at: &mut Cursor<'_, '_>| {
@@ -89,13 +81,8 @@ fn named<T: Clone>(o: &mut Object<'_, '_>, key: &'static str, all: &mut Vec<T>, 
         };
         (!all.is_empty()).then(|| Value::Object(all.iter().map(one).collect()))
     };
-    o.with(
-        key,
-        all,
-        phrase!("an object with an entry for each name"),
-        read,
-        write,
-    );
+    let expected = phrase!("an object with an entry for each name");
+    o.with(key, all, expected, read, write);
 }
 
 const POSITION: Kind<Option<Point3<f64>>> = Kind {
@@ -181,9 +168,8 @@ const PLANE: Entry<Plane> = Entry {
     expected: phrase!("an object with normal, distance_mm, or null"),
     declare: |o, plane| {
         let (mut normal, mut distance) = plane.stated.unwrap_or((Vector3::z_axis(), 0.0));
-        if o.needs("normal", phrase!("a direction across the plane")) {
-            o.field("normal", &mut normal, &DIRECTION);
-        }
+        let across = phrase!("a direction across the plane");
+        o.required_as("normal", across, &mut normal, &DIRECTION);
         o.required("distance_mm", &mut distance, &NUMBER);
         if o.has_read_well() {
             plane.stated = Some((normal, distance));
@@ -207,62 +193,43 @@ fn distances(at: &mut Cursor<'_, '_>, sockets: &[Socket]) -> Vec<SocketDistance>
         "two different sockets of the session and their distance above 0 mm, \
                             such as [\"S1\", \"S2\", 400.0]"
     );
-    let place = |node: &Node| match &node.value {
-        Value::Text(name) => sockets.iter().position(|s| s.name == *name),
-        _ => None,
-    };
     let read = |node: &Node| {
         let Value::List(three) = &node.value else {
             return None;
         };
-        let [a, b, distance] = three.as_slice() else {
+        let values: Vec<&Value> = three.iter().map(|node| &node.value).collect();
+        let [Value::Text(a), Value::Text(b), Value::Number(distance_mm)] = values[..] else {
             return None;
         };
-        match (place(a)?, place(b)?, &distance.value) {
-            (a, b, Value::Number(mm)) if a != b && mm.is_finite() && *mm > 0.0 => {
-                Some(SocketDistance {
-                    between: [a, b],
-                    distance_mm: *mm,
-                })
-            }
-            _ => None,
-        }
+        let [a, b] = [a, b].map(|name| sockets.iter().position(|s| s.name == *name));
+        let (between, distance_mm) = ([a?, b?], *distance_mm);
+        let sound = a != b && distance_mm.is_finite() && distance_mm > 0.0;
+        sound.then_some(SocketDistance {
+            between,
+            distance_mm,
+        })
     };
-    let mut all = Vec::new();
-    for (index, node) in at.elements().unwrap_or_default().iter().enumerate() {
-        match read(node) {
-            Some(distance) => all.push(distance),
-            None => at.fields.mismatch(node, &at.path.index(index), EXPECTED),
-        }
-    }
-    all
+    let all = at.list_by(|at| {
+        at.expected = EXPECTED.into();
+        read(at.node).or_else(|| at.wrong())
+    });
+    all.unwrap_or_default()
 }
 
 fn pointing(o: &mut Object<'_, '_>, own: &mut Pointing, stations: &[Station]) {
-    if o.needs(
-        "axis",
-        phrase!("the direction in the tool frame that points"),
-    ) {
-        o.field("axis", &mut own.axis, &DIRECTION);
-    }
-    o.know("stations");
-    if !o.is_given("stations") {
+    let points = phrase!("the direction in the tool frame that points");
+    o.required_as("axis", points, &mut own.axis, &DIRECTION);
+    if !o.given("stations") {
         return;
     }
     let read = |at: &mut Cursor<'_, '_>| {
-        let mut all = Vec::new();
-        for (index, node) in at.elements().unwrap_or_default().iter().enumerate() {
-            let place = match &node.value {
-                Value::Text(name) => stations.iter().position(|s| s.name == *name),
-                _ => None,
-            };
-            if place.is_none() {
-                let expected = text!("a station of the session");
-                at.fields.mismatch(node, &at.path.index(index), expected);
-            }
-            all.extend(place);
-        }
-        Some(Some(all))
+        let station = |at: &mut Cursor<'_, '_>| {
+            at.expected = phrase!("a station of the session").into();
+            let is =
+                |one: &Station| matches!(&at.node.value, Value::Text(name) if *name == one.name);
+            stations.iter().position(is).or_else(|| at.wrong())
+        };
+        Some(Some(at.list_by(station).unwrap_or_default()))
     };
     let write = |all: &Option<Vec<usize>>| {
         let name = |index: &usize| &stations[*index].name;

@@ -50,37 +50,26 @@ fn robot(o: &mut Object<'_, '_>, own: &mut Robot) {
     match given[..] {
         ["joints"] => {
             o.required("joints", &mut own.joints, &JOINTS);
-            if o.needs("tool", phrase!("the pose of the tool at home")) {
-                o.field("tool", &mut own.base_from_tool, &POSE);
-            }
+            let tool = phrase!("the pose of the tool at home");
+            o.required_as("tool", tool, &mut own.base_from_tool, &POSE);
         }
         // The robot of rows or of a file has a name of its own, or none.
         ["dh"] => o.with("dh", own, phrase!(""), robot_source::from_dh, |_| None),
-        ["urdf"] => {
-            let read =
-                |at: &mut Cursor<'_, '_>| robot_source::from_file(at, DescriptionFormat::Urdf);
-            o.with("urdf", own, robot_source::FILE, read, |_| None);
-        }
-        ["mjcf"] => {
-            let read =
-                |at: &mut Cursor<'_, '_>| robot_source::from_file(at, DescriptionFormat::Mjcf);
-            o.with("mjcf", own, robot_source::FILE, read, |_| None);
+        [key @ ("urdf" | "mjcf")] => {
+            let format = match key {
+                "urdf" => DescriptionFormat::Urdf,
+                _ => DescriptionFormat::Mjcf,
+            };
+            let read = |at: &mut Cursor<'_, '_>| robot_source::from_file(at, format);
+            o.with(key, own, robot_source::FILE, read, |_| None);
         }
         _ => {
-            for key in [
-                "joints",
-                "dh",
-                "urdf",
-                "mjcf",
-                "tool",
-                "base",
-                "limits",
-                "masses",
-                "gear_ratios",
-                "source",
-            ] {
-                o.know(key);
-            }
+            let sources = ["joints", "dh", "urdf", "mjcf"];
+            let beside = ["tool", "base", "limits", "masses", "gear_ratios", "source"];
+            sources
+                .into_iter()
+                .chain(beside)
+                .for_each(|key| o.know(key));
             let found = match given[..] {
                 [] => text!("a robot without joints"),
                 _ => Text::verbatim(given.join(" and ")),
@@ -162,12 +151,8 @@ fn joint(o: &mut Object<'_, '_>, own: &mut Joint) {
             mass_kg: 0.0,
             centre_mm: Point3::origin(),
         });
-        if o.needs(
-            "mass_kg",
-            phrase!("the mass of the link, as centre_mm is given"),
-        ) {
-            o.field("mass_kg", &mut link.mass_kg, &MASS);
-        }
+        let mass = phrase!("the mass of the link, as centre_mm is given");
+        o.required_as("mass_kg", mass, &mut link.mass_kg, &MASS);
         o.required("centre_mm", &mut link.centre_mm, &CENTRE);
         own.link = Some(link);
     }
@@ -180,7 +165,9 @@ const GEAR_RATIO: Kind<f64> = Kind {
     expected: phrase!("turns of the motor for one of the joint, a number above 0"),
     read: |at| {
         let ratio = NUMBER.read(at.fields, at.node, at.path)?;
-        if ratio > 0.0 { Some(ratio) } else { at.wrong() }
+        Some(ratio)
+            .filter(|ratio| *ratio > 0.0)
+            .or_else(|| at.wrong())
     },
     write: NUMBER.write,
 };

@@ -114,9 +114,8 @@ fn gear_ratios(o: &mut Object<'_, '_>, joints: &mut Vec<Joint>) {
             Some(own)
         }
         // Nothing but nulls is no array of numbers, and says nothing of any joint.
-        Value::List(nulls)
-            if nulls.len() == own.len()
-                && nulls.iter().all(|null| matches!(null.value, Value::Null)) =>
+        Value::List(all)
+            if all.len() == own.len() && all.iter().all(|one| one.value == Value::Null) =>
         {
             Some(own)
         }

@@ -117,8 +117,7 @@ pub(super) fn from_file(at: &mut Cursor<'_, '_>, format: DescriptionFormat) -> O
 
 /// How a robot that is given as joints was described before the program wrote it.
 pub(super) fn source(o: &mut Object<'_, '_>, robot: &mut Robot) {
-    o.know("source");
-    if !o.is_given("source") {
+    if !o.given("source") {
         return;
     }
     let joints = robot.joints.len();
@@ -162,9 +161,8 @@ fn described(o: &mut Object<'_, '_>, own: &mut RobotSource) {
             rows,
         } => {
             o.field("dh", rows, &DH_ROWS);
-            if o.is_read() || *base_from_first != Pose::identity() {
-                o.usual("base", base_from_first, &POSE);
-            }
+            let says = *base_from_first != Pose::identity();
+            o.usual_if(says, "base", base_from_first, &POSE);
         }
         RobotSource::Links(frames) => o.required("links", frames, &FRAMES),
     }
