@@ -13,7 +13,7 @@
 //! J d = 0 at the measured poses,   var p(q) += σ_d² |J(q) d|²,   1/σ_d² = Σ_k (d_k/σ_k)²
 //! ```
 //!
-//! unless the model and its covariance hold them already (`unseen`).
+//! unless the model and its covariance hold them already (`unseen`), which is so of all but the instrument's own.
 
 use nalgebra::DMatrix;
 
@@ -36,13 +36,16 @@ pub(crate) fn expected_error(
     completed: bool,
 ) -> Option<Expected> {
     let inputs = over_the_ranges(problem);
+    let held = model;
     let free = completed.then(|| nothing_held(model));
     let model = free.as_ref().unwrap_or(model);
     let mut over = uncertainties_mm(model, &inputs, covariance)?;
-    if !completed {
-        for (own, unseen) in over.iter_mut().zip(unseen_mm(problem, model, &inputs)) {
-            *own = own.hypot(unseen);
-        }
+    let mut unseen = Unseen::of(problem, held);
+    if completed {
+        unseen.retain_what_matters(&inputs, false);
+    }
+    for (own, unseen) in over.iter_mut().zip(moved_by(&unseen, problem, &inputs)) {
+        *own = own.hypot(unseen);
     }
     let some = spread(&problem.used, POSES);
     let measured = uncertainties_mm(model, &problem.inputs.select(&some), covariance)?;
@@ -93,7 +96,10 @@ pub fn uncertainties_mm(
 
 /// What the combinations that the samples do not show may move every pose by, mm; of a robot with several joints.
 pub(crate) fn unseen_mm(problem: &Problem, model: &Model, inputs: &Inputs) -> Vec<f64> {
-    let unseen = Unseen::of(problem, model);
+    moved_by(&Unseen::of(problem, model), problem, inputs)
+}
+
+fn moved_by(unseen: &Unseen, problem: &Problem, inputs: &Inputs) -> Vec<f64> {
     let priors = Priors {
         aligned: problem.priors.aligned,
         ..Priors::unmeasured(None)

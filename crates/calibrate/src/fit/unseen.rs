@@ -105,9 +105,10 @@ impl Unseen {
         all
     }
 
-    /// Keeps those that do anything over the joint ranges, where one does not it is another name for the same, and that
-    /// are of the robot: how an instrument is turned about the line through two places is no matter of its commands.
-    fn retain_what_matters(&mut self, inputs: &Inputs) {
+    /// Keeps those of the robot, or of the instrument alone, that do anything over the joint ranges: where one does not it
+    /// is another name for the same. How an instrument is turned about the line through two places is no matter of the
+    /// robot's commands.
+    pub(super) fn retain_what_matters(&mut self, inputs: &Inputs, of_robot: bool) {
         let of_frame: Vec<bool> = self
             .model
             .columns()
@@ -115,7 +116,7 @@ impl Unseen {
             .collect();
         let mut largest = vec![[0.0_f64; 3]; self.combinations.len()];
         self.model.visit(inputs, true, |_, block| {
-            for (own, [all, of_robot, part]) in self.combinations.iter().zip(&mut largest) {
+            for (own, [all, robots, part]) in self.combinations.iter().zip(&mut largest) {
                 for i in 0..block.len {
                     let (mut frame, mut robot) = (Vector3::zeros(), Vector3::zeros());
                     for (k, (d, column)) in own.iter().zip(&block.columns).enumerate() {
@@ -124,14 +125,17 @@ impl Unseen {
                         *(if of_frame[k] { &mut frame } else { &mut robot }) += by;
                     }
                     *all = all.max((frame + robot).norm());
-                    *of_robot = of_robot.max(robot.norm());
+                    *robots = robots.max(robot.norm());
                 }
             }
         });
         let mut largest = largest.into_iter();
         self.combinations.retain(|_| {
-            let matters = |[all, of_robot, part]: [f64; 3]| all.min(of_robot) > MOST_SEEN * part;
-            largest.next().is_some_and(matters)
+            let is_kept = |[all, robots, part]: [f64; 3]| {
+                let least = MOST_SEEN * part;
+                all > least && (robots > least) == of_robot
+            };
+            largest.next().is_some_and(is_kept)
         });
     }
 }
@@ -177,7 +181,7 @@ pub(crate) fn completed(
         return None;
     }
     let mut unseen = Unseen::of(problem, &solution.model);
-    unseen.retain_what_matters(&over_the_ranges(problem));
+    unseen.retain_what_matters(&over_the_ranges(problem), true);
     if unseen.combinations.is_empty() {
         return None;
     }

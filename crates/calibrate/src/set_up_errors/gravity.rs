@@ -7,8 +7,8 @@
 //! ```
 //!
 //! with the joints' compliances C and the direction d of gravity in the base frame. Beside every column of the base model,
-//! waves over the joints, and the same torques of a load that is always there (what links weigh, what an eccentricity
-//! does), the 3 · joints columns have a Gram matrix G and products b with what the base leaves; a direction gains
+//! waves over the joints, the same torques of a load that is always there (what links weigh, what an eccentricity
+//! does) and a foundation that gives under the load, the 3 · joints columns have a Gram matrix G and products b with what the base leaves; a direction gains
 //! b_dᵀ G_d⁻¹ b_d. It is said where one direction is likelier by far than the one that the session states.
 
 use nalgebra::{DMatrix, DVector, Vector3};
@@ -103,6 +103,14 @@ impl Sag {
                 let torques = torques_of_a_kilogram(few, joint, along);
                 rivals.push(left.times(motion, |i| torques[i]));
                 own.push(left.times(motion, |i| torques[i] * load[i]));
+            }
+        }
+        // A foundation that tilts and gives under the load's moment, whatever its springs.
+        let known = load.iter().copied().fold(1.0, f64::max);
+        for k in 0..6 {
+            for along in 0..3 {
+                let at = |i: usize| few.samples.coordinates(i)[along] * load[i] / known;
+                rivals.push(left.column(|i| left.frame[i][k] * at(i)));
             }
         }
         let beside = Beside::of(&left, &rivals)?;

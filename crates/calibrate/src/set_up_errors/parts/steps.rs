@@ -233,7 +233,13 @@ impl Left {
         };
         for (joint, own) in self.joints.iter().enumerate() {
             all.push(self.times(own, time));
-            let of_joint = [&samples.dir, &samples.speed].map(|columns| columns.get(joint));
+            let columns = [
+                &samples.dir,
+                &samples.speed,
+                &samples.joint_temperature_c,
+                &samples.torque_nm,
+            ];
+            let of_joint = columns.map(|columns| columns.get(joint));
             let of_joint = of_joint.into_iter().flatten();
             let recorded = [&samples.temperature_c, &samples.load_kg];
             for column in of_joint.chain(recorded).flatten() {
