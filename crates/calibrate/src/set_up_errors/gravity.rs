@@ -7,9 +7,10 @@
 //! ```
 //!
 //! with the joints' compliances C and the direction d of gravity in the base frame. Beside every column of the base model,
-//! waves over the joints, the same torques of a load that is always there (what links weigh, what an eccentricity
-//! does) and a foundation that gives under the load, the 3 · joints columns have a Gram matrix G and products b with what the base leaves; a direction gains
-//! b_dᵀ G_d⁻¹ b_d. It is said where one direction is likelier by far than the one that the session states.
+//! waves over the joints, and the same torques of a load that is always there (what links weigh, what an eccentricity
+//! does), the 3 · joints columns have a Gram matrix G and products b with what the base leaves; a direction gains
+//! b_dᵀ G_d⁻¹ b_d. It is said where one direction is likelier by far than the one that the session states
+//! and than a foundation that gives.
 
 use nalgebra::{DMatrix, DVector, Vector3};
 
@@ -52,7 +53,7 @@ pub(super) fn turned(
     let sag = Sag::of(&few, values)?;
     let direction = sag.likeliest()?;
     let as_stated = stated.normalize();
-    let needed = LIKELIER + sag.nats(&as_stated, 0).max(0.0);
+    let needed = LIKELIER + sag.nats(&as_stated, 0).max(sag.foundation).max(0.0);
     if sag.nats(&direction, 2) < needed || (direction - as_stated).norm() < LEVEL {
         return None;
     }
@@ -84,6 +85,8 @@ struct Sag {
     pull: DVector<f64>,
     beside: Beside,
     joints: usize,
+    /// The logarithm by which a foundation that gives under the load is likelier than none.
+    foundation: f64,
 }
 
 impl Sag {
@@ -105,15 +108,11 @@ impl Sag {
                 own.push(left.times(motion, |i| torques[i] * load[i]));
             }
         }
-        // A foundation that tilts and gives under the load's moment, whatever its springs.
-        let known = load.iter().copied().fold(1.0, f64::max);
-        for k in 0..6 {
-            for along in 0..3 {
-                let at = |i: usize| few.samples.coordinates(i)[along] * load[i] / known;
-                rivals.push(left.column(|i| left.frame[i][k] * at(i)));
-            }
-        }
         let beside = Beside::of(&left, &rivals)?;
+        // A foundation that tilts and gives under the load's moment, whatever its springs.
+        let at = |i: usize, axis: usize| few.samples.coordinates(i)[axis] * load[i];
+        let gives = (0..18).map(|k| left.column(|i| left.frame[i][k / 3] * at(i, k % 3)));
+        let foundation = beside.with(&gives.collect::<Vec<_>>()).1;
         let own: Vec<_> = own.iter().map(|c| beside.basis.reject(c)).collect();
         let own = DMatrix::from_columns(&own);
         Some(Self {
@@ -121,6 +120,7 @@ impl Sag {
             pull: own.tr_mul(&beside.free),
             beside,
             joints: joints.len(),
+            foundation,
         })
     }
 
