@@ -225,7 +225,9 @@ fn distances_that_settle_are_no_frame_that_drifts() {
         let [x, y] = [&mut samples.x_mm[row], &mut samples.y_mm[row]];
         let distance = (*x * *x + *y * *y + *z * *z).sqrt();
         let factor = 1.0 + 0.4 * (-(row as f64) / 40.0).exp() / distance;
-        [x, y, z].into_iter().for_each(|v| *v *= factor);
+        for v in [x, y, z] {
+            *v *= factor;
+        }
     }
     let answer = diagnosed(&session);
     let what = answer.data_problems[0].what.to_string();

@@ -4,13 +4,13 @@
 //!
 //! ```text
 //! δ_j = C_j m Σ_g d_g τ_jg(q),   τ_jg = e_g · ∂x_tool/∂q_j
+//! gain(d) = b_dᵀ G_d⁻¹ b_d
 //! ```
 //!
-//! with the joints' compliances C and the direction d of gravity in the base frame. Beside every column of the base model,
-//! waves over the joints, and the same torques of a load that is always there (what links weigh, what an eccentricity
-//! does), the 3 · joints columns have a Gram matrix G and products b with what the base leaves; a direction gains
-//! b_dᵀ G_d⁻¹ b_d. It is said where one direction is likelier by far than the one that the session states
-//! and than a foundation that gives.
+//! with the joints' compliances C and the direction d of gravity in the base frame; G is the Gram matrix of the
+//! 3 · joints columns, b their products with what the base leaves, beside every column of the base model, waves over the
+//! joints, and the same torques of a load that is always there (what links weigh, what an eccentricity does). A direction
+//! is said where it is likelier by far than the one that the session states, and than a foundation that gives.
 
 use nalgebra::{DMatrix, DVector, Vector3};
 

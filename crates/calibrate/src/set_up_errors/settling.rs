@@ -11,6 +11,7 @@
 use crate::answers::diagnosis::DataProblem;
 use crate::effects::JointValues;
 use crate::fit::base_model;
+use crate::model::Model;
 use crate::numeric::extent;
 use crate::sessions::{Session, SessionCorrection};
 use crate::text::{Text, length};
@@ -27,6 +28,8 @@ const MOST_ROWS: usize = 400;
 /// straight line.
 const PARTS: [f64; 5] = [0.05, 0.1, 0.2, 0.35, 0.6];
 
+/// No instrument that measures robots settles by more, mm: trackers by a tenth of a millimetre.
+const LARGEST_MM: f64 = 5.0;
 /// How often the size is fitted again with what it corrected.
 const ROUNDS: usize = 2;
 
@@ -48,16 +51,24 @@ pub(super) fn corrected(
     }
     let few = RowsInOrder::of(session, MOST_ROWS).select(session);
     let span_s = [first_s, last_s];
-    let (mut by_mm, tau_s) = settled(&few, values, span_s)?;
+    let (model, before_mm) = fitted(&few, values)?;
+    let (mut by_mm, tau_s) = settled(&few, values, &model, span_s)?;
+    let mut left_mm = before_mm;
     // What was far off counted as little: sizes are fitted again with what they corrected.
     for _ in 0..ROUNDS {
         let mut corrected = few.clone();
         SessionCorrection::Settle { by_mm, tau_s }.apply(&mut corrected);
-        let left = Left::of(&corrected, values, &fitted(&corrected, values)?.0)?;
+        let (model, after_mm) = fitted(&corrected, values)?;
+        left_mm = after_mm;
+        let left = Left::of(&corrected, values, &model)?;
         let beside = Beside::of(&left, &left.waves(&corrected, 1.0))?;
         by_mm += beside
             .with(&[along_sight(&corrected, &left, first_s, tau_s)?])
             .0[0];
+    }
+    // Rows that are wrong in themselves are no distances that settle.
+    if left_mm >= before_mm || by_mm.abs() > LARGEST_MM {
+        return None;
     }
     let mend = SessionCorrection::Settle { by_mm, tau_s };
     problems.push(DataProblem {
@@ -81,9 +92,13 @@ pub(super) fn corrected(
 }
 
 /// What the instrument settles by, mm, and its time, s.
-fn settled(few: &Session, values: JointValues, [first_s, last_s]: [f64; 2]) -> Option<(f64, f64)> {
-    let (model, _) = fitted(few, values)?;
-    let left = Left::of(few, values, &model)?;
+fn settled(
+    few: &Session,
+    values: JointValues,
+    model: &Model,
+    [first_s, last_s]: [f64; 2],
+) -> Option<(f64, f64)> {
+    let left = Left::of(few, values, model)?;
     let beside = Beside::of(&left, &left.waves(few, 1.0))?;
     let at_s = few.samples.time_s.as_ref()?;
     let (mut best, mut rivals) = ((0.0, 0.0, 0.0), 0.0_f64);

@@ -1,7 +1,7 @@
 //! Stations of an instrument whose distances have different scales: air that is warmer at one of them, another
 //! instrument, a robot that grew between them.
 //!
-//! What the fitted robot leaves is regressed on p_s, the points of station s in its own frame and zero elsewhere, beside
+//! What the fitted robot leaves is regressed on the points of a station in its own frame, zero elsewhere, beside
 //! the base model with a frame for each station and waves over the joints. One scale is all stations' own (the robot's
 //! size is measured with it): the first one's.
 
@@ -18,6 +18,8 @@ use crate::sessions::{Group, Session, SessionCorrection};
 
 /// Rows that are looked at.
 const MOST_ROWS: usize = 400;
+/// More is no scale of a station: air changes it by a millionth a degree, and the steel of a robot grows by twelve.
+const LARGEST: f64 = 2e-3;
 /// Waves over the joints that are no scale: cycles a turn.
 const ORDERS: [f64; 2] = [1.0, 2.0];
 
@@ -46,7 +48,7 @@ pub(super) fn corrected(
         let column = [left.column(of_row)];
         let (by, nats) = Beside::of(&left, &others)?.with(&column);
         let by = by[0];
-        if nats < LIKELIER + (stations as f64).ln() {
+        if nats < LIKELIER + (stations as f64).ln() || by.abs() > LARGEST {
             continue;
         }
         others.extend(column);

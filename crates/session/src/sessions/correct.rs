@@ -267,7 +267,9 @@ fn settle(samples: &mut Samples, by_mm: f64, tau_s: f64) {
         let distance = (*x * *x + *y * *y + *z * *z).sqrt();
         let factor = 1.0 - by_mm * (-(t - first_s) / tau_s).exp() / distance;
         if factor.is_finite() {
-            [x, y, z].into_iter().for_each(|v| *v *= factor);
+            for v in [x, y, z] {
+                *v *= factor;
+            }
         }
     }
 }
