@@ -50,6 +50,10 @@ pub(super) fn corrected(
         return None;
     }
     let few = RowsInOrder::of(session, MOST_ROWS).select(session);
+    let times_s = few.samples.time_s.as_ref()?;
+    if times_s.iter().any(|t| !t.is_finite()) {
+        return None;
+    }
     let span_s = [first_s, last_s];
     let (model, before_mm) = fitted(&few, values)?;
     let (mut by_mm, tau_s) = settled(&few, values, &model, span_s)?;
@@ -75,7 +79,7 @@ pub(super) fn corrected(
         what: text!(
             "the instrument's distances settle: {by} at the beginning, within {minutes} min",
             by = length(by_mm, 3),
-            minutes = Text::verbatim(format!("{:.0}", tau_s / 60.0))
+            minutes = Text::verbatim(format!("{:.1}", tau_s / 60.0))
         ),
         evidence: text!(
             "more than 1000 times likelier than a frame that moves or turns, or a joint whose home does"
@@ -126,6 +130,9 @@ fn settled(
 /// The column of distances that settle in this time.
 fn along_sight(few: &Session, left: &Left, first_s: f64, tau_s: f64) -> Option<DVector<f64>> {
     let at_s = few.samples.time_s.as_ref()?;
-    let sight = |i: usize| Vector3::from(few.samples.coordinates(i)).normalize();
+    let sight = |i: usize| {
+        let point = Vector3::from(few.samples.coordinates(i));
+        point.try_normalize(0.0).unwrap_or_default()
+    };
     Some(left.column(|i| sight(i) * (-(at_s[i] - first_s) / tau_s).exp()))
 }
