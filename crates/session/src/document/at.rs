@@ -12,6 +12,49 @@ pub struct Cursor<'o, 'a> {
     pub expected: Text,
 }
 
+impl<'a> Fields<'a> {
+    /// A document of this format that is about to be read; `None` when it is of another one.
+    pub fn of_format<'o>(
+        &'o mut self,
+        root: &'o Node,
+        format: &str,
+        expected: impl Into<Text>,
+    ) -> Option<Cursor<'o, 'a>> {
+        let mut at = self.at(root, &Path::Root, expected);
+        let members = at.members()?;
+        let tag = text!("\"{format}\"", format);
+        let name = format.trim_end_matches(char::is_numeric);
+        at.under(members, "format", &tag, |at| match &at.node.value {
+            Value::Text(own) if own == format => Some(()),
+            Value::Text(own) if own.starts_with(name) => {
+                at.expected = text!(
+                    "{expected}; another version of truepose may have written this file",
+                    expected = &tag
+                );
+                at.wrong()
+            }
+            _ => at.wrong(),
+        })?;
+        Some(at)
+    }
+
+    /// A value that is about to be read.
+    pub fn at<'o>(
+        &'o mut self,
+        node: &'o Node,
+        path: &'o Path<'o>,
+        expected: impl Into<Text>,
+    ) -> Cursor<'o, 'a> {
+        let expected = expected.into();
+        Cursor {
+            fields: self,
+            node,
+            path,
+            expected,
+        }
+    }
+}
+
 impl<'o> Cursor<'o, '_> {
     /// Complains that something else stands here.
     pub fn wrong<T>(&mut self) -> Option<T> {
