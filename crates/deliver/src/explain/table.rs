@@ -67,20 +67,11 @@ fn leaves(of: &Exported<'_>, detail: Detail) -> Option<Section> {
     let cannot = of.remainder.filter(|_| !describes);
     let mut blocks = Vec::new();
     let title = if let Some(error) = of.error {
-        blocks.push(Block::Facts(figures(of, error, detail)));
-        let model_only = say!(
-            "Includes noise, load and temperature effects that a table cannot correct; the model's own figure is below"
-        );
-        if let Some(remainder) = cannot {
-            blocks.push(Block::Text(model_only.to_owned()));
-            let own = detail.length(remainder.rms_mm);
-            let own = fact(say!("not correctable by joint commands"), own);
-            blocks.push(Block::Facts(vec![own]));
-            if error.rms_mm < remainder.rms_mm {
-                let says =
-                    say!("The predicted residual exceeds the measured one: the model does not fit");
-                blocks.push(Block::Warning(says.to_owned()));
-            }
+        blocks.push(Block::Facts(figures(of, error, cannot, detail)));
+        if cannot.is_some_and(|remainder| error.rms_mm < remainder.rms_mm) {
+            let says =
+                say!("The predicted residual exceeds the measured one: the model does not fit");
+            blocks.push(Block::Warning(says.to_owned()));
         }
         if describes {
             say!("RMS error with this robot")
@@ -94,11 +85,14 @@ fn leaves(of: &Exported<'_>, detail: Detail) -> Option<Section> {
         say!("Not correctable by joint commands")
     };
     if let Some(remainder) = cannot {
-        let says: Vec<String> = remainder
-            .describe()
-            .iter()
-            .map(|line| spoken(line, detail))
-            .collect();
+        // As the file has it: another sample of the same range would give other digits.
+        let of_session = remainder.describe();
+        let lines = match &of.export.stays[..] {
+            [] => &of_session[..],
+            // Its sum, which stands above, comes first.
+            [_, in_file @ ..] => in_file,
+        };
+        let says: Vec<String> = lines.iter().map(|line| spoken(line, detail)).collect();
         if !says.is_empty() {
             blocks.push(Block::List(says));
         }
@@ -106,17 +100,33 @@ fn leaves(of: &Exported<'_>, detail: Detail) -> Option<Section> {
     Some(Section::of(Topic::Answer, title, blocks))
 }
 
-fn figures(of: &Exported<'_>, error: Spread, detail: Detail) -> Vec<Fact> {
-    let mut facts = vec![
-        fact(say!("RMS error"), detail.length(error.rms_mm)),
-        fact(say!("largest"), detail.length(error.max_mm)),
-    ];
-    let nominal = of.nominal.map(|nominal| nominal.rms_mm);
-    for (name, mm) in [
-        (say!("RMS error, nominal robot"), nominal),
+/// The figure that the controller is left with, and what it is to be read with: first how much of it no command removes.
+fn figures(
+    of: &Exported<'_>,
+    error: Spread,
+    cannot: Option<&Remainder>,
+    detail: Detail,
+) -> Vec<Fact> {
+    let leaves = of.export.left.as_ref().and_then(|left| left.leaves);
+    let figures = [
+        (say!("RMS error"), Some(error.rms_mm)),
+        (
+            say!("not correctable by joint commands"),
+            cannot.map(|remainder| remainder.rms_mm),
+        ),
+        (say!("largest"), Some(error.max_mm)),
+        (
+            say!("RMS error, cross-validated"),
+            leaves.map(|leaves| leaves.leaves_mm),
+        ),
+        (
+            say!("RMS error, nominal robot"),
+            of.nominal.map(|nominal| nominal.rms_mm),
+        ),
         (say!("model and measurement"), of.identified_mm),
-    ] {
-        facts.extend(mm.map(|mm| fact(name, detail.length(mm))));
-    }
-    facts
+    ];
+    let figures = figures.into_iter();
+    figures
+        .filter_map(|(name, mm)| Some(fact(name, detail.length(mm?))))
+        .collect()
 }
