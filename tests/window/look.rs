@@ -160,6 +160,10 @@ fn what_the_table_leaves_is_one_figure_wherever_it_is_said() {
     export_to(&mut window, &path);
     let beside = std::fs::read_to_string(folder.path().join("table.csv.meta.json"));
     let beside = beside.expect("what it means");
+    assert!(
+        says(&window, "Link droop leaves "),
+        "what only its loads show"
+    );
     let line = window.get_by_label_contains("Base offset leaves ");
     let line = line
         .accesskit_node()

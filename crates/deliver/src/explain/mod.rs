@@ -38,5 +38,6 @@ pub use program::program;
 pub(crate) use section::fact;
 pub use section::{Block, Fact, Section, Topic};
 pub use standards::standards;
+pub(crate) use table::not_correctable;
 pub use table::{Exported, table};
 pub use verification::verification;

@@ -61,6 +61,22 @@ fn spoken(line: &Text, detail: Detail) -> String {
     }
 }
 
+/// What no joint removes, effect by effect: over the measured range, as files have it, since the samples of a session
+/// would give other digits; of the session what only its conditions show, such as a load.
+pub(crate) fn not_correctable(in_file: &[Text], of_session: &[Text]) -> Vec<Text> {
+    // What stands before the size.
+    let about = |line: &Text| {
+        let line = cleaned(line);
+        let before = line.split('.').next().unwrap_or_default();
+        before
+            .trim_end_matches(|c: char| c.is_ascii_digit())
+            .to_owned()
+    };
+    let is_new = |line: &&Text| in_file.iter().all(|known| about(known) != about(line));
+    let more = of_session.iter().filter(is_new);
+    in_file.iter().chain(more).cloned().collect()
+}
+
 /// The error that is left: of the session where there is one, else what the model says of every joint command.
 fn leaves(of: &Exported<'_>, detail: Detail) -> Option<Section> {
     let describes = of.export.robot.is_some();
@@ -85,13 +101,9 @@ fn leaves(of: &Exported<'_>, detail: Detail) -> Option<Section> {
         say!("Not correctable by joint commands")
     };
     if let Some(remainder) = cannot {
-        // As the file has it: another sample of the same range would give other digits.
-        let of_session = remainder.describe();
-        let lines = match &of.export.stays[..] {
-            [] => &of_session[..],
-            // Its sum, which stands above, comes first.
-            [_, in_file @ ..] => in_file,
-        };
+        // Its sum, which stands above, comes first.
+        let in_file = of.export.stays.get(1..).unwrap_or_default();
+        let lines = not_correctable(in_file, &remainder.describe());
         let says: Vec<String> = lines.iter().map(|line| spoken(line, detail)).collect();
         if !says.is_empty() {
             blocks.push(Block::List(says));

@@ -450,14 +450,12 @@ impl ReportContext<'_> {
                 "not correctable by joint commands: {size}",
                 size = mm(c.cannot_be_removed_by_joints_mm)
             ));
-            // Over the measured range, as the files of its tables have it.
             let range = measured_poses(&Job::new(self.calibration, ""));
-            remarks.extend(
-                Remainder::new(self.calibration, &range)
-                    .describe()
-                    .iter()
-                    .map(cleaned),
-            );
+            let inputs = Inputs::new(self.session, JointValues::Commanded);
+            let [in_file, of_session] =
+                [&range, &inputs].map(|inputs| Remainder::new(self.calibration, inputs).describe());
+            let lines = explain::not_correctable(&in_file, &of_session);
+            remarks.extend(lines.iter().map(cleaned));
         }
         let noise = explain::noise(d).into_iter();
         remarks.extend(noise.map(|(name, says)| format!("{name}: {says}")));
