@@ -45,6 +45,8 @@ pub struct App {
     shown: Preferences,
     /// The size of text as it was set last: that which is wanted, or what the window has room for.
     zoom: f32,
+    /// Whether fields were last told to write a comma.
+    comma: bool,
     /// The language where none is preferred.
     language: Language,
     /// The language that was wanted last.
@@ -91,6 +93,7 @@ impl App {
             alphabet: None,
             shown: Preferences::default(),
             zoom: 1.0,
+            comma: false,
             language: Language::English,
             wanted: Language::English,
             title: String::new(),
@@ -311,7 +314,12 @@ impl App {
     /// have changed the size of text.
     fn keep_preferences(&mut self, ctx: &Context) {
         let wanted = self.workbench.view().preferences;
-        write_numbers(wanted.notation());
+        let notation = wanted.notation();
+        write_numbers(notation);
+        if notation.comma != self.comma {
+            self.comma = notation.comma;
+            write_fields(ctx, notation.comma);
+        }
         let (zoom, largest) = (ctx.zoom_factor(), largest_zoom(ctx));
         if wanted.zoom == self.shown.zoom && (zoom - self.zoom).abs() > 1e-3 {
             self.zoom = zoom;
@@ -333,9 +341,6 @@ impl App {
             ctx.set_theme(wanted.theme.preference());
             // What has begun to be drawn has the colours of before.
             ctx.request_discard("another theme");
-        }
-        if wanted.decimal_comma != self.shown.decimal_comma {
-            write_fields(ctx, wanted.decimal_comma);
         }
         self.shown = wanted;
     }

@@ -100,6 +100,7 @@ const NAMES: &[(&[Template], Word)] = &[
             phrase!("nominal robot"),
             phrase!("identified"),
             phrase!("with found effects"),
+            phrase!("left by the table"),
             phrase!("RMS error, nominal robot"),
             phrase!("RMS error, identified"),
             phrase!("RMS error, with what was found"),

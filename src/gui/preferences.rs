@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::present::numbers::Notation;
 use crate::present::units::{AngleUnit, LengthUnit};
-use crate::text::Language;
+use crate::text::{Language, current};
 
 /// Light, dark, or as the system has it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
@@ -75,8 +75,8 @@ pub(crate) struct Preferences {
     pub(crate) angle: AngleUnit,
     /// Decimals of lengths; `None`: as many as can be read.
     pub(crate) decimals: Option<u8>,
-    /// Whether decimals follow a comma.
-    pub(crate) decimal_comma: bool,
+    /// Whether decimals follow a comma; `None`: as the language has it.
+    pub(crate) comma: Option<bool>,
     /// Light or dark.
     pub(crate) theme: Theme,
     /// Size of text, in parts of the usual one.
@@ -91,7 +91,7 @@ impl Default for Preferences {
             length: LengthUnit::default(),
             angle: AngleUnit::default(),
             decimals: None,
-            decimal_comma: false,
+            comma: None,
             theme: Theme::default(),
             zoom: 1.0,
             sizes: Sizes::default(),
@@ -100,11 +100,11 @@ impl Default for Preferences {
 }
 
 impl Preferences {
-    /// How numbers are written.
+    /// How numbers are written in the language that is spoken.
     pub(crate) fn notation(&self) -> Notation {
         Notation {
             decimals: self.decimals,
-            comma: self.decimal_comma,
+            comma: self.comma.unwrap_or(current() == Language::German),
         }
     }
 

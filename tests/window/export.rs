@@ -96,6 +96,8 @@ fn what_to_enter_in_the_controller_names_the_file_that_was_saved() {
     let mut window = window_of(TALL, None, Runner::AtOnce);
     at_export(&mut window);
     press(&mut window, "LinuxCNC COMP_FILE");
+    press(&mut window, "What the numbers mean");
+    window.run_steps(12);
     let enter = |window: &Window, name: &str| {
         let line = format!("COMP_FILE = {name},");
         window.query_all_by_label_contains(&line).count()

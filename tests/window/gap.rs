@@ -69,6 +69,8 @@ fn a_hidden_effect_is_found_added_switched_off_and_undone() {
         "Explained: the remaining error is at the noise floor"
     ));
     window.get_by_label("Backlash");
+    press(&mut window, "More");
+    window.run_steps(12);
     assert!(says(&window, "chance that noise alone looks like this"));
     assert!(says(&window, "likelier than the next candidate"));
     tables_can_be_copied(&mut window);
@@ -289,5 +291,7 @@ fn what_no_name_explains_is_corrected_without_a_name_and_taken_back() {
     // The table carries it, and says which part of it has no name.
     press(&mut window, "5 Export");
     window.get_by_label("correction table as a curve");
+    press(&mut window, "What the numbers mean");
+    window.run_steps(12);
     assert!(says(&window, "unexplained smooth correction"));
 }

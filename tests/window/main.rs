@@ -30,6 +30,7 @@ mod import;
 mod keyboard;
 mod languages;
 mod letters;
+mod look;
 mod many;
 mod models;
 mod notices;

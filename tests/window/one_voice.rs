@@ -39,6 +39,14 @@ fn labels(window: &Window) -> Vec<String> {
     nodes.filter_map(text).collect()
 }
 
+/// What an effect rests on is shown on demand.
+fn unfold(window: &mut Window) {
+    for more in window.get_all_by_label("More") {
+        more.click_accesskit();
+    }
+    window.run_steps(12);
+}
+
 /// What stands behind a name, from this line or label on.
 fn behind(name: &str, all: &[String]) -> String {
     let at = all.iter().position(|label| label == name);
@@ -85,6 +93,7 @@ impl Answers {
             .find(|step| step.ends_with("Diagnose"));
         press(&mut window, &diagnose.expect("a step of the diagnosis"));
         press(&mut window, "Run diagnosis");
+        unfold(&mut window);
         let shown = labels(&window);
         into_sight(&mut window, "Copy table of found effects");
         Self {
@@ -248,6 +257,7 @@ fn a_reader_of_inches_reads_inches_in_every_sentence_of_the_diagnosis() {
     );
     press(&mut window, "4 Diagnose");
     press(&mut window, "Run diagnosis");
+    unfold(&mut window);
     let in_mm = |label: &String| {
         let mut words = label.split([' ', ',', ';', ')']);
         words.any(|word| word == "mm") && !label.starts_with("mm")

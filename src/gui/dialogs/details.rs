@@ -4,7 +4,7 @@ use egui::{Checkbox, Grid, RichText, TextEdit, Ui};
 
 use crate::compensation::decision::Rule;
 use crate::gui::core::edit::Edit;
-use crate::gui::style::{Palette, size, space};
+use crate::gui::style::{Palette, size, space, strong};
 use crate::gui::view::{About, What};
 use crate::gui::views;
 use crate::gui::widgets;
@@ -53,9 +53,21 @@ pub(super) fn details(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Com
             ui.end_row();
             history(ui, workbench, &mut stated.without_history);
             ui.end_row();
+            // In the same columns as what is above it.
+            let decided = RichText::new(say!("Pass or fail"));
+            ui.label(decided.font(strong(size::SMALL)).color(muted));
+            ui.end_row();
+            views::session::tolerance(ui, workbench, widgets::number_in_a_grid, commands);
+            ui.end_row();
+            ui.label(RichText::new(say!("Decision rule")).color(muted));
+            let rules = [
+                (None, say!("not decided")),
+                (Some(Rule::Iso14253), "ISO 14253-1"),
+                (Some(Rule::Simple), say!("simple acceptance")),
+            ];
+            widgets::choice(ui, &rules, &mut stated.details.rule);
+            ui.end_row();
         });
-    widgets::section(ui, say!("Pass or fail"));
-    views::session::tolerance(ui, workbench, commands);
     let now = workbench.document().tolerance_mm;
     if let (None, Some(last)) = (now, stated.details.tolerance_mm) {
         let says = say!("Last time it was {last} mm", last);
@@ -66,13 +78,6 @@ pub(super) fn details(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Com
             }
         });
     }
-    let rules = [
-        (None, say!("not decided")),
-        (Some(Rule::Iso14253), "ISO 14253-1"),
-        (Some(Rule::Simple), say!("simple acceptance")),
-    ];
-    let rule = &mut stated.details.rule;
-    widgets::choice_row(ui, say!("Decision rule"), &rules, rule);
     widgets::hint(ui, about(stated.details.rule));
     views::results::decision(ui, workbench);
     if stated != before {

@@ -5,7 +5,7 @@ mod new_session;
 mod robot_table;
 
 use egui::style::NumberFormatter;
-use egui::{Context, Id, LayerId, Margin, Modal, Popup, ScrollArea, Ui};
+use egui::{Align2, Context, Id, LayerId, Margin, Modal, Popup, ScrollArea, Ui, vec2};
 
 use crate::gui::style::{Palette, space};
 use crate::gui::view::Sheet;
@@ -33,6 +33,8 @@ register! {
     unsaved: recovery;
 }
 
+/// Where a sheet's head is, in parts of the window's height.
+const HEAD: f32 = 0.09;
 /// Width of what is said while a dialog of the system is open, points.
 const ASKING: f32 = 300.0;
 
@@ -42,7 +44,12 @@ pub(crate) fn show(ui: &Ui, workbench: &Workbench, commands: &mut Vec<Command>) 
         return;
     };
     let frame = egui::Frame::popup(ui.style()).inner_margin(Margin::same(space::SHEET));
-    let modal = Modal::new(Id::unique("sheet"))
+    // By its head: a sheet that becomes longer or shorter while it is filled in does not move.
+    let id = Id::unique("sheet");
+    let below = HEAD * ui.ctx().content_rect().height();
+    let area = Modal::default_area(id).anchor(Align2::CENTER_TOP, vec2(0.0, below));
+    let modal = Modal::new(id)
+        .area(area)
         .frame(frame)
         .backdrop_color(Palette::of(ui).veil);
     let shown = modal.show(ui.ctx(), |ui| {

@@ -68,8 +68,12 @@ pub(super) fn preferences(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec
         &decimals,
         &mut next.decimals,
     );
-    let signs = [(false, "1.5"), (true, "1,5")];
-    widgets::choice_row(ui, say!("Decimal sign"), &signs, &mut next.decimal_comma);
+    let signs = [
+        (None, say!("of the language")),
+        (Some(false), "1.5"),
+        (Some(true), "1,5"),
+    ];
+    widgets::choice_row(ui, say!("Decimal sign"), &signs, &mut next.comma);
     let themes = [
         (Theme::System, say!("System")),
         (Theme::Light, say!("light")),

@@ -91,14 +91,24 @@ const WIDE: usize = 5;
 
 /// A table, wide ones in small letters; where it is wider than the panel, its rows one below the other.
 fn table(ui: &mut Ui, index: usize, table: &Table) {
-    let (letters, apart) = if table.columns.len() > WIDE {
+    // Intervals below their values are as small wherever they are.
+    let in_two_lines = table
+        .rows
+        .iter()
+        .flatten()
+        .any(|cell| cell.shown.contains('\n'));
+    let (letters, apart) = if table.columns.len() > WIDE || in_two_lines {
         (size::SMALL, 5.0)
     } else {
         (size::BODY, 12.0)
     };
-    if width_of(ui, table, letters, apart) > ui.available_width() {
+    let spare = ui.available_width() - width_of(ui, table, letters, apart);
+    if spare < 0.0 {
         return one_below_the_other(ui, table);
     }
+    // As wide as the panel, so that tables below each other have their last columns below each other.
+    let gaps = table.columns.len().saturating_sub(1).max(1);
+    let apart = apart + (spare / gaps as f32).floor();
     let muted = Palette::of(ui).muted;
     let grid = Grid::new(("table of an answer", index)).spacing([apart, 4.0]);
     grid.min_col_width(0.0).show(ui, |ui| {

@@ -258,15 +258,12 @@ fn made_preview(ui: &mut Ui, workbench: &Workbench, made: &ExportPreview) {
         identified_mm: identified.map(|answer| answer.identification.gap.after.rms_mm),
         remainder: Some(&made.remainder),
     };
-    for section in explain::table(&exported, Detail::window(workbench.units())) {
-        widgets::card(ui, |ui| {
-            if section.topic == Topic::Answer {
-                leaves(ui, &section);
-            } else {
-                widgets::bold(ui, &section.title);
-                blocks::show(ui, &section.blocks);
-            }
-        });
+    let sections = explain::table(&exported, Detail::window(workbench.units()));
+    let (answer, more): (Vec<Section>, Vec<Section>) = sections
+        .into_iter()
+        .partition(|section| section.topic == Topic::Answer);
+    for section in answer {
+        widgets::card(ui, |ui| leaves(ui, &section));
     }
     widgets::card(ui, |ui| {
         let name = made
@@ -275,7 +272,16 @@ fn made_preview(ui: &mut Ui, workbench: &Workbench, made: &ExportPreview) {
             .first()
             .map_or("", |d| d.name.as_str());
         widgets::bold(ui, name);
+        // What the sign means stands with the numbers, the rest on demand.
+        if let Some(Block::List(lines)) = more.first().and_then(|section| section.blocks.first()) {
+            blocks::show(ui, &[Block::List(lines[..1].to_vec())]);
+        }
         text(ui, &text_of(made));
+        for section in &more {
+            widgets::folded(ui, &section.title, size::SMALL, |ui| {
+                blocks::show(ui, &section.blocks);
+            });
+        }
     });
 }
 
@@ -297,7 +303,7 @@ fn leaves(ui: &mut Ui, section: &Section) {
 /// The first lines; a table may have a million.
 fn text(ui: &mut Ui, text: &str) {
     const MOST: usize = 200;
-    const HIGH: f32 = 220.0;
+    const HIGH: f32 = 340.0;
     ui.spacing_mut().item_spacing.y = 1.0;
     let lines: Vec<&str> = text.lines().take(MOST).collect();
     // Bars of an area whose end is out of sight would lie on what is in sight.

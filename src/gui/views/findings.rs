@@ -14,16 +14,14 @@ use crate::present::numbers::{significant, with_minus_signs};
 use crate::present::poses::{new_reflectors, table};
 use crate::present::table::Cell;
 
-use crate::gui::core::answer::term_of;
-use crate::gui::core::edit::Edit;
 use crate::gui::jobs::Running;
 use crate::gui::style::{Palette, size, space, strong};
 use crate::gui::view::What;
 use crate::gui::widgets;
 use crate::gui::workbench::{Asked, Command, Workbench};
 
-use super::blocks::{self, Title, curve_link, in_words};
-use super::copies;
+use super::blocks::{self, Title, in_words};
+use super::{copies, found};
 
 pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     widgets::heading(ui, say!("Diagnosis"));
@@ -98,10 +96,10 @@ fn all(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis, commands: &mut Vec<Com
             _ => {
                 widgets::card(ui, |ui| {
                     heading(ui, section, d);
-                    if section.topic == Topic::NextPoses {
-                        next_poses(ui, workbench, &d.next_poses, commands);
-                    } else {
-                        blocks::show(ui, &section.blocks);
+                    match section.topic {
+                        Topic::NextPoses => next_poses(ui, workbench, &d.next_poses, commands),
+                        Topic::Found(k) => found::show(ui, workbench, (d, k, section), commands),
+                        _ => blocks::show(ui, &section.blocks),
                     }
                     buttons(ui, workbench, d, section, commands);
                 });
@@ -149,10 +147,6 @@ fn buttons(
 ) {
     match section.topic {
         Topic::DataProblem(index) => blocks::of_problem(ui, &d.data_problems[index], commands),
-        Topic::Found(index) => {
-            in_the_model(ui, workbench, d, index, commands);
-            curve_link(ui, workbench, index, commands);
-        }
         Topic::Unnamed => blocks::unexplained(ui, workbench, d, commands),
         _ => {}
     }
@@ -166,34 +160,6 @@ fn in_small(ui: &mut Ui, section: &Section, d: &Diagnosis) {
             copies::button(ui, say!("detection limits"), || copies::limits(d));
         }
     });
-}
-
-/// Adds an effect that was found to the model, or switches it off there.
-fn in_the_model(
-    ui: &mut Ui,
-    workbench: &Workbench,
-    d: &Diagnosis,
-    index: usize,
-    commands: &mut Vec<Command>,
-) {
-    let Some(term) = term_of(d, &d.found[index]) else {
-        return;
-    };
-    let mut added = workbench.document().added.iter();
-    match added.position(|a| a.term.same_column(&term)) {
-        None => {
-            // The button that stands out is the one at the foot of the step, which adds all of them.
-            if widgets::secondary(ui, say!("Add to model")).clicked() {
-                commands.push(Command::Edit(Edit::Add(vec![term])));
-            }
-        }
-        Some(index) => {
-            let mut on = workbench.document().added[index].on;
-            if ui.checkbox(&mut on, say!("in the model")).changed() {
-                commands.push(Command::Edit(Edit::Switch(index, on)));
-            }
-        }
-    }
 }
 
 /// What was hidden in the simulation, beside what was found of it: a button, and behind it the truth; nothing for a session that was not simulated here.

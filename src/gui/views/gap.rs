@@ -58,6 +58,9 @@ fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     );
     let end = units.length(diagnosis.gap.end_mm);
     widgets::fact_of(ui, phrase!("with found effects"), end);
+    if let Some(left) = workbench.left_by_table_mm() {
+        widgets::fact_of(ui, phrase!("left by the table"), units.length(left));
+    }
     widgets::fact_of(ui, phrase!("noise floor"), units.length(diagnosis.floor.mm));
     if widgets::secondary(ui, say!("Run diagnosis again")).clicked() {
         commands.push(Command::Search);

@@ -5,6 +5,7 @@ pub(crate) mod copies;
 mod coverage;
 mod export;
 mod findings;
+mod found;
 mod gap;
 pub(super) mod menu;
 mod model;

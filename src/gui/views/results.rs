@@ -168,24 +168,23 @@ fn gap_card(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
         if let (Some((before, _)), Some((after, all))) =
             (within(workbench, false), within(workbench, true))
         {
-            // What the robot will do, where that is known; the model by itself promises more.
+            // What the marks show, and what the robot will do, where that is known: it may be less.
+            let with_model = (phrase!("within tolerance, with the model"), after);
             let corrected = workbench.corrected_within();
-            let after = corrected.unwrap_or(after);
-            let label = if corrected.is_some() {
-                phrase!("within tolerance, commands corrected")
-            } else {
-                phrase!("within tolerance, with the model")
-            };
-            widgets::fact_of(
-                ui,
-                label,
-                say!(
-                    "{before} → {after} of {all}",
-                    before = grouped(before),
-                    after = grouped(after),
-                    all = grouped(all)
-                ),
-            );
+            let corrected = corrected.map(|n| (phrase!("within tolerance, commands corrected"), n));
+            for (label, after) in std::iter::once(with_model).chain(corrected) {
+                widgets::fact_of(
+                    ui,
+                    label,
+                    say!(
+                        "{before} → {after} of {all}",
+                        before = grouped(before),
+                        after = grouped(after),
+                        all = grouped(all)
+                    ),
+                );
+            }
+            let after = corrected.map_or(after, |(_, n)| n);
             let share = after as f32 / all.max(1) as f32;
             widgets::share_bar(ui, share, palette.within);
         }

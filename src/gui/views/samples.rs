@@ -9,14 +9,16 @@ use egui_extras::{Column, TableBuilder, TableRow};
 use crate::gui::style::{Palette, size};
 use crate::gui::views::copies;
 use crate::gui::workbench::{Command, ViewChange, Workbench};
-use crate::gui::workspace::sample_menu;
+use crate::gui::workspace::{judged, sample_menu};
 use crate::present::numbers::trimmed;
 
 const ROW: f32 = 22.0;
+/// A name, and its unit below it.
+const HEAD: f32 = 34.0;
 /// Width of the sample's number, and of its mark.
 const NUMBER: f32 = 50.0;
 const MARK: f32 = 20.0;
-/// A head as wide as this has room for its unit.
+/// A head as wide as this has room for its unit beside its name.
 const ROOM_FOR_UNITS: f32 = 76.0;
 
 pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
@@ -58,7 +60,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     };
     let mut hovered = None;
     table
-        .header(24.0, |mut header| {
+        .header(HEAD, |mut header| {
             sorting = heads(&mut header, [angle, length], sorting);
         })
         .body(|body| {
@@ -102,7 +104,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
                     if excluded {
                         out(ui);
                     } else if let Some(tolerance_mm) = tolerance_mm.filter(|_| shown.is_finite()) {
-                        mark(ui, shown <= tolerance_mm);
+                        mark(ui, workbench, shown <= tolerance_mm);
                     }
                 });
                 let response = row.response();
@@ -177,12 +179,13 @@ fn heading(header: &mut TableRow<'_, '_>, head: &str, by: By, sorting: Sorting) 
         } else {
             palette.muted
         };
-        // Where there is no room for the unit and the arrow, the unit stands in the tip.
+        // Where there is no room for the unit and the arrow, the unit stands below.
         let narrow = ui.available_width() < ROOM_FOR_UNITS;
-        let shown = head.split(',').next().filter(|_| narrow).unwrap_or(head);
+        let shown = head.replacen(", ", if narrow { "\n" } else { ", " }, 1);
         // A click on the words sorts as well.
         let head = RichText::new(shown).size(size::SMALL).color(color);
-        ui.add(egui::Label::new(head).selectable(false));
+        let head = egui::Label::new(head).selectable(false).wrap();
+        ui.add(head.halign(Align::Max));
         if let Some(descending) = sorted {
             arrow(ui, descending, palette.accent);
         }
@@ -243,7 +246,7 @@ fn cell(row: &mut TableRow<'_, '_>, sample: usize, what: &str, contents: impl Fn
     response.widget_info(|| WidgetInfo::labeled(Role::Cell, true, name.clone()));
 }
 
-fn mark(ui: &mut Ui, within: bool) {
+fn mark(ui: &mut Ui, workbench: &Workbench, within: bool) {
     let palette = Palette::of(ui);
     let (rect, response) = ui.allocate_exact_size(vec2(14.0, 14.0), Sense::hover());
     let painter = ui.painter();
@@ -259,12 +262,7 @@ fn mark(ui: &mut Ui, within: bool) {
             stroke,
         ));
     }
-    let says = if within {
-        say!("within the tolerance")
-    } else {
-        say!("outside the tolerance")
-    };
-    response.on_hover_text(says);
+    response.on_hover_text(judged(workbench, within));
 }
 
 /// What the rows can be sorted by.

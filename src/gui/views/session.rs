@@ -1,7 +1,7 @@
 //! Step 1: what was measured, on what, and what was found while it was read.
 
 use crate::language;
-use egui::{DragValue, RichText, TextEdit, Ui};
+use egui::{DragValue, Response, RichText, TextEdit, Ui};
 
 use super::{Progress, StepView, setup};
 use crate::diagnostic::{Diagnostic, Severity};
@@ -39,7 +39,7 @@ fn state(workbench: &Workbench) -> (String, Progress) {
 fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     widgets::section(ui, say!("Measured"));
     facts(ui, workbench);
-    tolerance(ui, workbench, commands);
+    tolerance(ui, workbench, widgets::number, commands);
     findings(ui, workbench, commands);
     widgets::section(ui, say!("Another session or model"));
     if widgets::secondary(ui, say!("Open…")).clicked() {
@@ -149,7 +149,12 @@ fn facts(ui: &mut Ui, workbench: &Workbench) {
 }
 
 /// The tolerance, to be typed.
-pub(crate) fn tolerance(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+pub(crate) fn tolerance(
+    ui: &mut Ui,
+    workbench: &Workbench,
+    shown: fn(&mut Ui, &str, &str, DragValue<'_>) -> Response,
+    commands: &mut Vec<Command>,
+) {
     // The largest that makes sense on any robot.
     const LARGEST_MM: f64 = 1000.0;
     let units = workbench.units();
@@ -157,6 +162,7 @@ pub(crate) fn tolerance(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<C
     let unit = units.length_name();
     let now = one_mm * workbench.document().tolerance_mm.unwrap_or(0.0);
     let mut tolerance = now;
+    let written = ui.style().number_formatter.clone();
     let field = DragValue::new(&mut tolerance)
         .range(0.0..=one_mm * LARGEST_MM)
         .speed(0.005 * one_mm)
@@ -167,7 +173,7 @@ pub(crate) fn tolerance(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<C
         })
         .custom_formatter(|value, decimals| {
             if value > 0.0 {
-                egui::emath::format_with_decimals_in_range(value, decimals)
+                written.format(value, decimals)
             } else {
                 say!("none").to_owned()
             }
@@ -178,7 +184,7 @@ pub(crate) fn tolerance(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<C
             String::new()
         });
     let name = format!("{unit}{}", or_none());
-    let response = widgets::number(ui, say!("tolerance"), &name, field);
+    let response = shown(ui, say!("tolerance"), &name, field);
     let edit = Edit::Tolerance((tolerance > 0.0).then_some(tolerance / one_mm));
     commands.extend(of_field(&response, (tolerance != now).then_some(edit)));
 }

@@ -49,7 +49,12 @@ fn line(workbench: &Workbench) -> String {
             );
             gaps.push(gap.after.rms_mm);
             let gaps: Vec<String> = gaps.into_iter().map(mm).collect();
-            say!("RMS error {gaps} {unit}", gaps = gaps.join(" → "), unit)
+            let gaps = say!("RMS error {gaps} {unit}", gaps = gaps.join(" → "), unit);
+            // The model promises more than a table of joint commands keeps.
+            let table = workbench
+                .left_by_table_mm()
+                .map(|left| say!("with the table {left} {unit}", left = mm(left), unit));
+            table.map_or(gaps.clone(), |table| format!("{gaps} · {table}"))
         }
         (None, Some(gap)) => say!("RMS error {rms} {unit}", rms = mm(gap.rms_mm), unit),
         (None, None) => say!("no sample can be used").to_owned(),

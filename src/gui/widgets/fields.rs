@@ -99,6 +99,17 @@ pub(crate) fn number(ui: &mut Ui, name: &str, unit: &str, field: DragValue<'_>) 
     row.inner
 }
 
+/// The same in two cells of a grid.
+pub(crate) fn number_in_a_grid(
+    ui: &mut Ui,
+    name: &str,
+    unit: &str,
+    field: DragValue<'_>,
+) -> Response {
+    let label = ui.label(RichText::new(name).color(Palette::of(ui).muted));
+    typing(ui, [96.0, space::CONTROL], unit, field).labelled_by(label.id)
+}
+
 /// A row in which everything stands at one height, the tallest controls included: what comes before
 /// one of them would else stand higher.
 pub(crate) fn row<R>(ui: &mut Ui, contents: impl FnOnce(&mut Ui) -> R) -> R {

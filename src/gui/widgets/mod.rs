@@ -12,8 +12,8 @@ pub(crate) use buttons::{
 };
 pub(crate) use fields::{
     buttons_or_back, cell_number, choice, choice_row, done, done_beside, entered, form_row, list,
-    number, or_none, room_of_a_sheet, row, select_all, sheet_buttons, sheet_buttons_without_enter,
-    wide,
+    number, number_in_a_grid, or_none, room_of_a_sheet, row, select_all, sheet_buttons,
+    sheet_buttons_without_enter, wide,
 };
 pub(crate) use text::{
     bold, caption, cell_right, cut, dense, explained, explained_effect, fact, fact_of, facts, fine,

@@ -183,6 +183,15 @@ impl Workbench {
         same.then_some(preview.made.as_ref())
     }
 
+    /// The RMS error that the controller is left with by the table of what is shown, mm; `None` until that is made.
+    pub(crate) fn left_by_table_mm(&self) -> Option<f64> {
+        let made = self.export()?.ok()?;
+        let (of, shown) = (&self.preview.as_ref()?.wanted.identified, &self.identified);
+        let is_of_this = shown.as_ref().is_some_and(|shown| Arc::ptr_eq(shown, of));
+        let error = made.error.filter(|_| made.export.robot.is_none());
+        error.filter(|_| is_of_this).map(|error| error.rms_mm)
+    }
+
     /// Whether the preparation of the export was cancelled: it is not begun again by itself.
     pub(crate) fn is_unprepared(&self) -> bool {
         let choice = self.document().export;

@@ -5,7 +5,9 @@ use std::sync::Arc;
 
 use crate::gui::cache::PlotCache;
 use crate::gui::cache::charts::{ChartResult, Envelope, Work};
+use crate::gui::charts::effect::{EffectCurve, Sketches};
 use crate::gui::charts::{CHARTS, ChartKind, HeldScene, Scene, effect, find};
+use crate::gui::core::answer::Search;
 use crate::gui::core::loaded_session::Component;
 use crate::gui::jobs::{Kind as JobKind, Watch};
 use crate::gui::view::{Arrangement, ChartPane, Edge, Key, Panes, Step};
@@ -150,9 +152,25 @@ impl Workbench {
         self.copied.take()
     }
 
+    fn sketches(search: &Arc<Search>) -> (Component, Work) {
+        (Component::Length, effect::sketches(search))
+    }
+
+    /// The curve of an effect that was found, as its card shows it.
+    pub(crate) fn sketch(&self, index: usize) -> Option<&EffectCurve> {
+        let made = self.plot_cache()?;
+        let made = made.charted_for(&Self::sketches(self.search_of_this()?))?;
+        let curves: &Sketches = (**made).downcast_ref()?;
+        curves.get(index)?.as_ref()
+    }
+
     /// What all charts have worked out in the background.
     pub(super) fn works(&self) -> Vec<(Component, Work)> {
         let mut all = Vec::new();
+        let searched = self
+            .search_of_this()
+            .filter(|_| self.view.step == Step::Gap);
+        all.extend(searched.map(Self::sketches));
         for (_, pane) in self.view.panes.charts() {
             let scene = self.scene_at(pane);
             let work = self.kind(pane).work(&scene);

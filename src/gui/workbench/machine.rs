@@ -116,6 +116,15 @@ impl Workbench {
         made.measured.as_ref().ok()?.within?.corrected
     }
 
+    /// Whether more samples are within the tolerance by the model than with corrected commands: marks show the model.
+    pub(crate) fn model_promises_more(&self) -> bool {
+        let tolerance_mm = self.document().tolerance_mm;
+        let promised = tolerance_mm.and_then(|mm| Some(self.after()?.lengths.within(mm).0));
+        let kept = self.corrected_within();
+        kept.zip(promised)
+            .is_some_and(|(kept, promised)| kept < promised)
+    }
+
     pub(super) fn rule_and_tolerance(&self) -> Option<(Rule, f64)> {
         Some((self.stated().details.rule?, self.document().tolerance_mm?))
     }

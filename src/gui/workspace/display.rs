@@ -12,6 +12,7 @@ use crate::gui::workbench::{Command, ViewChange, Workbench};
 use crate::present::numbers::{significant, trimmed};
 
 use super::model::{magnification as magnification_of, offers, readable};
+use super::sparse::room;
 
 /// With less room the list of colours goes without its name, points.
 const COLOUR: f32 = 172.0;
@@ -155,7 +156,7 @@ pub(super) fn scale_for(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<C
         return;
     };
     let loaded_session = workbench.loaded_session();
-    let room = workbench.view().plot_size;
+    let room = room(workbench);
     let [before, left] =
         [loaded_session.overview.readable, after.readable].map(|r| r.magnification(room));
     let now = magnification_of(workbench);

@@ -1,11 +1,11 @@
-//! Region boundaries that the hand moves: real widgets on top of the plot. They can be dragged,
+//! Region boundaries that the hand moves: real widgets on top of the plots. They can be dragged,
 //! focused with the tabulator and moved with the arrow keys; a screen reader sees sliders.
 
 use egui::accesskit::{Action, ActionData};
 use egui::{
-    CursorIcon, EventFilter, Key, Rect, Response, Role, Sense, Stroke, Ui, Vec2, WidgetInfo, pos2,
+    CursorIcon, EventFilter, Id, Key, Pos2, Rect, Response, Role, Sense, Stroke, Ui, Vec2,
+    WidgetInfo,
 };
-use egui_plot::{PlotPoint, PlotTransform};
 
 use crate::gui::core::boundaries::{self, SNAP_DEG};
 use crate::gui::core::edit::Edit;
@@ -13,41 +13,67 @@ use crate::gui::style::Palette;
 use crate::gui::workbench::{Command, Workbench};
 use crate::units::{deg_from_rad, rad_from_deg};
 
-use super::layout::HANDLE;
-use super::model::Dial;
-
 /// Size of a handle, points: large enough for a finger.
 const SIZE: f32 = 22.0;
 /// Steps of the keyboard: with and without shift.
 const STEPS_DEG: (f64, f64) = (5.0, SNAP_DEG);
 
+/// Where the handles of a plot are, and what angle a place on it is, near another angle; rad.
+pub(crate) struct Handles<'a> {
+    pub(crate) at: &'a dyn Fn(f64) -> Pos2,
+    pub(crate) angle: &'a dyn Fn(Pos2, f64) -> f64,
+    pub(crate) frame: Rect,
+    /// What a screen reader calls the handle of a boundary at this angle.
+    pub(crate) name: fn(String) -> String,
+}
+
+fn id(ui: &Ui, index: usize) -> Id {
+    ui.scope_id().with(("boundary", index))
+}
+
+/// Gives a press on a handle to that handle. egui gives it to what the pointer is on by the time of the frame, and a
+/// quick hand has left the handle by then, so that the plot would be moved. To be asked before the plot is shown.
+pub(crate) fn grab(ui: &Ui, workbench: &Workbench) {
+    let press = ui.input(|i| {
+        let (from, to) = (i.pointer.press_origin()?, i.pointer.latest_pos()?);
+        i.pointer.primary_pressed().then_some((from, to))
+    });
+    let Some((from, to)) = press else { return };
+    let count = boundaries::boundaries(&workbench.document().regions).len();
+    let left = |id: &Id| {
+        let rect = ui.ctx().read_response(*id).map(|handle| handle.rect);
+        rect.is_some_and(|rect| rect.contains(from) && !rect.contains(to))
+    };
+    let mut handles = (0..count).map(|index| id(ui, index));
+    if ui.ctx().layer_id_at(from) == Some(ui.layer_id())
+        && let Some(handle) = handles.find(left)
+    {
+        ui.ctx().set_dragged_id(handle);
+    }
+}
+
 /// Shows a handle for every boundary and sends what the hand does with it.
 pub(crate) fn show(
     ui: &mut Ui,
     workbench: &Workbench,
-    dial: &Dial,
-    transform: &PlotTransform,
+    handles: &Handles<'_>,
     commands: &mut Vec<Command>,
 ) {
     let document = workbench.document();
     let within = document.loaded_session.travel();
     for (index, boundary) in boundaries::boundaries(&document.regions).iter().enumerate() {
-        let [x, y] = dial.at(boundary.at_rad, HANDLE * dial.radius_mm);
-        let centre = transform.position_from_point(&PlotPoint::new(x, y));
-        if !transform.frame().contains(centre) {
+        let centre = (handles.at)(boundary.at_rad);
+        if !handles.frame.contains(centre) {
             continue;
         }
         let rect = Rect::from_center_size(centre, Vec2::splat(SIZE));
-        let id = ui.scope_id().with(("boundary", index));
+        let id = id(ui, index);
         let response = ui
             .interact(rect, id, Sense::click_and_drag())
             .on_hover_cursor(CursorIcon::Grab);
         let at_deg = deg_from_rad(boundary.at_rad);
         response.widget_info(|| {
-            let label = say!(
-                "boundary at {at}",
-                at = workbench.units().angle(boundary.at_rad)
-            );
+            let label = (handles.name)(workbench.units().angle(boundary.at_rad));
             let mut info = WidgetInfo::slider(ui.is_enabled(), at_deg, label);
             info.role = Role::Slider;
             info
@@ -69,9 +95,7 @@ pub(crate) fn show(
         if response.dragged()
             && let Some(pointer) = response.interact_pointer_pos()
         {
-            let point = transform.value_from_position(pos2(pointer.x, pointer.y));
-            let angle = dial.angle_of([point.x, point.y], boundary.at_rad);
-            let to = boundaries::snapped_rad(angle);
+            let to = boundaries::snapped_rad((handles.angle)(pointer, boundary.at_rad));
             commands.push(Command::Drag(Edit::MoveBoundary(index, to)));
         }
         if response.drag_stopped() {

@@ -132,6 +132,7 @@ pub(crate) fn counts(shown: &Shown, transform: &PlotTransform) -> [usize; 2] {
     };
     let [vectors, points] = APART;
     let vectors = match &shown.extent {
+        _ if shown.vectors.is_some() => 0.0,
         Some(extent) => extent.cells(side_mm(transform)),
         None => vectors * (wide * tall).sqrt(),
     };
@@ -140,6 +141,9 @@ pub(crate) fn counts(shown: &Shown, transform: &PlotTransform) -> [usize; 2] {
 
 /// What a layer says when it does not draw everything.
 pub(crate) fn drawn(shown: &Shown, [points, vectors]: [usize; 2]) -> Vec<String> {
+    if shown.vectors.is_some() {
+        return Vec::new();
+    }
     let one_of = |count: usize| shown.samples.div_ceil(count.max(1));
     let note = |(count, says): (usize, Template)| {
         let why = if shown.canvas == Canvas::Layers(count) {

@@ -18,7 +18,7 @@ use crate::gui::workbench::Workbench;
 use crate::present::numbers::trimmed;
 
 use super::layout::{self, longest_of_cells};
-use super::model::Shown;
+use super::model::{Shown, judged};
 use super::polar::Polar;
 use super::robot::Drawn;
 use super::scales::{self, HIGH, entry};
@@ -212,8 +212,9 @@ fn meanings(all: &mut Vec<LegendEntry>, workbench: &Workbench, shown: &Shown) {
         let inner = if plain { ColourToken::Surface } else { middle };
         let edge = Stroke::new(1.4, ColourToken::Outside);
         let diamond = Mark::filled(here, Form::Diamond, 4.2, inner).edged(edge);
-        all.push(LegendEntry::mark(say!("within"), disc(ColourToken::Within)));
-        all.push(LegendEntry::mark(say!("outside"), diamond));
+        let [within, outside] = [true, false].map(|within| judged(workbench, within));
+        all.push(LegendEntry::mark(within, disc(ColourToken::Within)));
+        all.push(LegendEntry::mark(outside, diamond));
     } else {
         all.push(LegendEntry::mark(say!("measured"), disc(ColourToken::Text)));
     }
@@ -258,11 +259,7 @@ impl Notes {
     pub(super) fn recall(ui: &Ui, shown: &Shown) -> Self {
         let id = ui.scope_id().with("what is not drawn");
         let before: Vec<String> = ui.data(|data| data.get_temp(id)).unwrap_or_default();
-        let mut said = if shown.canvas == Canvas::Shapes {
-            shown.notes()
-        } else {
-            Vec::new()
-        };
+        let mut said = shown.notes();
         said.extend_from_slice(&before);
         Self {
             id,

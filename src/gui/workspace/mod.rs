@@ -2,7 +2,7 @@
 //! measured points, error vectors; or the deviation around the joint's angle. And a plane of it as a picture.
 
 mod display;
-mod handles;
+pub(crate) mod handles;
 mod layout;
 mod legend;
 mod model;
@@ -13,16 +13,18 @@ mod robot;
 mod scales;
 mod scene;
 mod space;
+mod sparse;
 mod toolbar;
 
 pub(crate) use layout::nearest;
+pub(crate) use model::judged;
 pub(crate) use pointer::{hover, marked, sample_menu};
 pub(crate) use polar::sheet as polar_sheet;
 pub(crate) use space::{robot_alone, sheet as space_sheet};
 pub(crate) use toolbar::show as bar;
 
 use egui::{Role, Ui, WidgetInfo};
-use egui_plot::Axis;
+use egui_plot::{Axis, PlotPoint};
 
 use crate::gui::plots::{Drawing, axis, gestures, steps_in};
 use crate::gui::scene::paint::paint;
@@ -35,6 +37,7 @@ use crate::gui::workbench::{Command, Workbench};
 use crate::present::drawing;
 use crate::present::numbers::trimmed;
 
+use handles::Handles;
 use legend::Notes;
 use model::Shown;
 use over::tell_plot_size;
@@ -140,6 +143,9 @@ fn plane(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         .custom_x_axes(hints(Axis::X, across))
         .custom_y_axes(hints(Axis::Y, upwards));
     let seen_along = Projection::Parallel(workbench.facing());
+    if editing {
+        handles::grab(ui, workbench);
+    }
     let drawn = gestures::show(ui, plot, |plot| {
         plot.add(Drawing::new(
             "workspace",
@@ -174,6 +180,18 @@ fn plane(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let under = pointer.and_then(|p| layout::under(workbench, &transform, p, REACH));
     hover(&response, workbench, under, commands);
     if editing && let Some(dial) = &shown.dial {
-        handles::show(ui, workbench, dial, &transform, commands);
+        let handles = Handles {
+            at: &|angle| {
+                let [x, y] = dial.at(angle, layout::HANDLE * dial.radius_mm);
+                transform.position_from_point(&PlotPoint::new(x, y))
+            },
+            angle: &|at, near| {
+                let point = transform.value_from_position(at);
+                dial.angle_of([point.x, point.y], near)
+            },
+            frame,
+            name: |at| say!("boundary at {at}", at),
+        };
+        handles::show(ui, workbench, &handles, commands);
     }
 }

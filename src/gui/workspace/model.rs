@@ -14,6 +14,8 @@ use crate::gui::workbench::Workbench;
 use crate::numeric::single;
 use crate::present::numbers::grouped;
 
+use super::sparse::{most_telling, room, sparse};
+
 /// A sample that is drawn by itself.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct VisibleSample {
@@ -100,6 +102,8 @@ pub(crate) struct Shown {
     pub(crate) extent: Option<Extent>,
     /// Whether the largest deviations are among those that are drawn.
     pub(crate) with_largest: bool,
+    /// The samples that have vectors, where not all of few have them.
+    pub(crate) vectors: Option<Vec<u32>>,
     /// What draws them.
     pub(crate) canvas: Canvas,
 }
@@ -123,8 +127,9 @@ impl Shown {
         let usable = &loaded_session.overview.usable;
         let cloud = Cloud::of(loaded_session);
         let spread = &cloud.samples;
+        let vectors = sparse(workbench).then(|| most_telling(workbench));
         let shown_here: &[u32] = match (canvas, workbench.thinned()) {
-            (Canvas::Layers(_), _) => &[],
+            (Canvas::Layers(_), _) => vectors.as_deref().unwrap_or_default(),
             (Canvas::Shapes, _) if usable.len() <= MOST => usable,
             (Canvas::Shapes, Some(thinned)) => thinned,
             // Until they are chosen: some.
@@ -173,14 +178,31 @@ impl Shown {
             samples: usable.len(),
             extent: extent.flatten(),
             with_largest: workbench.thinned().is_some(),
+            vectors,
             canvas,
         }
     }
 
+    /// The samples whose vectors are drawn one by one.
+    pub(crate) fn with_vectors(&self) -> impl Iterator<Item = &VisibleSample> {
+        let vectors = self.vectors.as_deref();
+        let has = |one: &u32, sample: usize| *one as usize == sample;
+        self.each
+            .iter()
+            .filter(move |one| vectors.is_none_or(|some| some.iter().any(|s| has(s, one.sample))))
+    }
+
     /// What it says when it does not show everything.
     pub(crate) fn notes(&self) -> Vec<String> {
+        if let Some(vectors) = &self.vectors {
+            return vec![say!(
+                "{drawn} of {samples} vectors: largest, others evenly",
+                drawn = vectors.len(),
+                samples = self.samples
+            )];
+        }
         let drawn = self.each.len();
-        if drawn >= self.samples {
+        if drawn >= self.samples || self.canvas != Canvas::Shapes {
             return Vec::new();
         }
         let (drawn, samples) = (grouped(drawn), grouped(self.samples));
@@ -193,6 +215,17 @@ impl Shown {
         } else {
             say!("{drawn} of {samples} samples", drawn, samples)
         }]
+    }
+}
+
+/// What a mark says of the tolerance: it is the model that is held against it, which is said where the robot with
+/// corrected commands does worse.
+pub(crate) fn judged(workbench: &Workbench, within: bool) -> &'static str {
+    match (workbench.model_promises_more(), within) {
+        (true, true) => say!("model within"),
+        (true, false) => say!("model outside"),
+        (false, true) => say!("within"),
+        (false, false) => say!("outside"),
     }
 }
 
@@ -211,7 +244,7 @@ pub(crate) fn readable(workbench: &Workbench) -> f64 {
     let readable = left.map_or(workbench.loaded_session().overview.readable, |after| {
         after.readable
     });
-    readable.magnification(workbench.view().plot_size)
+    readable.magnification(room(workbench))
 }
 
 /// The deviation that is shown of a sample, mm: e = before + t (after − before).
@@ -283,7 +316,8 @@ fn colour_end_mm(workbench: &Workbench, magnification: f64) -> f64 {
     match workbench.after() {
         Some(after) if view.heat && view.magnification.is_none() => {
             let t = f64::from(view.blend);
-            before + t * (long_mm(radius_mm, after.readable.magnification(view.plot_size)) - before)
+            before
+                + t * (long_mm(radius_mm, after.readable.magnification(room(workbench))) - before)
         }
         _ => before,
     }

@@ -17,6 +17,7 @@ use crate::gui::workbench::{Command, ViewChange, Workbench};
 use crate::present::numbers::trimmed;
 
 use super::layout;
+use super::model::judged;
 
 /// A sample is under the pointer within this many points.
 pub(super) const REACH: f32 = 14.0;
@@ -310,11 +311,7 @@ fn about(workbench: &Workbench, sample: usize) -> (String, Vec<Line>) {
     ));
     if let Some(tolerance_mm) = workbench.document().tolerance_mm {
         let within = loaded_session.component(shown, sample, Component::Length) <= tolerance_mm;
-        let says = if within {
-            say!("within")
-        } else {
-            say!("outside")
-        };
+        let says = judged(workbench, within);
         lines.push((say!("tolerance").to_owned(), says.to_owned()));
     }
     (title, lines)

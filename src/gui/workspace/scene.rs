@@ -150,9 +150,13 @@ pub(super) fn samples(scene: &mut Scene, workbench: &Workbench, shown: &Shown, c
             look: shown.look,
             counts: layout::counts(shown, camera.transform()),
         });
-        return scene.items.push(Item::Layer(layer));
+        scene.items.push(Item::Layer(layer));
+        if shown.vectors.is_none() {
+            return;
+        }
+    } else {
+        points(scene, shown);
     }
-    points(scene, shown);
     vectors(scene, shown, camera);
 }
 
@@ -203,9 +207,11 @@ fn vectors(scene: &mut Scene, shown: &Shown, camera: &Camera) {
         ColourToken::Before
     };
     let colouring = shown.look.colouring;
-    let kept = longest_of_cells(shown, camera.transform());
-    let all = kept.unwrap_or_else(|| (0..shown.each.len()).collect());
-    let all = || all.iter().map(|k| &shown.each[*k]);
+    let all: Vec<&VisibleSample> = match longest_of_cells(shown, camera.transform()) {
+        Some(kept) => kept.into_iter().map(|k| &shown.each[k]).collect(),
+        None => shown.with_vectors().collect(),
+    };
+    let all = || all.iter().copied();
     for one in all() {
         if let Some(before) = one.before_mm {
             let stroke = Stroke::new(1.0, ghost);

@@ -343,7 +343,7 @@ fn preferences(random: &mut ChaCha8Rng) -> Preferences {
             ],
         ),
         decimals: random.random::<bool>().then(|| random.random()),
-        decimal_comma: random.random(),
+        comma: [None, Some(false), Some(true)][random.random_range(0..3)],
         theme: pick(random, &[Theme::System, Theme::Light, Theme::Dark]),
         zoom: random.random_range(-1.0..9.0),
     }

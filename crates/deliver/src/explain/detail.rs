@@ -16,8 +16,6 @@ pub struct Detail {
     pub(crate) most: usize,
     /// On one page: a sentence in place of facts, the poses and combinations counted.
     pub(crate) brief: bool,
-    /// Sizes of what was found stand with it, not in a table of all parameters.
-    pub(crate) sizes: bool,
 }
 
 impl Detail {
@@ -33,14 +31,12 @@ impl Detail {
         units: None,
         most: 6,
         brief: true,
-        sizes: true,
     };
     /// In a report: everything, on paper.
     pub(crate) const REPORT: Self = Self {
         units: None,
         most: 20,
         brief: false,
-        sizes: false,
     };
 
     /// In the window.
@@ -49,7 +45,6 @@ impl Detail {
             units: Some(units),
             most: 8,
             brief: false,
-            sizes: true,
         }
     }
 

@@ -2,7 +2,7 @@
 
 use super::{Block, Detail, Fact, Section, Topic, cleaned, fact, found, open, sight};
 use crate::diagnosis::{Diagnosis, FloorFrom, Stopped, Verdict};
-use crate::fit::Identification;
+use crate::fit::{Estimate, Identification};
 use crate::language::spoken;
 use crate::present::identification_v1::worst_pose;
 use crate::present::kinds;
@@ -28,6 +28,13 @@ pub fn diagnosis(d: &Diagnosis, detail: Detail) -> Vec<Section> {
     sections.extend(sight::limits(d, detail));
     sections.extend(sight::not_testable(d, detail));
     sections
+}
+
+/// An effect that was found, with these sizes of it: those of the model in use may be others.
+#[doc(hidden)]
+pub fn found_effect(d: &Diagnosis, detail: Detail, index: usize, sizes: &[Estimate]) -> Section {
+    let _speaking = detail.speaking();
+    found::effect(d, detail, index, sizes)
 }
 
 /// The verdict in a sentence.

@@ -14,10 +14,12 @@ const MOST_ODDS: f64 = 1000.0;
 
 pub(super) fn effects(d: &Diagnosis, detail: Detail) -> impl Iterator<Item = Section> {
     let found = d.found.iter().enumerate();
-    found.map(move |(index, found)| effect(d, detail, index, found))
+    found.map(move |(index, found)| effect(d, detail, index, &found.parameters))
 }
 
-fn effect(d: &Diagnosis, detail: Detail, index: usize, found: &FoundEffect) -> Section {
+/// An effect that was found, with these sizes of it.
+pub(super) fn effect(d: &Diagnosis, detail: Detail, index: usize, sizes: &[Estimate]) -> Section {
+    let found = &d.found[index];
     let title = title_on(found.effect, found.joint, d.model.robot.joints.len());
     let title = if detail.brief {
         // With its id, which is what options take.
@@ -25,33 +27,37 @@ fn effect(d: &Diagnosis, detail: Detail, index: usize, found: &FoundEffect) -> S
     } else {
         title
     };
-    let mut facts = Vec::new();
-    let sizes = found.parameters.iter().map(|one| size(detail, one));
-    if detail.brief {
+    let check = fact(say!("Check on the machine"), spoken(found.check));
+    let notes = found.notes.iter();
+    let notes = notes.map(|note| fact(say!(in "finding", "Note"), spoken_text(note)));
+    let implausible = sizes.iter().filter_map(implausible);
+    let figures = found.figures.iter().map(|one| Block::Text(figure(*one)));
+    let sizes = sizes.iter().map(|one| size(detail, one));
+    let blocks: Vec<Block> = if detail.brief {
         let sizes = sizes.map(|(name, size)| format!("{name} {size}"));
-        let sizes: Vec<String> = sizes.collect();
-        facts.push(fact(say!("Size"), sizes.join("; ")));
-    } else if detail.sizes {
-        facts.extend(sizes);
-    }
-    if detail.brief {
-        facts.push(fact(say!("Evidence"), evidence(detail, found)));
+        let sizes = fact(say!("Size"), sizes.collect::<Vec<_>>().join("; "));
+        let evidence = fact(say!("Evidence"), evidence(detail, found));
+        let facts = [sizes, evidence].into_iter().chain(notes).chain([check]);
+        let facts = Block::Facts(facts.collect());
+        [facts]
+            .into_iter()
+            .chain(figures)
+            .chain(implausible)
+            .collect()
     } else {
-        facts.extend(evidence_in_facts(detail, found));
+        // What is read first, and what it rests on.
+        let first = Block::Facts(sizes.chain([check]).collect());
+        let mut facts = Vec::from(evidence_in_facts(detail, found));
         let share = format!("{:.1} %", found.share * 100.0);
         facts.push(fact(say!("Share of what was explained"), share));
         if let Some(effect) = effects::find(found.effect) {
             facts.push(fact(say!("Usual cause"), spoken(effect.about().cause)));
         }
-    }
-    let notes = found.notes.iter();
-    facts.extend(notes.map(|note| fact(say!(in "finding", "Note"), spoken_text(note))));
-    facts.push(fact(say!("Check on the machine"), spoken(found.check)));
-    let mut blocks = vec![Block::Facts(facts)];
-    if detail.sizes {
-        blocks.extend(found.figures.iter().map(|one| Block::Text(figure(*one))));
-        blocks.extend(found.parameters.iter().filter_map(implausible));
-    }
+        facts.extend(notes);
+        let more = Block::Facts(facts);
+        let first = [first].into_iter().chain(implausible);
+        first.chain([more]).chain(figures).collect()
+    };
     Section::of(Topic::Found(index), title, blocks)
 }
 

@@ -45,24 +45,29 @@ pub(super) fn geometry(estimates: &[Estimate], detail: Detail) -> Vec<Block> {
         Block::Heading(title),
         Block::Table(joints(estimates, detail)),
     ];
-    let frames = frames(estimates, detail);
-    if !frames.is_empty() {
-        blocks.push(Block::Facts(frames));
-    }
+    let places = estimates.iter().filter_map(|one| Some((place(one)?, one)));
+    let places: Vec<(String, &Estimate)> = places.collect();
+    let tables = [POSITION, TURN].map(|names| frames(&places, names, detail));
+    blocks.extend(if detail.brief {
+        in_sentences(&places, detail)
+    } else {
+        tables.into_iter().flatten().collect()
+    });
     blocks
+}
+
+/// The window's panel is narrow: there intervals are below their values, and units below names.
+fn heading(text: &str, detail: Detail) -> Column {
+    let below = if detail.units.is_some() { "\n" } else { " " };
+    Column::numbers(text.replacen(' ', below, 1))
 }
 
 fn joints(estimates: &[Estimate], detail: Detail) -> Table {
     let (_, length) = scaled("mm", detail);
-    // The window's panel is narrow: there intervals are below their values, and units below names.
-    let below = if detail.units.is_some() { "\n" } else { " " };
-    let in_unit = |name: &str, unit: &str| {
-        let heading = format!("{name}, {unit}");
-        Column::numbers(heading.replacen(' ', below, 1))
-    };
+    let in_unit = |name: &str, unit: &str| heading(&format!("{name}, {unit}"), detail);
     let mut table = Table::of([
         Column::words(say!("joint")),
-        Column::numbers(say!("zero offset").replacen(' ', below, 1)),
+        heading(say!("zero offset"), detail),
         in_unit("x", length),
         in_unit("y", length),
         in_unit(say!("about x"), "mrad"),
@@ -98,14 +103,11 @@ fn joints(estimates: &[Estimate], detail: Detail) -> Table {
     table
 }
 
-/// Measuring frames, the tool, its targets and freed places, each with its parameters.
-fn frames(estimates: &[Estimate], detail: Detail) -> Vec<Fact> {
-    let mut facts: Vec<Fact> = Vec::new();
-    for estimate in estimates {
-        let place = match (role(estimate.effect), &estimate.setup, &estimate.target) {
-            (Role::FreeFrame, Some(setup), _) => {
-                say!("measuring frame, setup {setup}", setup)
-            }
+/// What an estimate places: a measuring frame, the tool, one of its targets, a freed place.
+fn place(estimate: &Estimate) -> Option<String> {
+    Some(
+        match (role(estimate.effect), &estimate.setup, &estimate.target) {
+            (Role::FreeFrame, Some(setup), _) => say!("measuring frame, setup {setup}", setup),
             (Role::FreeFrame, None, _) => say!("measuring frame").to_owned(),
             (Role::ToolPlace, _, Some(target)) => say!("target {target}", target),
             (Role::ToolPlace, _, None) => say!("tool position").to_owned(),
@@ -115,16 +117,57 @@ fn frames(estimates: &[Estimate], detail: Detail) -> Vec<Fact> {
                 word(estimate.effect.trim_start_matches("unknown-")),
                 estimate.place.as_deref().unwrap_or_default()
             ),
-            _ => continue,
-        };
-        let (value, unit) = cell(estimate, detail);
-        let says = format!("{} {value}{unit}", parameter(estimate.name).0);
-        match facts.last_mut().filter(|(name, _)| *name == place) {
-            Some((_, before)) => *before += &format!("; {says}"),
-            None => facts.push((place, says)),
+            _ => return None,
+        },
+    )
+}
+
+/// Where a frame is, and how it is turned.
+const POSITION: [&str; 3] = ["x_mm", "y_mm", "z_mm"];
+const TURN: [&str; 3] = ["about_x_mrad", "about_y_mrad", "about_z_mrad"];
+
+/// The places that have these parameters, a row each.
+fn frames(places: &[(String, &Estimate)], names: [&str; 3], detail: Detail) -> Option<Block> {
+    let (_, unit) = scaled(parameter(names[0]).1, detail);
+    let headings = names.map(|name| format!("{}, {unit}", parameter(name).0));
+    let headings = headings.map(|text| heading(&text, detail));
+    let mut table = Table::of([Column::words("")].into_iter().chain(headings));
+    // As in the table above.
+    let narrow = |text: String, from: &str, to: &str| match detail.units {
+        Some(_) => text.replacen(from, to, 1),
+        None => text,
+    };
+    for (place, _) in places.iter().filter(|(_, one)| names.contains(&one.name)) {
+        let of = |name: &&str| narrow(own_cell(places, place, name, detail), " ± ", "\n±");
+        let shown = narrow(place.clone(), ", ", ",\n");
+        if table.rows.iter().all(|row| row[0].shown != shown) {
+            table.row([shown].into_iter().chain(names.iter().map(of)));
         }
     }
-    facts
+    (!table.rows.is_empty()).then_some(Block::Table(table))
+}
+
+fn own_cell(places: &[(String, &Estimate)], place: &str, name: &str, detail: Detail) -> String {
+    let mut own = places
+        .iter()
+        .filter(|(at, one)| at == place && one.name == name);
+    own.next()
+        .map_or_else(|| "–".to_owned(), |(_, one)| cell(one, detail).0)
+}
+
+/// The same for the terminal, each place with its parameters in a line.
+fn in_sentences(places: &[(String, &Estimate)], detail: Detail) -> Vec<Block> {
+    let mut facts: Vec<Fact> = Vec::new();
+    for (place, estimate) in places {
+        let (value, unit) = cell(estimate, detail);
+        let says = format!("{} {value}{unit}", parameter(estimate.name).0);
+        match facts.last_mut().filter(|(name, _)| name == place) {
+            Some((_, before)) => *before += &format!("; {says}"),
+            None => facts.push((place.clone(), says)),
+        }
+    }
+    let facts = (!facts.is_empty()).then_some(Block::Facts(facts));
+    facts.into_iter().collect()
 }
 
 /// What a value is multiplied by for the chosen unit, and the unit as it is written behind a number.

@@ -1,7 +1,7 @@
 //! What a diagnosis leaves open: problems of the data, rivals, what has no name, poses that would decide, samples that
 //! do not count, what the samples do not determine.
 
-use super::{Block, Detail, Section, Topic, clean, cleaned, fact};
+use super::{Block, Detail, Fact, Section, Topic, clean, cleaned, fact};
 use crate::diagnosis::{Correction, Diagnosis, Unnamed};
 use crate::fit::{Identification, NotIdentifiable};
 use crate::present::names::title_of;
@@ -227,20 +227,64 @@ pub(super) fn not_identifiable(
             count = open.len()
         ))]
     } else {
-        let facts = open
-            .iter()
-            .take(4 * detail.most)
-            .map(|open| (cleaned(&open.combination), cleaned(&open.because)));
-        vec![Block::Facts(facts.collect())]
+        let open = open.iter().take(4 * detail.most);
+        by_reason(open.map(|open| (cleaned(&open.combination), cleaned(&open.because))))
     };
     let title = say!("Not identifiable");
     Some(Section::of(Topic::NotIdentifiable, title, blocks))
+}
+
+/// Combinations with the reason that they share, each reason once. The one that names the first parameter of its
+/// combination is the same for all of them.
+fn by_reason(open: impl Iterator<Item = Fact>) -> Vec<Block> {
+    let mut reasons: Vec<(String, Vec<Fact>)> = Vec::new();
+    for (combination, because) in open {
+        let ends = combination.char_indices().map(|(at, c)| at + c.len_utf8());
+        let mut named = ends.rev().map(|end| combination[..end].trim_end());
+        let own = named.find(|own| own.chars().count() > 2 && because.contains(*own));
+        let reason = own.map_or(because.clone(), |own| {
+            because.replace(own, say!("the first of each"))
+        });
+        let fact = (combination, because);
+        match reasons.iter_mut().find(|(known, _)| *known == reason) {
+            Some((_, facts)) => facts.push(fact),
+            None => reasons.push((reason, vec![fact])),
+        }
+    }
+    let blocks = reasons.into_iter().flat_map(|(reason, facts)| {
+        if facts.len() == 1 {
+            return vec![Block::Facts(facts)];
+        }
+        let combinations = facts.into_iter().map(|(combination, _)| combination);
+        vec![Block::Text(reason), Block::List(combinations.collect())]
+    });
+    blocks.collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::text::Text;
+
+    #[test]
+    fn a_reason_that_combinations_share_is_said_once() {
+        let open = |own: &str, with: &str, why: &str| NotIdentifiable {
+            combination: Text::verbatim(format!("{own} with {with}")),
+            because: Text::verbatim(format!("only the combination: {own} {why}")),
+        };
+        let all = [
+            open("joint 1: x", "frame: x", "is held"),
+            open("joint 1: about x", "frame: about x", "is held"),
+            open("joint 2: z", "frame: z", "stays"),
+        ];
+        let section = not_identifiable(&all, Detail::REPORT, 2).expect("it is said");
+        let [Block::Text(reason), Block::List(two), Block::Facts(one)] = &section.blocks[..] else {
+            panic!("{:?}", section.blocks);
+        };
+        assert_eq!(reason, "only the combination: the first of each is held");
+        assert_eq!(two.len(), 2);
+        assert!(one.len() == 1 && one[0].1.contains("joint 2: z stays"));
+    }
 
     #[test]
     fn the_evidence_of_problems_found_together_is_shown_once() {

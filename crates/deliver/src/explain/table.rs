@@ -61,26 +61,33 @@ fn spoken(line: &Text, detail: Detail) -> String {
     }
 }
 
+/// What no joint removes, effect by effect: over the measured range, as files have it, since the samples of a session
+/// would give other digits; of the session what only its conditions show, such as a load.
+pub(crate) fn not_correctable(in_file: &[Text], of_session: &[Text]) -> Vec<Text> {
+    // What stands before the size.
+    let about = |line: &Text| {
+        let line = cleaned(line);
+        let before = line.split('.').next().unwrap_or_default();
+        before
+            .trim_end_matches(|c: char| c.is_ascii_digit())
+            .to_owned()
+    };
+    let is_new = |line: &&Text| in_file.iter().all(|known| about(known) != about(line));
+    let more = of_session.iter().filter(is_new);
+    in_file.iter().chain(more).cloned().collect()
+}
+
 /// The error that is left: of the session where there is one, else what the model says of every joint command.
 fn leaves(of: &Exported<'_>, detail: Detail) -> Option<Section> {
     let describes = of.export.robot.is_some();
     let cannot = of.remainder.filter(|_| !describes);
     let mut blocks = Vec::new();
     let title = if let Some(error) = of.error {
-        blocks.push(Block::Facts(figures(of, error, detail)));
-        let model_only = say!(
-            "Includes noise, load and temperature effects that a table cannot correct; the model's own figure is below"
-        );
-        if let Some(remainder) = cannot {
-            blocks.push(Block::Text(model_only.to_owned()));
-            let own = detail.length(remainder.rms_mm);
-            let own = fact(say!("not correctable by joint commands"), own);
-            blocks.push(Block::Facts(vec![own]));
-            if error.rms_mm < remainder.rms_mm {
-                let says =
-                    say!("The predicted residual exceeds the measured one: the model does not fit");
-                blocks.push(Block::Warning(says.to_owned()));
-            }
+        blocks.push(Block::Facts(figures(of, error, cannot, detail)));
+        if cannot.is_some_and(|remainder| error.rms_mm < remainder.rms_mm) {
+            let says =
+                say!("The predicted residual exceeds the measured one: the model does not fit");
+            blocks.push(Block::Warning(says.to_owned()));
         }
         if describes {
             say!("RMS error with this robot")
@@ -94,11 +101,10 @@ fn leaves(of: &Exported<'_>, detail: Detail) -> Option<Section> {
         say!("Not correctable by joint commands")
     };
     if let Some(remainder) = cannot {
-        let says: Vec<String> = remainder
-            .describe()
-            .iter()
-            .map(|line| spoken(line, detail))
-            .collect();
+        // Its sum, which stands above, comes first.
+        let in_file = of.export.stays.get(1..).unwrap_or_default();
+        let lines = not_correctable(in_file, &remainder.describe());
+        let says: Vec<String> = lines.iter().map(|line| spoken(line, detail)).collect();
         if !says.is_empty() {
             blocks.push(Block::List(says));
         }
@@ -106,17 +112,33 @@ fn leaves(of: &Exported<'_>, detail: Detail) -> Option<Section> {
     Some(Section::of(Topic::Answer, title, blocks))
 }
 
-fn figures(of: &Exported<'_>, error: Spread, detail: Detail) -> Vec<Fact> {
-    let mut facts = vec![
-        fact(say!("RMS error"), detail.length(error.rms_mm)),
-        fact(say!("largest"), detail.length(error.max_mm)),
-    ];
-    let nominal = of.nominal.map(|nominal| nominal.rms_mm);
-    for (name, mm) in [
-        (say!("RMS error, nominal robot"), nominal),
+/// The figure that the controller is left with, and what it is to be read with: first how much of it no command removes.
+fn figures(
+    of: &Exported<'_>,
+    error: Spread,
+    cannot: Option<&Remainder>,
+    detail: Detail,
+) -> Vec<Fact> {
+    let leaves = of.export.left.as_ref().and_then(|left| left.leaves);
+    let figures = [
+        (say!("RMS error"), Some(error.rms_mm)),
+        (
+            say!("not correctable by joint commands"),
+            cannot.map(|remainder| remainder.rms_mm),
+        ),
+        (say!("largest"), Some(error.max_mm)),
+        (
+            say!("RMS error, cross-validated"),
+            leaves.map(|leaves| leaves.leaves_mm),
+        ),
+        (
+            say!("RMS error, nominal robot"),
+            of.nominal.map(|nominal| nominal.rms_mm),
+        ),
         (say!("model and measurement"), of.identified_mm),
-    ] {
-        facts.extend(mm.map(|mm| fact(name, detail.length(mm))));
-    }
-    facts
+    ];
+    let figures = figures.into_iter();
+    figures
+        .filter_map(|(name, mm)| Some(fact(name, detail.length(mm?))))
+        .collect()
 }

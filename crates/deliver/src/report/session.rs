@@ -6,6 +6,8 @@ use crate::compensation::{Remainder, Verification, VerifiedCalibration};
 use crate::diagnosis::Diagnosis;
 use crate::effects::{Inputs, JointValues};
 use crate::explain::{self, Detail, cleaned, fact};
+use crate::export::Job;
+use crate::export::poses::measured_poses;
 use crate::fit::{Estimate, measured_ranges};
 use crate::kinematics::Robot;
 use crate::language::spoken;
@@ -15,7 +17,7 @@ use crate::numeric::extent;
 use crate::present::chart::in_words;
 use crate::present::decision::{self, rests_on};
 use crate::present::kinds;
-use crate::present::names::{figure, title, title_on};
+use crate::present::names::title;
 use crate::sessions::{Session, hash_of_samples};
 use crate::standards::Standards;
 use crate::text::current;
@@ -448,13 +450,12 @@ impl ReportContext<'_> {
                 "not correctable by joint commands: {size}",
                 size = mm(c.cannot_be_removed_by_joints_mm)
             ));
+            let range = measured_poses(&Job::new(self.calibration, ""));
             let inputs = Inputs::new(self.session, JointValues::Commanded);
-            remarks.extend(
-                Remainder::new(self.calibration, &inputs)
-                    .describe()
-                    .iter()
-                    .map(cleaned),
-            );
+            let [in_file, of_session] =
+                [&range, &inputs].map(|inputs| Remainder::new(self.calibration, inputs).describe());
+            let lines = explain::not_correctable(&in_file, &of_session);
+            remarks.extend(lines.iter().map(cleaned));
         }
         let noise = explain::noise(d).into_iter();
         remarks.extend(noise.map(|(name, says)| format!("{name}: {says}")));
@@ -506,15 +507,6 @@ impl ReportContext<'_> {
             .to_owned(),
         )];
         blocks.extend(explain::values(&all, self.robot(), Detail::REPORT));
-        let figures = d.found.iter().flat_map(|f| {
-            let name = title_on(f.effect, f.joint, self.robot().joints.len());
-            let said = f
-                .figures
-                .iter()
-                .map(move |one| format!("{name}: {}", figure(*one)));
-            said.collect::<Vec<_>>()
-        });
-        blocks.extend(figures.map(Block::Text));
         Section::new(say!("Parameters of the real robot"), blocks)
     }
 }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use super::{About, ChartChoice, ChartKind, ChartPlaceholder, HoverTarget, Samples, Scene, Shown};
 use crate::gui::cache::charts::Work;
-use crate::gui::core::answer::terms;
+use crate::gui::core::answer::{Search, terms};
 use crate::gui::core::quantity::Scale;
 use crate::gui::core::scale::{FEW, stride, thinned};
 use crate::gui::help;
@@ -16,9 +16,9 @@ use crate::present::chart::{
 };
 use crate::present::table::{Cell, Table};
 
-use curve::{EffectCurve, EffectSample};
+use curve::EffectSample;
 
-pub(crate) use curve::strongest;
+pub(crate) use curve::{EffectCurve, strongest};
 
 pub(crate) struct Effect;
 
@@ -26,6 +26,29 @@ pub(crate) static EFFECT: Effect = Effect;
 
 /// The name of this chart: what was found is shown in it.
 pub(crate) const ID: &str = "effect's curve";
+
+/// So many samples are looked at for the curves of all effects; of more each is drawn when it is asked for.
+const FOR_SKETCHES: usize = 20_000;
+
+/// The curves of all effects that were found, each in the component that it has most of: small, on their cards.
+pub(crate) type Sketches = Vec<Option<EffectCurve>>;
+
+/// What the background works out for them.
+pub(crate) fn sketches(search: &Arc<Search>) -> Work {
+    let search = Arc::clone(search);
+    let key = vec![Arc::as_ptr(&search).addr()];
+    Work::new("effects on cards", key, move |given| -> Sketches {
+        let session = given.loaded_session;
+        let found = search.answer.as_ref().ok();
+        let found = found.filter(|_| session.overview.usable.len() <= FOR_SKETCHES);
+        let curve = |d, index| {
+            let component = strongest(session, d, index)?;
+            EffectCurve::of(session, &search, index, component)
+        };
+        let curves = found.map(|d| (0..d.found.len()).map(|index| curve(d, index)).collect());
+        curves.unwrap_or_default()
+    })
+}
 
 impl ChartKind for Effect {
     fn about(&self) -> About {

@@ -3,16 +3,18 @@
 use egui::{Align, ComboBox, CursorIcon, Layout, Rect, Shape, Stroke, StrokeKind, Ui, pos2};
 
 use crate::gui::charts::{
-    self, Bars, CHARTS, ChartChoice, ChartKind, HoverTarget, Samples, Scene, Shown, scatter,
+    self, Bars, CHARTS, ChartChoice, ChartKind, HoverTarget, Samples, Scene, Shown, deviation,
+    scatter,
 };
 use crate::gui::core::loaded_session::Component;
 use crate::gui::core::quantity::Quantity;
 use crate::gui::plots::chart::{self, Canvas};
 use crate::gui::plots::{figure, gestures, picture, ring};
 use crate::gui::style::{size, space};
-use crate::gui::view::{ChartPane, Key, Plot, What};
+use crate::gui::view::{ChartPane, Key, Plot, Step, What};
 use crate::gui::widgets;
 use crate::gui::workbench::{Asked, Command, ViewChange, Workbench};
+use crate::gui::workspace::handles::{self, Handles};
 use crate::gui::workspace::{self, marked, nearest};
 
 use super::super::copies;
@@ -90,7 +92,29 @@ fn plotted(
             shapes.extend(bar.map(|bar| framed(bar, canvas)));
         }
     };
+    // Boundaries of regions are dragged where they stand over the joint's angle.
+    let divided = view.step == Step::Regions
+        && kind.about().id == deviation::ANGLE.about().id
+        && workbench.loaded_session().single_revolute();
+    if divided {
+        handles::grab(ui, workbench);
+    }
     let (response, transform) = chart::show(ui, id, &shown.chart, more);
+    if divided {
+        let per_rad = workbench.units().angle_value(1.0);
+        let frame = *transform.frame();
+        let top = frame.top() + 12.0;
+        let handles = Handles {
+            at: &|angle| {
+                let x = transform.position_from_point_x(per_rad * angle);
+                pos2(x, top)
+            },
+            angle: &|at, _| transform.value_from_position(at).x / per_rad,
+            frame,
+            name: |at| say!("in the chart, boundary at {at}", at),
+        };
+        handles::show(ui, workbench, &handles, commands);
+    }
     figure(&response, &shown.name, shown.description.clone());
     match &shown.pointed {
         HoverTarget::Nothing => {}

@@ -2,7 +2,6 @@
 
 use super::super::fonts::Fonts;
 use super::flow::{BOTTOM, Flow, LEFT, LINE, NAMES, PAGE, TEXT, TOP};
-use super::tables::{FEWEST_ROWS, TableLayout, row_height};
 use crate::compensation::decision::Outcome;
 use crate::present::chart::FULL_WIDTH;
 use crate::present::decision::title;
@@ -179,11 +178,7 @@ impl Flow<'_> {
             Block::Heading(_) => 26.0,
             Block::Text(_) | Block::Warning(_) | Block::List(_) => 2.0 * LINE,
             Block::Facts(facts) => self.facts_height(facts).min(150.0),
-            Block::Table(table) => {
-                let TableLayout { head, rows, .. } = self.table_layout(table);
-                let first = rows.iter().take(FEWEST_ROWS);
-                row_height(&head) + first.map(|row| row_height(row)).sum::<f64>()
-            }
+            Block::Table(table) => self.table_layout(table).least_height(),
             Block::Plot(..) => self.block_height(block),
             Block::Sign(lines) => 46.0 * lines.len().div_ceil(2) as f64 + 16.0,
         }

@@ -12,7 +12,9 @@ const PADDING: f64 = 4.5;
 const MOST_LINES: usize = 40;
 
 /// Rows of a table that stay with its head, and with its last row.
-pub(super) const FEWEST_ROWS: usize = 2;
+const FEWEST_ROWS: usize = 2;
+/// A table that takes no more of a page than this stands on one.
+const MOST_WHOLE: f64 = 0.5;
 
 impl Flow<'_> {
     pub(super) fn table_layout(&self, table: &Table) -> TableLayout {
@@ -29,11 +31,11 @@ impl Flow<'_> {
 
     /// A table: its head on every page that it reaches, never alone, and no row by itself at the end.
     pub(super) fn table(&mut self, table: &Table) {
-        let TableLayout { widths, head, rows } = self.table_layout(table);
+        let layout = self.table_layout(table);
+        self.room_for(layout.least_height().min(BOTTOM - TOP));
+        let TableLayout { widths, head, rows } = layout;
         let heights: Vec<f64> = rows.iter().map(|row| row_height(row)).collect();
         let head_height = row_height(&head);
-        let first: f64 = heights.iter().take(FEWEST_ROWS).sum();
-        self.room_for((head_height + first).min(BOTTOM - TOP));
         let breaks = table_breaks(
             &heights,
             BOTTOM - self.y - head_height,
@@ -143,8 +145,24 @@ impl Flow<'_> {
 pub(super) struct TableLayout {
     /// Points.
     widths: Vec<f64>,
-    pub(super) head: Vec<Vec<String>>,
-    pub(super) rows: Vec<Vec<Vec<String>>>,
+    head: Vec<Vec<String>>,
+    rows: Vec<Vec<Vec<String>>>,
+}
+
+impl TableLayout {
+    /// What it needs to begin on a page: all of it, or where that would leave much of a page empty its first rows.
+    pub(super) fn least_height(&self) -> f64 {
+        let of = |rows: usize| {
+            let rows = self.rows.iter().take(rows).map(|row| row_height(row));
+            row_height(&self.head) + rows.sum::<f64>()
+        };
+        let whole = of(self.rows.len());
+        if whole <= MOST_WHOLE * (BOTTOM - TOP) {
+            whole
+        } else {
+            of(FEWEST_ROWS)
+        }
+    }
 }
 
 /// The rows before which a page begins, where so much room (points) is left on this page and so much
@@ -169,7 +187,7 @@ fn table_breaks(heights: &[f64], first_page: f64, whole_page: f64) -> Vec<usize>
     breaks
 }
 
-pub(super) fn row_height(cells: &[Vec<String>]) -> f64 {
+fn row_height(cells: &[Vec<String>]) -> f64 {
     let lines = cells.iter().map(Vec::len).max().unwrap_or(1);
     11.0 * lines as f64 + 5.2
 }
