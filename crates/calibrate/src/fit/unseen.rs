@@ -4,7 +4,7 @@
 //! frame and the tool. Where every pose of the joint ranges does alike that is a choice of names. Where the *measured*
 //! poses do (two of them, one joint that was swept) it is a claim about all others: a tool 3 mm to the side that was a
 //! zero offset leads off wherever the wrist is turned. Such a combination d moves along its line to where it is
-//! expected, by the priors of this robot's own width ([`super::prior_scale`]), and is as unsure as they are:
+//! expected, by the priors of this robot's own width (`prior_scale`), and is as unsure as they are:
 //!
 //! ```text
 //! J d = 0 at the measured poses and not over the joint ranges,   D = (d₁ d₂ …)
