@@ -373,7 +373,7 @@ pub(crate) fn layout(ctx: &Context, workbench: &Workbench) -> Layout {
 }
 
 /// What the keyboard asks for. Behind a sheet, and while text is typed, the keys belong to the text; behind a
-/// dialog of the system they belong to nobody.
+/// dialog of the system no key is read.
 pub(crate) fn read(ctx: &Context, workbench: &Workbench) -> Vec<Command> {
     let covered = workbench.view().sheet.is_some() || workbench.asking().is_some();
     if covered || ctx.text_edit_focused() {

@@ -296,7 +296,10 @@ fn an_identification_that_was_cancelled_is_not_begun_again_by_itself() {
     workbench.execute(Command::Stop(Task::Newest));
     assert!(workbench.is_declined());
     workbench.execute(Command::View(ViewChange::GoTo(Step::Export)));
-    assert!(workbench.jobs.newest().is_none(), "nobody asked again");
+    assert!(
+        workbench.jobs.newest().is_none(),
+        "it is not asked for again"
+    );
     workbench.execute(Command::Edit(Edit::Identify));
     assert!(workbench.jobs.newest().is_some());
 }
@@ -365,7 +368,7 @@ fn excluding_a_sample_keeps_the_sample_and_not_the_session() {
     let alive = before.iter().filter(|one| one.strong_count() > 0).count();
     assert_eq!(alive, 1, "that which is open");
     assert!(opened.strong_count() > 0, "and that from which it differs");
-    // What somebody looks at comes back as itself.
+    // A session that is still held comes back as itself.
     let held = Arc::clone(workbench.loaded_session());
     let excluded = |workbench: &Workbench| {
         let samples = &workbench.loaded_session().session.samples;
@@ -397,7 +400,10 @@ fn a_preparation_that_was_cancelled_is_not_begun_again_by_itself() {
     workbench.execute(Command::Stop(Task::Newest));
     assert!(workbench.is_unprepared());
     workbench.execute(Command::View(ViewChange::Fit));
-    assert!(workbench.jobs.newest().is_none(), "nobody asked again");
+    assert!(
+        workbench.jobs.newest().is_none(),
+        "it is not asked for again"
+    );
     workbench.execute(Command::Prepare);
     assert!(!workbench.is_unprepared() && workbench.jobs.newest().is_some());
 }

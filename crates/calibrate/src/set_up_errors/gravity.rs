@@ -16,41 +16,31 @@ use nalgebra::{DMatrix, DVector, Vector3};
 
 use crate::answers::diagnosis::DataProblem;
 use crate::effects::JointValues;
-use crate::fit::base_model;
 use crate::kinematics::{JointKind, Robot};
 use crate::linear::cholesky;
 use crate::numeric::extent;
 use crate::sessions::{Session, SessionCorrection};
 use crate::text::Text;
 
-use super::groups::fitted;
-use super::left::{Beside, Left};
-use super::parts::RowsInOrder;
+use super::left::{Beside, Looked};
 use super::thresholds::LIKELIER;
 
-/// Rows that are looked at.
-const MOST_ROWS: usize = 400;
 /// Directions that are tried first, evenly over the sphere: 5° apart.
 const DIRECTIONS: usize = 2000;
 /// Halvings of the step around the best of them: to a hundredth of a degree.
 const HALVINGS: usize = 10;
-/// A robot that stands so level (the sine of 10°) sags as one that is level, within what is known of its compliance.
+/// A robot that stands so level (the chord of 10°) sags as one that is level, within what is known of its compliance.
 const LEVEL: f64 = 0.17;
 
 /// The session with gravity as its joints feel it; `None` where that is as the session says, or not shown.
 pub(super) fn turned(
     session: &Session,
-    values: JointValues,
+    _: JointValues,
+    looked: &Looked,
     problems: &mut Vec<DataProblem>,
 ) -> Option<Session> {
     let stated = session.robot.gravity_m_s2.filter(|g| g.norm() > 0.0)?;
-    let loads = session.samples.load_kg.as_ref()?;
-    let [least, most] = extent(loads.iter().copied().filter(|kg| kg.is_finite()));
-    if !base_model::is_arm(session) || !session.has_plain_points() || least >= most {
-        return None;
-    }
-    let few = RowsInOrder::of(session, MOST_ROWS).select(session);
-    let sag = Sag::of(&few, values)?;
+    let sag = Sag::of(looked)?;
     let direction = sag.likeliest()?;
     let as_stated = stated.normalize();
     let needed = LIKELIER + sag.nats(&as_stated, 0).max(sag.foundation).max(0.0);
@@ -90,11 +80,10 @@ struct Sag {
 }
 
 impl Sag {
-    fn of(few: &Session, values: JointValues) -> Option<Self> {
-        let (model, _) = fitted(few, values)?;
-        let left = Left::of(few, values, &model)?;
+    fn of(Looked { few, left, .. }: &Looked) -> Option<Self> {
         let load = few.samples.load_kg.as_ref()?;
-        if load.iter().any(|kg| !kg.is_finite()) {
+        let [least, most] = extent(load);
+        if least >= most || load.iter().any(|kg| !kg.is_finite()) {
             return None;
         }
         let turning = |j: &usize| few.robot.joints[*j].kind == JointKind::Revolute;
@@ -108,7 +97,7 @@ impl Sag {
                 own.push(left.times(motion, |i| torques[i] * load[i]));
             }
         }
-        let beside = Beside::of(&left, &rivals)?;
+        let beside = Beside::of(left, &rivals)?;
         // A foundation that tilts and gives under the load's moment, whatever its springs.
         let at = |i: usize, axis: usize| few.samples.coordinates(i)[axis] * load[i];
         let gives = (0..18).map(|k| left.column(|i| left.frame[i][k / 3] * at(i, k % 3)));

@@ -46,6 +46,7 @@ use crate::fit::base_model;
 
 use corrected::made_for;
 use hypotheses::{Hypothesis, change_of_measure, hypotheses};
+use left::Looked;
 use losses::{losses, mislocked};
 use thinned::thinned;
 use thresholds::{FEWEST_SAMPLES, GROSS_SHARE, LARGEST_OFFSET_DEG, MENDED_SHARE};
@@ -185,23 +186,34 @@ fn without_mistakes_of(
     {
         session = Cow::Owned(brought_up);
     }
-    if small_ones && let Some(settled) = settling::corrected(&session, joint_values, &mut problems)
-    {
-        session = Cow::Owned(settled);
-    }
-    if small_ones
-        && let Some(scaled) = station_scale::corrected(&session, joint_values, &mut problems)
-    {
-        session = Cow::Owned(scaled);
-    }
-    if small_ones && let Some(turned) = gravity::turned(&session, joint_values, &mut problems) {
-        session = Cow::Owned(turned);
+    if small_ones {
+        rarely_stated(&mut session, joint_values, &mut problems);
     }
     made.extend(made_for(&problems[known..]));
     if small_ones {
         mislocked(&session, joint_values, &mut problems);
     }
     CorrectedSession::new(raw, session, problems, made)
+}
+
+/// What instruments, stations and mountings do that no session states. One fit serves all of them until one changes the
+/// session.
+fn rarely_stated(session: &mut Cow<Session>, values: JointValues, problems: &mut Vec<DataProblem>) {
+    let mut looked = None;
+    for corrected in [
+        settling::corrected,
+        station_scale::corrected,
+        gravity::turned,
+    ] {
+        looked = looked.or_else(|| Looked::at(session, values));
+        let better = looked
+            .as_ref()
+            .and_then(|looked| corrected(session, values, looked, problems));
+        if let Some(better) = better {
+            *session = Cow::Owned(better);
+            looked = None;
+        }
+    }
 }
 
 /// The session of a single joint without its mistakes; `None` where there is none. One error may hide another: at

@@ -10,20 +10,14 @@
 
 use crate::answers::diagnosis::DataProblem;
 use crate::effects::JointValues;
-use crate::fit::base_model;
-use crate::model::Model;
 use crate::numeric::extent;
 use crate::sessions::{Session, SessionCorrection};
 use crate::text::{Text, length};
 use nalgebra::{DVector, Vector3};
 
-use super::groups::fitted;
-use super::left::{Beside, Left};
-use super::parts::RowsInOrder;
+use super::left::{Beside, Left, Looked};
 use super::thresholds::LIKELIER;
 
-/// Rows that are looked at.
-const MOST_ROWS: usize = 400;
 /// Times that are tried, as parts of the time that was measured: what settles faster is a few rows, what settles slower a
 /// straight line.
 const PARTS: [f64; 5] = [0.05, 0.1, 0.2, 0.35, 0.6];
@@ -37,44 +31,42 @@ const ROUNDS: usize = 2;
 pub(super) fn corrected(
     session: &Session,
     values: JointValues,
+    looked: &Looked,
     problems: &mut Vec<DataProblem>,
 ) -> Option<Session> {
-    let one_station = session.samples.setups.as_ref()?.names.len() == 1;
-    let time_s = session.samples.time_s.as_ref()?;
-    let [first_s, last_s] = extent(time_s);
-    if !one_station
-        || first_s >= last_s
-        || !base_model::is_arm(session)
-        || !session.has_plain_points()
-    {
-        return None;
-    }
-    let few = RowsInOrder::of(session, MOST_ROWS).select(session);
+    let few = &looked.few;
     let times_s = few.samples.time_s.as_ref()?;
-    if times_s.iter().any(|t| !t.is_finite()) {
+    let one_station = session.samples.setups.as_ref()?.names.len() == 1;
+    let [from_s, to_s] = extent(times_s);
+    if !one_station || from_s >= to_s || times_s.iter().any(|t| !t.is_finite()) {
         return None;
     }
-    let span_s = [first_s, last_s];
-    let (model, before_mm) = fitted(&few, values)?;
-    let (mut by_mm, tau_s) = settled(&few, values, &model, span_s)?;
-    let mut left_mm = before_mm;
+    let (mut by_mm, tau_s) = settled(looked, [from_s, to_s])?;
+    let mut left_mm = looked.rms_mm;
     // What was far off counted as little: sizes are fitted again with what they corrected.
     for _ in 0..ROUNDS {
         let mut corrected = few.clone();
-        SessionCorrection::Settle { by_mm, tau_s }.apply(&mut corrected);
-        let (model, after_mm) = fitted(&corrected, values)?;
+        let settle = SessionCorrection::Settle {
+            by_mm,
+            from_s,
+            tau_s,
+        };
+        settle.apply(&mut corrected);
+        let (left, after_mm) = Left::after_a_fit(&corrected, values)?;
         left_mm = after_mm;
-        let left = Left::of(&corrected, values, &model)?;
         let beside = Beside::of(&left, &left.waves(&corrected, 1.0))?;
-        by_mm += beside
-            .with(&[along_sight(&corrected, &left, first_s, tau_s)?])
-            .0[0];
+        let column = along_sight(&corrected, &left, from_s, tau_s)?;
+        by_mm += beside.with(&[column]).0[0];
     }
     // Rows that are wrong in themselves are no distances that settle.
-    if left_mm >= before_mm || by_mm.abs() > LARGEST_MM {
+    if left_mm >= looked.rms_mm || by_mm.abs() > LARGEST_MM {
         return None;
     }
-    let mend = SessionCorrection::Settle { by_mm, tau_s };
+    let mend = SessionCorrection::Settle {
+        by_mm,
+        from_s,
+        tau_s,
+    };
     problems.push(DataProblem {
         what: text!(
             "the instrument's distances settle: {by} at the beginning, within {minutes} min",
@@ -96,20 +88,14 @@ pub(super) fn corrected(
 }
 
 /// What the instrument settles by, mm, and its time, s.
-fn settled(
-    few: &Session,
-    values: JointValues,
-    model: &Model,
-    [first_s, last_s]: [f64; 2],
-) -> Option<(f64, f64)> {
-    let left = Left::of(few, values, model)?;
-    let beside = Beside::of(&left, &left.waves(few, 1.0))?;
+fn settled(Looked { few, left, .. }: &Looked, [first_s, last_s]: [f64; 2]) -> Option<(f64, f64)> {
+    let beside = Beside::of(left, &left.waves(few, 1.0))?;
     let at_s = few.samples.time_s.as_ref()?;
     let (mut best, mut rivals) = ((0.0, 0.0, 0.0), 0.0_f64);
     for part in PARTS {
         let tau_s = part * (last_s - first_s);
         let settles = |i: usize| (-(at_s[i] - first_s) / tau_s).exp();
-        let (by_mm, nats) = beside.with(&[along_sight(few, &left, first_s, tau_s)?]);
+        let (by_mm, nats) = beside.with(&[along_sight(few, left, first_s, tau_s)?]);
         if nats > best.0 {
             best = (nats, by_mm[0], tau_s);
         }

@@ -7,17 +7,13 @@
 
 use nalgebra::Vector3;
 
-use super::groups::fitted;
-use super::left::{Beside, Left};
-use super::parts::{Part, RowsInOrder};
+use super::left::{Beside, Looked};
+use super::parts::Part;
 use super::thresholds::LIKELIER;
 use crate::answers::diagnosis::DataProblem;
 use crate::effects::JointValues;
-use crate::fit::base_model;
 use crate::sessions::{Group, Session, SessionCorrection};
 
-/// Rows that are looked at.
-const MOST_ROWS: usize = 400;
 /// More is no scale of a station: air changes it by a millionth a degree, and the steel of a robot grows by twelve.
 const LARGEST: f64 = 2e-3;
 /// Waves over the joints that are no scale: cycles a turn.
@@ -26,19 +22,18 @@ const ORDERS: [f64; 2] = [1.0, 2.0];
 /// The session with the points of every station in the scale of the first; `None` where they have one.
 pub(super) fn corrected(
     session: &Session,
-    values: JointValues,
+    _: JointValues,
+    Looked {
+        rows, few, left, ..
+    }: &Looked,
     problems: &mut Vec<DataProblem>,
 ) -> Option<Session> {
     let names = &session.samples.setups.as_ref()?.names;
     let stations = names.len();
-    if stations < 2 || !base_model::is_arm(session) || !session.has_plain_points() {
+    if stations < 2 {
         return None;
     }
-    let rows = RowsInOrder::of(session, MOST_ROWS);
-    let few = rows.select(session);
-    let (model, _) = fitted(&few, values)?;
-    let left = Left::of(&few, values, &model)?;
-    let mut others: Vec<_> = ORDERS.iter().flat_map(|n| left.waves(&few, *n)).collect();
+    let mut others: Vec<_> = ORDERS.iter().flat_map(|n| left.waves(few, *n)).collect();
     let mut better: Option<Session> = None;
     for station in 1..stations {
         let part = Part::Group(Group::Setup, station);
@@ -46,7 +41,7 @@ pub(super) fn corrected(
         let of_row =
             |i: usize| Vector3::from(few.samples.coordinates(i)) * f64::from(u8::from(is_own[i]));
         let column = [left.column(of_row)];
-        let (by, nats) = Beside::of(&left, &others)?.with(&column);
+        let (by, nats) = Beside::of(left, &others)?.with(&column);
         let by = by[0];
         if nats < LIKELIER + (stations as f64).ln() || by.abs() > LARGEST {
             continue;

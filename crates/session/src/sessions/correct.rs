@@ -183,7 +183,11 @@ impl SessionCorrection {
                     index: vec![0; samples.len()],
                 });
             }
-            Self::Settle { by_mm, tau_s } => settle(samples, *by_mm, *tau_s),
+            Self::Settle {
+                by_mm,
+                from_s,
+                tau_s,
+            } => settle(samples, *by_mm, *from_s, *tau_s),
             Self::TurnGravity(m_s2) => session.robot.gravity_m_s2 = Some((*m_s2).into()),
             Self::Remove(rows) => samples.remove(rows),
             Self::PairRows(shifts) => pair_rows(samples, shifts),
@@ -257,15 +261,14 @@ impl SessionCorrection {
 }
 
 /// Takes from every distance what it had settled by at its time.
-fn settle(samples: &mut Samples, by_mm: f64, tau_s: f64) {
+fn settle(samples: &mut Samples, by_mm: f64, from_s: f64, tau_s: f64) {
     let (Some(time_s), Some(z_mm)) = (&samples.time_s, &mut samples.z_mm) else {
         return;
     };
-    let first_s = time_s.iter().copied().fold(f64::INFINITY, f64::min);
     let columns = samples.x_mm.iter_mut().zip(&mut samples.y_mm).zip(z_mm);
     for (((x, y), z), t) in columns.zip(time_s) {
         let distance = (*x * *x + *y * *y + *z * *z).sqrt();
-        let factor = 1.0 - by_mm * (-(t - first_s) / tau_s).exp() / distance;
+        let factor = 1.0 - by_mm * (-(t - from_s) / tau_s).exp() / distance;
         if factor.is_finite() {
             for v in [x, y, z] {
                 *v *= factor;

@@ -95,10 +95,12 @@ pub enum SessionCorrection {
     Reorder([usize; 3]),
     /// The measuring frame is free: all samples in one setup.
     FreeFrame,
-    /// The instrument's distances were too long by so much at the first sample, and less and less so.
+    /// The instrument's distances were too long by so much at a time, and less and less so.
     Settle {
-        /// At the first sample, mm.
+        /// At that time, mm.
         by_mm: f64,
+        /// That time, s.
+        from_s: f64,
         /// The time in which it falls to 1/e, s.
         tau_s: f64,
     },

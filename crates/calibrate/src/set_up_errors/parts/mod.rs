@@ -10,6 +10,7 @@
 //! turned.
 
 mod gross;
+mod moved;
 mod nearest;
 mod rows;
 mod steps;

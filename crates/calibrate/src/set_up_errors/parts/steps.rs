@@ -19,13 +19,12 @@ use nalgebra::{DMatrix, DVector, SMatrix, SVector, Vector3};
 use crate::answers::diagnosis::DataProblem;
 use crate::effects::JointValues;
 use crate::fit::base_model;
-use crate::kinematics::JointKind;
 use crate::linear::Basis;
 use crate::model::Model;
 use crate::numeric;
-use crate::sessions::{Group, Session, SessionCorrection};
-use crate::text::{angle, length};
+use crate::sessions::{Group, Session};
 
+use super::moved::{Step, What};
 use super::rows::{Part, RowsInOrder};
 use crate::set_up_errors::groups::fitted;
 use crate::set_up_errors::left::{Beside, Left, MOST, Motion, beside};
@@ -48,33 +47,6 @@ const BESIDE_SHARE: f64 = 1.0 / 15.0;
 const LIKELIER: f64 = 3.0;
 /// How often sizes are fitted again with what they corrected.
 const ROUNDS: usize = 3;
-
-/// What moved.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum What {
-    /// The home of a joint.
-    Home(usize),
-    /// What the instrument stands on, or the robot: moved and turned.
-    Frame,
-}
-
-impl What {
-    /// How many numbers say how far.
-    fn numbers(self) -> usize {
-        match self {
-            Self::Home(_) => 1,
-            Self::Frame => MOST,
-        }
-    }
-}
-
-/// What moved, a home by so much (rad, mm), from the k-th row that counts on.
-#[derive(Debug, Clone, Copy)]
-struct Step {
-    what: What,
-    from: usize,
-    by: f64,
-}
 
 /// The session with every row turned to the homes as they were in the end; `None` where none moved.
 pub(in crate::set_up_errors) fn corrected(
@@ -121,73 +93,6 @@ pub(in crate::set_up_errors) fn corrected(
         problems.push(step.problem(session, &rows, mend, [before_mm, left_mm]));
     }
     Some(better)
-}
-
-impl Step {
-    /// Turns these rows, which were measured before it, or gives them a frame of their own.
-    fn correction(&self, rows: Vec<(usize, usize)>) -> SessionCorrection {
-        let by = Box::new(match self.what {
-            What::Home(joint) => SessionCorrection::TurnHome {
-                joint,
-                by_rad: -self.by,
-            },
-            What::Frame => SessionCorrection::FreeFrame,
-        });
-        SessionCorrection::InRows { rows, by }
-    }
-
-    fn problem(
-        &self,
-        session: &Session,
-        rows: &RowsInOrder,
-        mend: SessionCorrection,
-        [before_mm, left_mm]: [f64; 2],
-    ) -> DataProblem {
-        let sample = rows.row(self.from) + 1;
-        let (what, proposal) = match self.what {
-            What::Home(joint) => {
-                let by = match session.robot.joints[joint].kind {
-                    JointKind::Revolute => angle(self.by, 4),
-                    JointKind::Prismatic => length(self.by, 3),
-                };
-                let joint = joint + 1;
-                let what = text!(
-                    "the home position of joint {joint} moved by {by} at sample {sample}",
-                    joint,
-                    by,
-                    sample
-                );
-                let proposal = text!(
-                    "the samples before are turned by it, to the home as it is now; look at the encoder's coupling, or at how joint {joint} is homed",
-                    joint
-                );
-                (what, proposal)
-            }
-            What::Frame => (
-                text!(
-                    "the robot's base or the instrument moved and turned at sample {sample}",
-                    sample
-                ),
-                text!(
-                    "the samples before have a measuring frame of their own; look at the bolts of the base and at the instrument's stand"
-                ),
-            ),
-        };
-        DataProblem {
-            what,
-            evidence: text!(
-                "the base model leaves {before} as it stands and {after} with these samples corrected; more than 1000 times likelier",
-                before = length(before_mm, 3),
-                after = length(left_mm, 3)
-            ),
-            proposal,
-            mend: Some(mend),
-            samples: (0..rows.len())
-                .filter(|k| *k < self.from)
-                .map(|k| rows.row(k))
-                .collect(),
-        }
-    }
 }
 
 impl Left {
@@ -486,7 +391,8 @@ fn still_likelier(left: &Left, all: &[Step], step: Step) -> bool {
     if step.what == What::Frame {
         return true;
     }
-    let others = all.iter().filter(|other| other.from != step.from);
+    let is_other = |other: &&Step| (other.what, other.from) != (step.what, step.from);
+    let others = all.iter().filter(is_other);
     let others: Vec<_> = others
         .flat_map(|other| left.from(other.what, other.from))
         .collect();

@@ -68,7 +68,11 @@ fn motor(o: &mut Object<'_, '_>, own: &mut Motor) {
     o.required("range_max", &mut own.range_max, &WHOLE);
     let (range_min, range_max) = (own.range_min, own.range_max);
     if o.has_read_well() && range_min >= range_max {
-        let found = text!("a range from {range_min} to {range_max}", range_min, range_max);
+        let found = text!(
+            "a range from {range_min} to {range_max}",
+            range_min,
+            range_max
+        );
         let expected = phrase!("a range from the smaller to the larger value");
         o.error(found, expected);
     }

@@ -30,7 +30,11 @@ pub(super) fn numbers_of(correction: &SessionCorrection) -> Option<(&'static str
             "continue-clock",
             days.iter().map(|sample| place(*sample)).collect(),
         ),
-        SessionCorrection::Settle { by_mm, tau_s } => ("settle", vec![*by_mm, *tau_s]),
+        SessionCorrection::Settle {
+            by_mm,
+            from_s,
+            tau_s,
+        } => ("settle", vec![*by_mm, *from_s, *tau_s]),
         SessionCorrection::TurnGravity(m_s2) => ("turn-gravity", m_s2.to_vec()),
         SessionCorrection::WidenNoise(by_mm) => ("widen-noise", by_mm.to_vec()),
         SessionCorrection::MoveTarget { target, by_mm } => {
@@ -82,8 +86,9 @@ pub(super) fn of_numbers(name: &str, numbers: &[f64]) -> Option<SessionCorrectio
             let days = days.iter().map(|sample| index(*sample));
             SessionCorrection::ContinueClock(days.collect::<Option<_>>()?)
         }
-        ("settle", [by_mm, tau_s]) if *tau_s > 0.0 => SessionCorrection::Settle {
+        ("settle", [by_mm, from_s, tau_s]) if *tau_s > 0.0 => SessionCorrection::Settle {
             by_mm: *by_mm,
+            from_s: *from_s,
             tau_s: *tau_s,
         },
         ("turn-gravity", [x, y, z]) => SessionCorrection::TurnGravity([*x, *y, *z]),
@@ -194,6 +199,7 @@ mod tests {
             SessionCorrection::TurnGravity([9.81, 0.0, 0.0]),
             SessionCorrection::Settle {
                 by_mm: 0.2,
+                from_s: 30.0,
                 tau_s: 600.0,
             },
             SessionCorrection::ConvertTemperature {
