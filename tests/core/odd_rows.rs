@@ -241,6 +241,26 @@ fn distances_that_settle_are_no_frame_that_drifts() {
 }
 
 #[test]
+fn lines_of_sight_that_bend_are_no_joint_that_turns_unevenly() {
+    let mut random = Random(23);
+    let rows: Vec<_> = (0..120).map(|_| anywhere(&mut random, 1.0)).collect();
+    let (_, mut session) = measured(&rows, &mut random, 23);
+    from_afar(&mut session);
+    assert!(diagnosed(&session).data_problems.is_empty());
+    let samples = &mut session.samples;
+    for row in 0..120 {
+        let z = &mut samples.z_mm.as_mut().unwrap()[row];
+        let square = samples.x_mm[row].powi(2) + samples.y_mm[row].powi(2) + *z * *z;
+        *z += 0.4 * square / (3500.0 * 3500.0);
+    }
+    let answer = diagnosed(&session);
+    let what = answer.data_problems[0].what.to_string();
+    assert!(what.starts_with("the lines of sight are bent"), "{what}");
+    assert!(answer.found.is_empty(), "{:?}", answer.found);
+    assert!(answer.gap.end_mm < 0.05, "{}", answer.gap.end_mm);
+}
+
+#[test]
 fn a_base_that_moved_and_turned_is_said_and_so_is_every_homing() {
     let mut random = Random(19);
     let rows: Vec<_> = (0..120).map(|_| anywhere(&mut random, 1.0)).collect();

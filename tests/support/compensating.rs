@@ -66,6 +66,7 @@ pub fn calibration() -> Calibration {
         regions: Vec::new(),
         targets: Vec::new(),
         measured_targets: None,
+        measured_steps: None,
         tolerance_mm: None,
         compensated_by: None,
         set_up: truepose::model::SetUp::default(),

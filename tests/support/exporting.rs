@@ -72,6 +72,7 @@ pub fn known(session: &Session, effects: &[(&str, &[(&str, f64)])]) -> Calibrati
         targets: Vec::new(),
         measured_targets: None,
         measured: measured.collect(),
+        measured_steps: None,
         tolerance_mm: session.tolerance_mm,
         compensated_by: None,
         set_up: truepose::model::SetUp::default(),

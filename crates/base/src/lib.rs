@@ -29,6 +29,8 @@ pub mod side_by_side;
 #[doc(hidden)]
 pub mod sincos;
 #[doc(hidden)]
+pub mod steps;
+#[doc(hidden)]
 pub mod unfinished;
 pub mod units;
 #[doc(hidden)]

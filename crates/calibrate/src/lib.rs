@@ -8,7 +8,7 @@ extern crate truepose_base;
 
 use truepose_base::{
     decompose, diagnostic, distributions, kinematics, lanes, linear, numeric, side_by_side, sincos,
-    text, units, wide,
+    steps, text, units, wide,
 };
 #[cfg(test)]
 use truepose_model::simulation;

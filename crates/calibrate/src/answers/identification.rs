@@ -11,6 +11,7 @@ use crate::kinematics::Range;
 use crate::model::{Calibration, Conditions, Model, RegionalCorrection, ResidualStep, SetUp};
 use crate::observations::figures::KindFigures;
 use crate::sessions::Session;
+use crate::steps::step_of;
 use crate::text::{Template, Text};
 
 use super::errors::{Expected, Level, Spread, UnusableReason};
@@ -277,6 +278,7 @@ impl Identification {
             targets: session.targets.clone(),
             measured_targets: measured_targets(session, inputs),
             measured: measured_ranges(inputs),
+            measured_steps: measured_steps(inputs),
             load_kg: inputs.load_kg.as_deref().map(extent),
             tolerance_mm: session.tolerance_mm,
             compensated_by: session.compensated_by.clone(),
@@ -321,6 +323,13 @@ pub fn measured_ranges(inputs: &Inputs) -> Vec<Range> {
         Range { from, to }
     };
     inputs.q.iter().map(|q| range(q)).collect()
+}
+
+/// The steps in which joints were measured, where any are equal.
+fn measured_steps(inputs: &Inputs) -> Option<Vec<f64>> {
+    let steps = inputs.q.iter().map(|q| step_of(q).unwrap_or(0.0));
+    let steps: Vec<f64> = steps.collect();
+    steps.iter().any(|step| *step > 0.0).then_some(steps)
 }
 
 #[cfg(test)]

@@ -23,8 +23,12 @@
 //! the plane of motion; z is not used.
 
 use crate::effects::{Inputs, JointValues, MEASURING_FRAME, Owner, Role, Term, called};
+use crate::fit::expected::uncertainties_mm;
 use crate::fit::gap::{Deviations, Spread};
 use crate::fit::problem::Problem;
+use crate::fit::ranges::POSES;
+use crate::fit::spread::spread;
+use crate::fit::unseen::nothing_held;
 use crate::kinematics::JointKind;
 use crate::kinematics::quaternion::log;
 use crate::lanes::{add_scaled, minus};
@@ -34,6 +38,7 @@ use crate::sessions::{Session, hash_of_samples};
 use crate::text::Text;
 
 use crate::answers::diagnosis::DataProblem;
+use crate::answers::rms_error::rms_error;
 
 use super::conditions::Conditions;
 use super::plan::Compensation;
@@ -421,6 +426,28 @@ fn are_held(calibration: &Calibration) -> Vec<bool> {
     held.collect()
 }
 
+/// Whether a model is less sure of where samples are, seen from a frame, than the nominal robot was right where it was
+/// measured: one joint that was swept leaves the instrument's place open by all that other joints may be off.
+fn is_unsure(
+    calibration: &Calibration,
+    frame: &Term,
+    problem: &Problem,
+    inside: &dyn Fn(usize) -> bool,
+) -> bool {
+    let (Some(covariance), Some(nominal)) = (&calibration.covariance, calibration.history.first())
+    else {
+        return false;
+    };
+    let inside: Vec<bool> = (0..problem.usable.len()).map(inside).collect();
+    let mut inputs = problem.inputs.select(&spread(&inside, POSES));
+    if let Some(setups) = &mut inputs.setup {
+        setups.fill(frame.setting);
+    }
+    let unsure_mm = uncertainties_mm(&nothing_held(&calibration.model), &inputs, covariance);
+    let unsure_mm = unsure_mm.and_then(|all| rms_error(all.into_iter()));
+    unsure_mm.is_some_and(|unsure_mm| unsure_mm > nominal.gap_mm)
+}
+
 /// The model as it applies to this session: shifts and drifts of another one are left out. A setup
 /// that the model knows by name stands where the model says, another one, and one whose frame the model's own samples
 /// did not determine (two poses of one reflector), where it fits best.
@@ -459,10 +486,11 @@ pub(super) fn model_for(
     let held = are_held(calibration);
     let predicted = model.predict(&problem.inputs);
     for (setup, name) in setups.names.iter().enumerate() {
+        let inside = |i: usize| problem.usable[i] && setups.index[i] as usize == setup;
         let known = calibration.model.terms().iter().zip(&held);
         let mut known = known.filter(|(t, _)| is_frame(t) && t.label.as_deref() == Some(name));
         match known.next() {
-            Some((frame, false)) => {
+            Some((frame, false)) if !is_unsure(calibration, frame, problem, &inside) => {
                 let setting = setup as f64;
                 model = model.with_term(Term {
                     setting,
@@ -470,7 +498,7 @@ pub(super) fn model_for(
                 });
                 continue;
             }
-            Some((_, true)) => notes.push(text!(
+            Some(_) => notes.push(text!(
                 "the model's own samples do not determine the frame of setup {name}: it is fitted to these samples",
                 name
             )),
@@ -479,7 +507,6 @@ pub(super) fn model_for(
                 name
             )),
         }
-        let inside = |i: usize| problem.usable[i] && setups.index[i] as usize == setup;
         if let Some(frame) = best_rigid_motion(session, &predicted, inside) {
             let mut term = Term::absent(&MEASURING_FRAME, 0, setup as f64);
             let turn = log(&frame.rotation);

@@ -6,7 +6,7 @@ use crate::effects::Inputs;
 use super::problem::Problem;
 
 /// Poses over the joint ranges.
-pub(super) const POSES: usize = 400;
+pub(crate) const POSES: usize = 400;
 
 /// Poses over the limits of the joints, on the targets in turn.
 pub fn over_the_ranges(problem: &Problem) -> Inputs<'static> {

@@ -17,7 +17,6 @@ mod conditions;
 mod copies;
 mod digits;
 mod directions;
-pub mod equal_steps;
 mod midnight;
 mod missing_values;
 mod order;

@@ -170,7 +170,7 @@ impl Sag {
 }
 
 /// The torque about a joint of a kilogram at the tool for gravity of 1 m/s² along an axis, N·m.
-fn torques_of_a_kilogram(few: &Session, joint: usize, along: usize) -> Vec<f64> {
+pub(super) fn torques_of_a_kilogram(few: &Session, joint: usize, along: usize) -> Vec<f64> {
     let mut robot: Robot = few.robot.clone();
     robot.gravity_m_s2 = Some(Vector3::ith(along, 1.0));
     for own in &mut robot.joints {

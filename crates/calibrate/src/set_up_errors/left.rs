@@ -63,6 +63,8 @@ pub(super) struct Left {
     pub(super) frame: Motion,
     /// Of a target.
     pub(super) target: Motion,
+    /// Where the model expects the measured points. A column of where they were measured has in it what is left.
+    pub(super) expected: Vec<[f64; 3]>,
     /// Samples, and axes of each.
     pub(super) n: usize,
     pub(super) axes: Vec<usize>,
@@ -156,6 +158,7 @@ impl Left {
             joints,
             frame,
             target,
+            expected: points,
             n,
             axes,
             scale,

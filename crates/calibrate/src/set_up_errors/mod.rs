@@ -19,6 +19,7 @@ mod motor_values;
 mod orientations;
 mod parts;
 mod read_back;
+mod refraction;
 mod settling;
 mod several;
 mod station_scale;
@@ -202,6 +203,7 @@ fn rarely_stated(session: &mut Cow<Session>, values: JointValues, problems: &mut
     let mut looked = None;
     for corrected in [
         settling::corrected,
+        refraction::straightened,
         station_scale::corrected,
         gravity::turned,
     ] {

@@ -117,7 +117,7 @@ fn settled(Looked { few, left, .. }: &Looked, [first_s, last_s]: [f64; 2]) -> Op
 fn along_sight(few: &Session, left: &Left, first_s: f64, tau_s: f64) -> Option<DVector<f64>> {
     let at_s = few.samples.time_s.as_ref()?;
     let sight = |i: usize| {
-        let point = Vector3::from(few.samples.coordinates(i));
+        let point = Vector3::from(left.expected[i]);
         point.try_normalize(0.0).unwrap_or_default()
     };
     Some(left.column(|i| sight(i) * (-(at_s[i] - first_s) / tau_s).exp()))

@@ -38,8 +38,7 @@ pub(super) fn corrected(
     for station in 1..stations {
         let part = Part::Group(Group::Setup, station);
         let is_own = rows.mask(session, part);
-        let of_row =
-            |i: usize| Vector3::from(few.samples.coordinates(i)) * f64::from(u8::from(is_own[i]));
+        let of_row = |i: usize| Vector3::from(left.expected[i]) * f64::from(u8::from(is_own[i]));
         let column = [left.column(of_row)];
         let (by, nats) = Beside::of(left, &others)?.with(&column);
         let by = by[0];

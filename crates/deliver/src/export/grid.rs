@@ -1,7 +1,8 @@
 //! Which entries a table gets.
 //!
 //! A step that the user gives is taken, or refused where the reader's limit does not allow it.
-//! Without one, the widest round step is taken (10, 5, 2, 1, 0.5, … degrees or mm) with which the
+//! Without one, entries are where the joint was measured, if it was in equal steps that divide the travel; else, or where the
+//! table then adds more than is allowed, the widest round step is taken (10, 5, 2, 1, 0.5, … degrees or mm) with which the
 //! table adds less than is allowed ([`Allowance`]); where the limit does not let the steps get that
 //! small, a format that may have its entries anywhere gets them where they are needed
 //! ([`knots`](super::knots)), and another one as many as it takes. What is added then is said.
@@ -87,7 +88,8 @@ fn fitting(job: &Job, rules: &Rules, exact: &Exact, allowed_mm: f64) -> Result<S
     // A step that divides the travel.
     let dividing = |step: f64| span / (span / step - 1e-9).ceil().max(1.0);
     let fits = |step: &f64| *step <= rules.widest_step && span / step < (most - 1) as f64 + 1e-6;
-    for step in ROUND.into_iter().filter(fits) {
+    let measured = measured_step(job, exact);
+    for step in measured.into_iter().chain(ROUND).filter(fits) {
         let sheet = Sheet::new(&job.table(dividing(step))?, rules);
         if exact.added_by(&sheet, rules) <= allowed_mm {
             return Ok(sheet);
@@ -102,6 +104,19 @@ fn fitting(job: &Job, rules: &Rules, exact: &Exact, allowed_mm: f64) -> Result<S
     }
     let table: JointTable = job.table(span / (most - 1) as f64)?;
     Ok(Sheet::new(&table, rules))
+}
+
+/// The step in which the joint was measured, degrees or mm, where entries in it are at the measured targets.
+fn measured_step(job: &Job, exact: &Exact) -> Option<f64> {
+    let table = &exact.table;
+    let steps = job.calibration.measured_steps.as_ref()?;
+    let step = table.to_display(*steps.get(job.joint)?);
+    let whole = |distance: f64| {
+        let steps = distance / step;
+        (steps - steps.round()).abs() < 1e-6
+    };
+    let from = table.to_display(table.measured.from) - table.commanded_outer[0];
+    (step > 0.0 && whole(exact.span()) && whole(from)).then_some(step)
 }
 
 /// Refuses a table for one direction where the directions differ noticeably; `None` where they do

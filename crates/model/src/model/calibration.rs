@@ -77,6 +77,9 @@ pub struct Calibration {
     pub measured_targets: Option<Vec<usize>>,
     /// Range of every joint in the measured samples, rad or mm.
     pub measured: Vec<Range>,
+    /// For every joint the step in which it was measured, rad or mm; 0 where steps were uneven. `None`: of no joint
+    /// they were equal.
+    pub measured_steps: Option<Vec<f64>>,
     /// Least and largest load of the measured samples, kg; `None`: the session does not say.
     pub load_kg: Option<[f64; 2]>,
     /// Tolerance of the session, mm.

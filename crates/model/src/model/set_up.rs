@@ -69,6 +69,7 @@ fn is_a_convention(correction: &SessionCorrection) -> bool {
             | SessionCorrection::Reorder(_)
             | SessionCorrection::FreeFrame
             | SessionCorrection::TurnGravity(_)
+            | SessionCorrection::StraightenSight(_)
     )
 }
 

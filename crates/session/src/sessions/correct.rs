@@ -65,6 +65,7 @@ impl SessionCorrection {
             }
             Self::FreeFrame => text!("Fit the measuring frame"),
             Self::Settle { .. } => text!("Take out what the instrument's distances settle by"),
+            Self::StraightenSight(_) => text!("Take out what the lines of sight are bent by"),
             Self::TurnGravity(_) => text!("Take gravity as the joints feel it"),
             Self::Remove(rows) if rows.len() == 1 => text!("Remove this sample"),
             Self::Remove(rows) => text!("Remove these {count} samples", count = rows.len()),
@@ -188,6 +189,7 @@ impl SessionCorrection {
                 from_s,
                 tau_s,
             } => settle(samples, *by_mm, *from_s, *tau_s),
+            Self::StraightenSight(by) => straighten(samples, *by),
             Self::TurnGravity(m_s2) => session.robot.gravity_m_s2 = Some((*m_s2).into()),
             Self::Remove(rows) => samples.remove(rows),
             Self::PairRows(shifts) => pair_rows(samples, shifts),
@@ -243,21 +245,6 @@ impl SessionCorrection {
             Self::Free { group, index } => group.free(session, *index),
         }
     }
-
-    /// Whether it changes which rows count or belong together, and nothing that holds for another
-    /// session of the same robot.
-    pub fn is_of_rows(&self) -> bool {
-        matches!(
-            self,
-            Self::Remove(_)
-                | Self::PairRows(_)
-                | Self::RenameTargets(_)
-                | Self::Settle { .. }
-                | Self::Split { .. }
-                | Self::InRows { .. }
-                | Self::Free { .. }
-        )
-    }
 }
 
 /// Takes from every distance what it had settled by at its time.
@@ -273,6 +260,20 @@ fn settle(samples: &mut Samples, by_mm: f64, from_s: f64, tau_s: f64) {
             for v in [x, y, z] {
                 *v *= factor;
             }
+        }
+    }
+}
+
+/// Takes from every point what its line of sight was bent by.
+fn straighten(samples: &mut Samples, by: [f64; 3]) {
+    let Some(z_mm) = &mut samples.z_mm else {
+        return;
+    };
+    let columns = samples.x_mm.iter_mut().zip(&mut samples.y_mm).zip(z_mm);
+    for ((x, y), z) in columns {
+        let square = *x * *x + *y * *y + *z * *z;
+        for (v, by) in [x, y, z].into_iter().zip(by) {
+            *v -= by * square;
         }
     }
 }

@@ -104,6 +104,8 @@ pub enum SessionCorrection {
         /// The time in which it falls to 1/e, s.
         tau_s: f64,
     },
+    /// A line of sight was bent by this times its length squared, measuring frame, 1/mm.
+    StraightenSight([f64; 3]),
     /// Gravity is this, base frame, m/s².
     TurnGravity([f64; 3]),
     /// Without these samples, counted from 0 in ascending order.

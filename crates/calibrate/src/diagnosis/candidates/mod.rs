@@ -5,7 +5,6 @@
 //! - `shapes`, `shape_space`, `placed`: bumps, plateaus, waves and steps over every variable, and one of them in a fit.
 //! - `incomplete`: samples that lack a condition which the others have.
 //! - `compatible`: which names may be in one model; `setting`: the setting of a term, in words;
-//!   `steps`: whether values are equal steps.
 
 pub(crate) mod columns;
 mod compatible;
@@ -14,7 +13,6 @@ mod placed;
 mod setting;
 mod shape_space;
 mod shapes;
-pub(crate) mod steps;
 pub(crate) mod table;
 
 pub(crate) use compatible::compatible;

@@ -84,7 +84,6 @@ fn of_term(regression: &Regression, fit: &Fit, term: &Term) -> Vec<Rival> {
 mod tests {
     use super::*;
     use crate::diagnosis::Options;
-    use crate::diagnosis::candidates::steps::step_of;
     use crate::diagnosis::search::prepare::PreparedSearch;
     use crate::diagnosis::verdict::equal_steps::equal_steps;
     use crate::simulation::{parse_scenario, simulate, unwatched};
@@ -141,13 +140,5 @@ mod tests {
         let turn = |k: i32| 330.0 * (f64::from(k) * 0.754_877_666).fract() - 165.0;
         let angles: Vec<f64> = (0..90).map(turn).collect();
         assert_eq!(orders_at(&angles), (vec![88.0], None));
-    }
-
-    #[test]
-    fn a_grid_with_a_gap_is_one_and_random_values_are_none() {
-        assert_eq!(step_of(&[0.0, 1.0, 2.0, 4.0, 5.0, 2.0]), Some(1.0));
-        assert_eq!(step_of(&[0.0, 1.0, 2.3, 4.0, 5.1]), None);
-        assert_eq!(step_of(&[1.0, 1.0]), None);
-        assert_eq!(step_of(&[]), None);
     }
 }

@@ -15,10 +15,10 @@ use crate::effects::{Setting, Term};
 use super::found::SearchResult;
 use super::other_settings::comes_round;
 use super::prepare::PreparedSearch;
-use crate::diagnosis::candidates::steps::step_of;
 use crate::diagnosis::evidence::rival::UNDECIDED;
 use crate::diagnosis::evidence::{Fit, Regression};
 use crate::model::shapes::{Direction, Profile, Shape, Variable};
+use crate::steps::step_of;
 
 /// Settings closer than this share of a step of the scan are one.
 const SAME: f64 = 1e-6;

@@ -7,11 +7,11 @@ use crate::kinematics::JointKind;
 use crate::text::Text;
 use crate::units::deg_from_rad;
 
-use crate::diagnosis::candidates::steps::{EQUAL, step_of};
 use crate::diagnosis::candidates::{setting, shown};
 use crate::diagnosis::evidence::rival::Rival;
 use crate::diagnosis::search::prepare::PreparedSearch;
 use crate::effects::Term;
+use crate::steps::{EQUAL, step_of};
 
 /// What is said of steps that are equal, where settings cannot be told apart by them.
 pub(crate) fn equal_steps(prepared: &PreparedSearch, rivals: &[Rival]) -> Option<DataProblem> {

@@ -35,6 +35,7 @@ pub(super) fn numbers_of(correction: &SessionCorrection) -> Option<(&'static str
             from_s,
             tau_s,
         } => ("settle", vec![*by_mm, *from_s, *tau_s]),
+        SessionCorrection::StraightenSight(by) => ("straighten-sight", by.to_vec()),
         SessionCorrection::TurnGravity(m_s2) => ("turn-gravity", m_s2.to_vec()),
         SessionCorrection::WidenNoise(by_mm) => ("widen-noise", by_mm.to_vec()),
         SessionCorrection::MoveTarget { target, by_mm } => {
@@ -91,6 +92,7 @@ pub(super) fn of_numbers(name: &str, numbers: &[f64]) -> Option<SessionCorrectio
             from_s: *from_s,
             tau_s: *tau_s,
         },
+        ("straighten-sight", [x, y, z]) => SessionCorrection::StraightenSight([*x, *y, *z]),
         ("turn-gravity", [x, y, z]) => SessionCorrection::TurnGravity([*x, *y, *z]),
         ("widen-noise", [x, y, z]) => SessionCorrection::WidenNoise([*x, *y, *z]),
         ("move-target", [target, x, y, z]) => SessionCorrection::MoveTarget {
@@ -197,6 +199,7 @@ mod tests {
             },
             SessionCorrection::ScaleLoad(0.001),
             SessionCorrection::TurnGravity([9.81, 0.0, 0.0]),
+            SessionCorrection::StraightenSight([0.0, 1e-9, 2e-8]),
             SessionCorrection::Settle {
                 by_mm: 0.2,
                 from_s: 30.0,

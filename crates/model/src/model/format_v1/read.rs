@@ -21,7 +21,7 @@ use std::io::{self, Read as _};
 use std::path::Path as FilePath;
 
 use super::exact::{exact, exact_robot, robot_of};
-use super::set_up::SET_UP;
+use super::set_up::{SET_UP, VALUES};
 use super::term::{term, term_written};
 
 /// Reads the model at `path`.
@@ -111,6 +111,7 @@ fn document(fields: &mut Fields<'_>, root: &Node) -> Option<Calibration> {
         targets: default_targets(),
         measured_targets: None,
         measured: Vec::new(),
+        measured_steps: None,
         load_kg: None,
         tolerance_mm: None,
         compensated_by: None,
@@ -185,6 +186,20 @@ fn calibration(o: &mut Object<'_, '_>, own: &mut Calibration) {
         let found = text!(one "{count} range", "{count} ranges", count = own.measured.len());
         let expected = text!("one range for each of {joints} joints", joints);
         o.error_in("measured", found, expected);
+    }
+    let steps = &mut own.measured_steps;
+    o.optional("measured_steps", steps, &VALUES);
+    if let Some(count) = steps
+        .as_ref()
+        .map(Vec::len)
+        .filter(|count| *count != joints)
+    {
+        let found = text!(one "{count} number", "{count} numbers", count);
+        o.error_in(
+            "measured_steps",
+            found,
+            text!("one number for each of {joints} joints", joints),
+        );
     }
     o.optional("load_kg", &mut own.load_kg, &LOADS);
     o.usual_or_null("tolerance_mm", &mut own.tolerance_mm, &TOLERANCE_MM);

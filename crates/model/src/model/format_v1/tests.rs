@@ -123,6 +123,7 @@ fn any_calibration() -> impl Strategy<Value = Calibration> {
                 };
                 joints
             ],
+            measured_steps: (number > 0.4).then(|| vec![number; joints]),
             tolerance_mm: (number > 0.5).then_some(number),
             compensated_by: (number > 0.2).then(|| "0123".to_owned()),
             set_up: if number > 0.3 {

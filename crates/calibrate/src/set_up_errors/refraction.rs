@@ -1,0 +1,103 @@
+//! Air that bends the lines of sight: warm air rises along a robot, under a roof it is warmer than above a floor.
+//!
+//! In a gradient of the refractive index a line of sight is part of a parabola,
+//!
+//! ```text
+//! p_i = p_i⁰ + b |p_i|²,   2 b the gradient
+//! ```
+//!
+//! in the instrument's own frame. What the fitted robot leaves is regressed on the three columns of b beside the base
+//! model, waves over the joints and the torques of masses behind them: an arm that sags moves downwards with its reach
+//! squared, too. What no model has moves points by any quadratic function of their place: were that likelier, with its 27
+//! numbers, it would not be the sight.
+
+use nalgebra::Vector3;
+
+use super::gravity::torques_of_a_kilogram;
+use super::left::{Beside, Looked};
+use super::thresholds::LIKELIER;
+use crate::answers::diagnosis::DataProblem;
+use crate::effects::JointValues;
+use crate::kinematics::JointKind;
+use crate::sessions::{Session, SessionCorrection};
+use crate::text::{Text, length};
+
+/// Waves over the joints that are no line of sight: cycles a turn.
+const ORDERS: [f64; 2] = [1.0, 2.0];
+/// No line of sight is bent by more than this part of its length: beside a furnace, at 100 K a metre, one of 10 m by half of
+/// it (10⁻⁶ a kelvin).
+const MOST: f64 = 1e-3;
+/// Which of x, y, z and 1 are multiplied in a quadratic function.
+const PRODUCTS: [[usize; 2]; 9] = [
+    [0, 0],
+    [0, 1],
+    [0, 2],
+    [1, 1],
+    [1, 2],
+    [2, 2],
+    [0, 3],
+    [1, 3],
+    [2, 3],
+];
+
+/// The session with straight lines of sight; `None` where they are.
+pub(super) fn straightened(
+    session: &Session,
+    _: JointValues,
+    Looked { few, left, .. }: &Looked,
+    problems: &mut Vec<DataProblem>,
+) -> Option<Session> {
+    if session.samples.setups.as_ref()?.names.len() != 1 {
+        return None;
+    }
+    let point = |i: usize| Vector3::from(left.expected[i]);
+    let farthest_mm = (0..left.n).map(|i| point(i).norm()).fold(0.0, f64::max);
+    let mut others: Vec<_> = ORDERS.iter().flat_map(|n| left.waves(few, *n)).collect();
+    for (joint, motion) in left.joints.iter().enumerate() {
+        if few.robot.joints[joint].kind == JointKind::Revolute {
+            for along in 0..3 {
+                let torques = torques_of_a_kilogram(few, joint, along);
+                others.push(left.times(motion, |i| torques[i]));
+            }
+        }
+    }
+    let columns = [0, 1, 2]
+        .map(|axis| left.column(|i| Vector3::ith(axis, (point(i).norm() / farthest_mm).powi(2))));
+    let beside = Beside::of(left, &others)?;
+    let (by, nats) = beside.with(&columns);
+    let by_mm = Vector3::new(by[0], by[1], by[2]);
+    if nats < LIKELIER || by_mm.norm() > MOST * farthest_mm {
+        return None;
+    }
+    let quadratic = (0..3 * PRODUCTS.len()).map(|k| {
+        let [first, second] = PRODUCTS[k / 3];
+        let of = |i: usize, factor: usize| point(i).push(farthest_mm)[factor] / farthest_mm;
+        left.column(|i| Vector3::ith(k % 3, of(i, first) * of(i, second)))
+    });
+    let q = beside.with(&quadratic.collect::<Vec<_>>()).1;
+
+    if q > nats {
+        return None;
+    }
+    let mend = SessionCorrection::StraightenSight((by_mm / farthest_mm.powi(2)).into());
+    let along = by_mm.normalize();
+    problems.push(DataProblem {
+        what: text!(
+            "the lines of sight are bent: at {distance} by {size} along {along} of the measuring frame",
+            distance = length(farthest_mm, 0),
+            size = length(by_mm.norm(), 3),
+            along = Text::verbatim(format!("({:.2}, {:.2}, {:.2})", along.x, along.y, along.z))
+        ),
+        evidence: text!(
+            "more than 1000 times likelier than straight ones beside joints that turn unevenly or give"
+        ),
+        proposal: text!(
+            "the samples are taken without it; keep sights away from warm machines and short, or mix the air"
+        ),
+        mend: Some(mend.clone()),
+        samples: Vec::new(),
+    });
+    let mut better = session.clone();
+    mend.apply(&mut better);
+    Some(better)
+}
