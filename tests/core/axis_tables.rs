@@ -162,6 +162,26 @@ fn a_lead_error_without_a_name_is_in_the_table_and_what_is_left_is_said() {
 }
 
 #[test]
+fn entries_are_the_measured_targets_where_these_are_equal_steps() {
+    let slide = Slide {
+        lead: |q| 0.012 * (PI * q / TRAVEL).sin(),
+        reversal_mm: 0.0,
+        targets: equal_targets(25),
+        runs: 3,
+        seed: 5,
+    };
+    let (_, table) = answered(&session(&slide.readings()));
+    let text = String::from_utf8(table.documents[0].bytes.clone()).unwrap();
+    let entries: Vec<f64> = text
+        .lines()
+        .skip(1)
+        .map(|row| row.split(',').next().unwrap().parse().unwrap())
+        .collect();
+    assert_eq!(entries, equal_targets(25));
+    assert!(left(&slide, &table) < 0.5 * SIGMA);
+}
+
+#[test]
 fn at_equal_steps_the_table_follows_the_slowest_wave() {
     // Three waves over the travel; at steps of 25 mm a screw with a lead of 8 mm looks the same.
     let slide = Slide {

@@ -3,7 +3,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use serde_json::Value;
 
@@ -92,18 +92,63 @@ fn holds(session: &Path, folder: &Path) {
     );
 }
 
+/// Every session below a folder.
+fn sessions_below(folder: &Path) -> Vec<PathBuf> {
+    let text = |path: &PathBuf| std::fs::read_to_string(path).unwrap_or_default();
+    let is_session = |path: &PathBuf| {
+        let document = path.extension().is_some_and(|e| e == "json");
+        document && text(path).contains("\"truepose-session/1\"")
+    };
+    files(folder).into_iter().filter(is_session).collect()
+}
+
+fn files(folder: &Path) -> Vec<PathBuf> {
+    let entries = std::fs::read_dir(folder).into_iter().flatten();
+    let mut found = Vec::new();
+    for path in entries.map(|entry| entry.unwrap().path()) {
+        if path.is_dir() {
+            found.extend(files(&path));
+        } else {
+            found.push(path);
+        }
+    }
+    found.sort();
+    found
+}
+
+/// Of some; with `EVERY_SESSION` set of every one that there is, and of those in ../shared/practice, where it is there.
 #[test]
-fn of_small_sessions_of_the_repository() {
+fn of_sessions_of_the_repository() {
     let folder = tempfile::tempdir().unwrap();
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    for session in [
+    let some = [
         "sessions/paper-30.json",
         "sessions/arm/arm.json",
         "tests/data/arm_verdicts/twenty-poses.json",
         "tests/data/arm_verdicts/two-cycle.json",
         "tests/data/programs/positioner.json",
-    ] {
-        holds(&root.join(session), folder.path());
+    ];
+    let mut all: Vec<PathBuf> = some.map(|path| root.join(path)).into();
+    if std::env::var_os("EVERY_SESSION").is_some() {
+        let folders = ["sessions", "tests/data", "../shared/practice"];
+        all = folders
+            .iter()
+            .flat_map(|f| sessions_below(&root.join(f)))
+            .collect();
+        // What cannot be diagnosed says so, and has no answer.
+        all.retain(|path| {
+            truepose()
+                .arg("diagnose")
+                .arg(path)
+                .output()
+                .unwrap()
+                .status
+                .success()
+        });
+        assert!(all.len() > some.len());
+    }
+    for session in all {
+        holds(&session, folder.path());
     }
 }
 

@@ -72,6 +72,17 @@ pub struct HeldOut {
     pub gaps: Option<Gaps>,
 }
 
+impl HeldOut {
+    /// Nothing is said of unseen samples, for this reason.
+    pub(crate) fn none(why: Text) -> Self {
+        Self {
+            how: why,
+            samples: 0,
+            gaps: None,
+        }
+    }
+}
+
 /// An effect that was missing.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FoundEffect {

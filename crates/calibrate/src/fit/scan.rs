@@ -12,6 +12,7 @@ use nalgebra::DVector;
 use crate::effects::{Setting, Survey, Term, stated_orders};
 use crate::lanes::LANES;
 use crate::model::Model;
+use crate::numeric::extent;
 
 use super::normal::{Normal, Sums};
 use super::problem::Problem;
@@ -20,6 +21,8 @@ use super::spectrum::Spectrum;
 
 /// Candidates that are scored in one pass over the samples.
 const AT_ONCE: usize = 16;
+/// Whole orders are parted into no more.
+const MOST_PARTS: u16 = 4;
 /// Blocks that a scan looks at; a longer session is thinned.
 const MOST_BLOCKS: usize = 192;
 
@@ -45,8 +48,16 @@ pub(crate) fn settings(problem: &Problem, term: &Term) -> Vec<f64> {
     match term.effect.about().setting {
         Setting::None | Setting::Setup | Setting::Target | Setting::Place => vec![term.setting],
         Setting::Order { from, to } => {
-            let mut all: Vec<f64> = (from..=to).map(f64::from).collect();
-            if term.effect.about().setting.takes_fractions() {
+            let fractions = term.effect.about().setting.takes_fractions();
+            let parts = if fractions {
+                parts_of_an_order(problem, term.joint)
+            } else {
+                1
+            };
+            let mut all: Vec<f64> = (from * parts..=to * parts)
+                .map(|k| f64::from(k) / f64::from(parts))
+                .collect();
+            if fractions {
                 all.extend(stated_orders(&problem.session.robot, term.joint).map(|s| s.order));
                 all.sort_by(f64::total_cmp);
                 all.dedup();
@@ -60,6 +71,16 @@ pub(crate) fn settings(problem: &Problem, term: &Term) -> Vec<f64> {
             (listed.tried)(&survey, term.joint)
         }
     }
+}
+
+/// Orders between whole ones have to be tried over more than a turn: waves of half a step more or less are then out of
+/// step at the ends by no more than six tenths of a cycle, and keep a quarter of what they explain.
+fn parts_of_an_order(problem: &Problem, joint: usize) -> u16 {
+    let [low, high] = extent(problem.inputs.q[joint].iter());
+    let turns = (high - low) / std::f64::consts::TAU;
+    (1..MOST_PARTS)
+        .find(|parts| turns <= f64::from(*parts) + 0.2)
+        .unwrap_or(MOST_PARTS)
 }
 
 /// Fades from a fiftieth of the joint's range to all of it, by factors of about 1.6.

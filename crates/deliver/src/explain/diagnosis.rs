@@ -129,11 +129,7 @@ fn figures(d: &Diagnosis, detail: Detail) -> Vec<Fact> {
     );
     facts.push(fact(say!("Noise floor"), floor));
     facts.extend(noise(d));
-    let cross_validated = match held_out {
-        Some(_) => cleaned(&d.held_out.how),
-        None => say!("none, there are too few samples").to_owned(),
-    };
-    facts.push(fact(say!("Cross-validation"), cross_validated));
+    facts.push(fact(say!("Cross-validation"), cleaned(&d.held_out.how)));
     facts
 }
 

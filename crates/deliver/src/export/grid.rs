@@ -22,21 +22,16 @@ const ROUND: [f64; 13] = [
 /// Most entries of a table whose number was not asked for.
 const MOST_UNASKED: usize = 20_001;
 
-/// The sheet for a format.
+/// The sheet for a format, and what it may add.
 pub(super) fn choose(
     job: &Job,
     rules: &Rules,
     exact: &Exact,
-    allowance: &Allowance,
-) -> Result<Sheet, ExportError> {
-    let sheet = match job.step {
-        Some(step) => asked(job, rules, step)?,
-        None => fitting(
-            job,
-            rules,
-            exact,
-            allowance.without_independent(exact.between_sides_mm(rules)),
-        )?,
+    allowance: Allowance,
+) -> Result<(Sheet, Allowance), ExportError> {
+    let (sheet, allowance) = match job.step {
+        Some(step) => (asked(job, rules, step)?, allowance),
+        None => fitting(job, rules, exact, allowance)?,
     };
     let ascends = sheet.places.windows(2).all(|pair| pair[0] < pair[1]);
     if !ascends {
@@ -58,7 +53,7 @@ pub(super) fn choose(
             wrong
         )));
     }
-    Ok(sheet)
+    Ok((sheet, allowance))
 }
 
 fn asked(job: &Job, rules: &Rules, step: f64) -> Result<Sheet, ExportError> {
@@ -82,17 +77,31 @@ fn asked(job: &Job, rules: &Rules, step: f64) -> Result<Sheet, ExportError> {
     Ok(Sheet::new(&table, rules))
 }
 
-fn fitting(job: &Job, rules: &Rules, exact: &Exact, allowed_mm: f64) -> Result<Sheet, ExportError> {
+fn fitting(
+    job: &Job,
+    rules: &Rules,
+    exact: &Exact,
+    allowance: Allowance,
+) -> Result<(Sheet, Allowance), ExportError> {
+    let between_sides_mm = exact.between_sides_mm(rules);
     let most = rules.most_entries.min(MOST_UNASKED);
     let span = exact.span();
     // A step that divides the travel.
     let dividing = |step: f64| span / (span / step - 1e-9).ceil().max(1.0);
-    let fits = |step: &f64| *step <= rules.widest_step && span / step < (most - 1) as f64 + 1e-6;
-    let measured = measured_step(job, exact);
-    for step in measured.into_iter().chain(ROUND).filter(fits) {
+    let fits = |step: &f64| span / step < (most - 1) as f64 + 1e-6;
+    if let Some(step) = measured_step(job, exact).filter(fits) {
+        let sheet = Sheet::new(&job.table(step)?, rules);
+        let at_the_targets = allowance.clone().at_the_targets(job.calibration);
+        if exact.added_by(&sheet, rules) <= at_the_targets.without_independent(between_sides_mm) {
+            return Ok((sheet, at_the_targets));
+        }
+    }
+    let allowed_mm = allowance.without_independent(between_sides_mm);
+    let narrow = |step: &f64| *step <= rules.widest_step;
+    for step in ROUND.into_iter().filter(narrow).filter(fits) {
         let sheet = Sheet::new(&job.table(dividing(step))?, rules);
         if exact.added_by(&sheet, rules) <= allowed_mm {
-            return Ok(sheet);
+            return Ok((sheet, allowance));
         }
     }
     if rules.spacing == Spacing::Free {
@@ -100,10 +109,10 @@ fn fitting(job: &Job, rules: &Rules, exact: &Exact, allowed_mm: f64) -> Result<S
         let columns = [&dense.forward[..], &dense.reverse[..]];
         let enough = allowed_mm / exact.lever_outer_mm.max(f64::MIN_POSITIVE);
         let entries = knots::at_most(&dense.places, &columns, enough, most);
-        return Ok(dense.at(&entries));
+        return Ok((dense.at(&entries), allowance));
     }
     let table: JointTable = job.table(span / (most - 1) as f64)?;
-    Ok(Sheet::new(&table, rules))
+    Ok((Sheet::new(&table, rules), allowance))
 }
 
 /// The step in which the joint was measured, degrees or mm, where entries in it are at the measured targets.

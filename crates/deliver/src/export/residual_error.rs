@@ -33,6 +33,9 @@ const PER_UNIT: f64 = 16.0;
 const POINTS: [f64; 2] = [2000.0, 20_000.0];
 /// Neighbours predict a target where what they leave is noise: √2 is as much again.
 const TOO_FAR_APART: f64 = std::f64::consts::SQRT_2;
+/// The share of what a model leaves that a table with its entries at the measured targets may add: half a hundredth, as
+/// both are independent.
+const AT_THE_TARGETS: f64 = 0.1;
 /// Half a difference quotient, rad (mm: a thousand times as much).
 const STEP: f64 = 1e-4;
 
@@ -65,6 +68,19 @@ impl Allowance {
                     least = length(LEAST_STAND_IN_MM, 2)
                 )
             },
+        }
+    }
+
+    /// Of a table with its entries at the measured targets: beside what the model leaves there a tenth is nothing.
+    pub(super) fn at_the_targets(self, calibration: &Calibration) -> Self {
+        let gap_mm = calibration.history.last().map_or(0.0, |step| step.gap_mm);
+        let mm = AT_THE_TARGETS * gap_mm;
+        if !(mm > self.mm) {
+            return self;
+        }
+        Self {
+            mm,
+            is: text!("a tenth of the model's RMS error, with entries at the measured targets"),
         }
     }
 
@@ -260,7 +276,7 @@ impl Leaves {
 }
 
 impl ResidualError {
-    pub(super) fn new(job: &Job, exact: &Exact, read: &ReadBack) -> Self {
+    pub(super) fn new(job: &Job, exact: &Exact, read: &ReadBack, allowance: Allowance) -> Self {
         let [added_rms_mm, added_max_mm] = exact.added(read, false);
         let single = job.calibration.model.robot.joints.len() == 1;
         let gap_mm = single.then(|| gaps(job, read));
@@ -269,7 +285,7 @@ impl ResidualError {
             added_max_mm,
             leaves: gap_mm.and_then(|[with, _]| Leaves::of(job.calibration, with)),
             gap_mm,
-            allowance: Allowance::of(job.calibration),
+            allowance,
         }
     }
 

@@ -49,10 +49,10 @@ impl Exporter for TableFile {
         let exact = Exact::new(job)?;
         let allowance = Allowance::of(job.calibration);
         let one_sided = grid::directions(rules, &exact, &allowance)?;
-        let mut sheet = grid::choose(job, rules, &exact, &allowance)?;
+        let (mut sheet, allowance) = grid::choose(job, rules, &exact, allowance)?;
         sheet.notes.extend(one_sided);
         let reads_as = self.read_back(&sheet, &(self.write)(job, &sheet, &[]))?;
-        let left = ResidualError::new(job, &exact, &reads_as);
+        let left = ResidualError::new(job, &exact, &reads_as, allowance);
         sheet
             .notes
             .push(left.describe(rules, &sheet, job.step.is_some()));

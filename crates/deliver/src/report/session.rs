@@ -440,11 +440,8 @@ impl ReportContext<'_> {
     /// What belongs to the table of the result.
     fn remarks(&self) -> Vec<String> {
         let (d, v) = (self.found, self.verification);
-        let mut remarks = vec![if d.held_out.gaps.is_some() {
-            say!("cross-validation: {how}", how = cleaned(&d.held_out.how))
-        } else {
-            say!("cross-validation: none, there are too few samples").to_owned()
-        }];
+        let how = cleaned(&d.held_out.how);
+        let mut remarks = vec![say!("cross-validation: {how}", how)];
         if let Some(c) = v.compensated {
             remarks.push(say!(
                 "not correctable by joint commands: {size}",

@@ -182,6 +182,17 @@ pub(crate) fn answer(
         }
     }
     let own = &handed_out.values;
+    let identification = identification(prepared, fit, own);
+    if let Some(expected) = &identification.expected
+        && own.is_completed()
+        && expected.rms_mm > gap.start_mm
+        && unseen::is_cross_fitted(prepared)
+    {
+        held_out = HeldOut::none(text!(
+            "the poses predict each other, and say so little of others that the model is expected to be off by more there than the nominal robot was here"
+        ));
+        names_held_out.gaps = None;
+    }
     let mut history = history(session, &names_gap, &names_held_out, &steps);
     history.extend(unnamed.as_ref().map(|_| ResidualStep {
         what: "with what predicts without a name".to_owned(),
@@ -200,7 +211,6 @@ pub(crate) fn answer(
                 runs_held_out_mm: curve.runs_held_out_mm,
             }),
     );
-    let identification = identification(prepared, fit, own);
     if let Some(why) =
         gross::beyond_noise(prepared, &floor, &gap, &identification, &mended.problems)
     {

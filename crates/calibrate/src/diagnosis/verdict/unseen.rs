@@ -56,6 +56,11 @@ pub(crate) fn held_out_samples(prepared: &PreparedSearch) -> Vec<bool> {
     (0..problem.usable.len()).map(is_apart).collect()
 }
 
+/// Whether what is said of unseen samples comes from folds.
+pub(super) fn is_cross_fitted(prepared: &PreparedSearch) -> bool {
+    !held_out_samples(prepared).contains(&true)
+}
+
 /// Root mean square length of what is left of them, mm; samples far off are suspected here as they are
 /// elsewhere.
 pub(super) fn rms_apart_mm(prepared: &PreparedSearch, left_mm: &[f64]) -> f64 {
@@ -107,18 +112,10 @@ pub(crate) fn held_out(
         };
     }
     if !prepared.folds.say_something() {
-        return HeldOut {
-            how: text!("too few samples to hold any out"),
-            samples: 0,
-            gaps: None,
-        };
+        return HeldOut::none(text!("too few samples to hold any out"));
     }
     if !prepared.folds.predict_poses {
-        return HeldOut {
-            how: text!("the robot was in too few poses to hold any out"),
-            samples: 0,
-            gaps: None,
-        };
+        return HeldOut::none(text!("the robot was in too few poses to hold any out"));
     }
     let rows = &regression.rows;
     let (raw, _) = rows.extract(&prepared.nominal);
