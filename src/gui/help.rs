@@ -52,7 +52,7 @@ words! {
     OUTLIER, phrase!("Suspected outlier"), phrase!("A sample so far from the model that it is at least four times likelier to be a mistake of the measurement than noise. It is excluded from the fit, stays on the screen, and is worth measuring again");
     SLOW_NOISE, phrase!("Slow noise"), phrase!("A part of the error that wanders in time, whatever the robot does: a tripod that settles, air, a tracker that warms up. The intervals allow for it, and no effect of the robot is read into it");
     NOT_IDENTIFIABLE, phrase!("Not identifiable"), phrase!("Two causes that do the same to every sample measured so far. Poses that differ more, a second reflector, or both directions usually tell them apart");
-    TARGETS, phrase!("Compensated targets"), phrase!("Targets of a table or a program whose numbers were changed, so that the real tool goes where the nominal robot would. A target that is singular, beyond the limits or ambiguous is named and left as it is");
+    TARGETS, phrase!("Compensated targets"), phrase!("Targets of a table or a program whose numbers were changed, so that the real tool goes where the nominal robot would. One that is singular, beyond the limits, ambiguous or unseen is named and left");
     PREDICTED, phrase!("Position error, as the model predicts it"), phrase!("How far the real tool, as the model knows it, is from the targets of the file: with their numbers as they are, and with the corrected ones");
     LANGUAGE, phrase!("Read as"), phrase!("The language of the file, by its ending, else by what it looks like");
     REMAINDER, phrase!("Not correctable by joint commands"), phrase!("RMS error that remains when the controller applies the whole table: directions in which moving this joint moves nothing");
