@@ -35,7 +35,6 @@ use crate::fit::gap::{Spread, deviations};
 use crate::fit::problem::Problem;
 use crate::fit::{self, base_model};
 use crate::fit::{DEFAULT_EFFECTS, Identification, IdentifyError, identify_regional};
-use crate::fonts::Library;
 use crate::model::{Calibration, ResidualStep, SetUp};
 use crate::report::{Evidence, Extras, Kind, PdfError, Report, ReportError, Written};
 use crate::sessions::division::RegionChoice;
@@ -551,5 +550,5 @@ pub fn conformity(
 /// # Errors
 /// If a font cannot be used.
 pub fn write_report(report: &Report, kind: Kind) -> Result<Written, PdfError> {
-    report.written(kind, &Library::system())
+    report.written(kind)
 }

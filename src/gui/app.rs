@@ -8,17 +8,14 @@ use std::time::Duration;
 use egui::style::NumberFormatter;
 use egui::{CentralPanel, Context, Frame, Margin, Panel, Ui, ViewportCommand};
 
-use crate::fonts::Library;
-
 use super::preferences::{Preferences, largest_zoom};
 use super::view::{Arrangement, Canvas, Sheet};
 use super::{actions, dialogs, files, layers, widgets};
 use crate::gui::core::compensated::CompensationRequest;
 use crate::gui::jobs::{Jobs, Runner};
-use crate::gui::style::font_fallback::Alphabet;
 use crate::gui::style::{self, Palette, space};
 use crate::gui::views;
-use crate::gui::workbench::{Command, Letters, ViewChange, Workbench};
+use crate::gui::workbench::{Command, ViewChange, Workbench};
 use crate::present::numbers::write_numbers;
 use crate::text::Language;
 
@@ -40,8 +37,6 @@ pub struct App {
     /// As it was laid out last, and how many passes from now on are not to be seen.
     arranged: Option<Arrangement>,
     unseen: u8,
-    /// `None`: letters that the bundled fonts lack are not drawn.
-    alphabet: Option<Alphabet>,
     shown: Preferences,
     /// The size of text as it was set last: that which is wanted, or what the window has room for.
     zoom: f32,
@@ -49,8 +44,6 @@ pub struct App {
     comma: bool,
     /// The language where none is preferred.
     language: Language,
-    /// The language that was wanted last.
-    wanted: Language,
     title: String,
     /// When recovery is written next, in the window's seconds.
     recovery_due: Option<f64>,
@@ -78,7 +71,6 @@ impl App {
         let workbench = Workbench::new(files::first_example(), jobs, views::copies::drawing);
         Self {
             first: path,
-            alphabet: Some(Alphabet::asked_by(ctx)),
             ..Self::on(workbench)
         }
     }
@@ -90,12 +82,10 @@ impl App {
             first: None,
             arranged: None,
             unseen: 0,
-            alphabet: None,
             shown: Preferences::default(),
             zoom: 1.0,
             comma: false,
             language: Language::English,
-            wanted: Language::English,
             title: String::new(),
             recovery_due: None,
         }
@@ -121,14 +111,6 @@ impl App {
     fn on_canvas(mut self, canvas: Canvas) -> Self {
         let change = ViewChange::Canvas(canvas);
         self.workbench.execute(Command::View(change));
-        self
-    }
-
-    /// Finds the letters that the bundled fonts lack in these fonts, and not in those that are
-    /// installed on this machine.
-    #[must_use]
-    pub fn reading(mut self, library: Arc<Library>) -> Self {
-        self.workbench.read_letters_from(library);
         self
     }
 
@@ -182,7 +164,6 @@ impl App {
             self.workbench.execute(command);
         }
         self.keep_title(ui.ctx());
-        self.keep_letters(ui.ctx());
         self.ask_before_leaving(ui.ctx());
         if self.workbench.receive() || any {
             ui.ctx().request_repaint();
@@ -191,20 +172,10 @@ impl App {
         self.keep_arranged(ui.ctx());
     }
 
-    /// Chooses the language for this frame. Its letters are looked for all at once, so that no panel
-    /// appears without them; where no font has them, English can be read.
-    fn speak(&mut self) {
+    /// Chooses the language for this frame.
+    fn speak(&self) {
         let preferred = self.workbench.view().preferences.language;
-        let wanted = preferred.unwrap_or(self.language);
-        if wanted != self.wanted {
-            self.wanted = wanted;
-            let letters = crate::text::characters(wanted).collect();
-            self.workbench
-                .execute(Command::Letters(Letters::Find(letters)));
-            self.workbench.receive();
-        }
-        let lacks = self.workbench.characters().lack(wanted.own_name());
-        crate::text::choose(if lacks { Language::English } else { wanted });
+        crate::text::choose(preferred.unwrap_or(self.language));
         crate::text::name_by_titles(true);
     }
 
@@ -363,23 +334,6 @@ impl App {
         if ctx.input(|i| i.events.contains(&egui::Event::WindowFocused(true))) {
             self.workbench.execute(Command::LookAtDisk);
         }
-    }
-
-    /// Looks for what egui has asked for, and gives it what was found.
-    fn keep_letters(&mut self, ctx: &Context) {
-        let Some(alphabet) = &mut self.alphabet else {
-            return;
-        };
-        let wanted = alphabet.wanted();
-        if !wanted.is_empty() {
-            self.workbench
-                .execute(Command::Letters(Letters::Find(wanted)));
-        }
-        let drawn = alphabet.install(ctx, &self.workbench.characters().faces);
-        if drawn < self.workbench.characters().faces.len() {
-            ctx.request_repaint();
-        }
-        self.workbench.draws_with(drawn);
     }
 
     fn keep_title(&mut self, ctx: &Context) {

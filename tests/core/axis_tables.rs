@@ -164,7 +164,7 @@ fn a_lead_error_without_a_name_is_in_the_table_and_what_is_left_is_said() {
 #[test]
 fn entries_are_the_measured_targets_where_these_are_equal_steps() {
     let slide = Slide {
-        lead: |q| 0.012 * (PI * q / TRAVEL).sin(),
+        lead: |q| 0.005 * (PI * q / TRAVEL).sin(),
         reversal_mm: 0.0,
         targets: equal_targets(25),
         runs: 3,

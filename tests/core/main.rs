@@ -13,8 +13,6 @@ mod hidden_robot;
 mod program;
 #[path = "../support/rig.rs"]
 mod rig;
-#[path = "../support/tiny_font.rs"]
-mod tiny_font;
 
 mod arms;
 mod arms_verdicts;

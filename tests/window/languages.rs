@@ -3,20 +3,17 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 
 use egui::accesskit::Role;
 use egui::{Key, Modifiers, Rect};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
-use truepose::fonts::Library;
 use truepose::gui::{App, Language, Runner};
 
 use crate::record::{open_records, sessions};
 use crate::sizes::{
     Thing, interactive, look, no_text_is_cut, no_text_is_cut_but_at_the_right, things,
 };
-use crate::tiny_font::Tiny;
 use crate::touring::texts;
 use crate::window::{Window, keys, press, there};
 
@@ -31,19 +28,11 @@ fn read(path: &Path) -> String {
     std::fs::read_to_string(path).unwrap_or_else(|e| panic!("{}: {e}", path.display()))
 }
 
-/// A window that speaks this language from the beginning; a font of boxes has the letters of Chinese.
+/// A window that speaks this language from the beginning.
 fn window(language: Language, size: [f32; 2], path: Option<PathBuf>) -> Window {
-    let chinese = read(&file("zh")) + "中文";
-    let chinese: String = chinese.chars().filter(|c| *c >= '\u{2e80}').collect();
-    let fonts = [Tiny::new("SimHei", Box::leak(chinese.into_boxed_str()))];
-    let library = Arc::new(Library::of(fonts.iter().map(Tiny::file)));
     let mut window = Harness::builder()
         .with_size(size)
-        .allow_missing_glyphs()
-        .build_eframe(|cc| {
-            let app = App::new(&cc.egui_ctx, path, Runner::AtOnce);
-            app.reading(library).speaking(language)
-        });
+        .build_eframe(|cc| App::new(&cc.egui_ctx, path, Runner::AtOnce).speaking(language));
     window.run_steps(6);
     window
 }
@@ -455,22 +444,4 @@ fn the_language_is_chosen_in_the_preferences_and_the_next_frame_speaks_it() {
     assert!(there(&window, "1 Messung") && !there(&window, "1 Session"));
     keys(&mut window, Modifiers::COMMAND, Key::I);
     assert!(there(&window, "Identifizierte Parameter"));
-}
-
-#[test]
-fn where_no_font_has_chinese_the_window_says_so_and_can_be_read() {
-    let mut window = Harness::builder()
-        .with_size([1280.0, 800.0])
-        .allow_missing_glyphs()
-        .build_eframe(|cc| {
-            let none = Arc::new(Library::of(std::iter::empty::<Vec<u8>>()));
-            App::new(&cc.egui_ctx, None, Runner::AtOnce).reading(none)
-        });
-    window.run_steps(4);
-    keys(&mut window, Modifiers::COMMAND, Key::Comma);
-    assert!(!there(&window, "中文"), "it could not be drawn");
-    press(&mut window, "Chinese");
-    press(&mut window, "Done");
-    assert!(there(&window, "1 Session"));
-    assert!(crate::window::says(&window, "no font here has"));
 }

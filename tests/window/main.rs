@@ -5,9 +5,6 @@
 
 #[path = "../support/rig.rs"]
 mod rig;
-#[path = "../support/tiny_font.rs"]
-#[allow(dead_code, reason = "the tests of the core use the rest")]
-mod tiny_font;
 #[path = "../support/touring.rs"]
 mod touring;
 #[path = "../support/window.rs"]
@@ -29,7 +26,6 @@ mod identify;
 mod import;
 mod keyboard;
 mod languages;
-mod letters;
 mod look;
 mod many;
 mod models;

@@ -4,12 +4,10 @@
 //!
 //! `UPDATE_SNAPSHOTS=1 cargo test --test window pictures::` renews them.
 use std::path::PathBuf;
-use std::sync::Arc;
 
 use egui::Theme;
 use egui_kittest::kittest::Queryable;
 use egui_kittest::{Harness, SnapshotOptions};
-use truepose::fonts::Library;
 use truepose::gui::{App, Runner};
 
 type Window = Harness<'static, App>;
@@ -39,9 +37,7 @@ fn window(theme: Theme, path: Option<PathBuf>) -> Option<Window> {
         .with_theme(theme)
         .wgpu()
         .build_eframe(|cc| {
-            // No picture depends on the fonts of the machine.
-            let fonts = Arc::new(Library::of(Vec::<Vec<u8>>::new()));
-            let app = App::new(&cc.egui_ctx, path, Runner::AtOnce).reading(fonts);
+            let app = App::new(&cc.egui_ctx, path, Runner::AtOnce);
             app.drawn_by(cc.wgpu_render_state.as_ref())
         });
     window.run_steps(4);

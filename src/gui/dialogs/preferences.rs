@@ -5,30 +5,12 @@ use egui::{Slider, Ui};
 
 use crate::gui::preferences::{Preferences, Theme, ZOOM, largest_zoom};
 use crate::gui::widgets;
-use crate::gui::workbench::{Command, Letters, ViewChange, Workbench};
+use crate::gui::workbench::{Command, ViewChange, Workbench};
 use crate::present::units::{AngleUnit, LengthUnit};
 
-/// The languages, each in its own name; one that cannot be drawn is written in letters that can.
-fn language(
-    ui: &mut Ui,
-    workbench: &Workbench,
-    next: &mut Preferences,
-    commands: &mut Vec<Command>,
-) {
-    let letters = workbench.characters();
-    if !LANGUAGES
-        .iter()
-        .all(|(_, _, own)| letters.were_asked_for(own))
-    {
-        commands.push(Command::Letters(Letters::OfLanguages));
-    }
-    let name = |own: &'static str| {
-        let drawn = own.is_ascii() || letters.have(own);
-        if drawn { own } else { "Chinese" }
-    };
-    let languages = LANGUAGES
-        .iter()
-        .map(|(one, _, own)| (Some(*one), name(own)));
+/// The languages, each in its own name.
+fn language(ui: &mut Ui, next: &mut Preferences) {
+    let languages = LANGUAGES.iter().map(|(one, _, own)| (Some(*one), *own));
     let languages: Vec<_> = std::iter::once((None, say!("System")))
         .chain(languages)
         .collect();
@@ -40,7 +22,7 @@ pub(super) fn preferences(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec
     widgets::heading(ui, say!("Preferences"));
     let now = workbench.view().preferences;
     let mut next = now;
-    language(ui, workbench, &mut next, commands);
+    language(ui, &mut next);
     let lengths = [
         (LengthUnit::Millimetre, "mm"),
         (LengthUnit::Micrometre, "µm"),

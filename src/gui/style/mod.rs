@@ -22,7 +22,6 @@
 //! everything they stand on, in both themes, and pairs of meanings apart for people who see some
 //! colours alike (`vision`). No other file of the window has a colour or a size of type in it.
 
-pub(crate) mod font_fallback;
 pub(crate) mod layout;
 #[cfg(test)]
 pub(crate) mod vision;
@@ -234,6 +233,7 @@ fn fonts() -> FontDefinitions {
     };
     add("Inter", crate::fonts::INTER);
     add("Inter SemiBold", crate::fonts::INTER_SEMI_BOLD);
+    add("Noto Sans SC", crate::fonts::NOTO_SANS_SC);
     let fallback = fonts
         .families
         .get(&FontFamily::Proportional)
@@ -244,6 +244,7 @@ fn fonts() -> FontDefinitions {
         family.extend(fallback.iter().cloned());
         // The only default font with arrows and mathematical signs in it.
         family.push("Hack".to_owned());
+        family.push("Noto Sans SC".to_owned());
         family
     };
     fonts
@@ -252,6 +253,8 @@ fn fonts() -> FontDefinitions {
     fonts
         .families
         .insert(FontFamily::Name("strong".into()), with("Inter SemiBold"));
+    let monospaced = fonts.families.entry(FontFamily::Monospace).or_default();
+    monospaced.push("Noto Sans SC".to_owned());
     fonts
 }
 

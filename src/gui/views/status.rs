@@ -9,8 +9,6 @@ use egui::{
 };
 
 use crate::diagnosis::FloorFrom;
-use crate::fonts;
-use crate::language::spoken;
 use crate::present::numbers::grouped;
 
 use crate::gui::core::disk::{FileChange, name_of};
@@ -19,7 +17,7 @@ use crate::gui::style::layout;
 use crate::gui::style::{Palette, size, space, strong};
 use crate::gui::view::Message;
 use crate::gui::widgets;
-use crate::gui::workbench::{Asked, Command, Letters, Task, ViewChange, Workbench};
+use crate::gui::workbench::{Asked, Command, Task, ViewChange, Workbench};
 
 /// Where the work stands, in one line.
 fn line(workbench: &Workbench) -> String {
@@ -94,13 +92,6 @@ fn idle(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
             commands.push(Command::Edit(Edit::Identify));
         }
         ui.label(small(say!("the identification was cancelled").to_owned()).color(palette.warning));
-    } else if !workbench.characters().unshown.is_empty() {
-        if ui.small_button(say!("Understood")).clicked() {
-            commands.push(Command::Letters(Letters::Dismiss));
-        }
-        let says = spoken(fonts::cannot_be_shown(&workbench.characters().unshown));
-        let says = small(says).color(palette.warning);
-        ui.add(egui::Label::new(says).truncate());
     }
 }
 

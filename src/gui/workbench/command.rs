@@ -1,6 +1,5 @@
 //! The list of everything that can be done.
 
-use std::collections::BTreeSet;
 use std::path::PathBuf;
 
 use egui::Response;
@@ -121,8 +120,6 @@ pub(crate) enum Command {
     Left(LeftBehind),
     /// Stop what is under way.
     Stop(Task),
-    /// Find letters that the bundled fonts lack.
-    Letters(Letters),
 }
 
 impl Command {
@@ -248,15 +245,4 @@ pub(crate) enum Task {
     Dialog,
     /// Stops looking at a foreign file; saying something looks again.
     Import,
-}
-
-/// Letters that the bundled fonts lack.
-#[derive(Debug, Clone)]
-pub(crate) enum Letters {
-    /// Find a font for characters that are shown.
-    Find(BTreeSet<char>),
-    /// Find a font for the names of all languages; where there is none, no message is shown.
-    OfLanguages,
-    /// It was read which characters cannot be shown.
-    Dismiss,
 }

@@ -39,7 +39,7 @@ use crate::gui::view::{Aspect, Camera, Message, NextAction, Plane, Sheet, Side, 
 use crate::present::units::Units;
 use crate::text::spoken;
 
-pub(crate) use command::{Asked, Command, LeftBehind, Letters, Task, ViewChange, of_field};
+pub(crate) use command::{Asked, Command, LeftBehind, Task, ViewChange, of_field};
 pub(crate) use state::{Draw, Workbench};
 
 impl Workbench {
@@ -157,9 +157,6 @@ impl Workbench {
             Command::Left(LeftBehind::Restore(index)) => self.restore(index),
             Command::Left(LeftBehind::Discard(index)) => self.discard_left(index),
             Command::Left(LeftBehind::DiscardAll) => self.discard_all_left(),
-            Command::Letters(Letters::Find(wanted)) => self.find_letters(wanted, true),
-            Command::Letters(Letters::OfLanguages) => self.find_names_of_languages(),
-            Command::Letters(Letters::Dismiss) => self.characters.unshown.clear(),
         }
         if !self.steps().contains(&self.view.step) {
             // Another robot has no regions.

@@ -20,7 +20,6 @@ use crate::gui::file_state::machines::{Machine, Stated};
 use crate::gui::file_state::recovery::{OrphanedRecovery, RecoveryFile};
 use crate::gui::import_draft::ImportDraft;
 use crate::gui::jobs::{Jobs, Latest};
-use crate::gui::style::font_fallback::Characters;
 use crate::gui::view::{NextAction, OnDisk, Plot, ViewState};
 use crate::history;
 use crate::present::drawing::Drawing;
@@ -65,7 +64,6 @@ pub(crate) struct Workbench {
     /// The name under which this export was saved last.
     pub(super) saved_as: Option<(ExportChoice, String)>,
     pub(super) figures: Option<Figures>,
-    pub(super) characters: Characters,
     pub(super) draw: Drawer,
     pub(super) chooser: Option<Chooser>,
     pub(super) jobs: Jobs<Self>,
@@ -96,7 +94,6 @@ impl Workbench {
             exported: Vec::new(),
             saved_as: None,
             figures: None,
-            characters: Characters::default(),
             draw,
             chooser: None,
             asked: PendingQueries::default(),

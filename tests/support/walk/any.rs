@@ -20,7 +20,7 @@ use crate::gui::core::simulate::Form;
 use crate::gui::import_draft::{ImportAnswers, ImportDraft, RobotFrom, TypedAxis};
 use crate::gui::preferences::{Preferences, Sizes, Theme};
 use crate::gui::view::{About, Canvas, NextAction, Sheet, What};
-use crate::gui::workbench::{Command, LeftBehind, Letters, Task, ViewChange, Workbench};
+use crate::gui::workbench::{Command, LeftBehind, Task, ViewChange, Workbench};
 use crate::kinematics::JointKind;
 use crate::present::units::{AngleUnit, LengthUnit};
 use crate::programs::ExternalAxes;
@@ -304,15 +304,6 @@ fn own_robot(random: &mut ChaCha8Rng, workbench: &Workbench) -> Command {
     }
 }
 
-fn characters(random: &mut ChaCha8Rng) -> Command {
-    match random.random_range(0..3) {
-        0 => Command::Letters(Letters::Dismiss),
-        1 => Command::Letters(Letters::OfLanguages),
-        // Private ones: no walk depends on the fonts of the machine.
-        _ => Command::Letters(Letters::Find(['\u{E000}', '\u{E001}'].into())),
-    }
-}
-
 fn preferences(random: &mut ChaCha8Rng) -> Preferences {
     let languages = [
         None,
@@ -459,7 +450,7 @@ pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Fi
         148 if random.random_range(0..4) == 0 => Command::Leave,
         75..=77 | 148 => Command::View(ViewChange::Dismiss),
         149 => own_robot(random, workbench),
-        150 => characters(random),
+        150 => Command::EndDrag,
         151 => look(random),
         158 if random.random_range(0..8) == 0 => Command::Prepare,
         158 => Command::CopyNumbers(chart(random)),

@@ -2,7 +2,7 @@
 //! here, and the walk fails until it is among what it does.
 
 use crate::gui::core::edit::Edit;
-use crate::gui::workbench::{Command, LeftBehind, Letters, Task, ViewChange};
+use crate::gui::workbench::{Command, LeftBehind, Task, ViewChange};
 
 macro_rules! kinds {
     ($all:ident, $of:ident, $type:ident, $before:literal: $($variant:ident $fields:tt),* $(,)?) => {
@@ -26,7 +26,7 @@ kinds!(
     LookAtDisk(), SaveAs {..}, ExportTo {..}, State(..), KeepRobot {..}, ForgetRobot(..),
     CompareSessions(..), Compensate(..), Adapt(), Search(), Simulate(..), OpenOutside {..}, CopyNumbers(..), Prefer(..),
     Prepare(),
-    Leave(), View(..), Ask(..), Left(..), Stop(..), Letters(..),
+    Leave(), View(..), Ask(..), Left(..), Stop(..),
 );
 
 kinds!(
@@ -41,11 +41,9 @@ kinds!(LEFT, left, LeftBehind, "Left ": Restore(..), Discard(..), DiscardAll());
 
 kinds!(STOPPED, stopped, Task, "Stop ": Newest(), Search(), Import(), Dialog());
 
-kinds!(LETTERS, letters, Letters, "Letters ": Find(..), OfLanguages(), Dismiss());
-
 /// Every kind, those within kinds among them.
 pub(super) fn all() -> impl Iterator<Item = &'static str> {
-    let lists = [COMMANDS, VIEW_CHANGES, LEFT, STOPPED, LETTERS];
+    let lists = [COMMANDS, VIEW_CHANGES, LEFT, STOPPED];
     lists.into_iter().flatten().copied()
 }
 
@@ -55,7 +53,6 @@ pub(super) fn of(one: &Command) -> &'static str {
         Command::View(change) => view_change(change),
         Command::Left(one) => left(one),
         Command::Stop(task) => stopped(task),
-        Command::Letters(one) => letters(one),
         other => command(other),
     }
 }

@@ -22,7 +22,8 @@ use crate::numeric::extent;
 use crate::sessions::{Session, SessionCorrection};
 use crate::text::Text;
 
-use super::left::{Beside, Looked};
+use super::left::Beside;
+use super::looked::Looked;
 use super::thresholds::LIKELIER;
 
 /// Directions that are tried first, evenly over the sphere: 5° apart.

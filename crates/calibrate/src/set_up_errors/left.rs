@@ -3,7 +3,6 @@
 use nalgebra::{DMatrix, DVector, Vector3};
 
 use crate::effects::JointValues;
-use crate::fit::base_model;
 use crate::fit::problem::Problem;
 use crate::fit::regression::Rows;
 use crate::kinematics::JointKind;
@@ -13,8 +12,6 @@ use crate::numeric::{self, median};
 use crate::sessions::{Session, SessionCorrection};
 
 use super::groups::fitted;
-use super::parts::RowsInOrder;
-use super::thinned::MOST_SAMPLES;
 
 /// A turn by which a joint's motion is measured, rad; of a slide mm.
 const SMALL: f64 = 1e-5;
@@ -25,33 +22,6 @@ pub(super) const MOST: usize = 6;
 
 /// The motion of what may move at a row: for each sample its columns.
 pub(super) type Motion = Vec<[Vector3<f64>; MOST]>;
-
-/// Rows of an arm's session that are looked at, and what the base model leaves of them.
-pub(super) struct Looked {
-    pub(super) rows: RowsInOrder,
-    pub(super) few: Session,
-    pub(super) left: Left,
-    /// Root mean square of what is left, mm.
-    pub(super) rms_mm: f64,
-}
-
-impl Looked {
-    /// `None` of a single joint, and where points are measured in parts.
-    pub(super) fn at(session: &Session, values: JointValues) -> Option<Self> {
-        if !base_model::is_arm(session) || !session.has_plain_points() {
-            return None;
-        }
-        let rows = RowsInOrder::of(session, MOST_SAMPLES);
-        let few = rows.select(session);
-        let (left, rms_mm) = Left::after_a_fit(&few, values)?;
-        Some(Self {
-            rows,
-            few,
-            left,
-            rms_mm,
-        })
-    }
-}
 
 /// What the rows of a session leave, and the columns beside.
 pub(super) struct Left {

@@ -13,6 +13,7 @@ mod gravity;
 mod groups;
 mod hypotheses;
 mod left;
+mod looked;
 mod losses;
 mod measured_points;
 mod motor_values;
@@ -47,7 +48,7 @@ use crate::fit::base_model;
 
 use corrected::made_for;
 use hypotheses::{Hypothesis, change_of_measure, hypotheses};
-use left::Looked;
+use looked::Looked;
 use losses::{losses, mislocked};
 use thinned::thinned;
 use thresholds::{FEWEST_SAMPLES, GROSS_SHARE, LARGEST_OFFSET_DEG, MENDED_SHARE};

@@ -14,7 +14,8 @@
 use nalgebra::Vector3;
 
 use super::gravity::torques_of_a_kilogram;
-use super::left::{Beside, Looked};
+use super::left::Beside;
+use super::looked::Looked;
 use super::thresholds::LIKELIER;
 use crate::answers::diagnosis::DataProblem;
 use crate::effects::JointValues;

@@ -15,7 +15,8 @@ use crate::sessions::{Session, SessionCorrection};
 use crate::text::{Text, length};
 use nalgebra::{DVector, Vector3};
 
-use super::left::{Beside, Left, Looked};
+use super::left::{Beside, Left};
+use super::looked::Looked;
 use super::thresholds::LIKELIER;
 
 /// Times that are tried, as parts of the time that was measured: what settles faster is a few rows, what settles slower a

@@ -7,7 +7,8 @@
 
 use nalgebra::Vector3;
 
-use super::left::{Beside, Looked};
+use super::left::Beside;
+use super::looked::Looked;
 use super::parts::Part;
 use super::thresholds::LIKELIER;
 use crate::answers::diagnosis::DataProblem;

@@ -1,5 +1,5 @@
-//! One face of a font file: which glyph a character has, how wide it is, and what its licence lets one
-//! do. The tables are read by `skrifa`, which the window's text layout uses too.
+//! One face of a font file: which glyph a character has, and how wide it is. The tables are read by `skrifa`, which the
+//! window's text layout uses too.
 
 use skrifa::charmap::Charmap;
 use skrifa::instance::{LocationRef, Size};
@@ -7,15 +7,11 @@ use skrifa::metrics::{GlyphMetrics, Metrics};
 use skrifa::raw::TableProvider;
 use skrifa::{FontRef, GlyphId, MetadataProvider, Tag};
 
-/// Outlines of newer variable fonts.
-const CFF2: Tag = Tag::new(b"CFF2");
 /// Outlines after Adobe, in place of the table `glyf` of a `TrueType` font.
 const CFF: Tag = Tag::new(b"CFF ");
-const GLYF: Tag = Tag::new(b"glyf");
 
 /// A face whose tables can be read. Measures are in units of which [`Face::units_per_em`] make the size.
 pub(crate) struct Face<'f> {
-    font: FontRef<'f>,
     characters: Charmap<'f>,
     widths: GlyphMetrics<'f>,
     metrics: Metrics,
@@ -23,8 +19,8 @@ pub(crate) struct Face<'f> {
 
 impl<'f> Face<'f> {
     /// The face of this number in a file; `None` where its tables cannot be read.
-    pub(crate) fn parse(data: &'f [u8], index: u32) -> Option<Self> {
-        let font = FontRef::from_index(data, index).ok()?;
+    pub(crate) fn parse(data: &'f [u8]) -> Option<Self> {
+        let font = FontRef::new(data).ok()?;
         font.head().ok()?;
         font.hhea().ok()?;
         let metrics = Metrics::new(&font, Size::unscaled(), LocationRef::default());
@@ -33,7 +29,6 @@ impl<'f> Face<'f> {
         sound.then(|| Self {
             characters: font.charmap(),
             widths: GlyphMetrics::new(&font, Size::unscaled(), LocationRef::default()),
-            font,
             metrics,
         })
     }
@@ -66,48 +61,6 @@ impl<'f> Face<'f> {
         let metrics = &self.metrics;
         let capital = metrics.cap_height.unwrap_or(metrics.ascent);
         [metrics.ascent, metrics.descent, capital].map(f64::from)
-    }
-
-    fn has(&self, tag: Tag) -> bool {
-        self.font.table_data(tag).is_some()
-    }
-
-    /// Whether a part of it can be embedded in a document: it has outlines that documents have.
-    pub(crate) fn has_plain_outlines(&self) -> bool {
-        self.has(GLYF) || self.has(CFF)
-    }
-
-    /// Whether its outlines are those of the Compact Font Format.
-    pub(crate) fn has_compact_outlines(&self) -> bool {
-        self.has(CFF)
-    }
-
-    /// Whether it can be drawn.
-    pub(crate) fn has_outlines(&self) -> bool {
-        self.has_plain_outlines() || self.has(CFF2)
-    }
-
-    /// Whether its licence (`fsType` of OS/2) lets a part be embedded.
-    pub(crate) fn may_be_embedded(&self) -> bool {
-        let Ok(os2) = self.font.os2() else {
-            return true;
-        };
-        let (version, flags) = (os2.version(), os2.fs_type());
-        // Up to version 2 several of the lowest bits may be set, and the freest holds.
-        let restricted = if version <= 2 {
-            flags & 0xF != 0 && flags & 0xC == 0
-        } else {
-            flags & 0xF == 2
-        };
-        // Not to be cut to a part; pictures of the letters only.
-        let whole_or_pictures = version > 1 && flags & 0x300 != 0;
-        !restricted && !whole_or_pictures
-    }
-
-    /// How heavy its letters are: 400 is the regular weight.
-    #[cfg(test)]
-    pub(crate) fn weight(&self) -> Option<u16> {
-        self.font.os2().ok().map(|os2| os2.us_weight_class())
     }
 }
 

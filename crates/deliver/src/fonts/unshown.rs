@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use crate::text::Text;
 
-/// Whether a font is worth looking for: the character is drawn, and means the same in every font.
+/// Whether a character is drawn, and means the same in every font.
 pub fn is_worth_a_font(c: char) -> bool {
     let never_drawn = matches!(
         c,
@@ -32,7 +32,7 @@ pub fn is_worth_a_font(c: char) -> bool {
     !(c.is_control() || never_drawn || private || none)
 }
 
-/// What to say of characters that no font has: which, and what to do.
+/// What to say of characters that no font has: which.
 pub fn cannot_be_shown(unshown: &BTreeSet<char>) -> Text {
     const NAMED: usize = 2;
     let named: Vec<String> = unshown
@@ -45,33 +45,5 @@ pub fn cannot_be_shown(unshown: &BTreeSet<char>) -> Text {
         0 => Text::verbatim(named),
         more => text!("{first} and {more} more", first = named, more),
     };
-    if unshown.iter().any(|c| is_east_asian(*c)) {
-        text!(
-            "no font here has {characters}; install one, such as Noto Sans CJK, and start the program again",
-            characters
-        )
-    } else {
-        text!(
-            "no font here has {characters}; install one and start the program again",
-            characters
-        )
-    }
-}
-
-pub(super) fn is_kana(c: char) -> bool {
-    matches!(c, '\u{3041}'..='\u{30FF}' | '\u{31F0}'..='\u{31FF}' | '\u{FF66}'..='\u{FF9F}')
-}
-
-pub(super) fn is_hangul(c: char) -> bool {
-    matches!(c, '\u{1100}'..='\u{11FF}' | '\u{3130}'..='\u{318F}' | '\u{AC00}'..='\u{D7A3}')
-}
-
-/// Whether a character belongs to Chinese, Japanese or Korean.
-pub(super) fn is_east_asian(c: char) -> bool {
-    is_hangul(c)
-        || matches!(
-            c,
-            '\u{2E80}'..='\u{A4CF}' | '\u{F900}'..='\u{FAFF}' | '\u{FE30}'..='\u{FE4F}'
-                | '\u{FF00}'..='\u{FFEF}' | '\u{20000}'..='\u{3FFFD}'
-        )
+    text!("no bundled font has {characters}", characters)
 }

@@ -1,7 +1,7 @@
 //! The fonts of a page and of a picture: which face has a character, how wide it is, and which glyphs were used.
 //!
 //! Inter comes first; what its cut lacks (Cyrillic, Vietnamese, …) is taken from Ubuntu Light, then
-//! from Hack, then from faces that are installed here ([`crate::fonts`]). A character that none of
+//! from Hack, then from Noto Sans SC ([`crate::fonts`]). A character that none of
 //! them has is written as its code, `[U+4E2D]`, and is under the code as itself for copying
 //! or searches the text.
 
@@ -11,15 +11,16 @@ use std::collections::{BTreeMap, BTreeSet};
 use subsetter::GlyphRemapper;
 
 use super::pdf::PdfError;
-use crate::fonts::{Face, INTER, INTER_SEMI_BOLD, SystemFace, cff_table};
+use crate::fonts::{Face, INTER, INTER_SEMI_BOLD, NOTO_SANS_SC, cff_table};
 use crate::present::chart::is_wide;
 
 /// Every bundled face, by its number.
-const FILES: [(&str, &[u8]); 4] = [
+const FILES: [(&str, &[u8]); 5] = [
     ("Inter-Regular", INTER),
     ("Inter-SemiBold", INTER_SEMI_BOLD),
     ("Ubuntu-Light", epaint_default_fonts::UBUNTU_LIGHT),
     ("Hack-Regular", epaint_default_fonts::HACK_REGULAR),
+    ("NotoSansSC-Regular", NOTO_SANS_SC),
 ];
 
 /// A piece of text in one face.
@@ -35,39 +36,28 @@ pub(super) struct Run {
     pub(super) instead_of: Option<char>,
 }
 
-/// One face, its file and its number there.
-struct Source<'f> {
-    name: String,
-    data: &'f [u8],
-    index: u32,
-    face: Face<'f>,
+/// One face and its file.
+struct Source {
+    name: &'static str,
+    data: &'static [u8],
+    face: Face<'static>,
 }
 
 /// The fonts of a report, with the glyphs that it uses.
-pub(super) struct Fonts<'f> {
-    sources: Vec<Source<'f>>,
+pub(super) struct Fonts {
+    sources: Vec<Source>,
     /// What was asked for, and no face has.
     missing: RefCell<BTreeSet<char>>,
 }
 
-impl<'f> Fonts<'f> {
-    /// The bundled faces, then these.
-    pub(super) fn new(found: &'f [SystemFace]) -> Result<Self, PdfError> {
-        let bundled = FILES.iter().map(|(name, data)| (*name, *data, 0));
-        let found = found
-            .iter()
-            .map(|face| (&*face.name, face.data.as_slice(), face.index));
-        let source = |(name, data, index): (&str, &'f [u8], u32)| {
-            let face = Face::parse(data, index).ok_or_else(|| PdfError::Font(name.to_owned()))?;
-            Ok(Source {
-                name: plain(name),
-                data,
-                index,
-                face,
-            })
+impl Fonts {
+    pub(super) fn new() -> Result<Self, PdfError> {
+        let source = |(name, data): &(&'static str, &'static [u8])| {
+            let face = Face::parse(data).ok_or_else(|| PdfError::Font((*name).to_owned()))?;
+            Ok(Source { name, data, face })
         };
         Ok(Self {
-            sources: bundled.chain(found).map(source).collect::<Result<_, _>>()?,
+            sources: FILES.iter().map(source).collect::<Result<_, _>>()?,
             missing: RefCell::default(),
         })
     }
@@ -77,10 +67,10 @@ impl<'f> Fonts<'f> {
     }
 
     pub(super) fn name(&self, face: usize) -> &str {
-        &self.sources[face].name
+        self.sources[face].name
     }
 
-    pub(super) fn face(&self, face: usize) -> &Face<'f> {
+    pub(super) fn face(&self, face: usize) -> &Face<'static> {
         &self.sources[face].face
     }
 
@@ -241,8 +231,8 @@ impl Used {
     /// The part of the face that is embedded.
     pub(super) fn embedded(&self, fonts: &Fonts, face: usize) -> Result<Embedded, PdfError> {
         let source = &fonts.sources[face];
-        let cut = subsetter::subset(source.data, source.index, &self.numbers);
-        let cut = cut.map_err(|_| PdfError::Font(source.name.clone()))?;
+        let cut = subsetter::subset(source.data, 0, &self.numbers);
+        let cut = cut.map_err(|_| PdfError::Font(source.name.to_owned()))?;
         Ok(match cff_table(&cut) {
             Some(table) => Embedded::Cff(table.to_vec()),
             None => Embedded::TrueType(cut),
@@ -258,31 +248,13 @@ pub(super) enum Embedded {
     Cff(Vec<u8>),
 }
 
-/// Whether a part of a face with these characters can be embedded.
-pub(super) fn can_be_embedded(face: &SystemFace, characters: &BTreeSet<char>) -> bool {
-    let mut numbers = GlyphRemapper::new();
-    let Some(parsed) = face.parsed() else {
-        return false;
-    };
-    for glyph in characters.iter().filter_map(|c| parsed.glyph(*c)) {
-        numbers.remap(glyph);
-    }
-    subsetter::subset(&face.data, face.index, &numbers).is_ok()
-}
-
-/// A font's name as a PDF may have it.
-fn plain(name: &str) -> String {
-    let fits = |c: &char| c.is_ascii_alphanumeric() || matches!(c, '-' | '_');
-    name.chars().filter(fits).take(60).collect()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
     fn every_character_is_shown_or_named() {
-        let fonts = Fonts::new(&[]).unwrap();
+        let fonts = Fonts::new().unwrap();
         let runs = fonts.runs("Ось ± 中", false);
         let faces: Vec<usize> = runs.iter().map(|r| r.face).collect();
         assert_eq!(faces, [2, 0, 0], "Cyrillic, then Inter, then a code");
@@ -293,7 +265,7 @@ mod tests {
 
     #[test]
     fn what_the_report_writes_is_in_inter() {
-        let fonts = Fonts::new(&[]).unwrap();
+        let fonts = Fonts::new().unwrap();
         for bold in [false, true] {
             let runs = fonts.runs("0123456789.−+–…→↑↓·×°µ≤Δθσχ√ ⅓".trim_end_matches('⅓'), bold);
             assert_eq!(runs.len(), 1, "{runs:?}");
@@ -303,7 +275,7 @@ mod tests {
 
     #[test]
     fn lines_keep_within_their_width_and_lose_nothing() {
-        let fonts = Fonts::new(&[]).unwrap();
+        let fonts = Fonts::new().unwrap();
         let text = "a long line with averyveryveryverylongword in it";
         let lines = fonts.wrapped(text, 9.0, false, 60.0);
         assert!(

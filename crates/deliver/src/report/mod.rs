@@ -40,14 +40,13 @@ pub use exported::{ExportedTable, TableFileError};
 pub use extras::Extras;
 pub use html::html;
 pub use logo::Logo;
-pub use pdf::{PdfError, Written, pdf, pdf_with};
+pub use pdf::{PdfError, Written, pdf};
 pub use session::Evidence;
 pub use stages::{as_measured, stages};
 
 use std::collections::BTreeSet;
 use std::path::Path;
 
-use crate::fonts::Library;
 use crate::text::Template;
 
 /// What a report is written as.
@@ -75,17 +74,17 @@ impl Kind {
 }
 
 impl Report {
-    /// The bytes of a file of this kind, with the fonts of a library where the bundled ones do not do.
+    /// The bytes of a file of this kind.
     ///
     /// # Errors
     /// If a font cannot be used.
-    pub fn written(&self, kind: Kind, library: &Library) -> Result<Written, PdfError> {
+    pub fn written(&self, kind: Kind) -> Result<Written, PdfError> {
         match kind {
             Kind::Html => Ok(Written {
                 bytes: html(self).into_bytes(),
                 unshown: BTreeSet::new(),
             }),
-            Kind::Pdf => pdf_with(self, library),
+            Kind::Pdf => pdf(self),
         }
     }
 }

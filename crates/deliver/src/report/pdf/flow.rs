@@ -16,7 +16,7 @@ pub(super) const NAMES: f64 = 132.0;
 
 /// Pages as they fill.
 pub(super) struct Flow<'f> {
-    pub(super) fonts: &'f Fonts<'f>,
+    pub(super) fonts: &'f Fonts,
     pub(super) pages: Vec<Drawing>,
     pub(super) y: f64,
 }

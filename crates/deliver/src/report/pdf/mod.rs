@@ -1,7 +1,5 @@
 //! A report as PDF on A4: text stays text, plots stay vectors, fonts are embedded as far as they are
-//! used. Written directly: the same report gives the same bytes, without any date. Only where it
-//! holds letters that the bundled fonts lack do the bytes depend on the machine: on the font that is
-//! found there ([`crate::fonts`]).
+//! used. Written directly: the same report gives the same bytes, without any date.
 //!
 //! `pages` lays the blocks out on what `flow` has room for, `tables` those of them, `fonts` measures and embeds, this file writes. PDF 1.7,
 //! ISO 32000-1; fonts as in its clause 9.7 (composite fonts, Identity-H, with a `ToUnicode` map).
@@ -19,9 +17,9 @@ use pdf_writer::{Content, Filter, Finish, Name, Pdf, Rect, Ref, Str, TextStr};
 use sha2::{Digest, Sha256};
 
 use super::document::Report;
-use super::fonts::{self, Embedded, Fonts, Run, Used};
+use super::fonts::{Embedded, Fonts, Run, Used};
 pub use super::pdf_error::PdfError;
-use crate::fonts::{Library, Purpose, is_worth_a_font};
+use crate::fonts::is_worth_a_font;
 use crate::present::drawing::{Anchor, Colour, Drawing, Item, Label, OVERLAP, Stroke};
 use flow::PAGE;
 use pages::{Mark, pages};
@@ -32,41 +30,17 @@ use picture::f32_of;
 pub struct Written {
     /// The document.
     pub bytes: Vec<u8>,
-    /// Characters that stand in it as codes: neither the bundled fonts nor those of the library have
-    /// them. [`crate::fonts::cannot_be_shown`] says so in words.
+    /// Characters that stand in it as codes: no bundled font has them. [`crate::fonts::cannot_be_shown`] says so in
+    /// words.
     pub unshown: BTreeSet<char>,
 }
 
-/// The report as PDF, with the fonts of this machine where the bundled ones do not do.
+/// The report as PDF.
 ///
 /// # Errors
 /// If a font cannot be used.
-pub fn pdf(report: &Report) -> Result<Vec<u8>, PdfError> {
-    pdf_with(report, &Library::system()).map(|written| written.bytes)
-}
-
-/// The report as PDF, with the fonts of a library where the bundled ones do not do.
-///
-/// # Errors
-/// If a font cannot be used.
-pub fn pdf_with(report: &Report, library: &Library) -> Result<Written, PdfError> {
-    let bundled = Fonts::new(&[])?;
-    let laid_out = pages(report, &bundled);
-    let mut missing = bundled.missing();
-    missing.retain(|c| is_worth_a_font(*c));
-    if missing.is_empty() {
-        let bytes = document(report, laid_out, &bundled)?;
-        return Ok(Written {
-            bytes,
-            unshown: missing,
-        });
-    }
-    let mut found = library.covering(&missing, Purpose::Document);
-    // A report without these letters is better than none.
-    let fits = |face: &_| fonts::can_be_embedded(face, &missing);
-    found.faces.retain(fits);
-    let fonts = Fonts::new(&found.faces)?;
-    // Letters are narrower than their codes: the lines break elsewhere.
+pub fn pdf(report: &Report) -> Result<Written, PdfError> {
+    let fonts = Fonts::new()?;
     let bytes = document(report, pages(report, &fonts), &fonts)?;
     let mut unshown = fonts.missing();
     unshown.retain(|c| is_worth_a_font(*c));
