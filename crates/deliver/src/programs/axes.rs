@@ -72,11 +72,6 @@ impl Axes {
         Err(vec![Problem::new(0, found, expected)])
     }
 
-    /// The joints at the robot's own axes, in their order.
-    pub(super) fn own_numbered(&self) -> Vec<Option<u8>> {
-        (0..MOST_OWN).map(|k| self.numbered(Slot::Own(k))).collect()
-    }
-
     /// A target of joint values in degrees and mm, each taken from its axis.
     ///
     /// # Errors

@@ -100,17 +100,14 @@ fn decimals_of(mm: f64) -> usize {
 }
 
 impl Frame {
-    /// x, y, z in mm and three angles in degrees; `None` of another count.
-    pub(super) fn of_degrees(numbers: &[Number], orientation: Orientation) -> Option<Self> {
-        let [x, y, z, a, b, c] = numbers else {
-            return None;
-        };
-        Some(Self {
-            position: [*x, *y, *z],
+    /// x, y, z in mm and three angles in degrees.
+    pub(super) fn of_degrees([x, y, z, a, b, c]: [Number; 6], orientation: Orientation) -> Self {
+        Self {
+            position: [x, y, z],
             mm: [1.0; 3],
-            turn: vec![*a, *b, *c],
+            turn: vec![a, b, c],
             orientation,
-        })
+        }
     }
 
     /// Where a quaternion stands whose length is no rounding of 1, and its length.

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use crate::text::Template;
 
-use super::number::Number;
+use super::number::{Number, Span};
 use super::target::Problem;
 use super::text::Text;
 
@@ -26,7 +26,7 @@ pub(super) enum Kind {
 /// What it is, and its bytes.
 type Token = (Kind, Range<usize>);
 
-/// How a language writes comments, strings and the ends of its statements.
+/// How a language writes comments, strings, lists and the ends of its statements.
 pub(super) struct Dialect {
     /// Each begins a comment that goes to the end of the line.
     pub(super) comments: &'static [u8],
@@ -40,14 +40,20 @@ pub(super) struct Dialect {
     pub(super) end: Template,
     /// Whether a statement ends behind its last token: what follows, and whether on another line.
     pub(super) ends: fn(&Words, Option<Kind>, bool) -> bool,
+    /// Brackets of lists, and whether each part begins with its name: `{X 1, Y 2}`.
+    pub(super) lists: [u8; 2],
+    pub(super) keyed: bool,
+    /// What was expected where a part of a list is missing.
+    pub(super) part: Template,
+    /// Brackets of the number of an element.
+    pub(super) elements: [u8; 2],
 }
 
 /// One statement.
 pub(super) struct Words<'t, 'a> {
     pub(super) text: &'t Text<'a>,
+    dialect: &'static Dialect,
     tokens: Vec<Token>,
-    cased: bool,
-    end: Template,
     /// Brackets that are open behind the last token.
     depth: usize,
 }
@@ -56,11 +62,17 @@ pub(super) struct Words<'t, 'a> {
 pub(super) fn statements(
     text: &Text,
     range: Range<usize>,
-    dialect: &Dialect,
+    dialect: &'static Dialect,
     mut each: impl FnMut(Result<&Words, Problem>),
 ) {
     let bytes = &text.bytes[..range.end];
-    let mut words = Words::empty(text, dialect);
+    let empty = || Words {
+        text,
+        dialect,
+        tokens: Vec::new(),
+        depth: 0,
+    };
+    let mut words = empty();
     let mut at = range.start;
     let mut next = token(bytes, at, dialect);
     loop {
@@ -68,9 +80,9 @@ pub(super) fn statements(
             Ok(Some(one)) => one,
             Ok(None) => break,
             Err(problem) => {
-                at = end_of(bytes, problem.at, |b| b != b'\n' && b != b'\r');
+                at = end_of_line(bytes, problem.at);
                 each(Err(problem));
-                words = Words::empty(text, dialect);
+                words = empty();
                 next = token(bytes, at, dialect);
                 continue;
             }
@@ -107,15 +119,14 @@ const LONGEST_STATEMENT: usize = 1_000_000;
 const LONGEST_NAME: usize = 1000;
 
 /// The first token from a byte on.
-fn token(bytes: &[u8], at: usize, dialect: &Dialect) -> Result<Option<Token>, Problem> {
-    let mut at = at;
+fn token(bytes: &[u8], mut at: usize, dialect: &Dialect) -> Result<Option<Token>, Problem> {
     while let Some(byte) = bytes.get(at).copied() {
         if byte.is_ascii_whitespace() {
             at += 1;
             continue;
         }
         if dialect.comments.contains(&byte) {
-            at = end_of(bytes, at, |b| b != b'\n' && b != b'\r');
+            at = end_of_line(bytes, at);
             continue;
         }
         let digit = |at: usize| bytes.get(at).is_some_and(u8::is_ascii_digit);
@@ -144,6 +155,11 @@ fn token(bytes: &[u8], at: usize, dialect: &Dialect) -> Result<Option<Token>, Pr
     Ok(None)
 }
 
+/// Whether a name is one of these, between blanks.
+pub(super) fn is_one_of(name: &str, all: &str) -> bool {
+    all.split(' ').any(|known| known == name)
+}
+
 pub(super) fn is_of_name(byte: u8) -> bool {
     byte.is_ascii_alphanumeric() || byte == b'_' || byte == b'$' || byte >= 0x80
 }
@@ -151,6 +167,10 @@ pub(super) fn is_of_name(byte: u8) -> bool {
 fn end_of(bytes: &[u8], at: usize, belongs: impl Fn(u8) -> bool) -> usize {
     let rest = bytes[at..].iter().position(|b| !belongs(*b));
     rest.map_or(bytes.len(), |n| at + n)
+}
+
+fn end_of_line(bytes: &[u8], at: usize) -> usize {
+    end_of(bytes, at, |b| b != b'\n' && b != b'\r')
 }
 
 /// A number with everything that sticks to it, so that a slip of the keyboard is seen as one.
@@ -190,16 +210,6 @@ fn string_end(bytes: &[u8], at: usize) -> Result<usize, Problem> {
     ))
 }
 
-/// How a language writes values in values.
-#[derive(Clone, Copy)]
-pub(super) struct Style {
-    pub(super) brackets: [u8; 2],
-    /// Whether each part begins with its name: `{X 1, Y 2}`.
-    pub(super) keyed: bool,
-    /// What was expected where there is nothing.
-    pub(super) expected: Template,
-}
-
 /// A value as it is written.
 pub(super) enum Value {
     Number(Number),
@@ -232,14 +242,28 @@ impl List {
         self.get(key).and_then(Value::number)
     }
 
+    /// Its first part, if that is a list.
+    pub(super) fn first_list(&self) -> Option<&Self> {
+        self.parts.first()?.value.list()
+    }
+
+    /// The name that its part begins with, where that is neither a number nor a list.
+    pub(super) fn word(&self, words: &Words, part: usize) -> String {
+        match self.parts.get(part).map(|part| &part.value) {
+            Some(Value::Other(range)) => words.name(range.start),
+            _ => String::new(),
+        }
+    }
+
+    /// Whether all parts have one of these names.
+    pub(super) fn has_only(&self, names: &[&[&str]]) -> bool {
+        let known = |part: &Part| names.iter().any(|names| names.contains(&&*part.key));
+        self.parts.iter().all(known)
+    }
+
     /// Its numbers, if all parts are.
     pub(super) fn numbers(&self) -> Option<Vec<Number>> {
         self.parts.iter().map(|part| part.value.number()).collect()
-    }
-
-    /// Its lists, if all parts are.
-    pub(super) fn lists(&self) -> Option<Vec<&List>> {
-        self.parts.iter().map(|part| part.value.list()).collect()
     }
 }
 
@@ -248,6 +272,15 @@ impl Value {
         match self {
             Self::Number(number) => Some(*number),
             _ => None,
+        }
+    }
+
+    /// Where it begins.
+    pub(super) fn at(&self, words: &Words) -> usize {
+        match self {
+            Self::Number(number) => number.range().start,
+            Self::Other(range) => words.at(range.start),
+            Self::List(list) => list.at,
         }
     }
 
@@ -263,16 +296,6 @@ impl Value {
 const DEEPEST: usize = 16;
 
 impl<'t, 'a> Words<'t, 'a> {
-    fn empty(text: &'t Text<'a>, dialect: &Dialect) -> Self {
-        Self {
-            text,
-            tokens: Vec::new(),
-            cased: dialect.cased,
-            end: dialect.end,
-            depth: 0,
-        }
-    }
-
     fn push(&mut self, token: Token) {
         match token.0 {
             Kind::Sign(b'[' | b'(' | b'{') => self.depth += 1,
@@ -304,6 +327,11 @@ impl<'t, 'a> Words<'t, 'a> {
             .map_or(end..end, |(_, range)| range.clone())
     }
 
+    /// Where a word stands, in a file of at most 4 GiB.
+    pub(super) fn span(&self, k: usize) -> Option<Span> {
+        Span::of(&self.range(k))
+    }
+
     /// Where a word begins; behind the last one where the last ends.
     pub(super) fn at(&self, k: usize) -> usize {
         self.range(k).start
@@ -324,7 +352,7 @@ impl<'t, 'a> Words<'t, 'a> {
     /// A name, in small letters where capitals mean nothing; empty where there is none.
     pub(super) fn name(&self, k: usize) -> String {
         match self.kind(k) {
-            Some(Kind::Name) if self.cased => self.spelled(k),
+            Some(Kind::Name) if self.dialect.cased => self.spelled(k),
             Some(Kind::Name) => self.spelled(k).to_lowercase(),
             _ => String::new(),
         }
@@ -364,12 +392,20 @@ impl<'t, 'a> Words<'t, 'a> {
         })
     }
 
-    /// `name[3]`, in these brackets and with a number, if word `k` is that.
-    pub(super) fn element(&self, k: usize, [open, close]: [u8; 2]) -> Option<String> {
+    /// `name[3]`, with a number, if word `k` is that.
+    pub(super) fn element(&self, k: usize) -> Option<String> {
+        let [open, close] = self.dialect.elements;
         let digits = self.kind(k + 2) == Some(Kind::Digits);
         let is = self.is_sign(k + 1, open) && digits && self.is_sign(k + 3, close);
         let (open, close) = (char::from(open), char::from(close));
         is.then(|| format!("{}{open}{}{close}", self.name(k), self.spelled(k + 2)))
+    }
+
+    /// The word behind the brackets of an element that open behind word `k`.
+    pub(super) fn behind_element(&self, k: usize) -> Option<usize> {
+        let [open, close] = self.dialect.elements;
+        let is = self.is_name(k) && self.is_sign(k + 1, open);
+        is.then(|| self.until(k + 2, &[close]) + 1)
     }
 
     /// That something else was expected at a word.
@@ -377,7 +413,7 @@ impl<'t, 'a> Words<'t, 'a> {
         let found = if k < self.len() {
             crate::text::Text::verbatim(format!("'{}'", self.spelled(k)))
         } else {
-            self.end.into()
+            self.dialect.end.into()
         };
         Problem::new(self.at(k), found, expected)
     }
@@ -421,16 +457,15 @@ impl<'t, 'a> Words<'t, 'a> {
         (self.is_sign(equals, b'=') && equals > k && !compared).then_some(equals)
     }
 
-    /// The value that begins at word `k`, and the word behind it.
-    pub(super) fn value(
-        &self,
-        k: usize,
-        style: Style,
-        depth: usize,
-    ) -> Result<(Value, usize), Problem> {
-        let [open, close] = style.brackets;
+    /// The list that begins with a bracket at word `k`, and the word behind it.
+    pub(super) fn list(&self, k: usize) -> Result<(List, usize), Problem> {
+        self.list_in(k, 0)
+    }
+
+    fn value(&self, k: usize, depth: usize) -> Result<(Value, usize), Problem> {
+        let [open, close] = self.dialect.lists;
         if self.is_sign(k, open) {
-            let (list, end) = self.list(k, style, depth)?;
+            let (list, end) = self.list_in(k, depth)?;
             return Ok((Value::List(list), end));
         }
         if let Some(read) = self.number(k) {
@@ -442,40 +477,33 @@ impl<'t, 'a> Words<'t, 'a> {
         }
         let end = self.until(k, &[b',', close, b';']);
         if end == k {
-            return Err(self.problem(k, style.expected));
+            return Err(self.problem(k, self.dialect.part));
         }
         Ok((Value::Other(k..end), end))
     }
 
-    /// The list that begins with a bracket at word `k`, and the word behind it.
-    pub(super) fn list(
-        &self,
-        k: usize,
-        style: Style,
-        depth: usize,
-    ) -> Result<(List, usize), Problem> {
-        let at = self.at(k);
-        let close = style.brackets[1];
-        if depth > DEEPEST {
-            let found = text!("brackets in brackets");
-            return Err(Problem::new(at, found, text!("at most 16 deep")));
-        }
+    fn list_in(&self, k: usize, depth: usize) -> Result<(List, usize), Problem> {
+        let (keyed, close) = (self.dialect.keyed, self.dialect.lists[1]);
         let mut list = List {
-            at,
+            at: self.at(k),
             stated: None,
             parts: Vec::new(),
         };
+        if depth > DEEPEST {
+            let found = text!("brackets in brackets");
+            return Err(Problem::new(list.at, found, text!("at most 16 deep")));
+        }
         let mut k = k + 1;
-        if style.keyed && self.is_sign(k + 1, b':') {
+        if keyed && self.is_sign(k + 1, b':') {
             list.stated = Some(self.name(k));
             k += 2;
-        } else if !style.keyed && self.is_sign(k, close) {
+        } else if !keyed && self.is_sign(k, close) {
             return Ok((list, k + 1));
         }
         loop {
-            let at = self.at(k);
-            let key = self.name(k);
-            if style.keyed {
+            let mut key = String::new();
+            if keyed {
+                key = self.name(k);
                 if key.is_empty() {
                     return Err(self.problem(k, text!("the name of a component")));
                 }
@@ -483,24 +511,22 @@ impl<'t, 'a> Words<'t, 'a> {
                 if list.parts.iter().rev().take(64).any(|part| part.key == key) {
                     let component = key.to_uppercase();
                     let found = text!("{component} a second time", component);
-                    return Err(Problem::new(at, found, text!("every component once")));
+                    let expected = text!("every component once");
+                    return Err(Problem::new(self.at(k), found, expected));
                 }
                 k += 1;
             }
-            let (value, end) = self.value(k, style, depth + 1)?;
-            let key = if style.keyed { key } else { String::new() };
+            let (value, end) = self.value(k, depth + 1)?;
             list.parts.push(Part { key, value });
             if self.is_sign(end, close) {
                 return Ok((list, end + 1));
             }
             if !self.is_sign(end, b',') {
-                return Err(self.problem(
-                    end,
-                    match close {
-                        b']' => text!("a comma or ]"),
-                        _ => text!("a comma or }"),
-                    },
-                ));
+                let expected = match close {
+                    b']' => text!("a comma or ]"),
+                    _ => text!("a comma or }"),
+                };
+                return Err(self.problem(end, expected));
             }
             k = end + 1;
         }
@@ -511,13 +537,17 @@ impl<'t, 'a> Words<'t, 'a> {
 mod tests {
     use super::*;
 
-    const RAPID: Dialect = Dialect {
+    static RAPID: Dialect = Dialect {
         comments: b"!",
         strings: b"\"",
         bits: false,
         cased: false,
         end: phrase!("the end of the file"),
         ends: |words, _, _| words.is_sign(words.len() - 1, b';'),
+        lists: *b"[]",
+        keyed: false,
+        part: phrase!("a number"),
+        elements: *b"{}",
     };
 
     fn spelled(source: &str) -> Vec<Vec<String>> {

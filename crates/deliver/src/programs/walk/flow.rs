@@ -2,9 +2,12 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::{BASE, Block, DEEPEST, Declared, Known, MODE, Routine, Scope, State, TOOL, Walk};
-use crate::programs::referred::Referred;
-use crate::text::Text as Sentence;
+use super::{Block, Declared, Known, Routine, Scope, State, Walk};
+use crate::programs::referred::{BASE, MODE, Referred, TOOL};
+use crate::programs::target::Problem;
+
+/// Blocks in blocks, and routines in routines.
+const DEEPEST: usize = 64;
 
 impl Walk<'_> {
     /// Base, tool or mode from here on.
@@ -12,7 +15,7 @@ impl Walk<'_> {
         if what != Referred::Unsaid {
             self.facts.any[part] = true;
             for routine in self.open.iter().map(|routine| &routine.name) {
-                if let Some(sets) = self.facts.sets.get_mut(routine) {
+                if let Some(sets) = self.facts.sets.get_mut(&**routine) {
                     sets[part] = true;
                 }
             }
@@ -30,14 +33,17 @@ impl Walk<'_> {
 
     /// Where a jump may come from any place: what is set somewhere is not known.
     pub(in crate::programs) fn label(&mut self) {
-        for part in [BASE, TOOL, MODE]
-            .into_iter()
-            .filter(|part| self.facts.any[*part])
-        {
-            self.state[part] = Known {
-                what: Referred::Unknown(text!("it is set in a branch or a loop")),
-                since: self.statement,
-            };
+        for part in [BASE, TOOL, MODE] {
+            if self.facts.any[part] {
+                self.state[part] = self.in_a_branch();
+            }
+        }
+    }
+
+    fn in_a_branch(&self) -> Known {
+        Known {
+            what: Referred::Unknown(text!("it is set in a branch or a loop")),
+            since: self.statement,
         }
     }
 
@@ -60,9 +66,8 @@ impl Walk<'_> {
 
     /// A call; whether the routine is one of this file.
     pub(in crate::programs) fn call(&mut self, name: &str, spelled: &str) -> bool {
-        if let Some(routine) = self.open.last() {
-            let call = (name.to_owned(), routine.name.clone());
-            self.facts.calls.insert(call);
+        if self.first && !self.open.is_empty() {
+            self.facts.calls.insert((name.into(), self.scope));
         }
         let Some(sets) = self.facts.sets.get(name).copied() else {
             return false;
@@ -87,32 +92,35 @@ impl Walk<'_> {
         }
     }
 
-    /// From here on names are those of this module, if it is one; the one before, to go back to.
-    pub(in crate::programs) fn enter_module(&mut self, name: &str) -> usize {
-        let module = self.modules.get(name).copied().unwrap_or(self.module);
-        self.return_to(module)
+    /// From here on names are those of this module, if it is one.
+    pub(in crate::programs) fn enter_module(&mut self, name: &str) {
+        self.module = self.modules.get(name).copied().unwrap_or(self.module);
+        self.scope = self.module;
     }
 
-    pub(in crate::programs) fn return_to(&mut self, module: usize) -> usize {
-        self.scope = module;
-        std::mem::replace(&mut self.module, module)
+    fn not_too_deep(&self, open: usize) -> Result<(), Problem> {
+        if open < DEEPEST {
+            return Ok(());
+        }
+        let found = text!("blocks in blocks");
+        Err(Problem::new(self.at, found, text!("at most 64 deep")))
     }
 
-    /// A routine begins; its parameters.
+    /// A routine begins; its parameters. `main`: what is set before it holds in it.
     pub(in crate::programs) fn begin_routine(
         &mut self,
         name: &str,
-        parameters: &[String],
+        parameters: impl IntoIterator<Item = String>,
         main: bool,
-    ) -> Result<(), Sentence> {
-        if self.open.len() >= DEEPEST {
-            return Err(text!("at most 64 deep"));
-        }
+    ) -> Result<(), Problem> {
+        self.not_too_deep(self.open.len())?;
         if self.first {
-            let parent = self.scope;
-            let names = BTreeMap::new();
-            self.facts.scopes.push(Scope { parent, names });
-            self.facts.sets.entry(name.to_owned()).or_default();
+            self.facts.scopes.push(Scope {
+                parent: self.scope,
+                routine: name.into(),
+                names: BTreeMap::new(),
+            });
+            self.facts.sets.entry(name.into()).or_default();
         }
         self.open.push(Routine {
             scope: self.scope,
@@ -125,7 +133,7 @@ impl Walk<'_> {
         self.scopes += 1;
         self.routines += 1;
         for parameter in parameters {
-            self.declare(parameter, Declared::Parameter, false);
+            self.declare(&parameter, Declared::Parameter, false);
         }
         for part in [BASE, TOOL, MODE] {
             if !main {
@@ -138,6 +146,11 @@ impl Walk<'_> {
             self.state[part].since = self.statement;
         }
         Ok(())
+    }
+
+    /// Routines and modules that are open.
+    pub(in crate::programs) fn depth(&self) -> usize {
+        self.open.len()
     }
 
     /// Routines so far.
@@ -158,11 +171,16 @@ impl Walk<'_> {
         }
     }
 
-    /// A branch or a loop begins.
-    pub(in crate::programs) fn begin_block(&mut self, loops: bool) -> Result<(), Sentence> {
-        if self.blocks.len() >= DEEPEST {
-            return Err(text!("at most 64 deep"));
+    /// All routines that are open end.
+    pub(in crate::programs) fn end_routines(&mut self) {
+        while !self.open.is_empty() {
+            self.end_routine();
         }
+    }
+
+    /// A branch or a loop begins.
+    pub(in crate::programs) fn begin_block(&mut self, loops: bool) -> Result<(), Problem> {
+        self.not_too_deep(self.blocks.len())?;
         self.blocks.push(Block {
             entry: self.state.clone(),
             exits: Vec::new(),
@@ -199,24 +217,22 @@ impl Walk<'_> {
             if exits.iter().all(|exit| exit[part].what == *own) {
                 continue;
             }
-            let says = text!("it is set in a branch or a loop");
-            let unknown = Referred::Unknown(says);
+            let unknown = self.in_a_branch();
             // The second time through a loop holds what the first left.
             if block.loops {
                 let mut known = BTreeMap::new();
                 for motion in &mut self.motions[block.motions..] {
                     if motion.since[part] < block.statement {
                         let ways = &mut self.program.ways;
-                        motion.way = *known
-                            .entry(motion.way)
-                            .or_insert_with_key(|way| ways.of(ways.get(*way).with(part, &unknown)));
+                        motion.way = *known.entry(motion.way).or_insert_with_key(|way| {
+                            let mut way = ways.get(*way).clone();
+                            way[part] = unknown.what.clone();
+                            ways.of(way)
+                        });
                     }
                 }
             }
-            self.state[part] = Known {
-                what: unknown,
-                since: self.statement,
-            };
+            self.state[part] = unknown;
         }
     }
 }
