@@ -43,7 +43,6 @@ static POSITIONS: Dialect = Dialect {
 static MOVES: Dialect = Dialect {
     comments: b"!",
     strings: b"",
-    bits: false,
     cased: false,
     end: phrase!("the end of the line"),
     ends: |words, next, breaks| {

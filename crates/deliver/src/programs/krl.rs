@@ -29,8 +29,8 @@ use super::words::{Dialect, Kind, List, Value, Words, is_of_name, is_one_of};
 static DIALECT: Dialect = Dialect {
     // Lines of the editor begin with &.
     comments: b";&",
-    strings: b"\"",
-    bits: true,
+    // Single quotes hold binary and hexadecimal numbers.
+    strings: b"\"'",
     cased: false,
     end: phrase!("the end of the line"),
     ends: |_, _, breaks| breaks,
@@ -388,7 +388,7 @@ fn whole(
             let whole = value as u32;
             Ok(Some((whole, number.span(), 0)))
         }
-        Some(Value::Other(range)) if words.kind(range.start) == Some(Kind::Bits) => {
+        Some(Value::Other(range)) if words.bytes(range.start).starts_with(b"'") => {
             let spelled = words.spelled(range.start);
             let inside = spelled.trim_matches('\'');
             let (base, digits) = match inside.as_bytes().first() {

@@ -121,22 +121,12 @@ impl Frame {
     pub fn goal(&self) -> Option<Goal> {
         let at = |k: usize| self.position[k].value * self.mm[k];
         let turn: Vec<f64> = self.turn.iter().map(|n| n.value).collect();
-        let rotation = match (self.orientation, &turn[..]) {
-            (Orientation::Quaternion, [w, x, y, z]) => {
-                let quaternion = Quaternion::new(*w, *x, *y, *z);
-                // A quaternion with three digits is not quite of unit length; an empty one is none.
-                if quaternion.norm() < 0.5 {
-                    return None;
-                }
-                Some(UnitQuaternion::new_normalize(quaternion))
-            }
-            (Orientation::ZyxDegrees, [a, b, c]) => Some(turned(*c, *b, *a)),
-            (Orientation::XyzFixedDegrees, [w, p, r]) => Some(turned(*w, *p, *r)),
-            (Orientation::RotationVector, [x, y, z]) => {
-                Some(UnitQuaternion::new(Vector3::new(*x, *y, *z)))
-            }
-            _ => None,
-        };
+        // A quaternion with three digits is not quite of unit length; an empty one is none.
+        let squares: f64 = turn.iter().map(|v| v * v).sum();
+        if self.orientation == Orientation::Quaternion && squares.sqrt() < 0.5 {
+            return None;
+        }
+        let rotation = self.orientation.read(&turn);
         Some(Goal {
             position_mm: Point3::new(at(0), at(1), at(2)),
             rotation,

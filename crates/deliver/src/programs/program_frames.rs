@@ -67,7 +67,7 @@ impl ProgramFrames {
             tool: Precedence::Model,
             frame: Precedence::Program,
             load: Precedence::Model,
-            external: ExternalAxes::Asked,
+            ..Self::default()
         }
     }
 
@@ -77,7 +77,7 @@ impl ProgramFrames {
             tool: Precedence::Model,
             frame: Precedence::Model,
             load: Precedence::Model,
-            external: ExternalAxes::Asked,
+            ..Self::default()
         }
     }
 
@@ -87,7 +87,7 @@ impl ProgramFrames {
             tool: Precedence::Program,
             frame: Precedence::Program,
             load: Precedence::Program,
-            external: ExternalAxes::Asked,
+            ..Self::default()
         }
     }
 }

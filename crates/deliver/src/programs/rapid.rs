@@ -29,7 +29,6 @@ use targets::{computed, external, held, mass, target};
 static DIALECT: Dialect = Dialect {
     comments: b"!",
     strings: b"\"",
-    bits: false,
     cased: false,
     end: phrase!("the end of the file"),
     ends,

@@ -23,7 +23,6 @@ use super::words::{Dialect, Kind, Words, is_one_of};
 static DIALECT: Dialect = Dialect {
     comments: b"#",
     strings: b"\"",
-    bits: false,
     cased: true,
     end: phrase!("the end of the file"),
     ends,

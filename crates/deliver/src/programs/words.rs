@@ -17,8 +17,6 @@ pub(super) enum Kind {
     Digits,
     /// A string with its quotes.
     String,
-    /// A binary or hexadecimal number in quotes (KRL).
-    Bits,
     /// One sign.
     Sign(u8),
 }
@@ -32,8 +30,6 @@ pub(super) struct Dialect {
     pub(super) comments: &'static [u8],
     /// Quotes of strings; two inside are one that belongs to the string.
     pub(super) strings: &'static [u8],
-    /// Whether single quotes hold bits.
-    pub(super) bits: bool,
     /// Whether capitals tell names apart.
     pub(super) cased: bool,
     /// What stands behind a statement, for messages.
@@ -132,8 +128,6 @@ fn token(bytes: &[u8], mut at: usize, dialect: &Dialect) -> Result<Option<Token>
         let digit = |at: usize| bytes.get(at).is_some_and(u8::is_ascii_digit);
         let (kind, end) = if dialect.strings.contains(&byte) {
             (Kind::String, string_end(bytes, at)?)
-        } else if dialect.bits && byte == b'\'' {
-            (Kind::Bits, string_end(bytes, at)?)
         } else if digit(at) || (byte == b'.' && digit(at + 1)) {
             (Kind::Digits, number_end(bytes, at))
         } else if is_of_name(byte) {
@@ -176,16 +170,15 @@ fn end_of_line(bytes: &[u8], at: usize) -> usize {
 /// A number with everything that sticks to it, so that a slip of the keyboard is seen as one.
 fn number_end(bytes: &[u8], at: usize) -> usize {
     let mut end = at;
-    let mut plain = true;
-    while end < bytes.len() {
-        let byte = bytes[end];
-        let power = plain && matches!(byte, b'+' | b'-') && matches!(bytes[end - 1], b'e' | b'E');
-        if !(is_of_name(byte) || byte == b'.' || power) {
+    while let Some(byte) = bytes.get(end) {
+        // The sign of an exponent, where digits and points stand before the e.
+        let plain = |b: &u8| b.is_ascii_digit() || *b == b'.';
+        let power = matches!(byte, b'+' | b'-')
+            && matches!(bytes[end - 1], b'e' | b'E')
+            && bytes[at..end - 1].iter().all(plain);
+        if !(is_of_name(*byte) || *byte == b'.' || power) {
             break;
         }
-        // Digits and points only, but for the e itself.
-        let before = end == at || bytes[end - 1].is_ascii_digit() || bytes[end - 1] == b'.';
-        plain = plain && before && (matches!(byte, b'.' | b'e' | b'E') || byte.is_ascii_digit());
         end += 1;
     }
     end
@@ -540,7 +533,6 @@ mod tests {
     static RAPID: Dialect = Dialect {
         comments: b"!",
         strings: b"\"",
-        bits: false,
         cased: false,
         end: phrase!("the end of the file"),
         ends: |words, _, _| words.is_sign(words.len() - 1, b';'),

@@ -11,7 +11,7 @@ const DEEPEST: usize = 64;
 
 impl Walk<'_> {
     /// Base, tool or mode from here on.
-    pub(in crate::programs) fn set(&mut self, part: usize, what: Referred) {
+    pub(crate) fn set(&mut self, part: usize, what: Referred) {
         if what != Referred::Unsaid {
             self.facts.any[part] = true;
             for routine in self.open.iter().map(|routine| &routine.name) {
@@ -32,7 +32,7 @@ impl Walk<'_> {
     }
 
     /// Where a jump may come from any place: what is set somewhere is not known.
-    pub(in crate::programs) fn label(&mut self) {
+    pub(crate) fn label(&mut self) {
         for part in [BASE, TOOL, MODE] {
             if self.facts.any[part] {
                 self.state[part] = self.in_a_branch();
@@ -48,24 +48,24 @@ impl Walk<'_> {
     }
 
     /// A routine that may run at any statement: an interrupt, a thread.
-    pub(in crate::programs) fn anytime(&mut self, name: &str) {
+    pub(crate) fn anytime(&mut self, name: &str) {
         self.facts.anytime.insert(name.to_owned());
     }
 
     /// The handler of errors of the routine that is open begins.
-    pub(in crate::programs) fn handler(&mut self) {
+    pub(crate) fn handler(&mut self) {
         if let Some(routine) = self.open.last_mut() {
             routine.handles = true;
         }
     }
 
     /// What holds of a part.
-    pub(in crate::programs) fn held(&self, part: usize) -> &Referred {
+    pub(crate) fn held(&self, part: usize) -> &Referred {
         &self.state[part].what
     }
 
     /// A call; whether the routine is one of this file.
-    pub(in crate::programs) fn call(&mut self, name: &str, spelled: &str) -> bool {
+    pub(crate) fn call(&mut self, name: &str, spelled: &str) -> bool {
         if self.first && !self.open.is_empty() {
             self.facts.calls.insert((name.into(), self.scope));
         }
@@ -82,7 +82,7 @@ impl Walk<'_> {
     }
 
     /// Modules whose names are their own, before any statement.
-    pub(in crate::programs) fn has_modules(&mut self, names: BTreeSet<String>) {
+    pub(crate) fn has_modules(&mut self, names: BTreeSet<String>) {
         for name in names {
             if self.first {
                 self.facts.scopes.push(Scope::default());
@@ -93,7 +93,7 @@ impl Walk<'_> {
     }
 
     /// From here on names are those of this module, if it is one.
-    pub(in crate::programs) fn enter_module(&mut self, name: &str) {
+    pub(crate) fn enter_module(&mut self, name: &str) {
         self.module = self.modules.get(name).copied().unwrap_or(self.module);
         self.scope = self.module;
     }
@@ -107,7 +107,7 @@ impl Walk<'_> {
     }
 
     /// A routine begins; its parameters. `main`: what is set before it holds in it.
-    pub(in crate::programs) fn begin_routine(
+    pub(crate) fn begin_routine(
         &mut self,
         name: &str,
         parameters: impl IntoIterator<Item = String>,
@@ -149,21 +149,21 @@ impl Walk<'_> {
     }
 
     /// Routines and modules that are open.
-    pub(in crate::programs) fn depth(&self) -> usize {
+    pub(crate) fn depth(&self) -> usize {
         self.open.len()
     }
 
     /// Routines so far.
-    pub(in crate::programs) fn routines(&self) -> usize {
+    pub(crate) fn routines(&self) -> usize {
         self.routines
     }
 
     /// Whether a block of the routine is open.
-    pub(in crate::programs) fn in_block(&self) -> bool {
+    pub(crate) fn in_block(&self) -> bool {
         !self.blocks.is_empty()
     }
 
-    pub(in crate::programs) fn end_routine(&mut self) {
+    pub(crate) fn end_routine(&mut self) {
         if let Some(routine) = self.open.pop() {
             self.scope = routine.scope;
             self.state = routine.state;
@@ -172,14 +172,14 @@ impl Walk<'_> {
     }
 
     /// All routines that are open end.
-    pub(in crate::programs) fn end_routines(&mut self) {
+    pub(crate) fn end_routines(&mut self) {
         while !self.open.is_empty() {
             self.end_routine();
         }
     }
 
     /// A branch or a loop begins.
-    pub(in crate::programs) fn begin_block(&mut self, loops: bool) -> Result<(), Problem> {
+    pub(crate) fn begin_block(&mut self, loops: bool) -> Result<(), Problem> {
         self.not_too_deep(self.blocks.len())?;
         self.blocks.push(Block {
             entry: self.state.clone(),
@@ -193,7 +193,7 @@ impl Walk<'_> {
     }
 
     /// Another branch of the block; `last`: what is taken if no other is.
-    pub(in crate::programs) fn alternative(&mut self, last: bool) {
+    pub(crate) fn alternative(&mut self, last: bool) {
         if let Some(block) = self.blocks.last_mut() {
             let left = std::mem::replace(&mut self.state, block.entry.clone());
             // Of branches that leave the same nothing more is kept.
@@ -204,7 +204,7 @@ impl Walk<'_> {
         }
     }
 
-    pub(in crate::programs) fn end_block(&mut self) {
+    pub(crate) fn end_block(&mut self) {
         let Some(block) = self.blocks.pop() else {
             return;
         };

@@ -30,7 +30,7 @@ pub(super) struct Motion {
 
 impl Walk<'_> {
     /// Something in the file that is not corrected, and why.
-    pub(in crate::programs) fn left(&mut self, at: usize, says: Sentence) {
+    pub(crate) fn left(&mut self, at: usize, says: Sentence) {
         self.program.at_run_time.push(Remark { at, text: says });
     }
 
@@ -57,14 +57,14 @@ impl Walk<'_> {
     }
 
     /// A motion to a target that stands in it; `changes`: what the motion says itself.
-    pub(in crate::programs) fn go_to(&mut self, target: Target, changes: &[Set]) {
+    pub(crate) fn go_to(&mut self, target: Target, changes: &[Set]) {
         let at = target.at;
         let index = self.target(target);
         self.go(Goal::Inline(index), at, changes, None);
     }
 
     /// A motion to a name, as the language tells names apart and as it is spelled.
-    pub(in crate::programs) fn go_to_name(
+    pub(crate) fn go_to_name(
         &mut self,
         (name, spelled): (&str, &str),
         at: usize,
@@ -81,20 +81,14 @@ impl Walk<'_> {
     }
 
     /// A motion to a part of a name that is chosen at run time (`absolute`), or to what is worked out from it.
-    pub(in crate::programs) fn go_to_part(
-        &mut self,
-        name: &str,
-        at: usize,
-        absolute: bool,
-        changes: &[Set],
-    ) {
+    pub(crate) fn go_to_part(&mut self, name: &str, at: usize, absolute: bool, changes: &[Set]) {
         let index = self.owner(name);
         self.name(index).used |= absolute;
         self.go(Goal::Part(index), at, changes, absolute.then_some(name));
     }
 
     /// A motion to what these words say: a name, an element of an array, or what is worked out at run time.
-    pub(in crate::programs) fn go_to_words(
+    pub(crate) fn go_to_words(
         &mut self,
         words: &Words,
         range: Range<usize>,
@@ -117,7 +111,7 @@ impl Walk<'_> {
     }
 
     /// A motion to what is worked out at run time, perhaps from names.
-    pub(in crate::programs) fn go_to_worked_out(
+    pub(crate) fn go_to_worked_out(
         &mut self,
         words: &Words,
         range: Range<usize>,
@@ -148,7 +142,7 @@ impl Walk<'_> {
     }
 
     /// A call of what is not in the file.
-    pub(in crate::programs) fn routine_elsewhere(&mut self, at: usize, command: &str) {
+    pub(crate) fn routine_elsewhere(&mut self, at: usize, command: &str) {
         let says = text!(
             "{command} is another routine's: its motions are not in this file",
             command

@@ -9,7 +9,7 @@ use crate::programs::words::Words;
 
 impl Walk<'_> {
     /// A name of this scope (`outer`: of the file) that is declared here.
-    pub(in crate::programs) fn declare(&mut self, name: &str, declared: Declared, outer: bool) {
+    pub(crate) fn declare(&mut self, name: &str, declared: Declared, outer: bool) {
         let index = self.own(if outer { 0 } else { self.scope }, name);
         let known = &mut self.name(index).declared;
         if *known == Declared::Nowhere {
@@ -18,7 +18,7 @@ impl Walk<'_> {
     }
 
     /// A name that is given a value here: one of this routine, unless an outer one has it.
-    pub(in crate::programs) fn given(&mut self, name: &str) {
+    pub(crate) fn given(&mut self, name: &str) {
         if self.first {
             let index = self.own(self.scope, name);
             self.name(index).weak = true;
@@ -26,7 +26,7 @@ impl Walk<'_> {
     }
 
     /// Whether motions go to a name.
-    pub(in crate::programs) fn is_gone_to(&self, name: &str) -> bool {
+    pub(crate) fn is_gone_to(&self, name: &str) -> bool {
         self.of(name).is_some_and(|name| name.was_used)
     }
 
@@ -62,28 +62,28 @@ impl Walk<'_> {
     }
 
     /// What a name is declared as, seen from here.
-    pub(in crate::programs) fn declared(&self, name: &str) -> Declared {
+    pub(crate) fn declared(&self, name: &str) -> Declared {
         self.of(name)
             .map_or(Declared::Nowhere, |name| name.declared)
     }
 
     /// Whether the file says something of a name that is seen from here.
-    pub(in crate::programs) fn knows(&self, name: &str) -> bool {
+    pub(crate) fn knows(&self, name: &str) -> bool {
         self.of(name).is_some()
     }
 
     /// Whether a name has a value already.
-    pub(in crate::programs) fn has_value(&self, name: &str) -> bool {
+    pub(crate) fn has_value(&self, name: &str) -> bool {
         self.of(name).is_some_and(|name| !name.values.is_empty())
     }
 
     /// Whether a pose that no motion goes to is to be told: the names are known, and it is no tool.
-    pub(in crate::programs) fn is_told(&self, name: &str) -> bool {
+    pub(crate) fn is_told(&self, name: &str) -> bool {
         !self.first && !self.facts.tools.contains(&name.to_lowercase())
     }
 
     /// What a constant says that is no target.
-    pub(in crate::programs) fn constant(&mut self, name: &str, constant: Constant) {
+    pub(crate) fn constant(&mut self, name: &str, constant: Constant) {
         let name = (self.module, name.to_lowercase().into());
         // Of a name with several values none is known.
         let known = match self.facts.constants.get(&name) {
@@ -93,7 +93,7 @@ impl Walk<'_> {
         self.facts.constants.insert(name, known);
     }
 
-    pub(in crate::programs) fn constant_of(&self, name: &str) -> Option<&Constant> {
+    pub(crate) fn constant_of(&self, name: &str) -> Option<&Constant> {
         let mut name = (self.module, name.to_lowercase().into());
         let known = self.facts.constants.get(&name);
         known.or_else(|| {
@@ -104,7 +104,7 @@ impl Walk<'_> {
 
     /// A value of a name that may be a target, and where external axes are with it; `array`: of which the name is an
     /// element.
-    pub(in crate::programs) fn value(&mut self, name: &str, array: Option<&str>, target: Target) {
+    pub(crate) fn value(&mut self, name: &str, array: Option<&str>, target: Target) {
         let index = match array {
             None => self.owner(name),
             Some(array) => {
@@ -127,7 +127,7 @@ impl Walk<'_> {
     }
 
     /// The number of where external axes are that the model does not have.
-    pub(in crate::programs) fn outside(&mut self, mut axes: Outside) -> u32 {
+    pub(crate) fn outside(&mut self, mut axes: Outside) -> u32 {
         for (k, axis) in axes.iter_mut().enumerate() {
             *axis = axis.filter(|_| self.axes.joint(Slot::External(k)).is_none());
         }
@@ -135,21 +135,21 @@ impl Walk<'_> {
     }
 
     /// A name whose value is worked out at run time, where it is spelled at word `k`.
-    pub(in crate::programs) fn changed(&mut self, name: &str, words: &Words, k: usize) {
+    pub(crate) fn changed(&mut self, name: &str, words: &Words, k: usize) {
         let index = self.owner(name);
         let name = self.name(index);
         name.changed = name.changed.or(words.span(k));
     }
 
     /// A target that a relative motion uses.
-    pub(in crate::programs) fn relative(&mut self, name: &str, command: &str) {
+    pub(crate) fn relative(&mut self, name: &str, command: &str) {
         let index = self.owner(name);
         let says = text!("{command} is a relative motion", command);
         self.said(index).relative.get_or_insert(says);
     }
 
     /// A target that is used, but not as what a motion goes to.
-    pub(in crate::programs) fn mention(&mut self, name: &str, at: usize, by: &str) {
+    pub(crate) fn mention(&mut self, name: &str, at: usize, by: &str) {
         if let Some(index) = self.facts.seen(self.scope, name) {
             let mentioned = &mut self.said(index).mentioned;
             mentioned.get_or_insert_with(|| (at, text!("{command} uses it", command = by)));
@@ -157,12 +157,7 @@ impl Walk<'_> {
     }
 
     /// Every name among some words.
-    pub(in crate::programs) fn mention_all(
-        &mut self,
-        words: &Words,
-        range: Range<usize>,
-        by: &str,
-    ) {
+    pub(crate) fn mention_all(&mut self, words: &Words, range: Range<usize>, by: &str) {
         for k in range.filter(|k| words.is_name(*k)) {
             self.mention(&words.name(k), words.at(k), by);
         }
