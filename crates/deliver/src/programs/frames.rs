@@ -88,22 +88,17 @@ impl<'a> Known<'a> {
         let mut taken: BTreeSet<(usize, Text)> = BTreeSet::new();
         for way in &self.poses {
             for part in [BASE, TOOL].into_iter().filter(|part| as_declared[*part]) {
-                let Some(declared) = self.program.declaration(part, &way[part]) else {
-                    continue;
-                };
-                if declared.pose.is_err() {
-                    continue;
+                if let Referred::Named(name) = &way[part]
+                    && let Some(declared) = self.program.declaration(part, &way[part])
+                    && declared.pose.is_ok()
+                {
+                    let name = &**name;
+                    let says = match part {
+                        BASE => text!("frame {name} is taken as it is declared here", name),
+                        _ => text!("tool {name} is taken as it is declared here", name),
+                    };
+                    taken.insert((declared.at, says));
                 }
-                let name = match &way[part] {
-                    Referred::Named(name) => &**name,
-                    _ => continue,
-                };
-                let says = if part == BASE {
-                    text!("frame {name} is taken as it is declared here", name)
-                } else {
-                    text!("tool {name} is taken as it is declared here", name)
-                };
-                taken.insert((declared.at, says));
             }
         }
         let remark = |(at, text)| Remark { at, text };

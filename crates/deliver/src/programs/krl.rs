@@ -101,13 +101,10 @@ fn statement(walk: &mut Walk, words: &Words) -> Result<(), Problem> {
         "def" | "deffct" => {
             // A routine without an end ends here.
             walk.end_routines();
-            let open = words.until(k, b"(");
-            let parameter = |j: &usize| words.is_name(*j) && words.is_sign(j + 1, b':');
-            let parameters = (open..words.len()).filter(parameter);
+            let name = words.until(k, b"(").saturating_sub(1);
             let main = walk.routines() == 0;
-            let name = words.name(open.saturating_sub(1));
-            walk.enter_module(&name);
-            walk.begin_routine(&name, parameters.map(|j| words.name(j)), main)?;
+            walk.enter_module(&words.name(name));
+            walk.begin_routine(words, name, b":", main)?;
         }
         "end" | "endfct" => walk.end_routine(),
         "if" | "switch" | "spline" | "ptp_spline" => {

@@ -100,19 +100,14 @@ fn statement(walk: &mut Walk, words: &Words) -> Result<(), Problem> {
     }
     match words.name(k).as_str() {
         _ if is_label(words) => walk.label(),
-        "module" | "record" => walk.begin_routine("", None, true)?,
+        "module" | "record" => walk.begin_routine(words, words.len(), b"", true)?,
         word @ ("proc" | "func" | "trap") => {
             let k = k + if word == "func" { 2 } else { 1 };
-            let last = |j: &usize| {
-                let next = words.kind(j + 1);
-                words.is_name(*j) && matches!(next, Some(Kind::Sign(b',' | b')' | b'|' | b'{')))
-            };
-            let parameters = (k + 1..words.len()).filter(last);
             let name = words.name(k);
             if word == "trap" {
                 walk.anytime(&name);
             }
-            walk.begin_routine(&name, parameters.map(|j| words.name(j)), name == "main")?;
+            walk.begin_routine(words, k, b",)|{", name == "main")?;
         }
         "endmodule" | "endproc" | "endfunc" | "endtrap" | "endrecord" => walk.end_routine(),
         "if" if words.name(words.len() - 1) != "then" => {

@@ -173,7 +173,7 @@ impl Declared {
 }
 
 /// How the pose of a target is to be read.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct Placement {
     pub(super) base_from_frame: Pose,
     pub(super) tool_from_model: Pose,
@@ -185,15 +185,11 @@ pub(super) struct Placed(Option<Arc<Placement>>);
 
 impl Placed {
     pub(super) fn new(placement: Placement) -> Self {
-        let nothing = Placement::stated(None);
-        Self((placement != nothing).then(|| Arc::new(placement)))
+        Self((placement != Placement::default()).then(|| Arc::new(placement)))
     }
 
     pub(super) fn get(&self) -> Placement {
-        self.0
-            .as_deref()
-            .copied()
-            .unwrap_or_else(|| Placement::stated(None))
+        self.0.as_deref().copied().unwrap_or_default()
     }
 
     /// Where a pose of the file puts the model's tool, in the robot's base.
@@ -212,16 +208,6 @@ impl Placed {
     pub(super) fn written(&self, pose: &Pose) -> Pose {
         let placement = self.get();
         placement.base_from_frame.inverse() * pose * placement.tool_from_model.inverse()
-    }
-}
-
-impl Placement {
-    /// In the frame that the caller states, of the model's tool.
-    pub(super) fn stated(frame: Option<Pose>) -> Self {
-        Self {
-            base_from_frame: frame.unwrap_or_else(Pose::identity),
-            tool_from_model: Pose::identity(),
-        }
     }
 }
 

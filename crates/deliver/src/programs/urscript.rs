@@ -78,16 +78,10 @@ fn statement(walk: &mut Walk, words: &Words) -> Result<(), Problem> {
     let k = usize::from(matches!(scope.as_str(), "global" | "local"));
     match words.name(k).as_str() {
         kind @ ("def" | "thread" | "sec") => {
-            let next = |j: usize| words.kind(j + 1);
-            let parameter = |j: &usize| {
-                words.is_name(*j) && matches!(next(*j), Some(Kind::Sign(b',' | b')' | b'=')))
-            };
-            let parameters = (3..words.len()).filter(parameter);
-            let (name, main) = (words.name(1), walk.routines() == 0);
             if kind == "thread" {
-                walk.anytime(&name);
+                walk.anytime(&words.name(1));
             }
-            return walk.begin_routine(&name, parameters.map(|j| words.name(j)), main);
+            return walk.begin_routine(words, 1, b",)=", walk.routines() == 0);
         }
         "end" if walk.in_block() => walk.end_block(),
         "end" => walk.end_routine(),

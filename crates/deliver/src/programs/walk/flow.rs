@@ -5,6 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::{Block, Declared, Known, Routine, Scope, State, Walk};
 use crate::programs::referred::{BASE, MODE, Referred, TOOL};
 use crate::programs::target::Problem;
+use crate::programs::words::{Kind, Words};
 
 /// Blocks in blocks, and routines in routines.
 const DEEPEST: usize = 64;
@@ -25,10 +26,12 @@ impl Walk<'_> {
         if let Referred::Named(name) = &what {
             self.facts.tools.insert((**name).to_owned());
         }
-        self.state[part] = Known {
-            what,
-            since: self.statement,
-        };
+        self.state[part] = self.known(what);
+    }
+
+    fn known(&self, what: Referred) -> Known {
+        let since = self.statement;
+        Known { what, since }
     }
 
     /// Where a jump may come from any place: what is set somewhere is not known.
@@ -41,10 +44,7 @@ impl Walk<'_> {
     }
 
     fn in_a_branch(&self) -> Known {
-        Known {
-            what: Referred::Unknown(text!("it is set in a branch or a loop")),
-            since: self.statement,
-        }
+        self.known(Referred::Unknown(text!("it is set in a branch or a loop")))
     }
 
     /// A routine that may run at any statement: an interrupt, a thread.
@@ -106,25 +106,28 @@ impl Walk<'_> {
         Err(Problem::new(self.at, found, text!("at most 64 deep")))
     }
 
-    /// A routine begins; its parameters. `main`: what is set before it holds in it.
+    /// A routine begins, whose name is word `k`; its parameters are the names behind it that one of these signs follows.
+    /// `main`: what is set before it holds in it.
     pub(crate) fn begin_routine(
         &mut self,
-        name: &str,
-        parameters: impl IntoIterator<Item = String>,
+        words: &Words,
+        k: usize,
+        follow_parameters: &[u8],
         main: bool,
     ) -> Result<(), Problem> {
         self.not_too_deep(self.open.len())?;
+        let name = words.name(k);
         if self.first {
             self.facts.scopes.push(Scope {
                 parent: self.scope,
-                routine: name.into(),
+                routine: name.as_str().into(),
                 names: BTreeMap::new(),
             });
-            self.facts.sets.entry(name.into()).or_default();
+            self.facts.sets.entry(name.as_str().into()).or_default();
         }
         self.open.push(Routine {
             scope: self.scope,
-            name: name.to_owned(),
+            name,
             state: self.state.clone(),
             blocks: std::mem::take(&mut self.blocks),
             handles: false,
@@ -132,8 +135,9 @@ impl Walk<'_> {
         self.scope = self.scopes;
         self.scopes += 1;
         self.routines += 1;
-        for parameter in parameters {
-            self.declare(&parameter, Declared::Parameter, false);
+        let follows = |j: usize| matches!(words.kind(j), Some(Kind::Sign(sign)) if follow_parameters.contains(&sign));
+        for j in (k + 1..words.len()).filter(|j| words.is_name(*j) && follows(j + 1)) {
+            self.declare(&words.name(j), Declared::Parameter, false);
         }
         for part in [BASE, TOOL, MODE] {
             if !main {
