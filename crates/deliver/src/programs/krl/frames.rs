@@ -88,6 +88,7 @@ pub(super) fn sets(
             let pose = match list {
                 Some((list, _)) if target(list) => return false,
                 Some((list, _)) => pose_of(list, &shown),
+                None if !walk.is_held(&shown) => return false,
                 None => Err(text!("{spelled} is computed at run time", spelled = &shown)),
             };
             for part in [BASE, TOOL] {

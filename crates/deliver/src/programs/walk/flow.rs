@@ -24,7 +24,7 @@ impl Walk<'_> {
         // After a handler the routine goes on from any of its statements.
         self.facts.interrupted[part] |= self.open.iter().any(|routine| routine.handles);
         if let Referred::Named(name) = &what {
-            self.facts.tools.insert((**name).to_owned());
+            self.facts.held.insert((**name).into(), true);
         }
         self.state[part] = self.known(what);
     }

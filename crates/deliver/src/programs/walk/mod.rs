@@ -116,10 +116,11 @@ struct Name {
 #[derive(Default)]
 struct Said {
     near: Option<Vec<f64>>,
-    relative: Option<Sentence>,
+    /// The commands of relative motions that use it, and of what else does, with its place.
+    relative: Option<Box<str>>,
+    mentioned: Option<(usize, Box<str>)>,
     /// The way of a motion whose mode keeps poses from being where they are written.
     blocked: Option<u32>,
-    mentioned: Option<(usize, Sentence)>,
 }
 
 /// What was learnt the first time through.
@@ -129,8 +130,8 @@ struct Facts {
     names: Vec<Name>,
     /// By the module that declares them.
     constants: BTreeMap<(usize, Box<str>), Constant>,
-    /// Names that are set as a base or a tool.
-    tools: BTreeSet<String>,
+    /// Names of bases and tools, and whether a statement sets them.
+    held: BTreeMap<Box<str>, bool>,
     /// What routines set, and who is called from which scope.
     sets: BTreeMap<Box<str>, [bool; 3]>,
     calls: BTreeSet<(Box<str>, usize)>,

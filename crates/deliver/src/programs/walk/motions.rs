@@ -31,7 +31,9 @@ pub(super) struct Motion {
 impl Walk<'_> {
     /// Something in the file that is not corrected, and why.
     pub(crate) fn left(&mut self, at: usize, says: Sentence) {
-        self.program.at_run_time.push(Remark { at, text: says });
+        if !self.first {
+            self.program.at_run_time.push(Remark { at, text: says });
+        }
     }
 
     fn go(&mut self, goal: Goal, at: usize, changes: &[Set], spelled: Option<&str>) {
@@ -44,6 +46,9 @@ impl Walk<'_> {
             }
         }
         for (part, what) in changes {
+            if let Referred::Named(name) = what {
+                self.facts.held.entry((**name).into()).or_default();
+            }
             way[*part] = what.clone();
             since[*part] = self.statement;
         }
@@ -225,29 +230,29 @@ impl Walk<'_> {
 
     /// What the motions say of names is said of their values.
     fn judge(&mut self) {
-        let frames = std::mem::take(&mut self.facts.tools);
-        let as_frame: BTreeSet<u32> = (self.facts.scopes.iter())
-            .flat_map(|scope| &scope.names)
-            .filter(|(name, _)| frames.contains(&***name))
-            .map(|(_, index)| *index)
-            .collect();
+        let names = self.facts.scopes.iter().flat_map(|scope| &scope.names);
+        let set = names.filter(|(name, _)| self.facts.held.get(*name) == Some(&true));
+        let as_frame: BTreeSet<u32> = set.map(|(_, index)| *index).collect();
         for (index, name) in (0..).zip(&self.facts.names) {
             let Some(one) = name.values.first() else {
                 continue;
             };
             let whole = name.whole.map(|whole| &self.facts.names[whole as usize]);
             let both = || [Some(name), whole].into_iter().flatten();
-            let said = |of: fn(&Said) -> Option<Sentence>| {
-                both().find_map(|name| of(name.said.as_deref()?))
-            };
+            let said =
+                |of: fn(&Said) -> Option<&str>| both().find_map(|name| of(name.said.as_deref()?));
             let used = both().any(|name| name.used);
-            let left = if let Some(says) = said(|said| said.relative.clone()) {
+            let left = if let Some(command) = said(|said| said.relative.as_deref()) {
+                let says = text!("{command} is a relative motion", command);
                 Some((Reason::Relative, says))
             } else if both().any(|name| name.changed.is_some()) {
                 Some((Reason::Changed, text!("its value is changed at run time")))
             } else if !used {
-                let says = match said(|said| Some(said.mentioned.as_ref()?.1.clone())) {
-                    Some(says) => text!("no motion of this file goes to it: {says}", says),
+                let says = match said(|said| Some(&*said.mentioned.as_ref()?.1)) {
+                    Some(command) => text!(
+                        "no motion of this file goes to it: {says}",
+                        says = text!("{command} uses it", command)
+                    ),
                     None => text!("no motion of this file goes to it"),
                 };
                 Some((Reason::Unused, says))

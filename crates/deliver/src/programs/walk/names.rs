@@ -79,7 +79,12 @@ impl Walk<'_> {
 
     /// Whether a pose that no motion goes to is to be told: the names are known, and it is no tool.
     pub(crate) fn is_told(&self, name: &str) -> bool {
-        !self.first && !self.facts.tools.contains(&name.to_lowercase())
+        !self.first && self.facts.held.get(&*name.to_lowercase()) != Some(&true)
+    }
+
+    /// Whether a base or a tool of the file has this name: what is worked out of others is not kept.
+    pub(crate) fn is_held(&self, name: &str) -> bool {
+        self.facts.held.contains_key(&*name.to_lowercase())
     }
 
     /// What a constant says that is no target.
@@ -144,15 +149,15 @@ impl Walk<'_> {
     /// A target that a relative motion uses.
     pub(crate) fn relative(&mut self, name: &str, command: &str) {
         let index = self.owner(name);
-        let says = text!("{command} is a relative motion", command);
-        self.said(index).relative.get_or_insert(says);
+        let relative = &mut self.said(index).relative;
+        relative.get_or_insert_with(|| command.into());
     }
 
     /// A target that is used, but not as what a motion goes to.
     pub(crate) fn mention(&mut self, name: &str, at: usize, by: &str) {
         if let Some(index) = self.facts.seen(self.scope, name) {
             let mentioned = &mut self.said(index).mentioned;
-            mentioned.get_or_insert_with(|| (at, text!("{command} uses it", command = by)));
+            mentioned.get_or_insert_with(|| (at, by.into()));
         }
     }
 
