@@ -267,11 +267,9 @@ fn instruction(walk: &mut Walk, words: &Words, k: usize) {
         "touch" | "track" => {
             if words.name(words.len().saturating_sub(2)) == "end" {
                 walk.set(MODE, Referred::Unsaid);
-                return;
+            } else {
+                walk.shift(at, &words.spelled(k));
             }
-            let says = text!("{name} shifts the poses after it", name = words.spelled(k));
-            walk.left(at, says.clone());
-            walk.set(MODE, Referred::Unknown(says));
         }
         // What was set before is not known where lines come together; the positions say it all the same.
         "lbl" | "if" | "else" | "endif" | "for" | "endfor" | "select" => forget(walk),

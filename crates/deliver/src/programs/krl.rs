@@ -87,11 +87,9 @@ fn data_lists(text: &Text) -> BTreeSet<String> {
         own.then(|| name.to_lowercase())
     };
     let names: BTreeSet<String> = text.lines().filter_map(name).collect();
-    if names.len() > 1 {
-        names
-    } else {
-        BTreeSet::new()
-    }
+    Some(names)
+        .filter(|names| names.len() > 1)
+        .unwrap_or_default()
 }
 
 fn statement(walk: &mut Walk, words: &Words) -> Result<(), Problem> {
@@ -102,7 +100,7 @@ fn statement(walk: &mut Walk, words: &Words) -> Result<(), Problem> {
             // A routine without an end ends here.
             walk.end_routines();
             let name = words.until(k, b"(").saturating_sub(1);
-            let main = walk.routines() == 0;
+            let main = walk.routines == 0;
             walk.enter_module(&words.name(name));
             walk.begin_routine(words, name, b":", main)?;
         }

@@ -255,11 +255,7 @@ fn instruction(walk: &mut Walk, words: &Words, k: usize) -> Result<(), Problem> 
         return assignment(walk, words, k, equals);
     }
     match is_mode(&name) {
-        Some(true) => {
-            let says = text!("{name} shifts the poses after it", name = &name);
-            walk.left(words.at(k), says.clone());
-            walk.set(MODE, Referred::Unknown(says));
-        }
+        Some(true) => walk.shift(words.at(k), &name),
         Some(false) => walk.set(MODE, Referred::Unsaid),
         None if name == "moveextj" => {
             let says = text!("{command} moves external axes only", command = &command);

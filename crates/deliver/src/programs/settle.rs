@@ -42,7 +42,7 @@ fn model_on_flange(robot: &Robot) -> Pose {
     }
 }
 
-pub(super) fn same(a: &Pose, b: &Pose) -> bool {
+fn same(a: &Pose, b: &Pose) -> bool {
     (a.translation.vector - b.translation.vector).norm() <= SAME_MM
         && a.rotation.angle_to(&b.rotation) <= SAME_RAD
 }
@@ -358,27 +358,17 @@ fn depends_on_load(calibration: &Calibration, most_kg: f64) -> bool {
 /// A pose as a person types it for a language: mm, and its own angles or a quaternion.
 fn in_words(pose: &Pose, orientation: Orientation) -> String {
     let at = pose.translation.vector;
-    let at: Vec<String> = at.iter().map(|v| short(*v, 3)).collect();
+    let [x, y, z] = [at.x, at.y, at.z].map(|v| short(v, 3));
     let (names, turn, unit) = orientation.numbers(pose);
-    let turn = turn
-        .iter()
-        .map(|v| short(*v, if unit == "°" { 4 } else { 6 }));
-    let turn: Vec<String> = names
-        .iter()
-        .zip(turn)
-        .map(|(name, value)| format!("{name} {value}{unit}"))
-        .collect();
-    format!(
-        "X {}, Y {}, Z {} mm, {}",
-        at[0],
-        at[1],
-        at[2],
-        turn.join(", ")
-    )
+    let decimals = if unit == "°" { 4 } else { 6 };
+    let turn = names.iter().zip(turn);
+    let turn = turn.map(|(name, v)| format!("{name} {}{unit}", short(v, decimals)));
+    let turn: Vec<String> = turn.collect();
+    format!("X {x}, Y {y}, Z {z} mm, {}", turn.join(", "))
 }
 
 /// A number without zeros at its end.
-pub(super) fn short(value: f64, decimals: usize) -> String {
+fn short(value: f64, decimals: usize) -> String {
     let text = format!("{:.decimals$}", value + 0.0);
     let text = text.trim_end_matches('0').trim_end_matches('.');
     if text == "-0" { "0" } else { text }.to_owned()

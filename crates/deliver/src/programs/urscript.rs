@@ -81,7 +81,7 @@ fn statement(walk: &mut Walk, words: &Words) -> Result<(), Problem> {
             if kind == "thread" {
                 walk.anytime(&words.name(1));
             }
-            return walk.begin_routine(words, 1, b",)=", walk.routines() == 0);
+            return walk.begin_routine(words, 1, b",)=", walk.routines == 0);
         }
         "end" if walk.in_block() => walk.end_block(),
         "end" => walk.end_routine(),
@@ -116,8 +116,7 @@ fn assignment(walk: &mut Walk, words: &Words, k: usize, scope: &str) -> Result<(
         }
     };
     let values = numbers.iter().map(|number| number.value).collect();
-    let key = format!("{}{name}", if pose { "p" } else { "" });
-    walk.constant(&key, Constant::List(values));
+    walk.constant(&constant(pose, &name), Constant::List(values));
     if !walk.is_gone_to(&name) {
         if pose && walk.is_told(&name) {
             let says = text!("{name} is a pose that no move of this file uses", name);
@@ -167,9 +166,7 @@ fn expression(walk: &mut Walk, words: &Words, k: usize) -> Result<(), Problem> {
                 return Ok(());
             }
             "track_conveyor_linear" | "track_conveyor_circular" | "path_offset_enable" => {
-                let says = text!("{name} shifts the poses after it", name = &name);
-                walk.left(words.at(k), says.clone());
-                walk.set(MODE, Referred::Unknown(says));
+                walk.shift(words.at(k), &name);
             }
             "stop_conveyor_tracking" | "path_offset_disable" => walk.set(MODE, Referred::Unsaid),
             _ => {
@@ -184,19 +181,35 @@ fn expression(walk: &mut Walk, words: &Words, k: usize) -> Result<(), Problem> {
 /// The tool that is set by a pose or its name.
 fn tool_at(walk: &mut Walk, words: &Words, k: usize) -> Referred {
     let shown = words.shown(k, words.until(k, b",)"));
-    let values: Option<Box<[f64]>> = match literal(words, k) {
-        Ok(Some((true, numbers, _))) => {
-            numbers.map(|numbers| numbers.iter().map(|number| number.value).collect())
-        }
-        _ => match walk.constant_of(&format!("p{shown}")) {
-            Some(Constant::List(values)) => Some(values.clone()),
-            _ => None,
-        },
-    };
-    let pose = values.and_then(|values| pose_of(&values));
+    let values = values(walk, words, k, (true, &shown)).unwrap_or_default();
+    let pose = pose_of(&values);
     let pose = pose.ok_or_else(|| text!("{shown} is not written out in numbers", shown = &shown));
     walk.program.declare(TOOL, &shown, words.at(k), pose);
     Referred::named(shown)
+}
+
+/// The numbers of a pose or of joint values, written out or by a name; none of anything else.
+fn values(
+    walk: &Walk,
+    words: &Words,
+    k: usize,
+    (pose, name): (bool, &str),
+) -> Result<Vec<f64>, Problem> {
+    if let Some((is_pose, Some(numbers), _)) = literal(words, k)?
+        && is_pose == pose
+    {
+        return Ok(numbers.iter().map(|number| number.value).collect());
+    }
+    let key = constant(pose, name);
+    match walk.constant_of(&key) {
+        Some(Constant::List(values)) => Ok(values.to_vec()),
+        _ => Ok(Vec::new()),
+    }
+}
+
+/// The name of a constant: a pose and joint values may have the same.
+fn constant(pose: bool, name: &str) -> String {
+    format!("{}{name}", if pose { "p" } else { "" })
 }
 
 fn pose_of(values: &[f64]) -> Option<Pose> {
@@ -261,11 +274,14 @@ fn goal(walk: &mut Walk, words: &Words, k: usize, command: &str) -> Result<usize
     if end >= words.len() && here.is_none() {
         return Err(words.problem(end, text!("a closing ) at the end of the move")));
     }
-    let near = if inverse && words.is_sign(behind, b',') {
-        near(walk, words, behind + 1)?
-    } else {
-        None
-    };
+    let mut near = None;
+    if inverse && words.is_sign(behind, b',') {
+        // `[…]`, a name with such a list, or either as `qnear=…`.
+        let named = words.is_sign(behind + 2, b'=');
+        let k = behind + if named { 3 } else { 1 };
+        let values = values(walk, words, k, (false, &words.name(k)))?;
+        near = Some(values).filter(|values| values.len() == walk.axes.joints());
+    }
     let end = if inverse { end } else { behind };
     let follows = words.kind(behind);
     let whole = inverse || matches!(follows, None | Some(Kind::Sign(b',' | b')')));
@@ -289,19 +305,6 @@ fn goal(walk: &mut Walk, words: &Words, k: usize, command: &str) -> Result<usize
         }
     }
     Ok(end)
-}
-
-/// `[…]`, a name with such a list, or either as `qnear=…`.
-fn near(walk: &Walk, words: &Words, k: usize) -> Result<Option<Vec<f64>>, Problem> {
-    let k = if words.is_sign(k + 1, b'=') { k + 2 } else { k };
-    let values = match literal(words, k)? {
-        Some((false, Some(numbers), _)) => numbers.iter().map(|n| n.value).collect(),
-        _ => match walk.constant_of(&words.name(k)) {
-            Some(Constant::List(values)) => values.to_vec(),
-            _ => Vec::new(),
-        },
-    };
-    Ok(Some(values).filter(|values| values.len() == walk.axes.joints()))
 }
 
 /// Whether a list is a pose, its numbers (`None` where one is worked out at run time), and the word behind it.

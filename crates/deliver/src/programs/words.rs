@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use crate::text::Template;
 
-use super::number::{Number, Span};
+use super::number::{NoNumber, Number, Span};
 use super::target::Problem;
 use super::text::Text;
 
@@ -196,11 +196,9 @@ fn string_end(bytes: &[u8], at: usize) -> Result<usize, Problem> {
             end += 1;
         }
     }
-    Err(Problem::new(
-        at,
-        text!("a string that does not end on its line"),
-        text!("{char} at its end", char = quote as char),
-    ))
+    let found = text!("a string that does not end on its line");
+    let expected = text!("{char} at its end", char = char::from(quote));
+    Err(Problem::new(at, found, expected))
 }
 
 /// A value as it is written.
@@ -375,14 +373,11 @@ impl<'t, 'a> Words<'t, 'a> {
         }
         let range = self.at(k)..self.range(digits).end;
         let read = Number::read(self.text.bytes, range.clone(), false);
-        Some(match read {
-            Ok(number) => Ok((number, digits + 1)),
-            Err(reason) => Err(Problem::new(
-                range.start,
-                text!("'{range}'", range = self.text.shown(range)),
-                reason.expected(),
-            )),
-        })
+        let wrong = |reason: NoNumber| {
+            let found = text!("'{range}'", range = self.text.shown(range.clone()));
+            Problem::new(range.start, found, reason.expected())
+        };
+        Some(read.map(|number| (number, digits + 1)).map_err(wrong))
     }
 
     /// `name[3]`, with a number, if word `k` is that.

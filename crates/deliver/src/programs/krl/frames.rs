@@ -109,7 +109,7 @@ fn numbers(walk: &mut Walk, words: &Words, name: &str, list: &List, equals: usiz
     };
     walk.constant(name, Constant::Frames(Box::new(frames)));
     let point = format!("x{}", name.trim_start_matches('f'));
-    if walk.routines() == 0 && name.starts_with('f') && walk.knows(&point) {
+    if walk.routines == 0 && name.starts_with('f') && walk.knows(&point) {
         let changes = by_numbers(walk, name);
         walk.go_to_name((&point, &point), words.at(equals), None, &changes);
     }

@@ -34,6 +34,13 @@ impl Walk<'_> {
         Known { what, since }
     }
 
+    /// A command that shifts the poses after it.
+    pub(crate) fn shift(&mut self, at: usize, command: &str) {
+        let says = text!("{name} shifts the poses after it", name = command);
+        self.left(at, says.clone());
+        self.set(MODE, Referred::Unknown(says));
+    }
+
     /// Where a jump may come from any place: what is set somewhere is not known.
     pub(crate) fn label(&mut self) {
         for part in [BASE, TOOL, MODE] {
@@ -155,11 +162,6 @@ impl Walk<'_> {
     /// Routines and modules that are open.
     pub(crate) fn depth(&self) -> usize {
         self.open.len()
-    }
-
-    /// Routines so far.
-    pub(crate) fn routines(&self) -> usize {
-        self.routines
     }
 
     /// Whether a block of the routine is open.

@@ -155,7 +155,8 @@ pub(super) struct Walk<'x> {
     /// The names of the module that is open; the file's, where it has none.
     module: usize,
     modules: BTreeMap<String, usize>,
-    routines: usize,
+    /// Routines so far.
+    pub(super) routines: usize,
     open: Vec<Routine>,
     state: State,
     blocks: Vec<Block>,
