@@ -150,12 +150,8 @@ fn declaration(walk: &mut Walk, words: &Words, k: usize, local: bool) -> Result<
         Declared::Other(words.span(k))
     };
     walk.declare(&name, declared, !local && walk.depth() <= 1);
-    let array = words.is_sign(k + 2, b'{');
-    let equals = if array {
-        words.until(k + 3, b"}") + 1
-    } else {
-        k + 2
-    };
+    let behind = words.behind_element(k + 1);
+    let (array, equals) = (behind.is_some(), behind.unwrap_or(k + 2));
     let valued = words.is_sign(equals, b':') && words.is_sign(equals + 1, b'=');
     if !valued || !words.is_sign(equals + 2, b'[') {
         if let Some(part) = held_part {
@@ -224,15 +220,8 @@ fn values(
                 let parts = if pose { 4 } else { 2 };
                 let nested = list.first_list().and_then(List::first_list).is_some();
                 let array = list.parts.len() != parts && nested;
-                let own = whole.or(Some(name));
-                values(
-                    walk,
-                    words,
-                    list,
-                    [&name_of, &spelled_of],
-                    own,
-                    (pose, array),
-                )?;
+                let (names, whole) = ([&*name_of, &*spelled_of], whole.or(Some(name)));
+                values(walk, words, list, names, whole, (pose, array))?;
             }
             Value::Other(range) => {
                 walk.mention_all(words, range.clone(), &spelled_of);

@@ -27,19 +27,16 @@ const SAME_KG: f64 = 0.01;
 
 /// Where the model's tool is on the flange.
 fn model_on_flange(robot: &Robot) -> Pose {
-    let RobotSource::Dh {
+    if let RobotSource::Dh {
         base_from_first,
         rows,
     } = &robot.source
-    else {
-        return Pose::identity();
-    };
-    match robot_from_dh("", rows) {
-        Ok(flange) if flange.joints.len() == robot.joints.len() => {
-            (base_from_first * flange.base_from_tool).inverse() * robot.base_from_tool
-        }
-        _ => Pose::identity(),
+        && let Ok(flange) = robot_from_dh("", rows)
+        && flange.joints.len() == robot.joints.len()
+    {
+        return (base_from_first * flange.base_from_tool).inverse() * robot.base_from_tool;
     }
+    Pose::identity()
 }
 
 fn same(a: &Pose, b: &Pose) -> bool {

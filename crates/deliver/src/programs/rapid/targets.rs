@@ -209,11 +209,8 @@ fn configure(axes: &Axes, numbers: &[Number], target: &mut Target) -> Result<(),
         }
         let value = number.value;
         let found = text!("{value} in the configuration of {name}", value, name);
-        Err(Problem::new(
-            number.range().start,
-            found,
-            text!("a whole number"),
-        ))
+        let expected = text!("a whole number");
+        Err(Problem::new(number.range().start, found, expected))
     };
     for (number, axis) in numbers.iter().zip([0, 3, 5]) {
         let quadrant = whole(number, &target.name)?;

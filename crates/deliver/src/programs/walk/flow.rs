@@ -15,8 +15,8 @@ impl Walk<'_> {
     pub(crate) fn set(&mut self, part: usize, what: Referred) {
         if what != Referred::Unsaid {
             self.facts.any[part] = true;
-            for routine in self.open.iter().map(|routine| &routine.name) {
-                if let Some(sets) = self.facts.sets.get_mut(&**routine) {
+            for routine in &self.open {
+                if let Some(sets) = self.facts.sets.get_mut(&*routine.name) {
                     sets[part] = true;
                 }
             }

@@ -266,26 +266,20 @@ impl Walk<'_> {
                 }
             };
             let own = name.said.as_deref();
-            if left.is_none()
-                && let Some((at, _)) = own.and_then(|said| said.mentioned.as_ref())
-            {
-                let says = text!(
+            let mentioned = own.and_then(|said| Some(said.mentioned.as_ref()?.0));
+            if let Some(at) = mentioned.filter(|_| left.is_none()) {
+                let name = &self.program.targets[*one].name;
+                let text = text!(
                     "{name} is used here as well, with its corrected values",
-                    name = &self.program.targets[*one].name
+                    name
                 );
-                self.program.notes.push(Remark {
-                    at: *at,
-                    text: says,
-                });
+                self.program.notes.push(Remark { at, text });
             }
             // Where nothing says that it is a target at all, it is none.
             let undeclared = !used && both().all(|name| name.declared == Declared::Nowhere);
             for value in &name.values {
                 let target = &mut self.program.targets[*value];
-                target.ways.join(name.ways);
-                target
-                    .ways
-                    .join(whole.map(|whole| whole.ways).unwrap_or_default());
+                both().for_each(|name| target.ways.join(name.ways));
                 if let Some(near) = own.and_then(|said| said.near.as_ref()) {
                     target.posture_mut().near = Some(near.clone());
                 }

@@ -99,16 +99,12 @@ impl Walk<'_> {
     }
 
     pub(crate) fn constant_of(&self, name: &str) -> Option<&Constant> {
-        let mut name = (self.module, name.to_lowercase().into());
-        let known = self.facts.constants.get(&name);
-        known.or_else(|| {
-            name.0 = 0;
-            self.facts.constants.get(&name)
-        })
+        let name: Box<str> = name.to_lowercase().into();
+        let of = |module| self.facts.constants.get(&(module, name.clone()));
+        of(self.module).or_else(|| of(0))
     }
 
-    /// A value of a name that may be a target, and where external axes are with it; `array`: of which the name is an
-    /// element.
+    /// A value of a name that may be a target; `array`: of which the name is an element.
     pub(crate) fn value(&mut self, name: &str, array: Option<&str>, target: Target) {
         let index = match array {
             None => self.owner(name),
