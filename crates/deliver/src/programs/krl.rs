@@ -19,12 +19,13 @@ use crate::kinematics::configuration::Statement;
 
 use super::axes::{Axes, Slot};
 use super::number::Span;
-use super::pose::{Frame, Orientation};
 use super::program::Program;
 use super::target::{Mark, Problem, Shape, Target};
 use super::text::Text;
 use super::walk::{Declared, Walk, walked};
 use super::words::{Dialect, Kind, List, Value, Words, is_of_name, is_one_of};
+
+use frames::{POSE, frame};
 
 static DIALECT: Dialect = Dialect {
     // Lines of the editor begin with &.
@@ -40,7 +41,6 @@ static DIALECT: Dialect = Dialect {
     elements: *b"[]",
 };
 
-const POSE: [&str; 8] = ["x", "y", "z", "a", "b", "c", "s", "t"];
 const AXES: [&str; 6] = ["a1", "a2", "a3", "a4", "a5", "a6"];
 const EXTERNAL: [&str; 6] = ["e1", "e2", "e3", "e4", "e5", "e6"];
 
@@ -328,13 +328,6 @@ fn target(
         configure(walk.axes, words, list, &mut target)?;
     }
     Ok(Some(target))
-}
-
-/// X, Y, Z, A, B, C, where all are written out.
-fn frame(list: &List) -> Option<Frame> {
-    let [x, y, z, a, b, c, ..] = POSE.map(|key| list.number(key));
-    let numbers = [x?, y?, z?, a?, b?, c?];
-    Some(Frame::of_degrees(numbers, Orientation::ZyxDegrees))
 }
 
 fn configure(axes: &Axes, words: &Words, list: &List, target: &mut Target) -> Result<(), Problem> {

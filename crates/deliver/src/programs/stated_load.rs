@@ -25,7 +25,8 @@ impl StatedLoads {
 
     /// From the smallest; the bits of what is not negative are in its order.
     pub(super) fn all(&self) -> Vec<(f64, &StatedLoad)> {
-        let kg = |(bits, load)| (f64::from_bits(*bits), load);
-        self.0.iter().map(kg).collect()
+        let all = self.0.iter();
+        all.map(|(bits, load)| (f64::from_bits(*bits), load))
+            .collect()
     }
 }

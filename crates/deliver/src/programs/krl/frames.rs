@@ -4,10 +4,19 @@
 use crate::kinematics::Pose;
 use crate::text::Text;
 
+use super::super::pose::{Frame, Orientation};
 use super::super::referred::{BASE, MODE, Referred, Set, TOOL};
 use super::super::walk::{Constant, Walk};
 use super::super::words::{Kind, List, Value, Words};
-use super::frame;
+
+pub(super) const POSE: [&str; 8] = ["x", "y", "z", "a", "b", "c", "s", "t"];
+
+/// X, Y, Z, A, B, C, where all are written out.
+pub(super) fn frame(list: &List) -> Option<Frame> {
+    let [x, y, z, a, b, c, ..] = POSE.map(|key| list.number(key));
+    let numbers = [x?, y?, z?, a?, b?, c?];
+    Some(Frame::of_degrees(numbers, Orientation::ZyxDegrees))
+}
 
 /// `BAS(#BASE,3)`
 pub(super) fn bas(walk: &mut Walk, words: &Words) {

@@ -123,6 +123,23 @@ struct Said {
     blocked: Option<u32>,
 }
 
+/// What a motion goes to.
+enum Goal {
+    Inline(usize),
+    Name(u32),
+    /// An element of an array that is chosen at run time, or a name that the goal is worked out from.
+    Part(u32),
+}
+
+struct Motion {
+    goal: Goal,
+    at: usize,
+    way: u32,
+    since: [u32; 3],
+    /// How the name is spelled, where the file has no values for it.
+    spelled: Option<Box<str>>,
+}
+
 /// What was learnt the first time through.
 #[derive(Default)]
 struct Facts {
@@ -163,7 +180,7 @@ pub(super) struct Walk<'x> {
     statement: u32,
     /// Where the statement begins.
     at: usize,
-    motions: Vec<motions::Motion>,
+    motions: Vec<Motion>,
 }
 
 /// The program of some pieces of a file, each with its dialect and grammar. `prepare`: what is known before.

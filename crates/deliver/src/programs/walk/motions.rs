@@ -3,30 +3,13 @@
 use std::collections::BTreeSet;
 use std::ops::Range;
 
-use super::{Declared, Name, Said, Walk};
+use super::{Declared, Goal, Motion, Name, Said, Walk};
 use crate::programs::answer::Reason;
 use crate::programs::program::Program;
 use crate::programs::referred::{BASE, MODE, Referred, Set, TOOL};
 use crate::programs::target::{Remark, Target};
 use crate::programs::words::Words;
 use crate::text::Text as Sentence;
-
-/// What a motion goes to.
-enum Goal {
-    Inline(usize),
-    Name(u32),
-    /// An element of an array that is chosen at run time, or a name that the goal is worked out from.
-    Part(u32),
-}
-
-pub(super) struct Motion {
-    goal: Goal,
-    at: usize,
-    pub(super) way: u32,
-    pub(super) since: [u32; 3],
-    /// How the name is spelled, where the file has no values for it.
-    spelled: Option<Box<str>>,
-}
 
 impl Walk<'_> {
     /// Something in the file that is not corrected, and why.
