@@ -97,18 +97,6 @@ impl Number {
         })
     }
 
-    /// A number that stands nowhere.
-    #[cfg(test)]
-    pub(super) fn nowhere(value: f64, decimals: u8) -> Self {
-        Self {
-            value,
-            span: Span { start: 0, end: 0 },
-            detached_digits: None,
-            decimals,
-            comma: false,
-        }
-    }
-
     /// Its bytes, sign included.
     pub fn range(&self) -> Range<usize> {
         self.span.range()

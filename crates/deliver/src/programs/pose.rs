@@ -239,7 +239,8 @@ mod tests {
     use proptest::prelude::*;
 
     fn number(value: f64) -> Number {
-        Number::nowhere(value, 3)
+        let text = format!("{value:?}");
+        Number::read(text.as_bytes(), 0..text.len(), false).unwrap()
     }
 
     fn frame(orientation: Orientation, turn: &[f64]) -> Frame {

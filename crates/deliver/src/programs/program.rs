@@ -1,5 +1,6 @@
 //! What a reader finds in a file as a whole: its targets, and the frames, tools and loads that hold for them.
 
+use std::collections::btree_map::Entry;
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::referred::{Declared, Names, Referred, TOOL, Way, Ways};
@@ -39,14 +40,16 @@ impl Program {
         at: usize,
         pose: Result<Pose, Text>,
     ) -> &mut Declared {
-        let declared = self.declared[part].entry(spelled.to_lowercase());
-        declared
-            .and_modify(|known| {
+        match self.declared[part].entry(spelled.to_lowercase()) {
+            Entry::Vacant(own) => own.insert(Declared::new(at, pose)),
+            Entry::Occupied(known) => {
+                let known = known.into_mut();
                 if known.pose != pose {
                     known.pose = Err(text!("{spelled} is declared several times", spelled));
                 }
-            })
-            .or_insert_with(|| Declared::new(at, pose.clone()))
+                known
+            }
+        }
     }
 
     /// Declares the language's own name for the flange.

@@ -212,9 +212,13 @@ impl Placed {
 }
 
 #[cfg(test)]
-#[test]
-fn a_name_is_shown_as_it_is_written_and_found_whatever_its_capitals() {
-    let tool = Referred::named("tGrip");
-    assert_eq!(tool.to_string(), "tGrip");
-    assert!(tool.is("TGRIP"));
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_name_is_shown_as_it_is_written_and_found_whatever_its_capitals() {
+        let tool = Referred::named("tGrip");
+        assert_eq!(tool.to_string(), "tGrip");
+        assert!(tool.is("TGRIP"));
+    }
 }

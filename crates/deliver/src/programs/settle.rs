@@ -93,14 +93,11 @@ pub(super) fn settled(
         (Some(ModelTool::OnFlange(_)), Precedence::Model) => declared(false),
         (None, Precedence::Model) => ToolReading::OnlyOne,
         (tool, Precedence::Unsettled) => {
-            let words = in_words(&model, turns);
+            let pose = in_words(&model, turns);
             let own = if tool.is_some() || model != Pose::identity() {
-                Sentence::verbatim(words)
+                Sentence::verbatim(pose)
             } else {
-                text!(
-                    "{pose} (its tool frame is taken for the flange)",
-                    pose = words
-                )
+                text!("{pose} (its tool frame is taken for the flange)", pose)
             };
             differs(DifferingNumber::Tool, &tools, &model, &own);
             declared(true)
@@ -117,10 +114,8 @@ pub(super) fn settled(
         Precedence::Model => Some(identity),
         Precedence::Program => None,
         Precedence::Unsettled => {
-            let own = text!(
-                "the robot's base, {pose}",
-                pose = in_words(&identity, turns)
-            );
+            let pose = in_words(&identity, turns);
+            let own = text!("the robot's base, {pose}", pose);
             differs(DifferingNumber::Frame, &frames, &identity, &own);
             None
         }
@@ -128,26 +123,49 @@ pub(super) fn settled(
     let mut notes = Vec::new();
     let load_kg = load(program, text, request, &mut differ, &mut notes);
     let moved = external(program, text, request);
-    let mut carried = None;
-    match request.frames.external {
-        ExternalAxes::Asked => differ.extend(moved),
-        ExternalAxes::CarryRobot => {
-            carried = moved.first().map(|axis| {
-                text!(
-                    "the axis {name} carries the robot, and the model does not have it",
-                    name = &axis.name
-                )
-            });
-        }
-        ExternalAxes::Other => {}
+    let axes = request.frames.external;
+    let carrier = moved.first().filter(|_| axes == ExternalAxes::CarryRobot);
+    let carried = carrier.map(|axis| {
+        text!(
+            "the axis {name} carries the robot, and the model does not have it",
+            name = &axis.name
+        )
+    });
+    if axes == ExternalAxes::Asked {
+        differ.extend(moved);
     }
     if !differ.is_empty() {
         return Err(CompensateError::Differs(Differences(differ)));
     }
-    for (name, (_, pose)) in &tools {
+    notes.extend(taken_for_others(
+        request,
+        &tools,
+        &model,
+        (&frames, all_frames),
+    ));
+    Ok(Reading {
+        stated,
+        all_frames,
+        tool,
+        load_kg,
+        carried,
+        notes,
+    })
+}
+
+/// Which of the program's tools and frames are taken for other ones.
+fn taken_for_others(
+    request: &Request,
+    tools: &Numeric,
+    model: &Pose,
+    (frames, all_frames): (&Numeric, Option<Pose>),
+) -> Vec<Sentence> {
+    let turns = request.language.orientation;
+    let mut notes = Vec::new();
+    for (name, (_, pose)) in tools {
         let own = in_words(pose, turns);
         match request.frames.tool {
-            Precedence::Model if !same(pose, &model) => notes.push(text!(
+            Precedence::Model if !same(pose, model) => notes.push(text!(
                 "the program's tool {name} ({pose}) is taken for the model's",
                 name,
                 pose = own
@@ -161,25 +179,17 @@ pub(super) fn settled(
             _ => {}
         }
     }
-    if let Some(all) = &all_frames {
-        let others = frames.iter().filter(|(_, (_, pose))| !same(pose, all));
-        notes.extend(others.map(|(name, (_, pose))| {
-            text!(
+    for (name, (_, pose)) in frames {
+        if let Some(all) = all_frames.filter(|all| !same(pose, all)) {
+            notes.push(text!(
                 "the poses are taken in the frame {frame} and not in the program's {name} ({own})",
-                frame = in_words(all, turns),
+                frame = in_words(&all, turns),
                 name,
                 own = in_words(pose, turns)
-            )
-        }));
+            ));
+        }
     }
-    Ok(Reading {
-        stated,
-        all_frames,
-        tool,
-        load_kg,
-        carried,
-        notes,
-    })
+    notes
 }
 
 /// External axes that the model does not have and that differ between targets: where they do first.

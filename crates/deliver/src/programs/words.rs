@@ -86,10 +86,8 @@ pub(super) fn statements(
         at = one.1.end;
         words.push(one);
         if words.len() > LONGEST_STATEMENT {
-            let found = text!(
-                "a statement of more than {most} words",
-                most = LONGEST_STATEMENT
-            );
+            let most = LONGEST_STATEMENT;
+            let found = text!("a statement of more than {most} words", most);
             let problem = Problem::new(words.at(0), found, text!("one that ends"));
             return each(Err(problem));
         }
@@ -133,10 +131,8 @@ fn token(bytes: &[u8], mut at: usize, dialect: &Dialect) -> Result<Option<Token>
         } else if is_of_name(byte) {
             let end = end_of(bytes, at, is_of_name);
             if end - at > LONGEST_NAME {
-                let found = text!(
-                    "a name of {count} characters",
-                    count = (end - at).to_string()
-                );
+                let count = (end - at).to_string();
+                let found = text!("a name of {count} characters", count);
                 let expected = text!("at most {most}", most = LONGEST_NAME);
                 return Err(Problem::new(at, found, expected));
             }
@@ -286,7 +282,7 @@ impl Value {
 /// Lists in lists that a target or an array of targets needs, and some more.
 const DEEPEST: usize = 16;
 
-impl<'t, 'a> Words<'t, 'a> {
+impl<'t> Words<'t, '_> {
     fn push(&mut self, token: Token) {
         match token.0 {
             Kind::Sign(b'[' | b'(' | b'{') => self.depth += 1,

@@ -28,10 +28,8 @@ pub(super) fn bas(walk: &mut Walk, words: &Words) {
         "base" => walk.set(BASE, numbered("BASE_DATA", &number, Referred::Unsaid)),
         "tool" => walk.set(TOOL, numbered("TOOL_DATA", &number, null_tool())),
         "ex_base" => {
-            let says = text!(
-                "the base moves with an external axis ({command})",
-                command = words.shown(0, words.len())
-            );
+            let command = words.shown(0, words.len());
+            let says = text!("the base moves with an external axis ({command})", command);
             walk.set(BASE, Referred::Unknown(says));
         }
         _ => {}
