@@ -116,8 +116,9 @@ struct Name {
 #[derive(Default)]
 struct Said {
     near: Option<Vec<f64>>,
-    /// The commands of relative motions that use it, and of what else does, with its place.
+    /// The command of a relative motion that uses it.
     relative: Option<Box<str>>,
+    /// What else uses it, and where.
     mentioned: Option<(usize, Box<str>)>,
     /// The way of a motion whose mode keeps poses from being where they are written.
     blocked: Option<u32>,
