@@ -33,15 +33,16 @@ impl Axes {
     /// The axes of a robot.
     pub fn new(robot: &Robot) -> Self {
         let mut own = 0;
-        let slots = robot.joints.iter().map(|joint| {
-            external(&joint.name).map_or_else(
-                || {
+        let slots = robot
+            .joints
+            .iter()
+            .map(|joint| match external(&joint.name) {
+                Some(k) => Slot::External(k),
+                None => {
                     own += 1;
                     Slot::Own(own - 1)
-                },
-                Slot::External,
-            )
-        });
+                }
+            });
         Self {
             slots: slots.collect(),
             kinds: robot.joints.iter().map(|joint| joint.kind).collect(),
@@ -153,16 +154,11 @@ impl Axes {
 
 /// The external axis of this name.
 fn external(name: &str) -> Option<usize> {
-    let name = name.to_lowercase();
-    let letter = name.strip_prefix("eax_").map(|l| l.as_bytes().to_vec());
-    let by_letter = letter.and_then(|l| match l[..] {
-        [l @ b'a'..=b'f'] => Some(usize::from(l - b'a')),
-        _ => None,
-    });
-    by_letter.or_else(|| match name.as_bytes() {
+    match *name.to_lowercase().as_bytes() {
+        [b'e', b'a', b'x', b'_', letter @ b'a'..=b'f'] => Some(usize::from(letter - b'a')),
         [b'e', digit @ b'1'..=b'6'] => Some(usize::from(digit - b'1')),
         _ => None,
-    })
+    }
 }
 
 #[cfg(test)]

@@ -82,7 +82,7 @@ impl Walk<'_> {
         !self.first && self.facts.held.get(&*name.to_lowercase()) != Some(&true)
     }
 
-    /// Whether a base or a tool of the file has this name: what is worked out of others is not kept.
+    /// Whether a base or a tool of the file has this name; of others nothing is kept that is worked out at run time.
     pub(crate) fn is_held(&self, name: &str) -> bool {
         self.facts.held.contains_key(&*name.to_lowercase())
     }
