@@ -33,16 +33,13 @@ impl Axes {
     /// The axes of a robot.
     pub fn new(robot: &Robot) -> Self {
         let mut own = 0;
-        let slots = robot
-            .joints
-            .iter()
-            .map(|joint| match external(&joint.name) {
-                Some(k) => Slot::External(k),
-                None => {
-                    own += 1;
-                    Slot::Own(own - 1)
-                }
-            });
+        let slots = robot.joints.iter().map(|joint| {
+            if let Some(k) = external(&joint.name) {
+                return Slot::External(k);
+            }
+            own += 1;
+            Slot::Own(own - 1)
+        });
         Self {
             slots: slots.collect(),
             kinds: robot.joints.iter().map(|joint| joint.kind).collect(),
