@@ -388,7 +388,7 @@ impl<'t> Words<'t, '_> {
     /// The word behind the brackets of an element that open behind word `k`.
     pub(super) fn behind_element(&self, k: usize) -> Option<usize> {
         let [open, close] = self.dialect.elements;
-        let is = self.is_name(k) && self.is_sign(k + 1, open);
+        let is = self.is_sign(k + 1, open);
         is.then(|| self.until(k + 2, &[close]) + 1)
     }
 

@@ -88,7 +88,7 @@ impl Walk<'_> {
         let name = words.name(k);
         if words.is_name(k) && range.len() == 1 {
             self.go_to_name((&name, &words.spelled(k)), at, near, changes);
-        } else if words.behind_element(k).is_some_and(|end| end >= range.end) {
+        } else if words.is_name(k) && words.behind_element(k).is_some_and(|end| end >= range.end) {
             match words.element(k).filter(|element| self.knows(element)) {
                 Some(element) => self.go_to_name((&element, &element), at, near, changes),
                 None => self.go_to_part(&name, at, true, changes),
