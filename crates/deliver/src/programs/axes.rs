@@ -34,13 +34,11 @@ impl Axes {
     pub fn new(robot: &Robot) -> Self {
         let mut own = 0;
         let slots = robot.joints.iter().map(|joint| {
-            external(&joint.name).map_or_else(
-                || {
-                    own += 1;
-                    Slot::Own(own - 1)
-                },
-                Slot::External,
-            )
+            if let Some(k) = external(&joint.name) {
+                return Slot::External(k);
+            }
+            own += 1;
+            Slot::Own(own - 1)
         });
         Self {
             slots: slots.collect(),
@@ -70,11 +68,6 @@ impl Axes {
             external
         );
         Err(vec![Problem::new(0, found, expected)])
-    }
-
-    /// The joints at the robot's own axes, in their order.
-    pub(super) fn own_numbered(&self) -> Vec<Option<u8>> {
-        (0..MOST_OWN).map(|k| self.numbered(Slot::Own(k))).collect()
     }
 
     /// A target of joint values in degrees and mm, each taken from its axis.
@@ -158,16 +151,11 @@ impl Axes {
 
 /// The external axis of this name.
 fn external(name: &str) -> Option<usize> {
-    let name = name.to_lowercase();
-    let letter = name.strip_prefix("eax_").map(|l| l.as_bytes().to_vec());
-    let by_letter = letter.and_then(|l| match l[..] {
-        [l @ b'a'..=b'f'] => Some(usize::from(l - b'a')),
-        _ => None,
-    });
-    by_letter.or_else(|| match name.as_bytes() {
+    match *name.to_lowercase().as_bytes() {
+        [b'e', b'a', b'x', b'_', letter @ b'a'..=b'f'] => Some(usize::from(letter - b'a')),
         [b'e', digit @ b'1'..=b'6'] => Some(usize::from(digit - b'1')),
         _ => None,
-    })
+    }
 }
 
 #[cfg(test)]

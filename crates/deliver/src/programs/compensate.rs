@@ -92,7 +92,7 @@ fn of_whole(request: &Request, own: usize) -> Result<Answer, CompensateError> {
     frames::place(&mut program, &reading);
     let convention = Convention::of(calibration);
     let results = resolved(request, &program, &axes, convention);
-    let conditions = sequence::Sequence::new(
+    let mut conditions = sequence::Sequence::new(
         &program,
         &results,
         robot.joints.len(),
@@ -107,21 +107,19 @@ fn of_whole(request: &Request, own: usize) -> Result<Answer, CompensateError> {
     }
     let bytes = written(request, &program, robot, convention, &corrected);
     let text = Text::new(request.bytes);
-    let placed = |remarks: &[Remark]| {
-        let mut remarks: Vec<_> = remarks
-            .iter()
-            .map(|remark| {
-                let (line, column) = text.place(remark.at);
-                (line, column, remark.text.clone())
-            })
-            .collect();
+    let placed = |remarks: Vec<Remark>| {
+        let remarks = remarks.into_iter().map(|remark| {
+            let (line, column) = text.place(remark.at);
+            (line, column, remark.text)
+        });
+        let mut remarks: Vec<_> = remarks.collect();
         remarks.sort();
         remarks
     };
-    let mut remarks = placed(&program.notes);
-    remarks.extend(placed(&conditions.remarks));
     let notes = notes(request, &reading, &program);
-    let at_run_time = placed(&program.at_run_time);
+    let mut remarks = placed(std::mem::take(&mut program.notes));
+    remarks.extend(placed(std::mem::take(&mut conditions.remarks)));
+    let at_run_time = placed(std::mem::take(&mut program.at_run_time));
     drop(conditions);
     // What was read is not needed any more: a large file is not held twice.
     let mut left = BTreeMap::new();

@@ -4,56 +4,39 @@ use crate::kinematics::Robot;
 use crate::kinematics::configuration::{Statement, quadrant_of, turns_of};
 
 use super::edit::Edit;
-use super::target::{Mark, Signs, Target};
+use super::target::{Mark, Target};
 
 /// What has to be written for a target's configuration at the corrected values.
 pub(super) fn edits(target: &Target, robot: &Robot, q: &[f64]) -> Vec<Edit> {
-    let agrees = |statement: &Statement| statement.agrees(robot, q) != Some(false);
-    let still = |joint: u8| {
-        let about = |s: &&Statement| match s {
-            Statement::Quadrant { joint: j, .. }
-            | Statement::Turns { joint: j, .. }
-            | Statement::Negative { joint: j, .. } => *j == joint,
-            _ => false,
-        };
-        target
-            .posture()
-            .configuration
-            .iter()
-            .filter(about)
-            .all(agrees)
-    };
-    let edit = |mark: &Mark| match mark {
-        Mark::Quadrant { span, joint } => (!still(*joint)).then(|| Edit {
-            range: span.range(),
-            text: quadrant_of(q[usize::from(*joint)]).to_string(),
-        }),
-        Mark::Turns { span, joint } => (!still(*joint)).then(|| Edit {
-            range: span.range(),
-            text: turns_of(q[usize::from(*joint)]).to_string(),
-        }),
-        Mark::Signs(signs) => {
-            let Signs {
-                range,
-                joints,
-                value,
-                binary_digits,
-            } = &**signs;
-            let mut now = *value;
-            for (bit, joint) in joints.iter().enumerate() {
-                if let Some(joint) = joint
-                    && !still(*joint)
-                {
-                    now ^= 1 << bit;
-                }
-            }
-            (now != *value).then(|| Edit {
-                range: range.clone(),
-                text: match binary_digits {
-                    0 => now.to_string(),
-                    digits => format!("'B{now:0digits$b}'"),
-                },
-            })
+    let stated = &target.posture().configuration;
+    let crossed = |statement: &Statement| statement.agrees(robot, q) == Some(false);
+    let edit = |mark: &Mark| match *mark {
+        Mark::Of(index, span) => {
+            let text = match &stated[index] {
+                statement if !crossed(statement) => return None,
+                Statement::Quadrant { joint, .. } => quadrant_of(q[usize::from(*joint)]),
+                Statement::Turns { joint, .. } => turns_of(q[usize::from(*joint)]),
+                _ => return None,
+            };
+            Some(Edit::new((span.range(), &text.to_string())))
+        }
+        Mark::Signs {
+            span,
+            value,
+            binary_digits: digits,
+        } => {
+            let signs = stated
+                .iter()
+                .filter(|s| matches!(s, Statement::Negative { .. }));
+            let changed = signs
+                .enumerate()
+                .filter(|(_, statement)| crossed(statement));
+            let now = changed.fold(value, |now, (bit, _)| now ^ 1 << bit);
+            let text = match digits {
+                0 => now.to_string(),
+                digits => format!("'B{now:0digits$b}'"),
+            };
+            (now != value).then(|| Edit::new((span.range(), &text)))
         }
     };
     target.posture().marks.iter().filter_map(edit).collect()

@@ -20,36 +20,39 @@ use std::ops::Range;
 
 use super::axes::Axes;
 use super::program::Program;
-use super::referred::{Referred, declare, declare_none};
+use super::referred::{BASE, MODE, Referred, Set, TOOL};
 use super::target::Problem;
 use super::text::Text;
-use super::walk::{BASE, Constant, MODE, TOOL, Walk, walked};
-use super::words::{Dialect, Kind, Words};
+use super::walk::{Constant, Walk, walked};
+use super::words::{Dialect, Kind, Words, is_one_of};
 
 /// Positions end with their bracket and a semicolon.
-const POSITIONS: Dialect = Dialect {
+static POSITIONS: Dialect = Dialect {
     comments: b"",
     strings: b"\"'",
-    bits: false,
-    cased: false,
     end: phrase!("the end of /POS"),
     ends: |words, next, _| {
         let last = words.len() - 1;
         let behind = words.is_sign(last, b'}') && next != Some(Kind::Sign(b';'));
         words.is_closed() && (behind || words.is_sign(last, b';'))
     },
+    ..MOVES
 };
 
 /// Moves end with a semicolon, or with their line unless the next begins with a colon.
-const MOVES: Dialect = Dialect {
+static MOVES: Dialect = Dialect {
     comments: b"!",
     strings: b"",
-    bits: false,
     cased: false,
     end: phrase!("the end of the line"),
     ends: |words, next, breaks| {
         words.is_sign(words.len() - 1, b';') || breaks && next != Some(Kind::Sign(b':'))
     },
+    // It has no lists.
+    lists: [0; 2],
+    keyed: false,
+    part: phrase!("a number"),
+    elements: [0; 2],
 };
 
 pub(super) fn looks_like(bytes: &[u8]) -> bool {
@@ -72,7 +75,7 @@ pub(super) fn read(text: &Text, axes: &Axes) -> Result<Program, Vec<Problem>> {
         axes,
         &pieces,
         |walk| {
-            declare_none(&mut walk.program.tools, "UT 0");
+            walk.program.declare_no_tool("UT 0");
             if !tracks.is_empty() {
                 let says = text!("the program tracks a conveyor, which moves its frame");
                 walk.set(MODE, Referred::Unknown(says));
@@ -115,8 +118,8 @@ fn motion(walk: &mut Walk, words: &Words) -> Result<(), Problem> {
     }
     k += usize::from(words.is_sign(k, b':'));
     let (first, at) = (words.name(k), words.at(k));
-    let letter = matches!(first.as_str(), "j" | "l" | "c" | "a" | "s") && words.is_name(k + 1);
-    let touching = matches!(first.as_str(), "jp" | "lp" | "cp" | "ap" | "sp");
+    let letter = is_one_of(&first, "j l c a s") && words.is_name(k + 1);
+    let touching = is_one_of(&first, "jp lp cp ap sp");
     let goes_on = first == "p" && words.assigns(k).is_none();
     if !(letter || touching || goes_on) {
         instruction(walk, words, k);
@@ -127,7 +130,7 @@ fn motion(walk: &mut Walk, words: &Words) -> Result<(), Problem> {
     let mut j = k;
     while j < words.len() {
         if words.is_name(j) {
-            own.push(j);
+            own.push((j, words.name(j)));
         }
         let open = words.is_sign(j, b'[') || words.is_sign(j, b'(');
         j = if open {
@@ -136,27 +139,26 @@ fn motion(walk: &mut Walk, words: &Words) -> Result<(), Problem> {
             j + 1
         };
     }
-    let has = |names: &[&str]| {
+    let first_of = |names: &str| {
         own.iter()
-            .map(|j| words.name(*j))
-            .find(|name| names.contains(&&**name))
+            .map(|(_, name)| name)
+            .find(|name| is_one_of(name, names))
     };
-    let by = has(&["inc", "offset", "tool_offset", "voffset"]);
+    let by = first_of("inc offset tool_offset voffset");
     let mut mode = walk.held(MODE).clone();
-    if has(&["coord"]).is_some() {
+    if first_of("coord").is_some() {
         mode = Referred::Unknown(text!("another group moves its frame (COORD)"));
     }
-    if has(&["rtcp"]).is_some() {
+    if first_of("rtcp").is_some() {
         mode = Referred::Unknown(text!("the tool stands and the robot moves the part (RTCP)"));
     }
-    for j in own {
-        let name = words.name(j);
-        if name == "pr" && words.is_sign(j + 1, b'[') && !words.is_sign(j.saturating_sub(1), b',') {
+    for (j, name) in own.iter().filter(|(j, _)| words.is_sign(j + 1, b'[')) {
+        let j = *j;
+        if name == "pr" && !words.is_sign(j.saturating_sub(1), b',') {
             let says = text!("a move to a position register, whose value is set at run time");
             walk.left(at, says);
         }
-        let goal = name == "p" || touching && j == k;
-        if !goal || !words.is_sign(j + 1, b'[') {
+        if !(name == "p" || touching && j == k) {
             continue;
         }
         let Ok(number) = words.spelled(j + 2).parse::<u64>() else {
@@ -166,10 +168,9 @@ fn motion(walk: &mut Walk, words: &Words) -> Result<(), Problem> {
         };
         let (key, spelled) = (format!("p[{number}]"), format!("P[{number}]"));
         let changes = held_in(walk, &key, mode.clone());
-        match by.as_deref() {
-            Some("inc") => walk.relative(&key, "INC"),
+        match by.map(|by| by.to_uppercase()) {
+            Some(inc) if inc == "INC" => walk.relative(&key, &inc),
             Some(offset) => {
-                let offset = offset.to_uppercase();
                 let says = text!(
                     "the move to P[{number}] is shifted at run time ({offset})",
                     number,
@@ -185,13 +186,22 @@ fn motion(walk: &mut Walk, words: &Words) -> Result<(), Problem> {
     Ok(())
 }
 
+/// What a part of the way is called in positions, and the variable that has to agree with it.
+fn called(part: usize) -> (&'static str, &'static str) {
+    match part {
+        TOOL => ("UT", "UTOOL_NUM"),
+        _ => ("UF", "UFRAME_NUM"),
+    }
+}
+
 /// Frame, tool and mode of a move to a position.
-fn held_in(walk: &Walk, key: &str, mode: Referred) -> [(usize, Referred); 3] {
+fn held_in(walk: &Walk, key: &str, mode: Referred) -> [Set; 3] {
     let [frame, tool] = match walk.constant_of(key) {
-        Some(Constant::Position(numbers)) => numbers.clone(),
+        Some(Constant::Position(numbers)) => (**numbers).clone(),
         _ => [String::new(), String::new()],
     };
-    let own = |part: usize, short: &str, variable: &str, number: &str| {
+    let own = |part: usize, number: &str| {
+        let (short, variable) = called(part);
         // The frame of number 0 is the world.
         let is_none = number.is_empty() || part == BASE && number == "0";
         let named = Referred::named(format!("{short} {number}"));
@@ -211,8 +221,8 @@ fn held_in(walk: &Walk, key: &str, mode: Referred) -> [(usize, Referred); 3] {
         }
     };
     [
-        (BASE, own(BASE, "UF", "UFRAME_NUM", &frame)),
-        (TOOL, own(TOOL, "UT", "UTOOL_NUM", &tool)),
+        (BASE, own(BASE, &frame)),
+        (TOOL, own(TOOL, &tool)),
         (MODE, mode),
     ]
 }
@@ -222,28 +232,23 @@ fn instruction(walk: &mut Walk, words: &Words, k: usize) {
     let (first, at) = (words.name(k), words.at(k));
     let number = words.spelled(k + 2);
     let indexed = words.is_sign(k + 1, b'[');
+    let part = if first.starts_with("utool") {
+        TOOL
+    } else {
+        BASE
+    };
+    let named = format!("{} {number}", called(part).0);
     match first.as_str() {
         "utool" | "uframe" if indexed => {
-            let tool = first == "utool";
             let name = first.to_uppercase();
             let says = text!("{name}[{n}] is set at run time", name, n = &number);
-            let (names, short) = if tool {
-                (&mut walk.program.tools, "UT")
-            } else {
-                (&mut walk.program.frames, "UF")
-            };
-            declare(names, &format!("{short} {number}"), at, Err(says.clone()));
+            walk.program.declare(part, &named, at, Err(says.clone()));
             walk.left(at, says);
         }
         "utool_num" | "uframe_num" => {
-            let (part, short) = if first == "utool_num" {
-                (TOOL, "UT")
-            } else {
-                (BASE, "UF")
-            };
             let known = words.is_sign(k + 1, b'=') && words.kind(k + 2) == Some(Kind::Digits);
-            let named = Referred::named(format!("{short} {number}"));
-            walk.set(part, if known { named } else { Referred::Unsaid });
+            let named = known.then(|| Referred::named(named));
+            walk.set(part, named.unwrap_or_default());
         }
         "payload" if indexed => {
             let says = text!(
@@ -252,32 +257,22 @@ fn instruction(walk: &mut Walk, words: &Words, k: usize) {
             );
             walk.left(at, says);
         }
-        "p" if indexed => {
-            let spelled = format!("P[{number}]");
-            walk.changed(&spelled.to_lowercase(), &spelled, at);
-        }
+        "p" if indexed => walk.changed(&format!("p[{number}]").to_lowercase(), words, k),
         "call" | "run" => {
             let command = words.shown(k, words.until(k, b";("));
             walk.routine_elsewhere(at, &command);
-            walk.set(BASE, Referred::Unsaid);
-            walk.set(TOOL, Referred::Unsaid);
+            forget(walk);
         }
         // `Touch Offset PR[1]`, `Track TAST[1]`, each up to its `End`.
         "touch" | "track" => {
             if words.name(words.len().saturating_sub(2)) == "end" {
                 walk.set(MODE, Referred::Unsaid);
             } else {
-                let name = words.spelled(k);
-                let says = text!("{name} shifts the poses after it", name);
-                walk.left(at, says.clone());
-                walk.set(MODE, Referred::Unknown(says));
+                walk.shift(at, &words.spelled(k));
             }
         }
         // What was set before is not known where lines come together; the positions say it all the same.
-        "lbl" | "if" | "else" | "endif" | "for" | "endfor" | "select" => {
-            walk.set(BASE, Referred::Unsaid);
-            walk.set(TOOL, Referred::Unsaid);
-        }
+        "lbl" | "if" | "else" | "endif" | "for" | "endfor" | "select" => forget(walk),
         _ => {
             // `PR[1]=P[1]`
             for j in k..words.len() {
@@ -288,4 +283,9 @@ fn instruction(walk: &mut Walk, words: &Words, k: usize) {
             }
         }
     }
+}
+
+fn forget(walk: &mut Walk) {
+    walk.set(BASE, Referred::Unsaid);
+    walk.set(TOOL, Referred::Unsaid);
 }

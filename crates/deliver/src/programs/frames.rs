@@ -11,22 +11,23 @@
 //! the only such frame and the caller states one. What holds of a program's tools and frames is settled
 //! before ([`super::program_frames`]).
 
-use crate::text::Text;
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::kinematics::Pose;
+use crate::text::Text;
 
 use super::answer::Reason;
 use super::program::Program;
 use super::program_frames::{Reading, ToolReading};
-use super::referred::{Declared, FrameAndTool, Placed, Placement, Referred, UsedPairs};
-use super::target::{Remark, Shape};
-use super::used_frames::Used;
+use super::referred::{BASE, Declared, Placed, Placement, Referred, TOOL, UsedPairs, Way};
+use super::target::Remark;
 
 /// What is known of a program's frames and tools as a whole.
 struct Known<'a> {
     program: &'a Program,
     reading: &'a Reading,
+    /// The ways of poses.
+    poses: Vec<&'a Way>,
     /// Frames that are declared elsewhere.
     elsewhere: usize,
     /// Tools of poses, as they are spelled.
@@ -37,20 +38,17 @@ struct Known<'a> {
 pub(super) fn place(program: &mut Program, reading: &Reading) {
     let known = Known::of(program, reading);
     // Every pair of frame and tool is read once, however many targets there are.
-    let mut read: BTreeMap<(bool, PairNumbers), Result<Placed, Text>> = BTreeMap::new();
-    let mut all = Vec::with_capacity(program.targets.len());
-    for target in &program.targets {
-        let pose = matches!(target.shape, Shape::Pose(_));
-        let placed = read
-            .entry((pose, target.ways.0))
-            .or_insert_with(|| known.placed(target.ways, pose).map(Placed::new));
-        all.push(placed.clone());
-    }
+    let mut read: BTreeMap<(bool, UsedPairs), Result<Placed, Text>> = BTreeMap::new();
+    let all = program.targets.iter().map(|target| {
+        let (pose, ways) = (target.is_pose(), target.ways);
+        let placed = read.entry((pose, ways));
+        let placed = placed.or_insert_with(|| known.placed(ways, pose).map(Placed::new));
+        placed.clone()
+    });
+    let all: Vec<_> = all.collect();
     let notes = known.taken();
     for (target, placed) in program.targets.iter_mut().zip(all) {
-        if let Some(says) = &reading.carried
-            && matches!(target.shape, Shape::Pose(_))
-        {
+        if let Some(says) = reading.carried.as_ref().filter(|_| target.is_pose()) {
             target.leave(Reason::External, says.clone());
         }
         match placed {
@@ -61,23 +59,22 @@ pub(super) fn place(program: &mut Program, reading: &Reading) {
     program.notes.extend(notes);
 }
 
-type PairNumbers = [Option<u32>; 2];
-
 impl<'a> Known<'a> {
     fn of(program: &'a Program, reading: &'a Reading) -> Self {
-        let used = Used::of(program);
-        let elsewhere = |frame: &&Referred| match frame {
-            Referred::Named(name) => !program.frames.contains_key(&**name),
-            _ => false,
+        let [poses, _] = program.used();
+        let elsewhere = |frame: &&Referred| {
+            matches!(frame, Referred::Named(_)) && program.declaration(BASE, frame).is_none()
         };
-        let frames: BTreeSet<&Referred> = used.poses.iter().map(|way| &way.frame).collect();
+        let frames: BTreeSet<&Referred> = poses.iter().map(|way| &way[BASE]).collect();
+        let tools = poses.iter().map(|way| &way[TOOL]);
         Self {
             program,
             reading,
             elsewhere: frames.into_iter().filter(elsewhere).count(),
-            tools: (used.poses.iter().map(|way| &way.tool))
+            tools: tools
                 .filter(|tool| !matches!(tool, Referred::Unknown(_)))
                 .collect(),
+            poses,
         }
     }
 
@@ -87,122 +84,76 @@ impl<'a> Known<'a> {
             self.reading.tool,
             ToolReading::Named(_) | ToolReading::Declared { .. }
         );
+        let as_declared = [self.reading.all_frames.is_none(), tools];
         let mut taken: BTreeSet<(usize, Text)> = BTreeSet::new();
-        for way in Used::of(self.program).poses {
-            let kinds = [
-                (
-                    &way.frame,
-                    &self.program.frames,
-                    true,
-                    self.reading.all_frames.is_none(),
-                ),
-                (&way.tool, &self.program.tools, false, tools),
-            ];
-            for (referred, names, is_frame, as_declared) in kinds {
-                if let Referred::Named(name) = referred
-                    && let Some(Declared {
-                        at, pose: Ok(_), ..
-                    }) = names.get(&**name)
-                    && as_declared
+        for way in &self.poses {
+            for part in [BASE, TOOL].into_iter().filter(|part| as_declared[*part]) {
+                if let Referred::Named(name) = &way[part]
+                    && let Some(declared) = self.program.declaration(part, &way[part])
+                    && declared.pose.is_ok()
                 {
-                    let says = if is_frame {
-                        text!(
-                            "frame {name} is taken as it is declared here",
-                            name = &**name
-                        )
-                    } else {
-                        text!(
-                            "tool {name} is taken as it is declared here",
-                            name = &**name
-                        )
+                    let name = &**name;
+                    let says = match part {
+                        BASE => text!("frame {name} is taken as it is declared here", name),
+                        _ => text!("tool {name} is taken as it is declared here", name),
                     };
-                    taken.insert((*at, says));
+                    taken.insert((declared.at, says));
                 }
             }
         }
-        let remarks = taken
-            .into_iter()
-            .map(|(at, says)| Remark { at, text: says });
-        remarks.collect()
-    }
-
-    fn tools_in_words(&self) -> String {
-        let all: Vec<String> = self.tools.iter().map(ToString::to_string).collect();
-        all.join(", ")
+        let remark = |(at, text)| Remark { at, text };
+        taken.into_iter().map(remark).collect()
     }
 
     /// The reading of a target that motions go to so; in words where it is not known. Of joint values only
     /// the tool matters: it says which point is to be right.
     fn placed(&self, ways: UsedPairs, pose: bool) -> Result<Placement, Text> {
-        let one = match ways.0.map(|way| way.map(|way| self.program.ways.get(way))) {
-            [Some(one), None] => Some(one),
-            [Some(one), Some(other)] if pose => {
-                return Err(if one.frame == other.frame {
-                    text!(
-                        "motions go to it with the tools {a} and {b}",
-                        a = one.tool.to_string(),
-                        b = other.tool.to_string()
-                    )
-                } else {
-                    text!(
-                        "motions go to it with the frames {a} and {b}",
-                        a = one.frame.to_string(),
-                        b = other.frame.to_string()
-                    )
-                });
-            }
-            _ => None,
-        };
+        let [one, other] = ways.0.map(|way| Some(self.program.ways.get(way?)));
+        if let (true, Some(one), Some(other)) = (pose, one, other) {
+            let differ = if one[BASE] == other[BASE] { TOOL } else { BASE };
+            let (a, b) = (one[differ].to_string(), other[differ].to_string());
+            return Err(if differ == TOOL {
+                text!("motions go to it with the tools {a} and {b}", a, b)
+            } else {
+                text!("motions go to it with the frames {a} and {b}", a, b)
+            });
+        }
         // Whatever it goes to, a tool that stands is not the model's.
-        let tools = ways.iter().map(|way| &self.program.ways.get(way).tool);
-        let named = tools.filter_map(|tool| match tool {
-            Referred::Named(name) => self.program.tools.get(&**name),
-            _ => None,
-        });
-        if let Some(says) = named
-            .filter(|tool| tool.stands)
-            .find_map(|tool| tool.pose.clone().err())
-        {
-            return Err(says);
+        for way in [one, other].into_iter().flatten() {
+            if let Some(tool) = self.program.declaration(TOOL, &way[TOOL])
+                && tool.stands
+            {
+                tool.pose.clone()?;
+            }
         }
         if !pose {
+            let only = one.filter(|_| other.is_none());
             return Ok(Placement {
                 base_from_frame: Pose::identity(),
-                tool_from_model: self.tool_of_joints(one),
+                tool_from_model: self.tool_of_joints(only),
             });
         }
-        let unsaid = FrameAndTool::new(Default::default());
-        let Some(one) = one else {
-            return Ok(Placement {
-                base_from_frame: self.frame(&unsaid.frame)?,
-                tool_from_model: match self.reading.tool {
-                    ToolReading::Given(tool_from_model) => tool_from_model,
-                    _ => Pose::identity(),
-                },
-            });
-        };
         Ok(Placement {
-            base_from_frame: self.frame(&one.frame)?,
-            tool_from_model: self.tool(&one.tool)?,
+            base_from_frame: self.frame(one.map_or(&Referred::Unsaid, |way| &way[BASE]))?,
+            tool_from_model: match (one, &self.reading.tool) {
+                (Some(way), _) => self.tool(&way[TOOL])?,
+                (None, ToolReading::Given(tool_from_model)) => *tool_from_model,
+                (None, _) => Pose::identity(),
+            },
         })
     }
 
     fn frame(&self, referred: &Referred) -> Result<Pose, Text> {
         let stated = self.reading.stated.unwrap_or_else(Pose::identity);
-        let name = match referred {
-            Referred::Unsaid => return Ok(stated),
-            Referred::Unknown(says) => {
-                return Err(text!("its frame is not known: {says}", says));
+        match (referred, self.program.declaration(BASE, referred)) {
+            (Referred::Unsaid, _) => Ok(stated),
+            (Referred::Unknown(says), _) => Err(text!("its frame is not known: {says}", says)),
+            (_, Some(Declared { pose: Ok(pose), .. })) => {
+                Ok(self.reading.all_frames.unwrap_or(*pose))
             }
-            Referred::Named(name) => name,
-        };
-        match self.program.frames.get(&**name) {
-            Some(Declared { pose: Ok(pose), .. }) => Ok(self.reading.all_frames.unwrap_or(*pose)),
-            Some(Declared {
-                pose: Err(says), ..
-            }) => Err(says.clone()),
-            None if self.reading.stated.is_some() && self.elsewhere == 1 => Ok(stated),
-            None => Err(text!(
+            (_, Some(Declared { pose, .. })) => pose.clone(),
+            _ if self.reading.stated.is_some() && self.elsewhere == 1 => Ok(stated),
+            (Referred::Named(name), None) => Err(text!(
                 "its frame {name} is declared elsewhere: --frame says where it is in the base (one frame in \
                  a file)",
                 name = name.to_string()
@@ -211,66 +162,53 @@ impl<'a> Known<'a> {
     }
 
     fn on_flange(&self, name: &str) -> Result<Pose, Text> {
-        match self.program.tools.get(&name.to_lowercase()) {
+        match self.program.declared[TOOL].get(&name.to_lowercase()) {
             Some(declared) => declared.pose.clone(),
             None => Err(text!("its tool {name} is declared elsewhere", name)),
         }
     }
 
     fn tool(&self, referred: &Referred) -> Result<Pose, Text> {
-        if let ToolReading::Given(tool_from_model) = self.reading.tool {
-            return Ok(tool_from_model);
-        }
-        if let Referred::Unknown(says) = referred {
-            return Err(text!("its tool is not known: {says}", says));
-        }
-        let model = match &self.reading.tool {
-            ToolReading::Given(tool_from_model) => return Ok(*tool_from_model),
-            ToolReading::OnlyOne if self.tools.len() <= 1 => return Ok(Pose::identity()),
-            ToolReading::OnlyOne => {
-                let all = self.tools_in_words();
+        let one = self.tools.len() <= 1;
+        let declared = self.program.declaration(TOOL, referred).is_some();
+        let model = match (&self.reading.tool, referred) {
+            (ToolReading::Given(tool_from_model), _) => return Ok(*tool_from_model),
+            (_, Referred::Unknown(says)) => {
+                return Err(text!("its tool is not known: {says}", says));
+            }
+            (ToolReading::OnlyOne, _) if one => return Ok(Pose::identity()),
+            (ToolReading::OnlyOne, _) => {
+                let all: Vec<String> = self.tools.iter().map(ToString::to_string).collect();
                 return Err(text!(
                     "poses of this file are of several tools ({all}): --tool says which one is the model's",
-                    all
+                    all = all.join(", ")
                 ));
             }
-            ToolReading::Named(name) if referred.is(name) => return Ok(Pose::identity()),
-            ToolReading::Named(name) => self.on_flange(name)?,
-            ToolReading::Declared { model, lenient } => {
-                // One tool of which the file has no numbers is the model's.
-                let one = self.tools.len() <= 1;
-                let known = match referred {
-                    Referred::Named(name) => self.program.tools.contains_key(&**name),
-                    _ => false,
-                };
-                if *lenient && one && !known {
-                    return Ok(Pose::identity());
-                }
-                *model
+            (ToolReading::Named(name), own) if own.is(name) => return Ok(Pose::identity()),
+            (ToolReading::Named(name), _) => self.on_flange(name)?,
+            // One tool of which the file has no numbers is the model's.
+            (ToolReading::Declared { lenient: true, .. }, _) if one && !declared => {
+                return Ok(Pose::identity());
             }
+            (ToolReading::Declared { model, .. }, _) => *model,
         };
-        let own = match referred {
-            Referred::Named(name) => self.on_flange(name)?,
-            _ => return Err(text!("which tool it is of is not stated")),
-        };
-        Ok(own.inverse() * model)
+        match referred {
+            Referred::Named(name) => Ok(self.on_flange(name)?.inverse() * model),
+            _ => Err(text!("which tool it is of is not stated")),
+        }
     }
 
     /// The tool of joint values; where it is not known the model's.
-    fn tool_of_joints(&self, way: Option<&FrameAndTool>) -> Pose {
-        let own = match (&self.reading.tool, way) {
+    fn tool_of_joints(&self, way: Option<&Way>) -> Pose {
+        let tool = match (&self.reading.tool, way) {
             (ToolReading::Given(tool_from_model), _) => return *tool_from_model,
             (ToolReading::OnlyOne, _) | (_, None) => return Pose::identity(),
-            (_, Some(way)) => &way.tool,
+            (_, Some(way)) => &way[TOOL],
         };
-        let none = match own {
-            Referred::Named(name) => (self.program.tools.get(&**name)).is_none_or(|t| t.is_none),
-            _ => true,
-        };
-        if none {
-            return Pose::identity();
+        match self.program.declaration(TOOL, tool) {
+            Some(declared) if !declared.is_none => self.tool(tool).unwrap_or_default(),
+            _ => Pose::identity(),
         }
-        self.tool(own).unwrap_or_else(|_| Pose::identity())
     }
 }
 

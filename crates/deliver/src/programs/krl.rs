@@ -12,30 +12,33 @@
 
 mod frames;
 
-use crate::kinematics::configuration::Statement;
-
-use super::axes::{Axes, Slot};
-use super::number::Number;
-use super::pose::{Frame, Orientation};
-use super::program::Program;
-use super::referred::declare_none;
-use super::target::{Mark, Outside, Problem, Shape, Signs, Target};
-use super::text::Text;
-use super::walk::{Declared, Walk, walked};
-use super::words::{Dialect, Kind, List, Value, Words, is_of_name};
-
-use frames::{AGGREGATES, POSE};
 use std::collections::BTreeSet;
 use std::ops::Range;
 
-const DIALECT: Dialect = Dialect {
+use crate::kinematics::configuration::Statement;
+
+use super::axes::{Axes, Slot};
+use super::number::Span;
+use super::program::Program;
+use super::target::{Mark, Problem, Shape, Target};
+use super::text::Text;
+use super::walk::{Declared, Walk, walked};
+use super::words::{Dialect, Kind, List, Value, Words, is_of_name, is_one_of};
+
+use frames::{POSE, frame};
+
+static DIALECT: Dialect = Dialect {
     // Lines of the editor begin with &.
     comments: b";&",
-    strings: b"\"",
-    bits: true,
+    // Single quotes hold binary and hexadecimal numbers.
+    strings: b"\"'",
     cased: false,
     end: phrase!("the end of the line"),
     ends: |_, _, breaks| breaks,
+    lists: *b"{}",
+    keyed: true,
+    part: phrase!("a value"),
+    elements: *b"[]",
 };
 
 const AXES: [&str; 6] = ["a1", "a2", "a3", "a4", "a5", "a6"];
@@ -64,7 +67,7 @@ pub(super) fn read(text: &Text, axes: &Axes) -> Result<Program, Vec<Problem>> {
         axes,
         &pieces,
         |walk| {
-            declare_none(&mut walk.program.tools, "$nullframe");
+            walk.program.declare_no_tool("$nullframe");
             walk.has_modules(data_lists(text));
         },
         |spelled| text!("{spelled} has its values elsewhere", spelled),
@@ -84,54 +87,38 @@ fn data_lists(text: &Text) -> BTreeSet<String> {
         own.then(|| name.to_lowercase())
     };
     let names: BTreeSet<String> = text.lines().filter_map(name).collect();
-    if names.len() > 1 {
-        names
-    } else {
-        BTreeSet::new()
-    }
+    Some(names)
+        .filter(|names| names.len() > 1)
+        .unwrap_or_default()
 }
 
 fn statement(walk: &mut Walk, words: &Words) -> Result<(), Problem> {
-    let mut k = 0;
-    while matches!(words.name(k).as_str(), "global" | "public") {
-        k += 1;
-    }
-    let first = words.name(k);
-    let deep = |says| Problem::new(words.at(k), text!("blocks in blocks"), says);
-    match first.as_str() {
+    let before = |k: &usize| is_one_of(&words.name(*k), "global public");
+    let k = (0..words.len()).take_while(before).count();
+    match words.name(k).as_str() {
         "def" | "deffct" => {
             // A routine without an end ends here.
-            while walk.depth() > 0 {
-                walk.end_routine();
-            }
-            let open = words.until(k, b"(");
-            let parameter = |j: &usize| words.is_name(*j) && words.is_sign(j + 1, b':');
-            let parameters: Vec<String> = (open..words.len())
-                .filter(parameter)
-                .map(|j| words.name(j))
-                .collect();
-            let main = walk.routines() == 0;
-            let name = words.name(open.saturating_sub(1));
-            walk.enter_module(&name);
-            walk.begin_routine(&name, &parameters, main).map_err(deep)?;
+            walk.end_routines();
+            let name = words.until(k, b"(").saturating_sub(1);
+            let main = walk.routines == 0;
+            walk.enter_module(&words.name(name));
+            walk.begin_routine(words, name, b":", main)?;
         }
         "end" | "endfct" => walk.end_routine(),
         "if" | "switch" | "spline" | "ptp_spline" => {
-            walk.begin_block(false).map_err(deep)?;
+            walk.begin_block(false)?;
             for (part, what) in frames::with(walk, words) {
                 walk.set(part, what);
             }
         }
-        "for" | "while" | "loop" | "repeat" => walk.begin_block(true).map_err(deep)?,
+        "for" | "while" | "loop" | "repeat" => walk.begin_block(true)?,
         "case" => walk.alternative(false),
         "else" | "default" => walk.alternative(true),
         "endif" | "endswitch" | "endfor" | "endwhile" | "endloop" | "until" | "endspline" => {
             walk.end_block();
         }
         "defdat" => {
-            while walk.depth() > 0 {
-                walk.end_routine();
-            }
+            walk.end_routines();
             walk.enter_module(&words.name(k + 1));
         }
         "interrupt" | "trigger" => {
@@ -146,7 +133,7 @@ fn statement(walk: &mut Walk, words: &Words) -> Result<(), Problem> {
         name if is_motion(name) => return motion(walk, words, name),
         name if name == "decl"
             || type_of(name).is_some()
-            || is_plain(name) && words.is_name(k + 1) =>
+            || is_one_of(name, "int real bool char const") && words.is_name(k + 1) =>
         {
             return declaration(walk, words, k);
         }
@@ -155,7 +142,7 @@ fn statement(walk: &mut Walk, words: &Words) -> Result<(), Problem> {
             if let Some(equals) = words.assigns(k) {
                 return assignment(walk, words, k, equals, None);
             }
-            if words.is_sign(k + 1, b'(') && !is_word(name) {
+            if words.is_sign(k + 1, b'(') && !is_one_of(name, COMMANDS) {
                 call(walk, words, k);
             }
             walk.mention_all(words, k + 1..words.len(), &words.spelled(k));
@@ -173,24 +160,22 @@ fn call(walk: &mut Walk, words: &Words, k: usize) {
 }
 
 /// `DECL GLOBAL E6POS P1={…}, P2[10]`
-fn declaration(walk: &mut Walk, words: &Words, k: usize) -> Result<(), Problem> {
-    let mut k = k;
-    let mut global = false;
-    while matches!(words.name(k).as_str(), "decl" | "global" | "const") {
-        global |= words.name(k) == "global";
-        k += 1;
-    }
-    let (kind, spelled) = (words.name(k), words.spelled(k));
+fn declaration(walk: &mut Walk, words: &Words, from: usize) -> Result<(), Problem> {
+    let before = |j: &usize| is_one_of(&words.name(*j), "decl global const");
+    let mut k = from + (from..words.len()).take_while(before).count();
+    let global = (from..k).any(|j| words.name(j) == "global");
+    let (kind, of) = (words.name(k), words.span(k));
+    let pose = type_of(&kind);
     while words.is_name(k + 1) {
-        let declared = match type_of(&kind) {
+        let declared = match pose {
             // A frame is a target only where a motion goes to it.
             Some(_) if kind == "frame" => Declared::Nowhere,
             Some(_) => Declared::Target,
-            None => Declared::Other(spelled.clone()),
+            None => Declared::Other(of),
         };
         walk.declare(&words.name(k + 1), declared, global);
         if let Some(equals) = words.assigns(k + 1) {
-            assignment(walk, words, k + 1, equals, type_of(&kind))?;
+            assignment(walk, words, k + 1, equals, pose)?;
         }
         k = words.until(k + 1, b",");
     }
@@ -205,63 +190,50 @@ fn assignment(
     equals: usize,
     declared: Option<bool>,
 ) -> Result<(), Problem> {
-    let list = if words.is_sign(equals + 1, b'{') {
+    let mut list = None;
+    if words.is_sign(equals + 1, b'{') {
         // Checked in any case, since what is broken there keeps the file from being loaded.
-        let (list, end) = words.list(equals + 1, AGGREGATES, 0)?;
-        Some((list, end))
-    } else {
-        None
-    };
-    let (name, spelled) = (words.name(k), words.shown(k, equals));
+        list = Some(words.list(equals + 1)?);
+    }
     // Another name may be declared behind this one.
     let end = words.until(equals + 1, b",");
     if frames::sets(walk, words, (k, equals, end), list.as_ref()) {
         return Ok(());
     }
-    let known = walk.declared(&name);
+    let (name, spelled) = (words.name(k), words.shown(k, equals));
     let component = (k..equals).any(|j| words.is_sign(j, b'.'));
-    let element = words.element(k, *b"[]");
+    let element = words.element(k);
     let own = element.as_deref().unwrap_or(&name);
-    match list {
-        Some((list, behind)) if !component && behind == end => {
-            if matches!(known, Declared::Other(_)) {
-                return Ok(());
-            }
-            let has = |keys: &[&str]| list.parts.iter().any(|part| keys.contains(&&*part.key));
-            let foreign = |part: &super::words::Part| {
-                ![&AXES[..], &POSE, &EXTERNAL].concat().contains(&&*part.key)
-            };
-            // Of a name that is declared elsewhere it may be anything.
-            if known == Declared::Nowhere && list.parts.iter().any(foreign) {
-                return Ok(());
-            }
-            let pose = declared.unwrap_or(!has(&AXES));
-            if known == Declared::Nowhere && has(&["s", "t"]) {
-                // Nothing but a target has a status.
-                walk.declare(&name, Declared::Target, true);
-            }
-            if let Some(target) = target(walk, words, &list, &spelled, pose)? {
-                walk.value(own, element.is_some().then_some(&name), target);
-            }
-        }
-        _ => {
-            walk.changed(own, &words.spelled(k), words.at(k));
-            walk.mention_all(words, equals + 1..end, &spelled);
-        }
+    let Some((list, _)) = list.filter(|(_, behind)| !component && *behind == end) else {
+        walk.changed(own, words, k);
+        walk.mention_all(words, equals + 1..end, &spelled);
+        return Ok(());
+    };
+    let known = walk.declared(&name);
+    let foreign = !list.has_only(&[&AXES, &POSE, &EXTERNAL]);
+    // Of a name that is declared elsewhere it may be anything.
+    if matches!(known, Declared::Other(_)) || known == Declared::Nowhere && foreign {
+        return Ok(());
+    }
+    let has = |keys: &[&str]| keys.iter().any(|key| list.get(key).is_some());
+    if known == Declared::Nowhere && has(&["s", "t"]) {
+        // Nothing but a target has a status.
+        walk.declare(&name, Declared::Target, true);
+    }
+    let pose = declared.unwrap_or(!has(&AXES));
+    if let Some(target) = target(walk, words, &list, &spelled, pose)? {
+        walk.value(own, element.is_some().then_some(&name), target);
     }
     Ok(())
 }
 
 fn motion(walk: &mut Walk, words: &Words, name: &str) -> Result<(), Problem> {
     let command = words.spelled(0);
-    let behind = (1..words.len())
-        .find(|k| words.name(*k) == "with")
-        .unwrap_or(words.len());
+    let with = (1..words.len()).find(|k| words.name(*k) == "with");
+    let behind = with.unwrap_or(words.len());
     if name.ends_with("_rel") {
-        walk.left(
-            words.at(1),
-            text!("{command} is a relative motion", command = &command),
-        );
+        let says = text!("{command} is a relative motion", command = &command);
+        walk.left(words.at(1), says);
         for k in (1..behind).filter(|k| words.is_name(*k)) {
             walk.relative(&words.name(k), &command);
         }
@@ -272,10 +244,9 @@ fn motion(walk: &mut Walk, words: &Words, name: &str) -> Result<(), Problem> {
     if words.len() == 1 {
         return Err(words.problem(1, expected()));
     }
-    let mut k = 1;
     let goals = if name.contains("circ") { 2 } else { 1 };
+    let mut k = 1;
     for goal in 0..goals {
-        let at = words.at(k);
         if goal > 0 {
             if !words.is_sign(k, b',') {
                 let says = text!("a comma and the end point of {command}", command = &command);
@@ -286,43 +257,26 @@ fn motion(walk: &mut Walk, words: &Words, name: &str) -> Result<(), Problem> {
         let from = k;
         let mut inline = None;
         if words.is_sign(k, b'{') {
-            let (list, end) = words.list(k, AGGREGATES, 0)?;
+            let (list, end) = words.list(k)?;
             (inline, k) = (Some(list), end);
         } else if words.is_name(k) {
-            k += 1;
-            if words.is_sign(k, b'[') {
-                k = words.until(k + 1, b"]") + 1;
-            }
+            k = words.behind_element(k).unwrap_or(k + 1);
         } else {
             return Err(words.problem(k, expected()));
         }
-        let at = if goal > 0 { words.at(from) } else { at };
-        if words.is_sign(k, b':') || words.is_sign(k, b'.') || words.is_sign(k, b'(') {
-            let end = words.until(k, b",").min(behind);
-            walk.go_to_worked_out(words, from..end, &command, &changes);
-            k = end;
+        if matches!(words.kind(k), Some(Kind::Sign(b':' | b'.' | b'('))) {
+            k = words.until(k, b",").min(behind);
+            walk.go_to_worked_out(words, from..k, &command, &changes);
         } else if let Some(list) = inline {
-            let pose = match list.stated.as_deref().and_then(type_of) {
-                Some(pose) => pose,
-                None => !list
-                    .parts
-                    .iter()
-                    .any(|part| part.key.len() > 1 && part.key.starts_with('a')),
-            };
-            if let Some(target) = target(walk, words, &list, &format!("target of {command}"), pose)?
-            {
+            let stated = list.stated.as_deref().and_then(type_of);
+            let axis = |key: &str| key.len() > 1 && key.starts_with('a');
+            let pose = stated.unwrap_or_else(|| !list.parts.iter().any(|part| axis(&part.key)));
+            let name = format!("target of {command}");
+            if let Some(target) = target(walk, words, &list, &name, pose)? {
                 walk.go_to(target, &changes);
             }
         } else {
-            let (name, spelled) = (words.name(from), words.spelled(from));
-            match words
-                .element(from, *b"[]")
-                .filter(|element| walk.knows(element))
-            {
-                Some(element) => walk.go_to_name((&element, &element), at, None, &changes),
-                None if k > from + 1 => walk.go_to_part(&name, at, true, &changes),
-                None => walk.go_to_name((&name, &spelled), at, None, &changes),
-            }
+            walk.go_to_words(words, from..k, &command, None, &changes);
         }
     }
     Ok(())
@@ -337,36 +291,23 @@ fn target(
     pose: bool,
 ) -> Result<Option<Target>, Problem> {
     let keys: &[&str] = if pose { &POSE } else { &AXES };
-    let foreign = list.parts.iter();
-    let foreign =
-        foreign.filter(|part| !keys.contains(&&*part.key) && !EXTERNAL.contains(&&*part.key));
+    let known = |key: &str| keys.contains(&key) || EXTERNAL.contains(&key);
+    let foreign = list.parts.iter().filter(|part| !known(&part.key));
     // The first by its name, wherever it stands.
     if let Some(part) = foreign.min_by_key(|part| &part.key) {
-        let at = match &part.value {
-            Value::Number(number) => number.range().start,
-            Value::Other(range) => words.at(range.start),
-            Value::List(list) => list.at,
-        };
-        let found = text!(
-            "component {component} in {name}",
-            component = part.key.to_uppercase(),
-            name
-        );
+        let component = part.key.to_uppercase();
+        let found = text!("component {component} in {name}", component, name);
         let expected = text!("one of {names}", names = keys.join(", ").to_uppercase());
-        return Err(Problem::new(at, found, expected));
+        return Err(Problem::new(part.value.at(words), found, expected));
     }
-    let number = |slot| {
-        let key = match slot {
-            Slot::Own(k) => format!("a{}", k + 1),
-            Slot::External(k) => format!("e{}", k + 1),
-        };
-        list.number(&key).ok_or(())
+    let number = |slot| match slot {
+        Slot::Own(k) => list.number(&format!("a{}", k + 1)),
+        Slot::External(k) => list.number(&format!("e{}", k + 1)),
     };
+    let number = |slot| number(slot).ok_or(());
     let made = if pose {
-        let numbers: Option<Vec<Number>> = POSE[..6].iter().map(|key| list.number(key)).collect();
-        let frame = numbers.and_then(|n| Frame::of_degrees(&n, Orientation::ZyxDegrees));
-        let external = walk.axes.external(number);
-        frame.zip(external.ok()).map(|(frame, external)| {
+        let external = walk.axes.external(number).ok();
+        frame(list).zip(external).map(|(frame, external)| {
             let mut target = Target::new(name, list.at, Shape::Pose(Box::new(frame)));
             target.posture_mut().external = external;
             target
@@ -382,43 +323,30 @@ fn target(
         walk.left(list.at, says);
         return Ok(None);
     };
-    let outside: Outside = EXTERNAL.map(|key| list.number(key).map(|number| number.value));
-    target.outside = walk.outside(outside);
+    target.outside = walk.outside(EXTERNAL.map(|key| Some(list.number(key)?.value)));
     if pose {
-        configuration(walk.axes, words, list, name, &mut target)?;
+        configure(walk.axes, words, list, &mut target)?;
     }
     Ok(Some(target))
 }
 
-fn configuration(
-    axes: &Axes,
-    words: &Words,
-    list: &List,
-    name: &str,
-    target: &mut Target,
-) -> Result<(), Problem> {
-    let posture = target.posture_mut();
-    if let Some((value, range, binary_digits)) = whole(words, list, "t", name)? {
-        let joints = axes.own_numbered();
-        for (bit, joint) in joints.iter().enumerate() {
-            if let Some(joint) = *joint {
-                let negative = value >> bit & 1 != 0;
-                posture
-                    .configuration
-                    .push(Statement::Negative { joint, negative });
-            }
-        }
-        posture.marks.push(Mark::Signs(Box::new(Signs {
-            range,
-            joints,
+fn configure(axes: &Axes, words: &Words, list: &List, target: &mut Target) -> Result<(), Problem> {
+    if let Some((value, span, binary_digits)) = whole(words, list, "t", &target.name)? {
+        let posture = target.posture_mut();
+        let joints = (0..6).filter_map(|k| Some((k, axes.numbered(Slot::Own(k))?)));
+        posture.configuration.extend(joints.map(|(bit, joint)| {
+            let negative = value >> bit & 1 != 0;
+            Statement::Negative { joint, negative }
+        }));
+        posture.marks.push(Mark::Signs {
+            span,
             value,
             binary_digits,
-        })));
+        });
     }
-    if let Some((value, ..)) = whole(words, list, "s", name)? {
-        posture
-            .configuration
-            .push(Statement::Behind(value & 1 != 0));
+    if let Some((value, ..)) = whole(words, list, "s", &target.name)? {
+        let behind = Statement::Behind(value & 1 != 0);
+        target.posture_mut().configuration.push(behind);
     }
     Ok(())
 }
@@ -430,7 +358,7 @@ fn whole(
     list: &List,
     key: &str,
     name: &str,
-) -> Result<Option<(u32, Range<usize>, usize)>, Problem> {
+) -> Result<Option<(u32, Span, usize)>, Problem> {
     match list.get(key) {
         Some(Value::Number(number)) => {
             let value = number.value;
@@ -446,9 +374,9 @@ fn whole(
                 reason = "a whole number up to 255"
             )]
             let whole = value as u32;
-            Ok(Some((whole, number.range(), 0)))
+            Ok(Some((whole, number.span(), 0)))
         }
-        Some(Value::Other(range)) if words.kind(range.start) == Some(Kind::Bits) => {
+        Some(Value::Other(range)) if words.bytes(range.start).starts_with(b"'") => {
             let spelled = words.spelled(range.start);
             let inside = spelled.trim_matches('\'');
             let (base, digits) = match inside.as_bytes().first() {
@@ -456,17 +384,15 @@ fn whole(
                 Some(b'H' | b'h') => (16, &inside[1..]),
                 _ => (10, inside),
             };
-            match u32::from_str_radix(digits, base) {
-                Ok(value) if value <= 255 => {
-                    let binary = if base == 2 { digits.len() } else { 0 };
-                    Ok(Some((value, words.range(range.start), binary)))
-                }
-                _ => {
-                    let expected = text!("a binary number such as 'B010'");
-                    let found = crate::text::Text::verbatim(spelled);
-                    Err(Problem::new(words.at(range.start), found, expected))
-                }
-            }
+            let value = u32::from_str_radix(digits, base).ok();
+            let value = value.filter(|value| *value <= 255);
+            let Some((value, span)) = value.zip(words.span(range.start)) else {
+                let expected = text!("a binary number such as 'B010'");
+                let found = crate::text::Text::verbatim(spelled);
+                return Err(Problem::new(words.at(range.start), found, expected));
+            };
+            let binary = if base == 2 { digits.len() } else { 0 };
+            Ok(Some((value, span, binary)))
         }
         _ => Ok(None),
     }
@@ -481,21 +407,11 @@ fn type_of(name: &str) -> Option<bool> {
     }
 }
 
-/// Types that stand before a name without `DECL`.
-fn is_plain(name: &str) -> bool {
-    matches!(name, "int" | "real" | "bool" | "char" | "const")
-}
-
 /// Statements of the language that look like calls.
-fn is_word(name: &str) -> bool {
-    matches!(
-        name,
-        "wait" | "return" | "pulse" | "anin" | "anout" | "cwrite" | "cread" | "swrite"
-    )
-}
+const COMMANDS: &str = "wait return pulse anin anout cwrite cread swrite";
 
 fn is_motion(name: &str) -> bool {
     const MOTIONS: &str = "ptp lin circ sptp slin scirc spl ptp_rel lin_rel circ_rel sptp_rel slin_rel scirc_rel \
         spl_rel";
-    MOTIONS.split(' ').any(|known| known == name)
+    is_one_of(name, MOTIONS)
 }

@@ -42,7 +42,6 @@ mod stated_load;
 mod target;
 mod text;
 mod urscript;
-mod used_frames;
 mod walk;
 mod words;
 mod write;

@@ -63,72 +63,38 @@ impl Number {
     /// Reads `[+-]digits[.digits][e±digits]`; with `comma` the decimal sign is a comma.
     pub(super) fn read(bytes: &[u8], range: Range<usize>, comma: bool) -> Result<Self, NoNumber> {
         let text = &bytes[range.clone()];
-        let unsigned = text
-            .strip_prefix(b"-")
-            .or(text.strip_prefix(b"+"))
-            .unwrap_or(text);
+        let signed = matches!(text.first(), Some(b'+' | b'-'));
         // A sign may stand off its digits.
-        let signed = unsigned.len();
-        let unsigned = unsigned.trim_ascii_start();
-        let apart = (unsigned.len() < signed).then(|| range.end - unsigned.len());
+        let behind = &text[usize::from(signed)..];
+        let digits = behind.trim_ascii_start();
+        let apart = (digits.len() < behind.len()).then(|| range.end - digits.len());
         let sign = if comma { b',' } else { b'.' };
-        let whole = leading_digits(unsigned);
-        let mut rest = &unsigned[whole..];
-        let mut decimals = 0;
-        if rest.first() == Some(&sign) {
-            decimals = leading_digits(&rest[1..]);
-            rest = &rest[1 + decimals..];
-        }
-        if whole + decimals == 0 {
+        let begins = (digits.first()).is_some_and(|b| b.is_ascii_digit() || *b == sign);
+        let belongs = |b: &u8| b.is_ascii_digit() || *b == sign || b"eE+-".contains(b);
+        if !begins || !digits.iter().all(belongs) {
             return Err(NoNumber::Malformed);
         }
-        let mut digits: String = unsigned[..unsigned.len() - rest.len()]
+        let plain = digits
             .iter()
-            .map(|b| if *b == sign { '.' } else { *b as char })
-            .collect();
-        if let Some((b'e' | b'E', power)) = rest.split_first() {
-            let power_digits = power
-                .strip_prefix(b"-")
-                .or(power.strip_prefix(b"+"))
-                .unwrap_or(power);
-            if power_digits.is_empty() || leading_digits(power_digits) != power_digits.len() {
-                return Err(NoNumber::Malformed);
-            }
-            digits.push('e');
-            digits.extend(power.iter().map(|b| *b as char));
-            decimals = 0;
-        } else if !rest.is_empty() {
-            return Err(NoNumber::Malformed);
-        }
-        let value: f64 = digits.parse().map_err(|_| NoNumber::Malformed)?;
+            .map(|b| if *b == sign { '.' } else { char::from(*b) });
+        let value: f64 = (plain.collect::<String>().parse()).map_err(|_| NoNumber::Malformed)?;
         if !value.is_finite() {
             return Err(NoNumber::TooLarge);
         }
-        let value = if text.first() == Some(&b'-') {
-            -value
-        } else {
-            value
-        };
+        let power = digits.iter().any(|b| matches!(b, b'e' | b'E'));
+        let decimals = digits.iter().rev().position(|b| *b == sign);
         Ok(Self {
-            value,
+            value: if text.first() == Some(&b'-') {
+                -value
+            } else {
+                value
+            },
             span: Span::of(&range).ok_or(NoNumber::TooLarge)?,
             // It is before the end, which has a place.
             detached_digits: apart.and_then(|at| NonZero::new(u32::try_from(at).ok()?)),
-            decimals: u8::try_from(decimals).unwrap_or(u8::MAX),
+            decimals: u8::try_from(decimals.filter(|_| !power).unwrap_or(0)).unwrap_or(u8::MAX),
             comma,
         })
-    }
-
-    /// A number that stands nowhere.
-    #[cfg(test)]
-    pub(super) fn nowhere(value: f64, decimals: u8) -> Self {
-        Self {
-            value,
-            span: Span { start: 0, end: 0 },
-            detached_digits: None,
-            decimals,
-            comma: false,
-        }
     }
 
     /// Its bytes, sign included.
@@ -164,10 +130,6 @@ impl Number {
             text
         })
     }
-}
-
-fn leading_digits(text: &[u8]) -> usize {
-    text.iter().take_while(|b| b.is_ascii_digit()).count()
 }
 
 #[cfg(test)]

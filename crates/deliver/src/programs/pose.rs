@@ -100,17 +100,14 @@ fn decimals_of(mm: f64) -> usize {
 }
 
 impl Frame {
-    /// x, y, z in mm and three angles in degrees; `None` of another count.
-    pub(super) fn of_degrees(numbers: &[Number], orientation: Orientation) -> Option<Self> {
-        let [x, y, z, a, b, c] = numbers else {
-            return None;
-        };
-        Some(Self {
-            position: [*x, *y, *z],
+    /// x, y, z in mm and three angles in degrees.
+    pub(super) fn of_degrees([x, y, z, a, b, c]: [Number; 6], orientation: Orientation) -> Self {
+        Self {
+            position: [x, y, z],
             mm: [1.0; 3],
-            turn: vec![*a, *b, *c],
+            turn: vec![a, b, c],
             orientation,
-        })
+        }
     }
 
     /// Where a quaternion stands whose length is no rounding of 1, and its length.
@@ -124,22 +121,12 @@ impl Frame {
     pub fn goal(&self) -> Option<Goal> {
         let at = |k: usize| self.position[k].value * self.mm[k];
         let turn: Vec<f64> = self.turn.iter().map(|n| n.value).collect();
-        let rotation = match (self.orientation, &turn[..]) {
-            (Orientation::Quaternion, [w, x, y, z]) => {
-                let quaternion = Quaternion::new(*w, *x, *y, *z);
-                // A quaternion with three digits is not quite of unit length; an empty one is none.
-                if quaternion.norm() < 0.5 {
-                    return None;
-                }
-                Some(UnitQuaternion::new_normalize(quaternion))
-            }
-            (Orientation::ZyxDegrees, [a, b, c]) => Some(turned(*c, *b, *a)),
-            (Orientation::XyzFixedDegrees, [w, p, r]) => Some(turned(*w, *p, *r)),
-            (Orientation::RotationVector, [x, y, z]) => {
-                Some(UnitQuaternion::new(Vector3::new(*x, *y, *z)))
-            }
-            _ => None,
-        };
+        // A quaternion with three digits is not quite of unit length; an empty one is none.
+        let squares: f64 = turn.iter().map(|v| v * v).sum();
+        if self.orientation == Orientation::Quaternion && squares.sqrt() < 0.5 {
+            return None;
+        }
+        let rotation = self.orientation.read(&turn);
         Some(Goal {
             position_mm: Point3::new(at(0), at(1), at(2)),
             rotation,
@@ -252,7 +239,8 @@ mod tests {
     use proptest::prelude::*;
 
     fn number(value: f64) -> Number {
-        Number::nowhere(value, 3)
+        let text = format!("{value:?}");
+        Number::read(text.as_bytes(), 0..text.len(), false).unwrap()
     }
 
     fn frame(orientation: Orientation, turn: &[f64]) -> Frame {

@@ -67,7 +67,7 @@ impl ProgramFrames {
             tool: Precedence::Model,
             frame: Precedence::Program,
             load: Precedence::Model,
-            external: ExternalAxes::Asked,
+            ..Self::default()
         }
     }
 
@@ -77,7 +77,7 @@ impl ProgramFrames {
             tool: Precedence::Model,
             frame: Precedence::Model,
             load: Precedence::Model,
-            external: ExternalAxes::Asked,
+            ..Self::default()
         }
     }
 
@@ -87,7 +87,7 @@ impl ProgramFrames {
             tool: Precedence::Program,
             frame: Precedence::Program,
             load: Precedence::Program,
-            external: ExternalAxes::Asked,
+            ..Self::default()
         }
     }
 }
@@ -154,7 +154,7 @@ impl Difference {
                 program,
                 model
             ),
-            DifferingNumber::Load if named => text!(
+            DifferingNumber::Load => text!(
                 "the program's load {name} is {program}; the model's is {model}",
                 name,
                 program,
@@ -164,11 +164,6 @@ impl Difference {
                 "the external axis {name} is at {program}, and the model does not have it",
                 name,
                 program
-            ),
-            DifferingNumber::Load => text!(
-                "the program's load is {program}; the model's is {model}",
-                program,
-                model
             ),
         };
         text!("line {line}, column {column}: {says}", line, column, says)

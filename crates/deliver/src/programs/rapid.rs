@@ -18,27 +18,24 @@ mod targets;
 
 use super::axes::Axes;
 use super::program::Program;
-use super::referred::{Referred, declare, declare_none};
+use super::referred::{BASE, MODE, Referred, Set, TOOL};
 use super::target::Problem;
 use super::text::Text;
-use super::walk::{BASE, Constant, Declared, MODE, TOOL, Walk, walked};
-use super::words::{Dialect, Kind, List, Style, Value, Words};
+use super::walk::{Constant, Declared, Walk, walked};
+use super::words::{Dialect, Kind, List, Value, Words, is_one_of};
 
 use targets::{computed, external, held, mass, target};
 
-const DIALECT: Dialect = Dialect {
+static DIALECT: Dialect = Dialect {
     comments: b"!",
     strings: b"\"",
-    bits: false,
     cased: false,
     end: phrase!("the end of the file"),
     ends,
-};
-
-const LISTS: Style = Style {
-    brackets: *b"[]",
+    lists: *b"[]",
     keyed: false,
-    expected: phrase!("a number"),
+    part: phrase!("a number"),
+    elements: *b"{}",
 };
 
 /// Heads of routines and blocks end without a semicolon, labels with their colon.
@@ -88,74 +85,45 @@ pub(super) fn read(text: &Text, axes: &Axes) -> Result<Program, Vec<Problem>> {
         text,
         axes,
         &pieces,
-        |walk| declare_none(&mut walk.program.tools, "tool0"),
+        |walk| walk.program.declare_no_tool("tool0"),
         |spelled| text!("{spelled} is declared elsewhere", spelled),
     )
 }
 
+/// A declaration, a label, heads and ends of routines and blocks; anything else is an instruction.
 fn statement(walk: &mut Walk, words: &Words) -> Result<(), Problem> {
-    let mut k = 0;
-    let (mut local, mut declares) = (false, false);
-    loop {
-        match words.name(k).as_str() {
-            "local" => local = true,
-            "task" => {}
-            "const" | "pers" | "var" => declares = true,
-            _ => break,
-        }
-        k += 1;
+    let before = |k: &usize| is_one_of(&words.name(*k), "local task const pers var");
+    let k = (0..words.len()).take_while(before).count();
+    let has = |names: &str| (0..k).any(|j| is_one_of(&words.name(j), names));
+    if has("const pers var") {
+        return declaration(walk, words, k, has("local"));
     }
-    if declares {
-        return declaration(walk, words, k, local);
-    }
-    if is_label(words) {
-        walk.label();
-        return Ok(());
-    }
-    routine_or_block(walk, words, k)
-}
-
-/// Heads and ends of routines and blocks; anything else is an instruction.
-fn routine_or_block(walk: &mut Walk, words: &Words, k: usize) -> Result<(), Problem> {
-    let deep = |says| Problem::new(words.at(k), text!("blocks in blocks"), says);
     match words.name(k).as_str() {
-        "module" | "record" => walk.begin_routine("", &[], true).map_err(deep)?,
+        _ if is_label(words) => walk.label(),
+        "module" | "record" => walk.begin_routine(words, words.len(), b"", true)?,
         word @ ("proc" | "func" | "trap") => {
-            let name = k + if word == "func" { 2 } else { 1 };
-            let last = |j: &usize| {
-                words.is_name(*j)
-                    && matches!(
-                        words.kind(j + 1),
-                        Some(Kind::Sign(b',' | b')' | b'|' | b'{'))
-                    )
-            };
-            let parameters: Vec<String> = (name + 1..words.len())
-                .filter(last)
-                .map(|j| words.name(j))
-                .collect();
-            let name = words.name(name);
+            let k = k + if word == "func" { 2 } else { 1 };
+            let name = words.name(k);
             if word == "trap" {
                 walk.anytime(&name);
             }
-            walk.begin_routine(&name, &parameters, name == "main")
-                .map_err(deep)?;
+            walk.begin_routine(words, k, b",)|{", name == "main")?;
         }
         "endmodule" | "endproc" | "endfunc" | "endtrap" | "endrecord" => walk.end_routine(),
-        "if" if words.name(words.len() - 1) == "then" => walk.begin_block(false).map_err(deep)?,
-        "if" => {
+        "if" if words.name(words.len() - 1) != "then" => {
             // `IF condition instruction;`
             let moves = |j: &usize| is_move(&words.name(*j)) || is_mode(&words.name(*j)).is_some();
             let Some(own) = (k + 1..words.len()).find(moves) else {
                 walk.mention_all(words, k + 1..words.len(), "IF");
                 return Ok(());
             };
-            walk.begin_block(false).map_err(deep)?;
+            walk.begin_block(false)?;
             let taken = instruction(walk, words, own);
             walk.end_block();
             return taken;
         }
-        "for" | "while" => walk.begin_block(true).map_err(deep)?,
-        "test" => walk.begin_block(false).map_err(deep)?,
+        "if" | "test" => walk.begin_block(false)?,
+        "for" | "while" => walk.begin_block(true)?,
         "elseif" | "case" => walk.alternative(false),
         "else" | "default" => walk.alternative(true),
         "error" if words.len() == 1 => walk.handler(),
@@ -170,86 +138,63 @@ fn declaration(walk: &mut Walk, words: &Words, k: usize, local: bool) -> Result<
     let kind = words.name(k);
     let (name, spelled, at) = (words.name(k + 1), words.spelled(k + 1), words.at(k + 1));
     let target = matches!(kind.as_str(), "robtarget" | "jointtarget");
+    let held_part = match kind.as_str() {
+        "tooldata" => Some(TOOL),
+        "wobjdata" => Some(BASE),
+        _ => None,
+    };
     // What a module declares is known in the whole file, unless it is its own.
     let declared = if target {
         Declared::Target
     } else {
-        Declared::Other(words.spelled(k))
+        Declared::Other(words.span(k))
     };
     walk.declare(&name, declared, !local && walk.depth() <= 1);
-    let mut k = k + 2;
-    let array = words.is_sign(k, b'{');
-    if array {
-        k = words.until(k + 1, b"}") + 1;
-    }
-    let valued = words.is_sign(k, b':') && words.is_sign(k + 1, b'=');
-    let tool = kind == "tooldata";
-    if !valued || !words.is_sign(k + 2, b'[') {
-        if tool || kind == "wobjdata" {
-            let names = if tool {
-                &mut walk.program.tools
-            } else {
-                &mut walk.program.frames
-            };
+    let behind = words.behind_element(k + 1);
+    let (array, equals) = (behind.is_some(), behind.unwrap_or(k + 2));
+    let valued = words.is_sign(equals, b':') && words.is_sign(equals + 1, b'=');
+    if !valued || !words.is_sign(equals + 2, b'[') {
+        if let Some(part) = held_part {
             let says = text!("{spelled} has no value in this file", spelled = &spelled);
-            declare(names, &spelled, at, Err(says));
+            walk.program.declare(part, &spelled, at, Err(says));
         } else if valued && target {
-            walk.changed(&name, &spelled, at);
+            walk.changed(&name, words, k + 1);
         }
         return Ok(());
     }
-    if !(target || tool || matches!(kind.as_str(), "wobjdata" | "loaddata" | "extjoint")) {
+    if !(target || held_part.is_some() || matches!(kind.as_str(), "loaddata" | "extjoint")) {
         return Ok(());
     }
-    let (list, end) = words.list(k + 2, LISTS, 0)?;
-    match kind.as_str() {
-        "tooldata" | "wobjdata" => {
-            let pose = held(words, &list, &spelled, tool)?;
-            let names = if tool {
-                &mut walk.program.tools
-            } else {
-                &mut walk.program.frames
-            };
-            declare(names, &spelled, at, pose);
-            if let Some(declared) = names.get_mut(&name).filter(|_| tool) {
+    let (list, end) = words.list(equals + 2)?;
+    match (held_part, kind.as_str()) {
+        (Some(part), _) => {
+            let pose = held(words, &list, &spelled, part == TOOL)?;
+            let declared = walk.program.declare(part, &spelled, at, pose);
+            if part == TOOL {
                 declared.mass_kg = mass(list.parts.get(2).and_then(|part| part.value.list()));
-                declared.stands = words.name(words_of(&list)) == "false";
+                declared.stands = list.word(words, 0) == "false";
             }
         }
-        "loaddata" => {
+        (_, "loaddata") => {
             if let Some(kg) = mass(Some(&list)) {
                 walk.constant(&name, Constant::Load(kg));
             }
         }
-        "extjoint" => {
-            if let Some(numbers) = list.numbers()
-                && let Ok(numbers) = numbers.try_into()
-            {
-                let numbers: [super::Number; 6] = numbers;
-                walk.constant(&name, Constant::External(numbers.map(external)));
+        (_, "extjoint") => {
+            let numbers = list.numbers().map(<[_; 6]>::try_from);
+            if let Some(Ok(numbers)) = numbers {
+                walk.constant(&name, Constant::External(Box::new(numbers.map(external))));
             }
         }
-        _ => values(
-            walk,
-            words,
-            &list,
-            [&name, &spelled],
-            None,
-            (kind == "robtarget", array),
-        )?,
+        (_, kind) => {
+            let pose = kind == "robtarget";
+            values(walk, words, &list, [&name, &spelled], None, (pose, array))?;
+        }
     }
     if words.is_sign(end, b';') {
         return Ok(());
     }
     Err(words.problem(end, text!("a semicolon behind {spelled}", spelled)))
-}
-
-/// The first word of a list's first part.
-fn words_of(list: &List) -> usize {
-    match list.parts.first().map(|part| &part.value) {
-        Some(Value::Other(range)) => range.start,
-        _ => usize::MAX,
-    }
 }
 
 /// A target, or each of an array of them.
@@ -261,52 +206,45 @@ fn values(
     whole: Option<&str>,
     (pose, array): (bool, bool),
 ) -> Result<(), Problem> {
-    if array {
-        let own = whole.unwrap_or(name);
-        for (index, part) in list.parts.iter().enumerate() {
-            let element = [name, spelled].map(|name| format!("{name}{{{}}}", index + 1));
-            let element = [&*element[0], &*element[1]];
-            if let Some(list) = part.value.list() {
-                let parts = if pose { 4 } else { 2 };
-                let first = list.parts.first().and_then(|part| part.value.list());
-                let nested =
-                    |list: &List| list.parts.first().is_some_and(|p| p.value.list().is_some());
-                let array = list.parts.len() != parts && first.is_some_and(nested);
-                values(walk, words, list, element, Some(own), (pose, array))?;
-            } else if let Value::Other(range) = &part.value {
-                let at = words.at(range.start);
-                walk.mention_all(words, range.clone(), element[1]);
-                walk.left(at, computed(element[1]));
-            }
+    if !array {
+        match target(walk, words, list, spelled, Some(pose))? {
+            Ok(target) => walk.value(name, whole, target),
+            Err(says) => walk.left(list.at, says),
         }
         return Ok(());
     }
-    match target(walk, words, list, spelled, Some(pose))? {
-        Ok(target) => walk.value(name, whole, target),
-        Err(says) => walk.left(list.at, says),
+    for (index, part) in list.parts.iter().enumerate() {
+        let [name_of, spelled_of] = [name, spelled].map(|name| format!("{name}{{{}}}", index + 1));
+        match &part.value {
+            Value::List(list) => {
+                let parts = if pose { 4 } else { 2 };
+                let nested = list.first_list().and_then(List::first_list).is_some();
+                let array = list.parts.len() != parts && nested;
+                let (names, whole) = ([&*name_of, &*spelled_of], whole.or(Some(name)));
+                values(walk, words, list, names, whole, (pose, array))?;
+            }
+            Value::Other(range) => {
+                walk.mention_all(words, range.clone(), &spelled_of);
+                walk.left(words.at(range.start), computed(&spelled_of));
+            }
+            Value::Number(_) => {}
+        }
     }
     Ok(())
 }
 
 /// A move, an assignment, or a call.
 fn instruction(walk: &mut Walk, words: &Words, k: usize) -> Result<(), Problem> {
-    let name = words.name(k);
-    let command = words.spelled(k);
+    let (name, command) = (words.name(k), words.spelled(k));
     if is_move(&name) {
         return motion(walk, words, k, &name);
     }
-    if let Some(equals) = words
-        .assigns(k)
-        .filter(|equals| words.is_sign(equals - 1, b':'))
-    {
+    let equals = words.assigns(k);
+    if let Some(equals) = equals.filter(|equals| words.is_sign(equals - 1, b':')) {
         return assignment(walk, words, k, equals);
     }
     match is_mode(&name) {
-        Some(true) => {
-            let says = text!("{name} shifts the poses after it", name = &name);
-            walk.left(words.at(k), says.clone());
-            walk.set(MODE, Referred::Unknown(says));
-        }
+        Some(true) => walk.shift(words.at(k), &name),
         Some(false) => walk.set(MODE, Referred::Unsaid),
         None if name == "moveextj" => {
             let says = text!("{command} moves external axes only", command = &command);
@@ -314,8 +252,8 @@ fn instruction(walk: &mut Walk, words: &Words, k: usize) -> Result<(), Problem> 
         }
         None if name == "gripload" => gripped(walk, words, k + 1),
         None => {
-            let alone =
-                words.is_name(k) && words.is_sign(k + 1, b';') && !INSTRUCTIONS.contains(&&*name);
+            let alone = words.is_name(k) && words.is_sign(k + 1, b';');
+            let alone = alone && !is_one_of(&name, INSTRUCTIONS);
             // `%"name" + NumToStr(n, 0)%;`
             let by_name = words.is_sign(k, b'%') && !words.is_sign(k + 1, b'%');
             if !walk.call(&name, &command) && alone || by_name {
@@ -339,33 +277,29 @@ fn gripped(walk: &mut Walk, words: &Words, k: usize) {
 fn assignment(walk: &mut Walk, words: &Words, k: usize, equals: usize) -> Result<(), Problem> {
     let (name, spelled) = (words.name(k), words.spelled(k));
     // An element of an array is known by its number.
-    let element = words
-        .element(k, *b"{}")
-        .filter(|_| words.is_sign(k + 4, b':'));
+    let element = words.element(k).filter(|_| words.is_sign(k + 4, b':'));
+    let own = element.as_deref().unwrap_or(&name);
     let component = (k..equals).any(|j| words.is_sign(j, b'.'));
-    let declared = walk.declared(&name);
-    let may_be = matches!(declared, Declared::Target | Declared::Nowhere);
+    let may_be = matches!(walk.declared(&name), Declared::Target | Declared::Nowhere);
     if words.is_sign(equals + 1, b'[') && !component && may_be {
-        let (list, _) = words.list(equals + 1, LISTS, 0)?;
-        let own = element.as_deref().unwrap_or(&name);
+        let (list, _) = words.list(equals + 1)?;
         // Any other list is no target and no problem.
         if let Ok(Ok(target)) = target(walk, words, &list, &spelled, None) {
             walk.value(own, element.is_some().then_some(&name), target);
             return Ok(());
         }
     }
-    walk.changed(element.as_deref().unwrap_or(&name), &spelled, words.at(k));
+    walk.changed(own, words, k);
     walk.mention_all(words, equals + 1..words.len(), &spelled);
     Ok(())
 }
 
 /// `MoveL p1, v100, fine, tGun\WObj:=fixture;`, argument by argument.
-fn motion(walk: &mut Walk, words: &Words, k: usize, name: &str) -> Result<(), Problem> {
-    let circle = name.starts_with("movec") || matches!(name, "triggc" | "arcc" | "arccend");
-    let command = words.spelled(k);
+fn motion(walk: &mut Walk, words: &Words, from: usize, name: &str) -> Result<(), Problem> {
+    let circle = name.starts_with("movec") || is_one_of(name, "triggc arcc arccend");
+    let command = words.spelled(from);
     let mut arguments = Vec::new();
-    let from = k + 1;
-    let mut k = from;
+    let mut k = from + 1;
     while k < words.len() && !words.is_sign(k, b';') {
         let end = words.until(k, b",;");
         if let Some(j) = (k..end).find(|j| is_move(&words.name(*j))) {
@@ -380,9 +314,8 @@ fn motion(walk: &mut Walk, words: &Words, k: usize, name: &str) -> Result<(), Pr
     }
     let goals = if circle { 2 } else { 1 };
     let mut changes = held_in(words, name, &arguments, goals).to_vec();
-    for j in from..k {
+    for j in (from + 1..k).filter(|j| words.is_sign(j - 1, b'\\')) {
         match words.name(j).as_str() {
-            _ if !words.is_sign(j - 1, b'\\') => {}
             "corr" => {
                 let says = text!("{name} shifts the poses after it", name = "Corr");
                 changes.push((MODE, Referred::Unknown(says)));
@@ -399,12 +332,7 @@ fn motion(walk: &mut Walk, words: &Words, k: usize, name: &str) -> Result<(), Pr
 }
 
 /// The work object and the tool of a move.
-fn held_in(
-    words: &Words,
-    name: &str,
-    arguments: &[(usize, usize)],
-    goals: usize,
-) -> [(usize, Referred); 2] {
+fn held_in(words: &Words, name: &str, arguments: &[(usize, usize)], goals: usize) -> [Set; 2] {
     // Goals, speed, zone, tool; of other processes the tool is the last.
     let place = if name.starts_with("move") {
         goals + 2
@@ -417,11 +345,10 @@ fn held_in(
     let of = |k: usize| {
         let end = words.until(k, b"\\,;");
         if words.is_name(k) && end == k + 1 {
-            Referred::named(words.spelled(k))
-        } else {
-            let name = words.shown(k, end);
-            Referred::Unknown(text!("{name} is computed at run time", name))
+            return Referred::named(words.spelled(k));
         }
+        let name = words.shown(k, end);
+        Referred::Unknown(text!("{name} is computed at run time", name))
     };
     let is_frame = |j: &usize| words.is_sign(*j, b'\\') && words.name(*j + 1) == "wobj";
     // The switch may stand behind a later argument as well.
@@ -436,45 +363,32 @@ fn goal(
     words: &Words,
     (k, end): (usize, usize),
     command: &str,
-    changes: &[(usize, Referred)],
+    changes: &[Set],
 ) -> Result<(), Problem> {
     let at = words.at(k);
-    let ends = |k: usize| k >= end || words.is_sign(k, b'\\');
-    let name = words.name(k);
-    // Switches of the move may follow its target.
-    if words.is_name(k) && ends(k + 1) {
-        walk.go_to_name((&name, &words.spelled(k)), at, None, changes);
-        return Ok(());
-    }
-    if words.is_name(k) && words.is_sign(k + 1, b'{') && ends(words.until(k + 2, b"}") + 1) {
-        match words.element(k, *b"{}") {
-            Some(element) if walk.knows(&element) => {
-                walk.go_to_name((&element, &element), at, None, changes);
-            }
-            _ => walk.go_to_part(&name, at, true, changes),
-        }
-        return Ok(());
-    }
     if words.is_sign(k, b'*') {
         let says = text!(
             "{command} goes to *, whose values are in the controller and not in the file",
             command
         );
         walk.left(at, says);
-        return Ok(());
-    }
-    if words.is_sign(k, b'[') {
-        let (list, behind) = words.list(k, LISTS, 0)?;
-        if !ends(behind) {
+    } else if words.is_sign(k, b'[') {
+        let (list, behind) = words.list(k)?;
+        if behind < end && !words.is_sign(behind, b'\\') {
             return Err(words.problem(behind, text!("a comma or a semicolon")));
         }
         match target(walk, words, &list, &format!("target of {command}"), None)? {
             Ok(target) => walk.go_to(target, changes),
             Err(says) => walk.left(at, says),
         }
-        return Ok(());
+    } else {
+        // Switches of the move may follow its target.
+        let bare = words.until(k, b"\\").min(end);
+        let behind = words.behind_element(k).unwrap_or(k + 1);
+        let plain = words.is_name(k) && behind >= bare;
+        let end = if plain { bare } else { end };
+        walk.go_to_words(words, k..end, command, None, changes);
     }
-    walk.go_to_worked_out(words, k..end, command, changes);
     Ok(())
 }
 
@@ -488,32 +402,13 @@ fn is_mode(name: &str) -> Option<bool> {
 }
 
 /// Instructions without arguments.
-const INSTRUCTIONS: [&str; 19] = [
-    "return",
-    "stop",
-    "break",
-    "exit",
-    "exitcycle",
-    "retry",
-    "trynext",
-    "raise",
-    "startmove",
-    "stopmove",
-    "storepath",
-    "restopath",
-    "clearpath",
-    "tperase",
-    "eoffsoff",
-    "softdeact",
-    "stopmovereset",
-    "syncmoveundo",
-    "waitrob",
-];
+const INSTRUCTIONS: &str = "return stop break exit exitcycle retry trynext raise startmove stopmove storepath \
+    restopath clearpath tperase eoffsoff softdeact stopmovereset syncmoveundo waitrob";
 
 /// Instructions that move to a target that is their first argument.
 fn is_move(name: &str) -> bool {
     const MOVES: &str = "movej movel movec moveabsj movejdo moveldo movecdo movejao movelao movecao movejgo movelgo \
         movecgo movejsync movelsync movecsync triggj triggl triggc arcl arcc arclstart arclend \
         arccend spotl spotj";
-    MOVES.split(' ').any(|known| known == name)
+    is_one_of(name, MOVES)
 }

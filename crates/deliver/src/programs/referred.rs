@@ -87,54 +87,40 @@ impl std::fmt::Display for Referred {
     }
 }
 
-/// The frame and the tool of a motion, and what else keeps its pose from being where it is written.
-#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) struct FrameAndTool {
-    pub(super) frame: Referred,
-    pub(super) tool: Referred,
-    pub(super) mode: Referred,
-}
+/// The parts of a way: base (work object, frame), tool, and what else keeps poses from being where they are written.
+pub(super) const BASE: usize = 0;
+pub(super) const TOOL: usize = 1;
+pub(super) const MODE: usize = 2;
 
-impl FrameAndTool {
-    /// In the order of the walk's parts.
-    pub(super) fn new([frame, tool, mode]: [Referred; 3]) -> Self {
-        Self { frame, tool, mode }
-    }
+/// A part of the way of motions, and what it is.
+pub(super) type Set = (usize, Referred);
 
-    /// The same with another part.
-    pub(super) fn with(&self, part: usize, what: &Referred) -> Self {
-        let mut parts = [&self.frame, &self.tool, &self.mode];
-        parts[part] = what;
-        Self::new(parts.map(Clone::clone))
-    }
-}
+/// What holds at a motion, by these parts.
+pub(super) type Way = [Referred; 3];
 
-/// Every frame and tool that motions of a program have, each pair once.
+/// Every way that motions of a program have, each once.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub(super) struct FrameToolPairs {
-    pub(super) all: Vec<FrameAndTool>,
-    pub(super) index: BTreeMap<FrameAndTool, u32>,
+pub(super) struct Ways {
+    all: Vec<Way>,
+    index: BTreeMap<Way, u32>,
 }
 
-impl FrameToolPairs {
-    /// The number of a frame and a tool.
-    pub(super) fn of(&mut self, way: FrameAndTool) -> u32 {
-        if let Some(index) = self.index.get(&way) {
-            return *index;
-        }
-        let index = u32::try_from(self.all.len()).unwrap_or(u32::MAX);
-        self.index.insert(way.clone(), index);
-        self.all.push(way);
-        index
+impl Ways {
+    /// The number of a way.
+    pub(super) fn of(&mut self, way: Way) -> u32 {
+        *self.index.entry(way).or_insert_with_key(|way| {
+            self.all.push(way.clone());
+            u32::try_from(self.all.len() - 1).unwrap_or(u32::MAX)
+        })
     }
 
-    pub(super) fn get(&self, index: u32) -> &FrameAndTool {
+    pub(super) fn get(&self, index: u32) -> &Way {
         &self.all[index as usize]
     }
 }
 
 /// In which ways motions go to a target: the first two that differ tell whether it is one.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default)]
 pub(super) struct UsedPairs(pub(super) [Option<u32>; 2]);
 
 impl UsedPairs {
@@ -174,38 +160,20 @@ pub(super) struct Declared {
 /// Frames or tools by their names in small letters.
 pub(super) type Names = BTreeMap<String, Declared>;
 
-/// Keeps a declaration; of a name that is declared twice differently nothing is known.
-pub(super) fn declare(names: &mut Names, spelled: &str, at: usize, pose: Result<Pose, Text>) {
-    names
-        .entry(spelled.to_lowercase())
-        .and_modify(|known| {
-            if known.pose != pose {
-                known.pose = Err(text!("{spelled} is declared several times", spelled));
-            }
-        })
-        .or_insert(Declared {
+impl Declared {
+    pub(super) fn new(at: usize, pose: Result<Pose, Text>) -> Self {
+        Self {
             at,
             pose,
             mass_kg: None,
             is_none: false,
             stands: false,
-        });
-}
-
-/// Declares the language's own name for the flange, or for the base.
-pub(super) fn declare_none(names: &mut Names, spelled: &str) {
-    let none = Declared {
-        at: 0,
-        pose: Ok(Pose::identity()),
-        mass_kg: None,
-        is_none: true,
-        stands: false,
-    };
-    names.insert(spelled.to_lowercase(), none);
+        }
+    }
 }
 
 /// How the pose of a target is to be read.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct Placement {
     pub(super) base_from_frame: Pose,
     pub(super) tool_from_model: Pose,
@@ -217,15 +185,11 @@ pub(super) struct Placed(Option<Arc<Placement>>);
 
 impl Placed {
     pub(super) fn new(placement: Placement) -> Self {
-        let nothing = Placement::stated(None);
-        Self((placement != nothing).then(|| Arc::new(placement)))
+        Self((placement != Placement::default()).then(|| Arc::new(placement)))
     }
 
     pub(super) fn get(&self) -> Placement {
-        self.0
-            .as_deref()
-            .copied()
-            .unwrap_or_else(|| Placement::stated(None))
+        self.0.as_deref().copied().unwrap_or_default()
     }
 
     /// Where a pose of the file puts the model's tool, in the robot's base.
@@ -247,20 +211,14 @@ impl Placed {
     }
 }
 
-impl Placement {
-    /// In the frame that the caller states, of the model's tool.
-    pub(super) fn stated(frame: Option<Pose>) -> Self {
-        Self {
-            base_from_frame: frame.unwrap_or_else(Pose::identity),
-            tool_from_model: Pose::identity(),
-        }
-    }
-}
-
 #[cfg(test)]
-#[test]
-fn a_name_is_shown_as_it_is_written_and_found_whatever_its_capitals() {
-    let tool = Referred::named("tGrip");
-    assert_eq!(tool.to_string(), "tGrip");
-    assert!(tool.is("TGRIP"));
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_name_is_shown_as_it_is_written_and_found_whatever_its_capitals() {
+        let tool = Referred::named("tGrip");
+        assert_eq!(tool.to_string(), "tGrip");
+        assert!(tool.is("TGRIP"));
+    }
 }

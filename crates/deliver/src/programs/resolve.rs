@@ -6,6 +6,7 @@ use crate::compensation::pose::is_singular;
 use crate::kinematics::configuration::{Statement, turns_of};
 use crate::kinematics::inverse::{Goal, Inverse};
 use crate::kinematics::{JointKind, Pose, Robot};
+use crate::text::Text;
 
 use super::answer::{Reason, SkippedTarget};
 use super::axes::Axes;
@@ -65,32 +66,28 @@ impl<'a> Resolver<'a> {
         if let Some(left) = &target.left {
             return Err((**left).clone());
         }
-        let (q, pose) = match &target.shape {
+        let pose;
+        let q = match &target.shape {
             Shape::Joints {
-                numbers,
-                scales: inner,
-                ..
+                numbers, scales, ..
             } => {
-                let values = numbers.iter().zip(inner.iter());
-                let mut q: Vec<f64> = values.map(|(number, inner)| number.value * inner).collect();
+                let values = numbers.iter().zip(scales.iter());
+                let mut q: Vec<f64> = values.map(|(number, scale)| number.value * scale).collect();
                 self.convention.to_model(&mut q);
                 self.check_limits(&q)?;
-                let pose = self.robot.base_from_tool(&q);
-                (q, pose)
+                pose = self.robot.base_from_tool(&q);
+                q
             }
             Shape::Pose(frame) => {
                 let Some(goal) = frame.goal() else {
-                    let says = text!("its orientation is not valid");
-                    return Err(SkippedTarget::new(Reason::Unreachable, says));
+                    return left(Reason::Unreachable, text!("its orientation is not valid"));
                 };
                 let goal = target.placed.goal(&goal);
                 let q = self.solution(target, &goal)?;
                 let here = self.robot.base_from_tool(&q);
                 let rotation = goal.rotation.unwrap_or(here.rotation);
-                (
-                    q,
-                    Pose::from_parts(goal.position_mm.coords.into(), rotation),
-                )
+                pose = Pose::from_parts(goal.position_mm.coords.into(), rotation);
+                q
             }
         };
         self.before = Some(q.clone());
@@ -108,55 +105,46 @@ impl<'a> Resolver<'a> {
             value,
             limit
         );
-        Err(SkippedTarget::new(Reason::Unreachable, says))
+        left(Reason::Unreachable, says)
     }
 
     fn solution(&mut self, target: &Target, goal: &Goal) -> Result<Vec<f64>, SkippedTarget> {
+        let posture = target.posture();
         let mut fixed = vec![0.0; self.robot.joints.len()];
-        for (joint, value) in &target.posture().external {
+        for (joint, value) in &posture.external {
             fixed[*joint] = *value;
         }
         self.convention.to_model(&mut fixed);
-        let stated = target.posture().near.clone().map(|mut near| {
-            self.convention.to_model(&mut near);
-            near
-        });
-        let near = stated.or_else(|| self.before.clone()).map(|mut q| {
-            for (joint, _) in &target.posture().external {
+        let with_external = |q: &mut Vec<f64>| {
+            for (joint, _) in &posture.external {
                 q[*joint] = fixed[*joint];
             }
-            q
-        });
+        };
+        let mut near = self.before.clone();
+        if let Some(mut stated) = posture.near.clone() {
+            self.convention.to_model(&mut stated);
+            near = Some(stated);
+        }
+        near.iter_mut().for_each(with_external);
         if !self.inverse.is_determined(goal) {
             return self.nearest_of_a_line(goal, near.as_deref());
         }
-        let known = self.with_external(&target.posture().external, &fixed);
+        let mut known = self.previous_solutions.clone();
+        known.iter_mut().for_each(with_external);
         let all = self.inverse.all(goal, &fixed, &known);
         if all.is_empty() {
             let says = text!("no joint values within the limits reach it");
-            return Err(SkippedTarget::new(Reason::Unreachable, says));
+            return left(Reason::Unreachable, says);
         }
         let possible = self.as_stated(target, &all)?;
         // Solutions that differ by whole turns lead to the same ones.
-        let turns = |q: &[f64]| {
-            let pairs = self.robot.joints.iter().zip(q);
-            pairs
-                .filter(|(joint, _)| joint.kind == JointKind::Revolute)
-                .any(|(_, value)| turns_of(*value) != 0)
+        let turns = |q: &&Vec<f64>| {
+            let mut pairs = self.robot.joints.iter().zip(q.iter());
+            pairs.any(|(joint, q)| joint.kind == JointKind::Revolute && turns_of(*q) != 0)
         };
-        let once = all.iter().filter(|q| !turns(q)).take(MOST_KNOWN).cloned();
-        self.previous_solutions = once.collect();
+        let once = all.iter().filter(|q| !turns(q)).take(MOST_KNOWN);
+        self.previous_solutions = once.cloned().collect();
         self.nearest(possible, near.as_deref())
-    }
-
-    fn with_external(&self, external: &[(usize, f64)], fixed: &[f64]) -> Vec<Vec<f64>> {
-        let mut known = self.previous_solutions.clone();
-        for q in &mut known {
-            for (joint, _) in external {
-                q[*joint] = fixed[*joint];
-            }
-        }
-        known
     }
 
     /// A robot with more joints than the pose asks for goes there from where it is.
@@ -169,11 +157,11 @@ impl<'a> Resolver<'a> {
             let says = text!(
                 "infinitely many joint values reach it, and no earlier target determines which"
             );
-            return Err(SkippedTarget::new(Reason::Ambiguous, says));
+            return left(Reason::Ambiguous, says);
         };
         let Some(q) = self.inverse.from_start(goal, near) else {
             let says = text!("no solution near the previous target reaches it");
-            return Err(SkippedTarget::new(Reason::Unreachable, says));
+            return left(Reason::Unreachable, says);
         };
         self.check_limits(&q)?;
         Ok(q)
@@ -182,29 +170,19 @@ impl<'a> Resolver<'a> {
     /// The solutions that have the stated configuration. What is certain has to be met; what makers
     /// define each for their own arms decides between what is left.
     fn as_stated(&self, target: &Target, all: &[Vec<f64>]) -> Result<Vec<Vec<f64>>, SkippedTarget> {
+        let stated = target.posture().configuration.iter();
+        let (certain, sides): (Vec<&Statement>, Vec<&Statement>) =
+            stated.partition(|statement| statement.is_certain());
         let meets = |q: &[f64], s: &Statement| s.agrees(self.robot, q) != Some(false);
-        let (certain, sides): (Vec<&Statement>, Vec<&Statement>) = target
-            .posture()
-            .configuration
-            .iter()
-            .partition(|s| s.is_certain());
-        let mut possible: Vec<Vec<f64>> = all
-            .iter()
-            .filter(|q| certain.iter().all(|s| meets(q, s)))
-            .cloned()
-            .collect();
+        let all = all.iter().filter(|q| certain.iter().all(|s| meets(q, s)));
+        let mut possible: Vec<Vec<f64>> = all.cloned().collect();
         if possible.is_empty() {
             let says = text!("joint values reach it, but none with its configuration");
-            return Err(SkippedTarget::new(Reason::Unreachable, says));
+            return left(Reason::Unreachable, says);
         }
         for side in sides {
-            let fewer: Vec<Vec<f64>> = possible
-                .iter()
-                .filter(|q| meets(q, side))
-                .cloned()
-                .collect();
-            if !fewer.is_empty() {
-                possible = fewer;
+            if possible.iter().any(|q| meets(q, side)) {
+                possible.retain(|q| meets(q, side));
             }
         }
         Ok(possible)
@@ -243,28 +221,30 @@ impl<'a> Resolver<'a> {
         } else {
             possible = self.with_fewest_turns(possible);
         }
-        let singular = || is_singular(self.robot, &possible[0], &self.free);
         let says = match (&possible[..], near) {
             ([only], _) => return Ok(only.clone()),
             (_, None) => {
                 text!("several joint values reach it, and no earlier target determines which")
             }
             ([first, second, ..], Some(near)) => {
-                let [first_far, second_far] =
-                    [first, second].map(|q| self.inverse.distance(q, near));
-                if second_far > AS_NEAR * first_far {
+                let far = |q: &[f64]| self.inverse.distance(q, near);
+                if far(second) > AS_NEAR * far(first) {
                     return Ok(first.clone());
                 }
                 text!("two sets of joint values reach it that are as near to the target before")
             }
             ([], Some(_)) => text!("no joint values reach it"),
         };
-        if !possible.is_empty() && singular() {
+        if !possible.is_empty() && is_singular(self.robot, &possible[0], &self.free) {
             let says = text!("it is singular: lines of joint values reach it");
-            return Err(SkippedTarget::new(Reason::Singular, says));
+            return left(Reason::Singular, says);
         }
-        Err(SkippedTarget::new(Reason::Ambiguous, says))
+        left(Reason::Ambiguous, says)
     }
+}
+
+fn left<T>(reason: Reason, says: Text) -> Result<T, SkippedTarget> {
+    Err(SkippedTarget::new(reason, says))
 }
 
 /// A joint beyond a limit.

@@ -1,7 +1,6 @@
 //! What a reader finds in a file.
 
 use crate::text::Text;
-use std::ops::Range;
 use std::sync::Arc;
 
 use crate::kinematics::configuration::Statement;
@@ -70,23 +69,15 @@ impl Shape {
 /// Numbers of a configuration, which are written anew where a joint crosses a border.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Mark {
-    /// The quadrant of a joint.
-    Quadrant { span: Span, joint: u8 },
-    /// The whole turns of a joint.
-    Turns { span: Span, joint: u8 },
-    /// One bit for each axis that is below zero.
-    Signs(Box<Signs>),
-}
-
-/// One bit for each axis that is below zero.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct Signs {
-    pub(super) range: Range<usize>,
-    /// The axes of the bits, from the lowest: a joint of the robot or none.
-    pub(super) joints: Vec<Option<u8>>,
-    pub(super) value: u32,
-    /// Digits between the quotes of a binary number; 0 for a decimal one.
-    pub(super) binary_digits: usize,
+    /// That of one of the statements: a quadrant, or whole turns.
+    Of(usize, Span),
+    /// One bit for each axis that is below zero, from the lowest.
+    Signs {
+        span: Span,
+        value: u32,
+        /// Digits between the quotes of a binary number; 0 for a decimal one.
+        binary_digits: usize,
+    },
 }
 
 /// What is known of the circumstances of a target.
@@ -113,6 +104,14 @@ pub struct Posture {
     /// Values of the joints that the pose does not move (external axes), rad or mm, by joint.
     pub external: Vec<(usize, f64)>,
     pub(super) marks: Vec<Mark>,
+}
+
+impl Posture {
+    /// A statement about a joint, which the file makes by a number of its own.
+    pub(super) fn marked(&mut self, statement: Statement, span: Span) {
+        self.marks.push(Mark::Of(self.configuration.len(), span));
+        self.configuration.push(statement);
+    }
 }
 
 /// Where external axes are that the model does not have, in the file's unit.
@@ -155,6 +154,11 @@ impl Target {
             outside: 0,
             is_none: false,
         }
+    }
+
+    /// Whether it is a pose rather than joint values.
+    pub fn is_pose(&self) -> bool {
+        matches!(self.shape, Shape::Pose(_))
     }
 
     /// Leaves it as it is, unless there was a reason before.

@@ -41,21 +41,14 @@ impl<'a> Text<'a> {
     pub fn place(&self, at: usize) -> (u64, u64) {
         let at = at.min(self.bytes.len());
         let line = self.line_starts.partition_point(|start| *start <= at);
-        let mut start = self.line_starts[line.saturating_sub(1)];
-        if start == 0 {
-            start = self.start().min(at);
-        }
+        let start = self.line_starts[line.saturating_sub(1)].max(self.start().min(at));
         (line as u64, (at - start + 1) as u64)
     }
 
     /// Every line without its end, by the places of its bytes.
     pub fn lines(&self) -> impl ExactSizeIterator<Item = std::ops::Range<usize>> + '_ {
         (0..self.line_starts.len()).map(|k| {
-            let start = if k == 0 {
-                self.start()
-            } else {
-                self.line_starts[k]
-            };
+            let start = self.line_starts[k].max(self.start());
             let next = self.line_starts.get(k + 1);
             let mut end = next.copied().unwrap_or(self.bytes.len());
             while end > start && matches!(self.bytes[end - 1], b'\n' | b'\r') {
@@ -68,17 +61,14 @@ impl<'a> Text<'a> {
     /// What keeps the file from being read at all.
     pub(super) fn unreadable(&self) -> Option<Problem> {
         let wide = matches!(mark(self.bytes), Some((Mark::Utf16Le | Mark::Utf16Be, _)));
-        let zero = self.bytes.iter().position(|b| *b == 0);
-        let at = if wide { Some(0) } else { zero };
-        at.map(|at| Problem {
-            at,
-            found: if wide {
-                text!("UTF-16 text")
-            } else {
-                text!("a zero byte")
-            },
-            expected: text!("text in UTF-8 or another encoding with ASCII in it"),
-        })
+        let (at, found) = if wide {
+            (0, text!("UTF-16 text"))
+        } else {
+            let zero = self.bytes.iter().position(|b| *b == 0)?;
+            (zero, text!("a zero byte"))
+        };
+        let expected = text!("text in UTF-8 or another encoding with ASCII in it");
+        Some(Problem::new(at, found, expected))
     }
 
     /// The bytes at a range, as far as there are any and they are UTF-8.

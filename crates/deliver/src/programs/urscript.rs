@@ -8,31 +8,29 @@
 //!
 //! A pose has no configuration; `get_inverse_kin(p[…], [near])` says one.
 
-use crate::kinematics::JointKind;
+use crate::kinematics::{JointKind, Pose};
 
 use super::axes::Axes;
 use super::number::Number;
 use super::pose::{Frame, Orientation};
 use super::program::Program;
-use super::referred::{Referred, declare};
+use super::referred::{MODE, Referred, TOOL};
 use super::target::{Problem, Shape, Target};
 use super::text::Text;
-use super::walk::{Constant, Declared, MODE, TOOL, Walk, walked};
-use super::words::{Dialect, Kind, Style, Words};
+use super::walk::{Constant, Declared, Walk, walked};
+use super::words::{Dialect, Kind, Words, is_one_of};
 
-const DIALECT: Dialect = Dialect {
+static DIALECT: Dialect = Dialect {
     comments: b"#",
     strings: b"\"",
-    bits: false,
     cased: true,
     end: phrase!("the end of the file"),
     ends,
-};
-
-const LISTS: Style = Style {
-    brackets: *b"[]",
+    lists: *b"[]",
     keyed: false,
-    expected: phrase!("a number"),
+    part: phrase!("a number"),
+    // Which element of a list is moved to is never known.
+    elements: [0; 2],
 };
 
 /// mm in a metre.
@@ -76,31 +74,19 @@ pub(super) fn read(text: &Text, axes: &Axes) -> Result<Program, Vec<Problem>> {
 }
 
 fn statement(walk: &mut Walk, words: &Words) -> Result<(), Problem> {
-    let deep = |says| Problem::new(words.at(0), text!("blocks in blocks"), says);
     let scope = words.name(0);
     let k = usize::from(matches!(scope.as_str(), "global" | "local"));
     match words.name(k).as_str() {
-        "def" | "thread" | "sec" => {
-            let parameter = |j: &usize| {
-                words.is_name(*j)
-                    && matches!(words.kind(j + 1), Some(Kind::Sign(b',' | b')' | b'=')))
-            };
-            let parameters: Vec<String> = (3..words.len())
-                .filter(parameter)
-                .map(|j| words.name(j))
-                .collect();
-            let main = walk.routines() == 0;
-            if words.name(k) == "thread" {
+        kind @ ("def" | "thread" | "sec") => {
+            if kind == "thread" {
                 walk.anytime(&words.name(1));
             }
-            return walk
-                .begin_routine(&words.name(1), &parameters, main)
-                .map_err(deep);
+            return walk.begin_routine(words, 1, b",)=", walk.routines == 0);
         }
         "end" if walk.in_block() => walk.end_block(),
         "end" => walk.end_routine(),
-        "if" => walk.begin_block(false).map_err(deep)?,
-        "while" | "for" => walk.begin_block(true).map_err(deep)?,
+        "if" => walk.begin_block(false)?,
+        "while" | "for" => walk.begin_block(true)?,
         "elif" => walk.alternative(false),
         "else" => walk.alternative(true),
         _ if words.is_name(k) && words.is_sign(k + 1, b'=') && !words.is_sign(k + 2, b'=') => {
@@ -108,7 +94,7 @@ fn statement(walk: &mut Walk, words: &Words) -> Result<(), Problem> {
         }
         // `q[5] = q[5] + 0.1`
         name if words.is_sign(k + 1, b'[') && words.assigns(k).is_some() => {
-            walk.changed(name, name, words.at(k));
+            walk.changed(name, words, k);
         }
         _ => {}
     }
@@ -119,22 +105,18 @@ fn statement(walk: &mut Walk, words: &Words) -> Result<(), Problem> {
 fn assignment(walk: &mut Walk, words: &Words, k: usize, scope: &str) -> Result<(), Problem> {
     let (name, at) = (words.name(k), words.at(k));
     match scope {
-        "global" => walk.declare(&name, Declared::Nowhere, true),
-        "local" => walk.declare(&name, Declared::Nowhere, false),
+        "global" | "local" => walk.declare(&name, Declared::Nowhere, scope == "global"),
         _ => walk.given(&name),
     }
-    let Some((pose, numbers, end)) = literal(words, k + 2)? else {
-        walk.changed(&name, &name, at);
-        return expression(walk, words, k + 2);
-    };
-    let numbers = numbers.filter(|_| end == words.len());
-    let Some(numbers) = numbers else {
-        walk.changed(&name, &name, at);
-        return expression(walk, words, end);
+    let (pose, numbers) = match literal(words, k + 2)? {
+        Some((pose, Some(numbers), end)) if end == words.len() => (pose, numbers),
+        other => {
+            walk.changed(&name, words, k);
+            return expression(walk, words, other.map_or(k + 2, |(.., end)| end));
+        }
     };
     let values = numbers.iter().map(|number| number.value).collect();
-    let key = format!("{}{name}", if pose { "p" } else { "" });
-    walk.constant(&key, Constant::List(values));
+    walk.constant(&constant(pose, &name), Constant::List(values));
     if !walk.is_gone_to(&name) {
         if pose && walk.is_told(&name) {
             let says = text!("{name} is a pose that no move of this file uses", name);
@@ -142,18 +124,12 @@ fn assignment(walk: &mut Walk, words: &Words, k: usize, scope: &str) -> Result<(
         }
         return Ok(());
     }
-    match target(walk, pose, &numbers, at, &name) {
+    match target(walk.axes, pose, &numbers, at, &name) {
         Ok(target) => walk.value(&name, None, target),
         Err(problem) => {
             // A list that is no target of a move after all.
-            walk.left(
-                at,
-                text!(
-                    "{name} is not corrected: {found}",
-                    name,
-                    found = problem.found
-                ),
-            );
+            let found = problem.found;
+            walk.left(at, text!("{name} is not corrected: {found}", name, found));
         }
     }
     Ok(())
@@ -170,12 +146,15 @@ fn expression(walk: &mut Walk, words: &Words, k: usize) -> Result<(), Problem> {
             k += 1;
             continue;
         }
-        let wanted = targets_of(&name);
-        if wanted > 0 {
-            k = motion(walk, words, k, &name, wanted)?;
-            continue;
-        }
         match name.as_str() {
+            "movec" => {
+                k = motion(walk, words, k, &name, 2)?;
+                continue;
+            }
+            "movej" | "movel" | "movep" | "servoj" | "servol" | "optimovej" | "optimovel" => {
+                k = motion(walk, words, k, &name, 1)?;
+                continue;
+            }
             "set_payload" | "set_target_payload" | "set_payload_mass" => {
                 if let Some(Ok((kg, _))) = words.number(k + 2) {
                     walk.program.loads.state(kg.value, words.at(k), &name);
@@ -187,9 +166,7 @@ fn expression(walk: &mut Walk, words: &Words, k: usize) -> Result<(), Problem> {
                 return Ok(());
             }
             "track_conveyor_linear" | "track_conveyor_circular" | "path_offset_enable" => {
-                let says = text!("{name} shifts the poses after it", name = &name);
-                walk.left(words.at(k), says.clone());
-                walk.set(MODE, Referred::Unknown(says));
+                walk.shift(words.at(k), &name);
             }
             "stop_conveyor_tracking" | "path_offset_disable" => walk.set(MODE, Referred::Unsaid),
             _ => {
@@ -203,42 +180,63 @@ fn expression(walk: &mut Walk, words: &Words, k: usize) -> Result<(), Problem> {
 
 /// The tool that is set by a pose or its name.
 fn tool_at(walk: &mut Walk, words: &Words, k: usize) -> Referred {
-    let end = words.until(k, b",)");
-    let shown = words.shown(k, end);
-    let pose = match literal(words, k) {
-        Ok(Some((true, numbers, _))) => numbers.and_then(|numbers| frame_of(&numbers)?.pose()),
-        _ => match walk.constant_of(&format!("p{shown}")) {
-            Some(Constant::List(values)) => pose_of(values),
-            _ => None,
-        },
-    };
+    let shown = words.shown(k, words.until(k, b",)"));
+    let values = values(walk, words, k, (true, &shown)).unwrap_or_default();
+    let pose = pose_of(&values);
     let pose = pose.ok_or_else(|| text!("{shown} is not written out in numbers", shown = &shown));
-    declare(&mut walk.program.tools, &shown, words.at(k), pose);
+    walk.program.declare(TOOL, &shown, words.at(k), pose);
     Referred::named(shown)
 }
 
-fn pose_of(values: &[f64]) -> Option<crate::kinematics::Pose> {
-    let [x, y, z, turn @ ..] = values else {
-        return None;
-    };
-    let at = nalgebra::Vector3::new(*x, *y, *z) * METRE;
-    let turn = Orientation::RotationVector.read(turn)?;
-    Some(crate::kinematics::Pose::from_parts(at.into(), turn))
+/// The numbers of a pose or of joint values, written out or by a name; none of anything else.
+fn values(
+    walk: &Walk,
+    words: &Words,
+    k: usize,
+    (pose, name): (bool, &str),
+) -> Result<Vec<f64>, Problem> {
+    if let Some((is_pose, Some(numbers), _)) = literal(words, k)?
+        && is_pose == pose
+    {
+        return Ok(numbers.iter().map(|number| number.value).collect());
+    }
+    let key = constant(pose, name);
+    match walk.constant_of(&key) {
+        Some(Constant::List(values)) => Ok(values.to_vec()),
+        _ => Ok(Vec::new()),
+    }
 }
 
+/// The name of a constant: a pose and joint values may have the same.
+fn constant(pose: bool, name: &str) -> String {
+    format!("{}{name}", if pose { "p" } else { "" })
+}
+
+fn pose_of(values: &[f64]) -> Option<Pose> {
+    let [x, y, z, rx, ry, rz] = *values else {
+        return None;
+    };
+    let at = nalgebra::Vector3::new(x, y, z) * METRE;
+    let turn = Orientation::RotationVector.read(&[rx, ry, rz])?;
+    Some(Pose::from_parts(at.into(), turn))
+}
+
+/// A move to as many targets; the word behind the last.
 fn motion(
     walk: &mut Walk,
     words: &Words,
     k: usize,
     command: &str,
-    wanted: usize,
+    targets: usize,
 ) -> Result<usize, Problem> {
     let mut k = k + 2;
-    for left in (0..wanted).rev() {
+    for left in (0..targets).rev() {
         // `a=1.2, pose=p[…]`
         while words.is_name(k) && words.is_sign(k + 1, b'=') {
             let comma = words.until(k, b",)");
-            if !is_condition(&words.name(k)) || !words.is_sign(comma, b',') {
+            // Some arguments say how it goes, and not whereto.
+            let whereto = !is_one_of(&words.name(k), "a v t r mode gain lookahead_time");
+            if whereto || !words.is_sign(comma, b',') {
                 k += 2;
                 break;
             }
@@ -260,7 +258,6 @@ fn motion(
 
 /// One target of a move; the word behind it.
 fn goal(walk: &mut Walk, words: &Words, k: usize, command: &str) -> Result<usize, Problem> {
-    let at = words.at(k);
     let end = words.until(k, b",)]");
     if end == k {
         return Err(words.problem(k, text!("the target of {command}", command)));
@@ -277,130 +274,83 @@ fn goal(walk: &mut Walk, words: &Words, k: usize, command: &str) -> Result<usize
     if end >= words.len() && here.is_none() {
         return Err(words.problem(end, text!("a closing ) at the end of the move")));
     }
-    let near = if inverse && words.is_sign(behind, b',') {
-        near(walk, words, behind + 1)?
-    } else {
-        None
-    };
+    let mut near = None;
+    if inverse && words.is_sign(behind, b',') {
+        // `[…]`, a name with such a list, or either as `qnear=…`.
+        let named = words.is_sign(behind + 2, b'=');
+        let k = behind + if named { 3 } else { 1 };
+        let values = values(walk, words, k, (false, &words.name(k)))?;
+        near = Some(values).filter(|values| values.len() == walk.axes.joints());
+    }
     let end = if inverse { end } else { behind };
-    let whole = inverse
-        || words.is_sign(behind, b',')
-        || words.is_sign(behind, b')')
-        || behind >= words.len();
+    let follows = words.kind(behind);
+    let whole = inverse || matches!(follows, None | Some(Kind::Sign(b',' | b')')));
     match here {
         Some((pose, Some(numbers), _)) if whole => {
-            let mut target = target(
-                walk,
-                pose,
-                &numbers,
-                words.at(from),
-                &format!("target of {command}"),
-            )?;
+            let (at, name) = (words.at(from), format!("target of {command}"));
+            let mut target = target(walk.axes, pose, &numbers, at, &name)?;
             if near.is_some() {
                 target.posture_mut().near = near;
             }
             walk.go_to(target, &[]);
         }
-        Some(_) => walk.left(
-            at,
-            text!("the target of {command} is computed at run time", command),
-        ),
-        None if words.is_name(from) && behind == from + 1 => {
-            let name = words.name(from);
-            walk.go_to_name((&name, &name), words.at(from), near, &[]);
+        Some(_) => {
+            let says = text!("the target of {command} is computed at run time", command);
+            walk.left(words.at(k), says);
         }
         None => {
-            walk.go_to_worked_out(words, k..end, command, &[]);
+            let name = words.is_name(from) && behind == from + 1;
+            let range = if name { from..behind } else { k..end };
+            walk.go_to_words(words, range, command, near, &[]);
         }
     }
     Ok(end)
 }
 
-/// `[…]`, a name with such a list, or either as `qnear=…`.
-fn near(walk: &Walk, words: &Words, k: usize) -> Result<Option<Vec<f64>>, Problem> {
-    let k = if words.is_sign(k + 1, b'=') { k + 2 } else { k };
-    let values = match literal(words, k)? {
-        Some((false, Some(numbers), _)) => numbers.iter().map(|n| n.value).collect(),
-        _ => match walk.constant_of(&words.name(k)) {
-            Some(Constant::List(values)) => values.clone(),
-            _ => Vec::new(),
-        },
-    };
-    Ok(Some(values).filter(|values| values.len() == walk.axes.joints()))
-}
+/// Whether a list is a pose, its numbers (`None` where one is worked out at run time), and the word behind it.
+type Literal = (bool, Option<Vec<Number>>, usize);
 
-/// The list that begins at word `k`: whether it is a pose, its numbers (`None` where one is worked out at run time),
-/// and the word behind it.
-#[allow(
-    clippy::type_complexity,
-    reason = "three things that belong together for a moment"
-)]
-fn literal(words: &Words, k: usize) -> Result<Option<(bool, Option<Vec<Number>>, usize)>, Problem> {
+/// The list that begins at word `k`.
+fn literal(words: &Words, k: usize) -> Result<Option<Literal>, Problem> {
     let is_pose = words.bytes(k) == b"p" && words.is_sign(k + 1, b'[');
     let open = k + usize::from(is_pose);
     if !words.is_sign(open, b'[') {
         return Ok(None);
     }
-    let (list, end) = words.list(open, LISTS, 0)?;
+    let (list, end) = words.list(open)?;
     let numbers = list.numbers().filter(|numbers| !numbers.is_empty());
     Ok(Some((is_pose, numbers, end)))
 }
 
-/// x, y, z in m and a rotation vector in rad; `None` of another count.
-fn frame_of(numbers: &[Number]) -> Option<Frame> {
-    let [x, y, z, rx, ry, rz] = numbers else {
-        return None;
-    };
-    Some(Frame {
-        position: [*x, *y, *z],
-        mm: [METRE; 3],
-        turn: vec![*rx, *ry, *rz],
-        orientation: Orientation::RotationVector,
-    })
-}
-
 fn target(
-    walk: &Walk,
+    axes: &Axes,
     pose: bool,
     numbers: &[Number],
     at: usize,
     name: &str,
 ) -> Result<Target, Problem> {
-    let (count, joints) = (numbers.len(), walk.axes.joints());
-    let shape = if pose {
-        let Some(frame) = frame_of(numbers) else {
+    let (count, joints) = (numbers.len(), axes.joints());
+    let shape = match *numbers {
+        [x, y, z, rx, ry, rz] if pose => Shape::Pose(Box::new(Frame {
+            position: [x, y, z],
+            mm: [METRE; 3],
+            turn: vec![rx, ry, rz],
+            orientation: Orientation::RotationVector,
+        })),
+        _ if pose => {
             let found = text!(one "a pose of {count} number", "a pose of {count} numbers", count);
             return Err(Problem::new(at, found, text!("p[x, y, z, rx, ry, rz]")));
-        };
-        Shape::Pose(Box::new(frame))
-    } else {
-        if count != joints {
+        }
+        _ if count == joints => Shape::Joints {
+            numbers: numbers.to_vec(),
+            scales: vec![1.0; joints].into(),
+            decimals: 7,
+        },
+        _ => {
             let found = text!(one "a list of {count} number", "a list of {count} numbers", count);
             let expected = text!("{joints}, one for each joint of the model", joints);
             return Err(Problem::new(at, found, expected));
         }
-        Shape::Joints {
-            numbers: numbers.to_vec(),
-            scales: vec![1.0; joints].into(),
-            decimals: 7,
-        }
     };
     Ok(Target::new(name, at, shape))
-}
-
-/// Whether an argument of a move says how it goes, and not whereto.
-fn is_condition(name: &str) -> bool {
-    matches!(
-        name,
-        "a" | "v" | "t" | "r" | "mode" | "gain" | "lookahead_time"
-    )
-}
-
-/// How many targets a move has.
-fn targets_of(name: &str) -> usize {
-    match name {
-        "movej" | "movel" | "movep" | "servoj" | "servol" | "optimovej" | "optimovel" => 1,
-        "movec" => 2,
-        _ => 0,
-    }
 }

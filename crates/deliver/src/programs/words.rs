@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use crate::text::Template;
 
-use super::number::Number;
+use super::number::{NoNumber, Number, Span};
 use super::target::Problem;
 use super::text::Text;
 
@@ -17,8 +17,6 @@ pub(super) enum Kind {
     Digits,
     /// A string with its quotes.
     String,
-    /// A binary or hexadecimal number in quotes (KRL).
-    Bits,
     /// One sign.
     Sign(u8),
 }
@@ -26,28 +24,32 @@ pub(super) enum Kind {
 /// What it is, and its bytes.
 type Token = (Kind, Range<usize>);
 
-/// How a language writes comments, strings and the ends of its statements.
+/// How a language writes comments, strings, lists and the ends of its statements.
 pub(super) struct Dialect {
     /// Each begins a comment that goes to the end of the line.
     pub(super) comments: &'static [u8],
     /// Quotes of strings; two inside are one that belongs to the string.
     pub(super) strings: &'static [u8],
-    /// Whether single quotes hold bits.
-    pub(super) bits: bool,
     /// Whether capitals tell names apart.
     pub(super) cased: bool,
     /// What stands behind a statement, for messages.
     pub(super) end: Template,
     /// Whether a statement ends behind its last token: what follows, and whether on another line.
     pub(super) ends: fn(&Words, Option<Kind>, bool) -> bool,
+    /// Brackets of lists, and whether each part begins with its name: `{X 1, Y 2}`.
+    pub(super) lists: [u8; 2],
+    pub(super) keyed: bool,
+    /// What was expected where a part of a list is missing.
+    pub(super) part: Template,
+    /// Brackets of the number of an element.
+    pub(super) elements: [u8; 2],
 }
 
 /// One statement.
 pub(super) struct Words<'t, 'a> {
     pub(super) text: &'t Text<'a>,
+    dialect: &'static Dialect,
     tokens: Vec<Token>,
-    cased: bool,
-    end: Template,
     /// Brackets that are open behind the last token.
     depth: usize,
 }
@@ -56,11 +58,17 @@ pub(super) struct Words<'t, 'a> {
 pub(super) fn statements(
     text: &Text,
     range: Range<usize>,
-    dialect: &Dialect,
+    dialect: &'static Dialect,
     mut each: impl FnMut(Result<&Words, Problem>),
 ) {
     let bytes = &text.bytes[..range.end];
-    let mut words = Words::empty(text, dialect);
+    let empty = || Words {
+        text,
+        dialect,
+        tokens: Vec::new(),
+        depth: 0,
+    };
+    let mut words = empty();
     let mut at = range.start;
     let mut next = token(bytes, at, dialect);
     loop {
@@ -68,9 +76,9 @@ pub(super) fn statements(
             Ok(Some(one)) => one,
             Ok(None) => break,
             Err(problem) => {
-                at = end_of(bytes, problem.at, |b| b != b'\n' && b != b'\r');
+                at = end_of_line(bytes, problem.at);
                 each(Err(problem));
-                words = Words::empty(text, dialect);
+                words = empty();
                 next = token(bytes, at, dialect);
                 continue;
             }
@@ -78,10 +86,8 @@ pub(super) fn statements(
         at = one.1.end;
         words.push(one);
         if words.len() > LONGEST_STATEMENT {
-            let found = text!(
-                "a statement of more than {most} words",
-                most = LONGEST_STATEMENT
-            );
+            let most = LONGEST_STATEMENT;
+            let found = text!("a statement of more than {most} words", most);
             let problem = Problem::new(words.at(0), found, text!("one that ends"));
             return each(Err(problem));
         }
@@ -107,31 +113,26 @@ const LONGEST_STATEMENT: usize = 1_000_000;
 const LONGEST_NAME: usize = 1000;
 
 /// The first token from a byte on.
-fn token(bytes: &[u8], at: usize, dialect: &Dialect) -> Result<Option<Token>, Problem> {
-    let mut at = at;
+fn token(bytes: &[u8], mut at: usize, dialect: &Dialect) -> Result<Option<Token>, Problem> {
     while let Some(byte) = bytes.get(at).copied() {
         if byte.is_ascii_whitespace() {
             at += 1;
             continue;
         }
         if dialect.comments.contains(&byte) {
-            at = end_of(bytes, at, |b| b != b'\n' && b != b'\r');
+            at = end_of_line(bytes, at);
             continue;
         }
         let digit = |at: usize| bytes.get(at).is_some_and(u8::is_ascii_digit);
         let (kind, end) = if dialect.strings.contains(&byte) {
             (Kind::String, string_end(bytes, at)?)
-        } else if dialect.bits && byte == b'\'' {
-            (Kind::Bits, string_end(bytes, at)?)
         } else if digit(at) || (byte == b'.' && digit(at + 1)) {
             (Kind::Digits, number_end(bytes, at))
         } else if is_of_name(byte) {
             let end = end_of(bytes, at, is_of_name);
             if end - at > LONGEST_NAME {
-                let found = text!(
-                    "a name of {count} characters",
-                    count = (end - at).to_string()
-                );
+                let count = (end - at).to_string();
+                let found = text!("a name of {count} characters", count);
                 let expected = text!("at most {most}", most = LONGEST_NAME);
                 return Err(Problem::new(at, found, expected));
             }
@@ -144,6 +145,11 @@ fn token(bytes: &[u8], at: usize, dialect: &Dialect) -> Result<Option<Token>, Pr
     Ok(None)
 }
 
+/// Whether a name is one of these, between blanks.
+pub(super) fn is_one_of(name: &str, all: &str) -> bool {
+    all.split(' ').any(|known| known == name)
+}
+
 pub(super) fn is_of_name(byte: u8) -> bool {
     byte.is_ascii_alphanumeric() || byte == b'_' || byte == b'$' || byte >= 0x80
 }
@@ -153,19 +159,22 @@ fn end_of(bytes: &[u8], at: usize, belongs: impl Fn(u8) -> bool) -> usize {
     rest.map_or(bytes.len(), |n| at + n)
 }
 
+fn end_of_line(bytes: &[u8], at: usize) -> usize {
+    end_of(bytes, at, |b| b != b'\n' && b != b'\r')
+}
+
 /// A number with everything that sticks to it, so that a slip of the keyboard is seen as one.
 fn number_end(bytes: &[u8], at: usize) -> usize {
     let mut end = at;
-    let mut plain = true;
-    while end < bytes.len() {
-        let byte = bytes[end];
-        let power = plain && matches!(byte, b'+' | b'-') && matches!(bytes[end - 1], b'e' | b'E');
-        if !(is_of_name(byte) || byte == b'.' || power) {
+    while let Some(byte) = bytes.get(end) {
+        // The sign of an exponent, where digits and points stand before the e.
+        let plain = |b: &u8| b.is_ascii_digit() || *b == b'.';
+        let power = matches!(byte, b'+' | b'-')
+            && matches!(bytes[end - 1], b'e' | b'E')
+            && bytes[at..end - 1].iter().all(plain);
+        if !(is_of_name(*byte) || *byte == b'.' || power) {
             break;
         }
-        // Digits and points only, but for the e itself.
-        let before = end == at || bytes[end - 1].is_ascii_digit() || bytes[end - 1] == b'.';
-        plain = plain && before && (matches!(byte, b'.' | b'e' | b'E') || byte.is_ascii_digit());
         end += 1;
     }
     end
@@ -183,21 +192,9 @@ fn string_end(bytes: &[u8], at: usize) -> Result<usize, Problem> {
             end += 1;
         }
     }
-    Err(Problem::new(
-        at,
-        text!("a string that does not end on its line"),
-        text!("{char} at its end", char = quote as char),
-    ))
-}
-
-/// How a language writes values in values.
-#[derive(Clone, Copy)]
-pub(super) struct Style {
-    pub(super) brackets: [u8; 2],
-    /// Whether each part begins with its name: `{X 1, Y 2}`.
-    pub(super) keyed: bool,
-    /// What was expected where there is nothing.
-    pub(super) expected: Template,
+    let found = text!("a string that does not end on its line");
+    let expected = text!("{char} at its end", char = char::from(quote));
+    Err(Problem::new(at, found, expected))
 }
 
 /// A value as it is written.
@@ -232,14 +229,28 @@ impl List {
         self.get(key).and_then(Value::number)
     }
 
+    /// Its first part, if that is a list.
+    pub(super) fn first_list(&self) -> Option<&Self> {
+        self.parts.first()?.value.list()
+    }
+
+    /// The name that its part begins with, where that is neither a number nor a list.
+    pub(super) fn word(&self, words: &Words, part: usize) -> String {
+        match self.parts.get(part).map(|part| &part.value) {
+            Some(Value::Other(range)) => words.name(range.start),
+            _ => String::new(),
+        }
+    }
+
+    /// Whether all parts have one of these names.
+    pub(super) fn has_only(&self, names: &[&[&str]]) -> bool {
+        let known = |part: &Part| names.iter().any(|names| names.contains(&&*part.key));
+        self.parts.iter().all(known)
+    }
+
     /// Its numbers, if all parts are.
     pub(super) fn numbers(&self) -> Option<Vec<Number>> {
         self.parts.iter().map(|part| part.value.number()).collect()
-    }
-
-    /// Its lists, if all parts are.
-    pub(super) fn lists(&self) -> Option<Vec<&List>> {
-        self.parts.iter().map(|part| part.value.list()).collect()
     }
 }
 
@@ -248,6 +259,15 @@ impl Value {
         match self {
             Self::Number(number) => Some(*number),
             _ => None,
+        }
+    }
+
+    /// Where it begins.
+    pub(super) fn at(&self, words: &Words) -> usize {
+        match self {
+            Self::Number(number) => number.range().start,
+            Self::Other(range) => words.at(range.start),
+            Self::List(list) => list.at,
         }
     }
 
@@ -262,17 +282,7 @@ impl Value {
 /// Lists in lists that a target or an array of targets needs, and some more.
 const DEEPEST: usize = 16;
 
-impl<'t, 'a> Words<'t, 'a> {
-    fn empty(text: &'t Text<'a>, dialect: &Dialect) -> Self {
-        Self {
-            text,
-            tokens: Vec::new(),
-            cased: dialect.cased,
-            end: dialect.end,
-            depth: 0,
-        }
-    }
-
+impl<'t> Words<'t, '_> {
     fn push(&mut self, token: Token) {
         match token.0 {
             Kind::Sign(b'[' | b'(' | b'{') => self.depth += 1,
@@ -304,6 +314,11 @@ impl<'t, 'a> Words<'t, 'a> {
             .map_or(end..end, |(_, range)| range.clone())
     }
 
+    /// Where a word stands, in a file of at most 4 GiB.
+    pub(super) fn span(&self, k: usize) -> Option<Span> {
+        Span::of(&self.range(k))
+    }
+
     /// Where a word begins; behind the last one where the last ends.
     pub(super) fn at(&self, k: usize) -> usize {
         self.range(k).start
@@ -324,7 +339,7 @@ impl<'t, 'a> Words<'t, 'a> {
     /// A name, in small letters where capitals mean nothing; empty where there is none.
     pub(super) fn name(&self, k: usize) -> String {
         match self.kind(k) {
-            Some(Kind::Name) if self.cased => self.spelled(k),
+            Some(Kind::Name) if self.dialect.cased => self.spelled(k),
             Some(Kind::Name) => self.spelled(k).to_lowercase(),
             _ => String::new(),
         }
@@ -354,22 +369,27 @@ impl<'t, 'a> Words<'t, 'a> {
         }
         let range = self.at(k)..self.range(digits).end;
         let read = Number::read(self.text.bytes, range.clone(), false);
-        Some(match read {
-            Ok(number) => Ok((number, digits + 1)),
-            Err(reason) => Err(Problem::new(
-                range.start,
-                text!("'{range}'", range = self.text.shown(range)),
-                reason.expected(),
-            )),
-        })
+        let wrong = |reason: NoNumber| {
+            let found = text!("'{range}'", range = self.text.shown(range.clone()));
+            Problem::new(range.start, found, reason.expected())
+        };
+        Some(read.map(|number| (number, digits + 1)).map_err(wrong))
     }
 
-    /// `name[3]`, in these brackets and with a number, if word `k` is that.
-    pub(super) fn element(&self, k: usize, [open, close]: [u8; 2]) -> Option<String> {
+    /// `name[3]`, with a number, if word `k` is that.
+    pub(super) fn element(&self, k: usize) -> Option<String> {
+        let [open, close] = self.dialect.elements;
         let digits = self.kind(k + 2) == Some(Kind::Digits);
         let is = self.is_sign(k + 1, open) && digits && self.is_sign(k + 3, close);
         let (open, close) = (char::from(open), char::from(close));
         is.then(|| format!("{}{open}{}{close}", self.name(k), self.spelled(k + 2)))
+    }
+
+    /// The word behind the brackets of an element that open behind word `k`.
+    pub(super) fn behind_element(&self, k: usize) -> Option<usize> {
+        let [open, close] = self.dialect.elements;
+        let is = self.is_sign(k + 1, open);
+        is.then(|| self.until(k + 2, &[close]) + 1)
     }
 
     /// That something else was expected at a word.
@@ -377,7 +397,7 @@ impl<'t, 'a> Words<'t, 'a> {
         let found = if k < self.len() {
             crate::text::Text::verbatim(format!("'{}'", self.spelled(k)))
         } else {
-            self.end.into()
+            self.dialect.end.into()
         };
         Problem::new(self.at(k), found, expected)
     }
@@ -421,16 +441,15 @@ impl<'t, 'a> Words<'t, 'a> {
         (self.is_sign(equals, b'=') && equals > k && !compared).then_some(equals)
     }
 
-    /// The value that begins at word `k`, and the word behind it.
-    pub(super) fn value(
-        &self,
-        k: usize,
-        style: Style,
-        depth: usize,
-    ) -> Result<(Value, usize), Problem> {
-        let [open, close] = style.brackets;
+    /// The list that begins with a bracket at word `k`, and the word behind it.
+    pub(super) fn list(&self, k: usize) -> Result<(List, usize), Problem> {
+        self.list_in(k, 0)
+    }
+
+    fn value(&self, k: usize, depth: usize) -> Result<(Value, usize), Problem> {
+        let [open, close] = self.dialect.lists;
         if self.is_sign(k, open) {
-            let (list, end) = self.list(k, style, depth)?;
+            let (list, end) = self.list_in(k, depth)?;
             return Ok((Value::List(list), end));
         }
         if let Some(read) = self.number(k) {
@@ -442,40 +461,33 @@ impl<'t, 'a> Words<'t, 'a> {
         }
         let end = self.until(k, &[b',', close, b';']);
         if end == k {
-            return Err(self.problem(k, style.expected));
+            return Err(self.problem(k, self.dialect.part));
         }
         Ok((Value::Other(k..end), end))
     }
 
-    /// The list that begins with a bracket at word `k`, and the word behind it.
-    pub(super) fn list(
-        &self,
-        k: usize,
-        style: Style,
-        depth: usize,
-    ) -> Result<(List, usize), Problem> {
-        let at = self.at(k);
-        let close = style.brackets[1];
-        if depth > DEEPEST {
-            let found = text!("brackets in brackets");
-            return Err(Problem::new(at, found, text!("at most 16 deep")));
-        }
+    fn list_in(&self, k: usize, depth: usize) -> Result<(List, usize), Problem> {
+        let (keyed, close) = (self.dialect.keyed, self.dialect.lists[1]);
         let mut list = List {
-            at,
+            at: self.at(k),
             stated: None,
             parts: Vec::new(),
         };
+        if depth > DEEPEST {
+            let found = text!("brackets in brackets");
+            return Err(Problem::new(list.at, found, text!("at most 16 deep")));
+        }
         let mut k = k + 1;
-        if style.keyed && self.is_sign(k + 1, b':') {
+        if keyed && self.is_sign(k + 1, b':') {
             list.stated = Some(self.name(k));
             k += 2;
-        } else if !style.keyed && self.is_sign(k, close) {
+        } else if !keyed && self.is_sign(k, close) {
             return Ok((list, k + 1));
         }
         loop {
-            let at = self.at(k);
-            let key = self.name(k);
-            if style.keyed {
+            let mut key = String::new();
+            if keyed {
+                key = self.name(k);
                 if key.is_empty() {
                     return Err(self.problem(k, text!("the name of a component")));
                 }
@@ -483,24 +495,22 @@ impl<'t, 'a> Words<'t, 'a> {
                 if list.parts.iter().rev().take(64).any(|part| part.key == key) {
                     let component = key.to_uppercase();
                     let found = text!("{component} a second time", component);
-                    return Err(Problem::new(at, found, text!("every component once")));
+                    let expected = text!("every component once");
+                    return Err(Problem::new(self.at(k), found, expected));
                 }
                 k += 1;
             }
-            let (value, end) = self.value(k, style, depth + 1)?;
-            let key = if style.keyed { key } else { String::new() };
+            let (value, end) = self.value(k, depth + 1)?;
             list.parts.push(Part { key, value });
             if self.is_sign(end, close) {
                 return Ok((list, end + 1));
             }
             if !self.is_sign(end, b',') {
-                return Err(self.problem(
-                    end,
-                    match close {
-                        b']' => text!("a comma or ]"),
-                        _ => text!("a comma or }"),
-                    },
-                ));
+                let expected = match close {
+                    b']' => text!("a comma or ]"),
+                    _ => text!("a comma or }"),
+                };
+                return Err(self.problem(end, expected));
             }
             k = end + 1;
         }
@@ -511,13 +521,16 @@ impl<'t, 'a> Words<'t, 'a> {
 mod tests {
     use super::*;
 
-    const RAPID: Dialect = Dialect {
+    static RAPID: Dialect = Dialect {
         comments: b"!",
         strings: b"\"",
-        bits: false,
         cased: false,
         end: phrase!("the end of the file"),
         ends: |words, _, _| words.is_sign(words.len() - 1, b';'),
+        lists: *b"[]",
+        keyed: false,
+        part: phrase!("a number"),
+        elements: *b"{}",
     };
 
     fn spelled(source: &str) -> Vec<Vec<String>> {

@@ -5,20 +5,18 @@ use crate::kinematics::Pose;
 use crate::text::Text;
 
 use super::super::pose::{Frame, Orientation};
-use super::super::referred::{Referred, declare};
-use super::super::walk::{BASE, Constant, MODE, TOOL, Walk};
-use super::super::words::{Kind, List, Style, Value, Words};
-
-pub(super) const AGGREGATES: Style = Style {
-    brackets: *b"{}",
-    keyed: true,
-    expected: phrase!("a value"),
-};
+use super::super::referred::{BASE, MODE, Referred, Set, TOOL};
+use super::super::walk::{Constant, Walk};
+use super::super::words::{Kind, List, Value, Words};
 
 pub(super) const POSE: [&str; 8] = ["x", "y", "z", "a", "b", "c", "s", "t"];
 
-/// What is set, and to what.
-type Set = (usize, Referred);
+/// X, Y, Z, A, B, C, where all are written out.
+pub(super) fn frame(list: &List) -> Option<Frame> {
+    let [x, y, z, a, b, c, ..] = POSE.map(|key| list.number(key));
+    let numbers = [x?, y?, z?, a?, b?, c?];
+    Some(Frame::of_degrees(numbers, Orientation::ZyxDegrees))
+}
 
 /// `BAS(#BASE,3)`
 pub(super) fn bas(walk: &mut Walk, words: &Words) {
@@ -30,13 +28,21 @@ pub(super) fn bas(walk: &mut Walk, words: &Words) {
         "base" => walk.set(BASE, numbered("BASE_DATA", &number, Referred::Unsaid)),
         "tool" => walk.set(TOOL, numbered("TOOL_DATA", &number, null_tool())),
         "ex_base" => {
-            let says = text!(
-                "the base moves with an external axis ({command})",
-                command = words.shown(0, words.len())
-            );
+            let command = words.shown(0, words.len());
+            let says = text!("the base moves with an external axis ({command})", command);
             walk.set(BASE, Referred::Unknown(says));
         }
         _ => {}
+    }
+}
+
+/// Which part of the way a variable of the system sets.
+fn part_of(name: &str) -> Option<usize> {
+    match name {
+        "$base" => Some(BASE),
+        "$tool" => Some(TOOL),
+        "$ipo_mode" => Some(MODE),
+        _ => None,
     }
 }
 
@@ -50,30 +56,28 @@ pub(super) fn sets(
 ) -> bool {
     let (name, shown) = (words.name(k), words.shown(k, equals));
     let component = (k..equals).any(|j| words.is_sign(j, b'.'));
-    match name.as_str() {
-        "$base" | "$tool" => {
-            let part = if name == "$base" { BASE } else { TOOL };
-            let what = if component {
-                Referred::Unknown(text!("{name} is set", name = shown))
-            } else {
-                value(walk, words, (equals + 1, end), part, list)
-            };
+    match (name.as_str(), part_of(&name)) {
+        (_, Some(part)) if component && part != MODE => {
+            let says = text!("{name} is set", name = shown);
+            walk.set(part, Referred::Unknown(says));
+        }
+        (_, Some(part)) => {
+            let what = value(walk, words, (equals + 1, end), part, list);
             walk.set(part, what);
         }
-        "$ipo_mode" => walk.set(MODE, mode(&words.shown(equals + 1, end))),
-        "$load" | "load_data" if !component => {
+        ("$load" | "load_data", _) if !component => {
             if let Some(kg) = list.and_then(|(list, _)| list.number("m")) {
                 walk.program.loads.state(kg.value, words.at(k), &shown);
             }
         }
         // A part of it may be that of any of the three.
-        "fdat_act" if component => {
+        ("fdat_act", _) if component => {
             for part in [BASE, TOOL, MODE] {
                 let says = text!("{name} is set", name = &shown);
                 walk.set(part, Referred::Unknown(says));
             }
         }
-        "fdat_act" => {
+        ("fdat_act", _) => {
             let set = match list.and_then(|(list, _)| frames_of(words, list)) {
                 Some(here) => as_numbered(&here, &shown),
                 None => by_numbers(walk, &words.spelled(equals + 1)),
@@ -91,10 +95,13 @@ pub(super) fn sets(
             let pose = match list {
                 Some((list, _)) if target(list) => return false,
                 Some((list, _)) => pose_of(list, &shown),
+                None if !walk.is_held(&shown) => return false,
                 None => Err(text!("{spelled} is computed at run time", spelled = &shown)),
             };
-            declare(&mut walk.program.frames, &shown, words.at(k), pose.clone());
-            declare(&mut walk.program.tools, &shown, words.at(k), pose);
+            for part in [BASE, TOOL] {
+                walk.program
+                    .declare(part, &shown, words.at(k), pose.clone());
+            }
             return false;
         }
     }
@@ -107,62 +114,52 @@ fn numbers(walk: &mut Walk, words: &Words, name: &str, list: &List, equals: usiz
     let Some(frames) = frames_of(words, list) else {
         return;
     };
-    walk.constant(name, frames);
+    walk.constant(name, Constant::Frames(Box::new(frames)));
     let point = format!("x{}", name.trim_start_matches('f'));
-    if walk.routines() == 0 && name.starts_with('f') && walk.knows(&point) {
+    if walk.routines == 0 && name.starts_with('f') && walk.knows(&point) {
         let changes = by_numbers(walk, name);
         walk.go_to_name((&point, &point), words.at(equals), None, &changes);
     }
 }
 
 /// Numbers of base and tool, and whether the tool stands.
-fn frames_of(words: &Words, list: &List) -> Option<Constant> {
+type Numbers = ([Option<f64>; 2], bool);
+
+fn frames_of(words: &Words, list: &List) -> Option<Numbers> {
     let own = ["base_no", "tool_no"].map(|key| list.number(key).map(|number| number.value));
     let tcp = match list.get("ipo_frame") {
         Some(Value::Other(range)) => words.name(range.start + 1) == "tcp",
         _ => false,
     };
-    (own != [None; 2]).then_some(Constant::Frames(own, tcp))
+    (own != [None; 2]).then_some((own, tcp))
 }
 
 /// What a motion, or a spline, says behind WITH.
 pub(super) fn with(walk: &mut Walk, words: &Words) -> Vec<Set> {
     let mut set = Vec::new();
-    let Some(with) = (0..words.len()).find(|k| words.name(*k) == "with") else {
-        return set;
-    };
-    let mut k = with + 1;
+    let with = (0..words.len()).find(|k| words.name(*k) == "with");
+    let mut k = with.map_or(words.len(), |with| with + 1);
     while k < words.len() {
         let end = words.until(k, b",");
-        let part = match words.name(k).as_str() {
-            "$base" => Some(BASE),
-            "$tool" => Some(TOOL),
-            "$ipo_mode" => Some(MODE),
-            _ => None,
-        };
-        if let Some(part) = part.filter(|_| words.is_sign(k + 1, b'=')) {
+        let part = part_of(&words.name(k)).filter(|_| words.is_sign(k + 1, b'='));
+        if let Some(part) = part {
             // Inline forms name the numbers of their point: STOOL2(FP1), SBASE(FP1.BASE_NO).
-            let called = words.is_sign(k + 3, b'(');
-            let what = if called {
+            let what = if words.is_sign(k + 3, b'(') {
                 let own = by_numbers(walk, &words.spelled(k + 4));
-                own.into_iter()
-                    .find(|(own, _)| *own == part)
-                    .map(|(_, what)| what)
-            } else if part == MODE {
-                Some(mode(&words.shown(k + 2, end)))
+                own[part].1.clone()
             } else {
-                let list = words.list(k + 2, AGGREGATES, 0).ok();
+                let list = words.list(k + 2).ok();
                 let list = list.filter(|_| words.is_sign(k + 2, b'{'));
-                Some(value(walk, words, (k + 2, end), part, list.as_ref()))
+                value(walk, words, (k + 2, end), part, list.as_ref())
             };
-            set.push((part, what.unwrap_or_default()));
+            set.push((part, what));
         }
         k = end + 1;
     }
     set
 }
 
-/// What `$BASE` or `$TOOL` is set to.
+/// What `$BASE`, `$TOOL` or `$IPO_MODE` is set to.
 fn value(
     walk: &mut Walk,
     words: &Words,
@@ -171,15 +168,14 @@ fn value(
     list: Option<&(List, usize)>,
 ) -> Referred {
     let shown = words.shown(k, end);
+    if part == MODE {
+        return mode(&shown);
+    }
     if let Some((list, behind)) = list
         && *behind == end
     {
-        let names = if part == BASE {
-            &mut walk.program.frames
-        } else {
-            &mut walk.program.tools
-        };
-        declare(names, &shown, words.at(k), pose_of(list, &shown));
+        let pose = pose_of(list, &shown);
+        walk.program.declare(part, &shown, words.at(k), pose);
         return Referred::named(shown);
     }
     let indexed = words.is_sign(k + 1, b'[') && words.kind(k + 2) == Some(Kind::Digits);
@@ -202,33 +198,27 @@ fn mode(shown: &str) -> Referred {
 }
 
 fn pose_of(list: &List, spelled: &str) -> Result<Pose, Text> {
-    let numbers: Option<Vec<_>> = POSE[..6].iter().map(|key| list.number(key)).collect();
-    let frame = numbers.and_then(|numbers| Frame::of_degrees(&numbers, Orientation::ZyxDegrees));
-    let pose = frame.and_then(|frame| frame.pose());
+    let pose = frame(list).and_then(|frame| frame.pose());
     pose.ok_or_else(|| text!("{spelled} is not written out in numbers", spelled))
 }
 
 /// Base, tool and mode of `FDAT_ACT = name`, by the numbers that `name` is declared with.
-fn by_numbers(walk: &Walk, name: &str) -> Vec<Set> {
+fn by_numbers(walk: &Walk, name: &str) -> [Set; 3] {
     match walk.constant_of(name) {
-        Some(frames) => as_numbered(frames, name),
-        None => as_numbered(&Constant::Frames([None; 2], false), name),
+        Some(Constant::Frames(known)) => as_numbered(known, name),
+        _ => as_numbered(&([None; 2], false), name),
     }
 }
 
-fn as_numbered(frames: &Constant, name: &str) -> Vec<Set> {
-    let (numbers, tcp) = match frames {
-        Constant::Frames(numbers, tcp) => (*numbers, *tcp),
-        _ => ([None; 2], false),
-    };
+fn as_numbered((numbers, tcp): &Numbers, name: &str) -> [Set; 3] {
     let of = |number: Option<f64>, table: &str, zero: Referred| match number {
         Some(number) => numbered(table, &number.to_string(), zero),
         None => Referred::Unknown(text!("{name} has its numbers elsewhere", name)),
     };
-    vec![
+    [
         (BASE, of(numbers[0], "BASE_DATA", Referred::Unsaid)),
         (TOOL, of(numbers[1], "TOOL_DATA", null_tool())),
-        (MODE, if tcp { mode("#tcp") } else { Referred::Unsaid }),
+        (MODE, mode(if *tcp { "#tcp" } else { "#base" })),
     ]
 }
 

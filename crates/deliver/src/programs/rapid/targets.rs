@@ -4,10 +4,10 @@ use crate::kinematics::Pose;
 use crate::kinematics::configuration::Statement;
 use crate::text::Text as Sentence;
 
-use super::super::axes::Slot;
+use super::super::axes::{Axes, Slot};
 use super::super::number::Number;
 use super::super::pose::{Frame, Orientation};
-use super::super::target::{Mark, Problem, Shape, Target};
+use super::super::target::{Problem, Shape, Target};
 use super::super::walk::{Constant, Walk};
 use super::super::words::{List, Value, Words};
 
@@ -26,27 +26,23 @@ pub(super) fn held(
     spelled: &str,
     tool: bool,
 ) -> Result<Result<Pose, Sentence>, Problem> {
-    let parts: Vec<&Value> = list.parts.iter().map(|part| &part.value).collect();
-    let is = |value: &Value, word: &str| match value {
-        Value::Other(range) => words.name(range.start) == word,
-        _ => false,
-    };
-    let pose = match parts[..] {
-        [hold, frame, ..] if tool => {
-            if !is(hold, "true") {
+    let pose = match &list.parts[..] {
+        [_, frame, ..] if tool => {
+            if list.word(words, 0) != "true" {
                 return Ok(Err(text!("{spelled} does not sit on the robot", spelled)));
             }
-            pose_of(frame, spelled)?
+            pose_of(&frame.value, spelled)?
         }
-        [hold, fixed, _, user, object] if !tool => {
-            if !is(hold, "false") || !is(fixed, "true") {
+        [_, _, _, user, object] if !tool => {
+            if list.word(words, 0) != "false" || list.word(words, 1) != "true" {
                 let says = text!(
                     "{spelled} is moved by the robot or by another unit",
                     spelled
                 );
                 return Ok(Err(says));
             }
-            let [user, object] = [pose_of(user, spelled)?, pose_of(object, spelled)?];
+            let user = pose_of(&user.value, spelled)?;
+            let object = pose_of(&object.value, spelled)?;
             user.zip(object).map(|(user, object)| user * object)
         }
         _ => None,
@@ -56,9 +52,13 @@ pub(super) fn held(
 
 /// `[[x, y, z], [q1, q2, q3, q4]]`
 fn pose_of(value: &Value, spelled: &str) -> Result<Option<Pose>, Problem> {
-    let numbers = value.list().and_then(List::lists);
-    let numbers: Option<Vec<Vec<Number>>> =
-        numbers.and_then(|lists| lists.into_iter().map(List::numbers).collect());
+    let numbers = |list: &List| -> Option<Vec<Vec<Number>>> {
+        list.parts
+            .iter()
+            .map(|part| part.value.list()?.numbers())
+            .collect()
+    };
+    let numbers = value.list().and_then(numbers);
     let Some([position, turn]) = numbers.as_deref() else {
         return Ok(None);
     };
@@ -125,8 +125,8 @@ pub(super) fn target(
         let says = text!("a jointtarget: [[rax_1 … rax_6], [eax_a … eax_f]]");
         (&[6, 6], says)
     };
-    if list.parts.len() != sizes.len() {
-        let count = list.parts.len();
+    let count = list.parts.len();
+    if count != sizes.len() {
         let found = text!(one "{count} part in {name}", "{count} parts in {name}", count, name);
         return Err(Problem::new(list.at, found, expected));
     }
@@ -141,13 +141,13 @@ pub(super) fn target(
             }
             // External axes are often a constant: they stay as they are.
             Value::Other(range) if k + 1 == sizes.len() && range.len() == 1 => {
-                named = Some(range.start);
+                named = Some(words.spelled(range.start));
                 continue;
             }
             Value::Other(_) => return Ok(Err(computed(name))),
         };
-        if list.parts.len() != *size {
-            let count = list.parts.len();
+        let count = list.parts.len();
+        if count != *size {
             let found =
                 text!(one "{count} number in {name}", "{count} numbers in {name}", count, name);
             let expected = text!("{size}, as in {expected}", size, expected);
@@ -155,112 +155,81 @@ pub(super) fn target(
         }
         if let Some(inner) = list.parts.iter().find_map(|part| part.value.list()) {
             let expected = text!("a number, as in {expected}", expected);
-            return Err(Problem::new(
-                inner.at,
-                text!("a list in {name}", name),
-                expected,
-            ));
+            let found = text!("a list in {name}", name);
+            return Err(Problem::new(inner.at, found, expected));
         }
         let Some(own) = list.numbers() else {
             return Ok(Err(computed(name)));
         };
         numbers.push(own);
     }
-    let axes = match named {
-        None => std::array::from_fn(|k| external(numbers[sizes.len() - 1][k])),
-        Some(k) => {
-            let axes = words.spelled(k);
-            let Some(Constant::External(known)) = walk.constant_of(&axes) else {
+    let last = sizes.len() - 1;
+    let outside = match &named {
+        None => std::array::from_fn(|k| external(numbers[last][k])),
+        Some(axes) => match walk.constant_of(axes) {
+            // The model's own are read with the target.
+            Some(Constant::External(_)) if walk.axes.own() < walk.axes.joints() => {
+                return Ok(Err(computed(name)));
+            }
+            Some(Constant::External(known)) => **known,
+            _ => {
                 return Ok(Err(text!(
                     "the external axes of {name}, {axes}, are declared elsewhere",
                     name,
                     axes
                 )));
-            };
-            *known
-        }
+            }
+        },
     };
-    // The model's own are read with the target.
-    if named.is_some() && walk.axes.own() < walk.axes.joints() {
-        return Ok(Err(computed(name)));
-    }
-    let mut target = if pose {
-        robtarget(walk, &numbers, name, list.at)?
+    let number = |slot| match slot {
+        Slot::Own(k) => Ok(numbers[0][k]),
+        Slot::External(k) => external_axis(numbers[last][k], name),
+    };
+    let mut target = if let [position, turn, configuration, ..] = &numbers[..] {
+        let frame = frame_of([0, 1, 2].map(|k: usize| position[k]), turn.clone());
+        check_length(&frame, name)?;
+        let mut target = Target::new(name, list.at, Shape::Pose(Box::new(frame)));
+        configure(walk.axes, configuration, &mut target)?;
+        target.posture_mut().external = walk.axes.external(number)?;
+        target
     } else {
-        walk.axes.joint_target(name, list.at, |slot| match slot {
-            Slot::Own(k) => Ok(numbers[0][k]),
-            Slot::External(k) => external_axis(numbers[1][k], name),
-        })?
+        walk.axes.joint_target(name, list.at, number)?
     };
-    if pose && named.is_none() {
-        target.posture_mut().external = walk.axes.external(|slot| match slot {
-            Slot::Own(k) | Slot::External(k) => external_axis(numbers[3][k], name),
-        })?;
-    }
-    target.outside = walk.outside(axes);
+    target.outside = walk.outside(outside);
     Ok(Ok(target))
 }
 
-fn robtarget(
-    walk: &mut Walk,
-    parts: &[Vec<Number>],
-    name: &str,
-    at: usize,
-) -> Result<Target, Problem> {
-    let [position, turn, configuration, ..] = parts else {
-        return Err(Problem::new(
-            at,
-            text!("a part is missing"),
-            text!("a robtarget"),
-        ));
-    };
-    let whole = |number: &Number| {
+/// `[cf1, cf4, cf6, cfx]`
+fn configure(axes: &Axes, numbers: &[Number], target: &mut Target) -> Result<(), Problem> {
+    let whole = |number: &Number, name: &str| {
         #[allow(clippy::cast_possible_truncation, reason = "compared with itself")]
         let whole = number.value as i16;
         if f64::from(whole) == number.value && whole.abs() < 1000 {
             return Ok(whole);
         }
-        let found = text!(
-            "{value} in the configuration of {name}",
-            value = number.value,
-            name
-        );
-        Err(Problem::new(
-            number.range().start,
-            found,
-            text!("a whole number"),
-        ))
+        let value = number.value;
+        let found = text!("{value} in the configuration of {name}", value, name);
+        let expected = text!("a whole number");
+        Err(Problem::new(number.range().start, found, expected))
     };
-    let frame = frame_of([0, 1, 2].map(|k: usize| position[k]), turn.clone());
-    check_length(&frame, name)?;
-    let mut target = Target::new(name, at, Shape::Pose(Box::new(frame)));
-    let axes = walk.axes;
-    let posture = target.posture_mut();
-    for (number, axis) in configuration.iter().zip([0, 3, 5]) {
-        let quadrant = whole(number)?;
-        let Some(joint) = axes.numbered(Slot::Own(axis)) else {
-            continue;
-        };
-        posture
-            .configuration
-            .push(Statement::Quadrant { joint, quadrant });
-        let span = number.span();
-        posture.marks.push(Mark::Quadrant { span, joint });
-    }
-    let cfx = whole(&configuration[3])?;
-    if (0..8).contains(&cfx) && axes.own() == 6 {
-        if let Some(joint) = axes.numbered(Slot::Own(4)) {
-            let negative = cfx & 1 != 0;
-            posture
-                .configuration
-                .push(Statement::WristNegative { joint, negative });
+    for (number, axis) in numbers.iter().zip([0, 3, 5]) {
+        let quadrant = whole(number, &target.name)?;
+        if let Some(joint) = axes.numbered(Slot::Own(axis)) {
+            let statement = Statement::Quadrant { joint, quadrant };
+            target.posture_mut().marked(statement, number.span());
         }
-        posture
-            .configuration
-            .push(Statement::ElbowTurned(cfx & 2 != 0));
-        posture.configuration.push(Statement::Behind(cfx & 4 != 0));
     }
-    Ok(target)
+    let cfx = whole(&numbers[3], &target.name)?;
+    if (0..8).contains(&cfx) && axes.own() == 6 {
+        let states = &mut target.posture_mut().configuration;
+        states.extend(axes.numbered(Slot::Own(4)).map(|joint| {
+            let negative = cfx & 1 != 0;
+            Statement::WristNegative { joint, negative }
+        }));
+        states.push(Statement::ElbowTurned(cfx & 2 != 0));
+        states.push(Statement::Behind(cfx & 4 != 0));
+    }
+    Ok(())
 }
 
 /// The value of an external axis that the model has.

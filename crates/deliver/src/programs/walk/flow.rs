@@ -2,17 +2,21 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::{BASE, Block, DEEPEST, Declared, Known, MODE, Routine, Scope, State, TOOL, Walk};
-use crate::programs::referred::Referred;
-use crate::text::Text as Sentence;
+use super::{Block, Declared, Known, Routine, Scope, State, Walk};
+use crate::programs::referred::{BASE, MODE, Referred, TOOL};
+use crate::programs::target::Problem;
+use crate::programs::words::{Kind, Words};
+
+/// Blocks in blocks, and routines in routines.
+const DEEPEST: usize = 64;
 
 impl Walk<'_> {
     /// Base, tool or mode from here on.
-    pub(in crate::programs) fn set(&mut self, part: usize, what: Referred) {
+    pub(crate) fn set(&mut self, part: usize, what: Referred) {
         if what != Referred::Unsaid {
             self.facts.any[part] = true;
-            for routine in self.open.iter().map(|routine| &routine.name) {
-                if let Some(sets) = self.facts.sets.get_mut(routine) {
+            for routine in &self.open {
+                if let Some(sets) = self.facts.sets.get_mut(&*routine.name) {
                     sets[part] = true;
                 }
             }
@@ -20,49 +24,57 @@ impl Walk<'_> {
         // After a handler the routine goes on from any of its statements.
         self.facts.interrupted[part] |= self.open.iter().any(|routine| routine.handles);
         if let Referred::Named(name) = &what {
-            self.facts.tools.insert((**name).to_owned());
+            self.facts.held.insert((**name).into(), true);
         }
-        self.state[part] = Known {
-            what,
-            since: self.statement,
-        };
+        self.state[part] = self.known(what);
+    }
+
+    fn known(&self, what: Referred) -> Known {
+        let since = self.statement;
+        Known { what, since }
+    }
+
+    /// A command that shifts the poses after it.
+    pub(crate) fn shift(&mut self, at: usize, command: &str) {
+        let says = text!("{name} shifts the poses after it", name = command);
+        self.left(at, says.clone());
+        self.set(MODE, Referred::Unknown(says));
     }
 
     /// Where a jump may come from any place: what is set somewhere is not known.
-    pub(in crate::programs) fn label(&mut self) {
-        for part in [BASE, TOOL, MODE]
-            .into_iter()
-            .filter(|part| self.facts.any[*part])
-        {
-            self.state[part] = Known {
-                what: Referred::Unknown(text!("it is set in a branch or a loop")),
-                since: self.statement,
-            };
+    pub(crate) fn label(&mut self) {
+        for part in [BASE, TOOL, MODE] {
+            if self.facts.any[part] {
+                self.state[part] = self.in_a_branch();
+            }
         }
     }
 
+    fn in_a_branch(&self) -> Known {
+        self.known(Referred::Unknown(text!("it is set in a branch or a loop")))
+    }
+
     /// A routine that may run at any statement: an interrupt, a thread.
-    pub(in crate::programs) fn anytime(&mut self, name: &str) {
+    pub(crate) fn anytime(&mut self, name: &str) {
         self.facts.anytime.insert(name.to_owned());
     }
 
     /// The handler of errors of the routine that is open begins.
-    pub(in crate::programs) fn handler(&mut self) {
+    pub(crate) fn handler(&mut self) {
         if let Some(routine) = self.open.last_mut() {
             routine.handles = true;
         }
     }
 
     /// What holds of a part.
-    pub(in crate::programs) fn held(&self, part: usize) -> &Referred {
+    pub(crate) fn held(&self, part: usize) -> &Referred {
         &self.state[part].what
     }
 
     /// A call; whether the routine is one of this file.
-    pub(in crate::programs) fn call(&mut self, name: &str, spelled: &str) -> bool {
-        if let Some(routine) = self.open.last() {
-            let call = (name.to_owned(), routine.name.clone());
-            self.facts.calls.insert(call);
+    pub(crate) fn call(&mut self, name: &str, spelled: &str) -> bool {
+        if self.first && !self.open.is_empty() {
+            self.facts.calls.insert((name.into(), self.scope));
         }
         let Some(sets) = self.facts.sets.get(name).copied() else {
             return false;
@@ -77,7 +89,7 @@ impl Walk<'_> {
     }
 
     /// Modules whose names are their own, before any statement.
-    pub(in crate::programs) fn has_modules(&mut self, names: BTreeSet<String>) {
+    pub(crate) fn has_modules(&mut self, names: BTreeSet<String>) {
         for name in names {
             if self.first {
                 self.facts.scopes.push(Scope::default());
@@ -87,36 +99,42 @@ impl Walk<'_> {
         }
     }
 
-    /// From here on names are those of this module, if it is one; the one before, to go back to.
-    pub(in crate::programs) fn enter_module(&mut self, name: &str) -> usize {
-        let module = self.modules.get(name).copied().unwrap_or(self.module);
-        self.return_to(module)
+    /// From here on names are those of this module, if it is one.
+    pub(crate) fn enter_module(&mut self, name: &str) {
+        self.module = self.modules.get(name).copied().unwrap_or(self.module);
+        self.scope = self.module;
     }
 
-    pub(in crate::programs) fn return_to(&mut self, module: usize) -> usize {
-        self.scope = module;
-        std::mem::replace(&mut self.module, module)
-    }
-
-    /// A routine begins; its parameters.
-    pub(in crate::programs) fn begin_routine(
-        &mut self,
-        name: &str,
-        parameters: &[String],
-        main: bool,
-    ) -> Result<(), Sentence> {
-        if self.open.len() >= DEEPEST {
-            return Err(text!("at most 64 deep"));
+    fn not_too_deep(&self, open: usize) -> Result<(), Problem> {
+        if open < DEEPEST {
+            return Ok(());
         }
+        let found = text!("blocks in blocks");
+        Err(Problem::new(self.at, found, text!("at most 64 deep")))
+    }
+
+    /// A routine begins, whose name is word `k`; its parameters are the names behind it that one of these signs follows.
+    /// `main`: what is set before it holds in it.
+    pub(crate) fn begin_routine(
+        &mut self,
+        words: &Words,
+        k: usize,
+        follow_parameters: &[u8],
+        main: bool,
+    ) -> Result<(), Problem> {
+        self.not_too_deep(self.open.len())?;
+        let name = words.name(k);
         if self.first {
-            let parent = self.scope;
-            let names = BTreeMap::new();
-            self.facts.scopes.push(Scope { parent, names });
-            self.facts.sets.entry(name.to_owned()).or_default();
+            self.facts.scopes.push(Scope {
+                parent: self.scope,
+                routine: name.as_str().into(),
+                names: BTreeMap::new(),
+            });
+            self.facts.sets.entry(name.as_str().into()).or_default();
         }
         self.open.push(Routine {
             scope: self.scope,
-            name: name.to_owned(),
+            name,
             state: self.state.clone(),
             blocks: std::mem::take(&mut self.blocks),
             handles: false,
@@ -124,8 +142,9 @@ impl Walk<'_> {
         self.scope = self.scopes;
         self.scopes += 1;
         self.routines += 1;
-        for parameter in parameters {
-            self.declare(parameter, Declared::Parameter, false);
+        let follows = |j: usize| matches!(words.kind(j), Some(Kind::Sign(sign)) if follow_parameters.contains(&sign));
+        for j in (k + 1..words.len()).filter(|j| words.is_name(*j) && follows(j + 1)) {
+            self.declare(&words.name(j), Declared::Parameter, false);
         }
         for part in [BASE, TOOL, MODE] {
             if !main {
@@ -140,17 +159,17 @@ impl Walk<'_> {
         Ok(())
     }
 
-    /// Routines so far.
-    pub(in crate::programs) fn routines(&self) -> usize {
-        self.routines
+    /// Routines and modules that are open.
+    pub(crate) fn depth(&self) -> usize {
+        self.open.len()
     }
 
     /// Whether a block of the routine is open.
-    pub(in crate::programs) fn in_block(&self) -> bool {
+    pub(crate) fn in_block(&self) -> bool {
         !self.blocks.is_empty()
     }
 
-    pub(in crate::programs) fn end_routine(&mut self) {
+    pub(crate) fn end_routine(&mut self) {
         if let Some(routine) = self.open.pop() {
             self.scope = routine.scope;
             self.state = routine.state;
@@ -158,11 +177,16 @@ impl Walk<'_> {
         }
     }
 
-    /// A branch or a loop begins.
-    pub(in crate::programs) fn begin_block(&mut self, loops: bool) -> Result<(), Sentence> {
-        if self.blocks.len() >= DEEPEST {
-            return Err(text!("at most 64 deep"));
+    /// All routines that are open end.
+    pub(crate) fn end_routines(&mut self) {
+        while !self.open.is_empty() {
+            self.end_routine();
         }
+    }
+
+    /// A branch or a loop begins.
+    pub(crate) fn begin_block(&mut self, loops: bool) -> Result<(), Problem> {
+        self.not_too_deep(self.blocks.len())?;
         self.blocks.push(Block {
             entry: self.state.clone(),
             exits: Vec::new(),
@@ -175,7 +199,7 @@ impl Walk<'_> {
     }
 
     /// Another branch of the block; `last`: what is taken if no other is.
-    pub(in crate::programs) fn alternative(&mut self, last: bool) {
+    pub(crate) fn alternative(&mut self, last: bool) {
         if let Some(block) = self.blocks.last_mut() {
             let left = std::mem::replace(&mut self.state, block.entry.clone());
             // Of branches that leave the same nothing more is kept.
@@ -186,7 +210,7 @@ impl Walk<'_> {
         }
     }
 
-    pub(in crate::programs) fn end_block(&mut self) {
+    pub(crate) fn end_block(&mut self) {
         let Some(block) = self.blocks.pop() else {
             return;
         };
@@ -199,24 +223,22 @@ impl Walk<'_> {
             if exits.iter().all(|exit| exit[part].what == *own) {
                 continue;
             }
-            let says = text!("it is set in a branch or a loop");
-            let unknown = Referred::Unknown(says);
+            let unknown = self.in_a_branch();
             // The second time through a loop holds what the first left.
             if block.loops {
                 let mut known = BTreeMap::new();
                 for motion in &mut self.motions[block.motions..] {
                     if motion.since[part] < block.statement {
                         let ways = &mut self.program.ways;
-                        motion.way = *known
-                            .entry(motion.way)
-                            .or_insert_with_key(|way| ways.of(ways.get(*way).with(part, &unknown)));
+                        motion.way = *known.entry(motion.way).or_insert_with_key(|way| {
+                            let mut way = ways.get(*way).clone();
+                            way[part] = unknown.what.clone();
+                            ways.of(way)
+                        });
                     }
                 }
             }
-            self.state[part] = Known {
-                what: unknown,
-                since: self.statement,
-            };
+            self.state[part] = unknown;
         }
     }
 }
