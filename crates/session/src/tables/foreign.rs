@@ -57,7 +57,7 @@ fn by_first_bytes(bytes: &[u8]) -> Option<(Template, Template)> {
     let known = all.into_iter().find(|(start, ..)| bytes.starts_with(start));
     // A C3D recording says where its parameters are, then P.
     let c3d = || match bytes {
-        [..=0x1f, b'P', rest @ ..] if rest.contains(&0) => {
+        [2..=0x1f, b'P', rest @ ..] if rest.contains(&0) => {
             Some((phrase!("a C3D recording"), AS_TABLE))
         }
         _ => None,
