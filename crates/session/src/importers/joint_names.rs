@@ -134,9 +134,10 @@ pub(crate) fn shared(headings: &[String], roles: &[Role], joints: &Joints) -> Sh
         let is_read = set.split(' ').any(|word| is_among(word, READ_BACK));
         let columns = members.into_iter().map(|(index, joint, unit)| {
             let joint = joint - first;
-            let quantity = match is_read {
-                true => Quantity::ReadBack(joint),
-                false => Quantity::Commanded(joint),
+            let quantity = if is_read {
+                Quantity::ReadBack(joint)
+            } else {
+                Quantity::Commanded(joint)
             };
             (index, Role::Known(quantity, unit))
         });
