@@ -64,7 +64,11 @@ impl Robots {
             );
         }
         // A text may be the name of one robot and the beginning of others' names.
-        if let Ok(robot) = named(&text) {
+        let one = match found[..] {
+            [one] => Some(one),
+            _ => named(&text).ok(),
+        };
+        if let Some(robot) = one {
             if found.len() > 1 {
                 line(&mut shown, format!("\n{} {}", robot.id, robot.title()));
             }

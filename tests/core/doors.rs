@@ -857,3 +857,89 @@ fn angles_about_z_y_x_are_named_where_they_are_said_to_be_about_x_y_z() {
         serde_json::from_slice(&desk.run("identify abc.json --json").stdout).unwrap();
     assert!(!answer["data_problems"].to_string().contains("orientations"));
 }
+
+/// Orientations that are stated in another frame than the positions are a finding with its size; a turned tool is a
+/// parameter of the calibration.
+#[test]
+fn orientations_in_another_frame_than_the_positions_are_named() {
+    let desk = Desk::new();
+    let turn = |by: [f64; 4], of: [f64; 4]| {
+        let ([a, b, c, d], [w, x, y, z]) = (by, of);
+        [
+            a * w - b * x - c * y - d * z,
+            a * x + b * w + c * z - d * y,
+            a * y - b * z + c * w + d * x,
+            a * z + b * y - c * x + d * w,
+        ]
+    };
+    let angle = 20.0_f64.to_radians();
+    let by = [0.36, -0.48, 0.8].map(|part: f64| part * (0.5 * angle).sin());
+    let by = [(0.5 * angle).cos(), by[0], by[1], by[2]];
+    let problems = |of_frame: bool| {
+        let row = |_: usize, pose: [f64; 2]| {
+            let ((sp, cp), (st, ct)) = ((0.5 * pose[0]).sin_cos(), (-0.5 * pose[1]).sin_cos());
+            let own = [cp * ct, -sp * st, cp * st, sp * ct];
+            let [w, x, y, z] = if of_frame {
+                turn(by, own)
+            } else {
+                turn(own, by)
+            };
+            format!("{},{},{},{w},{x},{y},{z}", pose[0], pose[1], xyz(pose))
+        };
+        desk.put(
+            "turned.csv",
+            &table("q1_rad,q2_rad,x_mm,y_mm,z_mm,qw,qx,qy,qz", row),
+        );
+        desk.import("turned.csv --as csv --out turned.json");
+        let done = desk.run("identify turned.json --json");
+        serde_json::from_slice::<Value>(&done.stdout).unwrap()
+    };
+    let answer = problems(true);
+    let said = answer["data_problems"].to_string();
+    assert!(
+        said.contains("turned by 20.00° against the positions"),
+        "{said}"
+    );
+    // The way back, as a rotation vector.
+    assert!(said.contains("(-7.20, 9.60, -16.00)°"), "{said}");
+    assert!(
+        answer["gap"]["after_mm"].as_f64().unwrap() < 1e-3,
+        "{}",
+        answer["gap"]
+    );
+    let answer = problems(false);
+    assert!(!answer["data_problems"].to_string().contains("orientations"));
+    assert!(
+        answer["gap"]["after_mm"].as_f64().unwrap() < 1e-3,
+        "{}",
+        answer["gap"]
+    );
+}
+
+#[test]
+fn what_stands_in_the_way_of_a_sidecar_leaves_the_output_as_it_was_and_unknown_gears_are_none() {
+    let desk = Desk::new();
+    let row = |_: usize, pose: [f64; 2]| format!("{},{},{}", pose[0], pose[1], xyz(pose));
+    desk.put("t.csv", &table("q1_rad,q2_rad,x_mm,y_mm,z_mm", row));
+    desk.import("t.csv --as csv --out s.json");
+    assert_eq!(
+        desk.run("identify s.json --out m.json").status.code(),
+        Some(0)
+    );
+    desk.put("table.csv", "as it was\n");
+    std::fs::create_dir(desk.path().join("table.csv.meta.json")).unwrap();
+    let done = desk.run("export m.json --to csv --out table.csv --force");
+    assert_eq!(done.status.code(), Some(2));
+    let left = std::fs::read_to_string(desk.path().join("table.csv")).unwrap();
+    assert_eq!(left, "as it was\n");
+    let dh = json!({ "a_mm": 100, "alpha_deg": 90, "d_mm": 0, "theta_deg": 0, "convention": "standard", "kind": "revolute" });
+    let robot = json!({ "name": "two", "dh": [dh, dh], "gear_ratios": [null, null] });
+    desk.put("two.json", &robot.to_string());
+    let done = desk.run("import t.csv --as csv --robot two.json --out two-s.json");
+    assert_eq!(
+        done.status.code(),
+        Some(0),
+        "{}",
+        String::from_utf8_lossy(&done.stderr)
+    );
+}

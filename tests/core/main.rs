@@ -60,6 +60,7 @@ mod plan_arms;
 mod program_frames;
 mod program_table;
 mod programs;
+mod public_reports;
 mod recordings;
 mod recovery;
 mod report;

@@ -148,6 +148,8 @@ fn along_a_slide_what_was_measured_along_it_is_enough() {
     alone.samples.z_mm = Some(nothing);
     let axes = |session: &Session| figures(session)["iso_230_2"]["axes"].clone();
     assert_eq!(axes(&alone), axes(&published()));
+    let whole = standards(&alone, None).unwrap();
+    assert_eq!((whole.samples, whole.left_out), (alone.samples.len(), 0));
     assert!(
         standards(&alone, None)
             .unwrap()

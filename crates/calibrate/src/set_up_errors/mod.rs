@@ -17,6 +17,7 @@ mod looked;
 mod losses;
 mod measured_points;
 mod motor_values;
+mod orientation_frame;
 mod orientations;
 mod parts;
 mod read_back;
@@ -180,6 +181,11 @@ fn without_mistakes_of(
     }
     if whole_points
         && let Some(without) = orientations::left_out(&session, joint_values, &mut problems)
+    {
+        session = Cow::Owned(without);
+    }
+    if whole_points
+        && let Some(without) = orientation_frame::left_out(&session, joint_values, &mut problems)
     {
         session = Cow::Owned(without);
     }

@@ -11,7 +11,7 @@ use nalgebra::{Matrix3, Quaternion, Rotation3, UnitQuaternion, Vector3};
 
 use super::DataProblem;
 use super::thresholds::{FEWEST_SAMPLES, GROSS_TURN_RAD, MENDED_SHARE};
-use crate::decompose::svd;
+use crate::decompose::{eigen, svd};
 use crate::effects::JointValues;
 use crate::kinematics::quaternion::log;
 use crate::numeric::median;
@@ -49,6 +49,8 @@ const ALIKE: f64 = 1.5;
 const EQUAL_RAD: f64 = 1e-3;
 /// A measuring frame and a tool that are turned by less than this together are those of the description.
 const NEAR_RAD: f64 = 0.3;
+/// Turns about a second axis have this share of those about the first, squared.
+const SECOND_AXIS: f64 = 0.01;
 /// Pairs from which the measuring frame is guessed, each with the next one.
 const DRAWS: usize = 8;
 
@@ -247,15 +249,29 @@ fn numbers(order: Order, q: &UnitQuaternion<f64>) -> [[f64; 3]; 2] {
     both
 }
 
+/// The values of all joints in a sample.
+pub(super) fn joint_values(session: &Session, values: JointValues, sample: usize) -> Vec<f64> {
+    let samples = &session.samples;
+    let value = |joint: usize| {
+        let read = samples.q_read.get(joint).and_then(Option::as_ref);
+        match (values, read) {
+            (JointValues::Read, Some(read)) => read[sample],
+            _ => samples.q[joint][sample],
+        }
+    };
+    (0..session.robot.joint_count()).map(value).collect()
+}
+
 /// Measured and predicted orientations of pairs of samples.
-struct Pairs {
+pub(super) struct Pairs {
     measured: Vec<UnitQuaternion<f64>>,
     predicted: Vec<UnitQuaternion<f64>>,
     pairs: Vec<(usize, usize)>,
+    setups: usize,
 }
 
 impl Pairs {
-    fn of(session: &Session, values: JointValues) -> Option<Self> {
+    pub(super) fn of(session: &Session, values: JointValues) -> Option<Self> {
         let samples = &session.samples;
         let [w, x, y, z] = samples.orientation_wxyz.as_ref()?;
         let left_out = |i: usize| {
@@ -265,14 +281,6 @@ impl Pairs {
         let measured = |i: usize| {
             let q = Quaternion::new(w[i], x[i], y[i], z[i]);
             (q.norm() > 1e-9 && q.norm().is_finite()).then(|| UnitQuaternion::from_quaternion(q))
-        };
-        let value = |joint: usize, i: usize| {
-            let read = samples.q_read.get(joint).and_then(Option::as_ref);
-            let column = match (values, read) {
-                (JointValues::Read, Some(read)) => read,
-                _ => &samples.q[joint],
-            };
-            column[i]
         };
         let mut rows: Vec<usize> = (0..samples.len())
             .filter(|i| !left_out(*i) && measured(*i).is_some())
@@ -286,9 +294,8 @@ impl Pairs {
         if rows.len() < FEWEST_SAMPLES {
             return None;
         }
-        let joints = session.robot.joint_count();
         let predicted = rows.iter().map(|&i| {
-            let q: Vec<f64> = (0..joints).map(|joint| value(joint, i)).collect();
+            let q = joint_values(session, values, i);
             session.robot.base_from_tool(&q).rotation
         });
         let predicted: Vec<UnitQuaternion<f64>> = predicted.collect();
@@ -310,11 +317,27 @@ impl Pairs {
             measured: rows.iter().filter_map(|&i| measured(i)).collect(),
             predicted,
             pairs,
+            setups: samples
+                .setups
+                .as_ref()
+                .map_or(1, |setups| setups.names.len()),
         })
     }
 
+    /// Whether the turns between samples tell one measuring frame: they are about several axes.
+    pub(super) fn are_of_one_frame(&self) -> bool {
+        let turns = self.pairs.iter().map(|(a, b)| {
+            let turn = log(&(self.predicted[*a] * self.predicted[*b].inverse()));
+            turn * turn.transpose()
+        });
+        let spread: Matrix3<f64> = turns.sum();
+        let mut along: Vec<f64> = eigen(spread).eigenvalues.iter().copied().collect();
+        along.sort_by(f64::total_cmp);
+        self.setups == 1 && along[1] > SECOND_AXIS * along[2]
+    }
+
     /// How well the measured orientations fit in this convention; `None` where that cannot be said.
-    fn fit(
+    pub(super) fn fit(
         &self,
         convention: &dyn Fn(UnitQuaternion<f64>) -> Vec<UnitQuaternion<f64>>,
     ) -> Option<Fit> {
@@ -375,6 +398,7 @@ impl Pairs {
             });
         Some(Fit {
             left,
+            frame,
             turned: frame.angle() + median(tool)?,
         })
     }
@@ -382,8 +406,10 @@ impl Pairs {
 
 /// How well a convention fits: the median difference of the turns, and by how much measuring frame and tool are turned
 /// against the description; rad.
-struct Fit {
-    left: f64,
+pub(super) struct Fit {
+    pub(super) left: f64,
+    /// The measuring frame of the orientations.
+    pub(super) frame: UnitQuaternion<f64>,
     turned: f64,
 }
 

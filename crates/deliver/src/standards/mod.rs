@@ -70,8 +70,18 @@ pub fn standards(
     let session = &*session.whole()?;
     calibration.map_or(Ok(()), Calibration::sound)?;
     let points = Points::new(session, calibration)?;
-    let samples = points.usable.iter().filter(|u| **u).count();
-    let left_out = points.usable.len() - samples;
+    let mut usable = points.usable.clone();
+    let mut axes = Vec::new();
+    for joint in 0..points.robot.joints.len() {
+        let (tested, of_axis) = axis(&points, joint, calibration)?;
+        axes.push(tested);
+        // Along a slide one coordinate is enough.
+        for (usable, of_axis) in usable.iter_mut().zip(of_axis) {
+            *usable |= of_axis;
+        }
+    }
+    let samples = usable.iter().filter(|u| **u).count();
+    let left_out = usable.len() - samples;
     let mut notes = Vec::new();
     if left_out > 0 {
         notes.push(text!(
@@ -80,11 +90,6 @@ pub fn standards(
             count = left_out
         ));
     }
-    let joints = 0..points.robot.joints.len();
-    let axes: Result<Vec<AxisTest>, VerifyError> = joints
-        .map(|joint| axis(&points, joint, calibration))
-        .collect();
-    let axes = axes?;
     if samples == 0 && axes.iter().all(|axis| axis.series.is_empty()) {
         notes.push(text!(
             "no point was measured (x_mm, y_mm): the figures of both standards are of positions that were measured at commanded ones; distances, directions, sockets and touches alone give none"
@@ -123,17 +128,19 @@ pub fn axis_test(
     let session = &*session.whole()?;
     calibration.map_or(Ok(()), Calibration::sound)?;
     let points = Points::new(session, calibration)?;
-    axis(&points, joint, calibration)
+    axis(&points, joint, calibration).map(|(tested, _)| tested)
 }
 
+/// The test of a joint, and the samples that it could use.
 fn axis(
     points: &Points<'_>,
     joint: usize,
     calibration: Option<&Calibration>,
-) -> Result<AxisTest, VerifyError> {
+) -> Result<(AxisTest, Vec<bool>), VerifyError> {
+    let tested = |points: &Points<'_>| (AxisTest::new(points, joint), points.usable.clone());
     match points.along(joint) {
-        Some(whole) => Ok(AxisTest::new(&Points::new(&whole, calibration)?, joint)),
-        None => Ok(AxisTest::new(points, joint)),
+        Some(whole) => Ok(tested(&Points::new(&whole, calibration)?)),
+        None => Ok(tested(points)),
     }
 }
 

@@ -1,7 +1,7 @@
 //! Brings measured points into the base frame, and says how well.
 
 use crate::text::length;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use nalgebra::{Point3, Quaternion, UnitQuaternion};
 
@@ -15,17 +15,27 @@ use crate::importers::reference::{Alignment, Landmark, align};
 use crate::sessions::columns::{Quantity, Unit};
 
 impl Job<'_> {
-    /// Where the instrument had lost its reflector it says (0, 0, 0): once points are moved or
-    /// averaged that could not be seen any more.
-    pub(crate) fn lost_become_missing(&mut self, columns: &mut Columns) {
+    /// Where the instrument had lost its reflector it says (0, 0, 0), or one number thrice (-9999) in several rows. Of
+    /// zeros a session tells that itself, unless its points are `moved` or averaged.
+    pub(crate) fn lost_become_missing(&mut self, columns: &mut Columns, moved: bool) {
         let Some(points) = points_of(columns) else {
             return;
         };
-        let is_lost = |row: &usize| points[*row] == Point3::origin();
-        let lost: Vec<usize> = (0..points.len()).filter(is_lost).collect();
-        if lost.is_empty() {
-            return;
+        let mut alike: BTreeMap<u64, Vec<usize>> = BTreeMap::new();
+        for (row, point) in points.iter().enumerate() {
+            if point.x == point.y && point.y == point.z {
+                alike.entry(point.x.to_bits()).or_default().push(row);
+            }
         }
+        alike.retain(|bits, rows| match f64::from_bits(*bits) {
+            0.0 => moved,
+            _ => rows.len() > 1,
+        });
+        let Some(stands) = alike.keys().next().map(|bits| f64::from_bits(*bits)) else {
+            return;
+        };
+        let mut lost: Vec<usize> = alike.into_values().flatten().collect();
+        lost.sort_unstable();
         for quantity in [Quantity::X, Quantity::Y, Quantity::Z] {
             if let Some(mut values) = columns.numbers(quantity) {
                 for &row in &lost {
@@ -35,9 +45,10 @@ impl Job<'_> {
             }
         }
         let found = text!(
-            one "the instrument lost the reflector (0, 0, 0) in {count} measurement: {which}",
-            "the instrument lost the reflector (0, 0, 0) in {count} measurements: {which}",
+            one "the instrument lost the reflector ({point}) in {count} measurement: {which}",
+            "the instrument lost the reflector ({point}) in {count} measurements: {which}",
             count = lost.len(),
+            point = [stands; 3].map(|value| value.to_string()).join(", "),
             which = matching::listed_rows(columns, &lost)
         );
         self.left_out(self.place.clone(), found);

@@ -82,7 +82,7 @@ impl Job<'_> {
                     joint = joint + 1
                 );
                 let expected = text!(
-                    "--commands with a column q{joint}_deg, or such a column in the measured file",
+                    "--commands with a column q{joint}_deg, or such a column in the measured file; --columns says which it is under another heading",
                     joint = joint + 1
                 );
                 return self.refuse(self.place.clone(), found, expected);

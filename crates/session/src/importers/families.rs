@@ -106,6 +106,41 @@ pub(crate) fn proposed(headings: &[String], roles: &[Role]) -> Families {
     Families::One(all)
 }
 
+/// The one coordinate that a heading hides beside two that are known: `tool X`, `Y`, `Z`.
+pub(crate) fn lone_coordinate(headings: &[String], roles: &[Role]) -> Option<Vec<Role>> {
+    let all = [Quantity::X, Quantity::Y, Quantity::Z];
+    let known = |quantity: &Quantity| {
+        let of = |role: &Role| match role {
+            Role::Known(own, unit) if own == quantity => Some(*unit),
+            _ => None,
+        };
+        roles.iter().find_map(of)
+    };
+    let lacking = all.iter().position(|quantity| known(quantity).is_none())?;
+    let unit = all.iter().find_map(known)?;
+    let is_it = |(heading, role): &(&String, &Role)| {
+        let (words, _) = words_and_unit(&heading.trim().to_lowercase());
+        **role == Role::Kept
+            && words
+                .last()
+                .is_some_and(|word| word == ["x", "y", "z"][lacking])
+            && !words.iter().any(|word| is_among(word, NOT_MEASURED))
+    };
+    let mut those = (0..)
+        .zip(headings.iter().zip(roles))
+        .filter(|(_, one)| is_it(one));
+    let (Some((at, _)), None) = (those.next(), those.next()) else {
+        return None;
+    };
+    let others = all.iter().filter(|quantity| known(quantity).is_some());
+    if others.count() < 2 {
+        return None;
+    }
+    let mut proposed = roles.to_vec();
+    proposed[at] = Role::Known(all[lacking], unit);
+    Some(proposed)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -24,7 +24,11 @@ pub(crate) fn understand(heading: &str) -> Role {
     let words: Vec<&str> = words.iter().map(String::as_str).collect();
     let role = match (role_of(&words), unit) {
         // A stamp may be anything, one in ns is a time.
-        (Role::Kept, Some(Word::Time(_))) if words.ends_with(&["stamp"]) => Role::Time(None),
+        (Role::Kept, Some(Word::Time(_)))
+            if matches!(words.last(), Some(&("stamp" | "timestamp"))) =>
+        {
+            Role::Time(None)
+        }
         (role, _) => role,
     };
     match (role, unit) {
@@ -97,7 +101,10 @@ pub(crate) fn words_and_unit(heading: &str) -> (Vec<String>, Option<Word>) {
             }
         }
     }
-    (words, unit)
+    // A topic of ROS is a path: `/tool/pose/position/x`.
+    let parts = words.iter().flat_map(|word| word.split('/'));
+    let words = parts.filter(|word| !word.is_empty());
+    (words.map(str::to_owned).collect(), unit)
 }
 
 /// Words that say nothing more than that something was measured.
@@ -105,7 +112,7 @@ pub(crate) const MEASURED: Words = "measurement measurements messung actual act 
                         wert messwert";
 /// Words that say that a column was commanded.
 pub(crate) const COMMANDED: Words =
-    "commanded command cmd setpoint soll sollwert demand angle winkel";
+    "commanded command cmd setpoint soll sollwert demand desired target angle winkel";
 /// Words that say that the controller read it back.
 pub(crate) const READ_BACK: Words = "read feedback actual act ist measured";
 
@@ -259,7 +266,7 @@ fn joint_role(words: &[&str]) -> Role {
     }
 }
 
-fn is_joint(word: &str) -> bool {
+pub(crate) fn is_joint(word: &str) -> bool {
     is_among(word, "q j a joint axis achse theta θ angle winkel")
 }
 

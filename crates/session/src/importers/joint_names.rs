@@ -4,8 +4,10 @@
 //! shoulder_pan_joint position`) it is a guess, as any heading of another program. A joint that is
 //! called like something that is measured (`x`) is not recognised by its name.
 
+use std::collections::BTreeMap;
+
 use crate::importers::headings;
-use crate::importers::headings::{COMMANDED, READ_BACK, is_among, words_and_unit};
+use crate::importers::headings::{COMMANDED, READ_BACK, Words, is_among, words_and_unit};
 use crate::importers::role::Role;
 use crate::importers::units::Word;
 use crate::sessions::columns::{Heading, Quantity, Unit};
@@ -70,6 +72,178 @@ fn named(plain: &str, joints: &Joints) -> Option<(Role, bool)> {
         }
     }
     best.map(|(_, role, certain)| (role, certain))
+}
+
+/// What columns are that name the joints with something in common before or behind.
+#[derive(Debug, PartialEq)]
+pub(crate) enum Shared {
+    None,
+    /// Columns and what they are, one of each joint.
+    One(Vec<(usize, Role)>),
+    /// Several sets of columns, of which each names all joints.
+    Several(Vec<String>),
+}
+
+/// Words of columns that are about joints and state no position.
+const OTHER_QUANTITY: Words = "velocity velocities speed vel qd dq acceleration acc accel effort torque moment tau force \
+                               current strom temperature temp error err deviation dev delta std sigma limit min max";
+
+/// The headings that are none by themselves and name the joints, each once, with the same words before and behind:
+/// as the robot's description does, or numbered (`ur5e_elbow_joint`, `kr10_a1`, `panda_joint3`).
+pub(crate) fn shared(headings: &[String], roles: &[Role], joints: &Joints) -> Shared {
+    let own = own_words(joints);
+    let mut sets: BTreeMap<String, Vec<(usize, usize, Option<Unit>)>> = BTreeMap::new();
+    for (index, (heading, role)) in headings.iter().zip(roles).enumerate() {
+        if *role != Role::Kept {
+            continue;
+        }
+        let (words, unit) = words_and_unit(&heading.trim().trim_matches('"').to_lowercase());
+        let unit = match unit {
+            None => None,
+            Some(Word::Unit(unit)) => Some(unit),
+            Some(_) => continue,
+        };
+        if words.iter().any(|word| is_among(word, OTHER_QUANTITY)) {
+            continue;
+        }
+        for (set, joint) in by_name(&words, &own).into_iter().chain(by_number(&words)) {
+            sets.entry(set).or_default().push((index, joint, unit));
+        }
+    }
+    let count = joints.len();
+    let mut found: Vec<(String, Vec<(usize, Role)>)> = Vec::new();
+    for (set, mut members) in sets {
+        members.sort_by_key(|(_, joint, _)| *joint);
+        let is_numbered = set.starts_with('#');
+        let first = usize::from(is_numbered && members.first().is_some_and(|one| one.1 > 0));
+        let are_in_order = |members: &[(usize, usize, Option<Unit>)]| {
+            (first..).zip(members).all(|(joint, one)| joint == one.1)
+        };
+        // Counted from zero a gripper may come last, as where nothing is before the numbers.
+        if is_numbered && first == 0 && count > 0 {
+            members.truncate(count);
+        }
+        let is_whole = match count {
+            0 => is_numbered && members.len() > 1,
+            1 => !is_numbered && members.len() == 1,
+            _ => members.len() == count,
+        };
+        if !is_whole || !are_in_order(&members) {
+            continue;
+        }
+        let is_read = set.split(' ').any(|word| is_among(word, READ_BACK));
+        let columns = members.into_iter().map(|(index, joint, unit)| {
+            let joint = joint - first;
+            let quantity = if is_read {
+                Quantity::ReadBack(joint)
+            } else {
+                Quantity::Commanded(joint)
+            };
+            (index, Role::Known(quantity, unit))
+        });
+        let columns: Vec<(usize, Role)> = columns.collect();
+        if !found.iter().any(|(_, other)| *other == columns) {
+            found.push((headings[columns[0].0].clone(), columns));
+        }
+    }
+    // Read back beside commanded is another quantity.
+    let is_read =
+        |columns: &[(usize, Role)]| matches!(columns[0].1, Role::Known(Quantity::ReadBack(_), _));
+    let (read, commanded): (Vec<_>, Vec<_>) =
+        found.into_iter().partition(|(_, columns)| is_read(columns));
+    for set in [&commanded, &read] {
+        if set.len() > 1 {
+            return Shared::Several(set.iter().map(|(first, _)| first.clone()).collect());
+        }
+    }
+    let all: Vec<(usize, Role)> = commanded
+        .into_iter()
+        .chain(read)
+        .flat_map(|(_, columns)| columns)
+        .collect();
+    if all.is_empty() {
+        Shared::None
+    } else {
+        Shared::One(all)
+    }
+}
+
+/// The words of each joint's name, as it is and without what all of them have in common.
+fn own_words(joints: &Joints) -> Vec<[Vec<String>; 2]> {
+    let names: Vec<Vec<String>> = joints
+        .iter()
+        .map(|(name, _)| split(&name.to_lowercase()))
+        .collect();
+    let shortest = names.iter().map(Vec::len).min().unwrap_or(0);
+    let alike = |word: &dyn Fn(&Vec<String>) -> String| {
+        names.windows(2).all(|two| word(&two[0]) == word(&two[1]))
+    };
+    let before = (0..shortest)
+        .take_while(|at| alike(&|name| name[*at].clone()))
+        .count();
+    let behind = (1..=shortest - before.min(shortest))
+        .take_while(|at| alike(&|name| name[name.len() - at].clone()))
+        .count();
+    let core = |name: &Vec<String>| match joints.len() {
+        0 | 1 => name.clone(),
+        _ => name[before..name.len() - behind].to_vec(),
+    };
+    names
+        .iter()
+        .map(|name| [name.clone(), core(name)])
+        .collect()
+}
+
+/// The joint whose name is among these words, the longest one, and the words around it.
+fn by_name(words: &[String], own: &[[Vec<String>; 2]]) -> Option<(String, usize)> {
+    let places = own.iter().enumerate().flat_map(|(joint, names)| {
+        let at = |name: &Vec<String>| {
+            let mut windows = words.windows(name.len().max(1));
+            let at = windows.position(|part| part == name)?;
+            let (before, behind) = (&words[..at], &words[at + name.len()..]);
+            let around = format!("{} # {}", before.join(" "), behind.join(" "));
+            Some((name.len(), around, joint))
+        };
+        names
+            .iter()
+            .filter(|name| !name.is_empty())
+            .filter_map(at)
+            .collect::<Vec<_>>()
+    });
+    let (_, around, joint) = places.max_by_key(|(length, ..)| *length)?;
+    Some((format!("name {around}"), joint))
+}
+
+/// The numbers of joints among these words, each with the words around it.
+fn by_number(words: &[String]) -> Vec<(String, usize)> {
+    let mut parts: Vec<&str> = Vec::new();
+    for word in words {
+        let mut rest = word.as_str();
+        while let Some(first) = rest.chars().next() {
+            let is_digit = first.is_ascii_digit();
+            let end = rest.find(|c: char| c.is_ascii_digit() != is_digit);
+            let (part, others) = rest.split_at(end.unwrap_or(rest.len()));
+            parts.push(part);
+            rest = others;
+        }
+    }
+    let joint_at = |at: usize| {
+        let before = at.checked_sub(1).map(|at| parts[at]);
+        let behind = parts.get(at + 1);
+        let is_one = before.is_some_and(headings::is_joint)
+            || behind.is_some_and(|word| is_among(word, "joint axis achse"));
+        parts[at].parse().ok().filter(|_| is_one)
+    };
+    let around = |at: usize| {
+        format!(
+            "# {} # {}",
+            parts[..at].join(" "),
+            parts[at + 1..].join(" ")
+        )
+    };
+    (0..parts.len())
+        .filter_map(|at| Some((around(at), joint_at(at)?)))
+        .collect()
 }
 
 fn is_of_a_joint(quantity: Quantity) -> bool {
@@ -147,5 +321,100 @@ mod tests {
             assert_eq!(understand(heading, &joints).to_string(), meant, "{heading}");
             assert_eq!(is_one(heading, &joints), certain, "{heading}");
         }
+    }
+
+    fn found(headings: &[&str], joints: &[&str]) -> String {
+        let headings: Vec<String> = headings.iter().map(|name| (*name).to_owned()).collect();
+        let joints: Vec<(String, bool)> = joints
+            .iter()
+            .map(|name| ((*name).to_owned(), false))
+            .collect();
+        let roles: Vec<Role> = headings
+            .iter()
+            .map(|name| understand(name, &joints))
+            .collect();
+        match shared(&headings, &roles, &joints) {
+            Shared::None => "none".to_owned(),
+            Shared::Several(sets) => format!("{} sets", sets.len()),
+            Shared::One(columns) => {
+                let words = columns
+                    .iter()
+                    .map(|(index, role)| format!("{index} {role}"));
+                words.collect::<Vec<_>>().join(", ")
+            }
+        }
+    }
+
+    #[test]
+    fn joints_are_told_by_what_their_headings_have_in_common() {
+        let ur = ["shoulder_pan_joint", "shoulder_lift_joint", "elbow_joint"];
+        let numbered = ["joint_1", "joint_2", "joint_3"];
+        for (headings, joints, meant) in [
+            (
+                &["kr10_a1", "kr10_a2", "kr10_a3"][..],
+                &numbered,
+                "0 q1, 1 q2, 2 q3",
+            ),
+            (
+                &["panda_joint3", "panda_joint1", "panda_joint2 [deg]"],
+                &numbered,
+                "1 q1, 2 q2_deg, 0 q3",
+            ),
+            (
+                &["arm_left_1_joint", "arm_left_2_joint", "arm_left_3_joint"],
+                &ur,
+                "0 q1, 1 q2, 2 q3",
+            ),
+            // From zero, a gripper last.
+            (
+                &["r_joint_0", "r_joint_1", "r_joint_2", "r_joint_3"],
+                &ur,
+                "0 q1, 1 q2, 2 q3",
+            ),
+            (
+                &[
+                    "ur5e_elbow_joint",
+                    "ur5e_shoulder_pan_joint",
+                    "ur5e_shoulder_lift_joint",
+                ],
+                &ur,
+                "1 q1, 2 q2, 0 q3",
+            ),
+            (
+                &["shoulder_pan.pos", "shoulder_lift.pos", "elbow.pos"],
+                &ur,
+                "0 q1, 1 q2, 2 q3",
+            ),
+            (
+                &[
+                    "fr3_joint1_actual",
+                    "fr3_joint2_actual",
+                    "fr3_joint3_actual",
+                ],
+                &numbered,
+                "0 q1_read, 1 q2_read, 2 q3_read",
+            ),
+            // Two arms, one joint of another, none of a robot with as many, no position.
+            (
+                &["l_j1", "l_j2", "l_j3", "r_j1", "r_j2", "r_j3"],
+                &ur,
+                "2 sets",
+            ),
+            (&["l_j1", "l_j2", "r_j3"], &ur, "none"),
+            (&["kr10_a1", "kr10_a2", "kr10_a3", "kr10_a4"], &ur, "none"),
+            (
+                &["kr10_torque_a1", "kr10_torque_a2", "kr10_torque_a3"],
+                &ur,
+                "none",
+            ),
+            (&["marker_1", "marker_2", "marker_3"], &ur, "none"),
+        ] {
+            assert_eq!(found(headings, joints), meant, "{headings:?}");
+        }
+        assert_eq!(
+            found(&["arm_q1", "arm_q2"], &[]),
+            "0 q1, 1 q2",
+            "the robot is not known"
+        );
     }
 }

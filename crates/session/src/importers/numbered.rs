@@ -4,7 +4,7 @@
 use std::collections::BTreeMap;
 
 use super::headings;
-use super::joint_names::{is_one, understand};
+use super::joint_names::{Shared, is_one, shared, understand};
 use super::reader::fixed;
 use super::role::Role;
 use super::settings::{About, ReadContext};
@@ -24,7 +24,75 @@ impl ReadContext<'_> {
         roles.truncate(grid.width);
         self.take_quaternion(grid, names, &mut roles);
         self.count_from_zero(names, &mut roles);
+        self.take_shared_names(names, &mut roles);
+        // O, A, T of a robot are angles, and T alone is a time.
+        let has = |letter: &str| {
+            names
+                .iter()
+                .any(|name| name.trim().eq_ignore_ascii_case(letter))
+        };
+        if has("o") && has("a") {
+            for (role, name) in roles.iter_mut().zip(names) {
+                if name.trim().eq_ignore_ascii_case("t") {
+                    *role = Role::Kept;
+                }
+            }
+        }
         roles
+    }
+
+    /// Headings that are not as many as the cells below them may stand over other columns than their own: a comma in a
+    /// heading, or names of rows that have none.
+    pub(crate) fn ask_about_count(&mut self, grid: &Grid<'_>, names: &[String]) -> bool {
+        let filled = |cells: &[String]| {
+            let last = cells.iter().rposition(|cell| !cell.is_empty());
+            last.map_or(0, |last| last + 1)
+        };
+        let rows = self.found.first_rows.iter();
+        let cells = rows.map(|row| filled(row)).max().unwrap_or(grid.width);
+        let headings = filled(names);
+        if (cells.min(grid.width)..=grid.width).contains(&headings) {
+            return false;
+        }
+        let says = text!(
+            "headings and cells of a row are not as many, {headings} above {cells}: each may stand over another column than its own",
+            headings,
+            cells
+        );
+        self.ask(About::Columns, says, &[]);
+        true
+    }
+
+    /// Joints that no heading names by itself, told by what the headings have in common.
+    fn take_shared_names(&mut self, names: &[String], roles: &mut [Role]) {
+        let is_commanded = |role: &Role| matches!(role.quantity(), Some(Quantity::Commanded(_)));
+        if roles.iter().any(is_commanded) {
+            return;
+        }
+        match shared(names, roles, &self.reading.joints) {
+            Shared::None => {}
+            Shared::One(columns) => {
+                for (index, role) in &columns {
+                    roles[*index] = *role;
+                }
+                let listed = columns
+                    .iter()
+                    .map(|(index, role)| format!("{} {role}", quoted(names[*index].trim())));
+                self.note(text!(
+                    "joints are taken by what their headings have in common: {columns}",
+                    columns = listed.collect::<Vec<_>>().join(", ")
+                ));
+            }
+            Shared::Several(sets) => {
+                let sets: Vec<String> = sets.iter().map(|name| quoted(name.trim())).collect();
+                let says = text!(
+                    "{count} sets of columns name all joints: those from {sets} on",
+                    count = sets.len(),
+                    sets = sets.join(", ")
+                );
+                self.ask(About::Columns, says, &[]);
+            }
+        }
     }
 
     /// A table that has a joint 0 is counted from zero, unless the robot's own joint is called so.

@@ -68,9 +68,7 @@ fn import_in(
         Some(_) => settings.matching == Some(Matching::Time),
         None => recorded.is_some(),
     };
-    if settings.reference.is_some() || by_time {
-        job.lost_become_missing(&mut columns);
-    }
+    job.lost_become_missing(&mut columns, settings.reference.is_some() || by_time);
     if reading.z_up {
         upwards::turn_up(&mut columns);
         job.sentences.push(text!(

@@ -130,7 +130,10 @@ impl ReadContext<'_> {
     }
 
     fn refuse_times(&mut self, heading: &str, found: Text) {
-        let place = self.place.clone().in_field(heading);
+        let place = match heading {
+            "" => self.place.clone(),
+            heading => self.place.clone().in_field(heading),
+        };
         let expected = text!(
             "between a second and a year in one form: the right unit in the heading, in --columns (time_ms) or as --time-unit; --columns with - leaves the column out"
         );

@@ -87,21 +87,24 @@ pub fn find(text: &str) -> Vec<&'static LibraryRobot> {
     found.into_iter().map(|(_, robot)| robot).collect()
 }
 
-/// The one robot that a text names: by one of its names, or as the only one that matches.
+/// The one robot that has a text as one of its names: a part of the only name that has it may be another robot's.
 ///
 /// # Errors
 /// [`NoSuchRobot`] with the nearest names.
 pub fn named(text: &str) -> Result<&'static LibraryRobot, NoSuchRobot> {
     let found = find(text);
-    let is_named = |robot: &&&LibraryRobot| rank(robot, text) == Some(0);
-    if let Some(robot) = found.iter().find(is_named) {
-        return Ok(robot);
-    }
-    match found[..] {
-        [robot] => Ok(robot),
-        _ => Err(NoSuchRobot {
+    let is_named = |robot: &&LibraryRobot| rank(robot, text) == Some(0);
+    match found.partition_point(is_named) {
+        1 => Ok(found[0]),
+        count => Err(NoSuchRobot {
             text: text.to_owned(),
-            nearest: nearest(text, &found),
+            nearest: match count {
+                0 => nearest(text, &found),
+                count => found[..count]
+                    .iter()
+                    .map(|robot| robot.id.clone())
+                    .collect(),
+            },
         }),
     }
 }
@@ -180,6 +183,14 @@ mod tests {
         assert_eq!(named("ur3").unwrap().id, "ur3");
         let many = named("irb 1200").unwrap_err();
         assert_eq!(many.nearest, ["irb1200-5-0.9", "irb1200-7-0.7"]);
+        // The only name with this in it is another robot's.
+        for (text, other) in [("irb 240", "irb2400-16"), ("ur10e beside irb 120", "")] {
+            let other_robot = named(text).unwrap_err();
+            assert!(
+                other.is_empty() || other_robot.nearest == [other],
+                "{other_robot}"
+            );
+        }
         let slip = named("ur5w").unwrap_err();
         assert!(slip.nearest.contains(&"ur5e".to_owned()), "{slip}");
         let slip = named("lrmate2000id").unwrap_err();

@@ -83,10 +83,8 @@ pub(crate) fn decode<'a>(
     if bytes.trim_ascii().is_empty() {
         return Err(refused(text!("an empty file")));
     }
-    if bytes.starts_with(b"PK\x03\x04") || bytes.starts_with(b"\xd0\xcf\x11\xe0") {
-        let found = text!("a workbook of a spreadsheet program or an archive, not a text");
-        let expected = text!("its sheet saved as CSV (UTF-8)");
-        return Err(Box::new(Diagnostic::error(file.clone(), found, expected)));
+    if let Some(refused) = super::foreign::refused(bytes, file) {
+        return Err(refused);
     }
     let (text, encoding) = match mark(bytes) {
         Some((Mark::Utf32, _)) => return Err(refused(text!("a file in UTF-32"))),

@@ -12,7 +12,8 @@ use super::complaints::Complaints;
 use super::decimals::Votes;
 use super::dialect::{Dialect, Separator};
 use super::head::{
-    Head, LOOKED_AT, Words, header_in_comments, numbers_in, take_header, with_units_in_comments,
+    Head, LOOKED_AT, Words, header_in_comments, numbers_in, rows_below_header, take_header,
+    with_unit_in_cell, with_units_in_comments,
 };
 use super::rows::{OpenQuote, TextRow, TextRows};
 
@@ -83,14 +84,23 @@ impl<'a> Grid<'a> {
             }
             let is_comment =
                 |line: &str| line.starts_with('#') && line.contains(|c: char| c.is_ascii_digit());
-            let found = if text.lines().any(is_comment) {
+            let with_unit = with_unit_in_cell(text, words);
+            let found = if let Some(cell) = with_unit {
+                text!(
+                    "no table: numbers with their units in the cells, such as {cell}",
+                    cell = quoted(cell)
+                )
+            } else if text.lines().any(is_comment) {
                 text!(
                     "no table: lines that begin with # are comments, and no other is one of cells of which one is a number"
                 )
             } else {
                 text!("no table: no line of cells of which one is a number")
             };
-            let expected = text!("rows of cells between tabs, semicolons, commas or spaces");
+            let expected = match with_unit {
+                Some(_) => text!("numbers alone, and the units in the headings"),
+                None => text!("rows of cells between tabs, semicolons, commas or spaces"),
+            };
             return Err(Box::new(Diagnostic::error(file.clone(), found, expected)));
         };
         if width > MOST_COLUMNS {
@@ -155,7 +165,9 @@ impl<'a> Grid<'a> {
         let mut rows = TextRows::new(text, Dialect::of_instruments(separator));
         let mut row = TextRow::default();
         let mut before: Vec<(u64, Vec<String>)> = Vec::new();
-        let body = loop {
+        // Where lines before the table start, which may be rows that lack values.
+        let mut starts: Vec<TextRows<'a>> = Vec::new();
+        let mut body = loop {
             let start = rows.clone();
             if !rows.next(&mut row)? {
                 break start;
@@ -164,11 +176,17 @@ impl<'a> Grid<'a> {
                 break start;
             }
             before.push((row.line, row.owned()));
+            starts.push(start);
             // Only the last lines can be a header.
             if before.len() > LOOKED_AT {
                 before.drain(..LOOKED_AT / 2);
+                starts.drain(..LOOKED_AT / 2);
             }
         };
+        if let Some(first) = rows_below_header(&before, width, words) {
+            before.truncate(first);
+            body = starts.swap_remove(first);
+        }
         let comments = rows.comments();
         let commented = header_in_comments(&comments, separator, &row, words);
         let (header, said_before) = match take_header(&mut before, width, words) {

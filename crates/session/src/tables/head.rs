@@ -16,8 +16,44 @@ pub(crate) struct Words {
     pub(crate) is_unit: fn(&str) -> bool,
 }
 
+/// What programs write where a number is missing tells no heading from a row.
 fn is_number(cell: &str) -> bool {
-    shape(cell).is_some()
+    const MISSING: [&str; 6] = ["nan", "-nan", "inf", "-inf", "null", "none"];
+    shape(cell).is_some() || MISSING.iter().any(|word| cell.eq_ignore_ascii_case(word))
+}
+
+/// The first of the lines before the table that is a row of it, below a line of known headings: a row that lacks most
+/// of its values does not look like one.
+pub(super) fn rows_below_header(
+    before: &[(u64, Vec<String>)],
+    width: usize,
+    words: &Words,
+) -> Option<usize> {
+    let is_row = |cells: &[String]| {
+        cells.len() == width
+            && cells.iter().any(|cell| is_number(cell))
+            && !cells.iter().any(|cell| (words.is_heading)(cell))
+    };
+    let rows = before.iter().rev().take_while(|(_, cells)| is_row(cells));
+    let first = before.len() - rows.count();
+    let (_, above) = before.get(first.checked_sub(1)?)?;
+    let is_header = above.len() == width
+        && !above.iter().any(|cell| is_number(cell))
+        && above.iter().any(|cell| (words.is_heading)(cell));
+    (is_header && first < before.len()).then_some(first)
+}
+
+/// A cell that is a number with its unit, such as `12.5 mm`.
+pub(super) fn with_unit_in_cell<'a>(text: &'a str, words: &Words) -> Option<&'a str> {
+    let cells = text
+        .lines()
+        .take(LOOKED_AT)
+        .flat_map(|line| line.split([';', '\t', ',']));
+    cells.map(str::trim).find(|cell| {
+        let digits = cell.trim_end_matches(|c: char| !c.is_ascii_digit());
+        let unit = cell[digits.len()..].trim();
+        !unit.is_empty() && shape(digits).is_some() && (words.is_unit)(unit)
+    })
 }
 
 pub(super) fn numbers_in(row: &TextRow<'_>) -> usize {

@@ -21,6 +21,7 @@ pub(crate) mod decimals;
 mod dialect;
 #[doc(hidden)]
 pub mod encoding;
+pub(crate) mod foreign;
 mod grid;
 mod head;
 mod lines;

@@ -61,6 +61,10 @@ fn table<'a>(context: &mut ReadContext<'a>, measured: bool) -> Option<(Grid<'a>,
     let roles = match (context.given_roles(&grid, None), &grid.header) {
         (Some(roles), _) => roles,
         (None, Some((_, names))) if context.reading.columns.is_empty() => {
+            if context.ask_about_count(&grid, names) {
+                let nothing = vec![Role::Left; grid.width];
+                return Some((grid, nothing));
+            }
             let mut roles = context.roles_of(&grid, names);
             // A column that a separator at the end of each line makes is no column.
             for (role, name) in roles.iter_mut().zip(names) {
@@ -76,7 +80,12 @@ fn table<'a>(context: &mut ReadContext<'a>, measured: bool) -> Option<(Grid<'a>,
                 }
                 let names = &names[..names.len().min(roles.len())];
                 match families::proposed(names, &roles) {
-                    Families::None => {}
+                    Families::None => {
+                        if let Some(proposed) = families::lone_coordinate(names, &roles) {
+                            propose(context, names, &roles, &proposed);
+                            roles = proposed;
+                        }
+                    }
                     Families::One(proposed) => {
                         propose(context, names, &roles, &proposed);
                         roles = proposed;

@@ -64,6 +64,7 @@ pub(crate) fn read(context: &mut ReadContext<'_>) -> Option<Columns> {
         (Some(given), _) => given,
         (None, _) if !context.reading.columns.is_empty() => return None,
         (None, Some(found)) => found,
+        (None, None) if context.is_open() => return None,
         (None, None) => {
             let heading = grid.header.as_ref().map(|header| header.1.join(", "));
             let heading = heading
@@ -92,6 +93,9 @@ pub(crate) fn read(context: &mut ReadContext<'_>) -> Option<Columns> {
 /// What a header says, if it says where x and y are.
 fn roles_by_header(grid: &Grid<'_>, context: &mut ReadContext<'_>) -> Option<Vec<Role>> {
     let (_, names) = grid.header.as_ref()?;
+    if context.reading.columns.is_empty() && context.ask_about_count(grid, names) {
+        return None;
+    }
     let roles = context.roles_of(grid, names);
     let has = |wanted| roles.iter().any(|role| role.quantity() == Some(wanted));
     (has(Quantity::X) && has(Quantity::Y)).then_some(roles)

@@ -18,6 +18,7 @@ use crate::document::number::quoted;
 use crate::importers::columns::Columns;
 use crate::importers::formats::{Importer, KnownBy, Meanings, OwnOption, Questions};
 use crate::importers::settings::{About, ColumnGuess, Known, ReadContext};
+use crate::tables::foreign;
 
 use messages::Type;
 use options::{FRAME_CHILD, JOINT_NAMES, NeedsAnswer, TOPIC_JOINTS, TOPIC_MEASURED};
@@ -71,6 +72,12 @@ pub(crate) static IMPORTER: Importer = Importer {
 
 /// Reads a recording.
 fn read(context: &mut ReadContext<'_>) -> Option<Columns> {
+    if !context.bytes.starts_with(&mcap::MAGIC[..6])
+        && let Some(refused) = foreign::refused(context.bytes, &context.place)
+    {
+        context.found.findings.push(*refused);
+        return None;
+    }
     let topics = gathered(context)?;
     context.found.names = topics.names().map(str::to_owned).collect();
     context.note(text!("topics: {topics}", topics = topics.in_words()));

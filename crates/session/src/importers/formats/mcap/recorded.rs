@@ -5,6 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::document::number::quoted;
 use crate::importers::columns::{Column, Columns};
+use crate::importers::joint_names::{Shared, shared};
 use crate::importers::matching::listed_names_up_to;
 use crate::importers::reader::fixed;
 use crate::importers::role::Role;
@@ -170,6 +171,13 @@ fn joints_of(context: &mut ReadContext<'_>, topic: &Topic) -> Option<Vec<String>
     }
     if robot.len() == 1 && topic.joint_names.len() == 1 {
         return Some(topic.joint_names.clone());
+    }
+    let kept = vec![Role::Kept; topic.joint_names.len()];
+    if let Shared::One(found) = shared(&topic.joint_names, &kept, &context.reading.joints) {
+        let names = found
+            .iter()
+            .map(|(index, _)| topic.joint_names[*index].clone());
+        return Some(names.collect());
     }
     let says = text!(
         "the recorded joints ({recorded}) are not called like the robot's ({robot}), and their order in a message is not the order of the robot",
