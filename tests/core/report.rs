@@ -657,18 +657,3 @@ fn letters_that_no_font_has_are_codes_and_are_named() {
         assert!(words.contains("สาย"), "{words}");
     }
 }
-
-/// This folder and what is in it that is a folder, at most three deep.
-fn below(folder: &Path) -> Vec<PathBuf> {
-    let mut all = vec![folder.to_path_buf()];
-    for _ in 0..3 {
-        let inner: Vec<PathBuf> = all
-            .iter()
-            .filter_map(|folder| std::fs::read_dir(folder).ok())
-            .flat_map(|entries| entries.flatten().map(|e| e.path()))
-            .filter(|path| path.is_dir() && !all.contains(path))
-            .collect();
-        all.extend(inner);
-    }
-    all
-}

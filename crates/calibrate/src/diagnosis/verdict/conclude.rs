@@ -185,6 +185,7 @@ pub(crate) fn answer(
     let identification = identification(prepared, fit, own);
     if let Some(expected) = &identification.expected
         && own.is_completed()
+        && session.has_plain_points()
         && expected.rms_mm > gap.start_mm
         && unseen::is_cross_fitted(prepared)
     {

@@ -324,7 +324,7 @@ mod tests {
         let says = || Block::Text("The figures above were made by the program".to_owned());
         let sign = || Block::Sign(vec![(String::new(), "Name".to_owned()); 2]);
         let section = |title: &str, blocks| Section::of(Topic::Answer, title, blocks);
-        let fonts = Fonts::new(&[]).expect("the bundled fonts");
+        let fonts = Fonts::new().expect("the bundled fonts");
         for before in 0..60 {
             let points = vec!["a point".to_owned(); before];
             let report = Report {
