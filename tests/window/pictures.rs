@@ -177,6 +177,9 @@ fn several_charts(theme: Theme, name: &str) {
     ] {
         press(&mut window, list);
         let all = window.get_all_by_label(chart);
+        all.last().expect("an entry of the list").scroll_to_me();
+        window.run_steps(6);
+        let all = window.get_all_by_label(chart);
         all.last().expect("an entry of the list").click();
         window.run_steps(6);
     }
@@ -212,4 +215,16 @@ fn an_arm_in_space_in_light() {
 #[test]
 fn an_arm_in_space_in_dark() {
     an_arm_in_space(Theme::Dark, "space-dark");
+}
+
+#[test]
+fn the_polar_view_in_light() {
+    let Some(mut window) = window(Theme::Light, None) else {
+        return;
+    };
+    press(&mut window, "3 Identify");
+    press(&mut window, "Identify");
+    press(&mut window, "View");
+    press(&mut window, "Deviation around the angle");
+    looks_like(&mut window, "polar-light");
 }

@@ -96,7 +96,7 @@ fn switch_keys_and_menu_lead_to_the_view_and_it_says_what_it_shows() {
         Key::Num5,
     );
     assert!(there(&window, "3-D view, 208 samples, isometric view"));
-    press(&mut window, "polar");
+    press(&mut window, "x z");
     choose(&mut window, "View", "Standard 3-D views");
     window.get_by_label("3-D view from above").click();
     window.run_steps(4);

@@ -12,11 +12,10 @@ use std::sync::Arc;
 
 use crate::gui::core::answer::Answer;
 use crate::gui::core::loaded_session::{Component, LoadedSession};
-use crate::gui::core::quantity::{Over, Variable};
 use crate::gui::core::scale::FEW;
 use crate::gui::view::Plane;
 
-use charts::{ChartInputs, ChartResult, Envelope, Work};
+use charts::{ChartInputs, ChartResult, Work};
 use cloud::Uncertain;
 use heat::Heat;
 use identified::IdentifiedAnswer;
@@ -39,10 +38,6 @@ pub(crate) struct PlotInputs {
     pub(crate) uncertain: bool,
     /// Whether not all samples can be drawn.
     pub(crate) thins: bool,
-    /// Whether the deviation is looked at around the joint's angle.
-    pub(crate) polar: bool,
-    /// The component of the deviation around the joint's angle.
-    pub(crate) component: Component,
     /// What the charts need, each of its own component.
     pub(crate) charts: Vec<(Component, Work)>,
 }
@@ -84,8 +79,6 @@ pub(crate) struct PlotCache {
     pub(crate) charted: Vec<ChartResult>,
     /// Samples that are drawn where not all can be.
     pub(crate) thinned: Option<Arc<Thinned>>,
-    /// The extremes around the joint's angle, where the polar view shows them.
-    pub(crate) around: Option<Arc<Envelope>>,
 }
 
 impl PlotCache {
@@ -135,17 +128,6 @@ impl PlotCache {
         let known = heat_of.and_then(|l| l.thinned.clone());
         let thin = || Arc::new(Thinned::of(loaded_session, scenery.answer(), scenery.plane));
         let thinned = (many && scenery.thins).then(|| known.unwrap_or_else(thin));
-        let known = heat_of.filter(|l| l.inputs.component == scenery.component);
-        let known = known.and_then(|l| l.around.clone());
-        let around = || {
-            let angle = Over {
-                variable: Variable::Joint,
-                joint: 0,
-            };
-            Arc::new(Envelope::of(scenery.chart_inputs(scenery.component), angle))
-        };
-        let polar = many && scenery.polar;
-        let around = polar.then(|| known.unwrap_or_else(around));
         Self {
             inputs: scenery,
             nearest,
@@ -153,7 +135,6 @@ impl PlotCache {
             uncertain,
             charted,
             thinned,
-            around,
         }
     }
 }

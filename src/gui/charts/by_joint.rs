@@ -203,7 +203,7 @@ impl Samples for Panels<'_> {
             .collect()
     }
 
-    fn near(&self, [from, to]: [f64; 2]) -> Vec<usize> {
+    fn near(&self, [from, to]: [f64; 2], _: [f64; 2]) -> Vec<usize> {
         let here = |sample: &usize| {
             let mut joints = 0..self.ranges.len();
             joints.any(|joint| {

@@ -17,7 +17,7 @@ use crate::present::table::{Cell, Table};
 use crate::text::{Template, within};
 
 /// Of so many samples near the pointer at most; more stand on one another.
-const MOST_NEAR: usize = 400;
+pub(super) const MOST_NEAR: usize = 400;
 /// Width of a column, points.
 const COLUMN: f64 = 2.0;
 /// More samples in sight than this are shown by their extremes.
@@ -70,7 +70,7 @@ pub(crate) static TEMPERATURE: Along = along(
 );
 
 impl Along {
-    fn over(&self, scene: &Scene) -> Over {
+    pub(super) fn over(&self, scene: &Scene) -> Over {
         Over {
             variable: self.variable,
             joint: scene.joint(),
@@ -146,26 +146,26 @@ impl ChartKind for Along {
 
 /// One sample.
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct Dot {
+pub(super) struct Dot {
     /// Where it stands along the chart, inner units; NaN where that is not known.
-    x: f64,
+    pub(super) x: f64,
     /// The component of the nominal robot's deviation, mm.
-    before_mm: f64,
+    pub(super) before_mm: f64,
     /// The component of what is left, mm.
-    after_mm: Option<f64>,
+    pub(super) after_mm: Option<f64>,
     /// Side from which the joint came; 0 where it is not known.
-    side: f64,
+    pub(super) side: f64,
 }
 
 /// What is shown at present.
-struct DrawnDeviations<'a> {
-    scene: &'a Scene<'a>,
+pub(super) struct DrawnDeviations<'a> {
+    pub(super) scene: &'a Scene<'a>,
     over: Over,
     scale: Scale,
     /// The extremes of many samples, as soon as they are known.
-    envelope: Option<&'a Envelope>,
+    pub(super) envelope: Option<&'a Envelope>,
     /// Samples in measuring order, perhaps thinned; none where their extremes are shown instead.
-    dots: Vec<Dot>,
+    pub(super) dots: Vec<Dot>,
     /// One dot for so many samples.
     stride: usize,
     /// How many samples have no place along the chart.
@@ -173,7 +173,7 @@ struct DrawnDeviations<'a> {
 }
 
 impl<'a> DrawnDeviations<'a> {
-    fn of(scene: &'a Scene<'a>, over: Over) -> Self {
+    pub(super) fn of(scene: &'a Scene<'a>, over: Over) -> Self {
         let envelope: Option<&Envelope> = scene.found();
         let count = scene.usable().len();
         // Of many a few, until their extremes are known.
@@ -197,7 +197,7 @@ impl<'a> DrawnDeviations<'a> {
         drawn
     }
 
-    fn dot(&self, sample: usize) -> Dot {
+    pub(super) fn dot(&self, sample: usize) -> Dot {
         let loaded_session = &**self.scene.loaded_session;
         let of = |e: [f64; 3]| loaded_session.component(e, sample, self.scene.component);
         Dot {
@@ -217,7 +217,7 @@ impl<'a> DrawnDeviations<'a> {
     }
 
     /// Smallest and largest place along the chart and deviation of everything.
-    fn extent(&self) -> Option<Column> {
+    pub(super) fn extent(&self) -> Option<Column> {
         match self.envelope {
             Some(envelope) => envelope.extent(),
             None => Column::around(self.dots.iter().map(|d| (d.x, d.before_mm, d.after_mm))),
@@ -275,7 +275,7 @@ impl<'a> DrawnDeviations<'a> {
     }
 
     /// What has to be said.
-    fn note(&self, many: bool) -> String {
+    pub(super) fn note(&self, many: bool) -> String {
         let mut notes = Vec::new();
         let component = self.scene.component;
         let polar = [Component::Tangential, Component::Radial, Component::Axial];
@@ -313,7 +313,7 @@ impl<'a> DrawnDeviations<'a> {
     }
 
     /// What is seen, in words.
-    fn describe(&self, all: Option<Column>) -> String {
+    pub(super) fn describe(&self, all: Option<Column>) -> String {
         let units = self.scene.units;
         let between = |mm: [f64; 2]| {
             say!(
@@ -369,7 +369,7 @@ impl Samples for DrawnDeviations<'_> {
         both.map(|mm| self.at(dot.x, mm)).collect()
     }
 
-    fn near(&self, x: [f64; 2]) -> Vec<usize> {
+    fn near(&self, x: [f64; 2], _: [f64; 2]) -> Vec<usize> {
         match self.envelope {
             None => self.scene.usable().step_by(self.stride).collect(),
             Some(envelope) => {

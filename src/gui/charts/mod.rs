@@ -32,6 +32,7 @@ macro_rules! register {
 
 register! {
     deviation: ANGLE, TIME, LOAD, TEMPERATURE;
+    polar: POLAR;
     by_joint: BY_JOINT;
     orders: ORDERS;
     histogram: HISTOGRAM;
@@ -162,8 +163,8 @@ pub(crate) trait Samples {
     /// Where a sample's marks are; the last is the one that is ringed.
     fn marks(&self, sample: usize) -> Vec<[f64; 2]>;
 
-    /// Those whose marks may be between two places along the chart.
-    fn near(&self, x: [f64; 2]) -> Vec<usize>;
+    /// Those whose marks may be between two places along the chart and upwards.
+    fn near(&self, x: [f64; 2], y: [f64; 2]) -> Vec<usize>;
 
     /// What is drawn between two places along the chart on so many points of the screen, beside what
     /// is drawn in any case.

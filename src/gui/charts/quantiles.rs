@@ -169,7 +169,7 @@ impl Samples for (&Scene<'_>, &Ranked) {
             .collect()
     }
 
-    fn near(&self, [from, to]: [f64; 2]) -> Vec<usize> {
+    fn near(&self, [from, to]: [f64; 2], _: [f64; 2]) -> Vec<usize> {
         let here = self.1.0.iter().filter(|s| from <= s.1 && s.1 <= to);
         here.map(|s| s.0).collect()
     }

@@ -108,6 +108,7 @@ pub(super) fn places(of: &Ticks, bounds: (f64, f64), most: f64) -> Vec<GridMark>
             };
             words.iter().map(mark).collect()
         }
+        Ticks::Plane => Vec::new(),
         other => steps(bounds, *other == Ticks::Degrees, most),
     }
 }

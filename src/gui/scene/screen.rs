@@ -70,9 +70,6 @@ impl<'a> Screen<'a> {
 impl Canvas for Screen<'_> {
     fn line(&mut self, points: Vec<Pos2>, stroke: Stroke) {
         let drawn = self.stroke(Some(stroke));
-        if let Some(dash) = stroke.dash {
-            return self.shapes.extend(dashes(&points, drawn, dash));
-        }
         self.shapes.push(match points[..] {
             [from, to] => Shape::line_segment([from, to], drawn),
             _ => Shape::line(points, drawn),

@@ -146,11 +146,7 @@ impl Paper<'_> {
 
     fn stroke(stroke: Stroke) -> drawing::Stroke {
         let width = f64::from(SCALE * stroke.width);
-        let drawn = drawing::Stroke::new(width, colour(stroke.colour));
-        match stroke.dash {
-            Some([dash, gap]) => drawn.dashed(f64::from(SCALE * dash), f64::from(SCALE * gap)),
-            None => drawn,
-        }
+        drawing::Stroke::new(width, colour(stroke.colour))
     }
 
     /// Neighbours of one kind are one item.

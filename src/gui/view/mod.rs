@@ -118,7 +118,7 @@ pub(crate) struct ViewState {
     pub(crate) step: Step,
     /// The plane of the workspace plot.
     pub(crate) plane: Plane,
-    /// Whether that plane is shown, the space, or the deviation around the joint's angle.
+    /// Whether that plane is shown, or the space.
     pub(crate) aspect: Aspect,
     /// From where the space is looked at.
     pub(crate) camera: Camera,
@@ -172,11 +172,6 @@ pub(crate) struct ViewState {
 }
 
 impl ViewState {
-    /// Whether the deviation around the joint's angle is shown.
-    pub(crate) fn polar(&self) -> bool {
-        self.aspect == Aspect::Around
-    }
-
     /// Shows the workspace like this, and brings it into sight.
     pub(crate) fn look(&mut self, aspect: Aspect) {
         self.aspect = aspect;

@@ -199,8 +199,6 @@ pub(crate) enum Plot {
     Chart(&'static str),
     /// The same in three dimensions, as it is seen.
     Space,
-    /// A component of the deviation around the joint's angle.
-    Polar,
 }
 
 impl Plot {
@@ -210,7 +208,6 @@ impl Plot {
             Self::Workspace => "workspace",
             Self::Chart(name) => name,
             Self::Space => "3-D view",
-            Self::Polar => "polar",
         }
     }
 

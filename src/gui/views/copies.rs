@@ -13,7 +13,7 @@ use crate::gui::style::{size, space};
 use crate::gui::view::Plot;
 use crate::gui::widgets;
 use crate::gui::workbench::{Command, Draw, Workbench};
-use crate::gui::workspace::{plane_sheet, polar_sheet, space_sheet};
+use crate::gui::workspace::{plane_sheet, space_sheet};
 use crate::kinematics::Robot;
 use crate::present::chart::{Chart, FULL_WIDTH};
 use crate::present::limits::sight;
@@ -267,7 +267,6 @@ pub(crate) fn drawing(workbench: &Workbench, plot: Plot) -> Draw {
     let sheet = match plot {
         Plot::Workspace => plane_sheet(workbench),
         Plot::Space => space_sheet(workbench),
-        Plot::Polar => polar_sheet(workbench),
         Plot::Chart(name) => with_samples_in_sight(workbench, name).map(|chart| {
             let session = crate::report::document::clean(&workbench.loaded_session().session.name);
             let says = format!("{session}: {}", chart.title);

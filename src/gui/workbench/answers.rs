@@ -324,8 +324,6 @@ impl Workbench {
             uncertain: self.view.colouring == Colouring::Uncertainty
                 && self.answer().is_some_and(Uncertain::is_known),
             thins: self.view.canvas == Canvas::Shapes,
-            polar: self.view.polar(),
-            component: self.view.component,
             charts: self.works(),
         };
         let there = self

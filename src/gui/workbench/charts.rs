@@ -4,7 +4,7 @@ use std::mem::discriminant;
 use std::sync::Arc;
 
 use crate::gui::cache::PlotCache;
-use crate::gui::cache::charts::{ChartResult, Envelope, Work};
+use crate::gui::cache::charts::{ChartResult, Work};
 use crate::gui::charts::effect::{EffectCurve, Sketches};
 use crate::gui::charts::{CHARTS, ChartKind, HeldScene, Scene, effect, find};
 use crate::gui::core::answer::Search;
@@ -180,17 +180,6 @@ impl Workbench {
         all
     }
 
-    /// The extremes around the joint's angle of many samples; `None` where they are few, or until
-    /// they are found.
-    pub(crate) fn around(&self) -> Option<&Envelope> {
-        let seen = |b: &&PlotCache| {
-            let scenery = &b.inputs;
-            scenery.component == self.view.component
-                && scenery.identified.is_some() == self.identified().is_some()
-        };
-        self.plot_cache().filter(seen)?.around.as_deref()
-    }
-
     /// The first chart that no pane shows yet, for a pane beside this one.
     fn next_chart(&self, key: Key) -> ChartPane {
         let scene = self.scene();
@@ -209,6 +198,25 @@ impl Workbench {
         let mut panes = self.view.panes.clone();
         panes.split(key, edge, self.next_chart(key));
         panes
+    }
+
+    /// What shows this chart, in the pane that was active last.
+    pub(crate) fn showing(&self, chart: &str) -> Command {
+        let panes = &self.view.panes;
+        let panes = match panes.active_chart() {
+            Some((key, _)) => self.with_choice(key, chart),
+            None => {
+                let mut panes = panes.clone();
+                let chart = Some(chart.to_owned());
+                let pane = ChartPane {
+                    chart,
+                    ..ChartPane::default()
+                };
+                panes.split(panes.workspace(), Edge::Bottom, pane);
+                panes
+            }
+        };
+        Command::View(ViewChange::Panes(Box::new(panes)))
     }
 
     /// The panes with another chart in one of them.

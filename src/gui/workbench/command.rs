@@ -172,8 +172,6 @@ pub(crate) enum ViewChange {
     Turn(Camera),
     /// Draw the robot at these joint values, rad or mm; `None`: at a sample.
     Pose(Option<Vec<f64>>),
-    /// Look at the deviation around the joint's angle.
-    LookAround,
     /// Draw error vectors so much longer; `None`: so that they are readable.
     Magnify(Option<f64>),
     /// The workspace is drawn over so many points where all of it is in sight.

@@ -72,7 +72,7 @@ impl Workbench {
                     return Some(What::Numbers(charts::find(chart)?.about().id));
                 }
                 let chart = charts::find(name).map(|chart| Plot::Chart(chart.about().id));
-                let plots = [Plot::Workspace, Plot::Space, Plot::Polar];
+                let plots = [Plot::Workspace, Plot::Space];
                 let mut all = plots.into_iter().chain(chart);
                 What::Picture(all.find(|plot| plot.name() == name)?)
             }

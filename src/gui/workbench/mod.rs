@@ -216,7 +216,6 @@ impl Workbench {
             }
             ViewChange::Turn(camera) => view.camera = camera.sound(),
             ViewChange::Pose(q) => view.pose = q,
-            ViewChange::LookAround => view.look(Aspect::Around),
             ViewChange::Magnify(factor) => {
                 view.magnification = factor.filter(|f| f.is_finite() && *f > 0.0);
             }

@@ -19,7 +19,6 @@ use crate::present::numbers::trimmed;
 
 use super::layout::{self, longest_of_cells};
 use super::model::{Shown, judged};
-use super::polar::Polar;
 use super::robot::Drawn;
 use super::scales::{self, HIGH, entry};
 use super::scene::SQUARE;
@@ -225,26 +224,6 @@ fn meanings(all: &mut Vec<LegendEntry>, workbench: &Workbench, shown: &Shown) {
             square,
         ));
     }
-}
-
-/// The rows over the polar view.
-pub(super) fn polar(ui: &mut Ui, workbench: &Workbench, polar: &Polar, palette: &Palette) {
-    let low = ui.available_height() < LOW;
-    let entries = super::polar::legend(workbench, polar);
-    let marks = |ui: &mut Ui| entries.iter().for_each(|one| symbol(ui, one, palette));
-    rows(ui, |ui| {
-        let says = super::polar::scale(polar, workbench.units());
-        note(ui, &says, palette);
-        if low {
-            folded(ui, marks);
-        } else {
-            marks(ui);
-        }
-        if workbench.around().is_some() {
-            let says = say!("min–max at each angle");
-            note(ui, says, palette);
-        }
-    });
 }
 
 /// What the legend says of what is not drawn. It stands above the plot, and what is drawn follows

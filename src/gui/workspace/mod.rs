@@ -1,5 +1,5 @@
 //! The workspace on the screen, with what the pointer does in it: sectors, nominal path, the robot,
-//! measured points, error vectors; or the deviation around the joint's angle. And a plane of it as a picture.
+//! measured points, error vectors. And a plane of it as a picture.
 
 mod display;
 pub(crate) mod handles;
@@ -8,7 +8,6 @@ mod legend;
 mod model;
 mod over;
 mod pointer;
-mod polar;
 mod robot;
 mod scales;
 mod scene;
@@ -19,7 +18,6 @@ mod toolbar;
 pub(crate) use layout::nearest;
 pub(crate) use model::judged;
 pub(crate) use pointer::{hover, marked, sample_menu};
-pub(crate) use polar::sheet as polar_sheet;
 pub(crate) use space::{robot_alone, sheet as space_sheet};
 pub(crate) use toolbar::show as bar;
 
@@ -27,8 +25,8 @@ use egui::{Role, Ui, WidgetInfo};
 use egui_plot::{Axis, PlotPoint};
 
 use crate::gui::plots::{Drawing, axis, gestures, steps_in};
+use crate::gui::scene::paint::Camera;
 use crate::gui::scene::paint::paint;
-use crate::gui::scene::paint::{Camera, Projection};
 use crate::gui::scene::screen::Screen;
 use crate::gui::scene::sheet::{SIZE, Sheet};
 use crate::gui::style::Palette;
@@ -42,36 +40,14 @@ use legend::Notes;
 use model::Shown;
 use over::tell_plot_size;
 use pointer::REACH;
-use polar::Polar;
 use robot::Drawn;
 
 /// Shows the plot in the space that is left, and sends what the pointer does.
 pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
-    if workbench.view().polar() {
-        around(ui, workbench, commands);
-    } else if workbench.view().in_space() {
+    if workbench.view().in_space() {
         space::show(ui, workbench, display::posing(ui), commands);
     } else {
         plane(ui, workbench, commands);
-    }
-}
-
-/// The polar view, or why there is none.
-fn around(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
-    let palette = Palette::of(ui);
-    match Polar::of(workbench) {
-        Ok(polar) => {
-            legend::polar(ui, workbench, &polar, &palette);
-            polar::show(ui, workbench, &polar, commands);
-        }
-        Err(because) => {
-            ui.add_space(0.3 * ui.available_height());
-            ui.vertical_centered(|ui| {
-                ui.set_max_width(360.0);
-                ui.label(egui::RichText::new(because).color(palette.muted));
-            });
-            ui.allocate_space(ui.available_size());
-        }
     }
 }
 
@@ -92,8 +68,8 @@ pub(crate) fn plane_sheet(workbench: &Workbench) -> Result<(drawing::Drawing, St
     }
     let shown = Shown::on(workbench, Canvas::Shapes);
     let robot = Drawn::of(workbench);
-    let seen_along = Projection::Parallel(workbench.facing());
-    let camera = Camera::showing(seen_along, layout::bounds(&shown), Sheet::frame(SIZE));
+    let facing = workbench.facing();
+    let camera = Camera::showing(facing, layout::bounds(&shown), Sheet::frame(SIZE));
     let session = crate::report::document::clean(&workbench.loaded_session().session.name);
     let says = say!(
         "measured points, deviations magnified {magnification} times",
@@ -142,7 +118,7 @@ fn plane(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         .y_grid_spacer(move |input| steps_in(per_mm, input.bounds, 9.0))
         .custom_x_axes(hints(Axis::X, across))
         .custom_y_axes(hints(Axis::Y, upwards));
-    let seen_along = Projection::Parallel(workbench.facing());
+    let facing = workbench.facing();
     if editing {
         handles::grab(ui, workbench);
     }
@@ -151,7 +127,7 @@ fn plane(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
             "workspace",
             bounds,
             |ui, transform, shapes| {
-                let camera = Camera::new(seen_along, transform);
+                let camera = Camera::new(facing, transform);
                 let scene = scene::plane(workbench, &shown, robot.as_ref(), editing, &camera);
                 let mut screen = Screen::new(ui.painter(), &palette, shapes);
                 paint(&scene, &camera, &mut screen);
@@ -159,7 +135,7 @@ fn plane(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         ));
     });
     let (response, transform) = (drawn.response, drawn.transform);
-    let camera = Camera::new(seen_along, &transform);
+    let camera = Camera::new(facing, &transform);
     let frame = camera.frame();
     tell_plot_size(
         workbench,

@@ -187,7 +187,7 @@ fn points(scene: &mut Scene, shown: &Shown) {
         }
     };
     for one in &shown.each {
-        scene.mark(mark(one).of(one.sample));
+        scene.mark(mark(one));
         if one.suspected {
             let ring = Stroke::new(1.5, ColourToken::Warning);
             scene.mark(Mark::ring(one.at_mm, Form::Disc, 8.0, ring));

@@ -143,7 +143,7 @@ impl Samples for Drawn<'_> {
         self.curve.spot(sample).map(at).into_iter().collect()
     }
 
-    fn near(&self, _: [f64; 2]) -> Vec<usize> {
+    fn near(&self, _: [f64; 2], _: [f64; 2]) -> Vec<usize> {
         some(self.curve).map(|spot| spot.sample).collect()
     }
 }

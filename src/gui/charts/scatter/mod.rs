@@ -312,7 +312,7 @@ impl Samples for Drawn<'_> {
         known.map(|at| self.shown(at)).collect()
     }
 
-    fn near(&self, x: [f64; 2]) -> Vec<usize> {
+    fn near(&self, x: [f64; 2], _: [f64; 2]) -> Vec<usize> {
         let near = self.seen().flat_map(|when| self.between(when, x));
         near.map(|sample| *sample as usize).collect()
     }

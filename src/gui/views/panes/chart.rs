@@ -1,6 +1,6 @@
 //! A chart in its pane: a bar in which it is chosen, and the chart.
 
-use egui::{Align, ComboBox, CursorIcon, Layout, Rect, Shape, Stroke, StrokeKind, Ui, pos2};
+use egui::{Align, ComboBox, CursorIcon, Layout, Rect, Shape, Stroke, StrokeKind, Ui, pos2, vec2};
 
 use crate::gui::charts::{
     self, Bars, CHARTS, ChartChoice, ChartKind, HoverTarget, Samples, Scene, Shown, deviation,
@@ -120,15 +120,14 @@ fn plotted(
         HoverTarget::Nothing => {}
         HoverTarget::Samples(samples) => {
             let under = response.hover_pos().and_then(|pointer| {
-                let ends = [pointer.x - REACH, pointer.x + REACH];
-                let place = |x: f32| transform.value_from_position(pos2(x, pointer.y)).x;
-                let candidates = samples
-                    .near(ends.map(place))
-                    .into_iter()
-                    .flat_map(|sample| {
-                        let marks = samples.marks(sample).into_iter();
-                        marks.map(move |[x, y]| (sample, egui_plot::PlotPoint::new(x, y)))
-                    });
+                let reach = vec2(REACH, -REACH);
+                let [low, high] = [pointer - reach, pointer + reach]
+                    .map(|corner| transform.value_from_position(corner));
+                let near = samples.near([low.x, high.x], [low.y, high.y]);
+                let candidates = near.into_iter().flat_map(|sample| {
+                    let marks = samples.marks(sample).into_iter();
+                    marks.map(move |[x, y]| (sample, egui_plot::PlotPoint::new(x, y)))
+                });
                 let candidates = candidates.map(|(sample, point)| {
                     let here = transform.position_from_point(&point);
                     (sample, [here.x, here.y])
