@@ -19,7 +19,7 @@ use charts::{ChartInputs, ChartResult, Work};
 use cloud::Uncertain;
 use heat::Heat;
 use identified::IdentifiedAnswer;
-use projected::{Nearest, Thinned};
+use projected::Nearest;
 
 /// What a backdrop is made of.
 #[derive(Debug, Clone, PartialEq)]
@@ -36,8 +36,6 @@ pub(crate) struct PlotInputs {
     pub(crate) heat: bool,
     /// Whether colour says how sure the model is.
     pub(crate) uncertain: bool,
-    /// Whether not all samples can be drawn.
-    pub(crate) thins: bool,
     /// What the charts need, each of its own component.
     pub(crate) charts: Vec<(Component, Work)>,
 }
@@ -77,8 +75,6 @@ pub(crate) struct PlotCache {
     pub(crate) uncertain: Option<Arc<Uncertain>>,
     /// What the charts are made of, in the scenery's order.
     pub(crate) charted: Vec<ChartResult>,
-    /// Samples that are drawn where not all can be.
-    pub(crate) thinned: Option<Arc<Thinned>>,
 }
 
 impl PlotCache {
@@ -125,16 +121,12 @@ impl PlotCache {
                 .unwrap_or_else(|| wanted.1.done(scenery.chart_inputs(wanted.0)))
         });
         let charted = charted.collect();
-        let known = heat_of.and_then(|l| l.thinned.clone());
-        let thin = || Arc::new(Thinned::of(loaded_session, scenery.answer(), scenery.plane));
-        let thinned = (many && scenery.thins).then(|| known.unwrap_or_else(thin));
         Self {
             inputs: scenery,
             nearest,
             heat,
             uncertain,
             charted,
-            thinned,
         }
     }
 }

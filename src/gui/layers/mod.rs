@@ -262,7 +262,7 @@ fn nearest_first() -> wgpu::DepthStencilState {
     }
 }
 
-/// A pipeline with this vertex function; where `depth` counts, what is near covers what is far.
+/// A pipeline with this vertex function; with `depth` what is near covers what is far.
 fn pipeline(
     device: &Device,
     layout: &wgpu::PipelineLayout,

@@ -1,11 +1,9 @@
-//! What is seen, once: lines, faces, vectors, marks and labels in mm, with sizes in points and tokens of the style
-//! as colours. The model of a view decides what is in its scene; [`paint`](paint::paint) draws it through a
-//! [`Camera`](paint::Camera) on a [`Canvas`](paint::Canvas), of which there are two: the screen, and a drawing for
-//! a picture. So a picture shows what the screen shows.
+//! What is seen: lines, faces, vectors, marks and labels in mm, with sizes in points and tokens of the style as
+//! colours. The model of a view decides what is in its scene; the [`Screen`](screen::Screen) draws it through a
+//! [`Camera`](paint::Camera).
 
 pub(crate) mod paint;
 pub(crate) mod screen;
-pub(crate) mod sheet;
 
 use std::sync::Arc;
 
@@ -232,7 +230,6 @@ pub(crate) enum ColourToken {
     Nominal,
     Within,
     Outside,
-    Warning,
     Accent,
     Text,
     Muted,
@@ -262,7 +259,6 @@ impl ColourToken {
             Self::Nominal => palette.nominal,
             Self::Within => palette.within,
             Self::Outside => palette.outside,
-            Self::Warning => palette.warning,
             Self::Accent => palette.accent,
             Self::Text => palette.text,
             Self::Muted => palette.muted,

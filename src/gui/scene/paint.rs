@@ -1,5 +1,4 @@
-//! From a scene to lines, areas and words of a picture, whatever the picture is drawn on; and the camera: where
-//! things of the scene are in it.
+//! The camera: where things of a scene are in its picture; and what forms become there.
 
 use egui::{Pos2, Rect, Vec2, vec2};
 use egui_plot::{PlotBounds, PlotPoint, PlotTransform};
@@ -8,105 +7,12 @@ use crate::numeric::single;
 
 use crate::gui::view::Facing;
 
-use super::{Form, Item, Label, Layer, Mark, Place, Scene, Stroke, Tint};
-
-/// What a picture is drawn on. Everything is in points, and areas are convex.
-pub(crate) trait Canvas {
-    fn line(&mut self, points: Vec<Pos2>, stroke: Stroke);
-
-    fn area(&mut self, corners: Vec<Pos2>, fill: Option<Tint>, edge: Option<Stroke>);
-
-    fn disc(&mut self, at: Pos2, radius: f32, fill: Option<Tint>, edge: Option<Stroke>);
-
-    fn triangles(&mut self, triangles: &mut dyn Iterator<Item = ([Pos2; 3], Tint)>);
-
-    /// Coloured corners, so many in a row.
-    fn net(&mut self, corners: &[(Pos2, Tint)], across: usize);
-
-    /// Width and height of words.
-    fn size(&self, label: &Label) -> Vec2;
-
-    /// Words that fill this rectangle.
-    fn words(&mut self, place: Rect, label: &Label);
-
-    /// What a graphics processor draws, where there is one.
-    fn layer(&mut self, _: &Layer, _: &Camera) {}
-
-    /// From its tail over its neck, where the head begins, to its tip.
-    fn arrow(&mut self, [tail, neck, tip]: [Pos2; 3], stroke: Stroke) {
-        self.line(vec![tail, neck], stroke);
-        let half = 0.5 * (tip - neck);
-        let across = vec2(-half.y, half.x);
-        let head = vec![tip, neck + across, neck - across];
-        self.area(head, Some(stroke.colour), None);
-    }
-}
-
-/// Draws a scene.
-pub(crate) fn paint(scene: &Scene, camera: &Camera, canvas: &mut dyn Canvas) {
-    items(&scene.items, camera, canvas);
-}
-
-pub(super) fn items(items: &[Item], camera: &Camera, canvas: &mut dyn Canvas) {
-    for item in items {
-        match item {
-            Item::Line(places, stroke) => {
-                let points = places.iter().map(|place| camera.place(place));
-                canvas.line(points.collect(), *stroke);
-            }
-            Item::Area(corners, fill, edge) => {
-                let corners = corners.iter().map(|place| camera.place(place));
-                canvas.area(hull(corners.collect()), *fill, *edge);
-            }
-            Item::Triangles(triangles) => {
-                let at = |p: [f32; 3]| camera.at(p.map(f64::from));
-                let mut seen = triangles
-                    .iter()
-                    .map(|(corners, ink)| (corners.map(at), *ink));
-                canvas.triangles(&mut seen);
-            }
-            Item::Net(corners, across) => {
-                let seen = corners
-                    .iter()
-                    .map(|(place, ink)| (camera.place(place), *ink));
-                canvas.net(&seen.collect::<Vec<_>>(), *across);
-            }
-            Item::Vector(ends, stroke) => arrow(canvas, ends.map(|p| camera.place(&p)), *stroke),
-            Item::Mark(one) => mark(canvas, camera, one),
-            Item::Label(label) => {
-                let at = camera.place(&label.at);
-                canvas.words(label.anchor.anchor_size(at, canvas.size(label)), label);
-            }
-            Item::Layer(layer) => canvas.layer(layer, camera),
-        }
-    }
-}
-
-/// An arrow with a head that grows with it, up to a point.
-fn arrow(canvas: &mut dyn Canvas, [from, to]: [Pos2; 2], stroke: Stroke) {
-    let along = to - from;
-    let length = along.length();
-    if length >= 0.75 {
-        let head = (0.35 * length).clamp(1.0, 6.0 + stroke.width);
-        canvas.arrow([from, to - along / length * head, to], stroke);
-    }
-}
-
-fn mark(canvas: &mut dyn Canvas, camera: &Camera, mark: &Mark) {
-    let at = camera.place(&mark.at);
-    let corners = match mark.form {
-        Form::Disc => return canvas.disc(at, mark.radius, mark.fill, mark.edge),
-        Form::Diamond => &DIAMOND,
-        Form::Square => &SQUARE,
-    };
-    let corners = corners_of(corners, at, mark.radius, vec2(1.0, 0.0));
-    canvas.area(corners, mark.fill, mark.edge);
-}
+use super::Place;
 
 /// Corners of forms that look to the right, of a radius of 1.
 pub(crate) const DIAMOND: [[f32; 2]; 4] = [[0.0, -1.0], [1.0, 0.0], [0.0, 1.0], [-1.0, 0.0]];
 pub(crate) const TRIANGLE: [[f32; 2]; 3] = [[1.25, 0.0], [-0.75, 1.1], [-0.75, -1.1]];
-const SQUARE: [[f32; 2]; 4] = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
+pub(super) const SQUARE: [[f32; 2]; 4] = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
 
 /// The same of this radius about a point, looking that way.
 pub(crate) fn corners_of(corners: &[[f32; 2]], at: Pos2, radius: f32, ahead: Vec2) -> Vec<Pos2> {
@@ -116,7 +22,7 @@ pub(crate) fn corners_of(corners: &[[f32; 2]], at: Pos2, radius: f32, ahead: Vec
 }
 
 /// The convex hull of points, in order around it (Andrew's monotone chain).
-fn hull(mut points: Vec<Pos2>) -> Vec<Pos2> {
+pub(super) fn hull(mut points: Vec<Pos2>) -> Vec<Pos2> {
     points.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
     let half = |points: &mut dyn Iterator<Item = Pos2>| {
         let mut chain: Vec<Pos2> = Vec::new();

@@ -21,7 +21,7 @@ use crate::gui::core::answer::{Answer, LoadedModel, Search};
 use crate::gui::core::document::{Method, Question};
 use crate::gui::core::edit::Edit;
 use crate::gui::core::overview::measuring_from_base;
-use crate::gui::view::{Canvas, Colouring, Facing, Message, Step};
+use crate::gui::view::{Colouring, Facing, Message, Step};
 use crate::present::numbers::notation;
 use crate::text::current;
 
@@ -164,12 +164,6 @@ impl Workbench {
         uncertain.or(plain).map(Arc::clone)
     }
 
-    /// Samples that are drawn where not all can be; `None` where they are few, or until they are
-    /// chosen.
-    pub(crate) fn thinned(&self) -> Option<&[u32]> {
-        Some(&self.plane_cache()?.thinned.as_deref()?.samples)
-    }
-
     /// The export as it would be written, or why there is none. While a newer one of the same table is being made it
     /// is the one before; the figures of another format say nothing of this one.
     pub(crate) fn export(&self) -> Option<Result<&ExportPreview, &String>> {
@@ -310,6 +304,11 @@ impl Workbench {
         }
     }
 
+    /// So many samples can be drawn at once.
+    pub(crate) fn draw_at_most(&mut self, most: usize) {
+        self.view.most_drawn = most;
+    }
+
     /// Asks for what the plots stand on, if it is not there and not on its way.
     pub(super) fn keep_drawing(&mut self) {
         let outcome = self
@@ -323,7 +322,6 @@ impl Workbench {
             heat: self.view.heat && !self.view.in_space(),
             uncertain: self.view.colouring == Colouring::Uncertainty
                 && self.answer().is_some_and(Uncertain::is_known),
-            thins: self.view.canvas == Canvas::Shapes,
             charts: self.works(),
         };
         let there = self

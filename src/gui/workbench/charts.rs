@@ -6,11 +6,13 @@ use std::sync::Arc;
 use crate::gui::cache::PlotCache;
 use crate::gui::cache::charts::{ChartResult, Work};
 use crate::gui::charts::effect::{EffectCurve, Sketches};
-use crate::gui::charts::{CHARTS, ChartKind, HeldScene, Scene, effect, find};
+use crate::gui::charts::{self, CHARTS, ChartKind, HeldScene, HoverTarget, Scene, effect, find};
 use crate::gui::core::answer::Search;
 use crate::gui::core::loaded_session::Component;
 use crate::gui::jobs::{Kind as JobKind, Watch};
 use crate::gui::view::{Arrangement, ChartPane, Edge, Key, Panes, Step};
+use crate::present::chart::FULL_WIDTH;
+use crate::present::drawing::Drawing;
 use crate::present::numbers::{notation, write_numbers};
 use crate::present::table::Table;
 
@@ -133,6 +135,21 @@ impl Workbench {
         })
     }
 
+    /// A chart as it is shown, on paper, and what it shows; of many samples with what is seen of them there.
+    pub(super) fn on_paper(&self, chart: &str) -> Result<(Drawing, String), String> {
+        let kind = find(chart).ok_or(say!("there is no such chart"))?;
+        let scene = self.scene_of(kind);
+        let shown = charts::shown(kind, &scene).map_err(|missing| missing.title)?;
+        let mut chart = shown.chart;
+        if let HoverTarget::Samples(samples) = &shown.pointed {
+            let [[from, _], [to, _]] = chart.bounds;
+            chart.items.extend(samples.in_sight([from, to], FULL_WIDTH));
+        }
+        let session = crate::report::document::clean(&self.loaded_session().session.name);
+        let says = format!("{session}: {}", chart.title);
+        Ok((chart.on_paper(&session), says))
+    }
+
     /// Copies what a chart shows as a table, as soon as that is made.
     pub(super) fn copy_numbers(&mut self, chart: &'static str) {
         let Some(numbers) = self.numbers_of(chart) else {
@@ -202,20 +219,17 @@ impl Workbench {
 
     /// What shows this chart, in the pane that was active last.
     pub(crate) fn showing(&self, chart: &str) -> Command {
-        let panes = &self.view.panes;
-        let panes = match panes.active_chart() {
-            Some((key, _)) => self.with_choice(key, chart),
-            None => {
-                let mut panes = panes.clone();
-                let chart = Some(chart.to_owned());
-                let pane = ChartPane {
-                    chart,
-                    ..ChartPane::default()
-                };
-                panes.split(panes.workspace(), Edge::Bottom, pane);
-                panes
-            }
-        };
+        let mut panes = self.view.panes.clone();
+        if let Some((key, _)) = panes.active_chart() {
+            panes = self.with_choice(key, chart);
+        } else {
+            let chart = Some(chart.to_owned());
+            let pane = ChartPane {
+                chart,
+                ..ChartPane::default()
+            };
+            panes.split(panes.workspace(), Edge::Bottom, pane);
+        }
         Command::View(ViewChange::Panes(Box::new(panes)))
     }
 

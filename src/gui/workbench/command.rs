@@ -15,7 +15,7 @@ use crate::gui::file_state::machines::Stated;
 use crate::gui::import_draft::{Companion, ImportAnswers};
 use crate::gui::preferences::{Preferences, Sizes};
 use crate::gui::view::{
-    Camera, Canvas, Colouring, Key, NextAction, Panes, Plane, Sheet, Side, Standard, Step, What,
+    Camera, Colouring, Key, NextAction, Panes, Plane, Sheet, Side, Standard, Step, What,
 };
 
 /// What a field sends that can be dragged: what it changes, and at the end of a drag that it was let
@@ -207,8 +207,6 @@ pub(crate) enum ViewChange {
     ShowEffect(usize),
     /// Open the right-hand side, or shut it.
     Results(bool),
-    /// Draw what there is for each sample on this.
-    Canvas(Canvas),
     /// Give panels these sizes; remembered only once that is preferred.
     Resize(Sizes),
     /// Robot and instrument as they are being typed, while that makes no robot.

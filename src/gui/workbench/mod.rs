@@ -35,12 +35,14 @@ use crate::gui::core::loaded_session::LoadedSession;
 use crate::gui::file_state::Recent;
 use crate::gui::files::{self, Replace};
 use crate::gui::preferences::Preferences;
-use crate::gui::view::{Aspect, Camera, Message, NextAction, Plane, Sheet, Side, Step, ViewState};
+use crate::gui::view::{
+    Aspect, Camera, Message, NextAction, Plane, Plot, Sheet, Side, Step, ViewState, What,
+};
 use crate::present::units::Units;
 use crate::text::spoken;
 
 pub(crate) use command::{Asked, Command, LeftBehind, Letters, Task, ViewChange, of_field};
-pub(crate) use state::{Draw, Workbench};
+pub(crate) use state::Workbench;
 
 impl Workbench {
     pub(crate) fn document(&self) -> &Document {
@@ -78,6 +80,11 @@ impl Workbench {
 
     pub(crate) fn execute(&mut self, command: Command) {
         match command {
+            Command::Ask(Asked::WhereToExport(What::Picture(Plot::Workspace)))
+            | Command::ExportTo {
+                what: What::Picture(Plot::Workspace),
+                ..
+            } if self.picture.is_none() => self.wait_for_picture(command),
             Command::Edit(edit) => self.edit(&edit, false),
             Command::Drag(edit) => self.edit(&edit, true),
             Command::EndDrag => self.history.finish_gesture(),
@@ -225,7 +232,6 @@ impl Workbench {
             ViewChange::Blend(t) if t.is_finite() => view.blend = t.clamp(0.0, 1.0),
             ViewChange::Colour(colouring) => view.colouring = colouring,
             ViewChange::Heat(shown) => view.heat = shown,
-            ViewChange::Canvas(canvas) => view.canvas = canvas,
             ViewChange::Component(component) => view.component = component,
             ViewChange::OnlyAfter(only) => view.only_after = only,
             ViewChange::Hover(sample) => view.hovered = sample,

@@ -6,6 +6,9 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use egui::ColorImage;
+
+use super::Command;
 use crate::explain::Section;
 use crate::gui::cache::identified::{Figures, IdentifiedAnswer, Preview, PreviewRequest};
 use crate::gui::cache::{PlotCache, PlotInputs};
@@ -21,18 +24,11 @@ use crate::gui::file_state::recovery::{OrphanedRecovery, RecoveryFile};
 use crate::gui::import_draft::ImportDraft;
 use crate::gui::jobs::{Jobs, Latest};
 use crate::gui::style::font_fallback::Characters;
-use crate::gui::view::{NextAction, OnDisk, Plot, ViewState};
+use crate::gui::view::{NextAction, OnDisk, ViewState};
 use crate::history;
-use crate::present::drawing::Drawing;
 use crate::present::numbers::Notation;
 use crate::present::units::Units;
 use crate::text::Language;
-
-/// A plot that is drawn in the background: the drawing and what it shows, or why there is none.
-pub(crate) type Draw = Box<dyn FnOnce() -> Result<(Drawing, String), String> + Send>;
-
-/// Who knows how plots are drawn: the views, which stand above the workbench.
-pub(crate) type Drawer = fn(&Workbench, Plot) -> Draw;
 
 /// What answers in place of the system's dialogs: for tests, which cannot press anything in one.
 pub(crate) type Chooser = Arc<dyn Fn() -> Option<PathBuf> + Send + Sync>;
@@ -66,7 +62,9 @@ pub(crate) struct Workbench {
     pub(super) saved_as: Option<(ExportChoice, String)>,
     pub(super) figures: Option<Figures>,
     pub(super) characters: Characters,
-    pub(super) draw: Drawer,
+    /// What waits for a picture of the workspace, and whether one was asked for; the picture as soon as it is there.
+    pub(super) waiting: Option<(Command, bool)>,
+    pub(super) picture: Option<ColorImage>,
     pub(super) chooser: Option<Chooser>,
     pub(super) jobs: Jobs<Self>,
     pub(super) asked: PendingQueries,
@@ -74,7 +72,7 @@ pub(crate) struct Workbench {
 
 impl Workbench {
     /// A workbench with a session on it.
-    pub(crate) fn new(loaded_session: Arc<LoadedSession>, jobs: Jobs<Self>, draw: Drawer) -> Self {
+    pub(crate) fn new(loaded_session: Arc<LoadedSession>, jobs: Jobs<Self>) -> Self {
         let first = Arc::clone(&loaded_session);
         let history = History::new(Document::new(loaded_session));
         let mut workbench = Self {
@@ -97,7 +95,8 @@ impl Workbench {
             saved_as: None,
             figures: None,
             characters: Characters::default(),
-            draw,
+            waiting: None,
+            picture: None,
             chooser: None,
             asked: PendingQueries::default(),
             jobs,

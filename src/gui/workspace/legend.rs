@@ -7,17 +7,16 @@ use egui_plot::PlotTransform;
 use crate::gui::layers::OUTLINE;
 use crate::gui::scene::paint::Camera;
 use crate::gui::scene::screen::Screen;
-use crate::gui::scene::sheet::Sheet;
 use crate::gui::scene::{
     ColourToken, Form, Item, Label, LegendEntry, Mark, Place, SIGN, Stroke, Tint,
 };
 use crate::gui::style::{Palette, size};
-use crate::gui::view::{Canvas, Colouring};
+use crate::gui::view::Colouring;
 use crate::gui::widgets;
 use crate::gui::workbench::Workbench;
 use crate::present::numbers::trimmed;
 
-use super::layout::{self, longest_of_cells};
+use super::layout;
 use super::model::{Shown, judged};
 use super::robot::Drawn;
 use super::scales::{self, HIGH, entry};
@@ -140,19 +139,6 @@ pub(super) fn scale_in(ui: &Ui, room: Rect, workbench: &Workbench, shown: &Shown
     Screen::symbol(ui.painter(), &Palette::of(ui), &scale, room.center());
 }
 
-/// What marks and colours mean, on a sheet.
-pub(super) fn on_paper(
-    workbench: &Workbench,
-    shown: &Shown,
-    robot: Option<&Drawn>,
-    camera: &Camera,
-) -> Vec<LegendEntry> {
-    let mut all = vec![scale(workbench, shown, camera)];
-    all.extend(entries(workbench, shown, robot));
-    all.extend(scales::entries(workbench, shown, false, &Sheet::width));
-    all
-}
-
 /// What the marks mean.
 fn entries(workbench: &Workbench, shown: &Shown, robot: Option<&Drawn>) -> Vec<LegendEntry> {
     let mut all = Vec::new();
@@ -238,23 +224,13 @@ impl Notes {
     pub(super) fn recall(ui: &Ui, shown: &Shown) -> Self {
         let id = ui.scope_id().with("what is not drawn");
         let before: Vec<String> = ui.data(|data| data.get_temp(id)).unwrap_or_default();
-        let mut said = shown.notes();
-        said.extend_from_slice(&before);
-        Self {
-            id,
-            before,
-            lines: said,
-        }
+        let said = shown.note().into_iter().chain(before.iter().cloned());
+        let lines = said.collect();
+        Self { id, before, lines }
     }
 
     pub(super) fn keep(self, ui: &Ui, shown: &Shown, transform: &PlotTransform) {
-        let counts = if shown.canvas == Canvas::Shapes {
-            let kept = longest_of_cells(shown, transform);
-            [shown.samples, kept.map_or(shown.samples, |kept| kept.len())]
-        } else {
-            layout::counts(shown, transform)
-        };
-        let now = layout::drawn(shown, counts);
+        let now = layout::drawn(shown, layout::counts(shown, transform));
         if now != self.before {
             ui.data_mut(|data| data.insert_temp(self.id, now));
             ui.ctx().request_repaint();

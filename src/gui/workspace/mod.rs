@@ -1,5 +1,5 @@
 //! The workspace on the screen, with what the pointer does in it: sectors, nominal path, the robot,
-//! measured points, error vectors. And a plane of it as a picture.
+//! measured points, error vectors.
 
 mod display;
 pub(crate) mod handles;
@@ -18,22 +18,18 @@ mod toolbar;
 pub(crate) use layout::nearest;
 pub(crate) use model::judged;
 pub(crate) use pointer::{hover, marked, sample_menu};
-pub(crate) use space::{robot_alone, sheet as space_sheet};
+pub(crate) use space::robot_alone;
 pub(crate) use toolbar::show as bar;
 
-use egui::{Role, Ui, WidgetInfo};
+use egui::{ColorImage, Context, Id, Pos2, Rect, Role, Ui, WidgetInfo, vec2};
 use egui_plot::{Axis, PlotPoint};
 
 use crate::gui::plots::{Drawing, axis, gestures, steps_in};
 use crate::gui::scene::paint::Camera;
-use crate::gui::scene::paint::paint;
 use crate::gui::scene::screen::Screen;
-use crate::gui::scene::sheet::{SIZE, Sheet};
 use crate::gui::style::Palette;
-use crate::gui::view::{Canvas, Step};
+use crate::gui::view::Step;
 use crate::gui::workbench::{Command, Workbench};
-use crate::present::drawing;
-use crate::present::numbers::trimmed;
 
 use handles::Handles;
 use legend::Notes;
@@ -44,6 +40,11 @@ use robot::Drawn;
 
 /// Shows the plot in the space that is left, and sends what the pointer does.
 pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    let (seen, pass) = (
+        ui.available_rect_before_wrap(),
+        ui.ctx().cumulative_pass_nr(),
+    );
+    ui.data_mut(|data| data.insert_temp(picture_id(), (seen, pass)));
     if workbench.view().in_space() {
         space::show(ui, workbench, display::posing(ui), commands);
     } else {
@@ -51,39 +52,26 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     }
 }
 
+fn picture_id() -> Id {
+    Id::unique("picture of the workspace")
+}
+
+/// The workspace in a picture of the whole window, where it is shown.
+pub(crate) fn in_picture(ctx: &Context, window: &ColorImage) -> Option<ColorImage> {
+    /// Passes of a frame that are not shown lie between.
+    const SHOWN: u64 = 16;
+    let (rect, pass): (Rect, u64) = ctx.data(|data| data.get_temp(picture_id()))?;
+    let all = vec2(window.size[0] as f32, window.size[1] as f32) / ctx.pixels_per_point();
+    let rect = rect.intersect(Rect::from_min_size(Pos2::ZERO, all));
+    let shown = rect.is_positive() && ctx.cumulative_pass_nr() <= pass + SHOWN;
+    shown.then(|| window.region(&rect, Some(ctx.pixels_per_point())))
+}
+
 /// What stands at the axes of the plane.
 fn axes(workbench: &Workbench) -> [String; 2] {
     let unit = workbench.units().length_name();
     let axes = workbench.view().plane.axes();
     axes.map(|axis| format!("{}, {unit}", ["x", "y", "z"][axis]))
-}
-
-/// The plane on a sheet, and what it shows.
-///
-/// # Errors
-/// There is nothing to draw.
-pub(crate) fn plane_sheet(workbench: &Workbench) -> Result<(drawing::Drawing, String), String> {
-    if workbench.loaded_session().is_empty() {
-        return Err(say!("there are no samples to draw").to_owned());
-    }
-    let shown = Shown::on(workbench, Canvas::Shapes);
-    let robot = Drawn::of(workbench);
-    let facing = workbench.facing();
-    let camera = Camera::showing(facing, layout::bounds(&shown), Sheet::frame(SIZE));
-    let session = crate::report::document::clean(&workbench.loaded_session().session.name);
-    let says = say!(
-        "measured points, deviations magnified {magnification} times",
-        magnification = trimmed(shown.magnification, 3)
-    );
-    let title = format!("{session}: {says}");
-    let sheet = Sheet {
-        title: title.clone(),
-        axes: Some((axes(workbench), workbench.units().length_value(1.0))),
-        legend: legend::on_paper(workbench, &shown, robot.as_ref(), &camera),
-        notes: shown.notes(),
-    };
-    let scene = scene::plane(workbench, &shown, robot.as_ref(), false, &camera);
-    Ok((sheet.with(&scene, &camera), title))
 }
 
 fn plane(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
@@ -129,8 +117,7 @@ fn plane(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
             |ui, transform, shapes| {
                 let camera = Camera::new(facing, transform);
                 let scene = scene::plane(workbench, &shown, robot.as_ref(), editing, &camera);
-                let mut screen = Screen::new(ui.painter(), &palette, shapes);
-                paint(&scene, &camera, &mut screen);
+                Screen::new(ui.painter(), &palette, shapes).draw(&scene.items, &camera);
             },
         ));
     });

@@ -29,6 +29,9 @@ pub(crate) fn hover(
     under: Option<usize>,
     commands: &mut Vec<Command>,
 ) {
+    if workbench.poses() {
+        return;
+    }
     let left = left(response, &response.ctx);
     if (response.hovered() || left) && under != workbench.view().hovered {
         commands.push(Command::View(ViewChange::Hover(under)));

@@ -238,8 +238,9 @@ mod tests {
         let most = workbench.uncertain().expect("it is known").most_mm;
         let [low, high] = scale.ends.expect("its ends");
         assert_eq!([low, high], ["0".to_owned(), significant(most, 2)]);
-        let parts: Vec<f32> = shown.each.iter().filter_map(|a| a.shade).collect();
-        assert_eq!(parts.len(), shown.each.len());
+        let drawn = workbench.remainder().expect("it is known");
+        let parts: Vec<f32> = drawn.rows.iter().map(|row| row[4]).collect();
+        assert_eq!(parts.len(), workbench.loaded_session().len());
         assert!(parts.iter().all(|p| (0.0..=1.0).contains(p)) && parts.contains(&1.0));
     }
 

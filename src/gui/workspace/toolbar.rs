@@ -132,7 +132,7 @@ impl Row {
             ways(ui, workbench, self.fold, commands);
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 if self.drawn {
-                    picture(ui, plot_of(workbench.view().aspect), commands);
+                    picture(ui, Plot::Workspace, commands);
                 }
                 let fit = Command::View(ViewChange::FitWorkspace);
                 gestures::fit(ui, say!("Fit to view"), fit, commands);
@@ -175,13 +175,6 @@ fn ways(ui: &mut Ui, workbench: &Workbench, fold: Fold, commands: &mut Vec<Comma
         Some((Aspect::Plane, plane)) => commands.push(Command::View(ViewChange::Look(plane))),
         Some((Aspect::Space, _)) => commands.push(Command::View(ViewChange::LookFrom(None))),
         None => {}
-    }
-}
-
-fn plot_of(aspect: Aspect) -> Plot {
-    match aspect {
-        Aspect::Plane => Plot::Workspace,
-        Aspect::Space => Plot::Space,
     }
 }
 

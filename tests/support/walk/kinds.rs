@@ -34,7 +34,7 @@ kinds!(
     KeepMine(), GoTo(..), Look(..), LookFrom(..), Turn(..), Pose(..), Magnify(..),
     PlotSize(..), Blend(..), Colour(..), Heat(..), Component(..), OnlyAfter(..), Hover(..), Select(..), Mark(..),
     Side(..), Panes(..), Pull(..), Activate(..), ActivateNext(), ChartJoint(..), ShowEffect(..), Results(..),
-    Canvas(..), Resize(..), Draft(..), Sheet(..), Dismiss(), Fit(), FitWorkspace(), FitChart(..),
+    Resize(..), Draft(..), Sheet(..), Dismiss(), Fit(), FitWorkspace(), FitChart(..),
 );
 
 kinds!(LEFT, left, LeftBehind, "Left ": Restore(..), Discard(..), DiscardAll());

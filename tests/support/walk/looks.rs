@@ -29,7 +29,7 @@ pub(super) fn chart(random: &mut ChaCha8Rng) -> &'static str {
 
 pub(super) fn plot(random: &mut ChaCha8Rng) -> Plot {
     let chart = Plot::Chart(chart(random));
-    pick(random, &[Plot::Workspace, Plot::Space, chart, chart])
+    pick(random, &[Plot::Workspace, chart, chart])
 }
 
 /// What is shown of the plots, and how much of them.

@@ -5,7 +5,6 @@ use egui::{Color32, EventFilter, Key, PointerButton, Rect, Response, Sense, Stro
 use nalgebra::Isometry3;
 
 use crate::gui::plots::gestures;
-use crate::gui::scene::paint::paint;
 use crate::gui::scene::screen::Screen;
 use crate::gui::scene::{self, Scene};
 use crate::gui::style::{Palette, space};
@@ -44,8 +43,7 @@ pub(crate) fn robot_alone(
     let mut scene = Scene::default();
     body(&mut scene, &drawn, &Isometry3::identity(), &seen);
     let mut shapes = Vec::new();
-    let mut screen = Screen::new(&painter, &palette, &mut shapes);
-    paint(&scene, &seen, &mut screen);
+    Screen::new(&painter, &palette, &mut shapes).draw(&scene.items, &seen);
     painter.extend(shapes);
     if response.has_focus() {
         let ring = Stroke::new(1.0, palette.outline);

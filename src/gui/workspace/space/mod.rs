@@ -1,5 +1,4 @@
-//! The workspace in three dimensions, on the screen and as a picture: what the plane shows, seen from
-//! wherever the camera is, with what the pointer does in it.
+//! The workspace in three dimensions: what the plane shows, seen from wherever the camera is, with what the pointer does in it.
 //!
 //! The scene is the one of the plane, projected along the line of sight, so that vectors, colours,
 //! legend and robot are the same in both; only what has a depth is added here.
@@ -14,17 +13,13 @@ use egui::{Panel, Pos2, RichText, Role, ScrollArea, Sense, Slider, Ui, WidgetInf
 use crate::gui::cache::cloud::Cloud;
 use crate::gui::core::quantity::joint_value;
 use crate::gui::core::scale::stride;
-use crate::gui::scene::paint::paint;
 use crate::gui::scene::screen::Screen;
-use crate::gui::scene::sheet::{SIZE, Sheet};
 use crate::gui::style::{Palette, size};
-use crate::gui::view::{Camera, Canvas};
+use crate::gui::view::Camera;
 use crate::gui::widgets::{self, caption, fine};
 use crate::gui::workbench::{Command, ViewChange, Workbench};
 use crate::kinematics::JointKind;
 use crate::numeric::extent;
-use crate::present::drawing::Drawing;
-use crate::present::numbers::trimmed;
 
 use super::layout;
 use super::legend::{self, Notes};
@@ -76,8 +71,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, posing: bool, commands: &
     ui.set_clip_rect(rect.intersect(ui.clip_rect()));
     let scene = scene(workbench, &shown, robot.as_ref(), &space);
     let mut shapes = Vec::new();
-    let mut screen = Screen::new(ui.painter(), &palette, &mut shapes);
-    paint(&scene, camera, &mut screen);
+    Screen::new(ui.painter(), &palette, &mut shapes).draw(&scene.items, camera);
     ui.painter().extend(shapes);
     let about = (&shown, robot.as_ref());
     over::show(ui, workbench, about, camera, (notes, scale));
@@ -130,47 +124,6 @@ fn under(workbench: &Workbench, shown: &Shown, space: &Space, at: Pos2) -> Optio
     )
 }
 
-/// The view on a sheet, and what it shows.
-///
-/// # Errors
-/// There is nothing to draw.
-pub(crate) fn sheet(workbench: &Workbench) -> Result<(Drawing, String), String> {
-    if workbench.loaded_session().is_empty() {
-        return Err(say!("there are no samples to draw").to_owned());
-    }
-    let shown = Shown::on(workbench, Canvas::Shapes);
-    let robot = Drawn::of(workbench);
-    let space = Space::new(workbench, Sheet::frame(SIZE));
-    let session = crate::report::document::clean(&workbench.loaded_session().session.name);
-    let (samples, camera) = (shown.samples, workbench.view().camera.describe());
-    let magnified = trimmed(shown.magnification, 3);
-    let title = if shown.look.answered {
-        say!(
-            "{session}: {samples} samples, {camera}, deviations after magnified {magnified} times",
-            session,
-            samples,
-            camera,
-            magnified
-        )
-    } else {
-        say!(
-            "{session}: {samples} samples, {camera}, deviations before magnified {magnified} times",
-            session,
-            samples,
-            camera,
-            magnified
-        )
-    };
-    let sheet = Sheet {
-        title: title.clone(),
-        axes: None,
-        legend: legend::on_paper(workbench, &shown, robot.as_ref(), &space.camera),
-        notes: shown.notes(),
-    };
-    let scene = scene(workbench, &shown, robot.as_ref(), &space);
-    Ok((sheet.with(&scene, &space.camera), title))
-}
-
 /// Marks that are less than this apart on the screen stand on one another, points.
 const SAME: f64 = 3.0;
 
@@ -195,7 +148,7 @@ fn picked(candidates: &[Candidate]) -> Option<usize> {
 }
 
 /// The sample at a point of the plot, mm to the right and up as the shown has it, within `reach`
-/// points of it. Only what is drawn is there: the first `points` of the cloud, or the shown's points.
+/// points of it. Only what is drawn is there: the first `points` of the cloud.
 fn drawn_at(
     workbench: &Workbench,
     shown: &Shown,
@@ -209,33 +162,19 @@ fn drawn_at(
         let distance = (p[0] - at_mm[0]).hypot(p[1] - at_mm[1]);
         (distance <= reach_mm).then_some(distance * points_per_mm)
     };
-    let found: Vec<Candidate> = match shown.canvas {
-        Canvas::Shapes => {
-            let candidates = shown.each.iter().filter_map(|one| {
-                Some(Candidate {
-                    sample: one.sample,
-                    distance: within(facing.flat(one.at_mm))?,
-                    nearness: facing.nearness(one.at_mm),
-                })
-            });
-            candidates.collect()
-        }
-        Canvas::Layers(_) => {
-            let cloud = Cloud::of(workbench.loaded_session());
-            let [x, y] = facing.flat(cloud.centre_mm);
-            let drawn = cloud.places.iter().zip(&cloud.samples).take(points);
-            let candidates = drawn.filter_map(|(place, sample)| {
-                let p = [0, 1, 2].map(|k| f64::from(place[k]));
-                let [right, up] = facing.flat(p);
-                Some(Candidate {
-                    sample: *sample as usize,
-                    distance: within([x + right, y + up])?,
-                    nearness: facing.nearness(p),
-                })
-            });
-            candidates.collect()
-        }
-    };
+    let cloud = Cloud::of(workbench.loaded_session());
+    let [x, y] = facing.flat(cloud.centre_mm);
+    let drawn = cloud.places.iter().zip(&cloud.samples).take(points);
+    let found = drawn.filter_map(|(place, sample)| {
+        let p = [0, 1, 2].map(|k| f64::from(place[k]));
+        let [right, up] = facing.flat(p);
+        Some(Candidate {
+            sample: *sample as usize,
+            distance: within([x + right, y + up])?,
+            nearness: facing.nearness(p),
+        })
+    });
+    let found: Vec<Candidate> = found.collect();
     picked(&found)
 }
 
@@ -462,31 +401,28 @@ mod tests {
     }
 
     #[test]
-    fn every_sample_that_is_drawn_is_found_where_it_is_from_every_side_by_shapes_and_layers() {
-        for canvas in [Canvas::Shapes, Canvas::Layers(usize::MAX)] {
-            let mut workbench = workbench();
-            workbench.execute(Command::View(ViewChange::Canvas(canvas)));
-            let tilted = Camera::default().orbited([40.0, 25.0]);
-            for camera in [Camera::from(Standard::Front), tilted] {
-                workbench.execute(Command::View(ViewChange::LookFrom(None)));
-                workbench.execute(Command::View(ViewChange::Turn(camera)));
-                let shown = Shown::of(&workbench);
-                let facing = workbench.facing();
-                let loaded_session = workbench.loaded_session();
-                for sample in loaded_session.overview.usable.iter().map(|s| *s as usize) {
-                    let p = loaded_session.measured(sample);
-                    let at = facing.flat(p);
-                    let all = loaded_session.len();
-                    let found = drawn_at(&workbench, &shown, at, 100.0, (14.0, all));
-                    let found = found.expect("it is there");
-                    let q = loaded_session.measured(found);
-                    let apart = facing.flat([0, 1, 2].map(|k| q[k] - p[k]));
-                    assert!(100.0 * apart[0].hypot(apart[1]) < SAME + 0.1);
-                    assert!(facing.nearness(q) > facing.nearness(p) - 1e-3);
-                }
-                let nowhere = drawn_at(&workbench, &shown, [1e5, 1e5], 100.0, (14.0, 9));
-                assert_eq!(nowhere, None);
+    fn every_sample_that_is_drawn_is_found_where_it_is_from_every_side() {
+        let mut workbench = workbench();
+        let tilted = Camera::default().orbited([40.0, 25.0]);
+        for camera in [Camera::from(Standard::Front), tilted] {
+            workbench.execute(Command::View(ViewChange::LookFrom(None)));
+            workbench.execute(Command::View(ViewChange::Turn(camera)));
+            let shown = Shown::of(&workbench);
+            let facing = workbench.facing();
+            let loaded_session = workbench.loaded_session();
+            for sample in loaded_session.overview.usable.iter().map(|s| *s as usize) {
+                let p = loaded_session.measured(sample);
+                let at = facing.flat(p);
+                let all = loaded_session.len();
+                let found = drawn_at(&workbench, &shown, at, 100.0, (14.0, all));
+                let found = found.expect("it is there");
+                let q = loaded_session.measured(found);
+                let apart = facing.flat([0, 1, 2].map(|k| q[k] - p[k]));
+                assert!(100.0 * apart[0].hypot(apart[1]) < SAME + 0.1);
+                assert!(facing.nearness(q) > facing.nearness(p) - 1e-3);
             }
+            let nowhere = drawn_at(&workbench, &shown, [1e5, 1e5], 100.0, (14.0, 9));
+            assert_eq!(nowhere, None);
         }
     }
 }
