@@ -1,25 +1,22 @@
 //! What is worked out once, in the background, so that no frame looks at all samples; and what plots of many samples
-//! stand on: which sample is where, the heat map, what the charts are made of. A few samples are simply looked at
+//! stand on: the heat map, what the charts are made of. A few samples are simply looked at
 //! anew in every frame, so that nothing has to be waited for.
 
 pub(crate) mod charts;
 pub(crate) mod cloud;
 pub(crate) mod heat;
 pub(crate) mod identified;
-pub(crate) mod projected;
 
 use std::sync::Arc;
 
 use crate::gui::core::answer::Answer;
 use crate::gui::core::loaded_session::{Component, LoadedSession};
-use crate::gui::core::scale::FEW;
 use crate::gui::view::Plane;
 
 use charts::{ChartInputs, ChartResult, Work};
 use cloud::Uncertain;
 use heat::Heat;
 use identified::IdentifiedAnswer;
-use projected::Nearest;
 
 /// What a backdrop is made of.
 #[derive(Debug, Clone, PartialEq)]
@@ -53,13 +50,9 @@ impl PlotInputs {
         }
     }
 
-    fn many(&self) -> bool {
-        self.loaded_session.overview.usable.len() > FEW
-    }
-
     /// Whether there is anything to work out.
     pub(crate) fn any(&self) -> bool {
-        self.heat || self.uncertain || self.many() || !self.charts.is_empty()
+        self.heat || self.uncertain || !self.charts.is_empty()
     }
 }
 
@@ -67,8 +60,6 @@ impl PlotInputs {
 pub(crate) struct PlotCache {
     /// What it was made of.
     pub(crate) inputs: PlotInputs,
-    /// Which sample is where in the plane, mm.
-    pub(crate) nearest: Option<Arc<Nearest>>,
     /// The error over the plane.
     pub(crate) heat: Option<Arc<Heat>>,
     /// How sure the model is at each sample.
@@ -91,17 +82,6 @@ impl PlotCache {
         let same_answer = last.filter(|l| l.inputs.identified == scenery.identified);
         let heat_of = same_answer.filter(|_| same_plane.is_some());
         let loaded_session = &*scenery.loaded_session;
-        let nearest = || {
-            let axes = scenery.plane.axes();
-            let at = |sample: &u32| {
-                let measured = loaded_session.measured(*sample as usize);
-                (axes.map(|k| measured[k]), *sample)
-            };
-            Arc::new(Nearest::new(loaded_session.overview.usable.iter().map(at)))
-        };
-        let many = scenery.many();
-        let known = same_plane.and_then(|l| l.nearest.clone());
-        let nearest = many.then(|| known.unwrap_or_else(nearest));
         let heat = heat_of.and_then(|l| l.heat.clone()).or_else(|| {
             let wanted = scenery.heat.then(|| {
                 let heat = Heat::of(loaded_session, scenery.answer(), scenery.plane)?;
@@ -123,7 +103,6 @@ impl PlotCache {
         let charted = charted.collect();
         Self {
             inputs: scenery,
-            nearest,
             heat,
             uncertain,
             charted,

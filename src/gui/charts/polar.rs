@@ -61,8 +61,8 @@ impl ChartKind for Polar {
         ANGLE.work(&of_first(scene))
     }
 
-    fn show<'a>(&self, scene: &'a Scene<'a>) -> Result<Shown<'a>, ChartPlaceholder> {
-        if let Some(why) = absent(scene.loaded_session) {
+    fn show<'a>(&self, scene: &'a Scene) -> Result<Shown<'a>, ChartPlaceholder> {
+        if let Some(why) = absent(&scene.loaded_session) {
             return Err(ChartPlaceholder::new(say!("No polar view"), why));
         }
         let drawn = Drawn::of(scene);
@@ -88,8 +88,11 @@ impl ChartKind for Polar {
 }
 
 /// The angle is that of the only joint.
-fn of_first<'a>(scene: &Scene<'a>) -> Scene<'a> {
-    Scene { joint: 0, ..*scene }
+fn of_first(scene: &Scene) -> Scene {
+    Scene {
+        joint: 0,
+        ..scene.clone()
+    }
 }
 
 /// Why a session has no polar view, and what shows the same.
@@ -128,7 +131,7 @@ struct Drawn<'a> {
 }
 
 impl<'a> Drawn<'a> {
-    fn of(scene: &'a Scene<'a>) -> Self {
+    fn of(scene: &'a Scene) -> Self {
         let of = DrawnDeviations::of(scene, ANGLE.over(&of_first(scene)));
         let all = of.extent();
         let shown = all.map_or([None; 2], |all| {
@@ -144,7 +147,7 @@ impl<'a> Drawn<'a> {
         let division_mm = division_mm.max(LEAST_MM);
         let most = |mm: f64| (mm / division_mm - 1e-9).ceil();
         Self {
-            directions: directions(scene.loaded_session, scene.view.plane),
+            directions: directions(&scene.loaded_session, scene.plane),
             divisions: [-low, high].map(|mm| most(mm).clamp(1.0, MOST_DIVISIONS)),
             of,
             all,
@@ -200,10 +203,10 @@ impl<'a> Drawn<'a> {
         let sign = LegendSymbol::Mark(Form::Disc);
         let ring = Entry::new(division, LegendSymbol::Line, ColourRole::Reference, true);
         let mut legend = vec![ring, Entry::before(sign)];
-        legend.extend(scene.answer.map(|_| Entry::after(sign)));
+        legend.extend(scene.answer().map(|_| Entry::after(sign)));
         let stages = [
             (ColourRole::Before, !scene.only_after()),
-            (ColourRole::After, scene.answer.is_some()),
+            (ColourRole::After, scene.answer().is_some()),
         ];
         for (role, _) in stages.into_iter().filter(|(_, shown)| *shown) {
             items.extend(self.stage(role));

@@ -143,7 +143,7 @@ pub(super) fn recovery(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Co
                             phrase!("samples"),
                             kept.session.samples.len().to_string(),
                         );
-                        let file = kept.file.as_ref().and_then(|f| f.file_name());
+                        let file = kept.about.file.as_ref().and_then(|f| f.file_name());
                         let file = file.map_or(say!("no file").into(), |f| f.to_string_lossy());
                         widgets::fact_of(ui, phrase!("file"), file);
                     }

@@ -68,7 +68,7 @@ fn is_recent(ui: &Ui, id: Id) -> bool {
 /// The mark in a chart's bar that copies its numbers.
 pub(super) fn chart_button(ui: &mut Ui, about: &About, commands: &mut Vec<Command>) {
     let says = say!("Copy numbers: {of}", of = about.name().to_lowercase());
-    let button = widgets::copy_button(ui, &says);
+    let button = widgets::icon_button(ui, widgets::COPY, &says).on_hover_text(&says);
     if button.clicked() {
         commands.push(Command::CopyNumbers(about.id));
     }

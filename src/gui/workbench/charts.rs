@@ -6,7 +6,7 @@ use std::sync::Arc;
 use crate::gui::cache::PlotCache;
 use crate::gui::cache::charts::{ChartResult, Work};
 use crate::gui::charts::effect::{EffectCurve, Sketches};
-use crate::gui::charts::{self, CHARTS, ChartKind, HeldScene, HoverTarget, Scene, effect, find};
+use crate::gui::charts::{self, CHARTS, ChartKind, HoverTarget, Scene, effect, find};
 use crate::gui::core::answer::Search;
 use crate::gui::core::loaded_session::Component;
 use crate::gui::jobs::{Kind as JobKind, Watch};
@@ -54,24 +54,28 @@ impl Workbench {
     }
 
     /// What any chart is made of, except what the background works out for it.
-    pub(crate) fn scene(&self) -> Scene<'_> {
+    pub(crate) fn scene(&self) -> Scene {
+        let view = &self.view;
         Scene {
-            document: self.document(),
-            loaded_session: self.loaded_session(),
-            view: &self.view,
-            component: self.view.component,
-            joint: self.view.joint,
+            document: Arc::clone(self.history.present()),
+            loaded_session: Arc::clone(self.loaded_session()),
+            step: view.step,
+            plane: view.plane,
+            effect: view.effect,
+            after_alone: view.only_after,
+            component: view.component,
+            joint: view.joint,
             axes: None,
             units: self.units(),
-            answer: self.answer(),
-            search: self.search_of_this(),
-            made: self.export().and_then(Result::ok),
+            identified: self.shown_outcome(),
+            search: self.search_of_this().cloned(),
+            preview: self.preview.clone().filter(|_| self.export().is_some()),
             worked_out: None,
         }
     }
 
     /// The same as it is looked at in a pane.
-    fn scene_at(&self, pane: &ChartPane) -> Scene<'_> {
+    fn scene_at(&self, pane: &ChartPane) -> Scene {
         let scene = self.scene();
         Scene {
             component: pane.component.unwrap_or(scene.component),
@@ -83,14 +87,14 @@ impl Workbench {
 
     /// What the chart in a pane is made of. While the answer is a newer one, what was worked out for
     /// it is that of the answer before; nothing until it is there.
-    pub(crate) fn scene_in(&self, pane: &ChartPane) -> Scene<'_> {
+    pub(crate) fn scene_in(&self, pane: &ChartPane) -> Scene {
         let mut scene = self.scene_at(pane);
-        scene.worked_out = self.worked_out(pane, &scene).map(|found| &**found);
+        scene.worked_out = self.worked_out(pane, &scene).cloned();
         scene
     }
 
     /// What was worked out for the chart in a pane.
-    fn worked_out(&self, pane: &ChartPane, scene: &Scene<'_>) -> Option<&ChartResult> {
+    fn worked_out(&self, pane: &ChartPane, scene: &Scene) -> Option<&ChartResult> {
         let seen = |b: &&PlotCache| b.inputs.identified.is_some() == self.identified().is_some();
         let work = self.kind(pane).work(scene)?;
         let backdrop = self.plot_cache().filter(seen)?;
@@ -98,40 +102,20 @@ impl Workbench {
     }
 
     /// What a chart is made of, in the pane where it is shown.
-    pub(crate) fn scene_of(&self, chart: &dyn ChartKind) -> Scene<'_> {
+    pub(crate) fn scene_of(&self, chart: &dyn ChartKind) -> Scene {
         let pane = self.pane_of(chart.about().id);
         let unseen = ChartPane::default();
         self.scene_in(pane.map_or(&unseen, |(_, pane)| pane))
     }
 
-    /// The same by itself.
-    fn held_scene_of(&self, chart: &dyn ChartKind) -> HeldScene {
-        let pane = self.pane_of(chart.about().id);
-        let unseen = ChartPane::default();
-        let pane = pane.map_or(&unseen, |(_, pane)| pane);
-        let scene = self.scene_at(pane);
-        HeldScene {
-            document: scene.document.clone(),
-            view: scene.view.clone(),
-            component: scene.component,
-            joint: scene.joint,
-            axes: scene.axes,
-            units: scene.units,
-            identified: self.identified.clone().filter(|_| scene.answer.is_some()),
-            search: scene.search.cloned(),
-            made: scene.made.cloned(),
-            worked_out: self.worked_out(pane, &scene).cloned(),
-        }
-    }
-
     /// Makes the table of what a chart shows, in the background: of a million samples it takes seconds.
     pub(super) fn numbers_of(&self, chart: &str) -> Option<impl FnOnce() -> Table + Send + use<>> {
         let kind = find(chart)?;
-        let (held, notation) = (self.held_scene_of(kind), notation());
+        let (scene, notation) = (self.scene_of(kind), notation());
         Some(move || {
             // As the window writes them.
             write_numbers(notation);
-            kind.numbers(&held.scene())
+            kind.numbers(&scene)
         })
     }
 

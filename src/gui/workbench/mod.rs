@@ -10,15 +10,11 @@ mod charts;
 mod command;
 mod drafts;
 mod exports;
-#[cfg(test)]
-mod how_far;
 mod machine;
 mod on_disk;
 mod state;
 #[cfg(test)]
 mod tests;
-#[cfg(test)]
-mod under_way;
 mod unsaved;
 /// What the tests of the window do at random; no release has it.
 #[cfg(debug_assertions)]
@@ -152,7 +148,7 @@ impl Workbench {
             }
             Command::Adapt => self.adapt(),
             Command::Search => self.search(),
-            Command::Prepare => self.unprepared = None,
+            Command::Prepare => self.asked.previews.resume(),
             Command::OpenOutside { path, in_folder } => self.open_outside(path, in_folder),
             Command::Prefer(preferences) => {
                 self.view.preferences = preferences.sound();
@@ -315,7 +311,7 @@ impl Workbench {
         }
         self.view.setup = None;
         if matches!(edit, Edit::Identify | Edit::IdentifyBy(_)) {
-            self.declined = None;
+            self.asked.questions.resume();
         }
         if !Arc::ptr_eq(&before, self.loaded_session()) {
             self.view.marked.clear();

@@ -22,7 +22,7 @@ use crate::gui::core::robot_table::RobotTable;
 use crate::gui::file_state::machines::{Machine, Stated};
 use crate::gui::file_state::recovery::{OrphanedRecovery, RecoveryFile};
 use crate::gui::import_draft::ImportDraft;
-use crate::gui::jobs::{Jobs, Latest};
+use crate::gui::jobs::{Jobs, Slot};
 use crate::gui::style::font_fallback::Characters;
 use crate::gui::view::{NextAction, OnDisk, ViewState};
 use crate::history;
@@ -39,8 +39,6 @@ pub(crate) struct Workbench {
     /// The session that the window began with, not opened by the user.
     pub(super) first: Arc<LoadedSession>,
     pub(super) file_state: FileState,
-    /// A question that was cancelled: it is not asked again by itself.
-    pub(super) declined: Option<Question>,
     pub(super) view: ViewState,
     /// The import that was left without being done, with what was said.
     pub(super) left_draft: Option<ImportDraft>,
@@ -51,9 +49,7 @@ pub(crate) struct Workbench {
     pub(super) spoken_sections: SpokenSections,
     /// What a search that was stopped had found until then, and in which session.
     pub(super) stopped: Option<(Arc<LoadedSession>, Vec<String>)>,
-    pub(super) preview: Option<Preview>,
-    /// The preview that was cancelled: it is not asked for again by itself.
-    pub(super) unprepared: Option<PreviewRequest>,
+    pub(super) preview: Option<Arc<Preview>>,
     pub(super) plot_cache: Option<Arc<PlotCache>>,
     pub(super) compensated: Option<Arc<Compensated>>,
     /// Files that were exported from this session, the newest last, each with what its model answers.
@@ -78,7 +74,6 @@ impl Workbench {
         let mut workbench = Self {
             first,
             file_state: FileState::default(),
-            declined: None,
             history,
             view: ViewState::default(),
             left_draft: None,
@@ -88,7 +83,6 @@ impl Workbench {
             spoken_sections: SpokenSections::default(),
             stopped: None,
             preview: None,
-            unprepared: None,
             plot_cache: None,
             compensated: None,
             exported: Vec::new(),
@@ -155,9 +149,9 @@ pub(super) struct FileState {
 /// What is asked faster than it is answered.
 #[derive(Default)]
 pub(super) struct PendingQueries {
-    pub(super) questions: Latest<Question>,
-    pub(super) previews: Latest<PreviewRequest>,
-    pub(super) plots: Latest<PlotInputs>,
+    pub(super) questions: Slot<Question>,
+    pub(super) previews: Slot<PreviewRequest>,
+    pub(super) plots: Slot<PlotInputs>,
     /// The session that is being searched: only that one can be given its answer.
     pub(super) searched: Option<Arc<LoadedSession>>,
 }

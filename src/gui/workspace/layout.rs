@@ -3,12 +3,11 @@
 //! Rectangles and points only, so that it is tested without pixels.
 
 use egui::{Pos2, Rect, Vec2, pos2, vec2};
-use egui_plot::{PlotPoint, PlotTransform};
+use egui_plot::PlotTransform;
 
 use crate::text::{Template, filled};
 
-use crate::gui::core::scale::{FEW, round_down};
-use crate::gui::workbench::Workbench;
+use crate::gui::core::scale::round_down;
 
 use super::model::{Dial, Shown};
 
@@ -159,29 +158,6 @@ pub(crate) fn drawn(shown: &Shown, [points, vectors]: [usize; 2]) -> Vec<String>
         ),
     ];
     layers.into_iter().filter_map(note).collect()
-}
-
-/// The sample under the pointer, of those within `reach` points of it.
-pub(crate) fn under(
-    workbench: &Workbench,
-    transform: &PlotTransform,
-    pointer: Pos2,
-    reach: f32,
-) -> Option<usize> {
-    let usable = &workbench.loaded_session().overview.usable;
-    if usable.len() > FEW {
-        let at = transform.value_from_position(pointer);
-        let reach_mm = f64::from(reach) / transform.dpos_dvalue_x().abs();
-        return workbench.nearest()?.find([at.x, at.y], reach_mm);
-    }
-    let facing = workbench.facing();
-    let candidates = usable.iter().map(|sample| {
-        let sample = *sample as usize;
-        let [x, y] = facing.flat(workbench.loaded_session().measured(sample));
-        let at = transform.position_from_point(&PlotPoint::new(x, y));
-        (sample, [at.x, at.y])
-    });
-    nearest(candidates, [pointer.x, pointer.y], reach)
 }
 
 /// Many vectors, one to so many points of the screen, so that each can be read: as many as there are cells of a grid

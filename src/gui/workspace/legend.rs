@@ -1,7 +1,7 @@
 //! The scale of the vectors, what marks and colours mean, and what is not shown: in rows above the
 //! plot, so that nothing of it ever covers what was measured, however small the plot is.
 
-use egui::{Align2, FontId, Link, Popup, PopupCloseBehavior, Rect, RichText, Ui, vec2};
+use egui::{Align2, Link, Popup, PopupCloseBehavior, Rect, RichText, Ui, vec2};
 use egui_plot::PlotTransform;
 
 use crate::gui::layers::OUTLINE;
@@ -12,7 +12,6 @@ use crate::gui::scene::{
 };
 use crate::gui::style::{Palette, size};
 use crate::gui::view::Colouring;
-use crate::gui::widgets;
 use crate::gui::workbench::Workbench;
 use crate::present::numbers::trimmed;
 
@@ -52,16 +51,13 @@ pub(super) fn show(
     shown: &Shown,
     robot: Option<&Drawn>,
     notes: &[String],
-    palette: &Palette,
 ) -> Option<Rect> {
+    let palette = &Palette::of(ui);
     let mut scale = None;
     let measured = !workbench.loaded_session().is_empty();
     let low = ui.available_height() < LOW;
     let entries = entries(workbench, shown, robot);
-    let scales = scales::entries(workbench, shown, low, &|text| {
-        let font = FontId::proportional(size::SMALL);
-        widgets::width_of(ui, text, font)
-    });
+    let scales = scales::entries(ui, workbench, shown, low);
     let marks = |ui: &mut Ui| entries.iter().for_each(|one| symbol(ui, one, palette));
     rows(ui, |ui| {
         if measured {
@@ -229,7 +225,7 @@ impl Notes {
         Self { id, before, lines }
     }
 
-    pub(super) fn keep(self, ui: &Ui, shown: &Shown, transform: &PlotTransform) {
+    pub(super) fn keep(&self, ui: &Ui, shown: &Shown, transform: &PlotTransform) {
         let now = layout::drawn(shown, layout::counts(shown, transform));
         if now != self.before {
             ui.data_mut(|data| data.insert_temp(self.id, now));

@@ -2,6 +2,7 @@
 //! measured points, error vectors.
 
 mod display;
+mod extent;
 pub(crate) mod handles;
 mod layout;
 mod legend;
@@ -32,11 +33,7 @@ use crate::gui::view::Step;
 use crate::gui::workbench::{Command, Workbench};
 
 use handles::Handles;
-use legend::Notes;
-use model::Shown;
-use over::tell_plot_size;
-use pointer::REACH;
-use robot::Drawn;
+use over::{Seen, tell_plot_size};
 
 /// Shows the plot in the space that is left, and sends what the pointer does.
 pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
@@ -77,9 +74,6 @@ fn axes(workbench: &Workbench) -> [String; 2] {
 fn plane(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let palette = Palette::of(ui);
     let view = workbench.view();
-    let shown = Shown::of(workbench);
-    let robot = Drawn::of(workbench);
-    let bounds = layout::bounds(&shown);
     let units = workbench.units();
     let [mut across, upwards] = axes(workbench);
     // In a low plot the axis below goes without its name, which the bar says as well.
@@ -89,15 +83,9 @@ fn plane(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let per_mm = units.length_value(1.0);
     let hints = |side, name| axis(side, name, &palette, move |mm| units.length_value(mm));
     let editing = view.step == Step::Regions && !workbench.loaded_session().is_empty();
-    let notes = Notes::recall(ui, &shown);
-    let scale = legend::show(
-        ui,
-        workbench,
-        &shown,
-        robot.as_ref(),
-        &notes.lines,
-        &palette,
-    );
+    let seen = Seen::of(ui, workbench);
+    let (shown, robot) = (&seen.shown, seen.robot.as_ref());
+    let bounds = layout::bounds(shown);
     let plot = gestures::plot(("workspace", view.plane.name(), view.fitted.workspace))
         .data_aspect(1.0)
         .set_margin_fraction(egui::Vec2::splat(0.02))
@@ -116,7 +104,7 @@ fn plane(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
             bounds,
             |ui, transform, shapes| {
                 let camera = Camera::new(facing, transform);
-                let scene = scene::plane(workbench, &shown, robot.as_ref(), editing, &camera);
+                let scene = scene::plane(workbench, shown, robot, editing, &camera);
                 Screen::new(ui.painter(), &palette, shapes).draw(&scene.items, &camera);
             },
         ));
@@ -137,11 +125,8 @@ fn plane(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
             say!("workspace plot, {samples} samples", samples),
         )
     });
-    let about = (&shown, robot.as_ref());
-    over::show(ui, workbench, about, &camera, (notes, scale));
     let pointer = response.hover_pos();
-    let under = pointer.and_then(|p| layout::under(workbench, &transform, p, REACH));
-    hover(&response, workbench, under, commands);
+    seen.finish(ui, workbench, &camera, (&response, pointer), commands);
     if editing && let Some(dial) = &shown.dial {
         let handles = Handles {
             at: &|angle| {

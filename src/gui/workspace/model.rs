@@ -5,7 +5,6 @@ use nalgebra::{Isometry3, Point3};
 
 use crate::gui::cache::cloud::Cloud;
 use crate::gui::cache::cloud::Uncertain;
-use crate::gui::cache::projected::{Extent, SOME};
 use crate::gui::core::loaded_session::LoadedSession;
 use crate::gui::core::scale::{FEW, long_mm};
 use crate::gui::layers::LayerOptions;
@@ -13,6 +12,7 @@ use crate::gui::view::{Ball, Colouring, Facing, Plane};
 use crate::gui::workbench::Workbench;
 use crate::numeric::single;
 
+use super::extent::{Extent, SOME};
 use super::sparse::{most_telling, room, sparse};
 
 /// A sample whose vectors are drawn by themselves.

@@ -286,7 +286,7 @@ fn charts<'a>(
     }
 }
 
-fn components<'a>(scene: &Scene<'_>, place: Place<'_>) -> Choice<'a, Component> {
+fn components<'a>(scene: &Scene, place: Place<'_>) -> Choice<'a, Component> {
     let planar = scene.loaded_session.session.samples.z_mm.is_none();
     let offered = Component::ALL.into_iter();
     let offered = offered.filter(|c| !(planar && c.out_of_plane()));
@@ -298,7 +298,7 @@ fn components<'a>(scene: &Scene<'_>, place: Place<'_>) -> Choice<'a, Component> 
 }
 
 /// The joints, where there are several.
-fn joints<'a>(scene: &Scene<'a>, place: Place<'_>) -> Option<Choice<'a, usize>> {
+fn joints<'a>(scene: &'a Scene, place: Place<'_>) -> Option<Choice<'a, usize>> {
     let joints = &scene.loaded_session.session.robot.joints;
     let offered = joints.iter().enumerate();
     (joints.len() > 1).then(|| Choice {
@@ -311,7 +311,7 @@ fn joints<'a>(scene: &Scene<'a>, place: Place<'_>) -> Option<Choice<'a, usize>> 
 fn bar(
     ui: &mut Ui,
     workbench: &Workbench,
-    (place, kind, scene): (Place<'_>, &dyn ChartKind, &Scene<'_>),
+    (place, kind, scene): (Place<'_>, &dyn ChartKind, &Scene),
     first: First<'_>,
     commands: &mut Vec<Command>,
 ) {
@@ -386,7 +386,8 @@ fn signs(ui: &mut Ui, (place, kind): (Place<'_>, &dyn ChartKind), commands: &mut
     picture(ui, Plot::Chart(about.id), commands);
     let plot = Plot::Chart(about.id).title();
     let says = say!("Save data of the {plot}…", plot);
-    if widgets::data_button(ui, &says).clicked() {
+    let button = widgets::icon_button(ui, widgets::DATA, &says);
+    if button.on_hover_text(&says).clicked() {
         commands.push(Command::Ask(Asked::WhereToExport(What::Numbers(about.id))));
     }
     let fit = place.own(say!("Fit chart to view"));
