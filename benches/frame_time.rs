@@ -99,7 +99,7 @@ impl Window {
 
     fn opening(path: PathBuf, runner: Runner) -> Self {
         let ctx = Context::default();
-        let app = App::new(&ctx, Some(path), runner).not_drawn();
+        let app = App::new(&ctx, Some(path), runner);
         Self {
             ctx,
             app,

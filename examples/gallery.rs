@@ -169,16 +169,14 @@ impl Gallery {
         let mut window = walk::window(self.theme, None);
         walk::imported(&mut window);
         walk::identified(&mut window);
-        for (label, name) in [("heat map", "heat-map"), ("polar", "polar")] {
-            if there(&window, label) {
-                press(&mut window, label);
-                self.picture(&mut window, name)?;
-                press(&mut window, label);
-            } else {
-                println!("{name}: there is no {label} here");
-            }
+        if there(&window, "heat map") {
+            press(&mut window, "heat map");
+            self.picture(&mut window, "heat-map")?;
+            press(&mut window, "heat map");
         }
-        Ok(())
+        press(&mut window, "View");
+        press(&mut window, "Deviation around the angle");
+        self.picture(&mut window, "polar")
     }
 }
 

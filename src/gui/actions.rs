@@ -30,7 +30,7 @@ impl WindowState<'_> {
 
     fn looks_at(self, plane: Plane) -> bool {
         let view = self.workbench.view();
-        view.plane == plane && !view.polar() && !view.in_space()
+        view.plane == plane && !view.in_space()
     }
 
     fn sees_from(self, from: Standard) -> bool {
@@ -240,8 +240,8 @@ actions! {
     LOOK_YZ: SHIFTED, Num3, phrase!("workspace from the front"), |_| say!("Workspace from the front").into(),
         |_| Command::View(ViewChange::Look(Plane::Yz)), [on(|now| now.looks_at(Plane::Yz))];
     LOOK_AROUND: SHIFTED, Num4, phrase!("deviation around the angle (polar)"),
-        |_| say!("Deviation around the angle").into(), |_| Command::View(ViewChange::LookAround),
-        [on(|now| now.workbench.view().polar())];
+        |_| say!("Deviation around the angle").into(), |now| now.workbench.showing("polar"),
+        [on(|now| now.workbench.shows("polar"))];
     LOOK_IN_SPACE: SHIFTED, Num5, phrase!("workspace in 3-D"), |_| say!("Workspace in 3-D").into(),
         |_| Command::View(ViewChange::LookFrom(None)), [on(|now| now.workbench.view().in_space())];
     FIT: COMMAND, F, phrase!("fit the plots' view"), |_| say!("Show everything in the plots").into(),

@@ -3,19 +3,20 @@
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use std::sync::mpsc::{Receiver, channel};
 use std::time::Duration;
 
 use egui::style::NumberFormatter;
-use egui::{CentralPanel, Context, Frame, Margin, Panel, Ui, ViewportCommand};
+use egui::{CentralPanel, ColorImage, Context, Frame, Margin, Panel, Ui, ViewportCommand};
 
 use super::preferences::{Preferences, largest_zoom};
-use super::view::{Arrangement, Canvas, Sheet};
-use super::{actions, dialogs, files, layers, widgets};
+use super::view::{Arrangement, Sheet};
+use super::{actions, dialogs, files, layers, widgets, workspace};
 use crate::gui::core::compensated::CompensationRequest;
 use crate::gui::jobs::{Jobs, Runner};
 use crate::gui::style::{self, Palette, space};
 use crate::gui::views;
-use crate::gui::workbench::{Command, ViewChange, Workbench};
+use crate::gui::workbench::{Command, Workbench};
 use crate::present::numbers::write_numbers;
 use crate::text::Language;
 
@@ -47,6 +48,8 @@ pub struct App {
     title: String,
     /// When recovery is written next, in the window's seconds.
     recovery_due: Option<f64>,
+    /// Where a picture of the window arrives that was asked for.
+    picture: Option<Receiver<Arc<ColorImage>>>,
 }
 
 /// So much memory stays with the program between frames, bytes; the meshes of a full window take a tenth of it.
@@ -68,7 +71,7 @@ impl App {
         write_fields(ctx, false);
         let wake = ctx.clone();
         let jobs = Jobs::new(runner, Arc::new(move || wake.request_repaint()));
-        let workbench = Workbench::new(files::first_example(), jobs, views::copies::drawing);
+        let workbench = Workbench::new(files::first_example(), jobs);
         Self {
             first: path,
             ..Self::on(workbench)
@@ -88,29 +91,17 @@ impl App {
             language: Language::English,
             title: String::new(),
             recovery_due: None,
+            picture: None,
         }
     }
 
-    /// Draws what there is for each sample on the graphics processor, where there is one; without,
-    /// egui draws it, thinned where it is much.
+    /// Draws samples on the graphics processor. Without one they are laid out, and nothing of them is seen: so the window
+    /// is tested and measured.
     #[must_use]
-    pub fn drawn_by(self, state: Option<&egui_wgpu::RenderState>) -> Self {
-        match state {
-            Some(state) => self.on_canvas(layers::gpu::register(state)),
-            None => self,
+    pub fn drawn_by(mut self, state: Option<&egui_wgpu::RenderState>) -> Self {
+        if let Some(state) = state {
+            self.workbench.draw_at_most(layers::gpu::register(state));
         }
-    }
-
-    /// The same work for the window without showing it: to measure it without
-    /// anything that draws.
-    #[must_use]
-    pub fn not_drawn(self) -> Self {
-        self.on_canvas(Canvas::Layers(usize::MAX))
-    }
-
-    fn on_canvas(mut self, canvas: Canvas) -> Self {
-        let change = ViewChange::Canvas(canvas);
-        self.workbench.execute(Command::View(change));
         self
     }
 
@@ -169,6 +160,7 @@ impl App {
             ui.ctx().request_repaint();
         }
         views::copies::chart(ui, &mut self.workbench);
+        self.keep_picture(ui.ctx());
         self.keep_arranged(ui.ctx());
     }
 
@@ -263,6 +255,26 @@ impl App {
         dialogs::asking(ui, workbench, commands);
         views::status::dropped(ui, commands);
         widgets::focus_ring(ui.ctx());
+    }
+
+    /// Takes a picture of the window where the workspace is to be saved.
+    fn keep_picture(&mut self, ctx: &Context) {
+        let taken = self.picture.as_ref().and_then(|seen| seen.try_recv().ok());
+        if let Some(window) = taken {
+            self.picture = None;
+            let image = workspace::in_picture(ctx, &window);
+            self.workbench.take_picture(image);
+            ctx.request_repaint();
+        } else if self.workbench.wants_picture() {
+            let ((sender, receiver), wake) = (channel(), ctx.clone());
+            self.picture = Some(receiver);
+            ctx.request_screenshot(move |image| {
+                // The window may be gone already.
+                let _ = sender.send(image);
+                wake.request_repaint();
+            });
+            ctx.request_repaint();
+        }
     }
 
     fn ask_before_leaving(&mut self, ctx: &Context) {

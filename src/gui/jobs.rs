@@ -4,7 +4,7 @@
 //! channel to the poller, and the window is woken. Its [`Watch`] takes the progress
 //! of a job and tells it that it is cancelled; whatever it still makes is dropped. Only of a file that is being
 //! written it is told how that went all the same: it may have been too late to cancel it. What is
-//! asked faster than it is answered goes through [`Latest`]: one at a time, and the latest after it.
+//! asked faster than it is answered goes through a [`Slot`]: one at a time, and the latest after it.
 //!
 //! Nothing here knows what jobs are about: `B` is whatever their outcomes change.
 
@@ -297,25 +297,32 @@ impl Kind {
     }
 }
 
-/// One question at a time, and the latest one after it.
+/// What is asked faster than it is answered: one question at a time, and the latest one after it. One that was
+/// cancelled is not begun again by itself.
 #[derive(Debug)]
-pub(crate) struct Latest<Q> {
+pub(crate) struct Slot<Q> {
     asked: Option<Q>,
     waiting: Option<Q>,
+    declined: Option<Q>,
 }
 
-impl<Q> Default for Latest<Q> {
+impl<Q> Default for Slot<Q> {
     fn default() -> Self {
         Self {
             asked: None,
             waiting: None,
+            declined: None,
         }
     }
 }
 
-impl<Q: PartialEq + Clone> Latest<Q> {
+impl<Q: PartialEq + Clone> Slot<Q> {
     /// The question, if it is to be worked on now.
-    pub(crate) fn ask(&mut self, question: Q) -> Option<Q> {
+    pub(crate) fn want(&mut self, question: Q) -> Option<Q> {
+        if self.declined.as_ref() == Some(&question) {
+            return None;
+        }
+        self.declined = None;
         if self.asked.as_ref() == Some(&question) {
             self.waiting = None;
             None
@@ -328,21 +335,27 @@ impl<Q: PartialEq + Clone> Latest<Q> {
         }
     }
 
-    /// Whether this is the last that was asked, and has no answer yet.
-    pub(crate) fn is_asked(&self, question: &Q) -> bool {
-        self.waiting.as_ref().or(self.asked.as_ref()) == Some(question)
+    /// What was asked last is cancelled.
+    pub(crate) fn decline(&mut self) {
+        let asked = self.asked.take();
+        let last = self.waiting.take().or(asked);
+        self.declined = last.or(self.declined.take());
     }
 
-    /// Forgets everything that was asked; the last of it.
-    pub(crate) fn forget(&mut self) -> Option<Q> {
-        let Self { asked, waiting } = std::mem::take(self);
-        waiting.or(asked)
+    /// What was cancelled.
+    pub(crate) fn declined(&self) -> Option<&Q> {
+        self.declined.as_ref()
+    }
+
+    /// What was cancelled may be asked again.
+    pub(crate) fn resume(&mut self) {
+        self.declined = None;
     }
 
     /// The question is answered; the one that is next.
     pub(crate) fn answered(&mut self) -> Option<Q> {
         self.asked = None;
         let next = self.waiting.take()?;
-        self.ask(next)
+        self.want(next)
     }
 }

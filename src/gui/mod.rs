@@ -152,7 +152,6 @@ mod testing {
     use crate::gui::core::loaded_session::{LoadedSession, Origin};
     use crate::gui::core::simulate::{Chosen, Form};
     use crate::gui::jobs::{Jobs, Runner};
-    use crate::gui::views::copies::drawing;
     use crate::gui::workbench::Workbench;
 
     /// A workbench on a simulated session: both directions, backlash and a little noise.
@@ -164,6 +163,6 @@ mod testing {
         let (session, _) = form.session(unwatched).expect("the form is valid");
         let loaded_session = LoadedSession::new(session, Vec::new(), Origin::Simulated);
         let jobs = Jobs::new(Runner::AtOnce, Arc::new(|| {}));
-        Workbench::new(Arc::new(loaded_session), jobs, drawing)
+        Workbench::new(Arc::new(loaded_session), jobs)
     }
 }

@@ -111,7 +111,6 @@ fn writes(window: &mut Window, folder: &Path, name: &str) {
     let list: Typing = |app, path| app.type_path("poses", path);
     let report: Typing = |app, path| app.type_path("report", path);
     let model: Typing = |app, path| app.type_path("report of the model", path);
-    let workspace: Typing = |app, path| app.type_path("workspace", path);
     let deviation: Typing = |app, path| app.type_path("deviation", path);
     let gap: Typing = |app, path| app.type_path("gap by step", path);
     for (file, typing) in [
@@ -120,7 +119,6 @@ fn writes(window: &mut Window, folder: &Path, name: &str) {
         ("report.html", report),
         ("report.pdf", report),
         ("model.html", model),
-        ("workspace.svg", workspace),
         ("deviation.svg", deviation),
         ("gap.svg", gap),
     ] {

@@ -30,7 +30,7 @@ fn typed_save(window: &mut Window, path: &Path) {
     window.run_steps(2);
 }
 
-const OUTPUTS: [Output; 8] = [
+const OUTPUTS: [Output; 7] = [
     Output {
         name: "session",
         file: "session.json",
@@ -60,11 +60,6 @@ const OUTPUTS: [Output; 8] = [
         name: "model report",
         file: "model.html",
         typing: |w, path| w.state_mut().type_path("report of the model", path),
-    },
-    Output {
-        name: "picture",
-        file: "workspace.svg",
-        typing: |w, path| w.state_mut().type_path("workspace", path),
     },
     Output {
         name: "picture of the chart",

@@ -33,7 +33,7 @@ fn triangles(samples: u32) -> usize {
     let folder = tempfile::tempdir().expect("a folder");
     let path = write_session(folder.path(), samples);
     let ctx = egui::Context::default();
-    let mut app = App::new(&ctx, Some(path), Runner::AtOnce).not_drawn();
+    let mut app = App::new(&ctx, Some(path), Runner::AtOnce);
     let mut count = 0;
     for _ in 0..6 {
         let screen = egui::vec2(1280.0, 800.0);

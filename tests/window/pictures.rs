@@ -173,6 +173,9 @@ fn several_charts(theme: Theme, name: &str) {
     ] {
         press(&mut window, list);
         let all = window.get_all_by_label(chart);
+        all.last().expect("an entry of the list").scroll_to_me();
+        window.run_steps(6);
+        let all = window.get_all_by_label(chart);
         all.last().expect("an entry of the list").click();
         window.run_steps(6);
     }
@@ -208,4 +211,51 @@ fn an_arm_in_space_in_light() {
 #[test]
 fn an_arm_in_space_in_dark() {
     an_arm_in_space(Theme::Dark, "space-dark");
+}
+
+#[test]
+fn the_polar_view_in_light() {
+    let Some(mut window) = window(Theme::Light, None) else {
+        return;
+    };
+    press(&mut window, "3 Identify");
+    press(&mut window, "Identify");
+    press(&mut window, "View");
+    press(&mut window, "Deviation around the angle");
+    looks_like(&mut window, "polar-light");
+}
+
+#[test]
+fn the_workspace_is_saved_as_it_is_seen_without_the_sheet_that_asked_where() {
+    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/arms/six-60.json");
+    for path in [None, Some(file.into())] {
+        let Some(mut window) = window(Theme::Light, path) else {
+            return;
+        };
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = folder.path().join("workspace.png");
+        window.get_by_label("Save picture of the workspace…");
+        window.state_mut().type_path("workspace", &path);
+        window.run_steps(4);
+        press(&mut window, "Save");
+        let written = std::fs::read(&path).expect("it was written");
+        let reader = png::Decoder::new(std::io::Cursor::new(written)).read_info();
+        let mut reader = reader.expect("it is a picture");
+        let mut pixels = vec![0; reader.output_buffer_size().expect("its size")];
+        let shown = reader.next_frame(&mut pixels).expect("its pixels");
+        let plot = window.query_by_label_contains("workspace plot,");
+        let plot = plot.unwrap_or_else(|| window.get_by_label_contains("3-D view,"));
+        let wide = plot.rect().width() * PIXELS_PER_POINT;
+        assert!(
+            (wide..wide + 120.0).contains(&(shown.width as f32)),
+            "{wide} {}",
+            shown.width
+        );
+        // On a bright surface, as the window is, and not behind the veil of a sheet: vectors are seen in their colour.
+        let white = pixels.chunks(4).filter(|p| p[..3].iter().all(|c| *c > 250));
+        let share = white.count() as f32 / (pixels.len() / 4) as f32;
+        assert!(share > 0.4, "{share}");
+        let before = pixels.chunks(4).filter(|p| p[0] > 150 && p[2] < 100);
+        assert!(before.count() > 50, "vectors");
+    }
 }

@@ -2,7 +2,7 @@
 //! panel, nothing lies on something else, no text is cut, the plots stay readable and what comes
 //! next stays in sight.
 
-use crate::window::{STEPS, Window, press, there, window_of};
+use crate::window::{STEPS, Window, copied, press, there, window_of};
 use egui::accesskit::Role;
 use egui::{Color32, FontFamily, FontId, Rect, Shape};
 use egui_kittest::kittest::{NodeT, Queryable};
@@ -371,6 +371,35 @@ fn arrows(window: &Window, within: Rect) -> Vec<f32> {
     all.windows(2).filter_map(arrow).collect()
 }
 
+/// How long a vector of a millimetre is drawn, points: the arrow of the scale over the plot, and what stands beside it.
+fn points_per_mm(window: &Window, plot: Rect) -> f32 {
+    // The names beside its axis stand left of the plot, and the scale above them.
+    let left = plot.left() - 80.0;
+    let above = Rect::from_x_y_ranges(left..=plot.right(), plot.top() - 100.0..=plot.top());
+    let [arrow] = arrows(window, above)[..] else {
+        panic!("one scale above the plot");
+    };
+    let shapes = window.output().shapes.iter();
+    let texts = shapes.filter_map(|shape| match &shape.shape {
+        Shape::Text(text) if above.contains(text.pos) => Some(text.galley.text()),
+        _ => None,
+    });
+    let mut lengths = texts.filter_map(|text| text.strip_suffix(" mm")?.parse::<f32>().ok());
+    arrow / lengths.next().expect("what it stands for")
+}
+
+/// The median deviation of the session that the window begins with, mm.
+fn median_mm() -> f32 {
+    let mut window = window_of([1280.0, 800.0], None, Runner::AtOnce);
+    press(&mut window, "Samples");
+    let rows = copied(&mut window, "Copy table of samples");
+    assert_eq!(rows[0][6], "before, mm");
+    let before = rows[1..].iter().map(|row| row[6].parse::<f32>());
+    let mut before: Vec<f32> = before.map(|mm| mm.expect("a number")).collect();
+    before.sort_by(f32::total_cmp);
+    before[before.len() / 2]
+}
+
 #[test]
 fn the_median_arrow_can_be_read_at_every_usual_size_where_a_robot_is_looked_at_first() {
     // Points; magnifications are round numbers.
@@ -378,7 +407,9 @@ fn the_median_arrow_can_be_read_at_every_usual_size_where_a_robot_is_looked_at_f
     const MOST: f32 = 32.0;
     // Some of an arm's stand for all of them, and are longer.
     const MOST_OF_AN_ARM: f32 = 48.0;
+    const FORESHORTENED: f32 = std::f32::consts::FRAC_PI_4;
     let arm = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/arms/six-60.json");
+    let median_mm = median_mm();
     let mut medians = Vec::new();
     // A plane shows several joints too small; an arm begins in space.
     let axis = (None, &["x y", "3-D"][..]);
@@ -392,11 +423,19 @@ fn the_median_arrow_can_be_read_at_every_usual_size_where_a_robot_is_looked_at_f
                 let names = ["workspace plot", "3-D view"];
                 let mut figures = all.iter().filter(|t| t.role == Role::Figure);
                 let plot = figures.find(|t| names.iter().any(|name| t.says.starts_with(name)));
-                let mut lengths = arrows(&window, plot.expect("a plot").rect);
-                lengths.sort_by(f32::total_cmp);
-                assert!(lengths.len() > 60, "{size:?}, {view}: {}", lengths.len());
+                let plot = plot.expect("a plot").rect;
                 let is_arm = file.is_some();
-                medians.push((is_arm, size, *view, lengths[lengths.len() / 2]));
+                let median = if is_arm {
+                    let mut lengths = arrows(&window, plot);
+                    lengths.sort_by(f32::total_cmp);
+                    assert!(lengths.len() > 60, "{size:?}, {view}: {}", lengths.len());
+                    lengths[lengths.len() / 2]
+                } else {
+                    // What the graphics processor draws is not among the shapes; in space it is foreshortened.
+                    let seen = if *view == "3-D" { FORESHORTENED } else { 1.0 };
+                    seen * median_mm * points_per_mm(&window, plot)
+                };
+                medians.push((is_arm, size, *view, median));
             }
         }
     }

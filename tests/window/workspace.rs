@@ -4,7 +4,6 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
 use crate::window::{Window, choose, keys, middle_of, press, says, there, wheel, window};
-use egui::accesskit::Role;
 use egui::{Key, Modifiers, Pos2, Rect, pos2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
@@ -75,6 +74,11 @@ fn plot(window: &Window) -> Rect {
     window.get_by_label_contains("workspace plot,").rect()
 }
 
+fn polar(window: &mut Window) {
+    let keys_of_it = Modifiers::COMMAND.plus(Modifiers::SHIFT);
+    keys(window, keys_of_it, Key::Num4);
+}
+
 fn text_of(window: &Window, part: &str) -> Option<String> {
     let node = window.query_all_by_label_contains(part).next()?;
     let node = node.accesskit_node();
@@ -118,13 +122,12 @@ fn the_workspace_is_looked_at_from_every_side_by_name() {
         assert!(says(&window, "workspace plot, 208 samples"), "{plane}");
         assert!(says(&window, "robot at sample"), "{plane}");
     }
-    press(&mut window, "polar");
+    polar(&mut window);
     assert!(says(
         &window,
         "polar view, tangential, 208 samples, 1 division = "
     ));
-    assert!(!says(&window, "workspace plot"));
-    press(&mut window, "x y");
+    choose(&mut window, "Choose chart", "Deviation over angle");
     assert!(!says(&window, "polar view"));
     assert!(window.unnamed_widgets().is_empty());
 }
@@ -135,7 +138,7 @@ fn the_keyboard_and_the_menu_know_the_polar_view() {
     let shifted = Modifiers::COMMAND.plus(Modifiers::SHIFT);
     keys(&mut window, shifted, Key::Num4);
     assert!(says(&window, "polar view"));
-    keys(&mut window, shifted, Key::Num2);
+    choose(&mut window, "Choose chart", "Deviation over angle");
     assert!(!says(&window, "polar view"));
     choose(&mut window, "View", "Deviation around the angle");
     assert!(says(&window, "polar view"));
@@ -144,34 +147,10 @@ fn the_keyboard_and_the_menu_know_the_polar_view() {
 }
 
 #[test]
-fn the_switches_of_the_polar_view_lie_beside_each_other() {
-    const APART: f32 = 4.0;
-    for width in [1024.0, 1280.0, 1366.0, 1600.0, 1920.0] {
-        let mut window = crate::window::window_of([width, 800.0], None, Runner::AtOnce);
-        keys(&mut window, Modifiers::COMMAND, Key::I);
-        press(&mut window, "polar");
-        let list = window.get_by_label("Component of the polar view").rect();
-        let first = window
-            .get_by_role_and_label(Role::RadioButton, "both")
-            .rect();
-        let is_above = list.bottom() < first.top() || first.bottom() < list.top();
-        let beside = list.right() + APART <= first.left();
-        assert!(is_above || beside, "{width}: {list} {first}");
-    }
-}
-
-#[test]
 fn the_polar_view_shows_the_component_that_is_chosen_and_what_is_left() {
     let mut window = window(None);
-    press(&mut window, "polar");
-    window.get_by_label("Component of the polar view").click();
-    window.run_steps(4);
-    window
-        .get_all_by_label("radial")
-        .last()
-        .expect("offered")
-        .click();
-    window.run_steps(4);
+    polar(&mut window);
+    choose(&mut window, "Component", "radial");
     let scale = |window: &Window| {
         let says = text_of(window, "polar view, radial").expect("it is shown");
         let (_, number) = says.split_once("1 division = ").expect("a scale");
@@ -180,10 +159,9 @@ fn the_polar_view_shows_the_component_that_is_chosen_and_what_is_left() {
     };
     let before = scale(&window);
     keys(&mut window, Modifiers::COMMAND, Key::I);
-    assert!(there(&window, "legend: mean after"));
-    press(&mut window, "only after");
+    polar(&mut window);
+    press(&mut window, "show before");
     assert!(scale(&window) < before);
-    assert!(!there(&window, "legend: before"));
 }
 
 #[test]
@@ -322,8 +300,8 @@ fn near(window: &mut Window, at: Pos2, card: Option<&String>) -> bool {
 fn the_wheel_goes_closer_about_the_pointer_and_does_not_push_the_robot_away() {
     let mut window = window(None);
     for look in ["x y", "polar"] {
-        press(&mut window, look);
         let named = if look == "polar" {
+            polar(&mut window);
             "polar view,"
         } else {
             "workspace plot,"
@@ -344,7 +322,12 @@ fn the_wheel_goes_closer_about_the_pointer_and_does_not_push_the_robot_away() {
         window.hover_at(at);
         window.run_steps(2);
         assert_ne!(text_of(&window, "card of sample"), card, "{look}");
-        press(&mut window, "Fit to view");
+        let fit = if look == "polar" {
+            "Fit chart to view"
+        } else {
+            "Fit to view"
+        };
+        press(&mut window, fit);
         window.hover_at(at);
         window.run_steps(2);
         assert_eq!(text_of(&window, "card of sample"), card, "{look}");
@@ -372,7 +355,7 @@ fn an_arm_is_drawn_in_every_plane_and_the_polar_view_says_why_it_is_none() {
             let card = text_of(&window, "card of sample").expect("a card");
             assert!(card.contains("flange"), "{card}");
         }
-        press(&mut window, "polar");
+        polar(&mut window);
         assert!(says(&window, "This robot has several joints"));
         assert!(window.unnamed_widgets().is_empty());
     }
@@ -385,7 +368,7 @@ fn a_joint_that_slides_has_no_polar_view_and_says_so() {
     let path = write(folder.path(), RAIL, "q1_mm,x_mm,y_mm,z_mm", rows);
     let mut window = sized(Some(path), 1280.0, 800.0);
     assert!(says(&window, "workspace plot, 4 samples"));
-    press(&mut window, "polar");
+    polar(&mut window);
     assert!(says(&window, "This joint slides"));
 }
 
@@ -396,10 +379,11 @@ fn one_sample_and_samples_that_are_all_the_same_are_drawn() {
     for (rows, count) in [(row.to_owned(), 1), (row.repeat(50), 50)] {
         let path = column(folder.path(), &rows);
         let mut window = sized(Some(path), 1024.0, 700.0);
-        for view in ["x y", "x z", "y z", "polar"] {
+        for view in ["x y", "x z", "y z"] {
             press(&mut window, view);
             window.run_steps(4);
         }
+        polar(&mut window);
         assert!(says(&window, &format!("{count} samples")));
         press(&mut window, "x y");
         press(&mut window, "heat map");
@@ -439,7 +423,7 @@ fn the_polar_view_is_saved_as_a_picture() {
     let folder = tempfile::tempdir().expect("a folder");
     let mut window = window(None);
     keys(&mut window, Modifiers::COMMAND, Key::I);
-    press(&mut window, "polar");
+    polar(&mut window);
     assert!(there(&window, "Save picture of the polar…"));
     let path = folder.path().join("polar.svg");
     window.state_mut().type_path("polar", &path);

@@ -100,26 +100,6 @@ impl Heat {
             cells: smoothed(&sums, size, sigma),
         })
     }
-
-    /// The mean products and the opacity at a point of the plane, mm, between the middles of the
-    /// cells linearly; nothing outside.
-    pub(crate) fn at(&self, p_mm: [f64; 2]) -> [f64; 4] {
-        let place = |k: usize| (p_mm[k] - self.first_mm[k]) / self.cell_mm;
-        let (x, y) = (place(0), place(1));
-        let corner = [x.floor(), y.floor()];
-        let inside = |k: usize| corner[k] >= 0.0 && corner[k] + 1.0 < self.size[k] as f64;
-        if !inside(0) || !inside(1) {
-            return [0.0; 4];
-        }
-        let first = whole(corner[0]) + self.size[0] * whole(corner[1]);
-        let (u, v) = (x - corner[0], y - corner[1]);
-        let cell = |k: usize| self.cells[k].map(f64::from);
-        let (a, b) = (cell(first), cell(first + 1));
-        let (c, d) = (cell(first + self.size[0]), cell(first + self.size[0] + 1));
-        std::array::from_fn(|k| {
-            (1.0 - v) * ((1.0 - u) * a[k] + u * b[k]) + v * ((1.0 - u) * c[k] + u * d[k])
-        })
-    }
 }
 
 /// The cells in which something was measured, each once, counted from the nominal robot's lowest
@@ -162,12 +142,6 @@ fn spacing(places: &[[f64; 2]]) -> f64 {
     let mut nearest: Vec<f64> = (0..places.len()).map(nearest).collect();
     nearest.sort_unstable_by(f64::total_cmp);
     nearest.get(nearest.len() / 2).copied().unwrap_or(0.0)
-}
-
-/// The root mean square deviation, mm, that these products give at a blend from before to after.
-pub(crate) fn blended([bb, ba, aa, _]: [f64; 4], t: f64) -> f64 {
-    let squared = (1.0 - t).powi(2) * bb + 2.0 * t * (1.0 - t) * ba + t * t * aa;
-    squared.max(0.0).sqrt()
 }
 
 /// Sums, each with its weight and the largest weight in the last places, smoothed along x and then
@@ -217,6 +191,34 @@ mod tests {
     use crate::gui::core::edit::Edit;
     use crate::gui::testing::workbench;
     use crate::gui::workbench::Command;
+
+    impl Heat {
+        /// The mean products and the opacity at a point of the plane, mm, between the middles of the
+        /// cells linearly; nothing outside.
+        fn at(&self, p_mm: [f64; 2]) -> [f64; 4] {
+            let place = |k: usize| (p_mm[k] - self.first_mm[k]) / self.cell_mm;
+            let (x, y) = (place(0), place(1));
+            let corner = [x.floor(), y.floor()];
+            let inside = |k: usize| corner[k] >= 0.0 && corner[k] + 1.0 < self.size[k] as f64;
+            if !inside(0) || !inside(1) {
+                return [0.0; 4];
+            }
+            let first = whole(corner[0]) + self.size[0] * whole(corner[1]);
+            let (u, v) = (x - corner[0], y - corner[1]);
+            let cell = |k: usize| self.cells[k].map(f64::from);
+            let (a, b) = (cell(first), cell(first + 1));
+            let (c, d) = (cell(first + self.size[0]), cell(first + self.size[0] + 1));
+            std::array::from_fn(|k| {
+                (1.0 - v) * ((1.0 - u) * a[k] + u * b[k]) + v * ((1.0 - u) * c[k] + u * d[k])
+            })
+        }
+    }
+
+    /// The root mean square deviation, mm, that these products give at a blend from before to after.
+    fn blended([bb, ba, aa, _]: [f64; 4], t: f64) -> f64 {
+        let squared = (1.0 - t).powi(2) * bb + 2.0 * t * (1.0 - t) * ba + t * t * aa;
+        squared.max(0.0).sqrt()
+    }
 
     #[test]
     fn a_constant_error_is_the_same_everywhere_it_can_be_seen() {

@@ -1,26 +1,22 @@
 //! What is worked out once, in the background, so that no frame looks at all samples; and what plots of many samples
-//! stand on: which sample is where, the heat map, what the charts are made of. A few samples are simply looked at
+//! stand on: the heat map, what the charts are made of. A few samples are simply looked at
 //! anew in every frame, so that nothing has to be waited for.
 
 pub(crate) mod charts;
 pub(crate) mod cloud;
 pub(crate) mod heat;
 pub(crate) mod identified;
-pub(crate) mod projected;
 
 use std::sync::Arc;
 
 use crate::gui::core::answer::Answer;
 use crate::gui::core::loaded_session::{Component, LoadedSession};
-use crate::gui::core::quantity::{Over, Variable};
-use crate::gui::core::scale::FEW;
 use crate::gui::view::Plane;
 
-use charts::{ChartInputs, ChartResult, Envelope, Work};
+use charts::{ChartInputs, ChartResult, Work};
 use cloud::Uncertain;
 use heat::Heat;
 use identified::IdentifiedAnswer;
-use projected::{Nearest, Thinned};
 
 /// What a backdrop is made of.
 #[derive(Debug, Clone, PartialEq)]
@@ -37,12 +33,6 @@ pub(crate) struct PlotInputs {
     pub(crate) heat: bool,
     /// Whether colour says how sure the model is.
     pub(crate) uncertain: bool,
-    /// Whether not all samples can be drawn.
-    pub(crate) thins: bool,
-    /// Whether the deviation is looked at around the joint's angle.
-    pub(crate) polar: bool,
-    /// The component of the deviation around the joint's angle.
-    pub(crate) component: Component,
     /// What the charts need, each of its own component.
     pub(crate) charts: Vec<(Component, Work)>,
 }
@@ -60,13 +50,9 @@ impl PlotInputs {
         }
     }
 
-    fn many(&self) -> bool {
-        self.loaded_session.overview.usable.len() > FEW
-    }
-
     /// Whether there is anything to work out.
     pub(crate) fn any(&self) -> bool {
-        self.heat || self.uncertain || self.many() || !self.charts.is_empty()
+        self.heat || self.uncertain || !self.charts.is_empty()
     }
 }
 
@@ -74,18 +60,12 @@ impl PlotInputs {
 pub(crate) struct PlotCache {
     /// What it was made of.
     pub(crate) inputs: PlotInputs,
-    /// Which sample is where in the plane, mm.
-    pub(crate) nearest: Option<Arc<Nearest>>,
     /// The error over the plane.
     pub(crate) heat: Option<Arc<Heat>>,
     /// How sure the model is at each sample.
     pub(crate) uncertain: Option<Arc<Uncertain>>,
     /// What the charts are made of, in the scenery's order.
     pub(crate) charted: Vec<ChartResult>,
-    /// Samples that are drawn where not all can be.
-    pub(crate) thinned: Option<Arc<Thinned>>,
-    /// The extremes around the joint's angle, where the polar view shows them.
-    pub(crate) around: Option<Arc<Envelope>>,
 }
 
 impl PlotCache {
@@ -102,17 +82,6 @@ impl PlotCache {
         let same_answer = last.filter(|l| l.inputs.identified == scenery.identified);
         let heat_of = same_answer.filter(|_| same_plane.is_some());
         let loaded_session = &*scenery.loaded_session;
-        let nearest = || {
-            let axes = scenery.plane.axes();
-            let at = |sample: &u32| {
-                let measured = loaded_session.measured(*sample as usize);
-                (axes.map(|k| measured[k]), *sample)
-            };
-            Arc::new(Nearest::new(loaded_session.overview.usable.iter().map(at)))
-        };
-        let many = scenery.many();
-        let known = same_plane.and_then(|l| l.nearest.clone());
-        let nearest = many.then(|| known.unwrap_or_else(nearest));
         let heat = heat_of.and_then(|l| l.heat.clone()).or_else(|| {
             let wanted = scenery.heat.then(|| {
                 let heat = Heat::of(loaded_session, scenery.answer(), scenery.plane)?;
@@ -132,28 +101,11 @@ impl PlotCache {
                 .unwrap_or_else(|| wanted.1.done(scenery.chart_inputs(wanted.0)))
         });
         let charted = charted.collect();
-        let known = heat_of.and_then(|l| l.thinned.clone());
-        let thin = || Arc::new(Thinned::of(loaded_session, scenery.answer(), scenery.plane));
-        let thinned = (many && scenery.thins).then(|| known.unwrap_or_else(thin));
-        let known = heat_of.filter(|l| l.inputs.component == scenery.component);
-        let known = known.and_then(|l| l.around.clone());
-        let around = || {
-            let angle = Over {
-                variable: Variable::Joint,
-                joint: 0,
-            };
-            Arc::new(Envelope::of(scenery.chart_inputs(scenery.component), angle))
-        };
-        let polar = many && scenery.polar;
-        let around = polar.then(|| known.unwrap_or_else(around));
         Self {
             inputs: scenery,
-            nearest,
             heat,
             uncertain,
             charted,
-            thinned,
-            around,
         }
     }
 }

@@ -51,7 +51,7 @@ impl ChartKind for OfAxis {
             && samples.load_kg.is_none()
             && samples.setups.is_none()
             && samples.speed.iter().all(Option::is_none);
-        alone && (scene.view.step != Step::Gap || scene.diagnosis().is_some())
+        alone && (scene.step != Step::Gap || scene.diagnosis().is_some())
     }
 
     fn work(&self, scene: &Scene) -> Option<Work> {
@@ -63,14 +63,14 @@ impl ChartKind for OfAxis {
         }))
     }
 
-    fn show<'a>(&self, scene: &'a Scene<'a>) -> Result<Shown<'a>, ChartPlaceholder> {
+    fn show<'a>(&self, scene: &'a Scene) -> Result<Shown<'a>, ChartPlaceholder> {
         let (axis, series) = tested(scene)?;
         let over = Over {
             variable: Variable::Joint,
             joint: axis.joint,
         };
-        let scale = over.scale(scene.loaded_session, scene.units, 0.0);
-        let label = over.label(scene.loaded_session);
+        let scale = over.scale(&scene.loaded_session, scene.units, 0.0);
+        let label = over.label(&scene.loaded_session);
         let unit = unit(scene, axis);
         let stage = if scene.only_after() {
             AxisStage::Predicted
@@ -142,7 +142,7 @@ impl ChartKind for OfAxis {
 }
 
 /// The axis and its best series.
-fn tested<'a>(scene: &Scene<'a>) -> Result<(&'a AxisTest, &'a Series), ChartPlaceholder> {
+fn tested(scene: &Scene) -> Result<(&AxisTest, &Series), ChartPlaceholder> {
     let found: &Result<AxisTest, String> = scene.found().ok_or_else(ChartPlaceholder::yet)?;
     let axis = found
         .as_ref()

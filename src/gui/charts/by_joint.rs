@@ -22,13 +22,13 @@ pub(crate) static BY_JOINT: ByJoint = ByJoint;
 
 /// Where the samples are: joint by joint the smallest and the largest value, inner units.
 struct Panels<'a> {
-    scene: &'a Scene<'a>,
+    scene: &'a Scene,
     ranges: Vec<[f64; 2]>,
     stride: usize,
 }
 
 impl<'a> Panels<'a> {
-    fn of(scene: &'a Scene<'a>) -> Self {
+    fn of(scene: &'a Scene) -> Self {
         // Of many samples a frame looks at those that it shows.
         let stride = stride(scene.usable().len(), FEW);
         let range = |q: &Vec<f64>| {
@@ -71,7 +71,7 @@ impl<'a> Panels<'a> {
     fn values(&self, sample: usize) -> (f64, Option<f64>) {
         let scene = self.scene;
         let of = |e: [f64; 3]| scene.loaded_session.component(e, sample, scene.component);
-        let after = scene.answer.map(|a| of(a.deviation_after(sample)));
+        let after = scene.answer().map(|a| of(a.deviation_after(sample)));
         (of(scene.loaded_session.deviation_before(sample)), after)
     }
 
@@ -112,12 +112,12 @@ impl ChartKind for ByJoint {
         scene.loaded_session.session.robot.joints.len() > 1 && !scene.loaded_session.is_empty()
     }
 
-    fn show<'a>(&self, scene: &'a Scene<'a>) -> Result<Shown<'a>, ChartPlaceholder> {
+    fn show<'a>(&self, scene: &'a Scene) -> Result<Shown<'a>, ChartPlaceholder> {
         let panels = Panels::of(scene);
         let sign = LegendSymbol::Mark(Form::Disc);
         let before = |v: (f64, Option<f64>)| (!scene.only_after()).then_some(v.0);
         let mut series = vec![panels.series(Entry::before(sign), before)];
-        if scene.answer.is_some() {
+        if scene.answer().is_some() {
             series.push(panels.series(Entry::after(sign), |v| v.1));
         }
         let all = series.iter().flat_map(|s| &s.samples);
@@ -203,7 +203,7 @@ impl Samples for Panels<'_> {
             .collect()
     }
 
-    fn near(&self, [from, to]: [f64; 2]) -> Vec<usize> {
+    fn near(&self, [from, to]: [f64; 2], _: [f64; 2]) -> Vec<usize> {
         let here = |sample: &usize| {
             let mut joints = 0..self.ranges.len();
             joints.any(|joint| {

@@ -29,18 +29,18 @@ impl ChartKind for Correction {
 
     fn is_offered(&self, scene: &Scene) -> bool {
         let alone = scene.loaded_session.is_empty();
-        let step = scene.view.step == Step::Export || alone;
+        let step = scene.step == Step::Export || alone;
         // A description of the robot has no curve; then the samples are more to look at.
         let shows = |made: &ExportPreview| step && (alone || made.export.reads_as.is_some());
-        scene.made.is_some_and(shows)
+        scene.made().is_some_and(shows)
     }
 
     fn suits(&self, _: &Scene) -> bool {
         true
     }
 
-    fn show<'a>(&self, scene: &'a Scene<'a>) -> Result<Shown<'a>, ChartPlaceholder> {
-        let made = scene.made.and_then(|made| chart(made, scene.units));
+    fn show<'a>(&self, scene: &'a Scene) -> Result<Shown<'a>, ChartPlaceholder> {
+        let made = scene.made().and_then(|made| chart(made, scene.units));
         let chart = made.ok_or(ChartPlaceholder::new(
             say!("This format describes the robot itself and has no table"),
             "",
@@ -56,7 +56,7 @@ impl ChartKind for Correction {
     /// Every entry.
     fn numbers(&self, scene: &Scene) -> Table {
         let Some((made, read)) = scene
-            .made
+            .made()
             .and_then(|m| Some((m, m.export.reads_as.as_ref()?)))
         else {
             return Table::default();

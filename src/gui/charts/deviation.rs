@@ -17,7 +17,7 @@ use crate::present::table::{Cell, Table};
 use crate::text::{Template, within};
 
 /// Of so many samples near the pointer at most; more stand on one another.
-const MOST_NEAR: usize = 400;
+pub(super) const MOST_NEAR: usize = 400;
 /// Width of a column, points.
 const COLUMN: f64 = 2.0;
 /// More samples in sight than this are shown by their extremes.
@@ -70,7 +70,7 @@ pub(crate) static TEMPERATURE: Along = along(
 );
 
 impl Along {
-    fn over(&self, scene: &Scene) -> Over {
+    pub(super) fn over(&self, scene: &Scene) -> Over {
         Over {
             variable: self.variable,
             joint: scene.joint(),
@@ -90,7 +90,7 @@ impl ChartKind for Along {
             .then(|| Work::new(self.about.id, key, move |given| Envelope::of(given, over)))
     }
 
-    fn show<'a>(&self, scene: &'a Scene<'a>) -> Result<Shown<'a>, ChartPlaceholder> {
+    fn show<'a>(&self, scene: &'a Scene) -> Result<Shown<'a>, ChartPlaceholder> {
         let drawn = DrawnDeviations::of(scene, self.over(scene));
         if drawn.is_missing() {
             let [title, why] = drawn.over.needs();
@@ -131,12 +131,12 @@ impl ChartKind for Along {
     fn numbers(&self, scene: &Scene) -> Table {
         let drawn = DrawnDeviations::of(scene, self.over(scene));
         let component = scene.component.name();
-        let along = drawn.over.heading(scene.loaded_session);
+        let along = drawn.over.heading(&scene.loaded_session);
         let [before, after] = ["before", "after"].map(|when| format!("{component} {when}, mm"));
         let mut table = Table::new(["sample", &along, "side", &before, &after]);
         for sample in scene.usable() {
             let dot = drawn.dot(sample);
-            let x = drawn.over.cell(scene.loaded_session, dot.x);
+            let x = drawn.over.cell(&scene.loaded_session, dot.x);
             let [x, side, before] = [x, dot.side, dot.before_mm].map(Cell::from);
             table.row([(sample + 1).into(), x, side, before, dot.after_mm.into()]);
         }
@@ -146,26 +146,26 @@ impl ChartKind for Along {
 
 /// One sample.
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct Dot {
+pub(super) struct Dot {
     /// Where it stands along the chart, inner units; NaN where that is not known.
-    x: f64,
+    pub(super) x: f64,
     /// The component of the nominal robot's deviation, mm.
-    before_mm: f64,
+    pub(super) before_mm: f64,
     /// The component of what is left, mm.
-    after_mm: Option<f64>,
+    pub(super) after_mm: Option<f64>,
     /// Side from which the joint came; 0 where it is not known.
-    side: f64,
+    pub(super) side: f64,
 }
 
 /// What is shown at present.
-struct DrawnDeviations<'a> {
-    scene: &'a Scene<'a>,
+pub(super) struct DrawnDeviations<'a> {
+    pub(super) scene: &'a Scene,
     over: Over,
     scale: Scale,
     /// The extremes of many samples, as soon as they are known.
-    envelope: Option<&'a Envelope>,
+    pub(super) envelope: Option<&'a Envelope>,
     /// Samples in measuring order, perhaps thinned; none where their extremes are shown instead.
-    dots: Vec<Dot>,
+    pub(super) dots: Vec<Dot>,
     /// One dot for so many samples.
     stride: usize,
     /// How many samples have no place along the chart.
@@ -173,7 +173,7 @@ struct DrawnDeviations<'a> {
 }
 
 impl<'a> DrawnDeviations<'a> {
-    fn of(scene: &'a Scene<'a>, over: Over) -> Self {
+    pub(super) fn of(scene: &'a Scene, over: Over) -> Self {
         let envelope: Option<&Envelope> = scene.found();
         let count = scene.usable().len();
         // Of many a few, until their extremes are known.
@@ -181,7 +181,7 @@ impl<'a> DrawnDeviations<'a> {
         let mut drawn = Self {
             scene,
             over,
-            scale: over.scale(scene.loaded_session, scene.units, 0.0),
+            scale: over.scale(&scene.loaded_session, scene.units, 0.0),
             envelope,
             dots: Vec::new(),
             stride,
@@ -193,17 +193,17 @@ impl<'a> DrawnDeviations<'a> {
             (drawn.dots, drawn.unplaced) = (dots, stride * unplaced.len());
         }
         let span = drawn.extent().map_or(0.0, |all| all.x[1] - all.x[0]);
-        drawn.scale = over.scale(scene.loaded_session, scene.units, span);
+        drawn.scale = over.scale(&scene.loaded_session, scene.units, span);
         drawn
     }
 
-    fn dot(&self, sample: usize) -> Dot {
-        let loaded_session = &**self.scene.loaded_session;
+    pub(super) fn dot(&self, sample: usize) -> Dot {
+        let loaded_session = &*self.scene.loaded_session;
         let of = |e: [f64; 3]| loaded_session.component(e, sample, self.scene.component);
         Dot {
             x: self.over.of(loaded_session, sample),
             before_mm: of(loaded_session.deviation_before(sample)),
-            after_mm: self.scene.answer.map(|a| of(a.deviation_after(sample))),
+            after_mm: self.scene.answer().map(|a| of(a.deviation_after(sample))),
             side: self.over.side(loaded_session, sample),
         }
     }
@@ -212,12 +212,12 @@ impl<'a> DrawnDeviations<'a> {
     fn is_missing(&self) -> bool {
         match self.envelope {
             Some(envelope) => envelope.placed() == 0,
-            None => self.over.is_missing(self.scene.loaded_session),
+            None => self.over.is_missing(&self.scene.loaded_session),
         }
     }
 
     /// Smallest and largest place along the chart and deviation of everything.
-    fn extent(&self) -> Option<Column> {
+    pub(super) fn extent(&self) -> Option<Column> {
         match self.envelope {
             Some(envelope) => envelope.extent(),
             None => Column::around(self.dots.iter().map(|d| (d.x, d.before_mm, d.after_mm))),
@@ -246,14 +246,14 @@ impl<'a> DrawnDeviations<'a> {
             entry: Entry::before(sign),
             samples: samples(&|d| (!scene.only_after()).then_some(d.before_mm)),
         }];
-        if scene.answer.is_some() {
+        if scene.answer().is_some() {
             series.push(Series {
                 entry: Entry::after(sign),
                 samples: samples(&|d| d.after_mm),
             });
         }
         let name = scene.component.name();
-        let label = self.over.label(scene.loaded_session);
+        let label = self.over.label(&scene.loaded_session);
         let made = Deviation {
             component: name,
             is_length: scene.component == Component::Length,
@@ -275,7 +275,7 @@ impl<'a> DrawnDeviations<'a> {
     }
 
     /// What has to be said.
-    fn note(&self, many: bool) -> String {
+    pub(super) fn note(&self, many: bool) -> String {
         let mut notes = Vec::new();
         let component = self.scene.component;
         let polar = [Component::Tangential, Component::Radial, Component::Axial];
@@ -291,7 +291,7 @@ impl<'a> DrawnDeviations<'a> {
         }
         let never_changes = self.extent().is_none_or(|all| all.x[0] == all.x[1]);
         if never_changes && self.over.variable != Variable::Joint {
-            let what = self.over.label(self.scene.loaded_session);
+            let what = self.over.label(&self.scene.loaded_session);
             notes.push(say!("the {quantity} never changes", quantity = what));
         }
         if many {
@@ -313,7 +313,7 @@ impl<'a> DrawnDeviations<'a> {
     }
 
     /// What is seen, in words.
-    fn describe(&self, all: Option<Column>) -> String {
+    pub(super) fn describe(&self, all: Option<Column>) -> String {
         let units = self.scene.units;
         let between = |mm: [f64; 2]| {
             say!(
@@ -329,7 +329,7 @@ impl<'a> DrawnDeviations<'a> {
             "{component} deviation of {samples} samples over {label} from {from} to {to}",
             component = self.scene.component.name(),
             samples = self.scene.usable().len() - self.unplaced,
-            label = self.over.label(self.scene.loaded_session),
+            label = self.over.label(&self.scene.loaded_session),
             from = self.scale.describe(all.x[0]),
             to = self.scale.describe(all.x[1])
         );
@@ -369,7 +369,7 @@ impl Samples for DrawnDeviations<'_> {
         both.map(|mm| self.at(dot.x, mm)).collect()
     }
 
-    fn near(&self, x: [f64; 2]) -> Vec<usize> {
+    fn near(&self, x: [f64; 2], _: [f64; 2]) -> Vec<usize> {
         match self.envelope {
             None => self.scene.usable().step_by(self.stride).collect(),
             Some(envelope) => {

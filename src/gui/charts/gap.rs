@@ -14,14 +14,14 @@ pub(crate) struct Gap;
 
 pub(crate) static GAP: Gap = Gap;
 
-fn steps<'a>(scene: &Scene<'a>) -> &'a [ResidualStep] {
+fn steps(scene: &Scene) -> &[ResidualStep] {
     scene
-        .answer
+        .answer()
         .map_or(&[], |answer| &answer.calibration.history)
 }
 
 /// Those of what was found while nothing of it is in the model: the fits are one upon the other.
-fn proposed<'a>(scene: &Scene<'a>) -> &'a [ResidualStep] {
+fn proposed(scene: &Scene) -> &[ResidualStep] {
     let exact = scene.document.method == Method::Exact;
     match scene.diagnosis() {
         Some(found) if exact && scene.document.added.is_empty() => {
@@ -43,14 +43,14 @@ impl ChartKind for Gap {
     }
 
     fn is_offered(&self, scene: &Scene) -> bool {
-        scene.answer.is_some() && !scene.loaded_session.is_empty()
+        scene.answer().is_some() && !scene.loaded_session.is_empty()
     }
 
     fn suits(&self, scene: &Scene) -> bool {
-        scene.view.step == Step::Gap
+        scene.step == Step::Gap
     }
 
-    fn show<'a>(&self, scene: &'a Scene<'a>) -> Result<Shown<'a>, ChartPlaceholder> {
+    fn show<'a>(&self, scene: &'a Scene) -> Result<Shown<'a>, ChartPlaceholder> {
         let number = |mm: f64| significant(scene.units.length_value(mm), 3);
         let lengths = scene.lengths(&number);
         let floor_mm = scene.diagnosis().map(|d| d.floor.mm);

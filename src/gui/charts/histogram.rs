@@ -49,7 +49,7 @@ impl ChartKind for Histogram {
         }))
     }
 
-    fn show<'a>(&self, scene: &'a Scene<'a>) -> Result<Shown<'a>, ChartPlaceholder> {
+    fn show<'a>(&self, scene: &'a Scene) -> Result<Shown<'a>, ChartPlaceholder> {
         let found = distribution(scene)?;
         Ok(Shown {
             chart: drawn(scene, found),
@@ -81,7 +81,7 @@ impl ChartKind for Histogram {
     }
 }
 
-fn distribution<'a>(scene: &Scene<'a>) -> Result<&'a Distribution, ChartPlaceholder> {
+fn distribution(scene: &Scene) -> Result<&Distribution, ChartPlaceholder> {
     let found: &Option<Distribution> = scene.found().ok_or_else(ChartPlaceholder::yet)?;
     found.as_ref().ok_or(ChartPlaceholder::new(
         say!("No sample can be counted"),
@@ -91,15 +91,15 @@ fn distribution<'a>(scene: &Scene<'a>) -> Result<&'a Distribution, ChartPlacehol
 
 /// What the pointer finds.
 struct DrawnBars<'a> {
-    scene: &'a Scene<'a>,
+    scene: &'a Scene,
     counted: &'a Counted,
 }
 
 impl DrawnBars<'_> {
     /// The component of a sample that is counted: what is left if anything is, else before.
     fn value(&self, sample: usize, after: bool) -> f64 {
-        let loaded_session = self.scene.loaded_session;
-        let e = match self.scene.answer.filter(|_| after) {
+        let loaded_session = &self.scene.loaded_session;
+        let e = match self.scene.answer().filter(|_| after) {
             Some(answer) => answer.deviation_after(sample),
             None => loaded_session.deviation_before(sample),
         };
@@ -117,7 +117,7 @@ impl Bars for DrawnBars<'_> {
         let (before, after) = (of(&self.counted.before), of(&self.counted.after));
         // What is left, unless only what was before is in this bar.
         let take_after =
-            self.scene.answer.is_some() && (after != Some(0) || before.is_none_or(|n| n == 0));
+            self.scene.answer().is_some() && (after != Some(0) || before.is_none_or(|n| n == 0));
         let here = |sample: &usize| bins.of(self.value(*sample, take_after)) == Some(bin);
         let [from, to] = bins.ends(bin).map(|mm| units.length_number(mm));
         let line = |name: &str, n: Option<usize>| Some((name.to_owned(), n?.to_string()));
@@ -141,7 +141,7 @@ impl Bars for DrawnBars<'_> {
 /// How noise alone is spread in the component that is shown, where the noise is known: as the
 /// instrument says, else as the residuals show it.
 fn noise(scene: &Scene) -> Option<NoiseCurve> {
-    let loaded_session = scene.loaded_session;
+    let loaded_session = &scene.loaded_session;
     let planar = loaded_session.session.samples.z_mm.is_none();
     let count = if planar { 2 } else { 3 };
     let mean = |axes: [f64; 3]| {
@@ -154,7 +154,7 @@ fn noise(scene: &Scene) -> Option<NoiseCurve> {
         Component::Z => axes[2],
         _ => mean(axes),
     };
-    let found = || scene.answer.and_then(|a| a.identification.noise_mm);
+    let found = || scene.answer().and_then(|a| a.identification.noise_mm);
     let sigma_mm = match loaded_session.session.instrument.sigma_mm {
         Some(Sigma::Overall(sigma)) => sigma,
         Some(Sigma::PerAxis(axes)) => along(axes),
@@ -233,7 +233,7 @@ fn drawn(scene: &Scene, found: &Distribution) -> Chart {
     }
     let margin = 0.02 * (high - low);
     let mut legend = vec![Entry::before(LegendSymbol::Bar)];
-    if scene.answer.is_some() {
+    if scene.answer().is_some() {
         legend.push(Entry::after(LegendSymbol::Bar));
     }
     if noise.is_some() {

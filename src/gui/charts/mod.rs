@@ -8,14 +8,14 @@ use std::sync::Arc;
 
 use crate::diagnosis::Diagnosis;
 use crate::gui::cache::charts::{ChartResult, Work};
-use crate::gui::cache::identified::{ExportPreview, IdentifiedAnswer};
+use crate::gui::cache::identified::{ExportPreview, IdentifiedAnswer, Preview};
 use crate::gui::core::answer::Answer;
 use crate::gui::core::answer::Search;
 use crate::gui::core::document::Document;
 use crate::gui::core::loaded_session::{Component, LoadedSession};
 use crate::gui::core::quantity::Quantity;
 use crate::gui::help::Word;
-use crate::gui::view::ViewState;
+use crate::gui::view::{Plane, Step};
 use crate::present::chart::{Chart, Item, Lengths};
 use crate::present::table::Table;
 use crate::present::units::Units;
@@ -32,6 +32,7 @@ macro_rules! register {
 
 register! {
     deviation: ANGLE, TIME, LOAD, TEMPERATURE;
+    polar: POLAR;
     by_joint: BY_JOINT;
     orders: ORDERS;
     histogram: HISTOGRAM;
@@ -100,7 +101,7 @@ pub(crate) trait ChartKind: Sync {
         None
     }
 
-    fn show<'a>(&self, scene: &'a Scene<'a>) -> Result<Shown<'a>, ChartPlaceholder>;
+    fn show<'a>(&self, scene: &'a Scene) -> Result<Shown<'a>, ChartPlaceholder>;
 
     /// What it shows, for a spreadsheet.
     fn numbers(&self, scene: &Scene) -> Table;
@@ -109,7 +110,7 @@ pub(crate) trait ChartKind: Sync {
 /// A chart as it is shown, in the language of the window.
 pub(crate) fn shown<'a>(
     kind: &dyn ChartKind,
-    scene: &'a Scene<'a>,
+    scene: &'a Scene,
 ) -> Result<Shown<'a>, ChartPlaceholder> {
     kind.show(scene)
 }
@@ -162,8 +163,8 @@ pub(crate) trait Samples {
     /// Where a sample's marks are; the last is the one that is ringed.
     fn marks(&self, sample: usize) -> Vec<[f64; 2]>;
 
-    /// Those whose marks may be between two places along the chart.
-    fn near(&self, x: [f64; 2]) -> Vec<usize>;
+    /// Those whose marks may be between two places along the chart and upwards.
+    fn near(&self, x: [f64; 2], y: [f64; 2]) -> Vec<usize>;
 
     /// What is drawn between two places along the chart on so many points of the screen, beside what
     /// is drawn in any case.
@@ -191,12 +192,19 @@ pub(crate) struct Facts {
     pub(crate) samples: Vec<usize>,
 }
 
-/// Document, answer and view, as charts need them.
-#[derive(Clone, Copy)]
-pub(crate) struct Scene<'a> {
-    pub(crate) document: &'a Document,
-    pub(crate) loaded_session: &'a Arc<LoadedSession>,
-    pub(crate) view: &'a ViewState,
+/// Document and answer, how they are looked at, what was worked out. It lasts by itself: the window goes on while
+/// something is made of it.
+#[derive(Clone)]
+pub(crate) struct Scene {
+    pub(crate) document: Arc<Document>,
+    pub(crate) loaded_session: Arc<LoadedSession>,
+    pub(crate) step: Step,
+    /// The plane of the workspace.
+    pub(crate) plane: Plane,
+    /// The found effect whose curve is charted, by its place in the answer.
+    pub(crate) effect: usize,
+    /// Whether the deviation before is left out where there is another.
+    pub(crate) after_alone: bool,
     /// The component of the deviation that the chart shows.
     pub(crate) component: Component,
     /// The joint that it is about, counted from 0.
@@ -204,23 +212,32 @@ pub(crate) struct Scene<'a> {
     /// What a scatter has across and upwards.
     pub(crate) axes: Option<[Quantity; 2]>,
     pub(crate) units: Units,
-    pub(crate) answer: Option<&'a Answer>,
+    /// What has an answer.
+    pub(crate) identified: Option<Arc<IdentifiedAnswer>>,
     /// The search of this session.
-    pub(crate) search: Option<&'a Arc<Search>>,
+    pub(crate) search: Option<Arc<Search>>,
     /// The export as it would be written.
-    pub(crate) made: Option<&'a ExportPreview>,
+    pub(crate) preview: Option<Arc<Preview>>,
     /// What the background has worked out for the chart.
-    pub(crate) worked_out: Option<&'a (dyn Any + Send + Sync)>,
+    pub(crate) worked_out: Option<ChartResult>,
 }
 
-impl<'a> Scene<'a> {
-    pub(crate) fn diagnosis(&self) -> Option<&'a Diagnosis> {
-        self.search?.answer.as_ref().ok()
+impl Scene {
+    pub(crate) fn answer(&self) -> Option<&Answer> {
+        self.identified.as_ref()?.answer.as_ref().ok()
+    }
+
+    pub(crate) fn made(&self) -> Option<&ExportPreview> {
+        self.preview.as_ref()?.made.as_ref().ok()
+    }
+
+    pub(crate) fn diagnosis(&self) -> Option<&Diagnosis> {
+        self.search.as_ref()?.answer.as_ref().ok()
     }
 
     /// Whether charts leave out the deviation before, so that what is left can be seen.
     pub(crate) fn only_after(&self) -> bool {
-        self.view.only_after && self.answer.is_some()
+        self.after_alone && self.answer().is_some()
     }
 
     /// The joint that charts are about.
@@ -230,12 +247,12 @@ impl<'a> Scene<'a> {
     }
 
     /// What the background has worked out, if it is that.
-    pub(crate) fn found<T: Any>(&self) -> Option<&'a T> {
-        self.worked_out?.downcast_ref()
+    pub(crate) fn found<T: Any>(&self) -> Option<&T> {
+        self.worked_out.as_ref()?.downcast_ref()
     }
 
     /// Samples that can be used.
-    pub(crate) fn usable(&self) -> impl ExactSizeIterator<Item = usize> + use<'a> {
+    pub(crate) fn usable(&self) -> impl ExactSizeIterator<Item = usize> {
         self.loaded_session
             .overview
             .usable
@@ -249,39 +266,6 @@ impl<'a> Scene<'a> {
             unit: self.units.length_name(),
             per_mm: self.units.length_value(1.0),
             number,
-        }
-    }
-}
-
-/// The same by itself: the window goes on while something is made of it.
-pub(crate) struct HeldScene {
-    pub(crate) document: Document,
-    pub(crate) view: ViewState,
-    pub(crate) component: Component,
-    pub(crate) joint: usize,
-    pub(crate) axes: Option<[Quantity; 2]>,
-    pub(crate) units: Units,
-    pub(crate) identified: Option<Arc<IdentifiedAnswer>>,
-    pub(crate) search: Option<Arc<Search>>,
-    pub(crate) made: Option<ExportPreview>,
-    pub(crate) worked_out: Option<ChartResult>,
-}
-
-impl HeldScene {
-    pub(crate) fn scene(&self) -> Scene<'_> {
-        let outcome = self.identified.as_deref();
-        Scene {
-            document: &self.document,
-            loaded_session: &self.document.loaded_session,
-            view: &self.view,
-            component: self.component,
-            joint: self.joint,
-            axes: self.axes,
-            units: self.units,
-            answer: outcome.and_then(|outcome| outcome.answer.as_ref().ok()),
-            search: self.search.as_ref(),
-            made: self.made.as_ref(),
-            worked_out: self.worked_out.as_deref(),
         }
     }
 }

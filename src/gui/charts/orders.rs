@@ -61,7 +61,7 @@ impl ChartKind for Orders {
         Some(Work::new(self.about().id, key, make))
     }
 
-    fn show<'a>(&self, scene: &'a Scene<'a>) -> Result<Shown<'a>, ChartPlaceholder> {
+    fn show<'a>(&self, scene: &'a Scene) -> Result<Shown<'a>, ChartPlaceholder> {
         let spectrum = spectrum(scene)?;
         Ok(Shown {
             chart: drawn(scene, spectrum),
@@ -109,7 +109,7 @@ fn gears(scene: &Scene) -> Vec<usize> {
 }
 
 /// The spectrum, or why there is none.
-fn spectrum<'a>(scene: &Scene<'a>) -> Result<&'a Spectrum, ChartPlaceholder> {
+fn spectrum(scene: &Scene) -> Result<&Spectrum, ChartPlaceholder> {
     let joint = scene.joint();
     if !scene.loaded_session.joint_turns(joint) {
         let name = &scene.loaded_session.session.robot.joints[joint].name;
@@ -130,7 +130,7 @@ fn spectrum<'a>(scene: &Scene<'a>) -> Result<&'a Spectrum, ChartPlaceholder> {
 
 /// What the pointer finds.
 struct DrawnOrders<'a> {
-    scene: &'a Scene<'a>,
+    scene: &'a Scene,
     spectrum: &'a Spectrum,
 }
 
@@ -227,7 +227,7 @@ fn drawn(scene: &Scene, spectrum: &Spectrum) -> Chart {
     let name = scene.component.name();
     let joint = &scene.loaded_session.session.robot.joints[scene.joint()].name;
     let mut legend = vec![Entry::before(LegendSymbol::Bar)];
-    if scene.answer.is_some() {
+    if scene.answer().is_some() {
         legend.push(Entry::after(LegendSymbol::Bar));
     }
     let noise = say!("noise");
@@ -326,7 +326,7 @@ fn describe(scene: &Scene, spectrum: &Spectrum) -> String {
     };
     let (orders, component) = (spectrum.orders.len(), scene.component.name());
     let before = out(|o| Some(o.before));
-    let says = if scene.answer.is_some() {
+    let says = if scene.answer().is_some() {
         say!(
             "{orders} orders of the {component} deviation; before: {before}; after: {after}",
             orders,

@@ -46,7 +46,7 @@ impl ChartKind for Quantiles {
     }
 
     fn is_offered(&self, scene: &Scene) -> bool {
-        scene.answer.is_some() && !scene.loaded_session.is_empty()
+        scene.answer().is_some() && !scene.loaded_session.is_empty()
     }
 
     fn work(&self, _: &Scene) -> Option<Work> {
@@ -63,7 +63,7 @@ impl ChartKind for Quantiles {
         }))
     }
 
-    fn show<'a>(&self, scene: &'a Scene<'a>) -> Result<Shown<'a>, ChartPlaceholder> {
+    fn show<'a>(&self, scene: &'a Scene) -> Result<Shown<'a>, ChartPlaceholder> {
         let ranked: &Ranked = scene.found().ok_or_else(ChartPlaceholder::yet)?;
         if scene.component == Component::Length || ranked.0.len() < 4 {
             return Err(ChartPlaceholder::new(
@@ -162,14 +162,14 @@ impl Ranked {
     }
 }
 
-impl Samples for (&Scene<'_>, &Ranked) {
+impl Samples for (&Scene, &Ranked) {
     fn marks(&self, sample: usize) -> Vec<[f64; 2]> {
         let here = self.1.0.iter().filter(|s| s.0 == sample);
         here.map(|s| [s.1, self.0.units.length_value(s.2)])
             .collect()
     }
 
-    fn near(&self, [from, to]: [f64; 2]) -> Vec<usize> {
+    fn near(&self, [from, to]: [f64; 2], _: [f64; 2]) -> Vec<usize> {
         let here = self.1.0.iter().filter(|s| from <= s.1 && s.1 <= to);
         here.map(|s| s.0).collect()
     }

@@ -1,10 +1,11 @@
 //! What became of a machine: its sessions, and its parameters by session with their intervals and what changed beyond
 //! its uncertainty.
 
-use egui::{ComboBox, Grid, Id, RichText, ScrollArea, Ui};
+use egui::{ComboBox, Id, ScrollArea, Ui};
 
 use crate::gui::core::disk::name_of;
-use crate::gui::style::{Palette, size, space, strong};
+use crate::gui::style::{Palette, size, space};
+use crate::gui::views::blocks;
 use crate::gui::widgets;
 use crate::gui::workbench::{Asked, Command, Workbench};
 use crate::history::{Order, RobotHistory};
@@ -102,42 +103,16 @@ fn list(ui: &mut Ui, name: &str, all: &[&str], now: usize) -> Option<usize> {
 fn table(ui: &mut Ui, id: &str, table: &Table) {
     let palette = Palette::of(ui);
     let window = ui.ctx().content_rect().height();
-    ScrollArea::both()
-        .id_salt(id)
-        .max_height(0.32 * window)
-        .auto_shrink([false, true])
-        .show(ui, |ui| {
-            ui.style_mut().wrap_mode = Some(egui::TextWrapMode::Extend);
-            let grid = Grid::new(id)
-                .striped(true)
-                .spacing([f32::from(space::PANEL), space::TIGHT]);
-            grid.show(ui, |ui| {
-                for column in &table.columns {
-                    let head = RichText::new(&column.heading).font(strong(size::SMALL));
-                    cell(ui, column.right, head);
-                }
-                ui.end_row();
-                for row in &table.rows {
-                    for (column, one) in table.columns.iter().zip(row) {
-                        let is_changed = one.shown.contains(CHANGED);
-                        let color = if is_changed {
-                            palette.before
-                        } else {
-                            palette.text
-                        };
-                        let text = RichText::new(&one.shown).size(size::SMALL).color(color);
-                        cell(ui, column.right, text);
-                    }
-                    ui.end_row();
-                }
-            });
+    let area = ScrollArea::both().id_salt(id).max_height(0.32 * window);
+    area.auto_shrink([false, true]).show(ui, |ui| {
+        ui.style_mut().wrap_mode = Some(egui::TextWrapMode::Extend);
+        let look = (size::SMALL, f32::from(space::PANEL));
+        blocks::grid(ui, id, table, look, |shown| {
+            if shown.contains(CHANGED) {
+                palette.before
+            } else {
+                palette.text
+            }
         });
-}
-
-fn cell(ui: &mut Ui, right: bool, text: RichText) {
-    if right {
-        widgets::cell_right(ui, text);
-    } else {
-        ui.label(text);
-    }
+    });
 }

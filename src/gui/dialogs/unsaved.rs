@@ -143,7 +143,7 @@ pub(super) fn recovery(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Co
                             phrase!("samples"),
                             kept.session.samples.len().to_string(),
                         );
-                        let file = kept.file.as_ref().and_then(|f| f.file_name());
+                        let file = kept.about.file.as_ref().and_then(|f| f.file_name());
                         let file = file.map_or(say!("no file").into(), |f| f.to_string_lossy());
                         widgets::fact_of(ui, phrase!("file"), file);
                     }
@@ -328,6 +328,7 @@ pub(super) fn export(
     typed: (&str, bool),
     commands: &mut Vec<Command>,
 ) {
+    let ending;
     let (title, says) = match what {
         What::Table if is_robot(workbench) => (
             say!("Save robot"),
@@ -351,7 +352,10 @@ pub(super) fn export(
                 "A name that ends in .html or .pdf; a session without a diagnosis is diagnosed first"
             ),
         ),
-        What::Picture(_) => (say!("Save picture"), say!("A name that ends in .svg")),
+        What::Picture(plot) => {
+            ending = say!("A name that ends in .{ending}", ending = plot.ending());
+            (say!("Save picture"), &*ending)
+        }
         What::Numbers(_) => (
             say!("Save data"),
             say!("A CSV table of what the chart shows, with all digits"),

@@ -1,7 +1,7 @@
 //! What is not saved, kept against a crash.
 //!
 //! While a document has changes that no file holds, it is written to a file of its own in the data
-//! folder: one line that says what follows and how long it is, with its hash, then the session as a
+//! folder: one line that says what follows, with its hash, then the session as a
 //! document. A window holds a lock on its file for as long as it lives; the system gives the lock
 //! back when the program ends, however it ends. A file whose lock is free was left behind, and
 //! the next window offers it. Two windows never touch the same file.
@@ -35,20 +35,26 @@ pub(crate) struct RecoveryFile {
 }
 
 /// What stands in the first line.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Serialize, Deserialize)]
 struct Header {
     format: String,
-    name: String,
+    sha256: String,
+    #[serde(flatten)]
+    about: About,
+}
+
+/// What is kept of a document beside its session.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct About {
     /// The file that the session was opened from, if there is one.
-    file: Option<PathBuf>,
-    samples: usize,
+    pub(crate) file: Option<PathBuf>,
     identified: bool,
     regional: bool,
+    /// Effects of the exact fit.
     effects: Vec<String>,
+    /// Effects that a search found and that were added to it.
     #[serde(default)]
     added: Vec<SavedTerm>,
-    bytes: u64,
-    sha256: String,
 }
 
 /// What is to be kept of a document.
@@ -56,14 +62,7 @@ struct Header {
 pub(crate) struct SavedDocument {
     /// The session with the changes.
     pub(crate) session: Session,
-    /// The file that it was opened from.
-    pub(crate) file: Option<PathBuf>,
-    pub(crate) identified: bool,
-    pub(crate) method: Method,
-    /// Effects of the exact fit.
-    pub(crate) effects: Vec<String>,
-    /// Effects that a search found and that were added to it.
-    pub(crate) added: Vec<SavedTerm>,
+    pub(crate) about: About,
 }
 
 /// An effect that was added, as it is kept. A smooth correction is not: its curve belongs to a search.
@@ -109,22 +108,29 @@ impl SavedDocument {
     pub(crate) fn of(document: &Document, file: Option<PathBuf>) -> Self {
         Self {
             session: document.session_to_save(),
-            file,
-            identified: document.identified && document.loaded_model.is_none(),
-            method: document.method,
-            effects: document.effects.iter().map(|e| (*e).to_owned()).collect(),
-            added: document.added.iter().filter_map(SavedTerm::of).collect(),
+            about: About {
+                file,
+                identified: document.identified && document.loaded_model.is_none(),
+                regional: document.method == Method::Regional,
+                effects: document.effects.iter().map(|e| (*e).to_owned()).collect(),
+                added: document.added.iter().filter_map(SavedTerm::of).collect(),
+            },
         }
     }
 
     /// How it was identified, as far as its robot can have what was added.
     pub(crate) fn choices(&self) -> Choices {
         let robot = &self.session.robot;
-        let added = self.added.iter().filter_map(|one| one.added(robot));
+        let about = &self.about;
+        let added = about.added.iter().filter_map(|one| one.added(robot));
         Choices {
-            identified: self.identified,
-            method: self.method,
-            effects: self.effects.clone(),
+            identified: about.identified,
+            method: if about.regional {
+                Method::Regional
+            } else {
+                Method::Exact
+            },
+            effects: about.effects.clone(),
             added: added.collect(),
         }
     }
@@ -185,14 +191,7 @@ pub(crate) fn write(path: &Path, kept: &SavedDocument) -> Result<(), WriteError>
     pipeline::write_inline(&kept.session, &mut document).map_err(failed)?;
     let header = Header {
         format: FORMAT.to_owned(),
-        name: kept.session.name.clone(),
-        file: kept.file.clone(),
-        samples: kept.session.samples.len(),
-        identified: kept.identified,
-        regional: kept.method == Method::Regional,
-        effects: kept.effects.clone(),
-        added: kept.added.clone(),
-        bytes: document.len() as u64,
+        about: kept.about.clone(),
         sha256: hexadecimal(&Sha256::digest(&document)),
     };
     let header = serde_json::to_vec(&header).map_err(|e| failed(e.into()))?;
@@ -212,28 +211,13 @@ fn read(path: &Path) -> Result<SavedDocument, String> {
     if header.format != FORMAT {
         return Err(say!("expected the format {format}", format = FORMAT));
     }
-    if header.bytes != document.len() as u64 {
-        return Err(say!(
-            "{document} of {bytes} bytes are there",
-            document = document.len(),
-            bytes = header.bytes
-        ));
-    }
     if hexadecimal(&Sha256::digest(document)) != header.sha256 {
         return Err(say!("its contents do not agree with their hash").to_owned());
     }
     let loaded = pipeline::parse(document).map_err(|e| e.to_string())?;
     Ok(SavedDocument {
         session: loaded.session,
-        file: header.file,
-        identified: header.identified,
-        method: if header.regional {
-            Method::Regional
-        } else {
-            Method::Exact
-        },
-        effects: header.effects,
-        added: header.added,
+        about: header.about,
     })
 }
 
@@ -321,7 +305,7 @@ mod tests {
         let found = left.kept.as_ref().unwrap();
         assert_eq!(found.session.samples.x_mm, kept().session.samples.x_mm);
         assert_eq!(found.session.regions, kept().session.regions);
-        assert_eq!(found.file, Some("a b.json".into()));
+        assert_eq!(found.about.file, Some("a b.json".into()));
         assert!(
             orphaned(folder.path()).is_empty(),
             "offered to one window only"

@@ -11,7 +11,7 @@ pub(crate) use system::{
     choose_to_import, choose_to_open, choose_to_save, open_outside,
 };
 pub(crate) use writing::{
-    NotSaved, Replace, Saved, can_be_written, export, not_written, save, saved, write_list,
+    NotSaved, Replace, Saved, can_be_written, export, not_written, png, save, saved, write_list,
     write_one, write_picture, write_targets,
 };
 

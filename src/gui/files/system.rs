@@ -123,7 +123,10 @@ pub(crate) fn choose_to_export(what: What, path: &Path) -> Option<PathBuf> {
         What::Report(_) => dialog
             .add_filter(say!("HTML or PDF (*.html, *.pdf)"), &["html", "pdf"])
             .add_filter(say!("PDF (*.pdf)"), &["pdf"]),
-        What::Picture(_) => dialog.add_filter(say!("SVG picture (*.svg)"), &["svg"]),
+        What::Picture(plot) => {
+            let ending = plot.ending();
+            dialog.add_filter(say!("Picture (*.{ending})", ending), &[ending])
+        }
         What::Model => dialog.add_filter(say!("Model (*.json)"), &["json"]),
         What::Robot(_) | What::TypedRobot => dialog.add_filter(say!("Robot (*.json)"), &["json"]),
         What::Poses | What::Numbers(_) => dialog.add_filter(say!("CSV table (*.csv)"), &["csv"]),

@@ -3,6 +3,8 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use egui::{Color32, ColorImage};
+
 use crate::atomic::{
     StagedFile, WriteError, commit_both, refuse_to_replace_inputs, write_atomically,
 };
@@ -14,10 +16,8 @@ use crate::gui::jobs::Watch;
 use crate::gui::view::{Message, What};
 use crate::language::spoken;
 use crate::pipeline;
-use crate::present::drawing::Drawing;
 use crate::progress::Cancelled;
 use crate::report::exported::sidecar_of;
-use crate::report::svg::svg_file;
 use crate::sessions::{Replacing, samples_path};
 
 use super::system::{advice, ending};
@@ -273,24 +273,40 @@ pub(crate) fn not_written(path: &Path, problem: String) -> Message {
     )
 }
 
-/// Draws it, and writes it where none of `inputs` stands.
+/// Makes a picture, and writes it under a name with its ending, where none of `inputs` stands.
 pub(crate) fn write_picture(
-    draw: impl FnOnce() -> Result<(Drawing, String), String>,
-    path: &Path,
+    picture: impl FnOnce() -> Result<Vec<u8>, String>,
+    (path, form): (&Path, &str),
     replace: bool,
     inputs: &[PathBuf],
     watch: &Watch,
 ) -> Message {
     let make = || {
-        if ending(path).as_deref() != Some("svg") {
-            return Err(say!("expected a file name that ends in .svg").to_owned());
+        if ending(path).as_deref() != Some(form) {
+            return Err(say!(
+                "expected a file name that ends in .{ending}",
+                ending = form
+            ));
         }
         can_be_written(path, replace, inputs)?;
-        let (drawing, title) = draw()?;
-        write_one(path, replace, svg_file(&drawing, &title).as_bytes(), watch)
+        write_one(path, replace, &picture()?, watch)
     };
     match make() {
         Ok(()) => saved(path, Vec::new()),
         Err(problem) => not_written(path, problem),
     }
+}
+
+/// An image as a file.
+pub(crate) fn png(image: &ColorImage) -> Result<Vec<u8>, String> {
+    let [width, height] = image
+        .size
+        .map(|side| u32::try_from(side).unwrap_or(u32::MAX));
+    let rgba: Vec<u8> = image.pixels.iter().flat_map(Color32::to_array).collect();
+    let mut bytes = Vec::new();
+    let mut encoder = png::Encoder::new(&mut bytes, width, height);
+    encoder.set_color(png::ColorType::Rgba);
+    let written = encoder.write_header();
+    let written = written.and_then(|mut writer| writer.write_image_data(&rgba));
+    written.map(|()| bytes).map_err(|error| error.to_string())
 }

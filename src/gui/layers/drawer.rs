@@ -1,5 +1,5 @@
 //! What stays on the graphics processor from frame to frame: pipelines, buffers that are made when
-//! samples or answers change, and the picture that samples in space are drawn into.
+//! samples or answers change, and the picture that samples are drawn into.
 //!
 //! There is one workspace plot, and so one set of buffers. What is in them is known by the address of
 //! what was uploaded, which a weak pointer keeps from being used again.
@@ -46,7 +46,12 @@ impl Uniform {
 /// Everything that stays from frame to frame.
 pub(crate) struct Drawer {
     pub(super) linear: bool,
-    pub(super) flat: BySample,
+    pub(super) by_sample: BySample,
+    pub(super) copy: wgpu::RenderPipeline,
+    pub(super) format: wgpu::TextureFormat,
+    pub(super) target: Option<Target>,
+    /// What was drawn last.
+    pub(super) drawn: Option<Drawn>,
     pub(super) heat_map: wgpu::RenderPipeline,
     /// Of a texture that is read cell by cell.
     pub(super) cells_layout: wgpu::BindGroupLayout,
@@ -58,7 +63,6 @@ pub(crate) struct Drawer {
     pub(super) heat: Option<(Weak<Heat>, wgpu::BindGroup)>,
     /// How often samples or what remains of them were uploaded.
     pub(super) uploads: u64,
-    pub(super) space: Space,
 }
 
 impl Drawer {
@@ -98,25 +102,20 @@ impl Drawer {
         let marks = shader(device, &[SAMPLE, include_str!("marks.wgsl")]);
         let heat = shader(device, &[include_str!("heat.wgsl")]);
         let copy = shader(device, &[include_str!("copy.wgsl")]);
-        let of_samples = |module, vertex, depth| {
-            pipeline(device, &samples, module, vertex, &columns(), format, depth)
-        };
-        let by_sample = |depth| BySample {
-            marks: of_samples(&marks, "mark", depth),
-            ghosts: of_samples(&arrows, "ghost", depth),
-            arrows: of_samples(&arrows, "arrow", depth),
-        };
+        let of_samples =
+            |module, vertex| pipeline(device, &samples, module, vertex, &columns(), format, true);
         Self {
             linear: format.is_srgb(),
-            flat: by_sample(false),
-            heat_map: pipeline(device, &map, &heat, "everywhere", &[], format, false),
-            space: Space {
-                by_sample: by_sample(true),
-                copy: pipeline(device, &map, &copy, "everywhere", &[], format, false),
-                format,
-                target: None,
-                drawn: None,
+            by_sample: BySample {
+                marks: of_samples(&marks, "mark"),
+                ghosts: of_samples(&arrows, "ghost"),
+                arrows: of_samples(&arrows, "arrow"),
             },
+            copy: pipeline(device, &map, &copy, "everywhere", &[], format, false),
+            format,
+            target: None,
+            drawn: None,
+            heat_map: pipeline(device, &map, &heat, "everywhere", &[], format, false),
             uploads: 0,
             cloud_uniform: Uniform::new(device, &uniform),
             heat_uniform: Uniform::new(device, &uniform),
@@ -253,16 +252,6 @@ fn zeros(device: &Device, rows: usize) -> Buffer {
     })
 }
 
-/// What stays from frame to frame for the view in space.
-pub(super) struct Space {
-    pub(super) by_sample: BySample,
-    pub(super) copy: wgpu::RenderPipeline,
-    pub(super) format: wgpu::TextureFormat,
-    pub(super) target: Option<Target>,
-    /// What was drawn last.
-    pub(super) drawn: Option<Drawn>,
-}
-
 /// What a picture follows from.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Drawn {
@@ -289,7 +278,7 @@ impl Target {
     ) -> Self {
         let texture = |format, usage| {
             let texture = device.create_texture(&wgpu::TextureDescriptor {
-                label: Some("samples in space"),
+                label: Some("samples"),
                 size: wgpu::Extent3d {
                     width: size[0],
                     height: size[1],
@@ -318,7 +307,7 @@ impl Target {
     /// A pass that begins with an empty picture.
     pub(super) fn begin<'e>(&self, encoder: &'e mut wgpu::CommandEncoder) -> wgpu::RenderPass<'e> {
         encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
-            label: Some("samples in space"),
+            label: Some("samples"),
             color_attachments: &[Some(wgpu::RenderPassColorAttachment {
                 view: &self.picture,
                 depth_slice: None,

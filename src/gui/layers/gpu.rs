@@ -1,9 +1,9 @@
 //! The layers as egui calls them back: before a frame they upload what changed and one uniform, in it
 //! they draw.
 //!
-//! In space what is near covers what is far, and the pass in which egui draws has no depth. So there the
+//! In space what is near covers what is far, and the pass in which egui draws has no depth. So the
 //! samples are drawn into a picture of their own, with a buffer of depths beside it, before that pass,
-//! and in it the picture is copied. It is drawn again only when samples, camera or colours change: while
+//! and in it the picture is copied; in a plane all are equally deep. It is drawn again only when samples, camera or colours change: while
 //! the pointer moves over a million vectors a frame copies one picture.
 
 use std::sync::Arc;
@@ -14,24 +14,22 @@ use wgpu::{Device, Queue};
 
 use crate::gui::cache::cloud::{Cloud, Remainder};
 use crate::gui::cache::heat::Heat;
-use crate::gui::view::Canvas;
 
-use super::BySample;
 use super::Frame;
 use super::drawer::{Drawer, Drawn, Target};
 
 /// What a renderer without a graphics processor draws at once: about a tenth of a second.
 const MOST_IN_SOFTWARE: usize = 50_000;
 
-/// Puts the pipelines beside egui's own, and says what can be drawn with them.
-pub(crate) fn register(state: &RenderState) -> Canvas {
+/// Puts the pipelines beside egui's own, and says how many samples can be drawn at once.
+pub(crate) fn register(state: &RenderState) -> usize {
     let drawer = Drawer::new(&state.device, state.target_format);
     let mut renderer = state.renderer.write();
     renderer.callback_resources.insert(drawer);
     if state.adapter.get_info().device_type == wgpu::DeviceType::Cpu {
-        Canvas::Layers(MOST_IN_SOFTWARE)
+        MOST_IN_SOFTWARE
     } else {
-        Canvas::Layers(usize::MAX)
+        usize::MAX
     }
 }
 
@@ -110,7 +108,8 @@ impl<L: Layer> CallbackTrait for CalledBack<L> {
 
 impl CloudLayer {
     /// Draws the points, the deviations before, and the error vectors.
-    pub(super) fn draw(&self, drawer: &Drawer, by: &BySample, pass: &mut wgpu::RenderPass<'_>) {
+    fn draw(&self, drawer: &Drawer, pass: &mut wgpu::RenderPass<'_>) {
+        let by = &drawer.by_sample;
         pass.set_bind_group(0, &drawer.cloud_uniform.group, &[]);
         let [points, vectors] = self.counts;
         drawer.draw(pass, &by.marks, points);
@@ -128,10 +127,33 @@ impl Layer for CloudLayer {
         drawer
             .cloud_uniform
             .write(on.queue, &self.frame, drawer.linear);
+        let most = on.device.limits().max_texture_dimension_2d;
+        let size = self.frame.size(most);
+        if drawer.target.as_ref().is_none_or(|t| t.size != size) {
+            let target = Target::new(on.device, &drawer.cells_layout, size, drawer.format);
+            drawer.target = Some(target);
+            drawer.drawn = None;
+        }
+        let now = Drawn {
+            frame: self.frame,
+            counts: self.counts,
+            ghosts: self.ghosts,
+            uploads: drawer.uploads,
+        };
+        if drawer.drawn == Some(now) {
+            return;
+        }
+        drawer.drawn = Some(now);
+        if let Some(target) = &drawer.target {
+            self.draw(drawer, &mut target.begin(on.encoder));
+        }
     }
 
     fn paint(&self, drawer: &Drawer, pass: &mut wgpu::RenderPass<'static>) {
-        self.draw(drawer, &drawer.flat, pass);
+        if let Some(target) = &drawer.target {
+            let (copy, uniform) = (&drawer.copy, &drawer.cloud_uniform);
+            Drawer::draw_everywhere(pass, copy, uniform, &target.group);
+        }
     }
 }
 
@@ -146,45 +168,6 @@ impl Layer for HeatLayer {
     fn paint(&self, drawer: &Drawer, pass: &mut wgpu::RenderPass<'static>) {
         if let Some((_, cells)) = &drawer.heat {
             Drawer::draw_everywhere(pass, &drawer.heat_map, &drawer.heat_uniform, cells);
-        }
-    }
-}
-
-/// Error vectors and measured points by their depth.
-pub(crate) struct SpaceLayer(pub(crate) CloudLayer);
-
-impl Layer for SpaceLayer {
-    fn prepare(&self, drawer: &mut Drawer, on: &mut PrepareContext<'_>) {
-        let layer = &self.0;
-        layer.prepare(drawer, on);
-        let most = on.device.limits().max_texture_dimension_2d;
-        let size = layer.frame.size(most);
-        if drawer.space.target.as_ref().is_none_or(|t| t.size != size) {
-            let format = drawer.space.format;
-            let target = Target::new(on.device, &drawer.cells_layout, size, format);
-            drawer.space.target = Some(target);
-            drawer.space.drawn = None;
-        }
-        let now = Drawn {
-            frame: layer.frame,
-            counts: layer.counts,
-            ghosts: layer.ghosts,
-            uploads: drawer.uploads,
-        };
-        if drawer.space.drawn == Some(now) {
-            return;
-        }
-        drawer.space.drawn = Some(now);
-        if let Some(target) = &drawer.space.target {
-            let mut pass = target.begin(on.encoder);
-            layer.draw(drawer, &drawer.space.by_sample, &mut pass);
-        }
-    }
-
-    fn paint(&self, drawer: &Drawer, pass: &mut wgpu::RenderPass<'static>) {
-        if let Some(target) = &drawer.space.target {
-            let (copy, uniform) = (&drawer.space.copy, &drawer.cloud_uniform);
-            Drawer::draw_everywhere(pass, copy, uniform, &target.group);
         }
     }
 }
@@ -223,7 +206,7 @@ mod tests {
                 counts: [2; 2],
                 ghosts: false,
             };
-            SpaceLayer(layer).shape(frame())
+            layer.shape(frame())
         });
         // 10 of the 30 mm along the vectors, which begin in the middle of 240 × 160 points.
         picture.at(2 * (120 + 20), 2 * 80)

@@ -7,7 +7,7 @@
 //! out where sessions are read and answers are found, in the background.
 //!
 //! - Model, in [`cache`](crate::gui::cache): `cloud` (the samples as they are uploaded), `heat` (the error over the
-//!   plane), `projected` (which samples are drawn, and which is under the pointer).
+//!   plane).
 //! - Layout, here: where all of it goes in this frame, the uniform of all shaders, worked out without any of them;
 //!   how shaders are put together, and what they read (`frame.wgsl`, `sample.wgsl`, `arrows.wgsl`, `marks.wgsl`,
 //!   `heat.wgsl` and `copy.wgsl`).
@@ -262,7 +262,7 @@ fn nearest_first() -> wgpu::DepthStencilState {
     }
 }
 
-/// A pipeline with this vertex function; where `depth` counts, what is near covers what is far.
+/// A pipeline with this vertex function; with `depth` what is near covers what is far.
 fn pipeline(
     device: &Device,
     layout: &wgpu::PipelineLayout,

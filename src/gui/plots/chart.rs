@@ -88,6 +88,13 @@ fn plot<'a>(
     let [across, upwards] = [&chart.across, &chart.upwards];
     let lines = [across, upwards].map(|axis| !matches!(axis.ticks, Ticks::Words(_)));
     let [x, y] = [across.ticks.clone(), upwards.ticks.clone()];
+    if y == Ticks::Plane {
+        return gestures::plot(id)
+            .data_aspect(1.0)
+            .show_axes(false)
+            .show_grid(false)
+            .set_margin_fraction(egui::Vec2::ZERO);
+    }
     gestures::plot(id)
         .set_margin_fraction(egui::Vec2::ZERO)
         .grid_color(palette.line)

@@ -10,7 +10,6 @@ use egui_plot::{Plot, PlotResponse, PlotUi};
 
 use crate::gui::style::size;
 use crate::gui::widgets;
-use crate::gui::widgets::icon_button;
 use crate::gui::workbench::Command;
 
 /// What is done with the mouse, and what it does; the help and the tooltips say the same.
@@ -102,19 +101,8 @@ fn sound(plot: &PlotUi<'_>, closer: Vec2) -> bool {
 
 /// Four corners: shows everything again. Says how to look at a part.
 pub(crate) fn fit(ui: &mut Ui, name: &str, command: Command, commands: &mut Vec<Command>) {
-    let sign = icon_button(ui, name);
-    let painter = ui.painter();
-    let at = |x, y| sign.at(x, y);
-    for (x, y) in [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)] {
-        let corner = vec![
-            at(6.5 * x, 2.5 * y),
-            at(6.5 * x, 6.5 * y),
-            at(2.5 * x, 6.5 * y),
-        ];
-        painter.line(corner, sign.stroke());
-    }
-    painter.add(super::disc(at(0.0, 0.0), 1.8, sign.color));
-    let response = sign.response.on_hover_ui(|ui| {
+    let button = widgets::icon_button(ui, widgets::FIT, name);
+    let response = button.on_hover_ui(|ui| {
         ui.set_max_width(320.0);
         widgets::bold(ui, name);
         for (how, what) in GESTURES {

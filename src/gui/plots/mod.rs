@@ -28,7 +28,8 @@ use crate::gui::workbench::{Asked, Command};
 /// Saves a plot as a file.
 pub(crate) fn picture(ui: &mut Ui, plot: Plot, commands: &mut Vec<Command>) {
     let says = say!("Save picture of the {plot}…", plot = plot.title());
-    if widgets::save_button(ui, &says).clicked() {
+    let button = widgets::icon_button(ui, widgets::SAVE, &says);
+    if button.on_hover_text(&says).clicked() {
         commands.push(Command::Ask(Asked::WhereToExport(What::Picture(plot))));
     }
 }
@@ -108,6 +109,7 @@ pub(super) fn places(of: &Ticks, bounds: (f64, f64), most: f64) -> Vec<GridMark>
             };
             words.iter().map(mark).collect()
         }
+        Ticks::Plane => Vec::new(),
         other => steps(bounds, *other == Ticks::Degrees, most),
     }
 }

@@ -1,11 +1,9 @@
-//! What is seen, once: lines, faces, vectors, marks and labels in mm, with sizes in points and tokens of the style
-//! as colours. The model of a view decides what is in its scene; [`paint`](paint::paint) draws it through a
-//! [`Camera`](paint::Camera) on a [`Canvas`](paint::Canvas), of which there are two: the screen, and a drawing for
-//! a picture. So a picture shows what the screen shows.
+//! What is seen: lines, faces, vectors, marks and labels in mm, with sizes in points and tokens of the style as
+//! colours. The model of a view decides what is in its scene; the [`Screen`](screen::Screen) draws it through a
+//! [`Camera`](paint::Camera).
 
 pub(crate) mod paint;
 pub(crate) mod screen;
-pub(crate) mod sheet;
 
 use std::sync::Arc;
 
@@ -49,8 +47,6 @@ pub(crate) enum Form {
     /// A square on its tip.
     Diamond,
     Square,
-    /// A triangle that points along a direction of the scene.
-    Ahead([f64; 3]),
 }
 
 /// A sign as large at any zoom.
@@ -62,12 +58,10 @@ pub(crate) struct Mark {
     pub(crate) radius: f32,
     pub(crate) fill: Option<Tint>,
     pub(crate) edge: Option<Stroke>,
-    /// Whose it is.
-    pub(crate) sample: Option<usize>,
 }
 
 impl Mark {
-    /// Filled, of no sample.
+    /// Filled.
     pub(crate) fn filled(
         at: impl Into<Place>,
         form: Form,
@@ -80,7 +74,7 @@ impl Mark {
         }
     }
 
-    /// An outline, of no sample.
+    /// An outline.
     pub(crate) fn ring(at: impl Into<Place>, form: Form, radius: f32, edge: Stroke) -> Self {
         Self::bare(at, form, radius).edged(edge)
     }
@@ -92,20 +86,12 @@ impl Mark {
             radius,
             fill: None,
             edge: None,
-            sample: None,
         }
     }
 
     pub(crate) fn edged(self, edge: Stroke) -> Self {
         Self {
             edge: Some(edge),
-            ..self
-        }
-    }
-
-    pub(crate) fn of(self, sample: usize) -> Self {
-        Self {
-            sample: Some(sample),
             ..self
         }
     }
@@ -123,11 +109,6 @@ pub(crate) struct Label {
     pub(crate) bold: bool,
     /// What is longer is cut, points; whole where the pointer is on it.
     pub(crate) most: Option<f32>,
-    /// Room around it, points: it is left out where it would touch another one with such room, and
-    /// stays within the picture.
-    pub(crate) padding: Option<[f32; 2]>,
-    /// What is behind it in its room.
-    pub(crate) background: Option<Tint>,
 }
 
 impl Label {
@@ -140,8 +121,6 @@ impl Label {
             size: size::SMALL,
             bold: false,
             most: None,
-            padding: None,
-            background: None,
         }
     }
 }
@@ -236,13 +215,6 @@ impl LegendEntry {
     pub(crate) fn mark(name: impl Into<String>, mark: Mark) -> Self {
         Self::new(name, Item::Mark(mark))
     }
-
-    /// A part of a band.
-    pub(crate) fn band(name: impl Into<String>, ink: Tint) -> Self {
-        let corners = [[-7.0, -4.0], [7.0, -4.0], [7.0, 4.0], [-7.0, 4.0]];
-        let corners = corners.map(|[x, y]| Place::from([x, y, 0.0]));
-        Self::new(name, Item::Area(corners.to_vec(), Some(ink), None))
-    }
 }
 
 /// The ends of a line in a legend.
@@ -258,7 +230,6 @@ pub(crate) enum ColourToken {
     Nominal,
     Within,
     Outside,
-    Warning,
     Accent,
     Text,
     Muted,
@@ -288,7 +259,6 @@ impl ColourToken {
             Self::Nominal => palette.nominal,
             Self::Within => palette.within,
             Self::Outside => palette.outside,
-            Self::Warning => palette.warning,
             Self::Accent => palette.accent,
             Self::Text => palette.text,
             Self::Muted => palette.muted,
@@ -356,12 +326,11 @@ impl Tint {
     }
 }
 
-/// How a line is drawn: its width, and of dashes their length and the gap between them, points.
+/// How a line is drawn: its width, points.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Stroke {
     pub(crate) width: f32,
     pub(crate) colour: Tint,
-    pub(crate) dash: Option<[f32; 2]>,
 }
 
 impl Stroke {
@@ -369,14 +338,6 @@ impl Stroke {
         Self {
             width,
             colour: ink.into(),
-            dash: None,
-        }
-    }
-
-    pub(crate) fn dashed(self, dash: f32, gap: f32) -> Self {
-        Self {
-            dash: Some([dash, gap]),
-            ..self
         }
     }
 }

@@ -4,13 +4,13 @@ use std::sync::Arc;
 
 use egui::epaint::{CircleShape, Mesh};
 use egui::text::{LayoutJob, TextWrapping};
-use egui::{Align2, Color32, FontId, Galley, Painter, Pos2, Rect, Shape, Vec2};
+use egui::{Align2, Color32, FontId, Galley, Painter, Pos2, Rect, Shape, vec2};
 
-use super::paint::Camera;
-use super::paint::{Canvas, items};
-use super::{ColourToken, Stroke, Tint};
-use super::{Label, Layer, LegendEntry};
-use crate::gui::layers::gpu::{CloudLayer, HeatLayer, Layer as _, SpaceLayer};
+use super::paint::{Camera, DIAMOND, SQUARE, corners_of, hull};
+use super::{
+    ColourToken, Form, Item, Label, Layer, LegendEntry, Mark, Place, Stroke, Tint, Triangle,
+};
+use crate::gui::layers::gpu::{CloudLayer, HeatLayer, Layer as _};
 use crate::gui::layers::{Frame, LayerOptions};
 use crate::gui::style::{Palette, strong};
 
@@ -38,7 +38,7 @@ impl<'a> Screen<'a> {
     pub(crate) fn symbol(painter: &Painter, palette: &Palette, entry: &LegendEntry, at: Pos2) {
         let mut shapes = Vec::new();
         let mut screen = Screen::new(painter, palette, &mut shapes);
-        items(&entry.sign, &Camera::of_signs(at), &mut screen);
+        screen.draw(&entry.sign, &Camera::of_signs(at));
         painter.extend(shapes);
     }
 
@@ -67,16 +67,35 @@ impl<'a> Screen<'a> {
     }
 }
 
-impl Canvas for Screen<'_> {
-    fn line(&mut self, points: Vec<Pos2>, stroke: Stroke) {
-        let drawn = self.stroke(Some(stroke));
-        if let Some(dash) = stroke.dash {
-            return self.shapes.extend(dashes(&points, drawn, dash));
+impl Screen<'_> {
+    /// Draws a scene.
+    pub(crate) fn draw(&mut self, items: &[Item], camera: &Camera) {
+        for item in items {
+            match item {
+                Item::Line(places, stroke) => {
+                    let points: Vec<Pos2> = places.iter().map(|p| camera.place(p)).collect();
+                    let drawn = self.stroke(Some(*stroke));
+                    self.shapes.push(match points[..] {
+                        [from, to] => Shape::line_segment([from, to], drawn),
+                        _ => Shape::line(points, drawn),
+                    });
+                }
+                Item::Area(corners, fill, edge) => {
+                    let corners = corners.iter().map(|place| camera.place(place));
+                    self.area(hull(corners.collect()), *fill, *edge);
+                }
+                Item::Triangles(triangles) => self.triangles(triangles, camera),
+                Item::Net(corners, across) => self.net(corners, *across, camera),
+                Item::Vector(ends, stroke) => self.arrow(ends.map(|p| camera.place(&p)), *stroke),
+                Item::Mark(mark) => self.mark(camera.place(&mark.at), mark),
+                Item::Label(label) => {
+                    let at = camera.place(&label.at);
+                    let place = label.anchor.anchor_size(at, self.galley(label).size());
+                    self.words(place, label);
+                }
+                Item::Layer(layer) => self.layer(layer, camera),
+            }
         }
-        self.shapes.push(match points[..] {
-            [from, to] => Shape::line_segment([from, to], drawn),
-            _ => Shape::line(points, drawn),
-        });
     }
 
     fn area(&mut self, corners: Vec<Pos2>, fill: Option<Tint>, edge: Option<Stroke>) {
@@ -84,33 +103,58 @@ impl Canvas for Screen<'_> {
         self.shapes.push(shape);
     }
 
-    fn disc(&mut self, center: Pos2, radius: f32, fill: Option<Tint>, edge: Option<Stroke>) {
-        self.shapes.push(Shape::Circle(CircleShape {
-            center,
-            radius,
-            fill: self.color(fill),
-            stroke: self.stroke(edge),
-        }));
+    fn mark(&mut self, at: Pos2, mark: &Mark) {
+        let corners = match mark.form {
+            Form::Disc => {
+                return self.shapes.push(Shape::Circle(CircleShape {
+                    center: at,
+                    radius: mark.radius,
+                    fill: self.color(mark.fill),
+                    stroke: self.stroke(mark.edge),
+                }));
+            }
+            Form::Diamond => &DIAMOND,
+            Form::Square => &SQUARE,
+        };
+        let corners = corners_of(corners, at, mark.radius, vec2(1.0, 0.0));
+        self.area(corners, mark.fill, mark.edge);
     }
 
-    fn triangles(&mut self, triangles: &mut dyn Iterator<Item = ([Pos2; 3], Tint)>) {
+    /// An arrow with a head that grows with it, up to a point.
+    fn arrow(&mut self, [tail, tip]: [Pos2; 2], stroke: Stroke) {
+        let along = tip - tail;
+        let length = along.length();
+        if length < 0.75 {
+            return;
+        }
+        let head = (0.35 * length).clamp(1.0, 6.0 + stroke.width);
+        let neck = tip - along / length * head;
+        let shaft = Shape::line_segment([tail, neck], self.stroke(Some(stroke)));
+        self.shapes.push(shaft);
+        let half = 0.5 * (tip - neck);
+        let across = vec2(-half.y, half.x);
+        let head = vec![tip, neck + across, neck - across];
+        self.area(head, Some(stroke.colour), None);
+    }
+
+    fn triangles(&mut self, triangles: &[(Triangle, Tint)], camera: &Camera) {
         let mut mesh = Mesh::default();
         for (corners, ink) in triangles {
             let first = u32::try_from(mesh.vertices.len()).unwrap_or(u32::MAX);
             let color = ink.color(self.palette);
             for corner in corners {
-                mesh.colored_vertex(corner, color);
+                mesh.colored_vertex(camera.at(corner.map(f64::from)), color);
             }
             mesh.add_triangle(first, first + 1, first + 2);
         }
         self.shapes.push(Shape::mesh(mesh));
     }
 
-    fn net(&mut self, corners: &[(Pos2, Tint)], across: usize) {
+    fn net(&mut self, corners: &[(Place, Tint)], across: usize, camera: &Camera) {
         let mut mesh = Mesh::default();
         let row = u32::try_from(across).unwrap_or(u32::MAX);
-        for (here, (at, ink)) in (0_u32..).zip(corners) {
-            mesh.colored_vertex(*at, ink.color(self.palette));
+        for (here, (place, ink)) in (0_u32..).zip(corners) {
+            mesh.colored_vertex(camera.place(place), ink.color(self.palette));
             if here >= row && here % row > 0 {
                 let [left, below] = [here - 1, here - row];
                 mesh.add_triangle(here, left, below);
@@ -134,24 +178,16 @@ impl Canvas for Screen<'_> {
             .shape(rect),
             Layer::Samples(samples) => {
                 let look = &samples.look;
-                let layer = CloudLayer {
+                CloudLayer {
                     cloud: Arc::clone(&samples.cloud),
                     remainder: samples.remainder.clone(),
                     frame: frame(look, None),
                     counts: samples.counts,
                     ghosts: look.ghosts(),
-                };
-                if look.deep_mm.is_some() {
-                    SpaceLayer(layer).shape(rect)
-                } else {
-                    layer.shape(rect)
                 }
+                .shape(rect)
             }
         });
-    }
-
-    fn size(&self, label: &Label) -> Vec2 {
-        self.galley(label).size()
     }
 
     fn words(&mut self, place: Rect, label: &Label) {
@@ -166,7 +202,7 @@ impl Canvas for Screen<'_> {
                 colour: ColourToken::Text.into(),
                 ..label.clone()
             };
-            let size = self.size(&whole);
+            let size = self.galley(&whole).size();
             let place = Align2::CENTER_CENTER.anchor_size(place.center(), size);
             let ground = place.expand(3.0);
             let ground = Shape::rect_filled(ground, 3.0, self.palette.surface);

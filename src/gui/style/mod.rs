@@ -24,7 +24,7 @@
 
 pub(crate) mod layout;
 #[cfg(test)]
-pub(crate) mod vision;
+pub(crate) mod testing;
 
 use std::sync::Arc;
 
@@ -356,7 +356,7 @@ mod tests {
     use egui::Color32;
 
     use super::{DARK, LIGHT, Palette, STOPS};
-    use crate::gui::style::vision::{ColourVision, colour_distance, contrast, lightness};
+    use crate::gui::style::testing::{ColourVision, colour_distance, contrast, lightness};
 
     const THEMES: [(&str, Palette); 2] = [("light", LIGHT), ("dark", DARK)];
 
@@ -484,7 +484,7 @@ mod tests {
                 if path.is_dir() {
                     walk(&path, found);
                 } else if name.ends_with(".rs")
-                    && !["style/mod.rs", "style/vision.rs"]
+                    && !["style/mod.rs", "style/testing.rs"]
                         .iter()
                         .any(|own| path.ends_with(own))
                 {

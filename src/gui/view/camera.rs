@@ -346,8 +346,6 @@ pub(crate) enum Aspect {
     Plane,
     /// The same in three dimensions.
     Space,
-    /// The deviation around the joint's angle.
-    Around,
 }
 
 named! {

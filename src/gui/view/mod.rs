@@ -54,16 +54,6 @@ impl Step {
     }
 }
 
-/// What draws whatever there is once for each sample.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub(crate) enum Canvas {
-    /// Shapes of egui, thinned where there are many: nothing else is there.
-    #[default]
-    Shapes,
-    /// The graphics processor, at most so many samples.
-    Layers(usize),
-}
-
 /// What the right-hand side shows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(crate) enum Side {
@@ -118,7 +108,7 @@ pub(crate) struct ViewState {
     pub(crate) step: Step,
     /// The plane of the workspace plot.
     pub(crate) plane: Plane,
-    /// Whether that plane is shown, the space, or the deviation around the joint's angle.
+    /// Whether that plane is shown, or the space.
     pub(crate) aspect: Aspect,
     /// From where the space is looked at.
     pub(crate) camera: Camera,
@@ -134,8 +124,8 @@ pub(crate) struct ViewState {
     pub(crate) colouring: Colouring,
     /// Whether the heat map is shown.
     pub(crate) heat: bool,
-    /// What draws them.
-    pub(crate) canvas: Canvas,
+    /// So many samples can be drawn at once.
+    pub(crate) most_drawn: usize,
     /// The component that is looked at, where a chart has none of its own.
     pub(crate) component: Component,
     /// Whether the chart leaves out the deviation before, so that what is left can be seen.
@@ -172,11 +162,6 @@ pub(crate) struct ViewState {
 }
 
 impl ViewState {
-    /// Whether the deviation around the joint's angle is shown.
-    pub(crate) fn polar(&self) -> bool {
-        self.aspect == Aspect::Around
-    }
-
     /// Shows the workspace like this, and brings it into sight.
     pub(crate) fn look(&mut self, aspect: Aspect) {
         self.aspect = aspect;
@@ -220,7 +205,7 @@ impl Default for ViewState {
             blend: 1.0,
             colouring: Colouring::default(),
             heat: false,
-            canvas: Canvas::default(),
+            most_drawn: usize::MAX,
             component: Component::default(),
             only_after: false,
             hovered: None,

@@ -193,14 +193,10 @@ pub(crate) enum About {
 /// A plot that can be saved.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Plot {
-    /// Where the points are, and how far off.
+    /// Where the points are, and how far off, as it is seen.
     Workspace,
     /// The chart of this name, as it is shown.
     Chart(&'static str),
-    /// The same in three dimensions, as it is seen.
-    Space,
-    /// A component of the deviation around the joint's angle.
-    Polar,
 }
 
 impl Plot {
@@ -209,8 +205,14 @@ impl Plot {
         match self {
             Self::Workspace => "workspace",
             Self::Chart(name) => name,
-            Self::Space => "3-D view",
-            Self::Polar => "polar",
+        }
+    }
+
+    /// What its file ends in: a chart is drawn, the workspace is a picture of the screen.
+    pub(crate) fn ending(self) -> &'static str {
+        match self {
+            Self::Workspace => "png",
+            Self::Chart(_) => "svg",
         }
     }
 

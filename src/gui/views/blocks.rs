@@ -2,18 +2,20 @@
 //! (buttons, the explanation of an effect) is put below it by the caller. And what several panels show: names of
 //! effects and parameters, problems of the data with what mends them, and what no name explains.
 
-use egui::{Grid, Response, RichText, TextStyle, TextWrapMode, Ui, WidgetText};
+use std::fmt::Debug;
+use std::hash::Hash;
+
+use egui::{Color32, Grid, Response, RichText, TextStyle, TextWrapMode, Ui, WidgetText};
 
 use crate::diagnosis::{Correction, Diagnosis};
 use crate::effects::Term;
 use crate::explain::{Block, Detail, Section, problems_of_data};
-use crate::fit::Estimate;
 use crate::kinematics::JointKind;
 use crate::language::spoken;
 use crate::model::Model;
-use crate::present::names::{parameter, title_on, usual_size};
+use crate::present::names::title_on;
 use crate::present::numbers::{significant, trimmed, with_minus_signs};
-use crate::present::table::Table;
+use crate::present::table::{Column, Table};
 use crate::sessions::SessionCorrection;
 use crate::set_up_errors::DataProblem;
 use crate::units::deg_from_rad;
@@ -30,7 +32,7 @@ pub(crate) enum Title {
     /// As the name of something.
     Plain,
     /// As an answer, in this colour.
-    Large(egui::Color32),
+    Large(Color32),
 }
 
 /// A section's title; what it returns can be explained.
@@ -109,27 +111,43 @@ fn table(ui: &mut Ui, index: usize, table: &Table) {
     // As wide as the panel, so that tables below each other have their last columns below each other.
     let gaps = table.columns.len().saturating_sub(1).max(1);
     let apart = apart + (spare / gaps as f32).floor();
+    let color = Palette::of(ui).text;
+    grid(
+        ui,
+        ("table of an answer", index),
+        table,
+        (letters, apart),
+        |_| color,
+    );
+}
+
+/// The same with letters of this size and its columns so far apart, each cell in its colour.
+pub(crate) fn grid(
+    ui: &mut Ui,
+    id: impl Hash + Debug,
+    table: &Table,
+    (letters, apart): (f32, f32),
+    color: impl Fn(&str) -> Color32,
+) {
     let muted = Palette::of(ui).muted;
-    let grid = Grid::new(("table of an answer", index)).spacing([apart, 4.0]);
+    let aligned = |ui: &mut Ui, column: &Column, text: RichText| {
+        if column.right {
+            widgets::cell_right(ui, text);
+        } else {
+            ui.label(text);
+        }
+    };
+    let grid = Grid::new(id).spacing([apart, 4.0]);
     grid.min_col_width(0.0).show(ui, |ui| {
         for column in &table.columns {
-            let heading = RichText::new(&column.heading);
-            let heading = heading.size(size::SMALL).color(muted);
-            if column.right {
-                widgets::cell_right(ui, heading);
-            } else {
-                ui.label(heading);
-            }
+            let heading = RichText::new(&column.heading).size(size::SMALL);
+            aligned(ui, column, heading.color(muted));
         }
         ui.end_row();
         for row in &table.rows {
             for (cell, column) in row.iter().zip(&table.columns) {
-                let cell = RichText::new(with_minus_signs(&cell.shown)).size(letters);
-                if column.right {
-                    widgets::cell_right(ui, cell);
-                } else {
-                    ui.label(cell);
-                }
+                let text = RichText::new(with_minus_signs(&cell.shown)).size(letters);
+                aligned(ui, column, text.color(color(&cell.shown)));
             }
             ui.end_row();
         }
@@ -202,23 +220,6 @@ pub(super) fn in_words(id: &str, joint: Option<usize>, workbench: &Workbench) ->
         joint,
         workbench.loaded_session().session.robot.joints.len(),
     )
-}
-
-/// Says which sizes no machine has.
-pub(super) fn implausible(ui: &mut Ui, estimates: &[Estimate]) {
-    let warning = Palette::of(ui).warning;
-    for one in estimates {
-        let Some(says) = one.implausible() else {
-            continue;
-        };
-        let text = format!(
-            "{}: {} ({})",
-            parameter(one.name).0,
-            spoken(&says),
-            usual_size(one)
-        );
-        ui.label(RichText::new(text).color(warning));
-    }
 }
 
 /// Shows what an effect does, in the chart.

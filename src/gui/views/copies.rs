@@ -1,5 +1,5 @@
-//! What is taken from the window: tables as text for a spreadsheet (tabs between the columns, full
-//! digits, the decimal sign that the user chose), and plots as pictures, as they are on the screen.
+//! What is copied from the window: tables as text for a spreadsheet (tabs between the columns, full
+//! digits, the decimal sign that the user chose).
 
 use std::time::Duration;
 
@@ -8,14 +8,11 @@ use egui::{Button, Id, Popup, PopupKind, RichText, Ui, vec2};
 use crate::diagnosis::{Detectability, Diagnosis, NextPose};
 use crate::effects::find;
 use crate::fit::{Estimate, RegionResult};
-use crate::gui::charts::{self, About, HoverTarget};
+use crate::gui::charts::About;
 use crate::gui::style::{size, space};
-use crate::gui::view::Plot;
 use crate::gui::widgets;
-use crate::gui::workbench::{Command, Draw, Workbench};
-use crate::gui::workspace::{plane_sheet, polar_sheet, space_sheet};
+use crate::gui::workbench::{Command, Workbench};
 use crate::kinematics::Robot;
-use crate::present::chart::{Chart, FULL_WIDTH};
 use crate::present::limits::sight;
 use crate::present::names::parameter_in_english as parameter;
 use crate::present::table::{Cell, Table};
@@ -71,7 +68,7 @@ fn is_recent(ui: &Ui, id: Id) -> bool {
 /// The mark in a chart's bar that copies its numbers.
 pub(super) fn chart_button(ui: &mut Ui, about: &About, commands: &mut Vec<Command>) {
     let says = say!("Copy numbers: {of}", of = about.name().to_lowercase());
-    let button = widgets::copy_button(ui, &says);
+    let button = widgets::icon_button(ui, widgets::COPY, &says).on_hover_text(&says);
     if button.clicked() {
         commands.push(Command::CopyNumbers(about.id));
     }
@@ -260,32 +257,4 @@ pub(super) fn regions(results: &[RegionResult]) -> String {
         ]);
     }
     table.tabbed()
-}
-
-/// A plot as it is now; of many samples few enough are seen to be drawn at once.
-pub(crate) fn drawing(workbench: &Workbench, plot: Plot) -> Draw {
-    let sheet = match plot {
-        Plot::Workspace => plane_sheet(workbench),
-        Plot::Space => space_sheet(workbench),
-        Plot::Polar => polar_sheet(workbench),
-        Plot::Chart(name) => with_samples_in_sight(workbench, name).map(|chart| {
-            let session = crate::report::document::clean(&workbench.loaded_session().session.name);
-            let says = format!("{session}: {}", chart.title);
-            (chart.on_paper(&session), says)
-        }),
-    };
-    Box::new(move || sheet)
-}
-
-/// A chart as it is shown, of many samples with what is seen of them on paper.
-fn with_samples_in_sight(workbench: &Workbench, name: &str) -> Result<Chart, String> {
-    let kind = charts::find(name).ok_or(say!("there is no such chart"))?;
-    let scene = workbench.scene_of(kind);
-    let shown = charts::shown(kind, &scene).map_err(|missing| missing.title)?;
-    let mut chart = shown.chart;
-    if let HoverTarget::Samples(samples) = &shown.pointed {
-        let [[from, _], [to, _]] = chart.bounds;
-        chart.items.extend(samples.in_sight([from, to], FULL_WIDTH));
-    }
-    Ok(chart)
 }

@@ -306,35 +306,77 @@ pub(crate) fn history_button(ui: &mut Ui, forth: bool, enabled: bool, says: &str
     response.on_hover_text(says)
 }
 
-/// A square button on which a sign is drawn.
-pub(crate) struct IconButton {
-    /// Whether it was pressed, and so on.
-    pub(crate) response: Response,
-    pub(crate) rect: egui::Rect,
-    /// Whether the pointer or the keyboard is on it.
-    pub(crate) lit: bool,
-    /// What the sign is drawn with.
-    pub(crate) color: Color32,
-}
+/// A sign: lines through points about the middle of its button.
+type Sign = &'static [&'static [(f32, f32)]];
 
-impl IconButton {
-    /// A point of the drawing, from its middle.
-    pub(crate) fn at(&self, x: f32, y: f32) -> egui::Pos2 {
-        self.rect.center() + vec2(x, y)
+/// An arrow into a tray.
+pub(crate) const SAVE: Sign = &[
+    &[(0.0, -6.5), (0.0, 2.0)],
+    &[(-3.5, -1.5), (0.0, 2.0), (3.5, -1.5)],
+    &[(-6.5, 2.5), (-6.5, 6.0), (6.5, 6.0), (6.5, 2.5)],
+];
+
+/// A small table.
+pub(crate) const DATA: Sign = &[
+    &[
+        (-6.5, -6.0),
+        (6.5, -6.0),
+        (6.5, 6.0),
+        (-6.5, 6.0),
+        (-6.5, -6.0),
+    ],
+    &[(-6.5, -2.0), (6.5, -2.0)],
+    &[(-6.5, 2.0), (6.5, 2.0)],
+    &[(0.0, -6.0), (0.0, 6.0)],
+];
+
+/// Two sheets, one before the other.
+pub(crate) const COPY: Sign = &[
+    &[
+        (-2.0, -3.0),
+        (-2.0, -6.5),
+        (6.5, -6.5),
+        (6.5, 3.0),
+        (2.0, 3.0),
+    ],
+    &[
+        (-6.5, -3.0),
+        (2.0, -3.0),
+        (2.0, 6.5),
+        (-6.5, 6.5),
+        (-6.5, -3.0),
+    ],
+];
+
+/// Four corners about a point.
+pub(crate) const FIT: Sign = &[
+    &[(-6.5, -2.5), (-6.5, -6.5), (-2.5, -6.5)],
+    &[(6.5, -2.5), (6.5, -6.5), (2.5, -6.5)],
+    &[(6.5, 2.5), (6.5, 6.5), (2.5, 6.5)],
+    &[(-6.5, 2.5), (-6.5, 6.5), (-2.5, 6.5)],
+    &[
+        (-1.0, -1.0),
+        (1.0, -1.0),
+        (1.0, 1.0),
+        (-1.0, 1.0),
+        (-1.0, -1.0),
+    ],
+];
+
+/// A square button with a sign, called by its name.
+pub(crate) fn icon_button(ui: &mut Ui, sign: Sign, name: &str) -> Response {
+    let (response, color) = bare_button(ui, name, Sense::click());
+    for line in sign {
+        let points = line
+            .iter()
+            .map(|(x, y)| response.rect.center() + vec2(*x, *y));
+        ui.painter().line(points.collect(), Stroke::new(1.5, color));
     }
-
-    pub(crate) fn stroke(&self) -> Stroke {
-        Stroke::new(1.5, self.color)
-    }
+    response
 }
 
-/// Room for a sign, called by its name.
-pub(crate) fn icon_button(ui: &mut Ui, name: &str) -> IconButton {
-    sign_that(ui, name, Sense::click())
-}
-
-/// The same for one that is dragged as well.
-pub(crate) fn sign_that(ui: &mut Ui, name: &str, sense: Sense) -> IconButton {
+/// Room for a sign, called by its name, and its colour.
+pub(crate) fn bare_button(ui: &mut Ui, name: &str, sense: Sense) -> (Response, Color32) {
     let palette = Palette::of(ui);
     let (rect, response) = ui.allocate_exact_size(vec2(24.0, 24.0), sense);
     let enabled = ui.is_enabled();
@@ -345,59 +387,5 @@ pub(crate) fn sign_that(ui: &mut Ui, name: &str, sense: Sense) -> IconButton {
         ui.painter().rect_filled(rect, round, palette.inset);
     }
     let color = if lit { palette.text } else { palette.muted };
-    IconButton {
-        response,
-        rect,
-        lit,
-        color,
-    }
-}
-
-/// An arrow into a tray: saves what stands beside it.
-pub(crate) fn save_button(ui: &mut Ui, name: &str) -> Response {
-    let sign = icon_button(ui, name);
-    let at = |x, y| sign.at(x, y);
-    let line = |points: Vec<egui::Pos2>| {
-        ui.painter().line(points, sign.stroke());
-    };
-    line(vec![at(0.0, -6.5), at(0.0, 2.0)]);
-    line(vec![at(-3.5, -1.5), at(0.0, 2.0), at(3.5, -1.5)]);
-    line(vec![
-        at(-6.5, 2.5),
-        at(-6.5, 6.0),
-        at(6.5, 6.0),
-        at(6.5, 2.5),
-    ]);
-    sign.response.on_hover_text(name)
-}
-
-/// A small table over the tray of what is saved: saves the numbers of what stands beside it.
-pub(crate) fn data_button(ui: &mut Ui, name: &str) -> Response {
-    let sign = icon_button(ui, name);
-    let table = egui::Rect::from_min_max(sign.at(-6.5, -6.0), sign.at(6.5, 6.0));
-    let painter = ui.painter();
-    let stroke = sign.stroke();
-    painter.rect_stroke(table, 1.5, stroke, StrokeKind::Middle);
-    painter.hline(table.x_range(), table.top() + 4.0, stroke);
-    let thin = Stroke::new(1.0, sign.color);
-    painter.hline(table.x_range(), table.top() + 8.0, thin);
-    painter.vline(sign.rect.center().x, table.y_range(), thin);
-    sign.response.on_hover_text(name)
-}
-
-/// Two sheets: copies what stands beside it.
-pub(crate) fn copy_button(ui: &mut Ui, name: &str) -> Response {
-    let sign = icon_button(ui, name);
-    let sheet = |x, y| egui::Rect::from_min_size(sign.at(x, y), vec2(8.5, 9.5));
-    let painter = ui.painter();
-    let stroke = sign.stroke();
-    painter.rect_stroke(sheet(-2.0, -6.5), 1.5, stroke, StrokeKind::Middle);
-    let palette = Palette::of(ui);
-    let ground = if sign.lit {
-        palette.inset
-    } else {
-        palette.surface
-    };
-    painter.rect(sheet(-6.5, -3.0), 1.5, ground, stroke, StrokeKind::Middle);
-    sign.response.on_hover_text(name)
+    (response, color)
 }

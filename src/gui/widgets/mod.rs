@@ -6,9 +6,8 @@ mod fields;
 mod text;
 
 pub(crate) use buttons::{
-    NEXT, copy_button, data_button, has_stood, history_button, icon_button, other, primary,
-    read_next, save_button, secondary, segmented, segmented_named, side_button, sign_that,
-    width_of_segments,
+    COPY, DATA, FIT, NEXT, SAVE, bare_button, has_stood, history_button, icon_button, other,
+    primary, read_next, secondary, segmented, segmented_named, side_button, width_of_segments,
 };
 pub(crate) use fields::{
     buttons_or_back, cell_number, choice, choice_row, done, done_beside, entered, form_row, list,

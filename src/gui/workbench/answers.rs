@@ -14,14 +14,13 @@ use crate::gui::cache::heat::Heat;
 use crate::gui::cache::identified::{
     AnswerSummary, ExportPreview, IdentifiedAnswer, PreviewRequest,
 };
-use crate::gui::cache::projected::Nearest;
 use crate::gui::cache::{PlotCache, PlotInputs};
 use crate::gui::core::answer::term_of;
 use crate::gui::core::answer::{Answer, LoadedModel, Search};
 use crate::gui::core::document::{Method, Question};
 use crate::gui::core::edit::Edit;
 use crate::gui::core::overview::measuring_from_base;
-use crate::gui::view::{Canvas, Colouring, Facing, Message, Step};
+use crate::gui::view::{Colouring, Facing, Message, Step};
 use crate::present::numbers::notation;
 use crate::text::current;
 
@@ -80,7 +79,7 @@ impl Workbench {
 
     /// Whether plots leave out the deviation before, so that what is left can be seen.
     pub(crate) fn only_after(&self) -> bool {
-        self.scene().only_after()
+        self.view.only_after && self.answer().is_some()
     }
 
     /// What follows from the newest answer, for drawing.
@@ -91,18 +90,6 @@ impl Workbench {
     pub(super) fn plot_cache(&self) -> Option<&PlotCache> {
         let backdrop = self.plot_cache.as_deref()?;
         Arc::ptr_eq(&backdrop.inputs.loaded_session, self.loaded_session()).then_some(backdrop)
-    }
-
-    /// The same of the plane that is looked at.
-    fn plane_cache(&self) -> Option<&PlotCache> {
-        let seen = |cache: &&PlotCache| cache.inputs.plane == self.view.plane;
-        self.plot_cache().filter(seen)
-    }
-
-    /// Which sample is where in the plane; `None` where they are few, or while it is being found
-    /// out.
-    pub(crate) fn nearest(&self) -> Option<&Nearest> {
-        self.plane_cache()?.nearest.as_deref()
     }
 
     /// The identified pose of the base in the measuring frame, where the instrument stands in a frame
@@ -143,7 +130,8 @@ impl Workbench {
     /// The heat map, if it is shown. While a newer one is being made it is the one before.
     pub(crate) fn heat(&self) -> Option<&Arc<Heat>> {
         let wanted = self.view.heat && !self.view.in_space();
-        self.plane_cache().filter(|_| wanted)?.heat.as_ref()
+        let seen = |cache: &&PlotCache| wanted && cache.inputs.plane == self.view.plane;
+        self.plot_cache().filter(seen)?.heat.as_ref()
     }
 
     /// How sure the newest answer is at each sample, where colour says it; `None` until it is worked out.
@@ -162,12 +150,6 @@ impl Workbench {
         let uncertain = self.uncertain().map(|u| &u.remainder);
         let plain = self.after().map(|after| &after.remainder);
         uncertain.or(plain).map(Arc::clone)
-    }
-
-    /// Samples that are drawn where not all can be; `None` where they are few, or until they are
-    /// chosen.
-    pub(crate) fn thinned(&self) -> Option<&[u32]> {
-        Some(&self.plane_cache()?.thinned.as_deref()?.samples)
     }
 
     /// The export as it would be written, or why there is none. While a newer one of the same table is being made it
@@ -195,7 +177,7 @@ impl Workbench {
     /// Whether the preparation of the export was cancelled: it is not begun again by itself.
     pub(crate) fn is_unprepared(&self) -> bool {
         let choice = self.document().export;
-        let cancelled = self.unprepared.as_ref();
+        let cancelled = self.asked.previews.declined();
         cancelled.is_some_and(|wanted| wanted.choice.is_of_the_table(choice))
     }
 
@@ -209,7 +191,8 @@ impl Workbench {
 
     /// Whether the identification was cancelled: it is not repeated by itself.
     pub(crate) fn is_declined(&self) -> bool {
-        self.declined.is_some() && self.question() == self.declined
+        let declined = self.asked.questions.declined();
+        declined.is_some() && self.question().as_ref() == declined
     }
 
     /// Whether the answer that is shown belongs to the document as it is.
@@ -304,10 +287,14 @@ impl Workbench {
             name: saved.map(|(_, name)| name.clone()),
         };
         let made = self.preview.as_ref().is_some_and(|p| p.wanted == wanted);
-        if !made && self.unprepared.as_ref() != Some(&wanted) {
-            self.unprepared = None;
-            self.want_preview(wanted);
+        if !made && let Some(wanted) = self.asked.previews.want(wanted) {
+            self.prepare(wanted);
         }
+    }
+
+    /// So many samples can be drawn at once.
+    pub(crate) fn draw_at_most(&mut self, most: usize) {
+        self.view.most_drawn = most;
     }
 
     /// Asks for what the plots stand on, if it is not there and not on its way.
@@ -323,17 +310,17 @@ impl Workbench {
             heat: self.view.heat && !self.view.in_space(),
             uncertain: self.view.colouring == Colouring::Uncertainty
                 && self.answer().is_some_and(Uncertain::is_known),
-            thins: self.view.canvas == Canvas::Shapes,
-            polar: self.view.polar(),
-            component: self.view.component,
             charts: self.works(),
         };
         let there = self
             .plot_cache
             .as_ref()
             .is_some_and(|b| b.inputs == scenery);
-        if scenery.any() && !there {
-            self.want_backdrop(scenery);
+        if scenery.any()
+            && !there
+            && let Some(scenery) = self.asked.plots.want(scenery)
+        {
+            self.draw_backdrop(scenery);
         }
     }
 
@@ -346,10 +333,8 @@ impl Workbench {
             .identified
             .as_ref()
             .is_some_and(|o| o.question == question);
-        let declined = self.declined.as_ref() == Some(&question);
-        if !answered && !declined && !self.is_asked(&question) {
-            self.declined = None;
-            self.ask(question);
+        if !answered && let Some(question) = self.asked.questions.want(question) {
+            self.identify(question);
         }
     }
 

@@ -65,19 +65,8 @@ impl Workbench {
         }
     }
 
-    /// Asks for an answer. A question that is waiting is forgotten for it.
-    pub(super) fn ask(&mut self, question: Question) {
-        if let Some(question) = self.asked.questions.ask(question) {
-            self.identify(question);
-        }
-    }
-
-    /// Whether this question is the last that was asked and has no answer yet.
-    pub(super) fn is_asked(&self, question: &Question) -> bool {
-        self.asked.questions.is_asked(question)
-    }
-
-    fn identify(&mut self, question: Question) {
+    /// Answers a question.
+    pub(super) fn identify(&mut self, question: Question) {
         let samples = say!(one "{count} sample", "{count} samples", count = grouped(question.loaded_session.len()));
         self.jobs.start(
             Kind::Identifies,
@@ -92,34 +81,18 @@ impl Workbench {
         );
     }
 
-    /// Asks for the preview of an export, if it is not on its way.
-    pub(super) fn want_preview(&mut self, wanted: PreviewRequest) {
-        if !self.asked.previews.is_asked(&wanted)
-            && let Some(wanted) = self.asked.previews.ask(wanted)
-        {
-            self.prepare(wanted);
-        }
-    }
-
-    fn prepare(&mut self, wanted: PreviewRequest) {
+    /// Prepares an export.
+    pub(super) fn prepare(&mut self, wanted: PreviewRequest) {
         self.jobs.start(
             Kind::Prepares,
             say!("preparing the table"),
             move |_| Preview::of(wanted),
-            |bench: &mut Self, preview| bench.preview = Some(preview),
+            |bench: &mut Self, preview| bench.preview = Some(Arc::new(preview)),
         );
     }
 
-    /// Asks for what plots of many samples stand on, if it is not on its way.
-    pub(super) fn want_backdrop(&mut self, scenery: PlotInputs) {
-        if !self.asked.plots.is_asked(&scenery)
-            && let Some(scenery) = self.asked.plots.ask(scenery)
-        {
-            self.draw_backdrop(scenery);
-        }
-    }
-
-    fn draw_backdrop(&mut self, scenery: PlotInputs) {
+    /// Works out what plots stand on.
+    pub(super) fn draw_backdrop(&mut self, scenery: PlotInputs) {
         let last = self.plot_cache.clone();
         self.jobs.start(
             Kind::Draws,
@@ -187,10 +160,8 @@ impl Workbench {
             return self.stop_search();
         }
         match self.jobs.cancel(Kind::has_a_name) {
-            Some(Kind::Identifies) => {
-                self.declined = self.asked.questions.forget().or(self.declined.take());
-            }
-            Some(Kind::Prepares) => self.unprepared = self.asked.previews.forget(),
+            Some(Kind::Identifies) => self.asked.questions.decline(),
+            Some(Kind::Prepares) => self.asked.previews.decline(),
             _ => {}
         }
     }

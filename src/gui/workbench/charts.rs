@@ -4,13 +4,15 @@ use std::mem::discriminant;
 use std::sync::Arc;
 
 use crate::gui::cache::PlotCache;
-use crate::gui::cache::charts::{ChartResult, Envelope, Work};
+use crate::gui::cache::charts::{ChartResult, Work};
 use crate::gui::charts::effect::{EffectCurve, Sketches};
-use crate::gui::charts::{CHARTS, ChartKind, HeldScene, Scene, effect, find};
+use crate::gui::charts::{self, CHARTS, ChartKind, HoverTarget, Scene, effect, find};
 use crate::gui::core::answer::Search;
 use crate::gui::core::loaded_session::Component;
 use crate::gui::jobs::{Kind as JobKind, Watch};
 use crate::gui::view::{Arrangement, ChartPane, Edge, Key, Panes, Step};
+use crate::present::chart::FULL_WIDTH;
+use crate::present::drawing::Drawing;
 use crate::present::numbers::{notation, write_numbers};
 use crate::present::table::Table;
 
@@ -52,24 +54,28 @@ impl Workbench {
     }
 
     /// What any chart is made of, except what the background works out for it.
-    pub(crate) fn scene(&self) -> Scene<'_> {
+    pub(crate) fn scene(&self) -> Scene {
+        let view = &self.view;
         Scene {
-            document: self.document(),
-            loaded_session: self.loaded_session(),
-            view: &self.view,
-            component: self.view.component,
-            joint: self.view.joint,
+            document: Arc::clone(self.history.present()),
+            loaded_session: Arc::clone(self.loaded_session()),
+            step: view.step,
+            plane: view.plane,
+            effect: view.effect,
+            after_alone: view.only_after,
+            component: view.component,
+            joint: view.joint,
             axes: None,
             units: self.units(),
-            answer: self.answer(),
-            search: self.search_of_this(),
-            made: self.export().and_then(Result::ok),
+            identified: self.shown_outcome(),
+            search: self.search_of_this().cloned(),
+            preview: self.preview.clone().filter(|_| self.export().is_some()),
             worked_out: None,
         }
     }
 
     /// The same as it is looked at in a pane.
-    fn scene_at(&self, pane: &ChartPane) -> Scene<'_> {
+    fn scene_at(&self, pane: &ChartPane) -> Scene {
         let scene = self.scene();
         Scene {
             component: pane.component.unwrap_or(scene.component),
@@ -81,14 +87,14 @@ impl Workbench {
 
     /// What the chart in a pane is made of. While the answer is a newer one, what was worked out for
     /// it is that of the answer before; nothing until it is there.
-    pub(crate) fn scene_in(&self, pane: &ChartPane) -> Scene<'_> {
+    pub(crate) fn scene_in(&self, pane: &ChartPane) -> Scene {
         let mut scene = self.scene_at(pane);
-        scene.worked_out = self.worked_out(pane, &scene).map(|found| &**found);
+        scene.worked_out = self.worked_out(pane, &scene).cloned();
         scene
     }
 
     /// What was worked out for the chart in a pane.
-    fn worked_out(&self, pane: &ChartPane, scene: &Scene<'_>) -> Option<&ChartResult> {
+    fn worked_out(&self, pane: &ChartPane, scene: &Scene) -> Option<&ChartResult> {
         let seen = |b: &&PlotCache| b.inputs.identified.is_some() == self.identified().is_some();
         let work = self.kind(pane).work(scene)?;
         let backdrop = self.plot_cache().filter(seen)?;
@@ -96,41 +102,36 @@ impl Workbench {
     }
 
     /// What a chart is made of, in the pane where it is shown.
-    pub(crate) fn scene_of(&self, chart: &dyn ChartKind) -> Scene<'_> {
+    pub(crate) fn scene_of(&self, chart: &dyn ChartKind) -> Scene {
         let pane = self.pane_of(chart.about().id);
         let unseen = ChartPane::default();
         self.scene_in(pane.map_or(&unseen, |(_, pane)| pane))
     }
 
-    /// The same by itself.
-    fn held_scene_of(&self, chart: &dyn ChartKind) -> HeldScene {
-        let pane = self.pane_of(chart.about().id);
-        let unseen = ChartPane::default();
-        let pane = pane.map_or(&unseen, |(_, pane)| pane);
-        let scene = self.scene_at(pane);
-        HeldScene {
-            document: scene.document.clone(),
-            view: scene.view.clone(),
-            component: scene.component,
-            joint: scene.joint,
-            axes: scene.axes,
-            units: scene.units,
-            identified: self.identified.clone().filter(|_| scene.answer.is_some()),
-            search: scene.search.cloned(),
-            made: scene.made.cloned(),
-            worked_out: self.worked_out(pane, &scene).cloned(),
-        }
-    }
-
     /// Makes the table of what a chart shows, in the background: of a million samples it takes seconds.
     pub(super) fn numbers_of(&self, chart: &str) -> Option<impl FnOnce() -> Table + Send + use<>> {
         let kind = find(chart)?;
-        let (held, notation) = (self.held_scene_of(kind), notation());
+        let (scene, notation) = (self.scene_of(kind), notation());
         Some(move || {
             // As the window writes them.
             write_numbers(notation);
-            kind.numbers(&held.scene())
+            kind.numbers(&scene)
         })
+    }
+
+    /// A chart as it is shown, on paper, and what it shows; of many samples with what is seen of them there.
+    pub(super) fn on_paper(&self, chart: &str) -> Result<(Drawing, String), String> {
+        let kind = find(chart).ok_or(say!("there is no such chart"))?;
+        let scene = self.scene_of(kind);
+        let shown = charts::shown(kind, &scene).map_err(|missing| missing.title)?;
+        let mut chart = shown.chart;
+        if let HoverTarget::Samples(samples) = &shown.pointed {
+            let [[from, _], [to, _]] = chart.bounds;
+            chart.items.extend(samples.in_sight([from, to], FULL_WIDTH));
+        }
+        let session = crate::report::document::clean(&self.loaded_session().session.name);
+        let says = format!("{session}: {}", chart.title);
+        Ok((chart.on_paper(&session), says))
     }
 
     /// Copies what a chart shows as a table, as soon as that is made.
@@ -180,17 +181,6 @@ impl Workbench {
         all
     }
 
-    /// The extremes around the joint's angle of many samples; `None` where they are few, or until
-    /// they are found.
-    pub(crate) fn around(&self) -> Option<&Envelope> {
-        let seen = |b: &&PlotCache| {
-            let scenery = &b.inputs;
-            scenery.component == self.view.component
-                && scenery.identified.is_some() == self.identified().is_some()
-        };
-        self.plot_cache().filter(seen)?.around.as_deref()
-    }
-
     /// The first chart that no pane shows yet, for a pane beside this one.
     fn next_chart(&self, key: Key) -> ChartPane {
         let scene = self.scene();
@@ -209,6 +199,22 @@ impl Workbench {
         let mut panes = self.view.panes.clone();
         panes.split(key, edge, self.next_chart(key));
         panes
+    }
+
+    /// What shows this chart, in the pane that was active last.
+    pub(crate) fn showing(&self, chart: &str) -> Command {
+        let mut panes = self.view.panes.clone();
+        if let Some((key, _)) = panes.active_chart() {
+            panes = self.with_choice(key, chart);
+        } else {
+            let chart = Some(chart.to_owned());
+            let pane = ChartPane {
+                chart,
+                ..ChartPane::default()
+            };
+            panes.split(panes.workspace(), Edge::Bottom, pane);
+        }
+        Command::View(ViewChange::Panes(Box::new(panes)))
     }
 
     /// The panes with another chart in one of them.

@@ -14,7 +14,7 @@ use crate::gui::file_state::machines::Stated;
 use crate::gui::import_draft::{Companion, ImportAnswers};
 use crate::gui::preferences::{Preferences, Sizes};
 use crate::gui::view::{
-    Camera, Canvas, Colouring, Key, NextAction, Panes, Plane, Sheet, Side, Standard, Step, What,
+    Camera, Colouring, Key, NextAction, Panes, Plane, Sheet, Side, Standard, Step, What,
 };
 
 /// What a field sends that can be dragged: what it changes, and at the end of a drag that it was let
@@ -169,8 +169,6 @@ pub(crate) enum ViewChange {
     Turn(Camera),
     /// Draw the robot at these joint values, rad or mm; `None`: at a sample.
     Pose(Option<Vec<f64>>),
-    /// Look at the deviation around the joint's angle.
-    LookAround,
     /// Draw error vectors so much longer; `None`: so that they are readable.
     Magnify(Option<f64>),
     /// The workspace is drawn over so many points where all of it is in sight.
@@ -206,8 +204,6 @@ pub(crate) enum ViewChange {
     ShowEffect(usize),
     /// Open the right-hand side, or shut it.
     Results(bool),
-    /// Draw what there is for each sample on this.
-    Canvas(Canvas),
     /// Give panels these sizes; remembered only once that is preferred.
     Resize(Sizes),
     /// Robot and instrument as they are being typed, while that makes no robot.

@@ -4,6 +4,8 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use egui::ColorImage;
+
 use crate::compensation::decision::FittedErrors;
 use crate::export::find;
 use crate::gui::cache::identified::{Figures, IdentifiedAnswer, PreviewRequest};
@@ -18,11 +20,12 @@ use crate::gui::jobs::{Kind, Watch};
 use crate::gui::view::{About, Plot, Sheet, Step, What};
 use crate::pipeline::measuring_list;
 use crate::report::exported::sidecar_of;
+use crate::report::svg::svg_file;
 use crate::robots::named;
 use crate::sessions::{robot_document, samples_path};
 
-use super::Workbench;
 use super::asking::no_file_was_chosen;
+use super::{Command, Workbench};
 
 impl Workbench {
     /// What an export's file is called unless the user says otherwise.
@@ -39,7 +42,7 @@ impl Workbench {
             What::Report(About::Model) => {
                 format!("{}-model-report.html", plain(session))
             }
-            What::Picture(plot) => plot.file_name(session, "svg"),
+            What::Picture(plot) => plot.file_name(session, plot.ending()),
             What::Numbers(chart) => Plot::Chart(chart).file_name(session, "csv"),
             What::Robot(id) => format!("{id}.json"),
             What::TypedRobot => {
@@ -72,8 +75,7 @@ impl Workbench {
                     return Some(What::Numbers(charts::find(chart)?.about().id));
                 }
                 let chart = charts::find(name).map(|chart| Plot::Chart(chart.about().id));
-                let plots = [Plot::Workspace, Plot::Space, Plot::Polar];
-                let mut all = plots.into_iter().chain(chart);
+                let mut all = std::iter::once(Plot::Workspace).chain(chart);
                 What::Picture(all.find(|plot| plot.name() == name)?)
             }
         })
@@ -101,7 +103,7 @@ impl Workbench {
     pub(super) fn prepared(&mut self, what: What) -> Option<Write> {
         match what {
             What::Report(about) => self.report(about),
-            What::Picture(plot) => Some(self.picture(plot)),
+            What::Picture(plot) => self.picture(plot),
             What::Numbers(chart) => {
                 let numbers = self.numbers_of(chart)?;
                 Some(list(move || numbers().csv()))
@@ -212,12 +214,58 @@ impl Workbench {
         Some(later(work, Self::take_written))
     }
 
-    fn picture(&self, plot: Plot) -> Write {
-        let (draw, inputs) = ((self.draw)(self, plot), self.inputs());
-        let work = move |path: &Path, replace: bool, watch: &Watch| {
-            files::write_picture(draw, path, replace, &inputs, watch)
+    /// A chart as a drawing; the workspace as it was seen.
+    fn picture(&mut self, plot: Plot) -> Option<Write> {
+        let inputs = self.inputs();
+        let make: Box<dyn FnOnce() -> Result<Vec<u8>, String> + Send> = match plot {
+            Plot::Workspace => {
+                let image = self.picture.take()?;
+                Box::new(move || files::png(&image))
+            }
+            Plot::Chart(chart) => {
+                let drawn = self.on_paper(chart);
+                Box::new(move || drawn.map(|(chart, title)| svg_file(&chart, &title).into_bytes()))
+            }
         };
-        later(work, Self::take_written)
+        let work = move |path: &Path, replace: bool, watch: &Watch| {
+            files::write_picture(make, (path, plot.ending()), replace, &inputs, watch)
+        };
+        Some(later(work, Self::take_written))
+    }
+
+    /// A picture of the workspace is taken of the next frame, in which nothing lies over it.
+    pub(super) fn wait_for_picture(&mut self, then: Command) {
+        self.view.sheet = None;
+        self.view.message = None;
+        self.view.hovered = None;
+        self.waiting = Some((then, false));
+    }
+
+    /// Whether a picture of the workspace is being taken: nothing may lie over it.
+    pub(crate) fn poses(&self) -> bool {
+        self.waiting.is_some()
+    }
+
+    /// Whether a picture of the workspace is to be taken; said once.
+    pub(crate) fn wants_picture(&mut self) -> bool {
+        let asked = self.waiting.as_mut().map(|(_, asked)| asked);
+        asked.is_some_and(|asked| !std::mem::replace(asked, true))
+    }
+
+    /// Goes on with the picture that was waited for; `None`: the workspace is not shown.
+    pub(crate) fn take_picture(&mut self, image: Option<ColorImage>) {
+        let Some((then, _)) = self.waiting.take() else {
+            return;
+        };
+        if image.is_none() {
+            return self.complain(
+                say!("There is no picture of the workspace"),
+                [say!("Show the workspace first")],
+            );
+        }
+        self.picture = image;
+        self.execute(then);
+        self.picture = None;
     }
 
     /// The standards' figures of what is shown; while newer ones are worked out, the ones before.

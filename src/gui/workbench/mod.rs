@@ -10,15 +10,11 @@ mod charts;
 mod command;
 mod drafts;
 mod exports;
-#[cfg(test)]
-mod how_far;
 mod machine;
 mod on_disk;
 mod state;
 #[cfg(test)]
 mod tests;
-#[cfg(test)]
-mod under_way;
 mod unsaved;
 /// What the tests of the window do at random; no release has it.
 #[cfg(debug_assertions)]
@@ -35,12 +31,14 @@ use crate::gui::core::loaded_session::LoadedSession;
 use crate::gui::file_state::Recent;
 use crate::gui::files::{self, Replace};
 use crate::gui::preferences::Preferences;
-use crate::gui::view::{Aspect, Camera, Message, NextAction, Plane, Sheet, Side, Step, ViewState};
+use crate::gui::view::{
+    Aspect, Camera, Message, NextAction, Plane, Plot, Sheet, Side, Step, ViewState, What,
+};
 use crate::present::units::Units;
 use crate::text::spoken;
 
 pub(crate) use command::{Asked, Command, LeftBehind, Task, ViewChange, of_field};
-pub(crate) use state::{Draw, Workbench};
+pub(crate) use state::Workbench;
 
 impl Workbench {
     pub(crate) fn document(&self) -> &Document {
@@ -78,6 +76,11 @@ impl Workbench {
 
     pub(crate) fn execute(&mut self, command: Command) {
         match command {
+            Command::Ask(Asked::WhereToExport(What::Picture(Plot::Workspace)))
+            | Command::ExportTo {
+                what: What::Picture(Plot::Workspace),
+                ..
+            } if self.picture.is_none() => self.wait_for_picture(command),
             Command::Edit(edit) => self.edit(&edit, false),
             Command::Drag(edit) => self.edit(&edit, true),
             Command::EndDrag => self.history.finish_gesture(),
@@ -145,7 +148,7 @@ impl Workbench {
             }
             Command::Adapt => self.adapt(),
             Command::Search => self.search(),
-            Command::Prepare => self.unprepared = None,
+            Command::Prepare => self.asked.previews.resume(),
             Command::OpenOutside { path, in_folder } => self.open_outside(path, in_folder),
             Command::Prefer(preferences) => {
                 self.view.preferences = preferences.sound();
@@ -213,7 +216,6 @@ impl Workbench {
             }
             ViewChange::Turn(camera) => view.camera = camera.sound(),
             ViewChange::Pose(q) => view.pose = q,
-            ViewChange::LookAround => view.look(Aspect::Around),
             ViewChange::Magnify(factor) => {
                 view.magnification = factor.filter(|f| f.is_finite() && *f > 0.0);
             }
@@ -223,7 +225,6 @@ impl Workbench {
             ViewChange::Blend(t) if t.is_finite() => view.blend = t.clamp(0.0, 1.0),
             ViewChange::Colour(colouring) => view.colouring = colouring,
             ViewChange::Heat(shown) => view.heat = shown,
-            ViewChange::Canvas(canvas) => view.canvas = canvas,
             ViewChange::Component(component) => view.component = component,
             ViewChange::OnlyAfter(only) => view.only_after = only,
             ViewChange::Hover(sample) => view.hovered = sample,
@@ -307,7 +308,7 @@ impl Workbench {
         }
         self.view.setup = None;
         if matches!(edit, Edit::Identify | Edit::IdentifyBy(_)) {
-            self.declined = None;
+            self.asked.questions.resume();
         }
         if !Arc::ptr_eq(&before, self.loaded_session()) {
             self.view.marked.clear();

@@ -6,6 +6,9 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use egui::ColorImage;
+
+use super::Command;
 use crate::explain::Section;
 use crate::gui::cache::identified::{Figures, IdentifiedAnswer, Preview, PreviewRequest};
 use crate::gui::cache::{PlotCache, PlotInputs};
@@ -19,19 +22,12 @@ use crate::gui::core::robot_table::RobotTable;
 use crate::gui::file_state::machines::{Machine, Stated};
 use crate::gui::file_state::recovery::{OrphanedRecovery, RecoveryFile};
 use crate::gui::import_draft::ImportDraft;
-use crate::gui::jobs::{Jobs, Latest};
-use crate::gui::view::{NextAction, OnDisk, Plot, ViewState};
+use crate::gui::jobs::{Jobs, Slot};
+use crate::gui::view::{NextAction, OnDisk, ViewState};
 use crate::history;
-use crate::present::drawing::Drawing;
 use crate::present::numbers::Notation;
 use crate::present::units::Units;
 use crate::text::Language;
-
-/// A plot that is drawn in the background: the drawing and what it shows, or why there is none.
-pub(crate) type Draw = Box<dyn FnOnce() -> Result<(Drawing, String), String> + Send>;
-
-/// Who knows how plots are drawn: the views, which stand above the workbench.
-pub(crate) type Drawer = fn(&Workbench, Plot) -> Draw;
 
 /// What answers in place of the system's dialogs: for tests, which cannot press anything in one.
 pub(crate) type Chooser = Arc<dyn Fn() -> Option<PathBuf> + Send + Sync>;
@@ -42,8 +38,6 @@ pub(crate) struct Workbench {
     /// The session that the window began with, not opened by the user.
     pub(super) first: Arc<LoadedSession>,
     pub(super) file_state: FileState,
-    /// A question that was cancelled: it is not asked again by itself.
-    pub(super) declined: Option<Question>,
     pub(super) view: ViewState,
     /// The import that was left without being done, with what was said.
     pub(super) left_draft: Option<ImportDraft>,
@@ -54,9 +48,7 @@ pub(crate) struct Workbench {
     pub(super) spoken_sections: SpokenSections,
     /// What a search that was stopped had found until then, and in which session.
     pub(super) stopped: Option<(Arc<LoadedSession>, Vec<String>)>,
-    pub(super) preview: Option<Preview>,
-    /// The preview that was cancelled: it is not asked for again by itself.
-    pub(super) unprepared: Option<PreviewRequest>,
+    pub(super) preview: Option<Arc<Preview>>,
     pub(super) plot_cache: Option<Arc<PlotCache>>,
     pub(super) compensated: Option<Arc<Compensated>>,
     /// Files that were exported from this session, the newest last, each with what its model answers.
@@ -64,7 +56,9 @@ pub(crate) struct Workbench {
     /// The name under which this export was saved last.
     pub(super) saved_as: Option<(ExportChoice, String)>,
     pub(super) figures: Option<Figures>,
-    pub(super) draw: Drawer,
+    /// What waits for a picture of the workspace, and whether one was asked for; the picture as soon as it is there.
+    pub(super) waiting: Option<(Command, bool)>,
+    pub(super) picture: Option<ColorImage>,
     pub(super) chooser: Option<Chooser>,
     pub(super) jobs: Jobs<Self>,
     pub(super) asked: PendingQueries,
@@ -72,13 +66,12 @@ pub(crate) struct Workbench {
 
 impl Workbench {
     /// A workbench with a session on it.
-    pub(crate) fn new(loaded_session: Arc<LoadedSession>, jobs: Jobs<Self>, draw: Drawer) -> Self {
+    pub(crate) fn new(loaded_session: Arc<LoadedSession>, jobs: Jobs<Self>) -> Self {
         let first = Arc::clone(&loaded_session);
         let history = History::new(Document::new(loaded_session));
         let mut workbench = Self {
             first,
             file_state: FileState::default(),
-            declined: None,
             history,
             view: ViewState::default(),
             left_draft: None,
@@ -88,13 +81,13 @@ impl Workbench {
             spoken_sections: SpokenSections::default(),
             stopped: None,
             preview: None,
-            unprepared: None,
             plot_cache: None,
             compensated: None,
             exported: Vec::new(),
             saved_as: None,
             figures: None,
-            draw,
+            waiting: None,
+            picture: None,
             chooser: None,
             asked: PendingQueries::default(),
             jobs,
@@ -153,9 +146,9 @@ pub(super) struct FileState {
 /// What is asked faster than it is answered.
 #[derive(Default)]
 pub(super) struct PendingQueries {
-    pub(super) questions: Latest<Question>,
-    pub(super) previews: Latest<PreviewRequest>,
-    pub(super) plots: Latest<PlotInputs>,
+    pub(super) questions: Slot<Question>,
+    pub(super) previews: Slot<PreviewRequest>,
+    pub(super) plots: Slot<PlotInputs>,
     /// The session that is being searched: only that one can be given its answer.
     pub(super) searched: Option<Arc<LoadedSession>>,
 }

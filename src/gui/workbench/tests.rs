@@ -1,5 +1,8 @@
 //! Commands, one by one.
 
+mod how_far;
+mod under_way;
+
 use std::sync::Arc;
 
 use super::on_disk::Looked;

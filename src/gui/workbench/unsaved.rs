@@ -331,8 +331,8 @@ impl Workbench {
         match &left.kept {
             Ok(kept) => {
                 let mut session = kept.session.clone();
-                session.path.clone_from(&kept.file);
-                let origin = Origin::Recovered(kept.file.clone());
+                session.path.clone_from(&kept.about.file);
+                let origin = Origin::Recovered(kept.about.file.clone());
                 let loaded_session = Arc::new(LoadedSession::new(session, Vec::new(), origin));
                 let edit = Edit::Recover(loaded_session, kept.choices());
                 self.execute(Command::Edit(edit));

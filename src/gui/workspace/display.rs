@@ -1,10 +1,9 @@
 //! How the workspace is drawn, as the bar over it has it: from before to after, how long vectors are, the heat map,
-//! what colour says; the side and the pose in space, the component around the angle.
+//! what colour says; the side and the pose in space.
 
 use crate::text::stretch;
 use egui::{ComboBox, Popup, PopupCloseBehavior, RichText, Slider, Ui, vec2};
 
-use crate::gui::core::loaded_session::Component;
 use crate::gui::style::{Palette, size, space};
 use crate::gui::view::{Colouring, Standard};
 use crate::gui::widgets::{self, caption, fine};
@@ -47,34 +46,9 @@ pub(super) fn everything(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<
     }
 }
 
-/// What the polar view shows.
-pub(super) fn component(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
-    let now = workbench.view().component;
-    let planar = workbench.loaded_session().session.samples.z_mm.is_none();
-    let list = listed("polar component", now.name()).width(84.0);
-    let offered = Component::ALL.into_iter();
-    let offered = offered.filter(|component| !(planar && component.out_of_plane()));
-    let offered = offered.map(|component| (component, component.name()));
-    let chosen = widgets::list(ui, say!("Component of the polar view"), list, offered, now);
-    if let Some(component) = chosen.filter(|component| *component != now) {
-        commands.push(Command::View(ViewChange::Component(component)));
-    }
-}
-
 /// A list of the bar's size, with what is chosen in it.
 fn listed<'a>(salt: &str, shown: &str) -> ComboBox<'a> {
     ComboBox::from_id_salt(salt).selected_text(RichText::new(shown).size(size::SMALL))
-}
-
-/// Whether the polar view shows the deviation before as well, where there is another.
-pub(super) fn which(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
-    if workbench.answer().is_none() {
-        return;
-    }
-    let shown = [(false, say!("both")), (true, say!("only after"))];
-    if let Some(only) = widgets::segmented(ui, &shown, workbench.view().only_after) {
-        commands.push(Command::View(ViewChange::OnlyAfter(only)));
-    }
 }
 
 /// From before to after. What stands at the end that is shown is written stronger.

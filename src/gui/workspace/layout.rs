@@ -2,16 +2,12 @@
 //! vectors are drawn, and where there is room: for what is written on a plot, and for the card at the pointer.
 //! Rectangles and points only, so that it is tested without pixels.
 
-use std::collections::BTreeMap;
-
 use egui::{Pos2, Rect, Vec2, pos2, vec2};
-use egui_plot::{PlotPoint, PlotTransform};
+use egui_plot::PlotTransform;
 
 use crate::text::{Template, filled};
 
-use crate::gui::core::scale::{FEW, round_down};
-use crate::gui::view::Canvas;
-use crate::gui::workbench::Workbench;
+use crate::gui::core::scale::round_down;
 
 use super::model::{Dial, Shown};
 
@@ -111,9 +107,6 @@ const APART: [f64; 2] = [1_500.0, 7_500.0];
 /// How many points and how many vectors a layer draws: the nearer one looks the more. Points move
 /// apart along both axes; vectors become longer as well, and so fewer of them fit.
 pub(crate) fn counts(shown: &Shown, transform: &PlotTransform) -> [usize; 2] {
-    let Canvas::Layers(most) = shown.canvas else {
-        return [0; 2];
-    };
     let [low, high] = shown.measured_mm;
     let side = |k: usize, points_per_mm: f64, frame: f32| {
         let drawn = (high[k] - low[k]) * points_per_mm.abs();
@@ -122,7 +115,7 @@ pub(crate) fn counts(shown: &Shown, transform: &PlotTransform) -> [usize; 2] {
     let frame = transform.frame();
     let wide = side(0, transform.dpos_dvalue_x(), frame.width());
     let tall = side(1, transform.dpos_dvalue_y(), frame.height());
-    let most = shown.samples.min(most);
+    let most = shown.samples.min(shown.most);
     let at_most = |apart: f64| {
         if apart < most as f64 {
             crate::numeric::whole(apart)
@@ -146,7 +139,7 @@ pub(crate) fn drawn(shown: &Shown, [points, vectors]: [usize; 2]) -> Vec<String>
     }
     let one_of = |count: usize| shown.samples.div_ceil(count.max(1));
     let note = |(count, says): (usize, Template)| {
-        let why = if shown.canvas == Canvas::Layers(count) {
+        let why = if count == shown.most {
             say!("this computer draws in software")
         } else {
             say!("zoom in for more")
@@ -167,61 +160,13 @@ pub(crate) fn drawn(shown: &Shown, [points, vectors]: [usize; 2]) -> Vec<String>
     layers.into_iter().filter_map(note).collect()
 }
 
-/// The sample under the pointer, of those within `reach` points of it.
-pub(crate) fn under(
-    workbench: &Workbench,
-    transform: &PlotTransform,
-    pointer: Pos2,
-    reach: f32,
-) -> Option<usize> {
-    let usable = &workbench.loaded_session().overview.usable;
-    if usable.len() > FEW {
-        let at = transform.value_from_position(pointer);
-        let reach_mm = f64::from(reach) / transform.dpos_dvalue_x().abs();
-        return workbench.nearest()?.find([at.x, at.y], reach_mm);
-    }
-    let facing = workbench.facing();
-    let candidates = usable.iter().map(|sample| {
-        let sample = *sample as usize;
-        let [x, y] = facing.flat(workbench.loaded_session().measured(sample));
-        let at = transform.position_from_point(&PlotPoint::new(x, y));
-        (sample, [at.x, at.y])
-    });
-    nearest(candidates, [pointer.x, pointer.y], reach)
-}
-
-/// Many vectors, one to so many points of the screen, so that each can be read: where egui draws them the
-/// longest of each cell of a grid; where the graphics processor does, as many as there are cells, in the
-/// order of the cloud, which is spread evenly.
+/// Many vectors, one to so many points of the screen, so that each can be read: as many as there are cells of a grid
+/// with samples in them, in the order of the cloud, which is spread evenly.
 const CELL: f64 = 14.0;
 
 /// The side of a cell, mm.
 fn side_mm(transform: &PlotTransform) -> f64 {
     CELL / transform.dpos_dvalue_x().abs()
-}
-
-/// The vectors that are drawn of many: in each cell the longest. `None`: they are few, and all are.
-pub(super) fn longest_of_cells(shown: &Shown, transform: &PlotTransform) -> Option<Vec<usize>> {
-    if shown.samples <= FEW {
-        return None;
-    }
-    // Cells lie still while the plot is moved.
-    let side_mm = side_mm(transform);
-    let flat = |p: [f64; 3]| shown.look.facing.flat(p);
-    let mut cells: BTreeMap<[i64; 2], (f64, usize)> = BTreeMap::new();
-    for (k, one) in shown.each.iter().enumerate() {
-        #[allow(clippy::cast_possible_truncation, reason = "a place on a grid")]
-        let cell = flat(one.simulated_mm(one.vector_mm)).map(|v| (v / side_mm).floor() as i64);
-        let [right, up] = flat(one.vector_mm);
-        let length = right.hypot(up);
-        let best = cells.entry(cell).or_insert((length, k));
-        if length > best.0 {
-            *best = (length, k);
-        }
-    }
-    let mut kept: Vec<usize> = cells.into_values().map(|(_, k)| k).collect();
-    kept.sort_unstable();
-    Some(kept)
 }
 
 /// Places of this size about a point, none of them nearer than `gap`; the most usual ones first.
@@ -305,22 +250,22 @@ fn pushed(mark: Pos2, size: Vec2, gap: f32, window: Rect) -> Rect {
 
 #[cfg(test)]
 mod tests {
-    use super::super::model::VisibleSample;
     use super::*;
     use crate::gui::core::simulate::Form;
     use crate::gui::testing::workbench;
-    use crate::gui::view::Canvas;
-    use crate::gui::workbench::{Command, ViewChange};
+    use crate::gui::workbench::Command;
     use egui_plot::PlotBounds;
 
     #[test]
     fn everything_that_is_drawn_is_within_the_bounds() {
-        let shown = Shown::of(&workbench());
+        let workbench = workbench();
+        let shown = Shown::of(&workbench);
         let [low, high] = bounds(&shown);
         let dial = shown.dial.expect("it turns");
         let handle = dial.at(0.0, HANDLE * dial.radius_mm);
-        let flat = |p: &VisibleSample| shown.look.facing.flat(p.at_mm);
-        for p in shown.each.iter().map(flat).chain([handle]) {
+        let loaded_session = workbench.loaded_session();
+        let flat = |sample: usize| shown.look.facing.flat(loaded_session.measured(sample));
+        for p in (0..loaded_session.len()).map(flat).chain([handle]) {
             assert!((0..2).all(|k| low[k] <= p[k] && p[k] <= high[k]), "{p:?}");
         }
     }
@@ -338,7 +283,6 @@ mod tests {
     fn the_nearer_one_looks_the_more_vectors_are_drawn() {
         let mut shown = Shown::of(&workbench());
         shown.samples = 1_000_000;
-        shown.canvas = Canvas::Layers(usize::MAX);
         let at = |scale: f64| {
             let frame = egui::Rect::from_min_size(egui::Pos2::ZERO, egui::vec2(500.0, 400.0));
             let bounds = PlotBounds::from_min_max(
@@ -383,35 +327,21 @@ mod tests {
     }
 
     #[test]
-    fn of_many_vectors_the_longest_of_every_cell_are_drawn_and_few_are_all_drawn() {
+    fn of_many_vectors_one_is_drawn_for_every_cell() {
         let mut workbench = workbench();
-        let few = Shown::of(&workbench);
-        assert_eq!(longest_of_cells(&few, &transform(1.0)), None);
         workbench.execute(Command::Simulate(Form {
             step_deg: 0.05,
             ..Form::default()
         }));
         workbench.receive();
         let shown = Shown::of(&workbench);
-        let kept = longest_of_cells(&shown, &transform(1.0)).expect("they are many");
-        let closer = longest_of_cells(&shown, &transform(0.1)).expect("they are many");
-        assert!((30..250).contains(&kept.len()), "{}", kept.len());
-        assert!(closer.len() > 3 * kept.len(), "{}", closer.len());
-        let length = |k: &usize| shown.each[*k].vector_mm[0].hypot(shown.each[*k].vector_mm[1]);
-        let longest =
-            |kept: &mut dyn Iterator<Item = usize>| kept.map(|k| length(&k)).fold(0.0, f64::max);
-        let all = longest(&mut (0..shown.each.len()));
-        assert_eq!(longest(&mut kept.iter().copied()), all);
-        // What draws them all does the same in number.
-        workbench.execute(Command::View(ViewChange::Canvas(Canvas::Layers(
-            usize::MAX,
-        ))));
-        let shown = Shown::of(&workbench);
         let [points, vectors] = super::counts(&shown, &transform(1.0));
         assert!(
             points > 2_000 && (30..250).contains(&vectors),
             "{points} {vectors}"
         );
+        let [_, closer] = super::counts(&shown, &transform(0.1));
+        assert!(closer > 3 * vectors, "{closer}");
     }
 
     fn rect(left: f32, top: f32, right: f32, bottom: f32) -> Rect {

@@ -1,25 +1,22 @@
 //! The scale of the vectors, what marks and colours mean, and what is not shown: in rows above the
 //! plot, so that nothing of it ever covers what was measured, however small the plot is.
 
-use egui::{Align2, FontId, Link, Popup, PopupCloseBehavior, Rect, RichText, Ui, vec2};
+use egui::{Align2, Link, Popup, PopupCloseBehavior, Rect, RichText, Ui, vec2};
 use egui_plot::PlotTransform;
 
 use crate::gui::layers::OUTLINE;
 use crate::gui::scene::paint::Camera;
 use crate::gui::scene::screen::Screen;
-use crate::gui::scene::sheet::Sheet;
 use crate::gui::scene::{
     ColourToken, Form, Item, Label, LegendEntry, Mark, Place, SIGN, Stroke, Tint,
 };
 use crate::gui::style::{Palette, size};
-use crate::gui::view::{Canvas, Colouring};
-use crate::gui::widgets;
+use crate::gui::view::Colouring;
 use crate::gui::workbench::Workbench;
 use crate::present::numbers::trimmed;
 
-use super::layout::{self, longest_of_cells};
+use super::layout;
 use super::model::{Shown, judged};
-use super::polar::Polar;
 use super::robot::Drawn;
 use super::scales::{self, HIGH, entry};
 use super::scene::SQUARE;
@@ -54,16 +51,13 @@ pub(super) fn show(
     shown: &Shown,
     robot: Option<&Drawn>,
     notes: &[String],
-    palette: &Palette,
 ) -> Option<Rect> {
+    let palette = &Palette::of(ui);
     let mut scale = None;
     let measured = !workbench.loaded_session().is_empty();
     let low = ui.available_height() < LOW;
     let entries = entries(workbench, shown, robot);
-    let scales = scales::entries(workbench, shown, low, &|text| {
-        let font = FontId::proportional(size::SMALL);
-        widgets::width_of(ui, text, font)
-    });
+    let scales = scales::entries(ui, workbench, shown, low);
     let marks = |ui: &mut Ui| entries.iter().for_each(|one| symbol(ui, one, palette));
     rows(ui, |ui| {
         if measured {
@@ -141,19 +135,6 @@ pub(super) fn scale_in(ui: &Ui, room: Rect, workbench: &Workbench, shown: &Shown
     Screen::symbol(ui.painter(), &Palette::of(ui), &scale, room.center());
 }
 
-/// What marks and colours mean, on a sheet.
-pub(super) fn on_paper(
-    workbench: &Workbench,
-    shown: &Shown,
-    robot: Option<&Drawn>,
-    camera: &Camera,
-) -> Vec<LegendEntry> {
-    let mut all = vec![scale(workbench, shown, camera)];
-    all.extend(entries(workbench, shown, robot));
-    all.extend(scales::entries(workbench, shown, false, &Sheet::width));
-    all
-}
-
 /// What the marks mean.
 fn entries(workbench: &Workbench, shown: &Shown, robot: Option<&Drawn>) -> Vec<LegendEntry> {
     let mut all = Vec::new();
@@ -227,26 +208,6 @@ fn meanings(all: &mut Vec<LegendEntry>, workbench: &Workbench, shown: &Shown) {
     }
 }
 
-/// The rows over the polar view.
-pub(super) fn polar(ui: &mut Ui, workbench: &Workbench, polar: &Polar, palette: &Palette) {
-    let low = ui.available_height() < LOW;
-    let entries = super::polar::legend(workbench, polar);
-    let marks = |ui: &mut Ui| entries.iter().for_each(|one| symbol(ui, one, palette));
-    rows(ui, |ui| {
-        let says = super::polar::scale(polar, workbench.units());
-        note(ui, &says, palette);
-        if low {
-            folded(ui, marks);
-        } else {
-            marks(ui);
-        }
-        if workbench.around().is_some() {
-            let says = say!("min–max at each angle");
-            note(ui, says, palette);
-        }
-    });
-}
-
 /// What the legend says of what is not drawn. It stands above the plot, and what is drawn follows
 /// from the plot's size: the legend says what the frame before found.
 pub(super) struct Notes {
@@ -259,23 +220,13 @@ impl Notes {
     pub(super) fn recall(ui: &Ui, shown: &Shown) -> Self {
         let id = ui.scope_id().with("what is not drawn");
         let before: Vec<String> = ui.data(|data| data.get_temp(id)).unwrap_or_default();
-        let mut said = shown.notes();
-        said.extend_from_slice(&before);
-        Self {
-            id,
-            before,
-            lines: said,
-        }
+        let said = shown.note().into_iter().chain(before.iter().cloned());
+        let lines = said.collect();
+        Self { id, before, lines }
     }
 
-    pub(super) fn keep(self, ui: &Ui, shown: &Shown, transform: &PlotTransform) {
-        let counts = if shown.canvas == Canvas::Shapes {
-            let kept = longest_of_cells(shown, transform);
-            [shown.samples, kept.map_or(shown.samples, |kept| kept.len())]
-        } else {
-            layout::counts(shown, transform)
-        };
-        let now = layout::drawn(shown, counts);
+    pub(super) fn keep(&self, ui: &Ui, shown: &Shown, transform: &PlotTransform) {
+        let now = layout::drawn(shown, layout::counts(shown, transform));
         if now != self.before {
             ui.data_mut(|data| data.insert_temp(self.id, now));
             ui.ctx().request_repaint();

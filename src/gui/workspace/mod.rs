@@ -1,14 +1,14 @@
 //! The workspace on the screen, with what the pointer does in it: sectors, nominal path, the robot,
-//! measured points, error vectors; or the deviation around the joint's angle. And a plane of it as a picture.
+//! measured points, error vectors.
 
 mod display;
+mod extent;
 pub(crate) mod handles;
 mod layout;
 mod legend;
 mod model;
 mod over;
 mod pointer;
-mod polar;
 mod robot;
 mod scales;
 mod scene;
@@ -19,60 +19,49 @@ mod toolbar;
 pub(crate) use layout::nearest;
 pub(crate) use model::judged;
 pub(crate) use pointer::{hover, marked, sample_menu};
-pub(crate) use polar::sheet as polar_sheet;
-pub(crate) use space::{robot_alone, sheet as space_sheet};
+pub(crate) use space::robot_alone;
 pub(crate) use toolbar::show as bar;
 
-use egui::{Role, Ui, WidgetInfo};
+use egui::{ColorImage, Context, Id, Pos2, Rect, Role, Ui, WidgetInfo, vec2};
 use egui_plot::{Axis, PlotPoint};
 
 use crate::gui::plots::{Drawing, axis, gestures, steps_in};
-use crate::gui::scene::paint::paint;
-use crate::gui::scene::paint::{Camera, Projection};
+use crate::gui::scene::paint::Camera;
 use crate::gui::scene::screen::Screen;
-use crate::gui::scene::sheet::{SIZE, Sheet};
 use crate::gui::style::Palette;
-use crate::gui::view::{Canvas, Step};
+use crate::gui::view::Step;
 use crate::gui::workbench::{Command, Workbench};
-use crate::present::drawing;
-use crate::present::numbers::trimmed;
 
 use handles::Handles;
-use legend::Notes;
-use model::Shown;
-use over::tell_plot_size;
-use pointer::REACH;
-use polar::Polar;
-use robot::Drawn;
+use over::{Seen, tell_plot_size};
 
 /// Shows the plot in the space that is left, and sends what the pointer does.
 pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
-    if workbench.view().polar() {
-        around(ui, workbench, commands);
-    } else if workbench.view().in_space() {
+    let (seen, pass) = (
+        ui.available_rect_before_wrap(),
+        ui.ctx().cumulative_pass_nr(),
+    );
+    ui.data_mut(|data| data.insert_temp(picture_id(), (seen, pass)));
+    if workbench.view().in_space() {
         space::show(ui, workbench, display::posing(ui), commands);
     } else {
         plane(ui, workbench, commands);
     }
 }
 
-/// The polar view, or why there is none.
-fn around(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
-    let palette = Palette::of(ui);
-    match Polar::of(workbench) {
-        Ok(polar) => {
-            legend::polar(ui, workbench, &polar, &palette);
-            polar::show(ui, workbench, &polar, commands);
-        }
-        Err(because) => {
-            ui.add_space(0.3 * ui.available_height());
-            ui.vertical_centered(|ui| {
-                ui.set_max_width(360.0);
-                ui.label(egui::RichText::new(because).color(palette.muted));
-            });
-            ui.allocate_space(ui.available_size());
-        }
-    }
+fn picture_id() -> Id {
+    Id::unique("picture of the workspace")
+}
+
+/// The workspace in a picture of the whole window, where it is shown.
+pub(crate) fn in_picture(ctx: &Context, window: &ColorImage) -> Option<ColorImage> {
+    /// Passes of a frame that are not shown lie between.
+    const SHOWN: u64 = 16;
+    let (rect, pass): (Rect, u64) = ctx.data(|data| data.get_temp(picture_id()))?;
+    let all = vec2(window.size[0] as f32, window.size[1] as f32) / ctx.pixels_per_point();
+    let rect = rect.intersect(Rect::from_min_size(Pos2::ZERO, all));
+    let shown = rect.is_positive() && ctx.cumulative_pass_nr() <= pass + SHOWN;
+    shown.then(|| window.region(&rect, Some(ctx.pixels_per_point())))
 }
 
 /// What stands at the axes of the plane.
@@ -82,40 +71,9 @@ fn axes(workbench: &Workbench) -> [String; 2] {
     axes.map(|axis| format!("{}, {unit}", ["x", "y", "z"][axis]))
 }
 
-/// The plane on a sheet, and what it shows.
-///
-/// # Errors
-/// There is nothing to draw.
-pub(crate) fn plane_sheet(workbench: &Workbench) -> Result<(drawing::Drawing, String), String> {
-    if workbench.loaded_session().is_empty() {
-        return Err(say!("there are no samples to draw").to_owned());
-    }
-    let shown = Shown::on(workbench, Canvas::Shapes);
-    let robot = Drawn::of(workbench);
-    let seen_along = Projection::Parallel(workbench.facing());
-    let camera = Camera::showing(seen_along, layout::bounds(&shown), Sheet::frame(SIZE));
-    let session = crate::report::document::clean(&workbench.loaded_session().session.name);
-    let says = say!(
-        "measured points, deviations magnified {magnification} times",
-        magnification = trimmed(shown.magnification, 3)
-    );
-    let title = format!("{session}: {says}");
-    let sheet = Sheet {
-        title: title.clone(),
-        axes: Some((axes(workbench), workbench.units().length_value(1.0))),
-        legend: legend::on_paper(workbench, &shown, robot.as_ref(), &camera),
-        notes: shown.notes(),
-    };
-    let scene = scene::plane(workbench, &shown, robot.as_ref(), false, &camera);
-    Ok((sheet.with(&scene, &camera), title))
-}
-
 fn plane(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let palette = Palette::of(ui);
     let view = workbench.view();
-    let shown = Shown::of(workbench);
-    let robot = Drawn::of(workbench);
-    let bounds = layout::bounds(&shown);
     let units = workbench.units();
     let [mut across, upwards] = axes(workbench);
     // In a low plot the axis below goes without its name, which the bar says as well.
@@ -125,15 +83,9 @@ fn plane(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let per_mm = units.length_value(1.0);
     let hints = |side, name| axis(side, name, &palette, move |mm| units.length_value(mm));
     let editing = view.step == Step::Regions && !workbench.loaded_session().is_empty();
-    let notes = Notes::recall(ui, &shown);
-    let scale = legend::show(
-        ui,
-        workbench,
-        &shown,
-        robot.as_ref(),
-        &notes.lines,
-        &palette,
-    );
+    let seen = Seen::of(ui, workbench);
+    let (shown, robot) = (&seen.shown, seen.robot.as_ref());
+    let bounds = layout::bounds(shown);
     let plot = gestures::plot(("workspace", view.plane.name(), view.fitted.workspace))
         .data_aspect(1.0)
         .set_margin_fraction(egui::Vec2::splat(0.02))
@@ -142,7 +94,7 @@ fn plane(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         .y_grid_spacer(move |input| steps_in(per_mm, input.bounds, 9.0))
         .custom_x_axes(hints(Axis::X, across))
         .custom_y_axes(hints(Axis::Y, upwards));
-    let seen_along = Projection::Parallel(workbench.facing());
+    let facing = workbench.facing();
     if editing {
         handles::grab(ui, workbench);
     }
@@ -151,15 +103,14 @@ fn plane(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
             "workspace",
             bounds,
             |ui, transform, shapes| {
-                let camera = Camera::new(seen_along, transform);
-                let scene = scene::plane(workbench, &shown, robot.as_ref(), editing, &camera);
-                let mut screen = Screen::new(ui.painter(), &palette, shapes);
-                paint(&scene, &camera, &mut screen);
+                let camera = Camera::new(facing, transform);
+                let scene = scene::plane(workbench, shown, robot, editing, &camera);
+                Screen::new(ui.painter(), &palette, shapes).draw(&scene.items, &camera);
             },
         ));
     });
     let (response, transform) = (drawn.response, drawn.transform);
-    let camera = Camera::new(seen_along, &transform);
+    let camera = Camera::new(facing, &transform);
     let frame = camera.frame();
     tell_plot_size(
         workbench,
@@ -174,11 +125,8 @@ fn plane(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
             say!("workspace plot, {samples} samples", samples),
         )
     });
-    let about = (&shown, robot.as_ref());
-    over::show(ui, workbench, about, &camera, (notes, scale));
     let pointer = response.hover_pos();
-    let under = pointer.and_then(|p| layout::under(workbench, &transform, p, REACH));
-    hover(&response, workbench, under, commands);
+    seen.finish(ui, workbench, &camera, (&response, pointer), commands);
     if editing && let Some(dial) = &shown.dial {
         let handles = Handles {
             at: &|angle| {

@@ -5,31 +5,25 @@ use nalgebra::{Isometry3, Point3};
 
 use crate::gui::cache::cloud::Cloud;
 use crate::gui::cache::cloud::Uncertain;
-use crate::gui::cache::projected::{Extent, MOST, SOME};
 use crate::gui::core::loaded_session::LoadedSession;
 use crate::gui::core::scale::{FEW, long_mm};
 use crate::gui::layers::LayerOptions;
-use crate::gui::view::{Ball, Canvas, Colouring, Facing, Plane};
+use crate::gui::view::{Ball, Colouring, Facing, Plane};
 use crate::gui::workbench::Workbench;
 use crate::numeric::single;
-use crate::present::numbers::grouped;
 
+use super::extent::{Extent, SOME};
 use super::sparse::{most_telling, room, sparse};
 
-/// A sample that is drawn by itself.
+/// A sample whose vectors are drawn by themselves.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct VisibleSample {
-    pub(crate) sample: usize,
     /// Where it was measured, mm.
     pub(crate) at_mm: [f64; 3],
     /// The deviation that is shown, mm, as long as it really is.
     pub(crate) vector_mm: [f64; 3],
     /// The deviation before, where another is shown.
     pub(crate) before_mm: Option<[f64; 3]>,
-    /// Whether the deviation that is shown is within the tolerance; `None` without one.
-    pub(crate) within: Option<bool>,
-    /// Whether it is a suspected outlier.
-    pub(crate) suspected: bool,
     /// What its colour says, from 0 to 1; `None`: before or after, or nothing is known.
     pub(crate) shade: Option<f32>,
 }
@@ -75,8 +69,8 @@ impl Dial {
 
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Shown {
-    /// Samples, perhaps thinned; none where a layer draws them.
-    pub(crate) each: Vec<VisibleSample>,
+    /// The samples that have vectors, where not all of few have them.
+    pub(crate) vectors: Option<Vec<VisibleSample>>,
     /// The way of each reflector on the nominal robot, mm; for a single joint that turns.
     pub(crate) paths_mm: Vec<Vec<[f64; 3]>>,
     /// How sure the model is along each of them, as a part of the colour scale; none where colour says
@@ -100,70 +94,51 @@ pub(crate) struct Shown {
     pub(crate) samples: usize,
     /// Where they lie, where they are many and a layer draws them.
     pub(crate) extent: Option<Extent>,
-    /// Whether the largest deviations are among those that are drawn.
-    pub(crate) with_largest: bool,
-    /// The samples that have vectors, where not all of few have them.
-    pub(crate) vectors: Option<Vec<u32>>,
-    /// What draws them.
-    pub(crate) canvas: Canvas,
+    /// How many can be drawn at once.
+    pub(crate) most: usize,
 }
 
 impl Shown {
     /// The workspace as the workbench has it.
     pub(crate) fn of(workbench: &Workbench) -> Self {
-        Self::on(workbench, workbench.view().canvas)
-    }
-
-    /// The same, drawn by this.
-    pub(crate) fn on(workbench: &Workbench, canvas: Canvas) -> Self {
         let loaded_session = &**workbench.loaded_session();
         let view = workbench.view();
         let facing = workbench.facing();
-        let answer = workbench.answer();
         let look = look(workbench);
         let shown = |sample: usize| shown(workbench, sample);
-        let length = |e: [f64; 3]| (e[0] * e[0] + e[1] * e[1] + e[2] * e[2]).sqrt();
-        let tolerance_mm = workbench.document().tolerance_mm;
         let usable = &loaded_session.overview.usable;
         let cloud = Cloud::of(loaded_session);
         let spread = &cloud.samples;
-        let vectors = sparse(workbench).then(|| most_telling(workbench));
-        let shown_here: &[u32] = match (canvas, workbench.thinned()) {
-            (Canvas::Layers(_), _) => vectors.as_deref().unwrap_or_default(),
-            (Canvas::Shapes, _) if usable.len() <= MOST => usable,
-            (Canvas::Shapes, Some(thinned)) => thinned,
-            // Until they are chosen: some.
-            (Canvas::Shapes, None) => &spread[..MOST.min(spread.len())],
-        };
-        let extent = (canvas != Canvas::Shapes && usable.len() > FEW).then(|| {
+        let extent = (usable.len() > FEW).then(|| {
             let some = spread.iter().take(SOME);
             let some: Vec<_> = some
                 .map(|s| facing.flat(loaded_session.measured(*s as usize)))
                 .collect();
             Extent::of(&some)
         });
-        let mut shown_here: Vec<usize> = shown_here.iter().map(|s| *s as usize).collect();
-        if view.in_space() {
-            // What is near covers what is far.
-            let nearness = |sample: usize| facing.nearness(loaded_session.measured(sample));
-            shown_here.sort_by(|a, b| nearness(*a).total_cmp(&nearness(*b)).then(a.cmp(b)));
-        }
-        let each = shown_here.into_iter().map(|sample| {
+        let telling = sparse(workbench).then(|| {
+            let mut telling = most_telling(workbench);
+            if view.in_space() {
+                // What is near covers what is far.
+                let nearness = |s: u32| facing.nearness(loaded_session.measured(s as usize));
+                telling.sort_by(|a, b| nearness(*a).total_cmp(&nearness(*b)).then(a.cmp(b)));
+            }
+            telling
+        });
+        let visible = |sample: &u32| {
+            let sample = *sample as usize;
             let e = shown(sample);
             VisibleSample {
-                sample,
                 at_mm: loaded_session.measured(sample),
                 vector_mm: e,
                 before_mm: look
                     .ghosts()
                     .then(|| loaded_session.deviation_before(sample)),
-                within: tolerance_mm.map(|t| length(e) <= t),
-                suspected: answer.is_some_and(|a| a.suspected[sample]),
                 shade: describe(workbench, &look, sample, e),
             }
-        });
+        };
         Self {
-            each: each.collect(),
+            vectors: telling.map(|samples| samples.iter().map(visible).collect()),
             paths_mm: paths(loaded_session, &workbench.base()),
             sure: sure(workbench),
             over: over(workbench, &facing),
@@ -177,44 +152,18 @@ impl Shown {
             look,
             samples: usable.len(),
             extent: extent.flatten(),
-            with_largest: workbench.thinned().is_some(),
-            vectors,
-            canvas,
+            most: view.most_drawn,
         }
     }
 
-    /// The samples whose vectors are drawn one by one.
-    pub(crate) fn with_vectors(&self) -> impl Iterator<Item = &VisibleSample> {
-        let vectors = self.vectors.as_deref();
-        let has = |one: &u32, sample: usize| *one as usize == sample;
-        self.each
-            .iter()
-            .filter(move |one| vectors.is_none_or(|some| some.iter().any(|s| has(s, one.sample))))
-    }
-
-    /// What it says when it does not show everything.
-    pub(crate) fn notes(&self) -> Vec<String> {
-        if let Some(vectors) = &self.vectors {
-            return vec![say!(
-                "{drawn} of {samples} vectors: largest, others evenly",
-                drawn = vectors.len(),
-                samples = self.samples
-            )];
-        }
-        let drawn = self.each.len();
-        if drawn >= self.samples || self.canvas != Canvas::Shapes {
-            return Vec::new();
-        }
-        let (drawn, samples) = (grouped(drawn), grouped(self.samples));
-        vec![if self.with_largest {
-            say!(
-                "{drawn} of {samples} samples, the largest deviations among them",
-                drawn,
-                samples
-            )
-        } else {
-            say!("{drawn} of {samples} samples", drawn, samples)
-        }]
+    /// What it says when not every sample has a vector.
+    pub(crate) fn note(&self) -> Option<String> {
+        let vectors = self.vectors.as_ref()?;
+        Some(say!(
+            "{drawn} of {samples} vectors: largest, others evenly",
+            drawn = vectors.len(),
+            samples = self.samples
+        ))
     }
 }
 
@@ -425,8 +374,6 @@ fn paths(loaded_session: &LoadedSession, base: &Isometry3<f64>) -> Vec<Vec<[f64;
 
 #[cfg(test)]
 mod tests {
-    use std::sync::Arc;
-
     use super::*;
     use crate::gui::core::edit::Edit;
     use crate::gui::testing::workbench;
@@ -453,29 +400,15 @@ mod tests {
     }
 
     #[test]
-    fn an_error_vector_runs_from_the_simulation_to_the_measurement() {
-        let workbench = workbench();
-        let shown = Shown::of(&workbench);
-        let loaded_session = workbench.loaded_session();
-        for one in &shown.each {
-            let measured = loaded_session.measured(one.sample);
-            let from = one.simulated_mm(one.vector_mm);
-            for k in 0..3 {
-                let tip = from[k] + one.vector_mm[k];
-                assert!((tip - measured[k]).abs() < 1e-9);
-            }
-        }
-        assert_eq!(shown.each.len(), loaded_session.len());
-    }
-
-    #[test]
     fn blending_takes_the_vectors_from_before_to_after() {
         let mut workbench = workbench();
         workbench.execute(Command::Edit(Edit::Identify));
         workbench.receive();
         let longest = |workbench: &Workbench| {
-            let lengths = Shown::of(workbench).each;
-            let lengths = lengths.iter().map(|a| a.vector_mm[0].hypot(a.vector_mm[1]));
+            let lengths = (0..workbench.loaded_session().len()).map(|sample| {
+                let e = shown(workbench, sample);
+                e[0].hypot(e[1])
+            });
             lengths.fold(0.0, f64::max)
         };
         workbench.execute(Command::View(ViewChange::Blend(0.0)));
@@ -506,30 +439,5 @@ mod tests {
         let mut workbench = workbench();
         workbench.execute(Command::View(ViewChange::Look(Plane::Xz)));
         assert_eq!(Shown::of(&workbench).dial, None);
-    }
-
-    #[test]
-    fn more_samples_than_can_be_drawn_are_thinned_and_the_plot_says_so() {
-        let mut workbench = workbench();
-        assert!(Shown::of(&workbench).notes().is_empty());
-        workbench.execute(Command::Simulate(crate::gui::core::simulate::Form {
-            step_deg: 0.01,
-            ..crate::gui::core::simulate::Form::default()
-        }));
-        workbench.receive();
-        let loaded_session = Arc::clone(workbench.loaded_session());
-        assert_eq!(loaded_session.len(), 36_002);
-        let shown = Shown::of(&workbench);
-        assert!(shown.each.len() <= MOST && shown.each.len() > MOST / 2);
-        let says = format!(
-            "{} of 36\u{202f}002 samples, the largest deviations among them",
-            shown.each.len()
-        );
-        assert_eq!(shown.notes(), [says]);
-        let length = |sample: u32| loaded_session.before.length_mm[sample as usize];
-        let largest = loaded_session.overview.usable.iter().copied();
-        let largest = largest.max_by(|a, b| length(*a).total_cmp(&length(*b)));
-        let drawn = |sample: u32| shown.each.iter().any(|a| a.sample == sample as usize);
-        assert!(largest.is_some_and(drawn));
     }
 }

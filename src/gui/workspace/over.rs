@@ -2,7 +2,8 @@
 //! whose length it is told over how many points they are drawn; and the robot's values on a card beside its
 //! tool, away from the crowd.
 
-use egui::{Pos2, Rect, Stroke, Ui, Vec2, pos2, vec2};
+use egui::text::{LayoutJob, TextFormat};
+use egui::{FontId, Pos2, Rect, Response, Stroke, Ui, Vec2, vec2};
 
 use crate::gui::cache::cloud::Cloud;
 use crate::gui::scene::paint::Camera;
@@ -13,27 +14,59 @@ use crate::present::numbers::trimmed;
 use super::layout;
 use super::legend::{self, Notes};
 use super::model::{Shown, shown};
+use super::pointer::{hover, under};
 use super::robot::Drawn;
 
 /// Samples that are looked at: the cloud's order shows the whole in every beginning.
 const SOME: usize = 500;
 
-/// Shows it; `scale` is where there is room for the scale.
-pub(super) fn show(
-    ui: &mut Ui,
-    workbench: &Workbench,
-    (all, robot): (&Shown, Option<&Drawn>),
-    camera: &Camera,
-    (notes, scale): (Notes, Option<Rect>),
-) {
-    notes.keep(ui, all, camera.transform());
-    if let Some(room) = scale {
+/// What a plane and space show alike: samples and robot, what is said of them, and where there is room for the scale.
+pub(super) struct Seen {
+    pub(super) shown: Shown,
+    pub(super) robot: Option<Drawn>,
+    notes: Notes,
+    scale: Option<Rect>,
+}
+
+impl Seen {
+    /// As the workbench has it, with the rows over the plot.
+    pub(super) fn of(ui: &mut Ui, workbench: &Workbench) -> Self {
+        let (shown, robot) = (Shown::of(workbench), Drawn::of(workbench));
+        let notes = Notes::recall(ui, &shown);
+        let scale = legend::show(ui, workbench, &shown, robot.as_ref(), &notes.lines);
+        Self {
+            shown,
+            robot,
+            notes,
+            scale,
+        }
+    }
+
+    /// What lies over the plot, and what the pointer is on.
+    pub(super) fn finish(
+        &self,
+        ui: &mut Ui,
+        workbench: &Workbench,
+        camera: &Camera,
+        (response, pointer): (&Response, Option<Pos2>),
+        commands: &mut Vec<Command>,
+    ) {
+        self.notes.keep(ui, &self.shown, camera.transform());
+        show(ui, workbench, self, camera);
+        let under = pointer.and_then(|at| under(workbench, &self.shown, camera, at));
+        hover(response, workbench, under, commands);
+    }
+}
+
+fn show(ui: &mut Ui, workbench: &Workbench, seen: &Seen, camera: &Camera) {
+    let all = &seen.shown;
+    if let Some(room) = seen.scale {
         // The legend stands above the plot.
         let mut above = ui.new_child(egui::UiBuilder::new().max_rect(room));
         above.set_clip_rect(room.expand(40.0));
         legend::scale_in(&above, room, workbench, all, camera);
     }
-    let Some(robot) = robot else {
+    let Some(robot) = &seen.robot else {
         return;
     };
     let view = workbench.view();
@@ -89,23 +122,25 @@ fn values(
         );
         return;
     };
-    let font = egui::FontId::proportional(size::SMALL);
-    let row = |text: String, color| ui.painter().layout_no_wrap(text, font.clone(), color);
-    let title = drawn
-        .sample
-        .map(|sample| say!("sample {sample}", sample = sample + 1));
-    let head = title.map(|title| row(title, palette.muted));
-    let mut rows: Vec<_> = drawn
-        .values
-        .iter()
-        .take(MOST)
-        .map(|(name, value)| row(format!("{name} {value}"), palette.text))
-        .collect();
+    let font = FontId::proportional(size::SMALL);
+    let mut text = LayoutJob::default();
+    let mut row = |words: String, color| {
+        let line = if text.is_empty() {
+            words
+        } else {
+            format!("\n{words}")
+        };
+        text.append(&line, 0.0, TextFormat::simple(font.clone(), color));
+    };
+    if let Some(sample) = drawn.sample {
+        row(say!("sample {sample}", sample = sample + 1), palette.muted);
+    }
+    for (name, value) in drawn.values.iter().take(MOST) {
+        row(format!("{name} {value}"), palette.text);
+    }
     if drawn.values.len() > MOST {
-        rows.push(row(
-            say!("and {more} more", more = drawn.values.len() - MOST),
-            palette.muted,
-        ));
+        let more = drawn.values.len() - MOST;
+        row(say!("and {more} more", more), palette.muted);
     }
     if let Some(real) = &drawn.real {
         let what = if real.identified {
@@ -113,15 +148,13 @@ fn values(
         } else {
             say!("measured")
         };
-        rows.push(row(
+        row(
             format!("{what} × {}", trimmed(real.times, 2)),
             palette.muted,
-        ));
+        );
     }
-    rows.splice(0..0, head);
-    let high: f32 = rows.iter().map(|r| r.size().y).sum();
-    let wide = rows.iter().map(|r| r.size().x).fold(0.0, f32::max);
-    let card = vec2(wide + 12.0, high + 6.0);
+    let text = ui.painter().layout_job(text);
+    let card = text.size() + vec2(12.0, 6.0);
     let places = layout::everywhere(tool, card, 16.0, frame);
     let along = |pair: &[Pos2]| {
         let (from, to) = (pair[0], pair[1]);
@@ -140,12 +173,7 @@ fn values(
         Stroke::new(1.0, palette.line),
         egui::StrokeKind::Inside,
     );
-    let mut at = place.min + vec2(6.0, 3.0);
-    for galley in rows {
-        let next = at.y + galley.size().y;
-        painter.galley(at, galley, palette.text);
-        at = pos2(at.x, next);
-    }
+    painter.galley(place.min + vec2(6.0, 3.0), text, palette.text);
     label(ui, place, &says);
 }
 

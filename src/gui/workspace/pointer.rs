@@ -1,26 +1,101 @@
 //! The sample under the pointer, in every plot of samples, and the card beside it: what matters of it, and
 //! everything once it is chosen.
 
-use std::sync::Arc;
-
+use egui::text::{LayoutJob, TextFormat};
 use egui::{
-    Area, Button, Color32, Context, CursorIcon, FontId, Galley, Id, Order, Pos2, Rect, Role, Sense,
-    Stroke, StrokeKind, Ui, Vec2, WidgetInfo, pos2, vec2,
+    Area, Button, CursorIcon, FontId, Frame, Id, Label, Order, Pos2, Response, Role, Ui, Vec2,
+    WidgetInfo,
 };
 
 use crate::gui::actions::{EXCLUDE, WindowState};
+use crate::gui::cache::cloud::Cloud;
 use crate::gui::core::loaded_session::Component;
 use crate::gui::core::quantity::joint_value;
+use crate::gui::scene::paint::Camera;
 use crate::gui::style::{DARK, LIGHT, size, strong};
 use crate::gui::view::{Colouring, ViewState};
 use crate::gui::workbench::{Command, ViewChange, Workbench};
 use crate::present::numbers::trimmed;
 
 use super::layout;
-use super::model::judged;
+use super::model::{Shown, judged};
 
 /// A sample is under the pointer within this many points.
-pub(super) const REACH: f32 = 14.0;
+const REACH: f32 = 14.0;
+
+/// The sample that is drawn under the pointer.
+pub(super) fn under(
+    workbench: &Workbench,
+    shown: &Shown,
+    camera: &Camera,
+    at: Pos2,
+) -> Option<usize> {
+    let transform = camera.transform();
+    let at = transform.value_from_position(at);
+    let [points, _] = layout::counts(shown, transform);
+    let scale = camera.points_per_mm();
+    drawn_at(
+        workbench,
+        shown,
+        [at.x, at.y],
+        scale,
+        (f64::from(REACH), points),
+    )
+}
+
+/// Marks that are less than this apart on the screen stand on one another, points.
+const SAME: f64 = 3.0;
+
+/// A mark: its sample, how far it is from the pointer, points, and how near to the viewer, mm.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Candidate {
+    sample: usize,
+    distance: f64,
+    nearness: f64,
+}
+
+/// The nearest to the pointer; of those that stand on one another there, the nearest to the viewer.
+fn picked(candidates: &[Candidate]) -> Option<usize> {
+    let least = candidates.iter().map(|c| c.distance);
+    let least = least.fold(f64::INFINITY, f64::min);
+    let there = candidates.iter().filter(|c| c.distance <= least + SAME);
+    let first = |a: &&Candidate, b: &&Candidate| {
+        let order = a.nearness.total_cmp(&b.nearness);
+        order.then(b.sample.cmp(&a.sample))
+    };
+    there.max_by(first).map(|c| c.sample)
+}
+
+/// The sample at a point of the plot, mm to the right and up as the shown has it, within `reach`
+/// points of it. Only what is drawn is there: the first `points` of the cloud.
+fn drawn_at(
+    workbench: &Workbench,
+    shown: &Shown,
+    at_mm: [f64; 2],
+    points_per_mm: f64,
+    (reach, points): (f64, usize),
+) -> Option<usize> {
+    let facing = &shown.look.facing;
+    let reach_mm = reach / points_per_mm;
+    let within = |p: [f64; 2]| {
+        let distance = (p[0] - at_mm[0]).hypot(p[1] - at_mm[1]);
+        (distance <= reach_mm).then_some(distance * points_per_mm)
+    };
+    let cloud = Cloud::of(workbench.loaded_session());
+    let [x, y] = facing.flat(cloud.centre_mm);
+    let drawn = cloud.places.iter().zip(&cloud.samples).take(points);
+    let found = drawn.filter_map(|(place, sample)| {
+        let p = [0, 1, 2].map(|k| f64::from(place[k]));
+        let [right, up] = facing.flat(p);
+        Some(Candidate {
+            sample: *sample as usize,
+            distance: within([x + right, y + up])?,
+            nearness: facing.nearness(p),
+        })
+    });
+    let found: Vec<Candidate> = found.collect();
+    picked(&found)
+}
 
 /// Sends what is under the pointer, and says what it is.
 pub(crate) fn hover(
@@ -29,6 +104,9 @@ pub(crate) fn hover(
     under: Option<usize>,
     commands: &mut Vec<Command>,
 ) {
+    if workbench.poses() {
+        return;
+    }
     let left = left(response, &response.ctx);
     if (response.hovered() || left) && under != workbench.view().hovered {
         commands.push(Command::View(ViewChange::Hover(under)));
@@ -43,7 +121,7 @@ pub(crate) fn hover(
         && let Some(pointer) = response.hover_pos()
     {
         response.ctx.set_cursor_icon(CursorIcon::PointingHand);
-        card(&response.ctx, workbench, sample, pointer, response.rect);
+        card(response, workbench, sample, pointer);
     }
 }
 
@@ -85,14 +163,11 @@ fn left(response: &egui::Response, ctx: &egui::Context) -> bool {
 /// From the pointer to the card, points: a mark under the pointer is at most 14 away, and its ring
 /// has a radius of 9.
 const GAP: f32 = 26.0;
-const MARGIN: Vec2 = vec2(10.0, 7.0);
-/// Between a name and its value, and between two columns of both.
-const BETWEEN: f32 = 12.0;
-const COLUMNS: f32 = 18.0;
-/// More lines than this stand in two columns.
-const TALL: usize = 5;
+const MARGIN: f32 = 8.0;
 
-fn card(ctx: &Context, workbench: &Workbench, sample: usize, pointer: Pos2, frame: Rect) {
+/// What is said of a sample, beside the pointer.
+fn card(response: &Response, workbench: &Workbench, sample: usize, pointer: Pos2) {
+    let ctx = &response.ctx;
     let dark = ctx.global_style().visuals.dark_mode;
     let palette = if dark { DARK } else { LIGHT };
     let chosen = workbench.view().selected == Some(sample);
@@ -101,59 +176,35 @@ fn card(ctx: &Context, workbench: &Workbench, sample: usize, pointer: Pos2, fram
     } else {
         brief(workbench, sample)
     };
-    let text = |text: &str, font: FontId, color: Color32| {
-        ctx.fonts_mut(|fonts| fonts.layout_no_wrap(text.to_owned(), font, color))
+    let small = FontId::proportional(size::SMALL);
+    let mut text = LayoutJob::default();
+    let mut write = |part: &str, font: &FontId, color| {
+        text.append(part, 0.0, TextFormat::simple(font.clone(), color));
     };
-    let small = || FontId::proportional(size::SMALL);
-    let head = text(&title, strong(size::BODY), palette.text);
-    let hint = (!chosen).then(|| text(say!("click for more"), small(), palette.muted));
-    let rows: Vec<[Arc<Galley>; 2]> = lines
-        .iter()
-        .map(|(name, value)| {
-            [
-                text(name, small(), palette.muted),
-                text(value, small(), palette.text),
-            ]
-        })
-        .collect();
-    let sizes: Vec<[Vec2; 2]> = rows
-        .iter()
-        .map(|row| [row[0].size(), row[1].size()])
-        .collect();
-    let top = head.size().y + 4.0;
-    let hint_wide = hint.as_ref().map_or(0.0, |hint| hint.size().x + BETWEEN);
-    let least = head.size().x + hint_wide;
-    let (places, wide, high) = places(&sizes, least);
-    let all = vec2(wide, top + high) + 2.0 * MARGIN;
+    write(&title, &strong(size::BODY), palette.text);
+    if !chosen {
+        let more = format!("    {}", say!("click for more"));
+        write(&more, &small, palette.muted);
+    }
+    for (name, value) in &lines {
+        write(&format!("\n{name}  "), &small, palette.muted);
+        write(value, &small, palette.text);
+    }
+    let text = ctx.fonts_mut(|fonts| fonts.layout_job(text));
+    let size = text.size() + Vec2::splat(2.0 * MARGIN);
     let window = ctx.content_rect().shrink(4.0);
-    let card = layout::card(pointer, all, GAP, frame, window);
-    let says = spoken(&title, &lines);
+    let place = layout::card(pointer, size, GAP, response.rect, window);
     let area = Area::new(Id::unique("sample card"))
         .order(Order::Tooltip)
-        .fixed_pos(card.min)
+        .fixed_pos(place.min)
         .constrain(false)
         .interactable(false);
     area.show(ctx, |ui| {
-        let (rect, response) = ui.allocate_exact_size(all, Sense::hover());
-        response.widget_info(|| WidgetInfo::labeled(Role::Tooltip, true, says.clone()));
-        let painter = ui.painter();
-        let edge = Stroke::new(1.0, palette.line);
-        let round = f32::from(crate::gui::style::space::ROUND);
-        painter.add(ui.visuals().popup_shadow.as_shape(rect, round));
-        painter.rect(rect, round, palette.surface, edge, StrokeKind::Inside);
-        let corner = rect.min + MARGIN;
-        if let Some(hint) = hint {
-            let y = corner.y + 0.5 * (head.size().y - hint.size().y);
-            let x = rect.right() - MARGIN.x - hint.size().x;
-            painter.galley(pos2(x, y), hint, palette.muted);
-        }
-        painter.galley(corner, head, palette.text);
-        for (row, [name, value]) in rows.into_iter().zip(places) {
-            let below = corner + vec2(0.0, top);
-            let [a, b] = row;
-            painter.galley(below + name, a, palette.muted);
-            painter.galley(below + value, b, palette.text);
-        }
+        let frame = Frame::popup(ui.style()).inner_margin(MARGIN);
+        let card = frame.show(ui, |ui| ui.add(Label::new(text).selectable(false)));
+        let says = spoken(&title, &lines);
+        let info = || WidgetInfo::labeled(Role::Tooltip, true, says.clone());
+        card.inner.widget_info(info);
     });
 }
 
@@ -161,36 +212,6 @@ fn card(ctx: &Context, workbench: &Workbench, sample: usize, pointer: Pos2, fram
 fn spoken(title: &str, lines: &[Line]) -> String {
     let parts: Vec<String> = lines.iter().map(|(n, v)| format!("{n} {v}")).collect();
     say!("card of {title}: {parts}", title, parts = parts.join(", "))
-}
-
-/// Where names and values of these sizes stand, with values flush right in each column; and width
-/// and height of all of it, at least so wide.
-fn places(sizes: &[[Vec2; 2]], least: f32) -> (Vec<[Vec2; 2]>, f32, f32) {
-    let columns = if sizes.len() > TALL { 2 } else { 1 };
-    let in_one = sizes.len().div_ceil(columns).max(1);
-    let wide = |column: &[[Vec2; 2]]| {
-        let of = |k: usize| column.iter().map(|row| row[k].x).fold(0.0, f32::max);
-        of(0) + BETWEEN + of(1)
-    };
-    let mut widths: Vec<f32> = sizes.chunks(in_one).map(wide).collect();
-    let gaps = COLUMNS * widths.len().saturating_sub(1) as f32;
-    let more = (least - widths.iter().sum::<f32>() - gaps).max(0.0);
-    if let Some(last) = widths.last_mut() {
-        *last += more;
-    }
-    let mut places = Vec::with_capacity(sizes.len());
-    let (mut left, mut high) = (0.0, 0.0_f32);
-    for (column, wide) in sizes.chunks(in_one).zip(&widths) {
-        let mut y = 0.0;
-        for [name, value] in column {
-            places.push([vec2(left, y), vec2(left + wide - value.x, y)]);
-            y += name.y.max(value.y) + 2.0;
-        }
-        high = high.max(y);
-        left += wide + COLUMNS;
-    }
-    let all = widths.iter().sum::<f32>() + gaps;
-    (places, all.max(least), high)
 }
 
 /// One line of what is said about a sample: what, and how much.
@@ -320,28 +341,9 @@ fn about(workbench: &Workbench, sample: usize) -> (String, Vec<Line>) {
 #[cfg(test)]
 mod tests {
     use crate::gui::testing::workbench;
+    use crate::gui::view::{Camera as View, Standard};
 
     use super::*;
-
-    #[test]
-    fn rows_stand_below_one_another_and_many_of_them_in_two_columns() {
-        let row = [vec2(40.0, 14.0), vec2(60.0, 14.0)];
-        let (few, wide, high) = places(&[row; 3], 0.0);
-        assert_eq!((wide, high), (112.0, 48.0));
-        assert!(few.windows(2).all(|pair| pair[1][0].y > pair[0][0].y));
-        let (many, wide, high) = places(&[row; 12], 0.0);
-        assert_eq!((wide, high), (242.0, 96.0));
-        for [name, value] in &many {
-            assert!(name.x + row[0].x <= value.x && value.x + row[1].x <= wide);
-            assert!(value.y + row[1].y <= high);
-        }
-    }
-
-    #[test]
-    fn the_title_fits_even_where_there_is_nothing_to_say() {
-        let (places, wide, high) = places(&[], 130.0);
-        assert!(places.is_empty() && wide == 130.0 && high == 0.0);
-    }
 
     #[test]
     fn the_hover_names_the_sample_its_angle_and_its_deviation() {
@@ -350,5 +352,49 @@ mod tests {
         assert_eq!(title, "sample 1");
         let says = |what: &str| lines.iter().any(|(name, _)| name == what);
         assert!(says("pan") && says("deviation") && says("direction") && says("tolerance"));
+    }
+
+    #[test]
+    fn of_marks_on_one_another_the_nearest_to_the_viewer_is_picked() {
+        let mark = |sample, distance, nearness| Candidate {
+            sample,
+            distance,
+            nearness,
+        };
+        assert_eq!(picked(&[]), None);
+        // Two on one another, and one beside them that is nearer to the viewer still.
+        let marks = [
+            mark(7, 1.0, -300.0),
+            mark(8, 2.5, 200.0),
+            mark(9, 9.0, 900.0),
+        ];
+        assert_eq!(picked(&marks), Some(8));
+        assert_eq!(picked(&[mark(5, 1.0, 2.0), mark(4, 1.0, 2.0)]), Some(4));
+    }
+
+    #[test]
+    fn every_sample_that_is_drawn_is_found_where_it_is_from_every_side() {
+        let mut workbench = workbench();
+        let tilted = View::default().orbited([40.0, 25.0]);
+        for camera in [View::from(Standard::Front), tilted] {
+            workbench.execute(Command::View(ViewChange::LookFrom(None)));
+            workbench.execute(Command::View(ViewChange::Turn(camera)));
+            let shown = Shown::of(&workbench);
+            let facing = workbench.facing();
+            let loaded_session = workbench.loaded_session();
+            for sample in loaded_session.overview.usable.iter().map(|s| *s as usize) {
+                let p = loaded_session.measured(sample);
+                let at = facing.flat(p);
+                let all = loaded_session.len();
+                let found = drawn_at(&workbench, &shown, at, 100.0, (14.0, all));
+                let found = found.expect("it is there");
+                let q = loaded_session.measured(found);
+                let apart = facing.flat([0, 1, 2].map(|k| q[k] - p[k]));
+                assert!(100.0 * apart[0].hypot(apart[1]) < SAME + 0.1);
+                assert!(facing.nearness(q) > facing.nearness(p) - 1e-3);
+            }
+            let nowhere = drawn_at(&workbench, &shown, [1e5, 1e5], 100.0, (14.0, 9));
+            assert_eq!(nowhere, None);
+        }
     }
 }

@@ -8,6 +8,7 @@ use crate::gui::layers::WEDGE;
 use crate::gui::scene::{ColourToken, Item, Label, LegendEntry, Place, Stroke, Tint};
 use crate::gui::style::{Palette, size};
 use crate::gui::view::Colouring;
+use crate::gui::widgets;
 use crate::gui::workbench::Workbench;
 use crate::present::numbers::{significant, trimmed};
 
@@ -86,19 +87,20 @@ fn scales(workbench: &Workbench, shown: &Shown) -> Vec<Scale> {
 }
 
 /// The scales as entries of a legend: from little to much, a wedge where the width of vectors says the
-/// same; every direction in its colour. `width` is that of words in small type.
+/// same; every direction in its colour.
 pub(super) fn entries(
+    ui: &Ui,
     workbench: &Workbench,
     shown: &Shown,
     low: bool,
-    width: &dyn Fn(&str) -> f32,
 ) -> Vec<LegendEntry> {
     let long = if low { SHORT } else { LONG };
     let all = scales(workbench, shown).into_iter();
-    all.map(|scale| colour_bar(scale, long, width)).collect()
+    all.map(|scale| colour_bar(ui, scale, long)).collect()
 }
 
-fn colour_bar(scale: Scale, long: f32, width: &dyn Fn(&str) -> f32) -> LegendEntry {
+fn colour_bar(ui: &Ui, scale: Scale, long: f32) -> LegendEntry {
+    let width = |text: &str| widgets::width_of(ui, text, FontId::proportional(size::SMALL));
     let Some([low, high]) = scale.ends else {
         return LegendEntry {
             name: scale.name,
@@ -178,7 +180,7 @@ pub(super) fn entry(ui: &mut Ui, room: f32, name: &str, palette: &Palette) -> Re
 mod tests {
     use super::*;
     use crate::gui::layers::scale_at;
-    use crate::gui::style::vision::{ColourVision, colour_distance, lightness};
+    use crate::gui::style::testing::{ColourVision, colour_distance, lightness};
     use crate::gui::style::{DARK, LIGHT, STOPS};
     use crate::gui::testing::workbench;
     use crate::gui::workbench::{Command, ViewChange};
@@ -238,8 +240,9 @@ mod tests {
         let most = workbench.uncertain().expect("it is known").most_mm;
         let [low, high] = scale.ends.expect("its ends");
         assert_eq!([low, high], ["0".to_owned(), significant(most, 2)]);
-        let parts: Vec<f32> = shown.each.iter().filter_map(|a| a.shade).collect();
-        assert_eq!(parts.len(), shown.each.len());
+        let drawn = workbench.remainder().expect("it is known");
+        let parts: Vec<f32> = drawn.rows.iter().map(|row| row[4]).collect();
+        assert_eq!(parts.len(), workbench.loaded_session().len());
         assert!(parts.iter().all(|p| (0.0..=1.0).contains(p)) && parts.contains(&1.0));
     }
 

@@ -4,19 +4,18 @@
 use std::sync::Arc;
 
 use crate::gui::cache::cloud::Cloud;
-use crate::gui::cache::heat::blended;
-use crate::gui::layers::{HEAT, LayerOptions, OUTLINE, WEDGE, WIDTH};
+use crate::gui::layers::{LayerOptions, WEDGE, WIDTH};
 use crate::gui::scene::paint::Camera;
 use crate::gui::scene::{
     ColourToken, Form, Item, Label, Layer, Mark, Place, Samples, Scene, Stroke, Tint,
 };
 use crate::gui::style::size;
-use crate::gui::view::{Canvas, Colouring};
+use crate::gui::view::Colouring;
 use crate::gui::workbench::Workbench;
 use crate::numeric::single;
 use crate::sessions::Region;
 
-use super::layout::{self, HANDLE, SECTOR, longest_of_cells};
+use super::layout::{self, HANDLE, SECTOR};
 use super::model::{Dial, Shown, VisibleSample, shown};
 use super::pointer::marked;
 use super::robot::{Drawn, body};
@@ -27,8 +26,6 @@ const BAND: f32 = 7.0;
 pub(super) const SQUARE: f32 = 5.0;
 /// Names of regions stand so far from the axis, in parts of the farthest reflector's distance.
 const NAMES: f64 = 0.42;
-/// Corners of the heat map along each side, where egui draws it.
-const CORNERS: u16 = 64;
 
 /// The workspace in a plane.
 pub(super) fn plane(
@@ -93,25 +90,9 @@ fn heat(scene: &mut Scene, workbench: &Workbench, shown: &Shown) {
         colouring: Colouring::Deviation,
         ..shown.look
     };
-    if let Canvas::Layers(_) = shown.canvas {
-        let layer = Layer::Heat(Arc::clone(heat), look);
-        return scene.items.push(Item::Layer(layer));
-    }
-    let sides = heat.size.map(|n| (n.max(2) - 1) as f64 * heat.cell_mm);
-    let part = |k: u16| f64::from(k) / f64::from(CORNERS - 1) * (1.0 - 1e-9);
-    let corner = |row: u16, column: u16| {
-        let x = heat.first_mm[0] + part(column) * sides[0];
-        let y = heat.first_mm[1] + part(row) * sides[1];
-        let cell = heat.at([x, y]);
-        let rms_mm = blended(cell, f64::from(look.blend));
-        let token = ColourToken::Scale(Colouring::Deviation, single(rms_mm / look.long_mm));
-        let ink = token.clear(HEAT * single(cell[3]));
-        (Place::from(look.facing.raised([x, y])), ink)
-    };
-    let rows = 0..CORNERS;
-    let corners = rows.flat_map(|row| (0..CORNERS).map(move |column| corner(row, column)));
-    let net = Item::Net(corners.collect(), CORNERS.into());
-    scene.items.push(net);
+    scene
+        .items
+        .push(Item::Layer(Layer::Heat(Arc::clone(heat), look)));
 }
 
 /// The way of each reflector on the nominal robot, with how sure the model is of it.
@@ -141,61 +122,22 @@ pub(super) fn path(scene: &mut Scene, shown: &Shown) {
     }
 }
 
-/// Measured points and error vectors: each by itself, or all as a layer.
+/// Measured points and error vectors.
 pub(super) fn samples(scene: &mut Scene, workbench: &Workbench, shown: &Shown, camera: &Camera) {
-    if let Canvas::Layers(_) = shown.canvas {
-        let layer = Layer::Samples(Samples {
-            cloud: Cloud::of(workbench.loaded_session()),
-            remainder: workbench.remainder(),
-            look: shown.look,
-            counts: layout::counts(shown, camera.transform()),
-        });
-        scene.items.push(Item::Layer(layer));
-        if shown.vectors.is_none() {
-            return;
-        }
-    } else {
-        points(scene, shown);
-    }
-    vectors(scene, shown, camera);
-}
-
-fn points(scene: &mut Scene, shown: &Shown) {
-    let size = shown.look.mark;
-    let thin = (size + 0.25).min(1.0);
-    let colouring = shown.look.colouring;
-    let mark = |one: &VisibleSample| {
-        let at = one.at_mm;
-        // Where nothing is known the mark is left open.
-        let said = one.shade.map_or(ColourToken::Surface, |part| {
-            ColourToken::Scale(colouring, part)
-        });
-        let radius = if one.within.is_some() { 2.8 } else { 2.6 } * size;
-        match (one.within, colouring) {
-            (Some(false), _) => {
-                let edge = Stroke::new(1.4 * thin, ColourToken::Outside);
-                Mark::filled(at, Form::Diamond, 4.2 * size, said).edged(edge)
-            }
-            (None, Colouring::State) => Mark::filled(at, Form::Disc, radius, ColourToken::Text),
-            (Some(true), Colouring::State) => {
-                Mark::filled(at, Form::Disc, radius, ColourToken::Within)
-            }
-            (_, _) => {
-                let edge = Stroke::new(OUTLINE * thin, ColourToken::Text);
-                Mark::filled(at, Form::Disc, radius, said).edged(edge)
-            }
-        }
-    };
-    for one in &shown.each {
-        scene.mark(mark(one).of(one.sample));
-        if one.suspected {
-            let ring = Stroke::new(1.5, ColourToken::Warning);
-            scene.mark(Mark::ring(one.at_mm, Form::Disc, 8.0, ring));
-        }
+    let layer = Layer::Samples(Samples {
+        cloud: Cloud::of(workbench.loaded_session()),
+        remainder: workbench.remainder(),
+        look: shown.look,
+        counts: layout::counts(shown, camera.transform()),
+    });
+    scene.items.push(Item::Layer(layer));
+    if let Some(some) = &shown.vectors {
+        vectors(scene, shown, some);
     }
 }
 
-fn vectors(scene: &mut Scene, shown: &Shown, camera: &Camera) {
+/// The vectors of some samples, one by one.
+fn vectors(scene: &mut Scene, shown: &Shown, all: &[VisibleSample]) {
     let ends = |one: &VisibleSample, v: [f64; 3]| {
         let (from, m) = (one.simulated_mm(v), shown.magnification);
         [from, [0, 1, 2].map(|k| from[k] + m * v[k])].map(Place::from)
@@ -207,18 +149,13 @@ fn vectors(scene: &mut Scene, shown: &Shown, camera: &Camera) {
         ColourToken::Before
     };
     let colouring = shown.look.colouring;
-    let all: Vec<&VisibleSample> = match longest_of_cells(shown, camera.transform()) {
-        Some(kept) => kept.into_iter().map(|k| &shown.each[k]).collect(),
-        None => shown.with_vectors().collect(),
-    };
-    let all = || all.iter().copied();
-    for one in all() {
+    for one in all {
         if let Some(before) = one.before_mm {
             let stroke = Stroke::new(1.0, ghost);
             scene.items.push(Item::Vector(ends(one, before), stroke));
         }
     }
-    for one in all() {
+    for one in all {
         let stroke = match one.shade {
             Some(part) => {
                 let wedge = WEDGE[0] + part * (WEDGE[1] - WEDGE[0]);

@@ -10,8 +10,7 @@ use crate::gui::widgets::{self, title};
 use crate::gui::workbench::{Command, ViewChange, Workbench};
 
 use super::display::{
-    beneath, blend, colouring, component, everything, folded, length_folded, magnification,
-    scale_for, which,
+    beneath, blend, colouring, everything, folded, length_folded, magnification, scale_for,
 };
 
 /// What stands at the beginning of the bar.
@@ -43,9 +42,7 @@ pub(crate) fn show(
     commands: &mut Vec<Command>,
 ) {
     let view = workbench.view();
-    let measured = !workbench.loaded_session().is_empty();
-    let drawn = measured && !view.polar();
-    let around = measured && view.polar();
+    let drawn = !workbench.loaded_session().is_empty();
     let blends = drawn && workbench.answer().is_some();
     let mut room = ui.available_size();
     room.x /= stretch();
@@ -75,26 +72,15 @@ pub(crate) fn show(
     }
     let row = Row {
         drawn,
-        around,
         blends: blends && (roomy || bare),
-        least: match (
-            blends,
-            around && fold == Fold::Open && workbench.answer().is_some(),
-        ) {
+        least: match blends {
             _ if extra.is_some() => f32::INFINITY,
-            (true, _) => WITH_BLEND,
-            (_, true) => WITH_SWITCHES,
-            _ => TITLED,
+            true => WITH_BLEND,
+            false => TITLED,
         },
         fold,
     };
     row.show(ui, workbench, first, commands);
-    if around && fold != Fold::Open {
-        widgets::row(ui, |ui| {
-            component(ui, workbench, commands);
-            which(ui, workbench, commands);
-        });
-    }
     if !drawn {
         return;
     }
@@ -121,10 +107,8 @@ pub(crate) fn show(
 
 /// The first row of the bar.
 struct Row {
-    /// Whether samples are drawn in a plane or in space.
+    /// Whether there are samples to draw.
     drawn: bool,
-    /// Whether they are drawn over the direction.
-    around: bool,
     /// Whether the slider from before to after stands in it.
     blends: bool,
     /// The room above which the plot has a title, points.
@@ -140,25 +124,18 @@ impl Row {
         first: First<'_>,
         commands: &mut Vec<Command>,
     ) {
-        let open = self.around && self.fold == Fold::Open;
         widgets::row(ui, |ui| {
             first(ui, commands);
             if ui.available_width() > self.least * stretch() {
                 title(ui, say!("Workspace"));
             }
             ways(ui, workbench, self.fold, commands);
-            if open {
-                component(ui, workbench, commands);
-            }
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-                if self.drawn || self.around {
-                    picture(ui, plot_of(workbench.view().aspect), commands);
+                if self.drawn {
+                    picture(ui, Plot::Workspace, commands);
                 }
                 let fit = Command::View(ViewChange::FitWorkspace);
                 gestures::fit(ui, say!("Fit to view"), fit, commands);
-                if open {
-                    which(ui, workbench, commands);
-                }
                 if self.drawn && self.fold == Fold::Tight {
                     folded(ui, say!("display"), say!("How it is drawn"), |ui| {
                         everything(ui, workbench, commands);
@@ -177,14 +154,8 @@ impl Row {
 fn ways(ui: &mut Ui, workbench: &Workbench, fold: Fold, commands: &mut Vec<Command>) {
     let view = workbench.view();
     let planes = Plane::ALL.map(|plane| ((Aspect::Plane, plane), plane.name()));
-    let [space, polar] = [Aspect::Space, Aspect::Around].map(|aspect| (aspect, view.plane));
-    let views = [
-        planes[0],
-        planes[1],
-        planes[2],
-        (space, say!("3-D")),
-        (polar, say!("polar")),
-    ];
+    let space = ((Aspect::Space, view.plane), say!("3-D"));
+    let views = [planes[0], planes[1], planes[2], space];
     let now = (view.aspect, view.plane);
     let beside = if fold == Fold::Tight {
         ICONS + DISPLAY
@@ -203,16 +174,7 @@ fn ways(ui: &mut Ui, workbench: &Workbench, fold: Fold, commands: &mut Vec<Comma
     match chosen {
         Some((Aspect::Plane, plane)) => commands.push(Command::View(ViewChange::Look(plane))),
         Some((Aspect::Space, _)) => commands.push(Command::View(ViewChange::LookFrom(None))),
-        Some((Aspect::Around, _)) => commands.push(Command::View(ViewChange::LookAround)),
         None => {}
-    }
-}
-
-fn plot_of(aspect: Aspect) -> Plot {
-    match aspect {
-        Aspect::Plane => Plot::Workspace,
-        Aspect::Space => Plot::Space,
-        Aspect::Around => Plot::Polar,
     }
 }
 
@@ -228,8 +190,6 @@ const NARROW_LIST: f32 = 64.0;
 const TITLED: f32 = 440.0;
 
 const WITH_BLEND: f32 = 590.0;
-
-const WITH_SWITCHES: f32 = 680.0;
 
 const ROOMY: f32 = 420.0;
 

@@ -19,7 +19,7 @@ use crate::gui::core::setup::{SetupForm, SigmaForm};
 use crate::gui::core::simulate::Form;
 use crate::gui::import_draft::{ImportAnswers, ImportDraft, RobotFrom, TypedAxis};
 use crate::gui::preferences::{Preferences, Sizes, Theme};
-use crate::gui::view::{About, Canvas, NextAction, Sheet, What};
+use crate::gui::view::{About, NextAction, Sheet, What};
 use crate::gui::workbench::{Command, LeftBehind, Task, ViewChange, Workbench};
 use crate::kinematics::JointKind;
 use crate::present::units::{AngleUnit, LengthUnit};
@@ -244,7 +244,10 @@ fn what(random: &mut ChaCha8Rng) -> (What, &'static str) {
         6 => (What::Report(About::Model), "html"),
         7 => (What::Report(About::Model), "pdf"),
         8 if random.random() => (What::Numbers(chart(random)), "csv"),
-        _ => (What::Picture(plot(random)), "svg"),
+        _ => {
+            let plot = plot(random);
+            (What::Picture(plot), plot.ending())
+        }
     }
 }
 
@@ -438,11 +441,7 @@ pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Fi
         154 => way_to_look(random),
         134 | 135 | 156 | 157 => arrangement(random, workbench),
         155 => Command::View(ViewChange::Results(random.random())),
-        136 => Command::View(ViewChange::Canvas(pick(
-            random,
-            &[Canvas::Shapes, Canvas::Layers(1000)],
-        ))),
-        137 | 138 => Command::Prefer(preferences(random)),
+        136..=138 => Command::Prefer(preferences(random)),
         139 if random.random() => record(random, workbench, files),
         139 => Command::View(ViewChange::Resize(sizes(random))),
         140..=142 => draft(random, workbench),

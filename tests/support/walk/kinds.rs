@@ -31,10 +31,10 @@ kinds!(
 
 kinds!(
     VIEW_CHANGES, view_change, ViewChange, "":
-    KeepMine(), GoTo(..), Look(..), LookFrom(..), LookAround(), Turn(..), Pose(..), Magnify(..),
+    KeepMine(), GoTo(..), Look(..), LookFrom(..), Turn(..), Pose(..), Magnify(..),
     PlotSize(..), Blend(..), Colour(..), Heat(..), Component(..), OnlyAfter(..), Hover(..), Select(..), Mark(..),
     Side(..), Panes(..), Pull(..), Activate(..), ActivateNext(), ChartJoint(..), ShowEffect(..), Results(..),
-    Canvas(..), Resize(..), Draft(..), Sheet(..), Dismiss(), Fit(), FitWorkspace(), FitChart(..),
+    Resize(..), Draft(..), Sheet(..), Dismiss(), Fit(), FitWorkspace(), FitChart(..),
 );
 
 kinds!(LEFT, left, LeftBehind, "Left ": Restore(..), Discard(..), DiscardAll());

@@ -29,8 +29,7 @@ pub(super) fn chart(random: &mut ChaCha8Rng) -> &'static str {
 
 pub(super) fn plot(random: &mut ChaCha8Rng) -> Plot {
     let chart = Plot::Chart(chart(random));
-    let drawn = [Plot::Workspace, Plot::Space, Plot::Polar];
-    pick(random, &[drawn[0], drawn[1], drawn[2], chart, chart, chart])
+    pick(random, &[Plot::Workspace, chart, chart])
 }
 
 /// What is shown of the plots, and how much of them.
@@ -45,12 +44,11 @@ pub(super) fn look(random: &mut ChaCha8Rng) -> Command {
 
 /// Another way to look at the workspace, or another pose of its robot.
 pub(super) fn way_to_look(random: &mut ChaCha8Rng) -> Command {
-    match random.random_range(0..4) {
-        0 => Command::View(ViewChange::LookAround),
-        1 => Command::View(ViewChange::LookFrom(
+    match random.random_range(0..3) {
+        0 => Command::View(ViewChange::LookFrom(
             one_of(random, &Standard::ALL).copied(),
         )),
-        2 => Command::View(ViewChange::Turn(Camera {
+        1 => Command::View(ViewChange::Turn(Camera {
             azimuth_rad: pick(random, &[0.3, -7.0, f64::NAN]),
             zoom: pick(random, &[1.0, -2.0, 1e300]),
             ..Camera::default()

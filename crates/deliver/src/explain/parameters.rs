@@ -68,7 +68,12 @@ fn by_effect<'a>(
     let mut blocks = Vec::new();
     let mut last = String::new();
     for estimate in estimates {
-        let (name, words, unit) = named(estimate, robot);
+        let (mut name, words, unit) = named(estimate, robot);
+        // Where there are several targets or places, each has its own.
+        let of = [&estimate.target, &estimate.place].into_iter().flatten();
+        for of in of.filter(|of| !of.is_empty()) {
+            name += &format!(", {}", clean(of));
+        }
         if name != last {
             blocks.push(Block::Heading(name.clone()));
             last = name;

@@ -63,12 +63,12 @@ impl ChartKind for Effect {
 
     fn is_offered(&self, scene: &Scene) -> bool {
         let found = scene.diagnosis().map(terms).unwrap_or_default();
-        let chosen = found.get(scene.view.effect).is_some_and(Option::is_some);
-        scene.view.step == Step::Gap && chosen
+        let chosen = found.get(scene.effect).is_some_and(Option::is_some);
+        scene.step == Step::Gap && chosen
     }
 
     fn work(&self, scene: &Scene) -> Option<Work> {
-        let (search, index) = (Arc::clone(scene.search?), scene.view.effect);
+        let (search, index) = (Arc::clone(scene.search.as_ref()?), scene.effect);
         // The closure keeps the search: no other one stands where it does.
         let key = vec![Arc::as_ptr(&search).addr(), index];
         Some(Work::new(ID, key, move |given| {
@@ -76,7 +76,7 @@ impl ChartKind for Effect {
         }))
     }
 
-    fn show<'a>(&self, scene: &'a Scene<'a>) -> Result<Shown<'a>, ChartPlaceholder> {
+    fn show<'a>(&self, scene: &'a Scene) -> Result<Shown<'a>, ChartPlaceholder> {
         let curve = curve(scene)?;
         Ok(Shown {
             chart: drawn(scene, curve),
@@ -99,7 +99,7 @@ impl ChartKind for Effect {
         let Ok(curve) = curve(scene) else {
             return Table::default();
         };
-        let (loaded_session, component) = (scene.loaded_session, scene.component.name());
+        let (loaded_session, component) = (&scene.loaded_session, scene.component.name());
         let (along, what) = (curve.over.heading(loaded_session), name(curve));
         let [without, of] =
             ["without", "of"].map(|which| format!("{component} {which} {what}, mm"));
@@ -115,7 +115,7 @@ impl ChartKind for Effect {
 }
 use crate::text::{spoken, within};
 
-fn curve<'a>(scene: &Scene<'a>) -> Result<&'a EffectCurve, ChartPlaceholder> {
+fn curve(scene: &Scene) -> Result<&EffectCurve, ChartPlaceholder> {
     let found: &Option<EffectCurve> = scene.found().ok_or_else(ChartPlaceholder::yet)?;
     let there = found.as_ref().filter(|curve| !curve.spots.is_empty());
     there.ok_or(ChartPlaceholder::new(
@@ -126,7 +126,7 @@ fn curve<'a>(scene: &Scene<'a>) -> Result<&'a EffectCurve, ChartPlaceholder> {
 
 /// What the pointer finds.
 struct Drawn<'a> {
-    scene: &'a Scene<'a>,
+    scene: &'a Scene,
     curve: &'a EffectCurve,
     scale: Scale,
 }
@@ -143,7 +143,7 @@ impl Samples for Drawn<'_> {
         self.curve.spot(sample).map(at).into_iter().collect()
     }
 
-    fn near(&self, _: [f64; 2]) -> Vec<usize> {
+    fn near(&self, _: [f64; 2], _: [f64; 2]) -> Vec<usize> {
         some(self.curve).map(|spot| spot.sample).collect()
     }
 }
@@ -161,7 +161,7 @@ fn scale(scene: &Scene, curve: &EffectCurve) -> Scale {
     let ends = curve.spots.first().zip(curve.spots.last());
     let span = ends.map_or(0.0, |(a, b)| b.x - a.x);
     let units = scene.units;
-    curve.over.scale(scene.loaded_session, units, span)
+    curve.over.scale(&scene.loaded_session, units, span)
 }
 
 /// Samples that are drawn.
@@ -229,7 +229,11 @@ fn drawn(scene: &Scene, curve: &EffectCurve) -> Chart {
             effect = what
         ),
         across: Axis::turning(
-            format!("{}, {}", curve.over.label(scene.loaded_session), scale.unit),
+            format!(
+                "{}, {}",
+                curve.over.label(&scene.loaded_session),
+                scale.unit
+            ),
             scale.degrees,
         ),
         upwards: Axis::numbers(format!("{component}, {}", units.length_name())),
@@ -267,7 +271,7 @@ fn describe(scene: &Scene, curve: &EffectCurve) -> String {
     say!(
         "{curve} over {label}: it moves the {component} deviation from {from} to {to}; without it {before} root mean square are left, with it {after}",
         curve = name(curve),
-        label = curve.over.label(scene.loaded_session),
+        label = curve.over.label(&scene.loaded_session),
         component = scene.component.name(),
         from = ends[0],
         to = ends[1],

@@ -32,13 +32,15 @@ pub(crate) fn axes(scene: &Scene) -> [Quantity; 2] {
 
 /// What can be chosen, and how it is called.
 pub(crate) fn named(scene: &Scene) -> Vec<(Quantity, String)> {
-    let offered = Quantity::offered(scene.loaded_session).into_iter();
-    offered.map(|q| (q, q.name(scene.loaded_session))).collect()
+    let offered = Quantity::offered(&scene.loaded_session).into_iter();
+    offered
+        .map(|q| (q, q.name(&scene.loaded_session)))
+        .collect()
 }
 
 /// What is shown at present.
 struct Drawn<'a> {
-    scene: &'a Scene<'a>,
+    scene: &'a Scene,
     axes: [Quantity; 2],
     scales: [Scale; 2],
     cloud: Cow<'a, Cloud>,
@@ -48,7 +50,7 @@ struct Drawn<'a> {
 
 impl<'a> Drawn<'a> {
     /// `None`: the background is at it.
-    fn of(scene: &'a Scene<'a>) -> Option<Self> {
+    fn of(scene: &'a Scene) -> Option<Self> {
         let axes = axes(scene);
         let cloud = match scene.found() {
             Some(cloud) => Cow::Borrowed(cloud),
@@ -58,21 +60,21 @@ impl<'a> Drawn<'a> {
         let mut drawn = Self {
             scene,
             axes,
-            scales: axes.map(|axis| axis.scale(scene.loaded_session, scene.units, 0.0)),
+            scales: axes.map(|axis| axis.scale(&scene.loaded_session, scene.units, 0.0)),
             cloud,
             changes: axes.iter().any(|axis| axis.changes()),
         };
         let extent = drawn.extent();
         drawn.scales = [0, 1].map(|k| {
             let span = extent.map_or(0.0, |extent| extent[k][1] - extent[k][0]);
-            axes[k].scale(scene.loaded_session, scene.units, span)
+            axes[k].scale(&scene.loaded_session, scene.units, span)
         });
         Some(drawn)
     }
 
     /// What is drawn: before, after, or both.
     fn seen(&self) -> impl Iterator<Item = When> + use<> {
-        let after = self.changes && self.scene.answer.is_some();
+        let after = self.changes && self.scene.answer().is_some();
         let before = !(after && self.scene.only_after());
         [(0, before), (1, after)]
             .into_iter()
@@ -90,8 +92,8 @@ impl<'a> Drawn<'a> {
 
     fn place(&self, when: When, sample: usize) -> [f64; 2] {
         at(
-            self.scene.loaded_session,
-            self.scene.answer,
+            &self.scene.loaded_session,
+            self.scene.answer(),
             self.axes,
             when,
             sample,
@@ -111,7 +113,7 @@ impl<'a> Drawn<'a> {
     }
 
     fn names(&self) -> [String; 2] {
-        self.axes.map(|axis| axis.name(self.scene.loaded_session))
+        self.axes.map(|axis| axis.name(&self.scene.loaded_session))
     }
 
     fn chart(&self, extent: [[f64; 2]; 2]) -> Chart {
@@ -147,7 +149,7 @@ impl<'a> Drawn<'a> {
         let mut legend = Vec::new();
         if self.changes {
             legend.push(Entry::before(sign));
-            if self.scene.answer.is_some() {
+            if self.scene.answer().is_some() {
                 legend.push(Entry::after(sign));
                 // The marks themselves are those in sight.
                 items.push(Item::Marks(Vec::new(), ColourRole::After, true));
@@ -219,10 +221,10 @@ impl<'a> Drawn<'a> {
     }
 }
 
-fn chart_inputs<'a>(scene: &Scene<'a>) -> ChartInputs<'a> {
+fn chart_inputs(scene: &Scene) -> ChartInputs<'_> {
     ChartInputs {
-        loaded_session: scene.loaded_session,
-        answer: scene.answer,
+        loaded_session: &scene.loaded_session,
+        answer: scene.answer(),
         component: scene.component,
     }
 }
@@ -251,7 +253,7 @@ impl ChartKind for Scatter {
         (scene.usable().len() > FEW).then(work)
     }
 
-    fn show<'a>(&self, scene: &'a Scene<'a>) -> Result<Shown<'a>, ChartPlaceholder> {
+    fn show<'a>(&self, scene: &'a Scene) -> Result<Shown<'a>, ChartPlaceholder> {
         let drawn = Drawn::of(scene).ok_or_else(ChartPlaceholder::yet)?;
         let Some(extent) = drawn.extent() else {
             return Err(ChartPlaceholder::new(
@@ -277,7 +279,7 @@ impl ChartKind for Scatter {
         for when in whens {
             let name = ["before", "after"][*when];
             heads.extend(axes.map(|axis| {
-                let heading = axis.heading(scene.loaded_session);
+                let heading = axis.heading(&scene.loaded_session);
                 match (heading.split_once(", "), axis.changes()) {
                     (Some((what, unit)), true) => format!("{what} {name}, {unit}"),
                     _ => heading,
@@ -295,8 +297,8 @@ impl ChartKind for Scatter {
         for sample in scene.usable() {
             let mut cells = vec![Cell::from(sample + 1)];
             for when in whens {
-                let here = at(scene.loaded_session, scene.answer, axes, *when, sample);
-                let here = [0, 1].map(|k| axes[k].cell(scene.loaded_session, here[k]));
+                let here = at(&scene.loaded_session, scene.answer(), axes, *when, sample);
+                let here = [0, 1].map(|k| axes[k].cell(&scene.loaded_session, here[k]));
                 cells.extend(here.map(Cell::from));
             }
             table.row(kept.iter().map(|k| cells[*k].clone()));
@@ -312,7 +314,7 @@ impl Samples for Drawn<'_> {
         known.map(|at| self.shown(at)).collect()
     }
 
-    fn near(&self, x: [f64; 2]) -> Vec<usize> {
+    fn near(&self, x: [f64; 2], _: [f64; 2]) -> Vec<usize> {
         let near = self.seen().flat_map(|when| self.between(when, x));
         near.map(|sample| *sample as usize).collect()
     }

@@ -1,6 +1,6 @@
 //! A chart in its pane: a bar in which it is chosen, and the chart.
 
-use egui::{Align, ComboBox, CursorIcon, Layout, Rect, Shape, Stroke, StrokeKind, Ui, pos2};
+use egui::{Align, ComboBox, CursorIcon, Layout, Rect, Shape, Stroke, StrokeKind, Ui, pos2, vec2};
 
 use crate::gui::charts::{
     self, Bars, CHARTS, ChartChoice, ChartKind, HoverTarget, Samples, Scene, Shown, deviation,
@@ -120,15 +120,14 @@ fn plotted(
         HoverTarget::Nothing => {}
         HoverTarget::Samples(samples) => {
             let under = response.hover_pos().and_then(|pointer| {
-                let ends = [pointer.x - REACH, pointer.x + REACH];
-                let place = |x: f32| transform.value_from_position(pos2(x, pointer.y)).x;
-                let candidates = samples
-                    .near(ends.map(place))
-                    .into_iter()
-                    .flat_map(|sample| {
-                        let marks = samples.marks(sample).into_iter();
-                        marks.map(move |[x, y]| (sample, egui_plot::PlotPoint::new(x, y)))
-                    });
+                let reach = vec2(REACH, -REACH);
+                let [low, high] = [pointer - reach, pointer + reach]
+                    .map(|corner| transform.value_from_position(corner));
+                let near = samples.near([low.x, high.x], [low.y, high.y]);
+                let candidates = near.into_iter().flat_map(|sample| {
+                    let marks = samples.marks(sample).into_iter();
+                    marks.map(move |[x, y]| (sample, egui_plot::PlotPoint::new(x, y)))
+                });
                 let candidates = candidates.map(|(sample, point)| {
                     let here = transform.position_from_point(&point);
                     (sample, [here.x, here.y])
@@ -287,7 +286,7 @@ fn charts<'a>(
     }
 }
 
-fn components<'a>(scene: &Scene<'_>, place: Place<'_>) -> Choice<'a, Component> {
+fn components<'a>(scene: &Scene, place: Place<'_>) -> Choice<'a, Component> {
     let planar = scene.loaded_session.session.samples.z_mm.is_none();
     let offered = Component::ALL.into_iter();
     let offered = offered.filter(|c| !(planar && c.out_of_plane()));
@@ -299,7 +298,7 @@ fn components<'a>(scene: &Scene<'_>, place: Place<'_>) -> Choice<'a, Component> 
 }
 
 /// The joints, where there are several.
-fn joints<'a>(scene: &Scene<'a>, place: Place<'_>) -> Option<Choice<'a, usize>> {
+fn joints<'a>(scene: &'a Scene, place: Place<'_>) -> Option<Choice<'a, usize>> {
     let joints = &scene.loaded_session.session.robot.joints;
     let offered = joints.iter().enumerate();
     (joints.len() > 1).then(|| Choice {
@@ -312,7 +311,7 @@ fn joints<'a>(scene: &Scene<'a>, place: Place<'_>) -> Option<Choice<'a, usize>> 
 fn bar(
     ui: &mut Ui,
     workbench: &Workbench,
-    (place, kind, scene): (Place<'_>, &dyn ChartKind, &Scene<'_>),
+    (place, kind, scene): (Place<'_>, &dyn ChartKind, &Scene),
     first: First<'_>,
     commands: &mut Vec<Command>,
 ) {
@@ -387,7 +386,8 @@ fn signs(ui: &mut Ui, (place, kind): (Place<'_>, &dyn ChartKind), commands: &mut
     picture(ui, Plot::Chart(about.id), commands);
     let plot = Plot::Chart(about.id).title();
     let says = say!("Save data of the {plot}…", plot);
-    if widgets::data_button(ui, &says).clicked() {
+    let button = widgets::icon_button(ui, widgets::DATA, &says);
+    if button.on_hover_text(&says).clicked() {
         commands.push(Command::Ask(Asked::WhereToExport(What::Numbers(about.id))));
     }
     let fit = place.own(say!("Fit chart to view"));

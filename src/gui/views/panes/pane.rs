@@ -63,7 +63,7 @@ fn place<'a>(workbench: &Workbench, key: Key, pane: &'a ChartPane) -> chart::Pla
 fn grip(ui: &mut Ui, workbench: &Workbench, pane: &Pane, commands: &mut Vec<Command>) -> Response {
     let name = name_of(workbench, pane);
     let says = say!("Arrange {plot}", plot = name);
-    let sign = widgets::sign_that(ui, &says, Sense::click_and_drag());
+    let (button, color) = widgets::bare_button(ui, &says, Sense::click_and_drag());
     for (x, y) in [
         (-3.0, -5.0),
         (3.0, -5.0),
@@ -73,11 +73,10 @@ fn grip(ui: &mut Ui, workbench: &Workbench, pane: &Pane, commands: &mut Vec<Comm
         (3.0, 5.0),
     ] {
         ui.painter()
-            .circle_filled(sign.rect.center() + vec2(x, y), 1.5, sign.color);
+            .circle_filled(button.rect.center() + vec2(x, y), 1.5, color);
     }
-    menu(ui, workbench, pane, &sign.response, commands);
-    sign.response
-        .on_hover_text(say!("Drag to move it; click to split, move or close it"))
+    menu(ui, workbench, pane, &button, commands);
+    button.on_hover_text(say!("Drag to move it; click to split, move or close it"))
 }
 
 /// Which pane is shown where there is room for one only.

@@ -122,7 +122,7 @@ fn links_and_joints(scene: &mut Scene, drawn: &Drawn, pen: &Pen<'_>) {
     }
     for sign in &drawn.signs {
         // An axis that is looked along is a point: its end is seen through the links over it.
-        let along = pen.camera.direction(sign.at_mm.into(), sign.axis);
+        let along = pen.camera.direction(sign.axis);
         let above = if along.length() < END_ON {
             f64::INFINITY
         } else {

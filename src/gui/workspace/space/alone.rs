@@ -5,8 +5,6 @@ use egui::{Color32, EventFilter, Key, PointerButton, Rect, Response, Sense, Stro
 use nalgebra::Isometry3;
 
 use crate::gui::plots::gestures;
-use crate::gui::scene::paint::Projection;
-use crate::gui::scene::paint::paint;
 use crate::gui::scene::screen::Screen;
 use crate::gui::scene::{self, Scene};
 use crate::gui::style::{Palette, space};
@@ -40,13 +38,12 @@ pub(crate) fn robot_alone(
     ball.radius_mm *= ROOM;
     *camera = looked(ui, &response, rect, &ball, *camera);
     let sides = [rect.width(), rect.height()].map(f64::from);
-    let seen_along = Projection::Parallel(camera.facing());
-    let seen = scene::paint::Camera::showing(seen_along, camera.bounds(&ball, sides), rect);
+    let facing = camera.facing();
+    let seen = scene::paint::Camera::showing(facing, camera.bounds(&ball, sides), rect);
     let mut scene = Scene::default();
     body(&mut scene, &drawn, &Isometry3::identity(), &seen);
     let mut shapes = Vec::new();
-    let mut screen = Screen::new(&painter, &palette, &mut shapes);
-    paint(&scene, &seen, &mut screen);
+    Screen::new(&painter, &palette, &mut shapes).draw(&scene.items, &seen);
     painter.extend(shapes);
     if response.has_focus() {
         let ring = Stroke::new(1.0, palette.outline);

@@ -1,5 +1,5 @@
-//! The workspace in three dimensions, on the screen and as a picture: what the plane shows, seen from
-//! wherever the camera is, with what the pointer does in it.
+//! The workspace in three dimensions: what the plane shows, seen from wherever the camera is, with what the pointer
+//! does in it.
 //!
 //! The scene is the one of the plane, projected along the line of sight, so that vectors, colours,
 //! legend and robot are the same in both; only what has a depth is added here.
@@ -9,29 +9,19 @@ mod scene;
 
 pub(crate) use alone::robot_alone;
 
-use egui::{Panel, Pos2, RichText, Role, ScrollArea, Sense, Slider, Ui, WidgetInfo};
+use egui::{Panel, RichText, Role, ScrollArea, Sense, Slider, Ui, WidgetInfo};
 
-use crate::gui::cache::cloud::Cloud;
 use crate::gui::core::quantity::joint_value;
 use crate::gui::core::scale::stride;
-use crate::gui::scene::paint::paint;
 use crate::gui::scene::screen::Screen;
-use crate::gui::scene::sheet::{SIZE, Sheet};
 use crate::gui::style::{Palette, size};
-use crate::gui::view::{Camera, Canvas};
+use crate::gui::view::Camera;
 use crate::gui::widgets::{self, caption, fine};
 use crate::gui::workbench::{Command, ViewChange, Workbench};
 use crate::kinematics::JointKind;
 use crate::numeric::extent;
-use crate::present::drawing::Drawing;
-use crate::present::numbers::trimmed;
 
-use super::layout;
-use super::legend::{self, Notes};
-use super::model::Shown;
-use super::over::{self, tell_plot_size};
-use super::pointer::{REACH, hover};
-use super::robot::Drawn;
+use super::over::{Seen, tell_plot_size};
 use scene::{Space, scene};
 
 /// A direction in space is drawn so much shorter on average.
@@ -43,18 +33,8 @@ const SLIDERS: f32 = 176.0;
 /// Shows the view in the space that is left, and sends what the pointer does.
 pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, posing: bool, commands: &mut Vec<Command>) {
     let palette = Palette::of(ui);
-    let shown = Shown::of(workbench);
-    let robot = Drawn::of(workbench);
-    let notes = Notes::recall(ui, &shown);
-    let scale = legend::show(
-        ui,
-        workbench,
-        &shown,
-        robot.as_ref(),
-        &notes.lines,
-        &palette,
-    );
-    if posing && let Some(robot) = &robot {
+    let seen = Seen::of(ui, workbench);
+    if posing && let Some(robot) = &seen.robot {
         Panel::right("joints of the robot")
             .resizable(false)
             .exact_size(SLIDERS)
@@ -69,23 +49,19 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, posing: bool, commands: &
         ..workbench.view().camera
     };
     let size = [rect.width(), rect.height()].map(f64::from);
-    let seen = FORESHORTENED * whole.points_per_mm(&space.ball, size);
-    tell_plot_size(workbench, seen, commands);
+    let points_per_mm = FORESHORTENED * whole.points_per_mm(&space.ball, size);
+    tell_plot_size(workbench, points_per_mm, commands);
     let mut inside = ui.new_child(egui::UiBuilder::new().max_rect(rect));
     let ui = &mut inside;
     ui.set_clip_rect(rect.intersect(ui.clip_rect()));
-    let scene = scene(workbench, &shown, robot.as_ref(), &space);
+    let scene = scene(workbench, &seen.shown, seen.robot.as_ref(), &space);
     let mut shapes = Vec::new();
-    let mut screen = Screen::new(ui.painter(), &palette, &mut shapes);
-    paint(&scene, camera, &mut screen);
+    Screen::new(ui.painter(), &palette, &mut shapes).draw(&scene.items, camera);
     ui.painter().extend(shapes);
-    let about = (&shown, robot.as_ref());
-    over::show(ui, workbench, about, camera, (notes, scale));
     let view = workbench.view();
     describe(&response, workbench);
     let pointer = response.hover_pos().filter(|_| !response.dragged());
-    let under = pointer.and_then(|at| under(workbench, &shown, &space, at));
-    hover(&response, workbench, under, commands);
+    seen.finish(ui, workbench, camera, (&response, pointer), commands);
     let turned = alone::looked(ui, &response, rect, &space.ball, view.camera);
     if response.double_clicked() {
         commands.push(Command::View(ViewChange::FitWorkspace));
@@ -113,130 +89,6 @@ fn describe(response: &egui::Response, workbench: &Workbench) {
         say!("arrow keys orbit, plus and minus zoom, Home fits; 0, 1, 3 and 7 are standard views");
     let ctx = &response.ctx;
     ctx.accesskit_node_builder(response.id, |node| node.set_description(how));
-}
-
-/// The sample that is drawn under the pointer.
-fn under(workbench: &Workbench, shown: &Shown, space: &Space, at: Pos2) -> Option<usize> {
-    let transform = space.camera.transform();
-    let at = transform.value_from_position(at);
-    let [points, _] = layout::counts(shown, transform);
-    let scale = space.camera.points_per_mm();
-    drawn_at(
-        workbench,
-        shown,
-        [at.x, at.y],
-        scale,
-        (f64::from(REACH), points),
-    )
-}
-
-/// The view on a sheet, and what it shows.
-///
-/// # Errors
-/// There is nothing to draw.
-pub(crate) fn sheet(workbench: &Workbench) -> Result<(Drawing, String), String> {
-    if workbench.loaded_session().is_empty() {
-        return Err(say!("there are no samples to draw").to_owned());
-    }
-    let shown = Shown::on(workbench, Canvas::Shapes);
-    let robot = Drawn::of(workbench);
-    let space = Space::new(workbench, Sheet::frame(SIZE));
-    let session = crate::report::document::clean(&workbench.loaded_session().session.name);
-    let (samples, camera) = (shown.samples, workbench.view().camera.describe());
-    let magnified = trimmed(shown.magnification, 3);
-    let title = if shown.look.answered {
-        say!(
-            "{session}: {samples} samples, {camera}, deviations after magnified {magnified} times",
-            session,
-            samples,
-            camera,
-            magnified
-        )
-    } else {
-        say!(
-            "{session}: {samples} samples, {camera}, deviations before magnified {magnified} times",
-            session,
-            samples,
-            camera,
-            magnified
-        )
-    };
-    let sheet = Sheet {
-        title: title.clone(),
-        axes: None,
-        legend: legend::on_paper(workbench, &shown, robot.as_ref(), &space.camera),
-        notes: shown.notes(),
-    };
-    let scene = scene(workbench, &shown, robot.as_ref(), &space);
-    Ok((sheet.with(&scene, &space.camera), title))
-}
-
-/// Marks that are less than this apart on the screen stand on one another, points.
-const SAME: f64 = 3.0;
-
-/// A mark: its sample, how far it is from the pointer, points, and how near to the viewer, mm.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Candidate {
-    sample: usize,
-    distance: f64,
-    nearness: f64,
-}
-
-/// The nearest to the pointer; of those that stand on one another there, the nearest to the viewer.
-fn picked(candidates: &[Candidate]) -> Option<usize> {
-    let least = candidates.iter().map(|c| c.distance);
-    let least = least.fold(f64::INFINITY, f64::min);
-    let there = candidates.iter().filter(|c| c.distance <= least + SAME);
-    let first = |a: &&Candidate, b: &&Candidate| {
-        let order = a.nearness.total_cmp(&b.nearness);
-        order.then(b.sample.cmp(&a.sample))
-    };
-    there.max_by(first).map(|c| c.sample)
-}
-
-/// The sample at a point of the plot, mm to the right and up as the shown has it, within `reach`
-/// points of it. Only what is drawn is there: the first `points` of the cloud, or the shown's points.
-fn drawn_at(
-    workbench: &Workbench,
-    shown: &Shown,
-    at_mm: [f64; 2],
-    points_per_mm: f64,
-    (reach, points): (f64, usize),
-) -> Option<usize> {
-    let facing = &shown.look.facing;
-    let reach_mm = reach / points_per_mm;
-    let within = |p: [f64; 2]| {
-        let distance = (p[0] - at_mm[0]).hypot(p[1] - at_mm[1]);
-        (distance <= reach_mm).then_some(distance * points_per_mm)
-    };
-    let found: Vec<Candidate> = match shown.canvas {
-        Canvas::Shapes => {
-            let candidates = shown.each.iter().filter_map(|one| {
-                Some(Candidate {
-                    sample: one.sample,
-                    distance: within(facing.flat(one.at_mm))?,
-                    nearness: facing.nearness(one.at_mm),
-                })
-            });
-            candidates.collect()
-        }
-        Canvas::Layers(_) => {
-            let cloud = Cloud::of(workbench.loaded_session());
-            let [x, y] = facing.flat(cloud.centre_mm);
-            let drawn = cloud.places.iter().zip(&cloud.samples).take(points);
-            let candidates = drawn.filter_map(|(place, sample)| {
-                let p = [0, 1, 2].map(|k| f64::from(place[k]));
-                let [right, up] = facing.flat(p);
-                Some(Candidate {
-                    sample: *sample as usize,
-                    distance: within([x + right, y + up])?,
-                    nearness: facing.nearness(p),
-                })
-            });
-            candidates.collect()
-        }
-    };
-    picked(&found)
 }
 
 /// Smallest and largest value of a joint's slider, rad or mm: its limits; where it has none, what
@@ -308,9 +160,10 @@ mod tests {
 
     use crate::gui::core::edit::Edit;
     use crate::gui::testing::workbench;
-    use crate::gui::view::{Camera, Standard};
     use crate::gui::workbench::{Command, ViewChange};
 
+    use super::super::model::Shown;
+    use super::super::robot::Drawn;
     use super::*;
 
     /// An arm measured by a tracker that stands in a frame of its own, and says so in a column.
@@ -439,53 +292,6 @@ mod tests {
             } else {
                 let q = &session.samples.q[k];
                 assert!(q.iter().all(|v| (low..=high).contains(v)));
-            }
-        }
-    }
-
-    #[test]
-    fn of_marks_on_one_another_the_nearest_to_the_viewer_is_picked() {
-        let mark = |sample, distance, nearness| Candidate {
-            sample,
-            distance,
-            nearness,
-        };
-        assert_eq!(picked(&[]), None);
-        // Two on one another, and one beside them that is nearer to the viewer still.
-        let marks = [
-            mark(7, 1.0, -300.0),
-            mark(8, 2.5, 200.0),
-            mark(9, 9.0, 900.0),
-        ];
-        assert_eq!(picked(&marks), Some(8));
-        assert_eq!(picked(&[mark(5, 1.0, 2.0), mark(4, 1.0, 2.0)]), Some(4));
-    }
-
-    #[test]
-    fn every_sample_that_is_drawn_is_found_where_it_is_from_every_side_by_shapes_and_layers() {
-        for canvas in [Canvas::Shapes, Canvas::Layers(usize::MAX)] {
-            let mut workbench = workbench();
-            workbench.execute(Command::View(ViewChange::Canvas(canvas)));
-            let tilted = Camera::default().orbited([40.0, 25.0]);
-            for camera in [Camera::from(Standard::Front), tilted] {
-                workbench.execute(Command::View(ViewChange::LookFrom(None)));
-                workbench.execute(Command::View(ViewChange::Turn(camera)));
-                let shown = Shown::of(&workbench);
-                let facing = workbench.facing();
-                let loaded_session = workbench.loaded_session();
-                for sample in loaded_session.overview.usable.iter().map(|s| *s as usize) {
-                    let p = loaded_session.measured(sample);
-                    let at = facing.flat(p);
-                    let all = loaded_session.len();
-                    let found = drawn_at(&workbench, &shown, at, 100.0, (14.0, all));
-                    let found = found.expect("it is there");
-                    let q = loaded_session.measured(found);
-                    let apart = facing.flat([0, 1, 2].map(|k| q[k] - p[k]));
-                    assert!(100.0 * apart[0].hypot(apart[1]) < SAME + 0.1);
-                    assert!(facing.nearness(q) > facing.nearness(p) - 1e-3);
-                }
-                let nowhere = drawn_at(&workbench, &shown, [1e5, 1e5], 100.0, (14.0, 9));
-                assert_eq!(nowhere, None);
             }
         }
     }

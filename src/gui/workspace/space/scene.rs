@@ -5,7 +5,6 @@ use egui::{Align2, Rect, pos2};
 use nalgebra::{Isometry3, Point3, UnitQuaternion, Vector3};
 
 use crate::gui::core::scale::round_down;
-use crate::gui::scene::paint::Projection;
 use crate::gui::scene::{self, ColourToken, Form, Item, Label, Mark, Place, Scene, Stroke};
 use crate::gui::view::Ball;
 use crate::gui::workbench::Workbench;
@@ -41,7 +40,7 @@ impl Space {
             *end = [0, 1].map(|k| end[k] + shift[k]);
         }
         Self {
-            camera: scene::paint::Camera::showing(Projection::Parallel(facing), bounds, rect),
+            camera: scene::paint::Camera::showing(facing, bounds, rect),
             base,
             ball,
         }
@@ -195,7 +194,7 @@ fn frame(scene: &mut Scene, name: &str, frame: Isometry3<f64>, space: &Space) {
     let axes = [Vector3::x(), Vector3::y(), Vector3::z()];
     for (axis, letter) in axes.into_iter().zip(["x", "y", "z"]) {
         let along = frame.rotation * axis;
-        if camera.direction(origin, along.into()).length() < 0.2 {
+        if camera.direction(along.into()).length() < 0.2 {
             continue;
         }
         let end = |points: f64| {

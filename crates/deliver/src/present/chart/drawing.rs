@@ -69,6 +69,7 @@ impl Chart {
     pub fn height(&self) -> f64 {
         match &self.upwards.ticks {
             Ticks::Words(_) => ROW * (self.bounds[1][1] - self.bounds[0][1]),
+            Ticks::Plane => 1.5 * HEIGHT,
             _ => HEIGHT,
         }
     }
@@ -80,12 +81,21 @@ impl Chart {
         // The title, what it belongs to, and what the marks are.
         let head = if of.is_some() { 2.0 } else { 1.0 };
         let top = LINE * head + 10.0;
+        let width = FULL_WIDTH - left - RIGHT;
+        let plane = self.upwards.ticks == Ticks::Plane;
+        let x = if plane {
+            let half = 0.5 * (high[1] - low[1]) * width / height;
+            let middle = f64::midpoint(low[0], high[0]);
+            [middle - half, middle + half]
+        } else {
+            [low[0], high[0]]
+        };
         let panel = Panel {
             left,
             top,
-            width: FULL_WIDTH - left - RIGHT,
+            width,
             height,
-            x: [low[0], high[0]],
+            x,
             y: [low[1], high[1]],
         };
         let foot = if self.note.is_empty() { 0.0 } else { 18.0 };
@@ -108,7 +118,9 @@ impl Chart {
             }
         }
         let most = (height / 40.0).max(4.0);
-        panel.frame([&self.across, &self.upwards], [8.0, most], &mut drawing);
+        if !plane {
+            panel.frame([&self.across, &self.upwards], [8.0, most], &mut drawing);
+        }
         for item in &self.items {
             self.item(item, &panel, &mut drawing);
         }

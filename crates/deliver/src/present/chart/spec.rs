@@ -197,6 +197,8 @@ pub enum Ticks {
     Degrees,
     /// Words, and where.
     Words(Vec<(f64, String)>),
+    /// None: both axes lie in a plane, in one scale.
+    Plane,
 }
 
 /// An axis.

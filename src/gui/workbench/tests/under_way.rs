@@ -5,7 +5,6 @@ use std::sync::mpsc::{Receiver, Sender, channel};
 use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
-use super::{Asked, Command, Task, ViewChange, Workbench};
 use crate::gui::core::document::Method;
 use crate::gui::core::edit::Edit;
 use crate::gui::core::simulate::Form;
@@ -13,6 +12,7 @@ use crate::gui::files;
 use crate::gui::jobs::{Jobs, Kind, Runner, Watch};
 use crate::gui::testing::workbench;
 use crate::gui::view::{Message, NextAction, Step, What};
+use crate::gui::workbench::{Asked, Command, Task, ViewChange, Workbench};
 
 pub(super) fn on_threads() -> Workbench {
     let mut bench = workbench();
@@ -202,7 +202,7 @@ fn commands_while_something_runs_are_done_and_the_result_of_another_session_is_n
     let work = move |_: &Watch| {
         let _ = wait.recv();
         let _ = adapted.send(());
-        super::drafts::adapted(loaded_session)
+        crate::gui::workbench::drafts::adapted(loaded_session)
     };
     let what = "looking where regions are needed";
     bench

@@ -10,12 +10,12 @@ use std::sync::mpsc::{Receiver, Sender};
 use egui::{Context, Event, Modifiers, PointerButton, Pos2, RawInput, Rect, Shape, Ui, pos2, vec2};
 
 use super::under_way::{gate, idle, on_threads, until};
-use super::{Command, Workbench};
 use crate::gui::import_draft::ImportDraft;
 use crate::gui::jobs::{Kind, Running, Watch};
 use crate::gui::testing::workbench;
 use crate::gui::view::{NextAction, Sheet};
 use crate::gui::views::status;
+use crate::gui::workbench::{Command, Workbench};
 use crate::gui::{dialogs, files};
 use crate::progress::Progress;
 use crate::watching::{assert_grows, no_at, report_to};

@@ -1,0 +1,500 @@
+//! A component of the deviation around the angle of the joint, as circles of a ballbar test are shown: so many
+//! divisions from the nominal circle, the division from 1, 2, 5 × 10ⁿ:
+//!
+//! ```text
+//! r = N + e / division,   |e| ≤ 5 divisions
+//! ```
+//!
+//! Source: ISO 230-4 (circular tests), where e is the radial deviation of a circular path.
+
+use std::f64::consts::TAU;
+
+use super::deviation::{ANGLE, DrawnDeviations, MOST_NEAR};
+use super::{About, ChartChoice, ChartKind, ChartPlaceholder, HoverTarget, Samples, Scene, Shown};
+use crate::gui::cache::charts::{Column, Work};
+use crate::gui::core::loaded_session::{Component, LoadedSession};
+use crate::gui::core::scale::round_down;
+use crate::gui::help;
+use crate::gui::view::Plane;
+use crate::numeric::whole;
+use crate::present::chart::{
+    Axis, Chart, ChartText, ColourRole, Entry, Form, Item, LegendSymbol, Mark, Ticks,
+};
+use crate::present::drawing::Anchor;
+use crate::present::numbers::trimmed;
+use crate::present::table::Table;
+
+/// Radius of the nominal circle, divisions.
+const NOMINAL: f64 = 8.0;
+/// The largest deviation is at most so many divisions long.
+const MOST_DIVISIONS: f64 = 5.0;
+/// A smaller division than this would show rounding, mm.
+const LEAST_MM: f64 = 1e-5;
+/// Room for the names of the spokes, divisions.
+const ROOM: f64 = 1.9;
+/// Spokes and chords of circles are so many parts of a turn.
+const SPOKES: u32 = 12;
+const CHORDS: u32 = 180;
+/// Columns of extremes around, of many samples.
+const COLUMNS: usize = 720;
+/// Angles this close are one, rad: the line goes through the mean of their deviations.
+const SAME_RAD: f64 = 0.005;
+/// Over a wider gap there is no line, rad.
+const GAP_RAD: f64 = 0.45;
+
+pub(crate) struct Polar;
+
+pub(crate) static POLAR: Polar = Polar;
+
+impl ChartKind for Polar {
+    fn about(&self) -> About {
+        About {
+            id: "polar",
+            short: phrase!("polar"),
+            name: phrase!("Polar view"),
+            word: help::POLAR,
+            of: ChartChoice::Component,
+        }
+    }
+
+    fn work(&self, scene: &Scene) -> Option<Work> {
+        ANGLE.work(&of_first(scene))
+    }
+
+    fn show<'a>(&self, scene: &'a Scene) -> Result<Shown<'a>, ChartPlaceholder> {
+        if let Some(why) = absent(&scene.loaded_session) {
+            return Err(ChartPlaceholder::new(say!("No polar view"), why));
+        }
+        let drawn = Drawn::of(scene);
+        let component = scene.component.name();
+        let samples = scene.usable().len();
+        let division = drawn.scale();
+        Ok(Shown {
+            name: say!(
+                "polar view, {component}, {samples} samples, {polar}",
+                component,
+                samples,
+                polar = division
+            ),
+            description: drawn.of.describe(drawn.all),
+            chart: drawn.chart(division),
+            pointed: HoverTarget::Samples(Box::new(drawn)),
+        })
+    }
+
+    fn numbers(&self, scene: &Scene) -> Table {
+        ANGLE.numbers(&of_first(scene))
+    }
+}
+
+/// The angle is that of the only joint.
+fn of_first(scene: &Scene) -> Scene {
+    Scene {
+        joint: 0,
+        ..scene.clone()
+    }
+}
+
+/// Why a session has no polar view, and what shows the same.
+fn absent(loaded_session: &LoadedSession) -> Option<&'static str> {
+    if loaded_session.session.robot.joints.len() > 1 {
+        Some(say!(
+            "This robot has several joints, so that a deviation belongs to no single angle. The workspace shows where it is, other charts over which value of the first joint"
+        ))
+    } else if !loaded_session.turns() {
+        Some(say!(
+            "This joint slides, and a length does not close a circle. Another chart shows the deviation along the joint’s way"
+        ))
+    } else {
+        None
+    }
+}
+
+/// Directions of the tool at home and a quarter turn further, as they lie in the plane that is looked at.
+fn directions(loaded_session: &LoadedSession, plane: Plane) -> [[f64; 2]; 2] {
+    let joint = &loaded_session.joint;
+    let [right, up] = plane.axes();
+    if joint.along[plane.normal()].abs() > 0.999 {
+        [joint.radial, joint.tangential].map(|p| [p[right], p[up]])
+    } else {
+        [[1.0, 0.0], [0.0, 1.0]]
+    }
+}
+
+struct Drawn<'a> {
+    of: DrawnDeviations<'a>,
+    all: Option<Column>,
+    directions: [[f64; 2]; 2],
+    division_mm: f64,
+    /// So many divisions inside the nominal circle and outside.
+    divisions: [f64; 2],
+}
+
+impl<'a> Drawn<'a> {
+    fn of(scene: &'a Scene) -> Self {
+        let of = DrawnDeviations::of(scene, ANGLE.over(&of_first(scene)));
+        let all = of.extent();
+        let shown = all.map_or([None; 2], |all| {
+            [all.before_mm.filter(|_| !scene.only_after()), all.after_mm]
+        });
+        let [low, high] = shown
+            .into_iter()
+            .flatten()
+            .fold([0.0_f64; 2], |[a, b], mm| [a.min(mm[0]), b.max(mm[1])]);
+        // Round in the unit in which it is written.
+        let per_mm = scene.units.length_value(1.0);
+        let division_mm = round_up(high.max(-low) * per_mm / MOST_DIVISIONS) / per_mm;
+        let division_mm = division_mm.max(LEAST_MM);
+        let most = |mm: f64| (mm / division_mm - 1e-9).ceil();
+        Self {
+            directions: directions(&scene.loaded_session, scene.plane),
+            divisions: [-low, high].map(|mm| most(mm).clamp(1.0, MOST_DIVISIONS)),
+            of,
+            all,
+            division_mm,
+        }
+    }
+
+    /// `1 division = 0.5 mm`.
+    fn scale(&self) -> String {
+        let units = self.of.scene.units;
+        say!(
+            "1 division = {length} {unit}",
+            length = trimmed(units.length_value(self.division_mm), 6),
+            unit = units.length_name()
+        )
+    }
+
+    /// So many divisions from the nominal circle, never on the other side of the middle.
+    fn place(&self, q: f64, divisions: f64) -> [f64; 2] {
+        let (sin, cos) = q.sin_cos();
+        let radius = (NOMINAL + divisions).max(0.0);
+        let [radial, tangential] = self.directions;
+        [0, 1].map(|k| radius * (cos * radial[k] + sin * tangential[k]))
+    }
+
+    fn at(&self, q: f64, mm: f64) -> [f64; 2] {
+        self.place(q, mm / self.division_mm)
+    }
+
+    /// A circle so many divisions from the nominal one.
+    fn circle(&self, divisions: f64, role: ColourRole, width: f32, dashed: bool) -> Item {
+        let at = |k| self.place(TAU * f64::from(k) / f64::from(CHORDS), divisions);
+        Item::Line((0..=CHORDS).map(at).collect(), role, width, dashed)
+    }
+
+    /// The tolerance, divisions: both ways for a component, outwards for a length; no wider than what is in sight.
+    fn band(&self) -> Option<[f64; 2]> {
+        let tolerance = self.of.scene.document.tolerance_mm? / self.division_mm;
+        let [low, high] = self.divisions.map(|most| tolerance.min(most + 0.5));
+        let is_length = self.of.scene.component == Component::Length;
+        Some([if is_length { 0.0 } else { -low }, high])
+    }
+
+    fn chart(&self, division: String) -> Chart {
+        let scene = self.of.scene;
+        let name = scene.component.name();
+        let out = NOMINAL + self.divisions[1] + ROOM;
+        let axis = || Axis {
+            label: String::new(),
+            ticks: Ticks::Plane,
+        };
+        let mut items = self.rings();
+        let sign = LegendSymbol::Mark(Form::Disc);
+        let ring = Entry::new(division, LegendSymbol::Line, ColourRole::Reference, true);
+        let mut legend = vec![ring, Entry::before(sign)];
+        legend.extend(scene.answer().map(|_| Entry::after(sign)));
+        let stages = [
+            (ColourRole::Before, !scene.only_after()),
+            (ColourRole::After, scene.answer().is_some()),
+        ];
+        for (role, _) in stages.into_iter().filter(|(_, shown)| *shown) {
+            items.extend(self.stage(role));
+        }
+        if self.of.dots.iter().any(|dot| dot.side != 0.0) {
+            let way = |name: &str, form| {
+                Entry::new(name, LegendSymbol::Mark(form), ColourRole::Noise, false)
+            };
+            legend.push(way(say!(in "chart-word", "approach +"), Form::Forwards));
+            legend.push(way(say!(in "chart-word", "approach −"), Form::Backwards));
+        }
+        if self.band().is_some() {
+            let role = ColourRole::Tolerance;
+            let name = say!(in "chart-word", "tolerance");
+            legend.push(Entry::new(name, LegendSymbol::Line, role, false));
+        }
+        Chart {
+            title: say!("{component} deviation around the angle", component = name),
+            across: axis(),
+            upwards: axis(),
+            bounds: [[-out; 2], [out; 2]],
+            items,
+            legend,
+            note: if self.of.envelope.is_some() {
+                say!("min–max at each angle").to_owned()
+            } else {
+                self.of.note(false)
+            },
+        }
+    }
+
+    /// Rings, spokes with their angles, the tolerance and the nominal circle.
+    fn rings(&self) -> Vec<Item> {
+        let units = self.of.scene.units;
+        let thin = ColourRole::Reference;
+        let [inside, outside] = self.divisions;
+        let most = |divisions: f64| 1..=whole(divisions);
+        let rings = most(inside).map(|k| -(k as f64));
+        let rings = rings.chain(most(outside).map(|k| k as f64));
+        let mut items: Vec<Item> = rings.map(|at| self.circle(at, thin, 0.5, false)).collect();
+        for k in 0..SPOKES {
+            let q = TAU * f64::from(k) / f64::from(SPOKES);
+            let ends = [-inside, outside].map(|at| self.place(q, at));
+            items.push(Item::Line(ends.to_vec(), thin, 0.5, false));
+            // Angles as joints have them: from −180° to 180°.
+            let turn = if 2 * k > SPOKES { TAU } else { 0.0 };
+            items.push(word(
+                self.place(q, outside + 0.5 * ROOM),
+                units.angle(q - turn),
+            ));
+        }
+        items.push(self.circle(0.0, thin, 1.75, false));
+        for at in self.band().into_iter().flatten() {
+            items.push(self.circle(at, ColourRole::Tolerance, 1.0, true));
+        }
+        items
+    }
+
+    /// The deviations before or after: each sample with the mean at each angle; of many what lies between the
+    /// smallest and the largest at each angle.
+    fn stage(&self, role: ColourRole) -> Vec<Item> {
+        let is_after = role == ColourRole::After;
+        if let (Some(envelope), Some(all)) = (self.of.envelope, self.all) {
+            let columns = envelope.columns([all.x[0], all.x[1] + 1e-9], COLUMNS);
+            let ends = |column: &Column| {
+                let [low, high] = (if is_after {
+                    column.after_mm
+                } else {
+                    column.before_mm
+                })?;
+                let q = f64::midpoint(column.x[0], column.x[1]);
+                Some(vec![self.at(q, low), self.at(q, high)])
+            };
+            let line = |ends| Item::Line(ends, role, 1.5, false);
+            return columns.iter().filter_map(ends).map(line).collect();
+        }
+        let dots = self.of.dots.iter().filter_map(|dot| {
+            let mm = if is_after {
+                dot.after_mm?
+            } else {
+                dot.before_mm
+            };
+            (dot.x.is_finite() && mm.is_finite()).then_some((dot.side, dot.x, mm))
+        });
+        let dots: Vec<(f64, f64, f64)> = dots.collect();
+        let mark = |(side, q, mm): &(f64, f64, f64)| Mark {
+            at: self.at(*q, *mm),
+            form: Form::of_side(*side),
+        };
+        let marks = Item::Marks(dots.iter().map(mark).collect(), role, is_after);
+        let line = |piece: Vec<[f64; 2]>| {
+            let points = piece.iter().map(|[q, mm]| self.at(*q, *mm));
+            Item::Line(points.collect(), role, 1.25, !is_after)
+        };
+        let mut items: Vec<Item> = means(dots).into_iter().map(line).collect();
+        items.push(marks);
+        items
+    }
+}
+
+fn word(at: [f64; 2], text: String) -> Item {
+    Item::Word(ChartText {
+        at,
+        text,
+        anchor: Anchor::Middle,
+        below: false,
+    })
+}
+
+/// The smallest of 1, 2, 5 × 10ⁿ that is not below `value`; 0 for nothing.
+fn round_up(value: f64) -> f64 {
+    if value <= 0.0 || !value.is_finite() {
+        return 0.0;
+    }
+    let below = round_down(value);
+    let next = [1.0, 2.0, 2.5, 5.0].map(|times| times * below);
+    let enough = |one: &f64| {
+        *one >= value * (1.0 - 1e-9) && (round_down(one * (1.0 + 1e-9)) / one - 1.0).abs() < 1e-6
+    };
+    next.into_iter().find(enough).unwrap_or(10.0 * below)
+}
+
+/// The mean deviation over the angle of what came from each side, in pieces without gaps.
+fn means(mut values: Vec<(f64, f64, f64)>) -> Vec<Vec<[f64; 2]>> {
+    values.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));
+    let groups = values.chunk_by(|a, b| a.0 == b.0 && b.1 - a.1 < SAME_RAD);
+    let means = groups.map(|group| {
+        let mean = |of: fn(&(f64, f64, f64)) -> f64| {
+            group.iter().map(of).sum::<f64>() / group.len() as f64
+        };
+        (group[0].0, [mean(|v| v.1), mean(|v| v.2)])
+    });
+    let means: Vec<(f64, [f64; 2])> = means.collect();
+    let pieces = means.chunk_by(|(side, a), (other, b)| side == other && b[0] - a[0] < GAP_RAD);
+    pieces
+        .map(|piece| piece.iter().map(|(_, at)| *at).collect())
+        .collect()
+}
+
+impl Samples for Drawn<'_> {
+    fn marks(&self, sample: usize) -> Vec<[f64; 2]> {
+        let dot = self.of.dot(sample);
+        let before = (!self.of.scene.only_after()).then_some(dot.before_mm);
+        let both = before.into_iter().chain(dot.after_mm);
+        let both = both.map(|mm| self.at(dot.x, mm));
+        both.filter(|at| at.iter().all(|v| v.is_finite())).collect()
+    }
+
+    /// Of many those at the angles around the place, on every turn.
+    fn near(&self, x: [f64; 2], y: [f64; 2]) -> Vec<usize> {
+        let (Some(envelope), Some(all)) = (self.of.envelope, self.all) else {
+            return self.of.near(x, y);
+        };
+        let [x, y] = [x, y].map(|ends| (f64::midpoint(ends[0], ends[1]), ends[1] - ends[0]));
+        let along = |d: [f64; 2]| x.0 * d[0] + y.0 * d[1];
+        let [radial, tangential] = self.directions.map(along);
+        let half = (0.5 * x.1.abs() / radial.hypot(tangential).max(1e-6)).min(0.5);
+        let angle = tangential.atan2(radial);
+        let first = angle + TAU * ((all.x[0] - half - angle) / TAU).ceil();
+        let turns = (0..8_u8).map(|k| first + TAU * f64::from(k));
+        let angles = turns.take_while(|q| *q <= all.x[1] + half);
+        let near = |q: f64| envelope.samples([q - half, q + half], MOST_NEAR);
+        angles.flat_map(near).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gui::core::edit::Edit;
+    use crate::gui::core::simulate::Form as Simulated;
+    use crate::gui::testing::workbench;
+    use crate::gui::workbench::{Command, ViewChange, Workbench};
+
+    #[test]
+    fn the_largest_deviation_is_at_most_five_divisions_and_the_division_is_round() {
+        for largest in [13.8, 0.05, 0.0007, 4.99, 5.0] {
+            let division = round_up(largest / MOST_DIVISIONS);
+            let drawn = largest / division;
+            assert!(drawn <= 5.0 + 1e-9 && drawn > 1.9, "{largest}: {drawn}");
+            let lead = division / 10f64.powf(division.log10().floor() + 1e-12);
+            let is_round = [1.0, 2.0, 5.0]
+                .iter()
+                .any(|l| (lead / l - 1.0).abs() < 1e-6);
+            assert!(is_round, "{lead}");
+        }
+        assert_eq!(round_up(0.0), 0.0);
+        assert_eq!(round_up(f64::NAN), 0.0);
+    }
+
+    #[test]
+    fn a_line_goes_through_the_mean_at_each_angle_and_not_over_gaps() {
+        let spots = [(0.0, 1.0), (0.001, 3.0), (0.2, 4.0), (2.0, 5.0)];
+        let pieces = means(spots.map(|(q, mm)| (1.0, q, mm)).to_vec());
+        assert_eq!(pieces.len(), 2);
+        assert_eq!(pieces[0].len(), 2);
+        assert!((pieces[0][0][1] - 2.0).abs() < 1e-12);
+    }
+
+    fn of<T>(workbench: &Workbench, look: impl FnOnce(&Drawn<'_>) -> T) -> T {
+        look(&Drawn::of(&workbench.scene_of(&POLAR)))
+    }
+
+    #[test]
+    fn it_shows_every_sample_and_what_is_left_alone() {
+        let mut workbench = workbench();
+        let component = Command::View(ViewChange::Component(Component::Radial));
+        workbench.execute(component);
+        let marks = |workbench: &Workbench, role: ColourRole| {
+            of(workbench, |drawn| {
+                let items = drawn.chart(String::new()).items.into_iter();
+                let marks = items.filter_map(|item| match item {
+                    Item::Marks(marks, of, _) if of == role => Some(marks.len()),
+                    _ => None,
+                });
+                marks.sum::<usize>()
+            })
+        };
+        let all = workbench.loaded_session().len();
+        assert_eq!(marks(&workbench, ColourRole::Before), all);
+        let before = of(&workbench, |drawn| drawn.division_mm);
+        workbench.execute(Command::Edit(Edit::Identify));
+        workbench.receive();
+        workbench.execute(Command::View(ViewChange::OnlyAfter(true)));
+        assert!(of(&workbench, |drawn| drawn.division_mm) < before);
+        assert_eq!(marks(&workbench, ColourRole::Before), 0);
+        assert_eq!(marks(&workbench, ColourRole::After), all);
+    }
+
+    #[test]
+    fn a_deviation_outwards_is_outside_the_nominal_circle_and_nothing_leaves_the_bounds() {
+        let mut workbench = workbench();
+        workbench.execute(Command::Edit(Edit::Tolerance(Some(0.2))));
+        of(&workbench, |drawn| {
+            let radius = |at: [f64; 2]| at[0].hypot(at[1]);
+            let at = drawn.at(0.3, 2.0 * drawn.division_mm);
+            assert!((radius(at) - NOMINAL - 2.0).abs() < 1e-9);
+            assert_eq!(radius(drawn.place(0.3, -99.0)), 0.0);
+            let chart = drawn.chart(String::new());
+            let [_, [out, _]] = chart.bounds;
+            for item in &chart.items {
+                if let Item::Line(points, ..) = item {
+                    assert!(points.iter().all(|at| radius(*at) <= out), "{points:?}");
+                }
+            }
+        });
+    }
+
+    #[test]
+    fn what_is_pointed_at_is_found_at_its_angle_on_every_turn_of_many_samples() {
+        let mut workbench = workbench();
+        workbench.execute(Command::Simulate(Simulated {
+            step_deg: 0.05,
+            ..Simulated::default()
+        }));
+        workbench.receive();
+        let key = workbench.view().panes.active_chart().map(|(key, _)| key);
+        let panes = workbench.with_choice(key.expect("a chart"), "polar");
+        workbench.execute(Command::View(ViewChange::Panes(Box::new(panes))));
+        workbench.receive();
+        of(&workbench, |drawn| {
+            assert!(drawn.of.envelope.is_some());
+            for sample in [0, 17, 4_000] {
+                let [x, y] = drawn.marks(sample)[0];
+                let near = drawn.near([x - 0.1, x + 0.1], [y - 0.1, y + 0.1]);
+                let q = drawn.of.dot(sample).x;
+                let far = |s: &usize| (drawn.of.dot(*s).x - q).abs();
+                assert!(
+                    !near.is_empty() && near.iter().all(|s| far(s) < 0.1),
+                    "{sample}"
+                );
+            }
+        });
+    }
+
+    #[test]
+    fn a_length_is_outside_the_circle_and_so_is_its_tolerance() {
+        let mut workbench = workbench();
+        workbench.execute(Command::Edit(Edit::Tolerance(Some(0.2))));
+        let band = |workbench: &Workbench| of(workbench, |drawn| drawn.band().expect("a band"));
+        let component = |c| Command::View(ViewChange::Component(c));
+        workbench.execute(component(Component::Length));
+        assert_eq!(band(&workbench)[0], 0.0);
+        workbench.execute(component(Component::Radial));
+        let [low, high] = band(&workbench);
+        assert!(low < 0.0 && high > 0.0);
+        workbench.execute(Command::Edit(Edit::Tolerance(Some(1e9))));
+        let [low, high] = band(&workbench);
+        assert!(-NOMINAL < low && high < NOMINAL);
+    }
+}
