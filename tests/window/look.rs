@@ -295,7 +295,7 @@ fn the_preview_of_an_export_shows_lines_and_what_they_mean_on_demand() {
         "the sign"
     );
     assert!(!says(&window, "robot reached"), "the example");
-    let lines = (-150..-130).filter(|degree| says(&window, &format!("{degree},0.3")));
+    let lines = (-150..=150).filter(|degree| says(&window, &format!("{degree},0.3")));
     assert!(lines.count() >= 15, "lines of the table");
     into_sight(&mut window, "What the numbers mean");
     press(&mut window, "What the numbers mean");

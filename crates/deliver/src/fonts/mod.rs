@@ -1,7 +1,7 @@
 //! Letters: which the bundled fonts have.
 //!
 //! Five fonts travel with the program: Inter in two weights, Ubuntu Light (Cyrillic, Greek, Vietnamese), Hack (arrows,
-//! mathematical signs), and of Noto Sans SC what the Chinese catalogue has and the 3755 commonest characters. A character
+//! mathematical signs), and of Noto Sans SC what the Chinese catalogue and GB 2312 have. A character
 //! that none of them has is a box in the window and its code in a PDF, and the export says which.
 //!
 //! Source of the tables that are read: `OpenType` 1.9, `cmap`, `OS/2`, `name`.

@@ -255,12 +255,12 @@ mod tests {
     #[test]
     fn every_character_is_shown_or_named() {
         let fonts = Fonts::new().unwrap();
-        let runs = fonts.runs("Ось ± 中", false);
+        let runs = fonts.runs("Ось ± 中ก", false);
         let faces: Vec<usize> = runs.iter().map(|r| r.face).collect();
-        assert_eq!(faces, [2, 0, 0], "Cyrillic, then Inter, then a code");
-        assert_eq!(runs[2].instead_of, Some('中'));
-        let code: String = runs[2].glyphs.iter().map(|(_, c)| c).collect();
-        assert_eq!(code, "[U+4E2D]");
+        assert_eq!(faces, [2, 0, 4, 0], "Cyrillic, Inter, Chinese, a code");
+        assert_eq!(runs[3].instead_of, Some('ก'));
+        let code: String = runs[3].glyphs.iter().map(|(_, c)| c).collect();
+        assert_eq!(code, "[U+0E01]");
     }
 
     #[test]
