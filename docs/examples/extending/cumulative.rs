@@ -47,7 +47,7 @@ impl ChartKind for Cumulative {
         }))
     }
 
-    fn show<'a>(&self, scene: &'a Scene<'a>) -> Result<Shown<'a>, ChartPlaceholder> {
+    fn show<'a>(&self, scene: &'a Scene) -> Result<Shown<'a>, ChartPlaceholder> {
         let sorted: &Sorted = scene.found().ok_or_else(ChartPlaceholder::yet)?;
         if sorted.0.is_empty() {
             return Err(ChartPlaceholder::new(

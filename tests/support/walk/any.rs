@@ -381,7 +381,7 @@ pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Fi
     match random.random_range(0..160) {
         0..=29 => Command::Edit(edit(random, workbench)),
         30..=49 => Command::Drag(edit(random, workbench)),
-        50..=55 => Command::EndDrag,
+        50..=55 | 150 => Command::EndDrag,
         56..=63 => Command::Undo,
         64..=67 => Command::Redo,
         68 if random.random() => {
@@ -449,7 +449,6 @@ pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Fi
         148 if random.random_range(0..4) == 0 => Command::Leave,
         75..=77 | 148 => Command::View(ViewChange::Dismiss),
         149 => own_robot(random, workbench),
-        150 => Command::EndDrag,
         151 => look(random),
         158 if random.random_range(0..8) == 0 => Command::Prepare,
         158 => Command::CopyNumbers(chart(random)),

@@ -75,7 +75,7 @@ impl Allowance {
     pub(super) fn at_the_targets(self, calibration: &Calibration) -> Self {
         let gap_mm = calibration.history.last().map_or(0.0, |step| step.gap_mm);
         let mm = AT_THE_TARGETS * gap_mm;
-        if !(mm > self.mm) {
+        if mm.is_nan() || mm <= self.mm {
             return self;
         }
         Self {
