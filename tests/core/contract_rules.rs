@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 
 use serde_json::Value;
 
+use crate::house::files_ending;
 use crate::program::truepose;
 use crate::rig::Random;
 
@@ -92,28 +93,14 @@ fn holds(session: &Path, folder: &Path) {
     );
 }
 
-/// Every session below a folder.
+/// Every session below a folder; none of a folder that is not there.
 fn sessions_below(folder: &Path) -> Vec<PathBuf> {
-    let text = |path: &PathBuf| std::fs::read_to_string(path).unwrap_or_default();
     let is_session = |path: &PathBuf| {
-        let document = path.extension().is_some_and(|e| e == "json");
-        document && text(path).contains("\"truepose-session/1\"")
+        let text = std::fs::read_to_string(path).unwrap_or_default();
+        text.contains("\"truepose-session/1\"")
     };
-    files(folder).into_iter().filter(is_session).collect()
-}
-
-fn files(folder: &Path) -> Vec<PathBuf> {
-    let entries = std::fs::read_dir(folder).into_iter().flatten();
-    let mut found = Vec::new();
-    for path in entries.map(|entry| entry.unwrap().path()) {
-        if path.is_dir() {
-            found.extend(files(&path));
-        } else {
-            found.push(path);
-        }
-    }
-    found.sort();
-    found
+    let all = folder.is_dir().then(|| files_ending(folder, "json"));
+    all.into_iter().flatten().filter(is_session).collect()
 }
 
 /// Of some; with `EVERY_SESSION` set of every one that there is, and of those in ../shared/practice, where it is there.

@@ -7,11 +7,12 @@ use truepose::compensation::{Compensation, VerifiedCalibration};
 use truepose::diagnosis::Options;
 use truepose::effects::{Inputs, JointValues};
 use truepose::model::Model;
-use truepose::pipeline::{Method, compensate, diagnose, identify};
+use truepose::pipeline::{Method, compensate, diagnose, identify, verify};
 use truepose::programs::{Answer, Reason};
 use truepose::sessions::Session;
 use truepose::simulation::{Scenario, parse_scenario, simulate, unwatched};
 
+use crate::odd_rows::from_afar;
 use crate::programs::request;
 use crate::rig::Random;
 
@@ -172,4 +173,35 @@ fn visits_to_few_places_are_no_unseen_poses() {
     let answer = diagnose(&session, &Options::default(), &|_| true).unwrap();
     let gaps = answer.held_out.gaps.expect("cross-validated");
     assert!(gaps.end_mm > 5.0 * answer.gap.end_mm, "{gaps:?}");
+}
+
+/// What one joint shows says nothing of the others: no figure of unseen poses is given, and where the instrument stands, which
+/// is as unsure as they are, is fitted to the next session.
+#[test]
+fn one_joint_that_was_swept_tells_neither_unseen_poses_nor_the_frame() {
+    let diagnosed = |rows: &[[f64; 6]]| {
+        let (_, mut session) = measured(rows, &mut Random(5), 1);
+        from_afar(&mut session);
+        let answer = diagnose(&session, &Options::default(), &|_| true).unwrap();
+        let calibration = answer.calibration(&session);
+        (answer.held_out.gaps, calibration)
+    };
+    let mut random = Random(3);
+    let rows: Vec<_> = (0..60).map(|_| anywhere(&mut random, 1.0)).collect();
+    let (_, mut unseen) = measured(&rows, &mut Random(5), 2);
+    from_afar(&mut unseen);
+    for (kind, is_shown) in [("one joint", false), ("anywhere", true)] {
+        let rows = match kind {
+            "anywhere" => rows.clone(),
+            kind => design(kind, &mut random),
+        };
+        let (gaps, calibration) = diagnosed(&rows);
+        assert_eq!(gaps.is_some(), is_shown, "{kind}");
+        let verified = verify(&calibration, &unseen).unwrap();
+        let is_fitted = verified
+            .notes
+            .iter()
+            .any(|note| note.to_string().contains("do not determine the frame"));
+        assert_eq!(is_fitted, !is_shown, "{kind}: {:?}", verified.notes);
+    }
 }

@@ -37,12 +37,17 @@ pub(crate) fn sources() -> Vec<PathBuf> {
 
 /// Every Rust file below a folder.
 pub(crate) fn files(folder: &Path) -> Vec<PathBuf> {
+    files_ending(folder, "rs")
+}
+
+/// Every file of this ending below a folder.
+pub(crate) fn files_ending(folder: &Path, ending: &str) -> Vec<PathBuf> {
     let mut found = Vec::new();
     for entry in fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();
         if path.is_dir() {
-            found.extend(files(&path));
-        } else if path.extension().is_some_and(|e| e == "rs") {
+            found.extend(files_ending(&path, ending));
+        } else if path.extension().is_some_and(|e| e == ending) {
             found.push(path);
         }
     }

@@ -202,7 +202,7 @@ fn stations_of_different_scale_are_told_apart() {
 }
 
 /// Measurements one after another, a quarter of a minute each, of a robot that is seen from three metres and a half away.
-fn from_afar(session: &mut Session) {
+pub(crate) fn from_afar(session: &mut Session) {
     let n = session.samples.len();
     let samples = &mut session.samples;
     samples.x_mm.iter_mut().for_each(|x| *x += 3500.0);

@@ -178,17 +178,17 @@ fn card(response: &Response, workbench: &Workbench, sample: usize, pointer: Pos2
     };
     let small = FontId::proportional(size::SMALL);
     let mut text = LayoutJob::default();
-    let mut write = |part: &str, font: &FontId, color| {
-        text.append(part, 0.0, TextFormat::simple(font.clone(), color));
+    let mut write = |part: &str, apart: f32, font: &FontId, color| {
+        text.append(part, apart, TextFormat::simple(font.clone(), color));
     };
-    write(&title, &strong(size::BODY), palette.text);
+    write(&title, 0.0, &strong(size::BODY), palette.text);
     if !chosen {
-        let more = format!("    {}", say!("click for more"));
-        write(&more, &small, palette.muted);
+        write(say!("click for more"), 2.0 * MARGIN, &small, palette.muted);
     }
     for (name, value) in &lines {
-        write(&format!("\n{name}  "), &small, palette.muted);
-        write(value, &small, palette.text);
+        write("\n", 0.0, &small, palette.muted);
+        write(name, 0.0, &small, palette.muted);
+        write(value, MARGIN, &small, palette.text);
     }
     let text = ctx.fonts_mut(|fonts| fonts.layout_job(text));
     let size = text.size() + Vec2::splat(2.0 * MARGIN);

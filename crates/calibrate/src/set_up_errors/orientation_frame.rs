@@ -8,6 +8,7 @@ use nalgebra::{DMatrix, DVector, Point3, Rotation3, UnitQuaternion, Vector3};
 
 use super::DataProblem;
 use super::orientations::{Pairs, joint_values};
+use super::thinned::MOST_SAMPLES;
 use super::thresholds::{FEWEST_SAMPLES, MENDED_SHARE};
 use crate::decompose::svd;
 use crate::effects::JointValues;
@@ -16,8 +17,6 @@ use crate::kinematics::rigid_motion::rigid_motion;
 use crate::sessions::{Session, SessionCorrection};
 use crate::units::deg_from_rad;
 
-/// Samples that are looked at.
-const MOST_SAMPLES: usize = 200;
 /// No frame is turned by less on purpose, and zeros of joints that are off turn it by as much.
 const SMALLEST_RAD: f64 = 5e-3;
 /// What the turns leave in the median moves their frame by less than this many times as much.

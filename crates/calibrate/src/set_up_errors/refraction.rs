@@ -75,9 +75,7 @@ pub(super) fn straightened(
         let of = |i: usize, factor: usize| point(i).push(farthest_mm)[factor] / farthest_mm;
         left.column(|i| Vector3::ith(k % 3, of(i, first) * of(i, second)))
     });
-    let q = beside.with(&quadratic.collect::<Vec<_>>()).1;
-
-    if q > nats {
+    if beside.with(&quadratic.collect::<Vec<_>>()).1 > nats {
         return None;
     }
     let mend = SessionCorrection::StraightenSight((by_mm / farthest_mm.powi(2)).into());

@@ -88,19 +88,19 @@ mod tests {
     use crate::diagnosis::verdict::equal_steps::equal_steps;
     use crate::simulation::{parse_scenario, simulate, unwatched};
 
-    /// One axis with a gear's error of order 88, at these angles.
-    fn orders_at(angles: &[f64]) -> (Vec<f64>, Option<String>) {
+    /// One axis with a gear's error of this order, at these angles.
+    fn orders_at(order: f64, angles: &[f64]) -> (Vec<f64>, Option<String>) {
         let stops: Vec<String> = angles
             .iter()
             .map(|q| format!(r#"{{"q_deg":[{q}]}}"#))
             .collect();
         let scenario = format!(
             r#"{{"format":"truepose-scenario/1","name":"gear","robot":{{"name":"r","joints":[
-            {{"name":"pan","kind":"revolute","axis":[0,0,1],"point_mm":[0,0,0],"limits":[-170,170]}}],
+            {{"name":"pan","kind":"revolute","axis":[0,0,1],"point_mm":[0,0,0],"limits":[-350,350]}}],
             "tool":{{"position_mm":[400,0,300],"quaternion_wxyz":[1,0,0,0]}}}},"targets":{{"T1":[0,0,0]}},
             "instrument":{{"name":"tracker","sigma_mm":0.02}},"poses":{{"list":[{}]}},
             "effects":[{{"effect":"gear-transmission-error","joint":1,
-            "parameters":{{"order":88,"amplitude_deg":0.02,"phase_deg":20}}}}],
+            "parameters":{{"order":{order},"amplitude_deg":0.02,"phase_deg":20}}}}],
             "noise":{{"sigma_mm":0.02,"kind":"gauss"}},"seed":3}}"#,
             stops.join(",")
         );
@@ -126,7 +126,7 @@ mod tests {
     #[test]
     fn orders_that_equal_steps_cannot_part_are_all_said() {
         let angles: Vec<f64> = (0..66).map(|k| 5.0 * f64::from(k) - 165.0).collect();
-        let (orders, said) = orders_at(&angles);
+        let (orders, said) = orders_at(88.0, &angles);
         let wanted = [
             16.0, 56.0, 88.0, 128.0, 160.0, 200.0, 232.0, 272.0, 304.0, 344.0,
         ];
@@ -139,6 +139,15 @@ mod tests {
     fn uneven_steps_leave_no_other_order() {
         let turn = |k: i32| 330.0 * (f64::from(k) * 0.754_877_666).fract() - 165.0;
         let angles: Vec<f64> = (0..90).map(turn).collect();
-        assert_eq!(orders_at(&angles), (vec![88.0], None));
+        assert_eq!(orders_at(88.0, &angles), (vec![88.0], None));
+    }
+
+    #[test]
+    fn over_two_turns_an_order_between_whole_ones_is_found() {
+        let turn = |k: i32| 690.0 * (f64::from(k) * 0.754_877_666).fract() - 345.0;
+        let angles: Vec<f64> = (0..90).map(turn).collect();
+        let (orders, _) = orders_at(100.5, &angles);
+        assert_eq!(orders.len(), 1);
+        assert!((orders[0] - 100.5).abs() < 0.03, "{orders:?}");
     }
 }
