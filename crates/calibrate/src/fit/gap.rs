@@ -102,6 +102,25 @@ fn each_block(problem: &Problem, model: &Model, mut take: impl FnMut([&[f64]; 3]
     });
 }
 
+/// Which samples there were to fit and are set aside: of one that was measured in several ways any of them.
+pub(crate) fn set_aside(problem: &Problem) -> Vec<bool> {
+    let samples = problem.fit.iter().zip(&problem.used);
+    let plain = || samples.map(|(fit, used)| *fit && !used).collect();
+    let layer = problem.observed.as_ref();
+    layer.map_or_else(plain, |layer| layer.samples_with(&layer.suspected))
+}
+
+/// RMS error and largest of some lengths over the samples that are fitted.
+pub(crate) fn over_fitted(problem: &Problem, lengths_mm: &[f64]) -> Option<Spread> {
+    let apart = set_aside(problem);
+    Spread::of(lengths_mm, |i| problem.fit[i], |i| apart[i])
+}
+
+/// RMS error of a model over the samples that are fitted, without suspected outliers, mm.
+pub(crate) fn rms_mm(problem: &Problem, model: &Model) -> f64 {
+    over_fitted(problem, &lengths_mm(problem, model)).map_or(0.0, |s| s.rms_mm)
+}
+
 /// Like [`suspects`] beside a fit of so many coefficients, which has not seen what it left out: there the
 /// deviations are changed.
 pub(crate) fn suspects_beside(

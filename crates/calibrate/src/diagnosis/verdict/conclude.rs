@@ -6,7 +6,7 @@ use std::borrow::Cow;
 use crate::effects::{JointValues, Term, called};
 use crate::fit::base_model;
 use crate::fit::expected::expected_error;
-use crate::fit::gap::{Spread, deviations, lengths_mm, suspects};
+use crate::fit::gap::{deviations, lengths_mm, over_fitted, suspects};
 use crate::fit::problem::Problem;
 use crate::kinematics::Robot;
 use crate::model::{ResidualStep, SetUp};
@@ -121,7 +121,7 @@ pub(crate) fn answer(
     );
     let mut held_out = held_out(prepared, &nominal_mm, handed_out.held_out_mm);
     let counted = &handed_out.values.problem;
-    let start = Spread::of(&nominal_mm, |i| counted.fit[i], |i| !counted.used[i]);
+    let start = over_fitted(counted, &nominal_mm);
     let mut gap = Gaps {
         start_mm: start.map_or(0.0, |s| s.rms_mm),
         identified_mm: handed_out.identified_mm,

@@ -34,7 +34,7 @@
 use std::borrow::Cow;
 
 use crate::effects::Term;
-use crate::fit::gap::{GROSS_SHARE, Spread, lengths_mm};
+use crate::fit::gap::{GROSS_SHARE, lengths_mm, rms_mm};
 use crate::fit::problem::Problem;
 use crate::fit::solver::solve;
 use crate::model::Model;
@@ -244,13 +244,6 @@ fn counted_as_by_identify<'p, 'a>(
     let mut now = problem.clone();
     now.set_counted(prepared.counted_by_identify.clone());
     Cow::Owned(now)
-}
-
-/// RMS error of a model over the samples that are fitted, without suspected outliers, mm.
-fn rms_mm(problem: &Problem, model: &Model) -> f64 {
-    let left_mm = lengths_mm(problem, model);
-    let spread = Spread::of(&left_mm, |i| problem.fit[i], |i| !problem.used[i]);
-    spread.map_or(0.0, |s| s.rms_mm)
 }
 
 /// Whether any sample was set aside as a suspected outlier.

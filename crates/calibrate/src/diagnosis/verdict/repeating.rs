@@ -2,7 +2,7 @@
 //! carries it. The verdict is about names and does not know of it.
 
 use crate::effects::curve::Curve;
-use crate::fit::gap::{Spread, lengths_mm};
+use crate::fit::gap::{lengths_mm, rms_mm};
 use crate::fit::problem::Problem;
 use crate::kinematics::JointKind;
 use crate::model::Model;
@@ -101,12 +101,6 @@ fn median_mm(problem: &Problem, model: &Model) -> f64 {
     let left_mm = lengths_mm(problem, model);
     let fitted = left_mm.iter().zip(&problem.fit).filter(|own| *own.1);
     median(fitted.map(|own| *own.0).filter(|mm| mm.is_finite())).unwrap_or(0.0)
-}
-
-fn rms_mm(problem: &Problem, model: &Model) -> f64 {
-    let left_mm = lengths_mm(problem, model);
-    let spread = Spread::of(&left_mm, |i| problem.fit[i], |i| !problem.used[i]);
-    spread.map_or(0.0, |s| s.rms_mm)
 }
 
 /// The RMS error of samples that the session or an option holds out, without and with the curve, which has not

@@ -7,7 +7,7 @@
 use nalgebra::DMatrix;
 
 use crate::effects::Term;
-use crate::fit::gap::{Spread, deviations, lengths_mm};
+use crate::fit::gap::{Spread, deviations, lengths_mm, over_fitted, rms_mm, set_aside};
 use crate::fit::problem::Problem;
 use crate::fit::solver::{Solution, solve};
 use crate::fit::unseen::completed;
@@ -171,9 +171,7 @@ impl<'a> Values<'a> {
 
     /// Root mean square length of what is left of the samples that count, mm.
     pub(crate) fn rms_mm(&self) -> f64 {
-        let left_mm = lengths_mm(&self.problem, &self.model);
-        let spread = Spread::of(&left_mm, |i| self.problem.fit[i], |i| !self.problem.used[i]);
-        spread.map_or(0.0, |s| s.rms_mm)
+        rms_mm(&self.problem, &self.model)
     }
 
     /// Root mean square length of what is left beside the model and the columns that were fitted with it, of
@@ -412,17 +410,10 @@ impl<'a> Values<'a> {
             // Observations were judged one by one: of a sample one may be far off.
             return answer;
         }
-        let apart = |i: usize| problem.fit[i] && !problem.used[i];
-        let over_fit = |model: &Model| {
-            let left = lengths_mm(problem, model);
-            let spread = Spread::of(&left, |i| problem.fit[i], apart);
-            (left, spread)
-        };
-        let (_, before) = over_fit(nominal);
-        let (left, after) = over_fit(&self.model);
-        answer.gap.before = before.unwrap_or(answer.gap.before);
-        answer.gap.after = after.unwrap_or(answer.gap.after);
-        answer.outliers = outliers(&left, (0..problem.used.len()).map(apart));
+        let [before, left] = [nominal, &self.model].map(|model| lengths_mm(problem, model));
+        answer.gap.before = over_fitted(problem, &before).unwrap_or(answer.gap.before);
+        answer.gap.after = over_fitted(problem, &left).unwrap_or(answer.gap.after);
+        answer.outliers = outliers(&left, set_aside(problem).into_iter());
         answer
     }
 
