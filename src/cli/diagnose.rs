@@ -39,7 +39,7 @@ pub(crate) struct Diagnose {
     /// Share of the samples to lock away from everything, such as 0.25 [default: cross-fitted]
     #[arg(long, value_name = "FRACTION", allow_negative_numbers = true)]
     held_out: Option<f64>,
-    /// Seed of the simulated noise; names do not depend on it
+    /// Seed of what is drawn where poses are proposed; names do not depend on it
     #[arg(long, value_name = "N", default_value_t = 0)]
     seed: u64,
     /// Joint values to start from

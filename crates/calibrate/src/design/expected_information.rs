@@ -56,7 +56,7 @@ pub(crate) fn expected(
     options: &Options,
 ) -> Result<ExpectedInformation, DiagnoseError> {
     let prepared = PreparedSearch::new(session, options)?;
-    let regression = with_noise(&prepared, sigma_mm, options.seed);
+    let regression = prepared.regression.with_noise(Noise::white(sigma_mm));
     let mut fit = regression.fit(&regression.base, &[]);
     // The residual is that of noise of exactly the stated size.
     let freedom = regression.m() - fit.basis.rank() as f64;
@@ -72,12 +72,6 @@ pub(crate) fn expected(
         alike: alike(&regression, &fit),
         not_testable,
     })
-}
-
-fn with_noise<'a>(prepared: &PreparedSearch<'a>, sigma_mm: f64, seed: u64) -> Regression<'a> {
-    let mut regression = prepared.regression.with_noise(Noise::white(sigma_mm));
-    regression.seed = seed;
-    regression
 }
 
 /// Columns of one name at one setting, orthonormal, beside the base.

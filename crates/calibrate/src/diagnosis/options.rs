@@ -14,7 +14,7 @@ pub struct Options {
     pub max_effects: Option<usize>,
     /// Share of the samples to lock away from everything.
     pub held_out: Option<f64>,
-    /// Seed of the simulated residuals.
+    /// Seed of what is drawn where poses are proposed.
     pub seed: u64,
     /// Joint values to start from.
     pub joint_values: JointValues,

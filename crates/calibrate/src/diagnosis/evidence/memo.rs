@@ -34,7 +34,8 @@ impl<T: Clone> Memo<T> {
         self.computed.borrow_mut().clear();
     }
 
-    fn of_key(&self, key: Vec<u64>, work: impl FnOnce() -> T) -> T {
+    /// The same for what a key tells.
+    pub(crate) fn of_key(&self, key: Vec<u64>, work: impl FnOnce() -> T) -> T {
         let known = self.computed.borrow().iter().find(|k| k.0 == key).cloned();
         if let Some((_, answer)) = known {
             return answer;

@@ -3,7 +3,7 @@
 //!
 //! - `regression`: the whitened rows and the table; `fit`, `fitting`, `refine`, `placement`: fits to them.
 //! - `score`, `scores`, `projected`, `surroundings`, `beside_fits`: what candidates would do beside a fit.
-//! - `likelihood`: how fits are compared; `significance`, `trials`, `noise_alone`, `familywise`: what noise does.
+//! - `likelihood`: how fits are compared; `significance`, `trials`, `familywise`: what noise does.
 //! - `held_out`, `reduced_basis`, `exchanged`, `rescanned`: errors on samples that a fit has not seen.
 //! - `rival`: another explanation of the same samples.
 //! - `memo`, `known_fits`, `base_basis`: what was computed before; `work`: how much may be computed; `thinned`: on how
@@ -19,7 +19,6 @@ mod held_out;
 mod known_fits;
 mod likelihood;
 pub(crate) mod memo;
-mod noise_alone;
 mod placement;
 mod projected;
 mod reduced_basis;

@@ -2,7 +2,7 @@
 //! named terms and anonymous shapes to the same rows. How fits are compared: [`super::likelihood`]; what
 //! each candidate would do beside one: [`super::scores`].
 
-use std::cell::{OnceCell, RefCell};
+use std::cell::OnceCell;
 use std::rc::Rc;
 
 use nalgebra::{DMatrix, DVector};
@@ -12,10 +12,10 @@ use crate::fit::problem::Problem;
 use crate::model::Model;
 
 use super::base_basis::BaseBasis;
+use super::familywise::LargestInNoise;
 use super::fit::Fit;
 use super::known_fits::KnownFits;
 use super::memo::Memo;
-use super::noise_alone::Familywise;
 use super::projected::Grams;
 use super::rival::Rival;
 use super::score::Score;
@@ -43,12 +43,12 @@ pub(crate) struct Regression<'a> {
     priors: Vec<PriorRow>,
     /// Number of rows beside those of the samples.
     pub(crate) prior_rows: usize,
-    pub(crate) seed: u64,
     /// On how many threads parts of it are done; the answer is the same.
     pub(crate) threads: Threads,
     /// What was done so far of what may be done.
     pub(crate) work: Work,
-    pub(crate) familywise: RefCell<Familywise>,
+    /// What noise alone does beside fits.
+    pub(super) largest_in_noise: Memo<LargestInNoise>,
     pub(super) fits: KnownFits,
     pub(super) scores_of_names: Memo<Vec<Score>>,
     pub(super) scores_of_shapes: Memo<Vec<Score>>,
@@ -93,10 +93,10 @@ impl<'a> Regression<'a> {
         noise: Noise,
         table: Rc<CandidateTable>,
         base: Model,
-        (seed, threads): (u64, Threads),
+        threads: Threads,
     ) -> Self {
         let few = Rc::new(rows.spread(FEW_SAMPLES));
-        Self::of(problem, (rows, few), noise, table, base, (seed, threads))
+        Self::of(problem, (rows, few), noise, table, base, threads)
     }
 
     fn of(
@@ -105,7 +105,7 @@ impl<'a> Regression<'a> {
         noise: Noise,
         table: Rc<CandidateTable>,
         base: Model,
-        (seed, threads): (u64, Threads),
+        threads: Threads,
     ) -> Self {
         let priors = prior_rows(&problem, &base);
         let beside = priors.len() + rows.prior_rows(&base, &problem.priors).0.len();
@@ -136,9 +136,8 @@ impl<'a> Regression<'a> {
             base,
             priors,
             prior_rows: beside,
-            seed,
             threads,
-            familywise: RefCell::new(Familywise::default()),
+            largest_in_noise: Memo::new(UNSEEN_KEPT),
             fits: KnownFits::new(last_fits / 2, last_fits),
             scores_of_names: Memo::new(SCORES_KEPT),
             scores_of_shapes: Memo::new(SCORES_KEPT),
@@ -156,7 +155,7 @@ impl<'a> Regression<'a> {
             noise,
             Rc::clone(&self.table),
             self.base.clone(),
-            (self.seed, self.threads),
+            self.threads,
         );
         Self {
             tests: Rc::clone(&self.tests),
@@ -249,7 +248,7 @@ impl<'a> Regression<'a> {
     pub(crate) fn forget(&self) {
         self.make_room();
         self.fits.clear();
-        *self.familywise.borrow_mut() = Familywise::default();
+        self.largest_in_noise.clear();
     }
 
     pub(crate) fn base_basis(&self) -> &BaseBasis {

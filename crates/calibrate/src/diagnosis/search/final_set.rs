@@ -52,7 +52,8 @@ pub(crate) fn tested(
         let worst = worths.into_iter().find_map(|(worth, term, useful)| {
             let useful = useful && worth.ln_odds > BEYOND_DOUBT;
             let unlikely = worth.ln_odds < needed(&fit, term).max(0.0);
-            let improbable = || regression.is_improbable(worth.minus_ln_p, CHANCE_OF_A_STEP, &fit);
+            let improbable =
+                || regression.in_noise(&fit).chance(worth.minus_ln_p) > CHANCE_OF_A_STEP;
             let useless = || !useful && prepared.folds.rms(regression, &worth.rest) <= unseen;
             (unlikely || improbable() || useless()).then_some(worth.rest)
         });

@@ -359,7 +359,7 @@ fn bare_regression<'a>(
         Noise::white(1.0),
         Rc::new(table),
         base.clone(),
-        (options.seed, Threads::of(options.threads)),
+        Threads::of(options.threads),
     )
 }
 

@@ -20,7 +20,7 @@ pub(crate) fn limits(regression: &Regression, fit: &Fit) -> Vec<Limit> {
     let projected = regression.projected(&fit.basis, CandidateSubset::Names);
     let freedom = regression.m() - fit.basis.rank() as f64;
     let scale = regression.scale(fit).max(1e-300);
-    let threshold = regression.minus_ln_p_for(CHANCE_OF_A_STEP, fit);
+    let threshold = regression.in_noise(fit).quantile(CHANCE_OF_A_STEP);
     let mut groups: Vec<(&'static str, usize, Vec<usize>)> = Vec::new();
     for (index, candidate) in regression.table.candidates.iter().enumerate() {
         let Some(term) = candidate.what.term() else {
