@@ -114,6 +114,8 @@ fn of_sessions_of_the_repository() {
         "tests/data/arm_verdicts/twenty-poses.json",
         "tests/data/arm_verdicts/two-cycle.json",
         "tests/data/programs/positioner.json",
+        // Points and orientations of which some stand apart.
+        "tests/data/standards/paths.json",
     ];
     let mut all: Vec<PathBuf> = some.map(|path| root.join(path)).into();
     if std::env::var_os("EVERY_SESSION").is_some() {

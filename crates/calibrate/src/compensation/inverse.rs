@@ -30,13 +30,13 @@ const STEP: f64 = 1e-4;
 /// A step below this (rad; mm: a thousand times as much) changes nothing any more.
 const SETTLED: f64 = 1e-14;
 /// The longest single step, rad; a model is not trusted further away.
-const LONGEST: f64 = 0.5;
+pub(super) const LONGEST: f64 = 0.5;
 /// Poses that do not settle by then oscillate in the last bit.
-const MOST_PASSES: usize = 40;
+pub(super) const MOST_PASSES: usize = 40;
 /// Directions in which the tool moves less than this part of the most are left alone.
-const FLATTEST: f64 = 1e-2;
+pub(super) const FLATTEST: f64 = 1e-2;
 /// Enough for the singular values of any small matrix.
-const MOST_ROTATIONS: usize = 1000;
+pub(super) const MOST_ROTATIONS: usize = 1000;
 /// Less lever than this (mm per rad, mm per mm) is none.
 const NO_LEVER: f64 = 1e-9;
 

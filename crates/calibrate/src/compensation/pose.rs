@@ -37,12 +37,11 @@ use crate::kinematics::{JointKind, Pose, Robot};
 use crate::lanes::{add_scaled, cross, dot, minus};
 use crate::model::Model;
 
+use super::inverse::{FLATTEST, LONGEST, MOST_PASSES, MOST_ROTATIONS};
 use super::plan::{part_of, selected};
 
 /// How far from the tool's origin the points stand that carry its orientation, mm.
 const LEVER_MM: f64 = 100.0;
-/// Directions in which the tool moves less than this part of the most are singular.
-const FLATTEST: f64 = 1e-2;
 /// The same for a position alone.
 const FLATTEST_POSITION: f64 = 5e-3;
 /// ε: directions in which the joints turn the tool less than this (rad per rad) are damped.
@@ -53,12 +52,6 @@ const NO_TURN: f64 = 1e-7;
 const SETTLED: f64 = 1e-10;
 /// The same where the orientation is damped: it settles slower, and to where rounding does not matter.
 const SETTLED_DAMPED: f64 = 1e-9;
-/// The longest single step, rad; a model is not trusted further away.
-const LONGEST: f64 = 0.5;
-/// Poses that do not settle by then do not settle.
-const MOST_PASSES: usize = 40;
-/// Enough for the singular values of any small matrix.
-const MOST_ROTATIONS: usize = 1000;
 /// So many poses go through at once: a block of the model.
 const AT_ONCE: usize = 64;
 

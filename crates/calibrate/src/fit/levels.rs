@@ -19,6 +19,7 @@ use super::base_model;
 use super::gap::lengths_mm;
 use super::problem::Problem;
 use super::solver::solve;
+use super::spread::spread;
 use crate::sessions::cells::{cells, folds_of_groups};
 
 /// Samples that levels are compared on.
@@ -33,7 +34,7 @@ const FEWEST: usize = 12;
 pub(crate) fn levels(problem: &Problem, identified: &Model) -> Vec<Level> {
     if problem.observed.is_none() && problem.samples() > MOST_SAMPLES {
         // A session of its own: the rows that do not count need not go through every fit.
-        let rows = problem.spread(MOST_SAMPLES);
+        let rows = spread(problem.counted(), MOST_SAMPLES);
         let session = problem
             .session
             .of_rows(&rows.iter().copied().map(Some).collect::<Vec<_>>());

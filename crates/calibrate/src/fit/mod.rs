@@ -47,7 +47,7 @@ pub(crate) mod spread;
 pub(crate) mod target_places;
 mod unidentifiable;
 mod unrepeated;
-mod usual_noise;
+pub(crate) mod usual_noise;
 
 pub use crate::answers::errors::{Errors, Expected, Level, Spread, UnusableReason};
 pub use crate::answers::identification::{

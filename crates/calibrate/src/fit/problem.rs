@@ -16,6 +16,7 @@ use crate::sessions::{Session, Sigma};
 use super::levers::Levers;
 use super::noise::Noise;
 use super::priors::Priors;
+use super::spread::spread;
 
 /// The rows of a least-squares problem: which samples count, and with what weight.
 #[derive(Debug, Clone)]
@@ -216,17 +217,11 @@ impl<'a> Problem<'a> {
         let counted = self.counted();
         if counted.iter().filter(|c| **c).count() > most {
             let mut kept = vec![false; counted.len()];
-            for k in self.spread(most) {
+            for k in spread(counted, most) {
                 kept[k] = true;
             }
             self.set_counted(kept);
         }
-    }
-
-    /// So many of those that count, spread evenly; there are at least as many.
-    pub(crate) fn spread(&self, most: usize) -> Vec<usize> {
-        let count = self.counted().iter().filter(|c| **c).count();
-        self.counted_at((0..most).map(|k| k * count / most))
     }
 
     /// Those that count at ascending places among all that do.

@@ -14,6 +14,7 @@ use super::levers::{Moves, levers, moving_joints};
 use super::noise::Noise;
 use super::priors::Priors;
 use super::problem::Problem;
+use super::spread::places;
 
 /// How well a size that no measurement shows is held, as a ratio: far better than the samples show
 /// it, and no better than a basis can carry.
@@ -107,8 +108,7 @@ impl<'a> Rows<'a> {
         };
         let mut all: Vec<usize> = (0..self.samples.len()).map(own).collect();
         all.dedup();
-        let every = all.len().div_ceil(samples.max(1)).max(1);
-        let few: Vec<usize> = all.into_iter().step_by(every).collect();
+        let few: Vec<usize> = places(all.len(), samples).map(|k| all[k]).collect();
         let kept = |k: &usize| few.binary_search(&own(*k)).is_ok();
         let at: Vec<usize> = (0..self.samples.len()).filter(kept).collect();
         let mut marked = vec![false; self.samples.len()];

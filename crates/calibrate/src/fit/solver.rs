@@ -365,7 +365,7 @@ fn rms(normal: &Normal) -> f64 {
 }
 
 /// Convergence is quadratic where the residuals vanish and fast where they are small, so a step
-/// that moves the samples by a ten-thousandth of the residual is the last. Where nothing is left
+/// that moves the samples by a millionth of the residual is the last. Where nothing is left
 /// the limit is rounding.
 fn negligible(step: &DVector<f64>, normal: &Normal) -> bool {
     displacement(step, normal) <= (1e-6 * rms(normal)).max(1e-13)

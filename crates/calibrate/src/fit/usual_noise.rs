@@ -5,7 +5,7 @@ use crate::sessions::Sigma;
 use super::problem::Problem;
 
 /// Noise where none is stated, mm: that of a tracker.
-pub(super) const USUAL_NOISE_MM: f64 = 0.05;
+pub(crate) const USUAL_NOISE_MM: f64 = 0.05;
 
 /// Variance of a coordinate of weight one, where the instrument's maker says.
 pub(super) fn stated_variance(problem: &Problem) -> Option<f64> {

@@ -6,6 +6,7 @@
 use crate::answers::diagnosis::DataProblem;
 use crate::effects::JointValues;
 use crate::fit::problem::digits_mm;
+use crate::fit::usual_noise::USUAL_NOISE_MM;
 use crate::sessions::{Session, SessionCorrection, Sigma};
 use crate::text::Text;
 
@@ -13,8 +14,6 @@ use super::problem::without_correction;
 
 /// What rounding adds matters above this share of the noise otherwise expected.
 const MATTERS: f64 = 1.0 / 3.0;
-/// The noise of a point where nothing is stated, mm: what a tracker has.
-const USUAL_NOISE_MM: f64 = 0.05;
 
 pub(super) fn coarse(session: &Session, _: JointValues) -> Vec<DataProblem> {
     let added_mm = digits_mm(session);

@@ -20,7 +20,7 @@ use super::arm_hypotheses::{Change, changes};
 use super::hypotheses::{LEAST_MOVE_MM, LEAST_TURN_DEG, change_of_measure, is_of_one_coordinate};
 use super::several::several;
 use super::thinned::thinned_to;
-use super::thresholds::{EQUAL, FEWEST_SAMPLES, HALF, MENDED_SHARE, NEARLY_ALL};
+use super::thresholds::{EQUAL, FEWEST_SAMPLES, HALF, MENDED_SHARE, NEARLY_ALL, PLAUSIBLE_SHARE};
 use super::trial::trial;
 use super::{DataProblem, as_it_stands};
 
@@ -30,8 +30,6 @@ const MOST_SAMPLES: usize = 120;
 const GROSS_SHARE: f64 = 0.005;
 /// … nor one below this share of the robot's reach …
 const GROSS_OF_ROBOT: f64 = 0.005;
-/// … and a robot without one leaves no more than this.
-const PLAUSIBLE_SHARE: f64 = 0.03;
 /// What leaves so many times as much as the best says the same in these samples.
 const ALIKE: f64 = 1.25;
 /// Where no mistake alone explains the samples, so many of the best are tried in pairs.

@@ -2,7 +2,7 @@
 
 use super::left::Left;
 use super::parts::RowsInOrder;
-use super::thinned::MOST_SAMPLES;
+use super::thresholds::MOST_SAMPLES;
 use crate::effects::JointValues;
 use crate::fit::base_model;
 use crate::sessions::Session;

@@ -6,6 +6,7 @@
 //! counts a turn, where one of these is near. The scale of a single joint that moves another part of what it is told (a
 //! hobby servo whose pulses were taken for degrees) is looked for on fits from the beginning.
 
+use super::thresholds::FEW_SAMPLES;
 use std::borrow::Cow;
 
 use crate::effects::{Inputs, JointValues, Term, joint_scale};
@@ -20,8 +21,6 @@ use super::groups::start_of;
 use super::measured_points::MeasuredPoints;
 use super::thinned::thinned_to;
 
-/// Samples that a ratio is judged by.
-const MOST_SAMPLES: usize = 60;
 /// Values within so many times the limits are out of them for another reason.
 const BEYOND: f64 = 2.0;
 /// Of a joint without limits, the turns that none makes.
@@ -46,7 +45,7 @@ pub(super) fn likely_ratios(
     values: JointValues,
     left: impl Fn(&Session) -> Option<f64>,
 ) -> Vec<(usize, f64)> {
-    let few = thinned_to(session, MOST_SAMPLES);
+    let few = thinned_to(session, FEW_SAMPLES);
     let Some(points) = MeasuredPoints::of(&few) else {
         return Vec::new();
     };
@@ -74,7 +73,7 @@ pub(super) fn likely_scales(
     values: JointValues,
     left: impl Fn(&Session) -> Option<f64>,
 ) -> Vec<f64> {
-    let few = thinned_to(session, MOST_SAMPLES);
+    let few = thinned_to(session, FEW_SAMPLES);
     let inputs = Inputs::new(&few, values);
     if few.robot.joints.len() != 1 || least_ratio(&few, &inputs, 0).is_some() {
         return Vec::new();

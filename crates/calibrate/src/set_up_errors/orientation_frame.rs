@@ -8,10 +8,10 @@ use nalgebra::{DMatrix, DVector, Point3, Rotation3, UnitQuaternion, Vector3};
 
 use super::DataProblem;
 use super::orientations::{Pairs, joint_values};
-use super::thinned::MOST_SAMPLES;
-use super::thresholds::{FEWEST_SAMPLES, MENDED_SHARE};
+use super::thresholds::{FEWEST_SAMPLES, MENDED_SHARE, MOST_SAMPLES};
 use crate::decompose::svd;
 use crate::effects::JointValues;
+use crate::fit::spread::places;
 use crate::kinematics::quaternion::log;
 use crate::kinematics::rigid_motion::rigid_motion;
 use crate::sessions::{Session, SessionCorrection};
@@ -84,8 +84,9 @@ impl Points {
             let counts = is_there && measured != Vector3::zeros() && !samples.is_excluded(i);
             counts.then(|| (point, measured, pose.rotation.to_rotation_matrix()))
         };
-        let step = samples.len().div_ceil(MOST_SAMPLES).max(1);
-        let rows: Vec<_> = (0..samples.len()).step_by(step).filter_map(row).collect();
+        let rows: Vec<_> = places(samples.len(), MOST_SAMPLES)
+            .filter_map(row)
+            .collect();
         (rows.len() >= FEWEST_SAMPLES).then_some(Self(rows))
     }
 

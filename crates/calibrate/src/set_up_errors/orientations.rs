@@ -10,16 +10,15 @@ use std::f64::consts::{PI, TAU};
 use nalgebra::{Matrix3, Quaternion, Rotation3, UnitQuaternion, Vector3};
 
 use super::DataProblem;
-use super::thresholds::{FEWEST_SAMPLES, GROSS_TURN_RAD, MENDED_SHARE};
+use super::thresholds::{FEW_SAMPLES, FEWEST_SAMPLES, GROSS_TURN_RAD, MENDED_SHARE};
 use crate::decompose::{eigen, svd};
 use crate::effects::JointValues;
+use crate::fit::spread::spread;
 use crate::kinematics::quaternion::log;
 use crate::numeric::median;
 use crate::sessions::{Session, SessionCorrection};
 use crate::text::Text;
 
-/// Samples that are looked at.
-const MOST_SAMPLES: usize = 60;
 /// Beyond this a turn may be one the other way round.
 const LARGEST_TURN_RAD: f64 = 2.6;
 /// Orientations that fit in no convention are wrong from here on: no robot's zeros are so far off. (Derived: the sum
@@ -282,15 +281,8 @@ impl Pairs {
             let q = Quaternion::new(w[i], x[i], y[i], z[i]);
             (q.norm() > 1e-9 && q.norm().is_finite()).then(|| UnitQuaternion::from_quaternion(q))
         };
-        let mut rows: Vec<usize> = (0..samples.len())
-            .filter(|i| !left_out(*i) && measured(*i).is_some())
-            .collect();
-        let all = rows.len();
-        if all > MOST_SAMPLES {
-            rows = (0..MOST_SAMPLES)
-                .map(|k| rows[k * all / MOST_SAMPLES])
-                .collect();
-        }
+        let counts = (0..samples.len()).map(|i| !left_out(i) && measured(i).is_some());
+        let rows = spread(&counts.collect::<Vec<_>>(), FEW_SAMPLES);
         if rows.len() < FEWEST_SAMPLES {
             return None;
         }

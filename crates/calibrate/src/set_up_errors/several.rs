@@ -23,10 +23,8 @@ use super::arm_hypotheses::{
 };
 use super::measured_points::MeasuredPoints;
 use super::thinned::thinned_to;
-use super::thresholds::EQUAL;
+use super::thresholds::{EQUAL, FEW_SAMPLES};
 
-/// Samples that a choice is judged by.
-const MOST_SAMPLES: usize = 60;
 /// Descents from choices that chance makes, beside those from the columns as they are and reversed.
 const RANDOM_STARTS: usize = 48;
 
@@ -237,7 +235,7 @@ impl<'a> Judge<'a> {
 
 /// The changes of an arm's samples that together explain them; none where no choice leaves less than `most_mm`.
 pub(super) fn several(part: &Session, values: JointValues, most_mm: f64) -> Vec<Change> {
-    let few = thinned_to(part, MOST_SAMPLES);
+    let few = thinned_to(part, FEW_SAMPLES);
     let Some(judge) = Judge::new(&few, values) else {
         return Vec::new();
     };

@@ -8,15 +8,10 @@ use crate::text::length;
 
 use super::as_it_stands::nominal_mm;
 use super::thinned::thinned_to;
-use super::thresholds::GROSS_SHARE;
-use super::thresholds::HALF;
+use super::thresholds::{FEW_SAMPLES, GROSS_SHARE, HALF, PLAUSIBLE_SHARE};
 
-/// Samples that are looked at.
-const MOST_SAMPLES: usize = 60;
 /// What the nominal robot leaves has to fall to less than this share of what it was …
 const MENDED: f64 = 0.1;
-/// … and of the spread of the points.
-const PLAUSIBLE_SHARE: f64 = 0.03;
 
 /// The session with its targets as places in the tool; `None` where they are.
 pub(super) fn corrected(
@@ -31,7 +26,7 @@ pub(super) fn corrected(
     if !stated {
         return None;
     }
-    let part = thinned_to(session, MOST_SAMPLES);
+    let part = thinned_to(session, FEW_SAMPLES);
     let before = nominal_mm(&part, values, true, HALF);
     if !before.is_finite() || before < GROSS_SHARE * session.robot.length_along_links_mm() {
         return None;

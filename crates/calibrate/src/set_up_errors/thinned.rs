@@ -1,24 +1,18 @@
 //! A session with an evenly spread part of its samples.
 
+use super::thresholds::MOST_SAMPLES;
+use crate::fit::spread::spread;
 use crate::sessions::{Samples, Session, Setups};
 
-/// Samples that a trial looks at.
-pub(super) const MOST_SAMPLES: usize = 400;
-
-/// Every so many-th sample, so that a trial is quick.
+/// Some samples, so that a trial is quick.
 pub(super) fn thinned(session: &Session) -> Session {
     thinned_to(session, MOST_SAMPLES)
 }
 
 pub(super) fn thinned_to(session: &Session, most: usize) -> Session {
     let held_out = session.samples.held_out.as_deref();
-    let mut keep: Vec<usize> = (0..session.samples.len())
-        .filter(|i| held_out.is_none_or(|h| !h[*i]))
-        .collect();
-    let n = keep.len();
-    if n > most {
-        keep = (0..most).map(|k| keep[k * n / most]).collect();
-    }
+    let counts = (0..session.samples.len()).map(|i| held_out.is_none_or(|h| !h[i]));
+    let keep = spread(&counts.collect::<Vec<_>>(), most);
     let old = &session.samples;
     let pick = |c: &Vec<f64>| -> Vec<f64> { keep.iter().map(|i| c[*i]).collect() };
     let each = |c: &[Option<Vec<f64>>]| c.iter().map(|c| c.as_ref().map(pick)).collect();

@@ -7,6 +7,18 @@ pub(super) const FEWEST_SAMPLES: usize = 6;
 
 pub(super) use crate::fit::gap::GROSS_TURN_RAD;
 
+/// Samples by which one of many choices is judged …
+pub(super) const FEW_SAMPLES: usize = 60;
+/// … and those that a trial looks at.
+pub(super) const MOST_SAMPLES: usize = 400;
+
+/// What a robot may leave that was never calibrated, as a share of the spread of the points.
+pub(super) const PLAUSIBLE_SHARE: f64 = 0.03;
+
+/// The logarithm by which a place or a part of the rows that differs has to make the samples likelier, its own place
+/// paid for.
+pub(super) const EVIDENCE: f64 = 30.0;
+
 /// The gap has to fall to less than this.
 pub(super) const MENDED_SHARE: f64 = 0.2;
 

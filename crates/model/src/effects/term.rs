@@ -52,10 +52,11 @@ impl FixedMask {
     #[doc(hidden)]
     pub const ALL: Self = Self(u32::MAX);
 
-    /// The same with one coefficient more.
+    /// The same with one coefficient more, of the first 32: others are always free.
     #[must_use]
     pub fn with(self, coefficient: usize) -> Self {
-        Self(self.0 | 1 << coefficient)
+        let shift = u32::try_from(coefficient).unwrap_or(u32::MAX);
+        Self(self.0 | 1_u32.checked_shl(shift).unwrap_or(0))
     }
 
     /// Whether a coefficient is held.
@@ -342,6 +343,12 @@ impl Effect {
 mod tests {
     use super::*;
     use crate::effects::units::DEGREE;
+
+    #[test]
+    fn only_the_first_coefficients_can_be_held() {
+        let held = FixedMask::default().with(31).with(32).with(64);
+        assert!(held.contains(31) && !held.contains(0) && !held.contains(32));
+    }
 
     #[test]
     fn a_sliding_joints_offset_is_in_millimetres() {

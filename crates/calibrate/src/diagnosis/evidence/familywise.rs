@@ -80,8 +80,8 @@ impl Regression<'_> {
         // One candidate alone does already; the others only add to it.
         let weights = self.table.candidates.iter().map(weight_of);
         let least = weights.fold(f64::INFINITY, f64::min);
-        let size = vec![fit.basis.rank() as u64];
-        let in_noise = || self.largest_in_noise.of_key(size, || self.simulated(fit));
+        let size = fit.basis.rank();
+        let in_noise = || self.largest_in_noise.of_size(size, || self.simulated(fit));
         (-minus_ln_p - least).exp() > chance || in_noise().chance(minus_ln_p) > chance
     }
 

@@ -10,6 +10,7 @@ use std::sync::Arc;
 use nalgebra::DMatrix;
 
 use super::fit::Fit;
+use super::memo::Start;
 use crate::linear::Basis;
 use crate::model::Model;
 
@@ -27,7 +28,7 @@ pub(super) struct TakenAt {
 /// A fit that is known.
 #[derive(Clone)]
 pub(crate) struct Known {
-    key: Vec<u64>,
+    key: Start,
     pub(crate) fit: Fit,
     pub(crate) at: TakenAt,
     /// Whether the fit still has its basis.
@@ -44,7 +45,7 @@ pub(super) struct KnownFits {
     /// change how far a search gets.
     counted: usize,
     known: RefCell<Vec<Known>>,
-    last: RefCell<Vec<Vec<u64>>>,
+    last: RefCell<Vec<Start>>,
 }
 
 impl KnownFits {
@@ -58,7 +59,7 @@ impl KnownFits {
     }
 
     /// Whether what is asked for counts as work.
-    pub(crate) fn counts(&self, key: &[u64]) -> bool {
+    pub(crate) fn counts(&self, key: &Start) -> bool {
         let mut last = self.last.borrow_mut();
         if last.iter().any(|own| own == key) {
             return false;
@@ -66,18 +67,18 @@ impl KnownFits {
         if last.len() >= self.counted {
             last.remove(0);
         }
-        last.push(key.to_vec());
+        last.push(key.clone());
         true
     }
 
     /// The fit with this key.
-    pub(crate) fn of(&self, key: &[u64]) -> Option<Known> {
+    pub(crate) fn of(&self, key: &Start) -> Option<Known> {
         let known = self.known.borrow();
-        known.iter().rev().find(|known| known.key == key).cloned()
+        known.iter().rev().find(|known| known.key == *key).cloned()
     }
 
     /// Keeps a fit that is new.
-    pub(crate) fn keep(&self, key: Vec<u64>, fit: &Fit, at: TakenAt, products: f64) {
+    pub(crate) fn keep(&self, key: Start, fit: &Fit, at: TakenAt, products: f64) {
         let known = Known {
             key,
             fit: fit.clone(),
@@ -95,9 +96,9 @@ impl KnownFits {
     }
 
     /// Keeps the basis of a fit again, as of the last.
-    pub(super) fn keep_again(&self, key: &[u64], basis: &Arc<Basis>) {
+    pub(super) fn keep_again(&self, key: &Start, basis: &Arc<Basis>) {
         let mut all = self.known.borrow_mut();
-        if let Some(at) = all.iter().position(|known| known.key == key) {
+        if let Some(at) = all.iter().position(|known| known.key == *key) {
             let mut known = all.remove(at);
             known.fit.basis = Arc::clone(basis);
             known.has_basis = true;
@@ -144,6 +145,7 @@ mod tests {
     use super::*;
     use crate::diagnosis::Options;
     use crate::diagnosis::candidates::table::CandidateKind;
+    use crate::diagnosis::evidence::memo::start;
     use crate::diagnosis::search::prepare::PreparedSearch;
     use crate::diagnosis::tests::eccentric;
 
@@ -169,8 +171,11 @@ mod tests {
         assert!(apart.amax() < 1e-9);
 
         let fits = KnownFits::new(9, 2);
-        let keys = [1, 2, 1, 3, 1_u64];
-        let counts = keys.map(|key| fits.counts(&[key]));
+        let start_at = |zero: f64| {
+            let coefficients = vec![zero; base.model.coefficient_count()];
+            start(&base.model.with_coefficients(&coefficients), &[])
+        };
+        let counts = [1.0, 2.0, 1.0, 3.0, 1.0].map(|zero| fits.counts(&start_at(zero)));
         assert_eq!(counts, [true, true, false, true, true]);
     }
 }

@@ -6,11 +6,12 @@ use std::sync::Arc;
 use super::fit::Fit;
 use crate::diagnosis::candidates::Placed;
 use crate::model::Model;
+use crate::model::shapes::Shape;
 
 /// The last answers, each with the fit that it is for.
 pub(crate) struct Memo<T> {
     most: usize,
-    computed: RefCell<Vec<(Vec<u64>, T)>>,
+    computed: RefCell<Vec<(Start, T)>>,
 }
 
 impl<T: Clone> Memo<T> {
@@ -24,8 +25,9 @@ impl<T: Clone> Memo<T> {
 
     /// The answer for a fit, worked out unless it is known.
     pub(crate) fn of(&self, fit: &Fit, work: impl FnOnce() -> T) -> T {
-        let mut key = vec![fit.rss.to_bits(), fit.residual.sum().to_bits()];
-        key.extend(start(&fit.model, &fit.shapes));
+        let mut key = start(&fit.model, &fit.shapes);
+        let end = [fit.rss, fit.residual.sum()];
+        key.numbers.extend(end.map(f64::to_bits));
         self.of_key(key, work)
     }
 
@@ -34,8 +36,16 @@ impl<T: Clone> Memo<T> {
         self.computed.borrow_mut().clear();
     }
 
-    /// The same for what a key tells.
-    pub(crate) fn of_key(&self, key: Vec<u64>, work: impl FnOnce() -> T) -> T {
+    /// The same for what is alike for all fits of one size.
+    pub(crate) fn of_size(&self, size: usize, work: impl FnOnce() -> T) -> T {
+        let key = Start {
+            numbers: vec![size as u64],
+            shapes: Vec::new(),
+        };
+        self.of_key(key, work)
+    }
+
+    fn of_key(&self, key: Start, work: impl FnOnce() -> T) -> T {
         let known = self.computed.borrow().iter().find(|k| k.0 == key).cloned();
         if let Some((_, answer)) = known {
             return answer;
@@ -50,8 +60,15 @@ impl<T: Clone> Memo<T> {
     }
 }
 
-/// Every bit that tells one start of a fit from another.
-pub(crate) fn start(model: &Model, shapes: &[Placed]) -> Vec<u64> {
+/// What tells one start of a fit from another.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Start {
+    /// Every bit of the terms, and of what is known of the shapes.
+    numbers: Vec<u64>,
+    shapes: Vec<Shape>,
+}
+
+pub(crate) fn start(model: &Model, shapes: &[Placed]) -> Start {
     let mut all = Vec::new();
     for term in model.terms() {
         all.push((crate::effects::rank(term.effect) * 64 + term.joint) as u64);
@@ -66,11 +83,12 @@ pub(crate) fn start(model: &Model, shapes: &[Placed]) -> Vec<u64> {
         all.push(rest as u64);
     }
     for shape in shapes {
-        let column = shape.white.column(0);
         // No rank of an effect.
         all.push(u64::MAX);
-        all.extend([column.norm().to_bits(), column.sum().to_bits()]);
         all.extend(shape.coefficients.iter().map(|c| c.to_bits()));
     }
-    all
+    Start {
+        numbers: all,
+        shapes: shapes.iter().map(|placed| placed.shape).collect(),
+    }
 }

@@ -30,7 +30,6 @@ mod score;
 mod scores;
 mod significance;
 mod surroundings;
-mod thinned;
 mod trials;
 mod work;
 
@@ -43,5 +42,4 @@ pub(crate) use regression::Regression;
 pub(crate) use score::{Score, by_odds, weight_of};
 pub(crate) use significance::Significance;
 pub(crate) use surroundings::{Surroundings, Without};
-pub(crate) use thinned::thinned;
 pub(crate) use work::{FIRST_SEARCH, OTHER_SETS, RIVALS, SECOND_SEARCH, Work};

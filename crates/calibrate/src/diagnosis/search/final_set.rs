@@ -64,9 +64,12 @@ pub(crate) fn tested(
     }
 }
 
+/// Logarithms of odds that differ by less are equal: a fit is known no better.
+pub(crate) const EQUALLY_LIKELY: f64 = 1e-3;
+
 /// Whether a rival is likelier than a fit by more than rounding.
 pub(crate) fn is_above(rival: &Fit, fit: &Fit) -> bool {
-    rival.ln_evidence > fit.ln_evidence + 1e-3
+    rival.ln_evidence > fit.ln_evidence + EQUALLY_LIKELY
 }
 
 /// Whether a rival is likelier than a fit, and each of its names carries itself: what does not is no reason to
@@ -107,15 +110,22 @@ pub(crate) fn test_as_reported(
 ) -> Result<(), Cancelled> {
     let regression = &prepared.regression;
     let base = regression.fit(&regression.base, &[]);
+    // Where no more work may be done as many are exchanged as there are names, and not tested anew.
+    let mut in_haste = regression.added(&found.fit).len();
     loop {
         if !watch(&Progress::Comparing) {
             return Err(Cancelled);
         }
-        if !regression.work.is_spent()
+        let spent = regression.work.is_spent();
+        if (!spent || in_haste > 0)
             && let Some(likelier) = one_exchanged(prepared, &found.fit)
         {
             found.fit = likelier;
-            test(prepared, found, watch)?;
+            if spent {
+                in_haste -= 1;
+            } else {
+                test(prepared, found, watch)?;
+            }
             continue;
         }
         if let Some(term) = own_evidence::least_proven(prepared, &found.fit) {

@@ -1,21 +1,28 @@
-//! A free curve over a joint as the rival of every sum of names that follow nothing but its value:
-//! a kink, levels by sector or a chirp can be made up of enough harmonics, and are none.
+//! A free curve over a joint as the rival of names that follow nothing but its value: a kink, levels by sector or a
+//! chirp can be made up of enough harmonics, a pull of cables at both ends of the range is scale, eccentricity and
+//! two-cycle together, and none of them is any of these.
 //!
 //! The curve is a Gaussian process along the joint's motion, along its radius and along its axis
 //! ([`super::smooth`]); its likelihood, with the curve integrated out, stands beside that of the
-//! names. Where it is likelier, the names that only make it up are withdrawn.
+//! names. Where it is likelier without names, the names that only make it up are withdrawn.
 
 use std::collections::BTreeMap;
 
-use crate::effects::{Over, Term};
+use nalgebra::DMatrix;
+
+use crate::decompose::eigen;
+use crate::effects::{Over, Setting, Term};
+use crate::linear::reject_all;
 use crate::model::Model;
 
 use super::found::SearchResult;
 use super::prepare::PreparedSearch;
 use super::smooth;
+use crate::diagnosis::candidates::Placed;
 use crate::diagnosis::evidence::EFFECT_PRIOR_PENALTY;
 use crate::diagnosis::evidence::Fit;
 use crate::diagnosis::evidence::Regression;
+use crate::diagnosis::evidence::rival::UNDECIDED;
 use crate::model::shapes::{Direction, Profile, Shape, Variable};
 
 /// What the curve pays: as a name for being there, and a factor of e for each of its numbers (length,
@@ -23,101 +30,236 @@ use crate::model::shapes::{Direction, Profile, Shape, Variable};
 const PRICE: f64 = EFFECT_PRIOR_PENALTY + 3.0;
 /// The names that a curve may stand for are at least so many columns: fewer are simpler than a curve.
 const FEWEST_COLUMNS: usize = 3;
+/// So many names are as much as a curve, where neither can be ruled out.
+const FEWEST_NAMES: usize = 3;
+/// Waves over the range from which on a name is not smooth.
+const FEW_WAVES: f64 = 3.0;
 /// Pieces of the curve that takes the names' place in the fit, at most.
 const MOST_PIECES: usize = 60;
+/// Shares of the range within which a pull at its ends falls to 1/e: cables and hoses are bent there, and the farther
+/// the stiffer.
+const PULLS: [f64; 6] = [0.05, 0.07, 0.1, 0.14, 0.2, 0.28];
+/// Pieces that are enough for the shortest of them.
+const PIECES_OF_PULLS: usize = 24;
 
-/// Holds a free curve over each joint against the names; where it is likelier it takes their place.
-pub(crate) fn rival(prepared: &PreparedSearch, found: &mut SearchResult) {
-    let regression = &prepared.regression;
-    for joint in 0..prepared.survey.joints.len() {
-        let fit = &found.fit;
-        let made_up: Vec<Term> = regression
-            .added(fit)
-            .into_iter()
-            .filter(|t| follows_only(t, joint))
-            .cloned()
-            .collect();
-        let columns: usize = made_up
-            .iter()
-            .map(|t| t.coefficients.len() + settings(t))
-            .sum();
-        let over_joint =
-            |s: &crate::diagnosis::candidates::Placed| s.shape.variable == Variable::Joint(joint);
-        let shapes = fit.shapes.iter().filter(|s| over_joint(s)).count();
-        if columns < FEWEST_COLUMNS && shapes == 0 || made_up.is_empty() {
-            continue;
-        }
-        let model = fit
-            .model
-            .without(|t| made_up.iter().any(|m| m.same_column(t)));
-        let kept = fit.shapes.iter().filter(|s| !over_joint(s)).cloned();
-        let rest = regression.fit(&model, &kept.collect::<Vec<_>>());
-        let Some(curve) = smooth::free_curve(prepared, &rest.model, joint) else {
-            continue;
+/// A model with the likeliest curve over a joint beside it, or with none.
+struct BesideCurve {
+    ln_evidence: f64,
+    fit: Fit,
+    curve: Option<Curve>,
+}
+
+/// A curve over a joint.
+struct Curve {
+    /// How much likelier the samples are with it, as a logarithm.
+    ln_odds: f64,
+    /// Pieces of a polygon that says as much.
+    pieces: usize,
+    /// Where it pushes most.
+    direction: Direction,
+}
+
+impl BesideCurve {
+    fn of(prepared: &PreparedSearch, model: &Model, shapes: &[Placed], joint: usize) -> Self {
+        let fit = prepared.regression.fit(model, shapes);
+        let across = &prepared.regression.table.space.across;
+        let direction = |k: usize| {
+            let across = k.checked_sub(1).and_then(|k| across.get(k));
+            across.map_or(Direction::Tangential(joint), |across| across.0)
         };
-        let likelihood = rest.ln_evidence + curve.ln_odds - PRICE;
-        if likelihood > fit.ln_evidence {
-            let pieces = curve.freedom.clamp(4, MOST_PIECES);
-            found.fit = with_curve(regression, &rest, joint, pieces, likelihood);
+        let curve = smooth::free_curve(prepared, model, joint).map(|curve| Curve {
+            ln_odds: curve.ln_odds,
+            pieces: curve.freedom.clamp(4, MOST_PIECES),
+            direction: direction(curve.direction),
+        });
+        let single = prepared.survey.joints.len() == 1;
+        let ends = single.then(|| pulled_at_its_ends(&prepared.regression, &fit, joint));
+        let likelier = curve.into_iter().chain(ends.flatten());
+        let curve = likelier
+            .max_by(|a, b| a.ln_odds.total_cmp(&b.ln_odds))
+            .filter(|curve| curve.ln_odds > PRICE);
+        let own = curve.as_ref().map_or(0.0, |curve| curve.ln_odds - PRICE);
+        Self {
+            ln_evidence: fit.ln_evidence + own,
+            curve,
+            fit,
+        }
+    }
+
+    /// The fit with the curve as a shape.
+    fn into_fit(self, prepared: &PreparedSearch, joint: usize) -> Fit {
+        match self.curve {
+            Some(curve) => {
+                let shape = over(joint, curve.direction, curve.pieces);
+                with_curve(&prepared.regression, &self.fit, shape, self.ln_evidence)
+            }
+            None => self.fit,
         }
     }
 }
 
-/// Takes out, one after the other, names over the only joint without which the samples are likelier, a free curve over
-/// it beside the names in both cases: what repeats is in the model with or without a name, and a name has to beat it.
-pub(crate) fn withdraw(prepared: &PreparedSearch, found: &mut SearchResult) {
-    let regression = &prepared.regression;
+/// How much likelier the samples are, as a logarithm, with two pulls along the joint's motion that grow exponentially
+/// towards the ends of its range, of independent sizes t in units of the noise.
+/// With B their columns beside the fit and r what that leaves,
+///
+/// ```text
+/// ln E = −½ Σ ln(1 + t² e_k) − (m/2) ln(1 − Σ t² z_k²/(1 + t² e_k) / rss),   e, U: eigen of BᵀB,   z = Uᵀ Bᵀ r
+/// ```
+fn pulled_at_its_ends(regression: &Regression, rest: &Fit, joint: usize) -> Option<Curve> {
+    let direction = Direction::Tangential(joint);
+    let free = regression.placed(over(joint, direction, MOST_PIECES)).white;
+    // One unit of the curve moves a sample by one unit of its noise, in the mean.
+    let samples = regression.rows.samples.len().max(1) as f64;
+    let unit = free.column_sum().norm_squared().max(free.norm_squared()) / samples;
+    let (total, m) = (regression.rounded(rest.rss), regression.m());
+    let of_length = |length: f64| {
+        let root = DMatrix::from_fn(MOST_PIECES + 1, 2, |row, end| {
+            let from_low = row as f64 / MOST_PIECES as f64;
+            let away = if end == 0 { from_low } else { 1.0 - from_low };
+            (-away / length).exp()
+        });
+        let mut columns = &*free * root / unit.sqrt();
+        reject_all(&rest.basis.q, &mut columns);
+        let own = eigen(columns.tr_mul(&columns));
+        let z = own.eigenvectors.tr_mul(&columns.tr_mul(&rest.residual));
+        let of_size = |size: f64| {
+            let t2 = size * size;
+            let (mut determinant, mut gain) = (0.0, 0.0);
+            for (e, z) in own.eigenvalues.iter().zip(&z) {
+                let wider = 1.0 + t2 * e.max(0.0);
+                determinant += wider.ln();
+                gain += t2 * z * z / wider;
+            }
+            let share = (gain / total.max(1e-300)).clamp(0.0, 1.0 - 1e-15);
+            -0.5 * determinant - 0.5 * m * (-share).ln_1p()
+        };
+        let sizes = (0..15).map(|k| of_size(0.2 * 2.0_f64.powi(k)));
+        sizes.fold(f64::NEG_INFINITY, f64::max)
+    };
+    let best = PULLS
+        .map(of_length)
+        .into_iter()
+        .fold(f64::NEG_INFINITY, f64::max);
+    (unit > 0.0).then_some(Curve {
+        ln_odds: best,
+        pieces: PIECES_OF_PULLS,
+        direction,
+    })
+}
+
+/// A polygon over a joint.
+fn over(joint: usize, direction: Direction, pieces: usize) -> Shape {
+    Shape {
+        variable: Variable::Joint(joint),
+        direction,
+        profile: Profile::Curve { pieces },
+        tried: 1.0,
+    }
+}
+
+/// Names that follow only this joint's value, and the shapes of the fit that do not.
+fn over_joint(prepared: &PreparedSearch, fit: &Fit, joint: usize) -> (Vec<Term>, Vec<Placed>) {
+    let added = prepared.regression.added(fit).into_iter();
+    let others = |s: &&Placed| s.shape.variable != Variable::Joint(joint);
+    (
+        added.filter(|t| follows_only(t, joint)).cloned().collect(),
+        fit.shapes.iter().filter(others).cloned().collect(),
+    )
+}
+
+fn without(model: &Model, names: &[Term]) -> Model {
+    model.without(|t| names.iter().any(|n| n.same_column(t)))
+}
+
+/// The names among these that change slowly over the range of the joint.
+fn slow(prepared: &PreparedSearch, names: &[Term], joint: usize) -> Vec<Term> {
+    let (low, high) = prepared
+        .regression
+        .table
+        .space
+        .range(Variable::Joint(joint));
+    let is_slow = |term: &&Term| match term.effect.about().setting {
+        Setting::Order { .. } => term.setting * (high - low) < FEW_WAVES * std::f64::consts::TAU,
+        Setting::None => true,
+        _ => false,
+    };
+    names.iter().filter(is_slow).cloned().collect()
+}
+
+/// Holds a free curve over each joint against all names over it, over the only joint against the slow ones too; or
+/// `one_by_one`, over the only joint, against each besides, the curve beside the others. Where the samples are likelier without
+/// them they are taken out: what repeats is in the model with or without a name, and a name has to beat it.
+pub(crate) fn rival(prepared: &PreparedSearch, found: &mut SearchResult, one_by_one: bool) {
     // What wanders is held against the names elsewhere.
-    if prepared.survey.joints.len() != 1 || regression.noise.slow.is_some() {
+    let single = prepared.survey.joints.len() == 1 && prepared.regression.noise.slow.is_none();
+    if one_by_one && !single {
         return;
     }
-    let joint = 0;
-    let over_joint =
-        |s: &crate::diagnosis::candidates::Placed| s.shape.variable == Variable::Joint(joint);
-    let kept = found.fit.shapes.iter().filter(|s| !over_joint(s)).cloned();
-    let kept: Vec<_> = kept.collect();
-    let with_rest = |model: &Model| {
-        let fit = regression.fit(model, &kept);
-        let curve = smooth::free_curve(prepared, model, joint);
-        let own = curve
-            .as_ref()
-            .map_or(0.0, |curve| (curve.ln_odds - PRICE).max(0.0));
-        (fit.ln_evidence + own, fit, curve.filter(|_| own > 0.0))
-    };
-    let mut model = found.fit.model.clone();
-    let mut withdrawn = None;
-    let mut most = f64::NAN;
-    loop {
-        let of_base = |t: &Term| regression.base.terms().iter().any(|b| b.same_column(t));
-        let own = |t: &&Term| !of_base(t) && follows_only(t, joint);
-        let over: Vec<Term> = model.terms().iter().filter(own).cloned().collect();
-        if over.is_empty() {
-            break;
+    for joint in 0..prepared.survey.joints.len() {
+        let (mut names, kept) = over_joint(prepared, &found.fit, joint);
+        let has_shape = kept.len() < found.fit.shapes.len();
+        let beside = |model: &Model| BesideCurve::of(prepared, model, &kept, joint);
+        let mut most = found.fit.ln_evidence;
+        if one_by_one && !names.is_empty() {
+            most = most.max(beside(&found.fit.model).ln_evidence);
         }
-        if most.is_nan() {
-            most = with_rest(&model).0;
-        }
-        let without = over.iter().map(|term| {
-            let model = model.without(|t| t.same_column(term));
-            let (value, fit, curve) = with_rest(&model);
-            (value, model, fit, curve)
-        });
-        let best = without.max_by(|a, b| a.0.total_cmp(&b.0));
-        let Some((value, without, fit, curve)) = best.filter(|best| best.0 > most) else {
-            break;
-        };
-        (most, model) = (value, without);
-        withdrawn = Some((value, fit, curve));
-    }
-    if let Some((value, fit, curve)) = withdrawn {
-        found.fit = match curve {
-            Some(curve) => {
-                let pieces = curve.freedom.clamp(4, MOST_PIECES);
-                with_curve(regression, &fit, joint, pieces, value)
+        let mut model = found.fit.model.clone();
+        let mut likeliest = None;
+        while !names.is_empty() {
+            let mut sets = Vec::new();
+            if has_shape || columns(&names) >= FEWEST_COLUMNS {
+                sets.push(names.clone());
             }
-            None => fit,
-        };
+            if single {
+                let slow = slow(prepared, &names, joint);
+                sets.extend((columns(&slow) >= FEWEST_COLUMNS).then_some(slow));
+            }
+            if one_by_one {
+                sets.extend(names.iter().map(|name| vec![name.clone()]));
+            }
+            let rests = sets.into_iter().map(|set| without(&model, &set));
+            let rests = rests.map(|model| (beside(&model), model));
+            let best = rests.max_by(|a, b| a.0.ln_evidence.total_cmp(&b.0.ln_evidence));
+            let Some((rest, fewer)) = best.filter(|best| best.0.ln_evidence > most) else {
+                break;
+            };
+            (most, model) = (rest.ln_evidence, fewer);
+            names.retain(|name| model.terms().iter().any(|t| t.same_column(name)));
+            likeliest = Some(rest);
+        }
+        if let Some(likeliest) = likeliest {
+            found.fit = likeliest.into_fit(prepared, joint);
+        }
     }
+}
+
+/// Names over a joint, with the joint, that the samples cannot tell from a curve.
+pub(crate) fn as_likely(prepared: &PreparedSearch, fit: &Fit) -> Option<(usize, Vec<Term>)> {
+    let of_joint = |joint: usize| {
+        let (names, kept) = over_joint(prepared, fit, joint);
+        let names = slow(prepared, &names, joint);
+        let is_open = names.len() >= FEWEST_NAMES && kept.len() == fit.shapes.len();
+        let odds = || ln_odds(prepared, fit, joint, &names);
+        is_open.then(odds).map(|odds| (odds, (joint, names)))
+    };
+    let all = (0..prepared.survey.joints.len()).filter_map(of_joint);
+    let likely = all.filter(|own| own.0 > -UNDECIDED);
+    let best = likely.max_by(|a, b| a.0.total_cmp(&b.0));
+    best.map(|own| own.1)
+}
+
+/// How much likelier the samples are with a curve over a joint in the place of names, as a logarithm.
+fn ln_odds(prepared: &PreparedSearch, fit: &Fit, joint: usize, names: &[Term]) -> f64 {
+    let model = without(&fit.model, names);
+    BesideCurve::of(prepared, &model, &fit.shapes, joint).ln_evidence - fit.ln_evidence
+}
+
+/// Numbers that names have: coefficients and settings.
+fn columns(names: &[Term]) -> usize {
+    names
+        .iter()
+        .map(|t| t.coefficients.len() + settings(t))
+        .sum()
 }
 
 /// The free curve that takes the place of a slow part of the noise, beside the names that do not
@@ -131,27 +273,12 @@ pub(crate) fn instead_of_slow(
     let regression = &white.regression;
     let mut best: Option<Fit> = None;
     for joint in (0..white.survey.joints.len()).filter(|joint| may_be_over(*joint)) {
-        let made_up: Vec<Term> = regression
-            .added(&found.fit)
-            .into_iter()
-            .filter(|t| follows_only(t, joint))
-            .cloned()
-            .collect();
-        let model = found
-            .fit
-            .model
-            .without(|t| made_up.iter().any(|m| m.same_column(t)));
-        let rest = regression.fit(&model, &[]);
-        let Some(curve) = smooth::free_curve(white, &rest.model, joint) else {
-            continue;
-        };
-        let likelihood = rest.ln_evidence + curve.ln_odds - PRICE;
-        let before = best
-            .as_ref()
-            .map_or(found.fit.ln_evidence, |b| b.ln_evidence);
-        if likelihood > before {
-            let pieces = curve.freedom.clamp(4, MOST_PIECES);
-            best = Some(with_curve(regression, &rest, joint, pieces, likelihood));
+        let (names, _) = over_joint(white, &found.fit, joint);
+        let model = without(&found.fit.model, &names);
+        let beside = BesideCurve::of(white, &model, &[], joint);
+        let before = best.as_ref().unwrap_or(&found.fit).ln_evidence;
+        if beside.curve.is_some() && beside.ln_evidence > before {
+            best = Some(beside.into_fit(white, joint));
         }
     }
     best.map(|fit| SearchResult {
@@ -196,7 +323,7 @@ pub(crate) fn comes_back(prepared: &PreparedSearch, joint: usize) -> bool {
 }
 
 /// Whether an effect is a function of this joint's value alone.
-pub(crate) fn follows_only(term: &Term, joint: usize) -> bool {
+fn follows_only(term: &Term, joint: usize) -> bool {
     let about = term.effect.about();
     about.over == Over::Angle && (term.joint == joint || !about.per_joint)
 }
@@ -205,20 +332,9 @@ fn settings(term: &Term) -> usize {
     usize::from(crate::effects::term::setting_quantity(term.effect.about().setting).is_some())
 }
 
-pub(crate) fn with_curve(
-    regression: &Regression,
-    rest: &Fit,
-    joint: usize,
-    pieces: usize,
-    ln_evidence: f64,
-) -> Fit {
+fn with_curve(regression: &Regression, rest: &Fit, curve: Shape, ln_evidence: f64) -> Fit {
     let mut shapes = rest.shapes.clone();
-    shapes.push(regression.placed(Shape {
-        variable: Variable::Joint(joint),
-        direction: Direction::Tangential(joint),
-        profile: Profile::Curve { pieces },
-        tried: 1.0,
-    }));
+    shapes.push(regression.placed(curve));
     let mut fit = regression.fit(&rest.model, &shapes);
     let credit = ln_evidence - fit.ln_evidence;
     if let Some(curve) = fit.shapes.last_mut() {
@@ -233,6 +349,7 @@ mod tests {
     use super::*;
     use crate::diagnosis::Options;
     use crate::fit::gap::deviations;
+    use crate::sessions::Session;
     use crate::simulation::{parse_scenario, simulate, unwatched};
 
     /// Two axes over a grid, the second at the same sixteen values each time; what a curve over it can do and
@@ -259,7 +376,12 @@ mod tests {
         let prepared = PreparedSearch::new(&session, &Options::default()).unwrap();
         let regression = &prepared.regression;
         let base = regression.fit(&regression.base, &[]);
-        let beside = with_curve(regression, &base, 1, 48, 0.0);
+        let beside = with_curve(
+            regression,
+            &base,
+            over(1, Direction::Tangential(1), 48),
+            0.0,
+        );
         let at = |fit: &Fit| deviations(&prepared.problem, &fit.model).axes_mm;
         let (alone, with) = (at(&base), at(&beside));
         let moved = (0..3).flat_map(|axis| alone[axis].iter().zip(&with[axis]));
@@ -272,5 +394,84 @@ mod tests {
             beside.rss,
             base.rss
         );
+    }
+
+    const NAMES: [&str; 3] = ["joint-scale", "encoder-eccentricity", "encoder-two-cycle"];
+
+    /// One axis whose angle is off by this many degrees at each of its values, in degrees, beside effects.
+    fn axis(effects: &str, off: impl Fn(f64) -> f64) -> Session {
+        let stops = (0..140).map(|k| {
+            let turn = 340.0 * (f64::from(k) * 0.754_877_666).fract() - 170.0;
+            format!(r#"{{"q_deg":[{turn}]}}"#)
+        });
+        let scenario = format!(
+            r#"{{"format":"truepose-scenario/1","name":"pull","robot":{{"name":"r","joints":[
+            {{"name":"pan","kind":"revolute","axis":[0,0,1],"point_mm":[0,0,0],"limits":[-180,180]}}],
+            "tool":{{"position_mm":[320,0,210],"quaternion_wxyz":[1,0,0,0]}}}},"targets":{{"T1":[0,0,0]}},
+            "instrument":{{"name":"tracker","sigma_mm":0.02}},"poses":{{"list":[{}]}},
+            "effects":[{effects}],"noise":{{"sigma_mm":0.02,"kind":"gauss"}},"seed":5}}"#,
+            stops.collect::<Vec<_>>().join(",")
+        );
+        let scenario = parse_scenario(scenario.as_bytes()).unwrap().scenario;
+        let mut session = simulate(&scenario, 1, unwatched).unwrap().0;
+        let samples = &mut session.samples;
+        for k in 0..samples.len() {
+            let by = off(samples.q[0][k].to_degrees()).to_radians();
+            let (x, y) = (samples.x_mm[k], samples.y_mm[k]);
+            samples.x_mm[k] = x * by.cos() - y * by.sin();
+            samples.y_mm[k] = x * by.sin() + y * by.cos();
+        }
+        session
+    }
+
+    /// The odds of a smooth curve over the three names of such a session.
+    fn odds(session: &Session) -> f64 {
+        let prepared = PreparedSearch::new(session, &Options::default()).unwrap();
+        let regression = &prepared.regression;
+        let mut fit = regression.fit(&regression.base, &[]);
+        for name in NAMES {
+            let mut candidates = regression.table.candidates.iter();
+            let is = |t: &Term| t.effect.about().id == name;
+            let there = candidates.find(|c| c.what.term().is_some_and(is));
+            fit = regression.with(&fit, &there.unwrap().what);
+        }
+        let (names, _) = over_joint(&prepared, &fit, 0);
+        assert_eq!(names.len(), 3);
+        ln_odds(&prepared, &fit, 0, &names)
+    }
+
+    #[test]
+    fn a_curve_pushes_where_the_samples_do() {
+        let mut session = axis("", |_| 0.0);
+        let samples = &mut session.samples;
+        for k in 0..samples.len() {
+            let up = 0.3 * samples.q[0][k].sin().tanh();
+            samples.z_mm.as_mut().unwrap()[k] += up;
+        }
+        let prepared = PreparedSearch::new(&session, &Options::default()).unwrap();
+        let beside = BesideCurve::of(&prepared, &prepared.regression.base, &[], 0);
+        let fit = beside.into_fit(&prepared, 0);
+        assert_eq!(fit.shapes[0].shape.direction, Direction::Axial);
+    }
+
+    #[test]
+    fn a_pull_of_cables_is_more_of_a_curve_than_three_names() {
+        let pull = |q: f64| 0.06 * ((q - 170.0) / 30.0).exp() - 0.05 * ((-170.0 - q) / 45.0).exp();
+        let session = axis("", pull);
+        assert!(odds(&session) > -UNDECIDED, "{}", odds(&session));
+    }
+
+    #[test]
+    fn three_names_that_are_there_stay() {
+        let of = |id: &str, parameters: &str| {
+            format!(r#"{{"effect":"{id}","joint":1,"parameters":{{{parameters}}}}}"#)
+        };
+        let effects = [
+            of(NAMES[0], r#""scale_ppm":250"#),
+            of(NAMES[1], r#""amplitude_deg":0.03,"phase_deg":40"#),
+            of(NAMES[2], r#""amplitude_deg":0.02,"phase_deg":110"#),
+        ];
+        let session = axis(&effects.join(","), |_| 0.0);
+        assert!(odds(&session) < -UNDECIDED, "{}", odds(&session));
     }
 }

@@ -5,7 +5,7 @@
 //! - `procedure`: the whole of it; `prepare`: from a session to the rows (`robust`, `classes`: which samples count).
 //! - `forward`: one search; `settle`: swaps, drops and pairs; `orders`: several orders of one joint together; `found`: what it ends with.
 //! - `aliases`, `other_settings`: rivals that the samples cannot rule out; `slowest`: of waves at equal steps the slowest.
-//! - `free_curve`, `smooth`, `smooth_rival`: a curve without a name as the rival of names, and as what repeats beside them.
+//! - `free_curve`, `smooth`: a curve without a name as the rival of names, and as what repeats beside them.
 //! - `final_set`, `worth`, `steps`, `own_evidence`: the names tested at the end, and what each adds.
 //! - `floor`, `base_misfit`, `gross_error`: names that are withdrawn because it is the geometry that does not fit.
 
@@ -16,7 +16,7 @@ mod final_set;
 mod floor;
 mod forward;
 mod found;
-mod free_curve;
+pub(crate) mod free_curve;
 mod gross_error;
 mod orders;
 pub(crate) mod other_settings;
@@ -27,12 +27,11 @@ mod robust;
 mod settle;
 mod slowest;
 pub(crate) mod smooth;
-pub(crate) mod smooth_rival;
 mod steps;
 mod worth;
 
 pub(crate) use base_misfit::left_mm;
-pub(crate) use final_set::{is_above, stands_above};
+pub(crate) use final_set::{EQUALLY_LIKELY, is_above, stands_above};
 pub(crate) use floor::{PureError, floor, pure_error};
 pub(crate) use forward::{CHANCE_OF_A_STEP, mean_sigma_mm};
 pub(crate) use found::SearchResult;

@@ -21,7 +21,6 @@ use crate::model::Model;
 use crate::diagnosis::candidates::table::Candidate;
 use crate::diagnosis::evidence::Fit;
 use crate::diagnosis::evidence::Regression;
-use crate::diagnosis::evidence::thinned;
 
 /// So many rounds over all orders at most.
 const ROUNDS: usize = 3;
@@ -209,7 +208,8 @@ impl OrderSpread {
         if orders.is_empty() {
             return None;
         }
-        let part = thinned(problem, MOST_SAMPLES);
+        let mut part = problem.clone();
+        part.thin(MOST_SAMPLES);
         let rows = Rows::of(&part).seen_by(model);
         let moved = |order: &Term, by: f64| {
             let terms = model.terms().iter().map(|t| Term {

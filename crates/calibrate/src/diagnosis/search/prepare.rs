@@ -32,7 +32,6 @@ use crate::diagnosis::candidates::table::CandidateTable;
 use crate::diagnosis::evidence::Fit;
 use crate::diagnosis::evidence::Folds;
 use crate::diagnosis::evidence::Regression;
-use crate::diagnosis::evidence::thinned;
 use crate::diagnosis::{DiagnoseError, Options};
 
 /// … and the search looks at so many of them.
@@ -350,7 +349,8 @@ fn bare_regression<'a>(
     survey: &Survey,
     options: &Options,
 ) -> Regression<'a> {
-    let problem = thinned(problem, MOST_SAMPLES);
+    let mut problem = problem.clone();
+    problem.thin(MOST_SAMPLES);
     let rows = Rows::of(&problem).seen_by(base);
     let table = CandidateTable::new(&problem, &rows, base, survey, &options.allowed);
     Regression::new(

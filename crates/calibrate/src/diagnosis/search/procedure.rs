@@ -8,7 +8,7 @@ use crate::set_up_errors::CorrectedSession;
 
 use super::found::SearchResult;
 use super::prepare::PreparedSearch;
-use super::{base_misfit, final_set, free_curve, gross_error, slowest, smooth_rival};
+use super::{base_misfit, final_set, free_curve, gross_error, slowest};
 use crate::diagnosis::error::DiagnoseError;
 use crate::diagnosis::evidence::rival;
 use crate::diagnosis::evidence::{FIRST_SEARCH, OTHER_SETS, RIVALS, SECOND_SEARCH, Work};
@@ -67,7 +67,7 @@ pub(crate) fn searched<'a>(
     work.up_to(RIVALS);
     (prepared, found) = hold_rivals_against(prepared, found, watch)?;
     slowest::readings(&prepared, &mut found);
-    free_curve::withdraw(&prepared, &mut found);
+    free_curve::rival(&prepared, &mut found, true);
     // 5. Each name against the rest, and against other sets that are as likely.
     work.up_to(OTHER_SETS);
     test_at_the_end(&prepared, &mut found, watch)?;
@@ -159,8 +159,7 @@ fn against_rivals<'a>(
     let white = noise.slow.map(|_| noise.made_white());
     let (mut prepared, fit) = prepared.settled(&found.fit);
     found.fit = fit;
-    free_curve::rival(&prepared, &mut found);
-    smooth_rival::rival(&prepared, &mut found);
+    free_curve::rival(&prepared, &mut found, false);
     let mut others = Vec::new();
     for noise in white.into_iter().chain(slow).chain(instead) {
         let known = &prepared.regression.noise;
@@ -224,7 +223,6 @@ fn settled_search<'a>(
         }
         found = prepared.resume(&found, watch)?;
     }
-    free_curve::rival(&prepared, &mut found);
-    smooth_rival::rival(&prepared, &mut found);
+    free_curve::rival(&prepared, &mut found, false);
     Ok((prepared, found))
 }

@@ -25,7 +25,6 @@ use crate::observations::outliers::suspected;
 use crate::sessions::poses::ByPose;
 
 use crate::diagnosis::evidence::Regression;
-use crate::diagnosis::evidence::thinned;
 
 /// With fewer samples there are no many columns to fit.
 const FEWEST: usize = 20;
@@ -43,7 +42,7 @@ pub(crate) fn suspected_beside_many(
 ) -> Vec<(usize, bool)> {
     let mut all = problem.clone();
     all.set_counted(all.to_fit().to_vec());
-    let all = thinned(&all, most);
+    all.thin(most);
     let rows = Rows::of(&all);
     let n = rows.samples.len();
     if n < FEWEST {

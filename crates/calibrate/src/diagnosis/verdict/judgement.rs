@@ -30,8 +30,8 @@ use super::withheld::stand_in;
 use crate::answers::diagnosis::{Floor, FloorFrom, HeldOut, Unexplained, Verdict};
 use crate::diagnosis::search::CHANCE_OF_A_STEP;
 use crate::diagnosis::search::SearchResult;
+use crate::diagnosis::search::free_curve;
 use crate::diagnosis::search::prepare::PreparedSearch;
-use crate::diagnosis::search::smooth_rival;
 use crate::diagnosis::search::{PureError, pure_error};
 
 /// Adds to what is unexplained what speaks for more than noise; answers the verdict.
@@ -81,14 +81,14 @@ pub(crate) fn judge(
                 named = called(&other.named)
             );
             unexplained.resembles.push(other.named);
-        } else if let Some(curve) = smooth_rival::as_likely(prepared, &found.fit) {
+        } else if let Some((joint, terms)) = free_curve::as_likely(prepared, &found.fit) {
             let robot = &prepared.regression.base.robot;
-            let names: Vec<String> = curve.names.iter().map(|t| t.name_on(robot)).collect();
+            let names: Vec<String> = terms.iter().map(|t| t.name_on(robot)).collect();
             unexplained.present = true;
             unexplained.place = None;
             unexplained.description = text!(
                 "a smooth curve over joint {joint} explains as much as {effects} together",
-                joint = curve.joint + 1,
+                joint = joint + 1,
                 effects = Text::listed(names.iter().map(|name| called(name)), ", ")
             );
             unexplained.resembles.extend(names);

@@ -12,7 +12,7 @@ use crate::diagnosis::evidence::FamilyP;
 use crate::diagnosis::evidence::Fit;
 use crate::diagnosis::search::prepare::PreparedSearch;
 use crate::diagnosis::search::worth;
-use crate::diagnosis::search::{Next, Step};
+use crate::diagnosis::search::{EQUALLY_LIKELY, Next, Step};
 
 pub(crate) fn found(
     prepared: &PreparedSearch,
@@ -35,7 +35,12 @@ pub(crate) fn found(
         let next = next.map(|n| n.term.name_on(&regression.base.robot));
         let p_familywise = regression.family_p(worth.minus_ln_p, with_shapes);
         let share = step.gap_mm[0].powi(2) - step.gap_mm[1].powi(2);
-        let odds = over.clamp(-30.0, 30.0).exp();
+        let equal = over.abs() <= EQUALLY_LIKELY;
+        let odds = if equal {
+            1.0
+        } else {
+            over.clamp(-30.0, 30.0).exp()
+        };
         let within_s = step_time::within_s(prepared, term, &worth);
         let notes = notes(prepared, term, within_s);
         let evidence = describe(step, &p_familywise, odds, next.as_deref(), floor);

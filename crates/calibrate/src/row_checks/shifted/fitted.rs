@@ -2,6 +2,7 @@
 
 use crate::effects::{Inputs, JointValues, Term, joint_zero, tool_radius};
 use crate::fit::problem::Problem;
+use crate::fit::spread::places;
 use crate::fit::{base_model, fit_without_outliers, free_frames};
 use crate::kinematics::JointKind;
 use crate::model::{Model, Positions};
@@ -46,7 +47,7 @@ pub(super) fn fitted(
     path: &Path,
 ) -> Option<Fitted> {
     let n = points.len();
-    let some = (0..MOST_ROWS).map(|k| Some(k * n / MOST_ROWS));
+    let some = places(n, MOST_ROWS).map(Some);
     let some: Vec<Option<usize>> = some.collect();
     let part = if path.is_none() && n > MOST_ROWS {
         session.of_rows(&some)

@@ -4,6 +4,7 @@
 use nalgebra::{Isometry3, Vector3};
 
 use crate::effects::Inputs;
+use crate::fit::spread::places;
 use crate::kinematics::rigid_motion::rigid_motion;
 use crate::model::Model;
 use crate::numeric::median;
@@ -40,11 +41,7 @@ pub(super) fn starts(session: &Session, inputs: &Inputs, points: &Points<'_>) ->
     let setups = Setups::of(session);
     let sigma = NOMINAL_SHARE * points.size_mm();
     let n = points.len();
-    let rows: Vec<usize> = if n > MOST_ROWS {
-        (0..MOST_ROWS).map(|k| k * n / MOST_ROWS).collect()
-    } else {
-        (0..n).collect()
-    };
+    let rows: Vec<usize> = places(n, MOST_ROWS).collect();
     let nominal_places = nominal.places(&rows);
     let trial = |motions: &[Isometry3<f64>]| {
         let seen = |(row, place): (&usize, &Vector3<f64>)| {
@@ -170,11 +167,9 @@ fn motions(
     let motion = |setup: usize| {
         let own = setups.len(setup, points.len());
         let (from, to) = (part.start * own / of, part.end * own / of);
-        let every = (to - from).div_ceil(MOST_ROWS).max(1);
-        let (rows, measured): (Vec<usize>, Vec<Vector3<f64>>) = (from..to)
-            .step_by(every)
+        let (rows, measured): (Vec<usize>, Vec<Vector3<f64>>) = places(to - from, MOST_ROWS)
             .filter_map(|k| {
-                let row = setups.row(setup, k);
+                let row = setups.row(setup, from + k);
                 Some((row, points.get(row.checked_add_signed(by)?)?))
             })
             .unzip();

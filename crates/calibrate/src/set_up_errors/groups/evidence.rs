@@ -1,12 +1,10 @@
 //! How sure it is that a group of samples is elsewhere.
 
+use crate::set_up_errors::thresholds::EVIDENCE;
 use crate::text::Text;
 use crate::text::length;
 
-/// The logarithm by which a place that is elsewhere has to make the samples likelier.
-pub(super) const EVIDENCE: f64 = 30.0;
-
-/// … and the share of the error that it has to leave.
+/// The share of the error that a place that is elsewhere has to leave.
 pub(super) const LEAVES: f64 = 0.6;
 
 /// How much likelier samples are of which so many leave less, beside more numbers.

@@ -3,23 +3,22 @@
 use crate::effects::{JointValues, Term, joint_zero, tool_radius};
 use crate::fit::gap::lengths_mm;
 use crate::fit::problem::Problem;
+use crate::fit::spread::places;
 use crate::fit::{base_model, fit_without_outliers, free_frames};
 use crate::kinematics::JointKind;
 use crate::model::Model;
 use crate::sessions::Session;
-
-/// Samples that a trial looks at.
-pub(super) const MOST_SAMPLES: usize = 400;
+use crate::set_up_errors::thresholds::MOST_SAMPLES;
 
 /// Of more places than these the trials, each a fit of all of them, would take longer than the answer.
 pub(super) const MOST_PLACES: usize = 64;
 
-/// Every so many-th sample of a session, whole.
+/// Some samples of a session, whole.
 pub(super) fn thinned(session: &Session) -> Session {
     let n = session.samples.len();
     let mut part = session.clone();
     if n > MOST_SAMPLES {
-        let some = (0..MOST_SAMPLES).map(|k| Some(k * n / MOST_SAMPLES));
+        let some = places(n, MOST_SAMPLES).map(Some);
         part.samples.select(&some.collect::<Vec<_>>());
     }
     part

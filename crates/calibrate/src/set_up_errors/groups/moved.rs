@@ -16,7 +16,8 @@ use crate::sessions::{Group, Session, SessionCorrection};
 use crate::text::Text;
 
 use super::evidence::{LEAVES, evidence, in_numbers, is_believed};
-use super::fitted::{MOST_PLACES, MOST_SAMPLES, fitted};
+use super::fitted::{MOST_PLACES, fitted};
+use crate::set_up_errors::thresholds::{EVIDENCE, MOST_SAMPLES};
 
 /// At most so many groups are taken to have moved; of most of them none is known to stand still.
 const MOST_MOVED: usize = 4;
@@ -32,7 +33,7 @@ const NUMBERS_FOR_EACH: usize = 2;
 const SOCKET_LEAVES: f64 = 0.9;
 /// What the regression explains as a logarithm before a fit is made. The base has taken up a part of a move, so
 /// that a fit shows more.
-const WORTH_A_FIT: f64 = super::evidence::EVIDENCE / 3.0;
+const WORTH_A_FIT: f64 = EVIDENCE / 3.0;
 
 /// A suspicion: how much it explains, as a logarithm, and what takes it back.
 struct Suspicion {

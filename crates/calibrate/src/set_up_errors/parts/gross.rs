@@ -19,11 +19,11 @@ use crate::numeric::{likeliest_stretch, median};
 use crate::sessions::{Group, Session, SessionCorrection};
 use crate::text::{Text, length};
 
-use super::nearest::{EVIDENCE, cost, cost_of, left, motion, moved};
+use super::nearest::{cost, cost_of, left, motion, moved};
 use super::rows::{Part, RowsInOrder};
 use crate::set_up_errors::arm_hypotheses::{Change, of_rows};
 use crate::set_up_errors::groups;
-use crate::set_up_errors::thresholds::{EQUAL, GROSS_SHARE};
+use crate::set_up_errors::thresholds::{EQUAL, EVIDENCE, GROSS_SHARE, PLAUSIBLE_SHARE};
 
 /// Rows that the search looks at …
 const MOST_ROWS: usize = 160;
@@ -35,8 +35,6 @@ const FEWEST_ROWS: usize = 16;
 const FEWEST_IN_A_PART: usize = 4;
 /// Ends of stretches that are tried.
 const GRID: usize = 8;
-/// What a robot may leave that was never calibrated, as a share of the spread of the points.
-const PLAUSIBLE_SHARE: f64 = 0.03;
 /// Rows that are corrected leave at most so many times what the others leave, and have left at least as many times
 /// more before.
 const ALIKE: f64 = 4.0;

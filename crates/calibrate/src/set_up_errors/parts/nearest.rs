@@ -8,9 +8,6 @@ use nalgebra::{Isometry3, Point3, Vector3};
 
 use crate::kinematics::rigid_motion::rigid_motion;
 
-/// The logarithm by which a part that differs has to be likelier, its place paid for.
-pub(super) const EVIDENCE: f64 = 30.0;
-
 /// Degrees of freedom of the heavy-tailed noise.
 const TAILS: f64 = 4.0;
 /// Coordinates of a point.

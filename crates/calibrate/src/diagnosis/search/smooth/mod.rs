@@ -153,6 +153,8 @@ pub(crate) struct FreeCurve {
     pub(crate) ln_odds: f64,
     /// Columns that it is worth.
     pub(crate) freedom: usize,
+    /// In which direction it is largest: along the motion, the radius, the axis.
+    pub(crate) direction: usize,
 }
 
 /// The likeliest free curve over a joint beside a model, common to both sides, on the samples that a search looks at
@@ -168,11 +170,19 @@ pub(crate) fn free_curve(
     let kernels = Kernels::new(knots.count, false)?;
     let prior = likelihood::likeliest(&sums, &names, &kernels)?;
     let fitted = likelihood::fit(&sums, &names, &kernels, &prior, false)?;
+    let size = |direction: usize| {
+        let own = fitted.values.rows(direction * knots.count, knots.count);
+        own.norm()
+    };
+    let directions = 0..fitted.values.len() / knots.count;
     let pieces = prior.iter().flatten();
     let pieces = pieces.map(|(kernel, _)| kernels.get(*kernel).pieces());
     Some(FreeCurve {
         ln_odds: fitted.ln_evidence - names.ln_evidence,
         freedom: pieces.fold(0.0, f64::max).ceil() as usize,
+        direction: directions
+            .max_by(|a, b| size(*a).total_cmp(&size(*b)))
+            .unwrap_or(0),
     })
 }
 
