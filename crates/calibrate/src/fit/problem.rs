@@ -212,6 +212,13 @@ impl<'a> Problem<'a> {
         layer.map_or(index, |l| l.items[index].sample)
     }
 
+    /// The same where at most so many count of those that do, spread evenly.
+    pub(crate) fn thinned(&self, most: usize) -> Self {
+        let mut few = self.clone();
+        few.thin(most);
+        few
+    }
+
     /// Lets at most so many count of those that do, spread evenly.
     pub(crate) fn thin(&mut self, most: usize) {
         let counted = self.counted();

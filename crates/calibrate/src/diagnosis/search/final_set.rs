@@ -189,13 +189,8 @@ fn denied_by_stretches(prepared: &PreparedSearch, fit: &Fit) -> Option<Fit> {
 /// place.
 pub(crate) fn self_supporting(prepared: &PreparedSearch, fit: Fit) -> Option<Fit> {
     let watch: Watch = &|_| true;
-    let mut found = SearchResult {
-        named_effects_only: fit.clone(),
-        fit: tested(prepared, fit, watch).ok()?,
-        base_misfit: false,
-        other_ends: Vec::new(),
-        withdrawn: Vec::new(),
-    };
+    let names = fit.clone();
+    let mut found = SearchResult::of(tested(prepared, fit, watch).ok()?, names);
     test_as_reported(prepared, &mut found, watch).ok()?;
     Some(found.fit)
 }
@@ -231,13 +226,7 @@ mod tests {
             let what = &candidates.iter().find(|c| named(&c.what)).unwrap().what;
             fit = regression.with(&fit, what);
         }
-        let mut found = SearchResult {
-            named_effects_only: fit.clone(),
-            fit,
-            base_misfit: false,
-            other_ends: Vec::new(),
-            withdrawn: Vec::new(),
-        };
+        let mut found = SearchResult::of(fit.clone(), fit);
         test_as_reported(&prepared, &mut found, &|_| true).unwrap();
         let added = regression.added(&found.fit);
         added.iter().map(|t| t.effect.about().id).collect()

@@ -83,13 +83,7 @@ impl Search<'_, '_> {
             // What the second way has left out the first one has looked for.
             work.begin_again();
         }
-        Ok(SearchResult {
-            fit,
-            named_effects_only,
-            base_misfit: false,
-            other_ends: Vec::new(),
-            withdrawn: Vec::new(),
-        })
+        Ok(SearchResult::of(fit, named_effects_only))
     }
 
     /// Goes on from where a search under nearly the same noise has ended.
@@ -101,17 +95,12 @@ impl Search<'_, '_> {
             self.resume_fit(&from.named_effects_only, Additions::Names)?
         };
         let likelier = named_effects_only.ln_evidence > fit.ln_evidence;
-        Ok(SearchResult {
-            fit: if likelier {
-                named_effects_only.clone()
-            } else {
-                fit
-            },
-            named_effects_only,
-            base_misfit: false,
-            other_ends: Vec::new(),
-            withdrawn: Vec::new(),
-        })
+        let end = if likelier {
+            named_effects_only.clone()
+        } else {
+            fit
+        };
+        Ok(SearchResult::of(end, named_effects_only))
     }
 
     fn resume_fit(&self, end: &Fit, allow: Additions) -> Result<Fit, Cancelled> {
@@ -299,13 +288,8 @@ impl<'a> PreparedSearch<'a> {
         from: &SearchResult,
         watch: Watch,
     ) -> Result<SearchResult, DiagnoseError> {
-        let from = SearchResult {
-            fit: self.refitted(&from.fit),
-            named_effects_only: self.refitted(&from.named_effects_only),
-            base_misfit: false,
-            other_ends: Vec::new(),
-            withdrawn: Vec::new(),
-        };
+        let refitted = |fit: &Fit| self.refitted(fit);
+        let from = SearchResult::of(refitted(&from.fit), refitted(&from.named_effects_only));
         Ok(self.searcher(watch).resume(&from)?)
     }
 

@@ -16,3 +16,16 @@ pub(crate) struct SearchResult {
     /// Ends of other searches, under another noise, that the samples do not rule out.
     pub(crate) other_ends: Vec<Fit>,
 }
+
+impl SearchResult {
+    /// The ends of a search, of everything and of names alone, of which nothing else is known yet.
+    pub(super) fn of(fit: Fit, named_effects_only: Fit) -> Self {
+        Self {
+            fit,
+            named_effects_only,
+            base_misfit: false,
+            withdrawn: Vec::new(),
+            other_ends: Vec::new(),
+        }
+    }
+}

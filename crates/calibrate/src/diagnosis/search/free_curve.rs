@@ -281,13 +281,8 @@ pub(crate) fn instead_of_slow(
             best = Some(beside.into_fit(white, joint));
         }
     }
-    best.map(|fit| SearchResult {
-        fit,
-        named_effects_only: regression.fit(&found.named_effects_only.model, &[]),
-        other_ends: Vec::new(),
-        withdrawn: Vec::new(),
-        base_misfit: false,
-    })
+    let names = || regression.fit(&found.named_effects_only.model, &[]);
+    best.map(|fit| SearchResult::of(fit, names()))
 }
 
 /// Whether the values of a joint come back at other times: most samples are near others that were taken a fifth of

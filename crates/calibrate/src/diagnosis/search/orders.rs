@@ -208,8 +208,7 @@ impl OrderSpread {
         if orders.is_empty() {
             return None;
         }
-        let mut part = problem.clone();
-        part.thin(MOST_SAMPLES);
+        let part = problem.thinned(MOST_SAMPLES);
         let rows = Rows::of(&part).seen_by(model);
         let moved = |order: &Term, by: f64| {
             let terms = model.terms().iter().map(|t| Term {

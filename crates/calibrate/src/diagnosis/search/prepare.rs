@@ -349,8 +349,7 @@ fn bare_regression<'a>(
     survey: &Survey,
     options: &Options,
 ) -> Regression<'a> {
-    let mut problem = problem.clone();
-    problem.thin(MOST_SAMPLES);
+    let problem = problem.thinned(MOST_SAMPLES);
     let rows = Rows::of(&problem).seen_by(base);
     let table = CandidateTable::new(&problem, &rows, base, survey, &options.allowed);
     Regression::new(

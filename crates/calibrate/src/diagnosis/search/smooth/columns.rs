@@ -75,8 +75,7 @@ impl<'a> Columns<'a> {
         joint: usize,
         beside: impl Fn(&Term) -> bool,
     ) -> Self {
-        let mut problem = problem.clone();
-        problem.thin(MOST_SAMPLES);
+        let problem = problem.thinned(MOST_SAMPLES);
         let rows = Rows::of(&problem).seen_by(model);
         let probe = Term::absent(&EACH_DIRECTION, joint, 0.0);
         let model = model.with_term(probe.clone());
@@ -280,8 +279,7 @@ pub(super) fn together(
     model: &Model,
     joint: usize,
 ) -> Option<(Knots, Sums)> {
-    let mut problem = problem.clone();
-    problem.thin(MOST_SAMPLES);
+    let problem = problem.thinned(MOST_SAMPLES);
     let rows = Rows::of(&problem);
     let n = rows.samples.len();
     let probe = Term::absent(&EACH_DIRECTION, joint, 0.0);

@@ -76,8 +76,7 @@ impl<'a> Design<'a> {
         model: &Model,
         threads: Threads,
     ) -> Option<Self> {
-        let mut problem = problem.clone();
-        problem.thin(MOST_SAMPLES);
+        let problem = problem.thinned(MOST_SAMPLES);
         let rows = Rows::of(&problem).seen_by(model);
         let joints = model.robot.joints.len();
         let probes = (0..joints).map(|joint| Term::absent(&EACH_DIRECTION, joint, 0.0));
