@@ -2,7 +2,7 @@
 
 use crate::effects::JointValues;
 use crate::fit::base_model;
-use crate::fit::gap::{Deviations, Spread, suspects};
+use crate::fit::gap::{Spread, suspects};
 use crate::fit::problem::Problem;
 use crate::lanes::minus;
 use crate::model::Calibration;
@@ -15,8 +15,8 @@ use super::plan::Compensation;
 use super::remainder::left_over;
 use super::set_aside;
 use super::verification::{
-    Compensated, Trimmed, Verification, VerifyError, WithinTolerance, applied_corrections, counted,
-    held_out, held_out_of, measured_minus, model_for, moved, where_the_model_is,
+    Compared, Verification, VerifyError, applied_corrections, counted, held_out_of, measured_minus,
+    model_for, moved, where_the_model_is,
 };
 
 /// The same of a session whose raw values are the model's.
@@ -56,13 +56,7 @@ pub(super) fn verify_as_read(
     let after = measured_minus(session, &problem, &compensation, |i| model.get(i));
     let outlier = set_aside::of_its_own(calibration, own, problem.usable.len())
         .unwrap_or_else(|| suspects(&problem, &after));
-    let spread = |d: &Deviations| Spread::of(&d.length_mm, |i| problem.fit[i], |_| false);
-    let tolerance = session.tolerance_mm.or(calibration.tolerance_mm);
-    let within = |d: &Deviations, mm: f64| {
-        let lengths = d.length_mm.iter().zip(&problem.fit);
-        lengths.filter(|(l, counts)| **counts && **l <= mm).count()
-    };
-    let compensated = session.compensated_by.is_none().then(|| {
+    let with_table = session.compensated_by.is_none().then(|| {
         // measured − model + reached − nominal, as if `nominal` were shifted by the model's error
         let moved = moved(&compensation, inputs, &model);
         let drawn = compensation.nominal.predict(inputs);
@@ -73,35 +67,14 @@ pub(super) fn verify_as_read(
             .map(|v| crate::lanes::dot(*v, *v).sqrt())
             .collect();
         let stays = Spread::of(&left, |i| problem.fit[i], |_| false);
-        let compensated = spread(&with_table).map(|gap| Compensated {
-            gap,
-            cannot_be_removed_by_joints_mm: stays.map_or(0.0, |s| s.rms_mm),
-        });
-        (compensated, tolerance.map(|mm| within(&with_table, mm)))
+        (with_table, stays.map_or(0.0, |s| s.rms_mm))
     });
-    let (compensated, corrected) = compensated.unwrap_or_default();
-    let samples = problem.usable.iter().filter(|u| **u).count();
-    let counts = |i: usize| problem.fit[i];
-    Ok(Verification {
-        session: session.name.clone(),
-        samples,
-        nominal: spread(&before).ok_or(VerifyError::NothingToVerify)?,
-        model: spread(&after).ok_or(VerifyError::NothingToVerify)?,
-        within_tolerance: tolerance.map(|mm| WithinTolerance {
-            before: within(&before, mm),
-            after: within(&after, mm),
-            corrected,
-            of: problem.fit.iter().filter(|f| **f).count(),
-        }),
-        compensated,
-        held_out: held_out(&apart, &before, &after),
-        trimmed: Trimmed::of(&before.length_mm, &after.length_mm, counts, &outlier),
-        data_problems: set_aside::findings(session, &after.length_mm, counts, &outlier),
-        before,
-        after,
-        outliers: (0..outlier.len())
-            .filter(|i| counts(*i) && outlier[*i])
-            .collect(),
-        notes,
-    })
+    let compared = Compared {
+        problem: &problem,
+        apart: &apart,
+        suspected: &outlier,
+        tolerance_mm: session.tolerance_mm.or(calibration.tolerance_mm),
+        with_table,
+    };
+    compared.verified(before, after, notes)
 }

@@ -6,7 +6,7 @@
 use crate::effects::places::name;
 use crate::effects::{JointValues, Place, PlaceKind};
 use crate::fit::base_model;
-use crate::fit::gap::{Spread, deviations};
+use crate::fit::gap::deviations;
 use crate::fit::problem::Problem;
 use crate::model::{Calibration, Model};
 use crate::observations::figures::apart_beside;
@@ -15,9 +15,7 @@ use crate::sessions::{Session, hash_of_samples};
 use crate::text::Text;
 
 use super::set_aside;
-use super::verification::{
-    Trimmed, Verification, VerifyError, WithinTolerance, counted, held_out, held_out_of, model_for,
-};
+use super::verification::{Compared, Verification, VerifyError, counted, held_out_of, model_for};
 
 /// Compares a session that has more than points with a calibration of the same robot.
 pub(super) fn verify(
@@ -40,42 +38,20 @@ pub(super) fn verify(
     let nominal = self::placed(layer, &bare, session, None);
     let before = deviations(&problem, &nominal);
     let after = deviations(&problem, &placed);
-    let counts = |i: usize| problem.fit[i];
     let suspected = set_aside::of_its_own(calibration, own, problem.usable.len());
     let suspected = suspected.unwrap_or_else(|| {
         problem.observed.as_ref().map_or_else(Vec::new, |layer| {
             layer.samples_with(&apart_beside(layer, &placed))
         })
     });
-    let spread = |lengths: &[f64]| Spread::of(lengths, counts, |_| false);
-    let tolerance = session.tolerance_mm.or(calibration.tolerance_mm);
-    let samples = problem.usable.iter().filter(|u| **u).count();
-    let within = |lengths: &[f64], mm: f64| {
-        let lengths = lengths.iter().zip(&problem.fit);
-        lengths.filter(|(l, counts)| **counts && **l <= mm).count()
+    let compared = Compared {
+        problem: &problem,
+        apart: &apart,
+        suspected: &suspected,
+        tolerance_mm: session.tolerance_mm.or(calibration.tolerance_mm),
+        with_table: None,
     };
-    Ok(Verification {
-        session: session.name.clone(),
-        samples,
-        nominal: spread(&before.length_mm).ok_or(VerifyError::NothingToVerify)?,
-        model: spread(&after.length_mm).ok_or(VerifyError::NothingToVerify)?,
-        within_tolerance: tolerance.map(|mm| WithinTolerance {
-            before: within(&before.length_mm, mm),
-            after: within(&after.length_mm, mm),
-            corrected: None,
-            of: problem.fit.iter().filter(|f| **f).count(),
-        }),
-        compensated: None,
-        held_out: held_out(&apart, &before, &after),
-        trimmed: Trimmed::of(&before.length_mm, &after.length_mm, counts, &suspected),
-        data_problems: set_aside::findings(session, &after.length_mm, counts, &suspected),
-        before,
-        after,
-        outliers: (0..suspected.len())
-            .filter(|i| counts(*i) && suspected[*i])
-            .collect(),
-        notes,
-    })
+    compared.verified(before, after, notes)
 }
 
 /// A model with the places of this session: its own by their names, others where they seem to be.

@@ -42,6 +42,7 @@ use crate::answers::rms_error::rms_error;
 
 use super::conditions::Conditions;
 use super::plan::Compensation;
+use super::set_aside;
 
 /// Numbers of poses within the tolerance.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -141,6 +142,65 @@ pub struct Verification {
     pub notes: Vec<Text>,
 }
 
+/// What a session is compared by.
+pub(super) struct Compared<'p, 'a> {
+    pub(super) problem: &'p Problem<'a>,
+    /// Samples that are held out.
+    pub(super) apart: &'p [bool],
+    /// Suspected outliers.
+    pub(super) suspected: &'p [bool],
+    pub(super) tolerance_mm: Option<f64>,
+    /// What corrected commands would leave, and what no joint can remove, root mean square, mm.
+    pub(super) with_table: Option<(Deviations, f64)>,
+}
+
+impl Compared<'_, '_> {
+    /// The figures of measured − nominal robot and measured − model.
+    pub(super) fn verified(
+        &self,
+        before: Deviations,
+        after: Deviations,
+        notes: Vec<Text>,
+    ) -> Result<Verification, VerifyError> {
+        let (problem, session) = (self.problem, self.problem.session);
+        let counts = |i: usize| problem.fit[i];
+        let spread = |d: &Deviations| Spread::of(&d.length_mm, counts, |_| false);
+        let within = |d: &Deviations, mm: f64| {
+            let lengths = d.length_mm.iter().zip(&problem.fit);
+            lengths.filter(|(l, counts)| **counts && **l <= mm).count()
+        };
+        let compensated = |(left, cannot): &(Deviations, f64)| {
+            Some(Compensated {
+                gap: spread(left)?,
+                cannot_be_removed_by_joints_mm: *cannot,
+            })
+        };
+        let suspected = self.suspected;
+        Ok(Verification {
+            session: session.name.clone(),
+            samples: problem.usable.iter().filter(|u| **u).count(),
+            nominal: spread(&before).ok_or(VerifyError::NothingToVerify)?,
+            model: spread(&after).ok_or(VerifyError::NothingToVerify)?,
+            within_tolerance: self.tolerance_mm.map(|mm| WithinTolerance {
+                before: within(&before, mm),
+                after: within(&after, mm),
+                corrected: self.with_table.as_ref().map(|own| within(&own.0, mm)),
+                of: problem.fit.iter().filter(|f| **f).count(),
+            }),
+            compensated: self.with_table.as_ref().and_then(compensated),
+            held_out: held_out(self.apart, &before, &after),
+            trimmed: Trimmed::of(&before.length_mm, &after.length_mm, counts, suspected),
+            data_problems: set_aside::findings(session, &after.length_mm, counts, suspected),
+            outliers: (0..suspected.len())
+                .filter(|i| counts(*i) && suspected[*i])
+                .collect(),
+            before,
+            after,
+            notes,
+        })
+    }
+}
+
 /// Why a session cannot be compared with a model.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum VerifyError {
@@ -204,7 +264,7 @@ pub(super) fn counted(problem: &Problem, apart: &[bool]) -> Vec<bool> {
 }
 
 /// Errors of the samples that are held out.
-pub(super) fn held_out(
+fn held_out(
     is_held_out: &[bool],
     before: &Deviations,
     after: &Deviations,
