@@ -7,7 +7,7 @@ use serde::de::{Deserialize, IgnoredAny};
 
 use super::{Member, Node, Source, Value};
 use crate::diagnostic::{Diagnostic, Rejected};
-use crate::document::number::{plain_decimal, quoted};
+use crate::document::number::quoted;
 use crate::progress::{Cancelled, Progress, ProgressSpan, ReadError, unwatched};
 use crate::text::{Template, Text};
 
@@ -163,14 +163,7 @@ impl<'s> Walk<'s> {
 
     /// What overflows is infinite.
     fn number(&mut self) -> f64 {
-        let bytes = self.source.text.as_bytes();
-        match plain_decimal(bytes, self.at) {
-            Some((value, after)) if !bytes.get(after).copied().is_some_and(is_of_word) => {
-                self.at = after;
-                value
-            }
-            _ => self.word().parse().unwrap_or(f64::NAN),
-        }
+        self.word().parse().unwrap_or(f64::NAN)
     }
 
     /// An array of nothing but numbers and nulls (NaN), and not only nulls.

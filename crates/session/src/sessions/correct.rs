@@ -56,8 +56,10 @@ impl SessionCorrection {
                 joint = joint + 1,
                 angle = format!("{:.0}", by_rad.to_degrees())
             ),
-            Self::ScaleLengths(factor) => scaled_lengths(*factor),
-            Self::ScaleCoordinate { axis, factor } => scaled_coordinate(*axis, *factor),
+            Self::ScaleLengths(factor) => scaled_lengths(text!("the coordinates"), *factor),
+            Self::ScaleCoordinate { axis, factor } => {
+                scaled_lengths(Text::verbatim(["x", "y", "z"][(*axis).min(2)]), *factor)
+            }
             Self::Reorder([1, 0, 2]) => text!("Exchange x and y"),
             Self::Reorder(order) => {
                 let [a, b, c] = order.map(|k| ["x", "y", "z"][k % 3]);
@@ -79,10 +81,14 @@ impl SessionCorrection {
                 factor = format!("{factor:.6}")
             ),
             Self::ScaleLoad(factor) if *factor < 1.0 => text!("Read the loads as grams"),
-            Self::ScaleLoad(factor) => text!(
-                "Multiply the loads by {factor}",
-                factor = format!("{factor:.6}")
-            ),
+            Self::ScaleLoad(factor) => {
+                let factor = format!("{factor:.6}");
+                text!(
+                    "Multiply {axis} by {factor}",
+                    axis = text!("the loads"),
+                    factor
+                )
+            }
             Self::ConvertTemperature { factor, .. } if *factor < 1.0 => {
                 text!("Read the temperatures as Fahrenheit")
             }
@@ -302,35 +308,18 @@ fn scaled_joints(factor: f64) -> Text {
     }
 }
 
-/// What multiplying the measured coordinates does, in words.
-fn scaled_lengths(factor: f64) -> Text {
-    match factor {
-        1000.0 => text!("Read the coordinates as metres"),
-        25.4 => text!("Read the coordinates as inches"),
-        0.001 => text!("Read the coordinates as micrometres"),
-        factor => text!(
-            "Multiply the coordinates by {factor}",
-            factor = format!("{factor:.6}")
-        ),
-    }
-}
-
-/// What multiplying one of them does, in words.
-fn scaled_coordinate(axis: usize, factor: f64) -> Text {
-    let axis = ["x", "y", "z"][axis.min(2)];
+/// What multiplying measured coordinates does, in words.
+fn scaled_lengths(what: Text, factor: f64) -> Text {
     let unit = match factor {
         1000.0 => phrase!("metres"),
         25.4 => phrase!("inches"),
         0.001 => phrase!("micrometres"),
         factor => {
-            return text!(
-                "Multiply {axis} by {factor}",
-                axis,
-                factor = format!("{factor:.6}")
-            );
+            let factor = format!("{factor:.6}");
+            return text!("Multiply {axis} by {factor}", axis = what, factor);
         }
     };
-    text!("Read {axis} as {unit}", axis, unit)
+    text!("Read {axis} as {unit}", axis = what, unit)
 }
 
 /// In which unit a joint's values are that have to be multiplied by so much, if it is one.

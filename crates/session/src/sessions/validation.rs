@@ -70,61 +70,27 @@ pub(super) fn sizes(session: &Session, file: &Place, findings: &mut Vec<Diagnost
     let references = &session.instrument.references;
     let setups = session.samples.setups.as_ref();
     let setups = setups.map_or(0, |setups| setups.names.len());
-    let targets = session.targets.len();
-    for (field, count, most, expected) in [
-        (
-            "setup",
-            setups,
-            300,
-            text!("at most {most} setups in one session", most = 300),
-        ),
+    // An arm's targets are parameters of its fit.
+    let one_joint = session.robot.joints.len() <= 1;
+    for (field, count, most) in [
+        ("setup", setups, 300),
         (
             "targets",
-            targets,
-            1_000_000,
-            text!("at most {most} targets in one session", most = 1_000_000),
+            session.targets.len(),
+            if one_joint { 1_000_000 } else { 600 },
         ),
-        (
-            "anchors",
-            references.anchors.len(),
-            600,
-            text!("at most {most} anchors in one session", most = 600),
-        ),
-        (
-            "stations",
-            references.stations.len(),
-            300,
-            text!("at most {most} stations in one session", most = 300),
-        ),
-        (
-            "planes",
-            references.planes.len(),
-            600,
-            text!("at most {most} planes in one session", most = 600),
-        ),
-        (
-            "sockets",
-            references.sockets.len(),
-            600,
-            text!("at most {most} sockets in one session", most = 600),
-        ),
+        ("anchors", references.anchors.len(), 600),
+        ("stations", references.stations.len(), 300),
+        ("planes", references.planes.len(), 600),
+        ("sockets", references.sockets.len(), 600),
     ] {
         if count > most {
             findings.push(Diagnostic::error(
                 file.clone().in_field(field),
                 text!("{count} of them", count),
-                expected,
+                text!("at most {most} in one session", most),
             ));
         }
-    }
-    // An arm's targets are parameters of its fit.
-    let (targets, most) = (session.targets.len(), 600);
-    if targets > most && session.robot.joints.len() > 1 {
-        findings.push(Diagnostic::error(
-            file.clone().in_field("targets"),
-            text!("{targets} targets of a robot with several joints", targets),
-            text!("at most {most} targets in one session", most),
-        ));
     }
 }
 

@@ -32,10 +32,9 @@ pub(super) struct Sample<'a> {
 }
 
 impl<'a> Sample<'a> {
-    /// Reads the cell from `at`; `bytes[..end]` ends with a line feed.
-    pub(super) fn read(bytes: &'a [u8], at: usize, end: usize) -> Self {
-        let bytes = &bytes[..end];
-        let cell = Cell::read(bytes, at.min(end), SAMPLES);
+    /// Reads the cell from `at`.
+    pub(super) fn read(bytes: &'a [u8], at: usize) -> Self {
+        let cell = Cell::read(bytes, at, SAMPLES);
         let stop = match bytes.get(cell.stop) {
             Some(b',') => Stop::Comma,
             _ => Stop::Line,
@@ -56,20 +55,15 @@ impl<'a> Sample<'a> {
             content,
             quotes: cell.quotes,
             after_quote,
-            after: (cell.stop + 1).min(end),
+            after: (cell.stop + 1).min(bytes.len()),
             stop,
             line_feeds,
         }
     }
 
-    /// Whether its quote never closes.
-    pub(super) fn is_open(&self) -> bool {
-        self.quotes == Quotes::Open
-    }
-
     /// The cell as text, or what to say about it.
     pub(super) fn text(&self) -> Result<&str, (Text, Template)> {
-        if self.is_open() {
+        if self.quotes == Quotes::Open {
             return Err((
                 text!("a quote that is not closed"),
                 phrase!("a closing quote"),
@@ -100,18 +94,6 @@ impl<'a> Sample<'a> {
             Quotes::None => trimmed(text),
             _ => text,
         }
-    }
-
-    /// Appends the cell to its column of names or text; false, and nothing done, if there is
-    /// anything to say about it.
-    pub(super) fn store_text(&self, column: &mut Cells) -> bool {
-        let Ok(text) = self.text() else { return false };
-        match column {
-            Cells::Text(cells) => cells.push(text.to_owned()),
-            Cells::Names(names) => names.push(self.plain(text)),
-            Cells::Numbers(_) => return false,
-        }
-        true
     }
 
     /// Appends the cell to its column.
@@ -162,15 +144,15 @@ impl<'a> Sample<'a> {
 }
 
 /// A cell without quotes may have spaces around it.
-pub(super) fn trimmed(cell: &str) -> &str {
+fn trimmed(cell: &str) -> &str {
     cell.trim_matches([' ', '\t'])
 }
 
 /// Where the line after this one starts and how many cells are left in this one.
-pub(super) fn skip_line(bytes: &[u8], mut at: usize, end: usize) -> (usize, usize) {
+pub(super) fn skip_line(bytes: &[u8], mut at: usize) -> (usize, usize) {
     let mut cells = 0;
     loop {
-        let cell = Sample::read(bytes, at, end);
+        let cell = Sample::read(bytes, at);
         cells += 1;
         at = cell.after;
         if cell.stop == Stop::Line {

@@ -19,7 +19,7 @@ use crate::kinematics::{
 
 /// A robot. A file that it names is looked for beside the document.
 pub const ROBOT: Kind<Robot> = Kind {
-    expected: phrase!("an object that describes the robot"),
+    expected: phrase!("an object"),
     read: |at| {
         ranges::check(at.fields, at.node, at.path);
         at.object(blank(), robot)
@@ -115,7 +115,7 @@ const JOINTS: Kind<Vec<Joint>> = Kind {
 };
 
 const JOINT: Kind<Joint> = Kind {
-    expected: phrase!("an object that describes a joint"),
+    expected: phrase!("an object"),
     read: |at| {
         let blank = Joint {
             name: String::new(),
@@ -173,7 +173,7 @@ const GEAR_RATIO: Kind<f64> = Kind {
 };
 
 const FOLLOWS: Kind<Follows> = Kind {
-    expected: phrase!("an object with joint, ratio and offset"),
+    expected: phrase!("an object"),
     read: |at| {
         let blank = Follows {
             of: 0,
@@ -220,7 +220,7 @@ const AXIS: Kind<Unit<Vector3<f64>>> = Kind {
     write: components,
 };
 
-const MASS: Kind<f64> = Kind {
+pub(super) const MASS: Kind<f64> = Kind {
     expected: phrase!("a mass of 0 kg or more"),
     read: |at| {
         let mass = NUMBER.read(at.fields, at.node, at.path)?;
@@ -229,6 +229,6 @@ const MASS: Kind<f64> = Kind {
     write: NUMBER.write,
 };
 
-const CENTRE: Kind<Point3<f64>> = point(phrase!(
+pub(super) const CENTRE: Kind<Point3<f64>> = point(phrase!(
     "the centre of the link at home (3 numbers), as mass_kg is given"
 ));

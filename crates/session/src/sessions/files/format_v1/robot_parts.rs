@@ -41,7 +41,7 @@ pub(super) const ENDS: Kind<[f64; 2]> = Kind {
 
 /// A pose at home, in the base frame.
 pub const POSE: Kind<Pose> = Kind {
-    expected: phrase!("an object with position_mm and quaternion_wxyz"),
+    expected: phrase!("an object"),
     read: |at| at.object(Pose::identity(), pose),
     write: |own| written(*own, pose),
 };
