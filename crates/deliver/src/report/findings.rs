@@ -35,15 +35,9 @@ impl ReportContext<'_> {
     }
 
     fn nothing_open(&self) -> String {
-        if self.as_read.note.trim().is_empty() {
-            say!(
+        say!(
                 "Nothing in these samples: no data problem, no rival explanation, nothing left without a name, no outlier"
             )
-        } else {
-            say!(
-                "Nothing in these samples: no data problem, no rival explanation, nothing left without a name, no outlier. The note says where they come from"
-            )
-        }
         .to_owned()
     }
 }

@@ -3,6 +3,8 @@
 //! Not a number here: `nan`, `inf`, and anything that overflows. A missing value is an empty cell
 //! and nothing else.
 
+use crate::text::Template;
+
 /// Why a text is not a number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum NotANumber {
@@ -14,6 +16,18 @@ pub(crate) enum NotANumber {
     DecimalComma,
     /// Anything else.
     Garbage,
+}
+
+impl NotANumber {
+    /// What should stand there.
+    pub(crate) fn expected(self) -> Template {
+        match self {
+            Self::NotFinite => phrase!("a finite number, or an empty cell where it is missing"),
+            Self::Overflow => phrase!("a number that a double can hold"),
+            Self::DecimalComma => phrase!("a number with a decimal point"),
+            Self::Garbage => phrase!("a number"),
+        }
+    }
 }
 
 /// The general way: any decimal number that fills the whole text, correctly rounded.

@@ -136,7 +136,7 @@ impl<'s> Walk<'s> {
         let key_at = self.at;
         let key = self.text()?;
         if !keys.insert(key.clone()) {
-            let found = text!("the key {key} a second time", key = quoted(&key));
+            let found = text!("{name} a second time", name = quoted(&key));
             let expected = phrase!("every key once");
             return Err(self.source.wrong(key_at, found, expected));
         }
@@ -257,9 +257,9 @@ impl Source<'_> {
             "EOF while parsing a list" => (end, phrase!("',' or ']'")),
             "EOF while parsing a value" => (end, value),
             "EOF while parsing a string" => {
-                let found = text!("a text that is not closed");
+                let found = text!("a quote that is not closed");
                 let at = self.text.rfind('"').unwrap_or(last);
-                return self.wrong(at, found, phrase!("a closing '\"'"));
+                return self.wrong(at, found, phrase!("a closing quote"));
             }
             "key must be a string" => (last, key),
             "expected `:`" => (last, colon),

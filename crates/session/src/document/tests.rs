@@ -67,7 +67,7 @@ fn a_syntax_error_says_where_what_and_what_instead() {
         ("[1.]", "line 1, column 2: '1.'; expected a JSON number"),
         ("[+1]", "line 1, column 2: '+1'; expected a JSON value"),
         ("\"a\nb\"", "line 1, column 3: a control character"),
-        ("\"ab", "line 1, column 1: a text that is not closed"),
+        ("\"ab", "line 1, column 1: a quote that is not closed"),
         ("\"\\x\"", "line 1, column 2: '\\x\"'; expected an escape"),
         ("\"\\ud800\"", "expected an escape"),
         (

@@ -124,8 +124,8 @@ impl SessionCorrection {
                 sample = from + 1
             ),
             Self::InRows { rows, by } => text!(
-                "{correction}, in {rows}",
-                correction = by.describe(),
+                "{what}, in {rows}",
+                what = by.describe(),
                 rows = in_rows::listed(rows)
             ),
             Self::Free { group, index } => {

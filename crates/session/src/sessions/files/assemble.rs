@@ -302,8 +302,8 @@ impl PlacedColumn<'_> {
             let place = (self.locate)(self.index, row);
             self.findings.push(Diagnostic::error(
                 place,
-                text!("a number that overflows in mm"),
-                text!("a length that a double can hold in mm"),
+                text!("a number that overflows"),
+                text!("a number that a double can hold"),
             ));
         }
         values

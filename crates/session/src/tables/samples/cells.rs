@@ -74,15 +74,15 @@ impl<'a> Sample<'a> {
             return Err((found, phrase!("a comma or the end of the line")));
         }
         if self.content.contains(&0) {
-            return Err((text!("a NUL byte"), phrase!("text; this is a binary file")));
+            return Err((
+                text!("a zero byte"),
+                phrase!("a CSV file: headings and one line per sample"),
+            ));
         }
         match std::str::from_utf8(&self.content) {
             Ok(text) => Ok(text),
             Err(_) => Err((
-                text!(
-                    "bytes that are not UTF-8: {content}",
-                    content = quoted(&String::from_utf8_lossy(&self.content))
-                ),
+                text!("bytes that are not UTF-8"),
                 phrase!("UTF-8 text; another encoding is read by `truepose import`"),
             )),
         }
@@ -123,18 +123,12 @@ impl<'a> Sample<'a> {
                 Err(problem) => {
                     values.push(f64::NAN);
                     let expected = match problem {
-                        NotANumber::NotFinite => {
-                            text!("a finite number; a missing value is an empty cell")
-                        }
-                        NotANumber::Overflow => {
-                            text!("a number that a double can hold (below 1.8e308)")
-                        }
                         NotANumber::DecimalComma => {
-                            text!(
+                            phrase!(
                                 "a decimal point; decimal commas are read by `truepose import --decimal ,`"
                             )
                         }
-                        NotANumber::Garbage => text!("a number"),
+                        other => other.expected(),
                     };
                     complaints.about_cell(line, index, Text::verbatim(quoted(plain)), expected);
                 }

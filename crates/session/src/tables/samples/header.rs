@@ -75,7 +75,7 @@ fn something_else(start: &[u8], file: &Place) -> Option<Diagnostic> {
     if start.trim_ascii().is_empty() {
         return error(
             text!("an empty file"),
-            phrase!("a line of headings and one line per sample"),
+            phrase!("a CSV file: headings and one line per sample"),
         );
     }
     match mark(start) {
@@ -87,10 +87,10 @@ fn something_else(start: &[u8], file: &Place) -> Option<Diagnostic> {
     }
     let nul = memchr::memchr(0, start)?;
     if nul <= 1 && start.len() > 3 && start[(nul + 1) % 2].is_ascii_graphic() {
-        return error(text!("a file in UTF-16 without a byte order mark"), IMPORT);
+        return error(text!("a file in UTF-16"), IMPORT);
     }
     error(
-        text!("a binary file (it holds NUL bytes)"),
+        text!("a zero byte"),
         phrase!("a CSV file: headings and one line per sample"),
     )
 }

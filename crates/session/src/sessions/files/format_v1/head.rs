@@ -150,7 +150,7 @@ fn instrument(o: &mut Object<'_, '_>, own: &mut Instrument) {
     o.optional("sigma_mm", &mut own.sigma_mm, &SIGMA);
     // Null says that they are not known, which is another thing than to say nothing.
     if o.is_read() || own.targets_sigma_mm != Some(TARGETS_SIGMA_MM) {
-        let kind = positive(phrase!("a length above 0 mm, or null"));
+        let kind = positive(phrase!("a number above 0, or null"));
         o.usual_or_null("targets_sigma_mm", &mut own.targets_sigma_mm, &kind);
     }
     let says = !own.free_targets.is_empty();

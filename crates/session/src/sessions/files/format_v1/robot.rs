@@ -107,7 +107,7 @@ const JOINTS: Kind<Vec<Joint>> = Kind {
     read: |at| match &at.node.value {
         Value::List(all) if all.len() > MOST_JOINTS => {
             let expected = text!("at most {most} joints", most = MOST_JOINTS);
-            at.error(text!("{all} joints", all = all.len()), expected)
+            at.error(text!("{joints} joints", joints = all.len()), expected)
         }
         _ => at.some(&JOINT),
     },

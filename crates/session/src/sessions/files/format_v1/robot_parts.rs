@@ -32,7 +32,7 @@ pub(super) const ENDS: Kind<[f64; 2]> = Kind {
         let [from, to] = at.numbers::<2>()?;
         if from >= to {
             let found = text!("limits from {from} to {to}", from, to);
-            return at.error(found, text!("limits from the smaller to the larger value"));
+            return at.error(found, text!("a range from the smaller to the larger value"));
         }
         Some([from, to])
     },

@@ -102,8 +102,14 @@ pub(super) fn from_file(at: &mut Cursor<'_, '_>, format: DescriptionFormat) -> O
         Err(rejected) => {
             at.fields.also_read.push(described);
             let expected = match format {
-                DescriptionFormat::Urdf => text!("a URDF file with a chain from base to tip"),
-                DescriptionFormat::Mjcf => text!("an MJCF file with a chain from base to tip"),
+                DescriptionFormat::Urdf => text!(
+                    "a file ({format}) with a chain from base to tip",
+                    format = "URDF"
+                ),
+                DescriptionFormat::Mjcf => text!(
+                    "a file ({format}) with a chain from base to tip",
+                    format = "MJCF"
+                ),
             };
             at.error::<()>(
                 text!("the file {file} cannot be used", file = quoted(&file)),
