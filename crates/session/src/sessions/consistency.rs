@@ -12,7 +12,8 @@ use crate::diagnostic::{Diagnostic, Place, Rejected};
 use crate::document::ranges::{SMALLEST_SIGMA, short};
 use crate::kinematics::JointKind;
 use crate::sessions::columns::{Quantity, Unit};
-use crate::sessions::domain::{Session, Sigma, default_targets};
+use crate::sessions::domain::{Instrument, Session, Sigma, default_targets};
+use crate::sessions::references::References;
 use crate::sessions::validation;
 use crate::text::Text;
 use crate::units::{LARGEST_JOINT_VALUE, LARGEST_LENGTH_MM, rad_from_deg};
@@ -258,107 +259,106 @@ fn cells(session: &Session) -> Vec<Diagnostic> {
 
 /// Fields with numbers that no file of a session holds. What is not a number fits nowhere.
 fn out_of_range(session: &Session) -> impl Iterator<Item = Diagnostic> {
-    let is_length = |mm: f64| mm.abs() <= LARGEST_LENGTH_MM;
-    let is_place = |p: &Point3<f64>| p.iter().all(|x| is_length(*x));
-    let is_known_place = |p: &Option<Point3<f64>>| p.as_ref().is_none_or(is_place);
-    let is_unit = |norm: f64| (norm - 1.0).abs() <= 1e-6;
+    let largest = rad_from_deg(LARGEST_JOINT_VALUE);
+    let regions = session.regions.iter().all(|region| {
+        let (from, to) = (region.from_rad, region.to_rad);
+        from < to && from.abs() <= largest && to.abs() <= largest
+    });
+    let targets = session.targets.iter().all(|t| is_place(&t.position_mm));
+    let tolerance = session.tolerance_mm;
+    let own = [
+        ("targets", targets),
+        (
+            "tolerance_mm",
+            tolerance.is_none_or(|mm| mm > 0.0 && is_length(mm)),
+        ),
+        ("regions", regions),
+    ];
+    let noise = noise_fits(&session.instrument);
+    let references = references_fit(&session.instrument.references);
+    let fits = own.into_iter().chain(noise).chain(references);
+    fits.filter(|(_, fits)| !fits)
+        .map(|(field, _)| error(field, text!("a number that cannot be"), Text::default()))
+}
+
+fn is_length(mm: f64) -> bool {
+    mm.abs() <= LARGEST_LENGTH_MM
+}
+
+fn is_place(at: &Point3<f64>) -> bool {
+    at.iter().all(|x| is_length(*x))
+}
+
+fn noise_fits(instrument: &Instrument) -> [(&'static str, bool); 7] {
     // Angles are read in millionths, with rounding.
     let is_sigma = |value: f64| (1e-7 * SMALLEST_SIGMA..=LARGEST_LENGTH_MM).contains(&value);
-    let largest = rad_from_deg(LARGEST_JOINT_VALUE);
-    let (instrument, references) = (&session.instrument, &session.instrument.references);
     let sigma_mm = match instrument.sigma_mm {
         Some(Sigma::Overall(sigma)) => is_sigma(sigma),
         Some(Sigma::PerAxis(each)) => each.into_iter().all(is_sigma),
         None => true,
     };
-    let fits = [
-        (
-            "targets",
-            session.targets.iter().all(|t| is_place(&t.position_mm)),
-        ),
+    let tracker = instrument.tracker.is_none_or(|t| {
+        is_sigma(t.sigma_range_mm) && is_sigma(t.sigma_angle) && is_place(&t.position_mm)
+    });
+    let stated = |sigma: Option<f64>| sigma.is_none_or(is_sigma);
+    [
         ("instrument.sigma_mm", sigma_mm),
         (
             "instrument.targets_sigma_mm",
-            instrument.targets_sigma_mm.is_none_or(is_sigma),
+            stated(instrument.targets_sigma_mm),
         ),
         (
             "instrument.sigma_orientation",
-            instrument.sigma_orientation.is_none_or(is_sigma),
+            stated(instrument.sigma_orientation),
         ),
         (
             "instrument.sigma_distance_mm",
-            instrument.sigma_distance_mm.is_none_or(is_sigma),
+            stated(instrument.sigma_distance_mm),
         ),
         (
             "instrument.sigma_direction",
-            instrument.sigma_direction.is_none_or(is_sigma),
+            stated(instrument.sigma_direction),
         ),
         (
             "instrument.sigma_touch_mm",
-            instrument.sigma_touch_mm.is_none_or(is_sigma),
+            stated(instrument.sigma_touch_mm),
         ),
-        (
-            "instrument.tracker",
-            instrument.tracker.is_none_or(|t| {
-                is_sigma(t.sigma_range_mm) && is_sigma(t.sigma_angle) && is_place(&t.position_mm)
-            }),
-        ),
-        (
-            "instrument.references.anchors",
-            references.anchors.iter().all(|anchor| {
-                is_known_place(&anchor.position_mm) && anchor.offset_mm.is_none_or(is_length)
-            }),
-        ),
-        (
-            "instrument.references.stations",
-            references.stations.iter().all(|station| {
-                let turn = station.attitude.as_ref();
-                is_known_place(&station.position_mm)
-                    && turn.is_none_or(|turn| is_unit(turn.coords.norm()))
-            }),
-        ),
-        (
-            "instrument.references.planes",
-            references.planes.iter().all(|plane| {
-                let stated = plane.stated.as_ref();
-                stated.is_none_or(|(normal, mm)| is_unit(normal.norm()) && is_length(*mm))
-            }),
-        ),
+        ("instrument.tracker", tracker),
+    ]
+}
+
+fn references_fit(references: &References) -> [(&'static str, bool); 6] {
+    let is_known_place = |p: &Option<Point3<f64>>| p.as_ref().is_none_or(is_place);
+    let is_unit = |norm: f64| (norm - 1.0).abs() <= 1e-6;
+    let anchors = references.anchors.iter().all(|anchor| {
+        is_known_place(&anchor.position_mm) && anchor.offset_mm.is_none_or(is_length)
+    });
+    let stations = references.stations.iter().all(|station| {
+        let turn = station.attitude.as_ref();
+        is_known_place(&station.position_mm) && turn.is_none_or(|q| is_unit(q.coords.norm()))
+    });
+    let planes = references.planes.iter().all(|plane| {
+        let stated = plane.stated.as_ref();
+        stated.is_none_or(|(normal, mm)| is_unit(normal.norm()) && is_length(*mm))
+    });
+    let mut sockets = references.sockets.iter();
+    let mut distances = references.socket_distances.iter();
+    let pointing = references.pointing.as_ref();
+    [
+        ("instrument.references.anchors", anchors),
+        ("instrument.references.stations", stations),
+        ("instrument.references.planes", planes),
         (
             "instrument.references.sockets",
-            references
-                .sockets
-                .iter()
-                .all(|s| is_known_place(&s.position_mm)),
+            sockets.all(|s| is_known_place(&s.position_mm)),
         ),
         (
             "instrument.references.socket_distances",
-            references
-                .socket_distances
-                .iter()
-                .all(|d| is_length(d.distance_mm)),
+            distances.all(|d| is_length(d.distance_mm)),
         ),
         (
             "instrument.references.pointing",
-            references
-                .pointing
-                .as_ref()
-                .is_none_or(|p| is_unit(p.axis.norm())),
+            pointing.is_none_or(|p| is_unit(p.axis.norm())),
         ),
-        (
-            "tolerance_mm",
-            session
-                .tolerance_mm
-                .is_none_or(|mm| mm > 0.0 && is_length(mm)),
-        ),
-        (
-            "regions",
-            session.regions.iter().all(|region| {
-                let (from, to) = (region.from_rad, region.to_rad);
-                from < to && from.abs() <= largest && to.abs() <= largest
-            }),
-        ),
-    ];
-    let wrong = fits.into_iter().filter(|(_, fits)| !fits);
-    wrong.map(|(field, _)| error(field, text!("a number that cannot be"), Text::default()))
+    ]
 }

@@ -57,9 +57,7 @@ impl SessionCorrection {
                 angle = format!("{:.0}", by_rad.to_degrees())
             ),
             Self::ScaleLengths(factor) => scaled_lengths(text!("the coordinates"), *factor),
-            Self::ScaleCoordinate { axis, factor } => {
-                scaled_lengths(Text::verbatim(["x", "y", "z"][(*axis).min(2)]), *factor)
-            }
+            Self::ScaleCoordinate { axis, factor } => scaled_coordinate(*axis, *factor),
             Self::Reorder([1, 0, 2]) => text!("Exchange x and y"),
             Self::Reorder(order) => {
                 let [a, b, c] = order.map(|k| ["x", "y", "z"][k % 3]);
@@ -81,14 +79,7 @@ impl SessionCorrection {
                 factor = format!("{factor:.6}")
             ),
             Self::ScaleLoad(factor) if *factor < 1.0 => text!("Read the loads as grams"),
-            Self::ScaleLoad(factor) => {
-                let factor = format!("{factor:.6}");
-                text!(
-                    "Multiply {axis} by {factor}",
-                    axis = text!("the loads"),
-                    factor
-                )
-            }
+            Self::ScaleLoad(factor) => multiplied(text!("the loads"), *factor),
             Self::ConvertTemperature { factor, .. } if *factor < 1.0 => {
                 text!("Read the temperatures as Fahrenheit")
             }
@@ -314,12 +305,19 @@ fn scaled_lengths(what: Text, factor: f64) -> Text {
         1000.0 => phrase!("metres"),
         25.4 => phrase!("inches"),
         0.001 => phrase!("micrometres"),
-        factor => {
-            let factor = format!("{factor:.6}");
-            return text!("Multiply {axis} by {factor}", axis = what, factor);
-        }
+        factor => return multiplied(what, factor),
     };
     text!("Read {axis} as {unit}", axis = what, unit)
+}
+
+/// What multiplying one of them does, in words.
+fn scaled_coordinate(axis: usize, factor: f64) -> Text {
+    scaled_lengths(Text::verbatim(["x", "y", "z"][axis.min(2)]), factor)
+}
+
+fn multiplied(what: Text, factor: f64) -> Text {
+    let factor = format!("{factor:.6}");
+    text!("Multiply {axis} by {factor}", axis = what, factor)
 }
 
 /// In which unit a joint's values are that have to be multiplied by so much, if it is one.

@@ -6,7 +6,7 @@
 use crate::text::{Template, Text};
 use nalgebra::{Point3, Unit, Vector3};
 
-use super::robot_parts::{ENDS, JOINT_KIND, POSE, range};
+use super::robot_parts::{CENTRE, ENDS, JOINT_KIND, MASS, POSE, range};
 use super::{robot_beside, robot_source, unit};
 use crate::diagnostic::Diagnostic;
 use crate::document::kinds::{NUMBER, TEXT, VECTOR, components, count, point};
@@ -219,16 +219,3 @@ const AXIS: Kind<Unit<Vector3<f64>>> = Kind {
     },
     write: components,
 };
-
-pub(super) const MASS: Kind<f64> = Kind {
-    expected: phrase!("a mass of 0 kg or more"),
-    read: |at| {
-        let mass = NUMBER.read(at.fields, at.node, at.path)?;
-        if mass < 0.0 { at.wrong() } else { Some(mass) }
-    },
-    write: NUMBER.write,
-};
-
-pub(super) const CENTRE: Kind<Point3<f64>> = point(phrase!(
-    "the centre of the link at home (3 numbers), as mass_kg is given"
-));

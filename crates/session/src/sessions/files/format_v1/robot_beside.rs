@@ -4,8 +4,7 @@
 
 use nalgebra::Point3;
 
-use super::robot::{CENTRE, MASS};
-use super::robot_parts::{ENDS, POSE, range};
+use super::robot_parts::{CENTRE, ENDS, MASS, POSE, range};
 use crate::document::Value;
 use crate::document::object::{Cursor, Object};
 use crate::kinematics::{Joint, LinkMass, Pose, Robot, RobotSource};
