@@ -74,10 +74,7 @@ fn a_syntax_error_says_where_what_and_what_instead() {
             "{} {}",
             "line 1, column 4: '{'; expected the end of the document",
         ),
-        (
-            "{\"a\":1,\"a\":2}",
-            "line 1, column 8: the key 'a' a second time",
-        ),
+        ("{\"a\":1,\"a\":2}", "line 1, column 8: 'a' a second time"),
     ] {
         let error = read(text).expect_err(text);
         assert!(error.contains(says), "{text}: {error}");
