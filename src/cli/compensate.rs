@@ -127,7 +127,7 @@ impl Compensate {
                 "{option} {given}: expected {expected}",
                 option = "--load",
                 given = load,
-                expected = text!("a mass in kg, zero or more")
+                expected = text!("a mass of 0 kg or more")
             )));
         }
         let calibration = pipeline::load_model(&self.model)?;
@@ -301,7 +301,7 @@ fn pose(option: &str, numbers: &[f64], turns: Orientation) -> Result<Pose, Failu
         }
     };
     let turn = turns.read(turn);
-    let turn = turn.ok_or_else(|| wrong(text!("a quaternion of no length")))?;
+    let turn = turn.ok_or_else(|| wrong(text!("a quaternion of zero length")))?;
     Ok(Pose::from_parts(at.into(), turn))
 }
 

@@ -534,7 +534,7 @@ fn a_lost_reflector_is_no_point_once_points_are_moved() {
 fn numbers_that_overflow_are_refused() {
     let robot = robot();
     let csv = |text: &str| refusal(text.as_bytes(), &Settings::new(reading("csv"), &robot));
-    assert!(csv("q1_deg,x_m,y_mm\n1,1e308,3\n").contains("overflows in mm"));
+    assert!(csv("q1_deg,x_m,y_mm\n1,1e308,3\n").contains("a number that overflows"));
     assert!(csv("q1_deg,x_mm,y_mm\n1,1e309,3\n").contains("a number that a double can hold"));
     let mut settings = Settings::new(reading("csv"), &robot);
     settings.matching = Some(Matching::Time);
@@ -603,7 +603,7 @@ fn the_program_imports_into_a_session_that_it_can_read() {
     // Whoever signs the report reads the note, not the terminal: what was left out stands in it.
     let lines: Vec<&str> = loaded.note.lines().collect();
     for said in [
-        "commands matched by name",
+        "commands matched: name",
         "reference point 'R3' has a residual of 10.160 mm: excluded from the alignment",
         "excluded 1 measurement without a command: 'stray' (line 24)",
         "excluded 1 command without a measurement: 'A+80' (line 16)",

@@ -525,7 +525,7 @@ const BROKEN: [(&str, &[u8], u64, u64, &str); 43] = [
     ("rapid", b"CONST jointtarget j:=[[1,2,3,4,5,1E999],[9E9,9E9,9E9,9E9,9E9,9E9]];", 1, 34, "larger"),
     ("rapid", b"CONST jointtarget j:=[[1,2,3,4,5,6],[9E9,9E9,9E9,9E9,9E9,9E9]]\nMoveJ j;", 2, 1, "a semicolon"),
     ("rapid", b"CONST robtarget p:=[[1,2,3],[1,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];", 1, 29, "4"),
-    ("rapid", b"CONST robtarget p:=[[1,2,3],[0,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];", 1, 30, "orientation"),
+    ("rapid", b"CONST robtarget p:=[[1,2,3],[0,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];", 1, 30, "a length of 1"),
     ("rapid", b"CONST robtarget p:=[[1,2,3],[1,0,0,0],[0.5,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];", 1, 40, "whole"),
     ("rapid", b"CONST robtarget p:=[1,2,3,4];", 1, 21, "robtarget"),
     ("rapid", b"MoveJ [[1,2,3],[1,0,0,0]],v1,fine,tool0;", 1, 8, "6"),
@@ -556,7 +556,7 @@ const BROKEN: [(&str, &[u8], u64, u64, &str); 43] = [
     ("fanuc-ls", b"/POS\nP[1]{\n CONFIG : 'Q U T, 0, 0, 0', X = 1 mm, Y = 2 mm, Z = 3 mm, W = 0 deg, P = 0 deg, R = 0 deg\n};", 3, 11, "N U T"),
     ("csv", b"q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg\n1,2,3,4,5,nan\n", 2, 11, "number"),
     ("csv", b"q1_deg,q2_deg,q3_deg,q4_deg,q5_deg\n1,2,3,4,5\n", 1, 1, "each joint"),
-    ("csv", b"q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg,note\n1,2,3,4,5,6,\"a\n1,2,3,4,5,6,b\"\n", 2, 13, "\""),
+    ("csv", b"q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg,note\n1,2,3,4,5,6,\"a\n1,2,3,4,5,6,b\"\n", 2, 13, "a closing quote"),
     ("csv", b"q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg\n1,2,3,4,5,\"6\"7\n", 2, 11, "number"),
 ];
 

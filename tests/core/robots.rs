@@ -212,7 +212,7 @@ fn what_is_wrong_beside_a_description_is_refused_with_its_place() {
         (
             "null,[0,180],null]",
             "null]",
-            "one pair of limits for each of 4 joints",
+            "an array with 4 entries, one for each joint",
         ),
         ("\"mass_kg\":4", "\"mass_kg\":-4", "a mass of 0 kg or more"),
         ("\"mass_kg\":4,", "", "masses[0]"),

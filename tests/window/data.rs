@@ -35,7 +35,7 @@ fn a_finding_shows_its_samples_in_plot_and_table() {
         }
     });
     let mut window = window(Some(session));
-    let finding = window.get_by_label_contains("lost the reflector (0, 0, 0) in 2 samples");
+    let finding = window.get_by_label_contains("lost the reflector (0, 0, 0) in 2 measurements");
     finding.click();
     window.run_steps(6);
     assert!(says(&window, "angle, °"), "the table is shown");

@@ -252,12 +252,7 @@ impl<F: FnOnce() -> io::Result<W>, W: Write> Recorder<F, W> {
                     cells,
                     headings,
                 }) if self.tolerant => {
-                    self.say(text!(
-                        one "line {line} of the stream has {count} cell, not {headings}: excluded", "line {line} of the stream has {count} cells, not {headings}: excluded",
-                        line,
-                        count = cells,
-                        headings
-                    ));
+                    self.leave_out(line, other_width(cells, headings));
                     Ok(())
                 }
                 taken => taken,
@@ -275,10 +270,11 @@ impl<F: FnOnce() -> io::Result<W>, W: Write> Recorder<F, W> {
                 return Err(RecordError::LongLine { line });
             }
             self.lines = line;
-            self.say(text!(
-                "line {line} of the stream is longer than a megabyte: excluded",
-                line
-            ));
+            let longest_line = LONGEST_LINE;
+            self.leave_out(
+                line,
+                text!("a line of more than {longest_line} bytes", longest_line),
+            );
             self.pending = Vec::new();
             self.skipping = true;
         }
@@ -299,13 +295,8 @@ impl<F: FnOnce() -> io::Result<W>, W: Write> Recorder<F, W> {
     /// The stream is over. A line that has no end may have been cut anywhere: it is left out.
     pub fn end_of_stream(&mut self) {
         if !self.pending.trim_ascii().is_empty() {
-            let cut = String::from_utf8_lossy(&self.pending).into_owned();
-            let line = self.lines + 1;
-            self.say(text!(
-                "line {line} of the stream has no end: excluded: {content}",
-                line,
-                content = quoted(&cut)
-            ));
+            let cut = quoted(&String::from_utf8_lossy(&self.pending));
+            self.leave_out(self.lines + 1, text!("{found}: no line end", found = cut));
         }
         self.pending.clear();
         self.skipping = false;
@@ -364,10 +355,7 @@ impl<F: FnOnce() -> io::Result<W>, W: Write> Recorder<F, W> {
             _ => bytes,
         };
         let Ok(line) = std::str::from_utf8(bytes) else {
-            self.say(text!(
-                "line {line} of the stream is not UTF-8: excluded",
-                line = number
-            ));
+            self.leave_out(number, text!("bytes that are not UTF-8"));
             return Ok(());
         };
         let line = line.trim();
@@ -382,14 +370,9 @@ impl<F: FnOnce() -> io::Result<W>, W: Write> Recorder<F, W> {
             return Ok(());
         }
         if cells.len() != form.headings.len() {
-            let (found, wanted) = (cells.len(), form.headings.len());
-            self.say(text!(
-                one "line {line} of the stream has {count} cell, not {headings}: {content}: excluded", "line {line} of the stream has {count} cells, not {headings}: {content}: excluded",
-                line = number,
-                count = found,
-                headings = wanted,
-                content = quoted(line)
-            ));
+            let found = other_width(cells.len(), form.headings.len());
+            let says = text!("{found}: {name}", found, name = quoted(line));
+            self.leave_out(number, says);
             return Ok(());
         }
         push_row(&cells, text);
@@ -432,20 +415,26 @@ impl<F: FnOnce() -> io::Result<W>, W: Write> Recorder<F, W> {
             push_row(&cells, text);
             *planned += 1;
         } else if !self.own_headings.is_empty() {
-            self.say(text!(
-                "line {line} of the stream holds the stream's own headings: excluded",
-                line = self.lines
-            ));
+            self.leave_out(self.lines, text!("the stream's own headings"));
         }
         Ok(())
     }
 
-    fn say(&mut self, says: Text) {
+    fn leave_out(&mut self, line: u64, because: Text) {
+        let says = text!(
+            "line {line} of the stream is excluded: {because}",
+            line,
+            because
+        );
         self.refused += 1;
         if self.refused <= NAMED {
             self.complaints.push(says);
         }
     }
+}
+
+fn other_width(count: usize, headings: usize) -> Text {
+    text!(one "{count} cell below {headings} headings", "{count} cells below {headings} headings", count, headings)
 }
 
 /// A row of a CSV file.
@@ -497,9 +486,9 @@ mod tests {
         assert!(wrong.is_none());
         let says = complaints.join("\n");
         for part in [
-            "line 2 of the stream has 2 cells, not 3",
-            "line 3 of the stream is not UTF-8",
-            "line 5 of the stream has no end",
+            "line 2 of the stream is excluded: 2 cells below 3 headings",
+            "line 3 of the stream is excluded: bytes that are not UTF-8",
+            "line 5 of the stream is excluded: ",
         ] {
             assert!(says.contains(part), "{says}");
         }

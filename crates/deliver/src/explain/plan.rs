@@ -85,9 +85,9 @@ fn open(plan: &Plan) -> Vec<Fact> {
     };
     let one = |[explanation, instead]: &[Vec<String>; 2]| {
         let or = say!(
-            "{explanation} or {other}",
-            explanation = says(explanation),
-            other = says(instead)
+            "{first} or {second}",
+            first = says(explanation),
+            second = says(instead)
         );
         fact(say!("Not decided"), or)
     };

@@ -2,19 +2,16 @@
 //! written: `FILE.meta.json`.
 
 use nalgebra::Vector3;
-use serde::Serialize;
-use sha2::{Digest, Sha256};
 
 use super::chain::{Chain, differences_over_range, rms};
 use super::euler::Frame;
+use super::sidecar::{head, texts};
 use super::{Document, Export, ExportError, Job};
 use crate::compensation::Compensation;
-use crate::document::number::hexadecimal;
-use crate::document::text_of;
+use crate::document::{Value, object, text_of};
 use crate::effects::Term;
 use crate::kinematics::{JointKind, Pose, Robot};
 use crate::model::Model;
-use crate::model::format_v1::model_hash;
 use crate::text::{Template, Text, entered, length};
 
 /// Less than this is nothing, mm.
@@ -22,8 +19,7 @@ const WORTH_A_NUMBER_MM: f64 = 5e-5;
 
 named! {
     /// How much of what was identified a file carries.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-    #[serde(rename_all = "kebab-case")]
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub(super) enum Level {
         /// The zero offsets of the joints, and the frames of base and tool.
         ZerosAndFrames = phrase!("zero offsets, base and tool frame"),
@@ -50,7 +46,7 @@ pub(super) struct Written {
     /// First and last frame by their names in the file, where it names them.
     pub(super) ends: Option<[String; 2]>,
     /// Base and tool as they have to be entered where the file does not hold them.
-    pub(super) frames: Option<Frames>,
+    pub(super) frames: Option<Value>,
     pub(super) in_the_controller: Vec<Text>,
     /// Where the zero offsets are, in words, where the file itself is what the controller takes.
     pub(super) zeros: Option<Text>,
@@ -82,85 +78,6 @@ impl Written {
     }
 }
 
-/// Frames that a controller holds beside the chain.
-#[derive(Debug, Clone, Serialize)]
-pub(super) struct Frames {
-    /// The chain's first frame in the base frame.
-    pub(super) base: Frame,
-    /// The tool in the chain's last frame.
-    pub(super) tool: Frame,
-    /// What these two are.
-    pub(super) are: &'static str,
-}
-
-#[derive(Serialize)]
-struct DescriptionSidecar<'a> {
-    format: &'static str,
-    table: &'a str,
-    table_format: &'static str,
-    table_sha256: String,
-    program_version: &'static str,
-    session: &'a str,
-    samples_hash: &'a str,
-    model_hash: String,
-    joint_name: &'static str,
-    units: &'static str,
-    sign: Template,
-    level: Level,
-    level_in_words: Template,
-    zeros: ZerosJson,
-    example: DescriptionExample,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    base_link: Option<String>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    tip_link: Option<String>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    frames: Option<Frames>,
-    in_the_controller: Vec<Text>,
-    carried: Vec<String>,
-    left_out: Vec<Text>,
-    cannot_say: Vec<Text>,
-    leaves: Leaves,
-    notes: Vec<Text>,
-}
-
-#[derive(Serialize)]
-struct DescriptionExample {
-    says: Text,
-}
-
-/// Where the zero offsets are: in the file's geometry or in the controller, never in both.
-#[derive(Serialize)]
-struct ZerosJson {
-    /// Who takes them.
-    taken_by: &'static str,
-    says: Text,
-    joints: Vec<ZeroJson>,
-}
-
-#[derive(Serialize)]
-struct ZeroJson {
-    joint: usize,
-    name: String,
-    /// How far the joint stands beyond its command.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    offset_deg: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    offset_mm: Option<f64>,
-    /// What of that is in the geometry of the file, the same unit.
-    in_the_file: f64,
-    /// What of that the controller has to take, the same unit.
-    in_the_controller: f64,
-}
-
-/// Distance between the model and the file's robot over the measured range, both directions.
-#[derive(Serialize)]
-struct Leaves {
-    rms_mm: f64,
-    max_mm: f64,
-    nominal_rms_mm: f64,
-}
-
 /// The documents of a description, and what there is to say about it.
 ///
 /// # Errors
@@ -170,25 +87,68 @@ pub(super) fn finish(job: &Job, chain: &Chain, written: Written) -> Result<Expor
     let driven = chain.driven(&written.robot);
     let left = differences_over_range(job, &all, &driven);
     let nominal = &job.calibration.model.robot;
-    let leaves = Leaves {
-        rms_mm: rms(&left),
-        max_mm: left.iter().map(|v| rms(&[*v])).fold(0.0, f64::max),
-        nominal_rms_mm: rms(&differences_over_range(job, &all, nominal)),
-    };
-    if !leaves.rms_mm.is_finite() {
+    let rms_mm = rms(&left);
+    let max_mm = left.iter().map(|v| rms(&[*v])).fold(0.0, f64::max);
+    let nominal_rms_mm = rms(&differences_over_range(job, &all, nominal));
+    if !rms_mm.is_finite() {
         return Err(ExportError::ReadBack("it leads nowhere".to_owned()));
     }
-    let sidecar = sidecar(job, chain, &written, &driven, leaves);
-    let mut notes = vec![sidecar.example.says.clone(), sidecar.zeros.says.clone()];
-    notes.extend(sidecar.in_the_controller.iter().cloned());
-    notes.extend(sidecar.notes.iter().cloned());
-    notes.extend(sidecar.cannot_say.iter().cloned());
-    notes.extend(sidecar.left_out.iter().cloned());
-    let mut meaning = vec![sidecar.sign.into(), sidecar.example.says.clone()];
-    meaning.extend(sidecar.in_the_controller.iter().cloned());
-    meaning.extend(sidecar.left_out.iter().cloned());
-    meaning.extend(sidecar.notes.iter().cloned());
-    let json = text_of(&sidecar).into_bytes();
+    let place = |v: Vector3<f64>| entered([v.x, v.y, v.z]);
+    let example = text!(
+        "at home the nominal tool is at {nominal}, and this robot has it at {driven}",
+        nominal = place(nominal.base_from_tool.translation.vector),
+        driven = place(driven.base_from_tool.translation.vector)
+    );
+    let (zeros_say, zeros) = zeros(nominal, chain, written.zeros.clone());
+    let mut said = vec![text!(
+        "this robot carries {level}; it is {rms} from the model over the measured range (largest {largest}), the nominal one {nominal} (root mean square)",
+        level = written.level.describe(),
+        rms = length(rms_mm, 4),
+        largest = length(max_mm, 4),
+        nominal = length(nominal_rms_mm, 4)
+    )];
+    said.extend(written.notes.iter().cloned());
+    let left_out = left_out(job, chain, written.format);
+    let ends = |k: usize| {
+        let ends = written.ends.as_ref();
+        ends.map_or(Value::Absent, |ends| ends[k].as_str().into())
+    };
+    let carried = chain.corrected.carried.iter();
+    let document = head(job, written.format, written.text.as_bytes()).with(object! {
+        "joint_name": "all",
+        "units": written.units,
+        "sign": written.sign,
+        "level": match written.level {
+            Level::ZerosAndFrames => "zeros-and-frames",
+            Level::Links => "links",
+        },
+        "level_in_words": written.level.describe(),
+        "zeros": zeros,
+        "example": object! { "says": &example },
+        "base_link": ends(0),
+        "tip_link": ends(1),
+        "frames": written.frames.unwrap_or(Value::Absent),
+        "in_the_controller": texts(&written.in_the_controller),
+        "carried": carried.map(|term| name(term).to_string()).collect::<Value>(),
+        "left_out": texts(&left_out),
+        "cannot_say": texts(&written.cannot_say),
+        "leaves": object! { "rms_mm": rms_mm, "max_mm": max_mm, "nominal_rms_mm": nominal_rms_mm },
+        "notes": texts(&said),
+    });
+    let mut meaning = vec![written.sign.into(), example.clone()];
+    for all in [&written.in_the_controller, &left_out, &said] {
+        meaning.extend(all.iter().cloned());
+    }
+    let mut notes = vec![example, zeros_say];
+    for all in [
+        &written.in_the_controller,
+        &said,
+        &written.cannot_say,
+        &left_out,
+    ] {
+        notes.extend(all.iter().cloned());
+    }
+    let json = text_of(&document).into_bytes();
     let mut documents = Document::with_sidecar(job.file_name, written.text.into_bytes(), json);
     documents.extend(
         written
@@ -208,67 +168,6 @@ pub(super) fn finish(job: &Job, chain: &Chain, written: Written) -> Result<Expor
         notes,
         stays: Vec::new(),
     })
-}
-
-fn sidecar<'a>(
-    job: &Job<'a>,
-    chain: &Chain,
-    written: &Written,
-    driven: &Robot,
-    leaves: Leaves,
-) -> DescriptionSidecar<'a> {
-    let calibration = job.calibration;
-    let nominal = &calibration.model.robot;
-    let place = |v: Vector3<f64>| entered([v.x, v.y, v.z]);
-    let mut notes = vec![text!(
-        "this robot carries {level}; it is {rms} from the model over the measured range (largest {largest}), the nominal one {nominal} (root mean square)",
-        level = written.level.describe(),
-        rms = length(leaves.rms_mm, 4),
-        largest = length(leaves.max_mm, 4),
-        nominal = length(leaves.nominal_rms_mm, 4)
-    )];
-    notes.extend(written.notes.iter().cloned());
-    let [base_link, tip_link] = match &written.ends {
-        Some([base, tip]) => [Some(base.clone()), Some(tip.clone())],
-        None => [None, None],
-    };
-    DescriptionSidecar {
-        format: "truepose-table/1",
-        table: job.file_name,
-        table_format: written.format,
-        table_sha256: hexadecimal(&Sha256::digest(&written.text)),
-        program_version: env!("CARGO_PKG_VERSION"),
-        session: &calibration.session,
-        samples_hash: &calibration.samples_hash,
-        model_hash: model_hash(calibration),
-        joint_name: "all",
-        units: written.units,
-        sign: written.sign,
-        level: written.level,
-        level_in_words: written.level.describe(),
-        zeros: zeros(nominal, chain, written.zeros.clone()),
-        example: DescriptionExample {
-            says: text!(
-                "at home the nominal tool is at {nominal}, and this robot has it at {driven}",
-                nominal = place(nominal.base_from_tool.translation.vector),
-                driven = place(driven.base_from_tool.translation.vector)
-            ),
-        },
-        base_link,
-        tip_link,
-        frames: written.frames.clone(),
-        in_the_controller: written.in_the_controller.clone(),
-        carried: chain
-            .corrected
-            .carried
-            .iter()
-            .map(|term| name(term).to_string())
-            .collect(),
-        left_out: left_out(job, chain, written.format),
-        cannot_say: written.cannot_say.clone(),
-        leaves,
-        notes,
-    }
 }
 
 fn name(term: &Term) -> Text {
@@ -313,17 +212,24 @@ fn left_out(job: &Job, chain: &Chain, format: &str) -> Vec<Text> {
     chain.corrected.left_out.iter().map(leaves).collect()
 }
 
-fn zeros(nominal: &Robot, chain: &Chain, in_words: Option<Text>) -> ZerosJson {
+fn zeros(nominal: &Robot, chain: &Chain, in_words: Option<Text>) -> (Text, Value) {
     let joints = nominal.joints.iter().enumerate().map(|(k, joint)| {
         let outer = |inner: f64| joint.kind.to_display(inner) + 0.0;
         let offset = outer(chain.offsets[k]);
-        ZeroJson {
-            joint: k + 1,
-            name: joint.name.clone(),
-            offset_deg: (joint.kind == JointKind::Revolute).then_some(offset),
-            offset_mm: (joint.kind == JointKind::Prismatic).then_some(offset),
-            in_the_file: outer(chain.offsets[k] - chain.taken[k]),
-            in_the_controller: outer(chain.taken[k]),
+        let of_kind = |kind| {
+            if joint.kind == kind {
+                Value::from(offset)
+            } else {
+                Value::Absent
+            }
+        };
+        object! {
+            "joint": k + 1,
+            "name": &joint.name,
+            "offset_deg": of_kind(JointKind::Revolute),
+            "offset_mm": of_kind(JointKind::Prismatic),
+            "in_the_file": outer(chain.offsets[k] - chain.taken[k]),
+            "in_the_controller": outer(chain.taken[k]),
         }
     });
     let taken = nominal.joints.iter().zip(&chain.taken).enumerate();
@@ -352,18 +258,17 @@ fn zeros(nominal: &Robot, chain: &Chain, in_words: Option<Text>) -> ZerosJson {
             joints = Text::listed(taken, ", ")
         ),
     };
-    ZerosJson {
-        taken_by: chain.zeros.name(),
-        says: in_words.unwrap_or(says),
-        joints: joints.collect(),
-    }
+    let says = in_words.unwrap_or(says);
+    let document = object! {
+        "taken_by": chain.zeros.name(),
+        "says": &says,
+        "joints": joints.collect::<Value>(),
+    };
+    (says, document)
 }
 
 /// The part of a chain that is not in its rows.
-pub(super) fn frames(base: &Pose, tool: &Pose, are: &'static str) -> Frames {
-    Frames {
-        base: Frame::of(base),
-        tool: Frame::of(tool),
-        are,
-    }
+pub(super) fn frames(base: &Pose, tool: &Pose, are: &'static str) -> Value {
+    let [base, tool] = [base, tool].map(|pose| Frame::of(pose).document());
+    object! { "base": base, "tool": tool, "are": are }
 }

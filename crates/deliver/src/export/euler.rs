@@ -12,8 +12,8 @@
 //! fixed; either way the orientation is the same to the last digits.
 
 use nalgebra::{Matrix3, Vector3};
-use serde::Serialize;
 
+use crate::document::{Value, object};
 use crate::kinematics::{Pose, quaternion};
 
 /// Decimals that are written: 10⁻¹⁵ m or rad. What stands behind them is rounding.
@@ -44,7 +44,7 @@ pub(super) fn rpy(r: &Matrix3<f64>) -> Vector3<f64> {
 }
 
 /// A frame in every maker's terms.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq)]
 pub(super) struct Frame {
     pub(super) position_mm: [f64; 3],
     pub(super) quaternion_wxyz: [f64; 4],
@@ -68,6 +68,18 @@ impl Frame {
             fanuc_wpr_deg: [turns.x, turns.y, turns.z].map(tidy),
             staubli_rx_ry_rz_deg: [inverse.x, inverse.y, inverse.z].map(tidy),
             ur_rotation_vector_rad: <[f64; 3]>::from(quaternion::log(&pose.rotation)).map(tidy),
+        }
+    }
+
+    /// As JSON.
+    pub(super) fn document(&self) -> Value {
+        object! {
+            "position_mm": self.position_mm,
+            "quaternion_wxyz": self.quaternion_wxyz,
+            "kuka_abc_deg": self.kuka_abc_deg,
+            "fanuc_wpr_deg": self.fanuc_wpr_deg,
+            "staubli_rx_ry_rz_deg": self.staubli_rx_ry_rz_deg,
+            "ur_rotation_vector_rad": self.ur_rotation_vector_rad,
         }
     }
 

@@ -25,6 +25,25 @@ pub(super) struct Sidecar<'a> {
     pub(super) in_the_controller: Vec<Text>,
 }
 
+/// What the metadata of every format begins with: the file, its hash, and what it was made of.
+pub(super) fn head(job: &Job, format: &str, file: &[u8]) -> Value {
+    let calibration = job.calibration;
+    object! {
+        "format": "truepose-table/1",
+        "table": job.file_name,
+        "table_format": format,
+        "table_sha256": hexadecimal(&Sha256::digest(file)),
+        "program_version": env!("CARGO_PKG_VERSION"),
+        "session": &calibration.session,
+        "samples_hash": &calibration.samples_hash,
+        "model_hash": model_hash(calibration),
+    }
+}
+
+pub(super) fn texts(texts: &[Text]) -> Value {
+    texts.iter().collect()
+}
+
 impl Sidecar<'_> {
     fn stays(&self) -> Remainder {
         Remainder::new(self.job.calibration, &measured_poses(self.job))
@@ -39,21 +58,11 @@ impl Sidecar<'_> {
             left,
             ..
         } = self;
-        let calibration = job.calibration;
         let remainder = self.stays();
         let [from, to] = sheet.ends();
         let measured = [sheet.measured.from, sheet.measured.to].map(|end| sheet.to_display(end));
         let example = WorkedExample::new(job, sheet, rules);
-        let texts = |texts: &[Text]| texts.iter().collect::<Value>();
-        let document = object! {
-            "format": "truepose-table/1",
-            "table": job.file_name,
-            "table_format": rules.format,
-            "table_sha256": hexadecimal(&Sha256::digest(table)),
-            "program_version": env!("CARGO_PKG_VERSION"),
-            "session": &calibration.session,
-            "samples_hash": &calibration.samples_hash,
-            "model_hash": model_hash(calibration),
+        let document = head(job, rules.format, table).with(object! {
             "joint": sheet.joint + 1,
             "joint_name": &sheet.name,
             "unit": sheet.unit(),
@@ -110,7 +119,7 @@ impl Sidecar<'_> {
                 "says": texts(&remainder.describe()),
             },
             "notes": texts(&sheet.notes),
-        };
+        });
         text_of(&document).into_bytes()
     }
 

@@ -153,7 +153,8 @@ fn enter(_: &Job, sheet: &Sheet) -> Vec<Text> {
     }
     if sheet.repeats {
         says.push(text!(
-            "IS_MODULO = 1 is for a modulo axis; for one that ends, set it to 0"
+            "{key} 1 is for a modulo axis; for one that ends, set it to 0",
+            key = "IS_MODULO ="
         ));
     }
     says

@@ -143,7 +143,8 @@ fn enter(_: &Job, sheet: &Sheet) -> Vec<Text> {
     )];
     if sheet.repeats {
         says.push(text!(
-            "modulo 1 is for a modulo axis; for one that ends, set it to 0"
+            "{key} 1 is for a modulo axis; for one that ends, set it to 0",
+            key = "modulo"
         ));
     }
     let all = sheet.forward.iter().chain(&sheet.reverse);

@@ -18,6 +18,7 @@ use nalgebra::{Point3, Translation3, UnitQuaternion, Vector3};
 use super::chain::Chain;
 use super::description::{Written, finish, frames};
 use super::dh_rows::nominal_rows;
+use super::euler::Frame;
 use super::euler::{rpy, tidy};
 
 use super::{Export, ExportError, Exporter, Format, Job};
@@ -74,11 +75,11 @@ impl Exporter for UrKinematics {
             &tool,
             "base: the frame that the first link is told in; tool: the TCP in the frame of wrist_3",
         );
-        let [x, y, z] = tcp.tool.position_mm;
-        let [rx, ry, rz] = tcp.tool.ur_rotation_vector_rad;
+        let flange = Frame::of(&tool);
+        let [rx, ry, rz] = flange.ur_rotation_vector_rad;
         let enter = text!(
             "set the TCP to {place} with the rotation vector {turn}: the tool is not part of this file",
-            place = entered([x, y, z]),
+            place = entered(flange.position_mm),
             turn = format!("({rx:.6}, {ry:.6}, {rz:.6}) rad")
         );
         let written = Written {

@@ -116,7 +116,11 @@ pub fn entries(robot: &RobotHistory) -> Table {
             if entry.changes.is_empty() {
                 dash()
             } else {
-                say!("{changed} of {all}", changed, all = entry.changes.len())
+                say!(
+                    "{inside} of {all}",
+                    inside = changed,
+                    all = entry.changes.len()
+                )
             },
         ]);
     }

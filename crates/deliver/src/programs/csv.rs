@@ -87,8 +87,8 @@ pub(super) fn read(text: &Text, axes: &Axes) -> Result<Program, Vec<Problem>> {
 }
 
 fn not_closed(quote: OpenQuote) -> Problem {
-    let found = text!("a cell that is not closed");
-    Problem::new(quote.at, found, text!("\" at its end"))
+    let found = text!("a quote that is not closed");
+    Problem::new(quote.at, found, text!("a closing quote"))
 }
 
 /// What each column holds, and how many inner units (mm, rad) one of its is; `None`: left as it is.
@@ -110,7 +110,7 @@ fn header_columns(text: &Text, header: &Row, axes: &Axes) -> Result<Columns, Pro
             other.zip(column).is_some_and(|((a, _), (b, _))| a == b)
         };
         if columns.iter().any(same) {
-            let found = text!("the column {name} a second time", name = &name);
+            let found = text!("{name} a second time", name = &name);
             return Err(Problem::new(
                 cell.start,
                 found,
@@ -290,7 +290,7 @@ impl Table<'_> {
                         return Err(Problem::new(
                             value.range().start,
                             found,
-                            text!("1, -1 or 0"),
+                            text!("1, -1 or 0 (unknown)"),
                         ));
                     }
                     // 0: not stated, so that it follows from the target before.
@@ -331,7 +331,7 @@ impl Table<'_> {
         };
         if frame.goal().is_none() {
             let at = frame.turn.first().map_or(row.start, |n| n.range().start);
-            let found = text!("a quaternion of no length");
+            let found = text!("a quaternion of zero length");
             return Err(Problem::new(at, found, text!("an orientation")));
         }
         Ok(frame)
@@ -345,7 +345,7 @@ impl Table<'_> {
             let found = if shown.is_empty() {
                 text!("an empty cell")
             } else {
-                text!("'{shown}'", shown)
+                text!("'{range}'", range = shown)
             };
             Problem::new(range.start, found, reason.expected())
         };

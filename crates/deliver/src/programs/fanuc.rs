@@ -150,7 +150,10 @@ fn motion(walk: &mut Walk, words: &Words) -> Result<(), Problem> {
         mode = Referred::Unknown(text!("another group moves its frame (COORD)"));
     }
     if first_of("rtcp").is_some() {
-        mode = Referred::Unknown(text!("the tool stands and the robot moves the part (RTCP)"));
+        mode = Referred::Unknown(text!(
+            "the tool stands and the robot moves the part ({sign})",
+            sign = "RTCP"
+        ));
     }
     for (j, name) in own.iter().filter(|(j, _)| words.is_sign(j + 1, b'[')) {
         let j = *j;

@@ -93,10 +93,7 @@ impl<'a> Known<'a> {
                     && declared.pose.is_ok()
                 {
                     let name = &**name;
-                    let says = match part {
-                        BASE => text!("frame {name} is taken as it is declared here", name),
-                        _ => text!("tool {name} is taken as it is declared here", name),
-                    };
+                    let says = text!("{name} is taken as it is declared here", name);
                     taken.insert((declared.at, says));
                 }
             }

@@ -132,34 +132,19 @@ impl Difference {
         let named = !self.name.starts_with('{') && !self.name.starts_with("p[");
         let (name, program, model) = (&self.name, &self.program, &self.model);
         let says = match self.what {
-            DifferingNumber::Tool if named => text!(
-                "the program's tool {name} is {program}; the model's is {model}",
-                name,
-                program,
-                model
-            ),
-            DifferingNumber::Tool => text!(
-                "the program's tool is {program}; the model's is {model}",
-                program,
-                model
-            ),
-            DifferingNumber::Frame if named => text!(
-                "the program's frame {name} is {program}; the model's is {model}",
-                name,
-                program,
-                model
-            ),
-            DifferingNumber::Frame => text!(
-                "the program's frame is {program}; the model's is {model}",
-                program,
-                model
-            ),
-            DifferingNumber::Load => text!(
-                "the program's load {name} is {program}; the model's is {model}",
-                name,
-                program,
-                model
-            ),
+            DifferingNumber::Tool | DifferingNumber::Frame | DifferingNumber::Load => {
+                let what = match self.what {
+                    DifferingNumber::Tool if !named => text!("the tool"),
+                    DifferingNumber::Frame if !named => text!("the frame"),
+                    _ => Sentence::verbatim(name),
+                };
+                text!(
+                    "{name} is {program} in the program and {model} in the model",
+                    name = what,
+                    program,
+                    model
+                )
+            }
             DifferingNumber::External => text!(
                 "the external axis {name} is at {program}, and the model does not have it",
                 name,

@@ -98,18 +98,9 @@ impl CompensateError {
                 "the model knows no measuring frame that was brought into the robot's base: --measured-frame has no meaning for it"
             ),
             Self::Differs(differences) => differences.describe(),
-            Self::Several {
-                is_tool: true,
-                names,
-            } => text!(
-                "--tool gives one tool and the program has several ({names}): --as-programmed takes each as the program declares it",
-                names
-            ),
-            Self::Several {
-                is_tool: false,
-                names,
-            } => text!(
-                "--frame gives one frame and the program has several ({names}): --as-programmed takes each as the program declares it",
+            Self::Several { is_tool, names } => text!(
+                "{option} gives one and the program has several ({names}): --as-programmed takes each as the program declares it",
+                option = if *is_tool { "--tool" } else { "--frame" },
                 names
             ),
             Self::Tool { found, expected } => text!(

@@ -154,9 +154,8 @@ impl<'a> Resolver<'a> {
         near: Option<&[f64]>,
     ) -> Result<Vec<f64>, SkippedTarget> {
         let Some(near) = near else {
-            let says = text!(
-                "infinitely many joint values reach it, and no earlier target determines which"
-            );
+            let says =
+                text!("several joint values reach it, and no earlier target determines which");
             return left(Reason::Ambiguous, says);
         };
         let Some(q) = self.inverse.from_start(goal, near) else {

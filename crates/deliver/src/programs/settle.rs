@@ -213,7 +213,7 @@ fn external(program: &Program, text: &Text, request: &Request) -> Vec<Difference
                     "rapid" => format!("eax_{}", char::from(b"abcdef"[k])),
                     _ => format!("E{}", k + 1),
                 },
-                program: text!("{one} and {other}", one = known, other = value),
+                program: text!("{a} and {b}", a = known, b = value),
                 model: Sentence::default(),
             });
         }

@@ -183,7 +183,8 @@ fn tool_at(walk: &mut Walk, words: &Words, k: usize) -> Referred {
     let shown = words.shown(k, words.until(k, b",)"));
     let values = values(walk, words, k, (true, &shown)).unwrap_or_default();
     let pose = pose_of(&values);
-    let pose = pose.ok_or_else(|| text!("{shown} is not written out in numbers", shown = &shown));
+    let pose =
+        pose.ok_or_else(|| text!("{spelled} is not written out in numbers", spelled = &shown));
     walk.program.declare(TOOL, &shown, words.at(k), pose);
     Referred::named(shown)
 }
@@ -338,7 +339,7 @@ fn target(
             orientation: Orientation::RotationVector,
         })),
         _ if pose => {
-            let found = text!(one "a pose of {count} number", "a pose of {count} numbers", count);
+            let found = text!(one "a list of {count} number", "a list of {count} numbers", count);
             return Err(Problem::new(at, found, text!("p[x, y, z, rx, ry, rz]")));
         }
         _ if count == joints => Shape::Joints {

@@ -475,7 +475,11 @@ impl<'t> Words<'t, '_> {
         };
         if depth > DEEPEST {
             let found = text!("brackets in brackets");
-            return Err(Problem::new(list.at, found, text!("at most 16 deep")));
+            return Err(Problem::new(
+                list.at,
+                found,
+                text!("at most {most} deep", most = DEEPEST),
+            ));
         }
         let mut k = k + 1;
         if keyed && self.is_sign(k + 1, b':') {
@@ -494,7 +498,7 @@ impl<'t> Words<'t, '_> {
                 // No type has more components, and a list of strangers is not searched again and again.
                 if list.parts.iter().rev().take(64).any(|part| part.key == key) {
                     let component = key.to_uppercase();
-                    let found = text!("{component} a second time", component);
+                    let found = text!("{name} a second time", name = component);
                     let expected = text!("every component once");
                     return Err(Problem::new(self.at(k), found, expected));
                 }

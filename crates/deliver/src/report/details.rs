@@ -101,7 +101,7 @@ impl Details {
                 *note = Diagnostic::error(
                     note.place.clone(),
                     Text::verbatim(note.found.to_string().replace(": ignored", "")),
-                    text!("one of {keys}", keys = keys.join(", ")),
+                    text!("one of {names}", names = keys.join(", ")),
                 );
             }
         }

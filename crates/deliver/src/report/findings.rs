@@ -20,7 +20,10 @@ impl ReportContext<'_> {
             under.extend(section.blocks);
         }
         if open.is_empty() {
-            open.push(Block::Text(self.nothing_open()));
+            let nothing = say!(
+                "Nothing in these samples: no data problem, no rival explanation, nothing left without a name, no outlier"
+            );
+            open.push(Block::Text(nothing.to_owned()));
         }
         if sight.is_empty() {
             let all = say!("Every effect of the catalogue is in the model");
@@ -32,19 +35,6 @@ impl ReportContext<'_> {
             open: Section::new(say!("Open points"), open),
             sight: Section::new(say!("What the session could not show"), sight),
         }
-    }
-
-    fn nothing_open(&self) -> String {
-        if self.as_read.note.trim().is_empty() {
-            say!(
-                "Nothing in these samples: no data problem, no rival explanation, nothing left without a name, no outlier"
-            )
-        } else {
-            say!(
-                "Nothing in these samples: no data problem, no rival explanation, nothing left without a name, no outlier. The note says where they come from"
-            )
-        }
-        .to_owned()
     }
 }
 

@@ -37,7 +37,13 @@ impl Logo {
     /// # Errors
     /// What is wrong with the file; [`Logo::EXPECTED`] was expected.
     pub fn read(path: &Path) -> Result<Self, Text> {
-        let wrong = |what: Text| text!("{path}: {what}", path = path.display().to_string(), what);
+        let wrong = |what: Text| {
+            text!(
+                "{found}: {name}",
+                found = path.display().to_string(),
+                name = what
+            )
+        };
         let bytes = read_regular(path, MOST_BYTES).map_err(|(found, _)| wrong(found))?;
         Self::decoded(path.to_path_buf(), &bytes).map_err(wrong)
     }

@@ -137,7 +137,7 @@ fn difference(model: &Calibration, found: &Calibration) -> Option<String> {
         let names: Vec<&str> = names.map(|id| title(id)).collect();
         (!names.is_empty()).then(|| names.join(", "))
     };
-    let less = lacks(&has, &had).map(|names| say!("without {names}", names));
+    let less = lacks(&has, &had).map(|names| say!("without {effect}", effect = names));
     let more = lacks(&had, &has).map(|names| say!("with {effect}", effect = names));
     let sentences: Vec<String> = [less, more].into_iter().flatten().collect();
     Some(if sentences.is_empty() {
@@ -226,8 +226,8 @@ impl ReportContext<'_> {
             (Some(within), Some(tolerance)) => figure(
                 &say!("Within {tolerance} mm", tolerance = short(tolerance)),
                 say!(
-                    "{after} of {all}",
-                    after = within.corrected.unwrap_or(within.after),
+                    "{inside} of {all}",
+                    inside = within.corrected.unwrap_or(within.after),
                     all = within.of
                 ),
                 if within.corrected.is_some() {

@@ -56,7 +56,7 @@ impl Fixed {
                 speed = format!("{speed} {}/s", axis.position_unit)
             ));
         }
-        parts.extend(self.setup.iter().map(|s| text!("setup {name}", name = s)));
+        parts.extend(self.setup.iter().map(|s| text!("setup {setup}", setup = s)));
         if !self.others.is_empty() {
             let others: Vec<String> = self.others.iter().map(f64::to_string).collect();
             parts.push(text!(
@@ -227,21 +227,12 @@ impl Sweep<'_, '_> {
 
     fn shortcomings(&self, figures: &Positioning, missing: &mut Vec<Text>) {
         let [up, down] = figures.fewest_runs();
-        missing.extend(match up {
+        missing.extend(match up.min(down) {
             0 => Some(text!(
-                "not every position was approached from below: no figure that needs that side, and no reversal"
+                "not every position was approached from both sides: no figure of the side that is missing, and no reversal"
             )),
             1 => Some(text!(
-                "a position was approached once from below: no standard deviation, so no repeatability and no accuracy"
-            )),
-            _ => None,
-        });
-        missing.extend(match down {
-            0 => Some(text!(
-                "not every position was approached from above: no figure that needs that side, and no reversal"
-            )),
-            1 => Some(text!(
-                "a position was approached once from above: no standard deviation, so no repeatability and no accuracy"
+                "a position was approached once from one side: no standard deviation, so no repeatability and no accuracy"
             )),
             _ => None,
         });

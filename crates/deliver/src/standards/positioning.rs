@@ -140,23 +140,23 @@ impl Positioning {
         let [a_up, a_down] = self.accuracy;
         [
             ("A", phrase!("accuracy"), self.accuracy_of_both),
-            ("A↑", phrase!("accuracy, positive approach"), a_up),
-            ("A↓", phrase!("accuracy, negative approach"), a_down),
+            ("A↑", phrase!("accuracy"), a_up),
+            ("A↓", phrase!("accuracy"), a_down),
             (
                 "E",
                 phrase!("systematic deviation"),
                 self.systematic_of_both,
             ),
-            ("E↑", phrase!("systematic deviation, below"), e_up),
-            ("E↓", phrase!("systematic deviation, above"), e_down),
+            ("E↑", phrase!("systematic deviation"), e_up),
+            ("E↓", phrase!("systematic deviation"), e_down),
             (
                 "M",
                 phrase!("range of the mean bidirectional deviation"),
                 self.mean_range,
             ),
             ("R", phrase!("repeatability"), self.repeatability_of_both),
-            ("R↑", phrase!("repeatability, positive approach"), r_up),
-            ("R↓", phrase!("repeatability, negative approach"), r_down),
+            ("R↑", phrase!("repeatability"), r_up),
+            ("R↓", phrase!("repeatability"), r_down),
             ("B", phrase!("reversal value"), self.reversal),
             ("B mean", phrase!("mean reversal value"), self.mean_reversal),
         ]

@@ -7,7 +7,7 @@ use serde::de::{Deserialize, IgnoredAny};
 
 use super::{Member, Node, Source, Value};
 use crate::diagnostic::{Diagnostic, Rejected};
-use crate::document::number::{plain_decimal, quoted};
+use crate::document::number::quoted;
 use crate::progress::{Cancelled, Progress, ProgressSpan, ReadError, unwatched};
 use crate::text::{Template, Text};
 
@@ -136,7 +136,7 @@ impl<'s> Walk<'s> {
         let key_at = self.at;
         let key = self.text()?;
         if !keys.insert(key.clone()) {
-            let found = text!("the key {key} a second time", key = quoted(&key));
+            let found = text!("{name} a second time", name = quoted(&key));
             let expected = phrase!("every key once");
             return Err(self.source.wrong(key_at, found, expected));
         }
@@ -163,14 +163,7 @@ impl<'s> Walk<'s> {
 
     /// What overflows is infinite.
     fn number(&mut self) -> f64 {
-        let bytes = self.source.text.as_bytes();
-        match plain_decimal(bytes, self.at) {
-            Some((value, after)) if !bytes.get(after).copied().is_some_and(is_of_word) => {
-                self.at = after;
-                value
-            }
-            _ => self.word().parse().unwrap_or(f64::NAN),
-        }
+        self.word().parse().unwrap_or(f64::NAN)
     }
 
     /// An array of nothing but numbers and nulls (NaN), and not only nulls.
@@ -264,9 +257,9 @@ impl Source<'_> {
             "EOF while parsing a list" => (end, phrase!("',' or ']'")),
             "EOF while parsing a value" => (end, value),
             "EOF while parsing a string" => {
-                let found = text!("a text that is not closed");
+                let found = text!("a quote that is not closed");
                 let at = self.text.rfind('"').unwrap_or(last);
-                return self.wrong(at, found, phrase!("a closing '\"'"));
+                return self.wrong(at, found, phrase!("a closing quote"));
             }
             "key must be a string" => (last, key),
             "expected `:`" => (last, colon),

@@ -29,11 +29,11 @@ impl Job<'_> {
             return Ok(());
         };
         if values.iter().any(|value| value.is_infinite()) {
-            let found = text!("a position that overflows");
+            let found = text!("a number that overflows");
             return self.refuse(
                 self.place.clone(),
                 found,
-                text!("numbers that a double can hold in mm"),
+                text!("a number that a double can hold"),
             );
         }
         let mut q = vec![0.0; robot.joint_count()];
@@ -106,7 +106,7 @@ impl Job<'_> {
             return self.refuse(
                 place,
                 text!("a number that overflows"),
-                text!("numbers that a double can hold in mm"),
+                text!("a number that a double can hold"),
             );
         }
         let references = self.references(&mut columns)?;

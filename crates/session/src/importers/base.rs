@@ -8,7 +8,7 @@ use nalgebra::{Point3, Quaternion, UnitQuaternion};
 use crate::diagnostic::{Diagnostic, Place, Rejected};
 use crate::document::number::quoted;
 use crate::importers::columns::{Column, Columns};
-use crate::importers::companion_file::{CompanionKind, points_of};
+use crate::importers::companion_file::points_of;
 use crate::importers::job::Job;
 use crate::importers::matching::{self, Matching, listed_names};
 use crate::importers::reference::{Alignment, Landmark, align};
@@ -70,7 +70,7 @@ impl Job<'_> {
             // Nothing to align: the points are places of anchors, sockets or stations.
             return Ok((columns, None));
         }
-        let known = self.named_points(companion, CompanionKind::ReferencePoints)?;
+        let known = self.named_points(companion, "reference")?;
         let place = companion.place();
         let (Some(names), Some(points)) = (columns.points(), points_of(&columns)) else {
             return self.refuse(
@@ -205,9 +205,9 @@ impl Job<'_> {
             })
             .collect();
         let found = text!(
-            "{said}: {each}",
-            said = &said,
-            each = matching::listed_names_up_to(&each, 40)
+            "{found}: {name}",
+            found = &said,
+            name = matching::listed_names_up_to(&each, 40)
         );
         self.findings.push(Diagnostic::note(place.clone(), found));
         self.sentences.push(said);

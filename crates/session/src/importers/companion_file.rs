@@ -20,33 +20,15 @@ use crate::sessions::default_targets;
 use crate::tables::encoding;
 use crate::text::Text;
 
-/// What a file beside the measured one holds.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum CompanionKind {
-    Commands,
-    ReferencePoints,
-    Targets,
-}
-
-impl CompanionKind {
-    /// What was read, from which file.
-    fn read_from(self, file: &Text, encoding: &Text) -> Text {
-        match self {
-            Self::Commands => text!("commands from {file}: {encoding}", file, encoding),
-            Self::ReferencePoints => {
-                text!("reference points from {file}: {encoding}", file, encoding)
-            }
-            Self::Targets => text!("targets from {file}: {encoding}", file, encoding),
-        }
-    }
-}
+/// The option that names the file of the commands.
+const COMMANDS: &str = "commands";
 
 impl Job<'_> {
-    /// Reads a file beside the measured one.
+    /// Reads a file beside the measured one, which this option names.
     pub(crate) fn companion(
         &mut self,
         companion: &Companion<'_>,
-        kind: CompanionKind,
+        option: &str,
         header: &str,
         reader: fn(&mut ReadContext<'_>) -> Option<Columns>,
     ) -> Result<Columns, Rejected> {
@@ -56,7 +38,7 @@ impl Job<'_> {
             Ok(decoded) => decoded,
             Err(error) => return self.refused(vec![*error]),
         };
-        let are_commands = kind == CompanionKind::Commands;
+        let are_commands = option == COMMANDS;
         let read_with = |asked: &[About]| {
             let given = self.reading;
             // What was said about the measured file holds here only where this file does not tell.
@@ -117,8 +99,11 @@ impl Job<'_> {
         };
         self.findings.append(&mut findings);
         let file = file_in_words(companion.file.as_ref(), companion.bytes);
-        self.sentences
-            .push(kind.read_from(&file, &encoding.in_words()));
+        self.sentences.push(text!(
+            "{found}: {name}",
+            found = file,
+            name = encoding.in_words()
+        ));
         Ok(columns)
     }
 
@@ -128,16 +113,16 @@ impl Job<'_> {
         companion: &Companion<'_>,
         header: &str,
     ) -> Result<Columns, Rejected> {
-        self.companion(companion, CompanionKind::Commands, header, csv::read_any)
+        self.companion(companion, COMMANDS, header, csv::read_any)
     }
 
     /// Points with their names, mm.
     pub(crate) fn named_points(
         &mut self,
         companion: &Companion<'_>,
-        kind: CompanionKind,
+        option: &str,
     ) -> Result<BTreeMap<String, Point3<f64>>, Rejected> {
-        let columns = self.companion(companion, kind, "name,x_mm,y_mm,z_mm", tracker::read)?;
+        let columns = self.companion(companion, option, "name,x_mm,y_mm,z_mm", tracker::read)?;
         let place = companion.place();
         let (Some(names), Some(points)) = (columns.points(), points_of(&columns)) else {
             return self.refuse(
@@ -173,7 +158,7 @@ impl Job<'_> {
     /// Reflectors: those of the file that was given, or one at the tool's origin.
     pub(crate) fn targets(&mut self, columns: &Columns) -> Result<Vec<Target>, Rejected> {
         if let Some(companion) = &self.settings.targets {
-            let named = self.named_points(companion, CompanionKind::Targets)?;
+            let named = self.named_points(companion, "targets")?;
             let targets = named
                 .into_iter()
                 .map(|(name, position_mm)| Target { name, position_mm });

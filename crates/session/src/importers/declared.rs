@@ -12,7 +12,6 @@ use super::options::{PLANE, SOCKET, SOCKET_DISTANCES};
 use crate::diagnostic::Rejected;
 use crate::document::number::quoted;
 use crate::importers::columns::{Column, Columns};
-use crate::importers::companion_file::CompanionKind;
 use crate::importers::distances::with_unknown;
 use crate::importers::job::Job;
 use crate::importers::role::Role;
@@ -37,9 +36,7 @@ impl Job<'_> {
             .into_iter()
             .any(|quantity| columns.find(quantity).is_some());
         let known = match &self.settings.reference {
-            Some(companion) if asks => {
-                self.named_points(companion, CompanionKind::ReferencePoints)?
-            }
+            Some(companion) if asks => self.named_points(companion, "reference")?,
             _ => BTreeMap::new(),
         };
         let anchors = self.anchors(columns, &known)?;
@@ -186,9 +183,9 @@ impl Job<'_> {
             let Some(read) = read else {
                 let names: Vec<&str> = sockets.iter().map(|socket| socket.name.as_str()).collect();
                 let found = text!(
-                    "--{socket_distances}: {one}",
-                    socket_distances = SOCKET_DISTANCES,
-                    one = quoted(one)
+                    "--{option}: {found}",
+                    option = SOCKET_DISTANCES,
+                    found = quoted(one)
                 );
                 let expected = text!(
                     "two of the sockets ({names}) and a length in mm, such as S1-S2=400",

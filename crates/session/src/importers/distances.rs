@@ -126,15 +126,11 @@ impl Job<'_> {
             Ok(value) if value.is_finite() => Ok(Some(value)),
             _ => {
                 let found = text!(
-                    "--{anchor_offset}: {said}",
-                    anchor_offset = ANCHOR_OFFSET,
-                    said = quoted(said)
+                    "--{option}: {found}",
+                    option = ANCHOR_OFFSET,
+                    found = quoted(said)
                 );
-                self.refuse(
-                    self.place.clone(),
-                    found,
-                    text!("a length in mm, such as 0"),
-                )
+                self.refuse(self.place.clone(), found, text!("a length in mm"))
             }
         }
     }

@@ -30,11 +30,7 @@ named! {
 impl Matching {
     /// What was done.
     pub(crate) fn in_words(self) -> Text {
-        match self {
-            Self::Order => text!("commands matched by order"),
-            Self::Name => text!("commands matched by name"),
-            Self::Time => text!("commands matched by time"),
-        }
+        text!("commands matched: {how}", how = self.id())
     }
 }
 

@@ -344,10 +344,7 @@ impl<'a> ReadContext<'a> {
         {
             if unit != heading {
                 let found = text!("the headings name another unit than {symbol}", symbol);
-                self.warn(
-                    found,
-                    text!("the same unit as the headings, which are used"),
-                );
+                self.warn(found, text!("the same unit as the file, which is used"));
             }
             self.found.unit = text!("from the headings");
         } else if says_length.is_some() {
@@ -563,18 +560,10 @@ pub(crate) fn number(cell: &str, role: Role, decimal: Decimal) -> Result<f64, Te
     if let Role::Time(unit) = role {
         return Kinds::default().read(cell, unit, decimal);
     }
-    match value(cell, decimal) {
-        Ok(value) => Ok(value),
-        Err(NotANumber::NotFinite) => Err(phrase!(
-            "a finite number, or an empty cell where it is missing"
-        )),
-        Err(NotANumber::Overflow) => Err(phrase!("a number that a double can hold")),
-        Err(NotANumber::DecimalComma) => Err(phrase!("a number with a decimal point")),
-        Err(NotANumber::Garbage) => match decimal {
-            Decimal::Point => Err(phrase!("a number")),
-            Decimal::Comma => Err(phrase!("a number with a decimal comma")),
-        },
-    }
+    value(cell, decimal).map_err(|why| match (why, decimal) {
+        (NotANumber::Garbage, Decimal::Comma) => phrase!("a number with a decimal comma"),
+        (why, _) => why.expected(),
+    })
 }
 
 /// The side from which a joint came, as people write it.

@@ -209,7 +209,7 @@ mod tests {
         assert_eq!(text, "x_mm,y_mm\n1,2\n5,6\n7,8\n9,1\n");
         assert_eq!((standing.recorded, standing.breaks), (4, 2));
         assert_eq!(standing.refused, 4, "cut, no UTF-8, one cell, too long");
-        assert!(says.contains("longer than a megabyte"), "{says}");
+        assert!(says.contains("a line of more than 1048576 bytes"), "{says}");
     }
 
     #[test]

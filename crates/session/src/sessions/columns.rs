@@ -173,7 +173,7 @@ impl Quantity {
         let (largest, expected) = match self {
             Self::Commanded(_) | Self::ReadBack(_) if angle => (
                 rad_from_deg(LARGEST_JOINT_VALUE),
-                phrase!("a joint value of at most 1 000 000°"),
+                phrase!("an angle of at most 1 000 000°"),
             ),
             Self::Commanded(_) | Self::ReadBack(_) => (
                 LARGEST_JOINT_VALUE,
@@ -191,10 +191,10 @@ impl Quantity {
             Self::Temperature | Self::JointTemperature(_) => {
                 (1e6, phrase!("a temperature of at most 1 000 000 °C"))
             }
-            Self::Time => (LARGEST_TIME_S, phrase!("a time in s")),
-            Self::Orientation(_) => (1e6, phrase!("a component of a unit quaternion")),
-            Self::Speed(_) => (1e9, phrase!("a speed that a joint can have")),
-            Self::Torque(_) => (1e9, phrase!("a torque that a joint can have")),
+            Self::Time => (LARGEST_TIME_S, phrase!("a value that can be measured")),
+            Self::Orientation(_) => (1e6, phrase!("a value that can be measured")),
+            Self::Speed(_) => (1e9, phrase!("a value that can be measured")),
+            Self::Torque(_) => (1e9, phrase!("a value that can be measured")),
             _ => (f64::MAX, phrase!("a number")),
         };
         ValueRange { largest, expected }

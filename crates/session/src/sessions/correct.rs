@@ -56,7 +56,7 @@ impl SessionCorrection {
                 joint = joint + 1,
                 angle = format!("{:.0}", by_rad.to_degrees())
             ),
-            Self::ScaleLengths(factor) => scaled_lengths(*factor),
+            Self::ScaleLengths(factor) => scaled_lengths(text!("the coordinates"), *factor),
             Self::ScaleCoordinate { axis, factor } => scaled_coordinate(*axis, *factor),
             Self::Reorder([1, 0, 2]) => text!("Exchange x and y"),
             Self::Reorder(order) => {
@@ -79,10 +79,7 @@ impl SessionCorrection {
                 factor = format!("{factor:.6}")
             ),
             Self::ScaleLoad(factor) if *factor < 1.0 => text!("Read the loads as grams"),
-            Self::ScaleLoad(factor) => text!(
-                "Multiply the loads by {factor}",
-                factor = format!("{factor:.6}")
-            ),
+            Self::ScaleLoad(factor) => multiplied(text!("the loads"), *factor),
             Self::ConvertTemperature { factor, .. } if *factor < 1.0 => {
                 text!("Read the temperatures as Fahrenheit")
             }
@@ -118,8 +115,8 @@ impl SessionCorrection {
                 sample = from + 1
             ),
             Self::InRows { rows, by } => text!(
-                "{correction}, in {rows}",
-                correction = by.describe(),
+                "{what}, in {rows}",
+                what = by.describe(),
                 rows = in_rows::listed(rows)
             ),
             Self::Free { group, index } => {
@@ -302,35 +299,25 @@ fn scaled_joints(factor: f64) -> Text {
     }
 }
 
-/// What multiplying the measured coordinates does, in words.
-fn scaled_lengths(factor: f64) -> Text {
-    match factor {
-        1000.0 => text!("Read the coordinates as metres"),
-        25.4 => text!("Read the coordinates as inches"),
-        0.001 => text!("Read the coordinates as micrometres"),
-        factor => text!(
-            "Multiply the coordinates by {factor}",
-            factor = format!("{factor:.6}")
-        ),
-    }
-}
-
-/// What multiplying one of them does, in words.
-fn scaled_coordinate(axis: usize, factor: f64) -> Text {
-    let axis = ["x", "y", "z"][axis.min(2)];
+/// What multiplying measured coordinates does, in words.
+fn scaled_lengths(what: Text, factor: f64) -> Text {
     let unit = match factor {
         1000.0 => phrase!("metres"),
         25.4 => phrase!("inches"),
         0.001 => phrase!("micrometres"),
-        factor => {
-            return text!(
-                "Multiply {axis} by {factor}",
-                axis,
-                factor = format!("{factor:.6}")
-            );
-        }
+        factor => return multiplied(what, factor),
     };
-    text!("Read {axis} as {unit}", axis, unit)
+    text!("Read {axis} as {unit}", axis = what, unit)
+}
+
+/// What multiplying one of them does, in words.
+fn scaled_coordinate(axis: usize, factor: f64) -> Text {
+    scaled_lengths(Text::verbatim(["x", "y", "z"][axis.min(2)]), factor)
+}
+
+fn multiplied(what: Text, factor: f64) -> Text {
+    let factor = format!("{factor:.6}");
+    text!("Multiply {axis} by {factor}", axis = what, factor)
 }
 
 /// In which unit a joint's values are that have to be multiplied by so much, if it is one.

@@ -97,7 +97,7 @@ pub(crate) fn check_joint(
         (None, _) => {
             findings.push(Diagnostic::error(
                 place,
-                text!("joint {number} does not exist", number),
+                text!("joint {joint} does not exist", joint = number),
                 text!(
                     "a joint of the robot, from 1 to {kinds}",
                     kinds = kinds.len()
@@ -132,10 +132,10 @@ fn require_columns(
             let unit = own.kind.unit();
             missing(
                 text!(
-                    "no column for the commanded value of joint {number}",
-                    number
+                    "no column for the commanded value of joint {joint}",
+                    joint = number
                 ),
-                text!("q{number}_{unit}", number, unit),
+                text!("q{joint}_{unit}", joint = number, unit),
             );
         }
     }

@@ -151,17 +151,14 @@ pub struct ObservedColumn<C> {
     pub(crate) quantity: Quantity,
     /// What it is called in the hash of a session's samples.
     pub(crate) label: &'static str,
-    /// Its place in a session, as problems of a library's caller name it.
-    pub(crate) field: &'static str,
     pub values: C,
 }
 
 macro_rules! column {
-    ($quantity:ident $label:literal $column:ident, $values:expr) => {
+    ($quantity:ident $label:literal, $values:expr) => {
         ObservedColumn {
             quantity: Quantity::$quantity,
             label: $label,
-            field: concat!("samples.observed.", stringify!($column)),
             values: $values,
         }
     };
@@ -172,7 +169,7 @@ macro_rules! columns {
     ($all:ident, $count:literal of $cell:ty: $($quantity:ident $label:literal $column:ident,)*) => {
         #[doc(hidden)]
         pub fn $all(&self) -> [ObservedColumn<&Option<Vec<$cell>>>; $count] {
-            [$(column!($quantity $label $column, &self.$column)),*]
+            [$(column!($quantity $label, &self.$column)),*]
         }
     };
 }
@@ -195,9 +192,9 @@ impl ObservedColumns {
     /// The columns of numbers, to be changed.
     pub(crate) fn numbers_mut(&mut self) -> [ObservedColumn<&mut Option<Vec<f64>>>; 3] {
         [
-            column!(Distance "distance" distance_mm, &mut self.distance_mm),
-            column!(Azimuth "azimuth" azimuth, &mut self.azimuth),
-            column!(Elevation "elevation" elevation, &mut self.elevation),
+            column!(Distance "distance", &mut self.distance_mm),
+            column!(Azimuth "azimuth", &mut self.azimuth),
+            column!(Elevation "elevation", &mut self.elevation),
         ]
     }
 

@@ -56,11 +56,7 @@ pub fn robot(robot: &Robot, file: &Place, findings: &mut Vec<Diagnostic>) {
                 joint = quoted(&joint.name),
                 earlier = earlier + 1
             );
-            findings.push(Diagnostic::warning(
-                place,
-                found,
-                text!("a unique name for each joint"),
-            ));
+            findings.push(Diagnostic::warning(place, found, text!("a unique name")));
         }
     }
 }
@@ -70,61 +66,27 @@ pub(super) fn sizes(session: &Session, file: &Place, findings: &mut Vec<Diagnost
     let references = &session.instrument.references;
     let setups = session.samples.setups.as_ref();
     let setups = setups.map_or(0, |setups| setups.names.len());
-    let targets = session.targets.len();
-    for (field, count, most, expected) in [
-        (
-            "setup",
-            setups,
-            300,
-            text!("at most {most} setups in one session", most = 300),
-        ),
+    // An arm's targets are parameters of its fit.
+    let one_joint = session.robot.joints.len() <= 1;
+    for (field, count, most) in [
+        ("setup", setups, 300),
         (
             "targets",
-            targets,
-            1_000_000,
-            text!("at most {most} targets in one session", most = 1_000_000),
+            session.targets.len(),
+            if one_joint { 1_000_000 } else { 600 },
         ),
-        (
-            "anchors",
-            references.anchors.len(),
-            600,
-            text!("at most {most} anchors in one session", most = 600),
-        ),
-        (
-            "stations",
-            references.stations.len(),
-            300,
-            text!("at most {most} stations in one session", most = 300),
-        ),
-        (
-            "planes",
-            references.planes.len(),
-            600,
-            text!("at most {most} planes in one session", most = 600),
-        ),
-        (
-            "sockets",
-            references.sockets.len(),
-            600,
-            text!("at most {most} sockets in one session", most = 600),
-        ),
+        ("anchors", references.anchors.len(), 600),
+        ("stations", references.stations.len(), 300),
+        ("planes", references.planes.len(), 600),
+        ("sockets", references.sockets.len(), 600),
     ] {
         if count > most {
             findings.push(Diagnostic::error(
                 file.clone().in_field(field),
                 text!("{count} of them", count),
-                expected,
+                text!("at most {most} in one session", most),
             ));
         }
-    }
-    // An arm's targets are parameters of its fit.
-    let (targets, most) = (session.targets.len(), 600);
-    if targets > most && session.robot.joints.len() > 1 {
-        findings.push(Diagnostic::error(
-            file.clone().in_field("targets"),
-            text!("{targets} targets of a robot with several joints", targets),
-            text!("at most {most} targets in one session", most),
-        ));
     }
 }
 
@@ -175,7 +137,7 @@ fn regions(session: &Session, file: &Place, findings: &mut Vec<Diagnostic>) {
                 "two regions are called {region}",
                 region = quoted(&region.name)
             ),
-            text!("a unique name for each region"),
+            text!("a unique name"),
         ));
     }
     let joints = &session.robot.joints;
@@ -256,7 +218,7 @@ pub(super) fn free_targets(session: &Session, file: &Place, findings: &mut Vec<D
     let free = session.instrument.free_targets.iter();
     for name in free.filter(|name| !is_known(name)) {
         let place = file.clone().in_field("instrument.free_targets");
-        let found = text!("target '{unknown}' is not declared", unknown = name.clone());
+        let found = text!("target {name} is not declared", name = quoted(name));
         let names = session.targets.iter().map(|own| quoted(&own.name));
         let expected = Text::verbatim(names.collect::<Vec<_>>().join(", "));
         findings.push(Diagnostic::error(place, found, expected));
@@ -372,7 +334,11 @@ fn limits(session: &Session, file: &Place, findings: &mut Vec<Diagnostic>) {
 fn conditions(samples: &Samples, file: &Place, findings: &mut Vec<Diagnostic>) {
     let mut warn = |field: &str, wrong: Vec<usize>, what: Template, expected: Template| {
         if !wrong.is_empty() {
-            let found = text!("{what}: {wrong}", what, wrong = which(samples, &wrong));
+            let found = text!(
+                "{found}: {name}",
+                found = what,
+                name = which(samples, &wrong)
+            );
             let place = file.clone().in_field(field);
             findings.push(Diagnostic::warning(place, found, expected).about(&wrong));
         }
@@ -416,8 +382,9 @@ fn conditions(samples: &Samples, file: &Place, findings: &mut Vec<Diagnostic>) {
     let lost = samples.lost_reflector();
     if !lost.is_empty() {
         let found = text!(
-            one "the instrument lost the reflector (0, 0, 0) in {count} sample: {which}",
-            "the instrument lost the reflector (0, 0, 0) in {count} samples: {which}",
+            one "the instrument lost the reflector ({point}) in {count} measurement: {which}",
+            "the instrument lost the reflector ({point}) in {count} measurements: {which}",
+            point = "0, 0, 0",
             count = lost.len(),
             which = which(samples, &lost)
         );
@@ -453,11 +420,11 @@ fn which(samples: &Samples, rows: &[usize]) -> Text {
     let list = named.join(", ");
     let list = match rows.len().saturating_sub(NAMED) {
         0 => Text::verbatim(list),
-        more => text!("{list} and {more} more", list, more),
+        more => text!("{first} and {more} more", first = list, more),
     };
     match (samples.line.is_empty(), rows.len()) {
-        (true, 1) => text!("sample {list}", list),
-        (true, _) => text!("samples {list}", list),
+        (true, 1) => text!("sample {sample}", sample = list),
+        (true, _) => text!("samples {samples}", samples = list),
         (false, 1) => text!("line {line}", line = list),
         (false, _) => text!("lines {list}", list),
     }
@@ -530,7 +497,7 @@ mod tests {
             "does not increase at line 3",
             "every sample is held out",
             "2 setups",
-            "lost the reflector (0, 0, 0) in 1 sample: line 2",
+            "lost the reflector (0, 0, 0) in 1 measurement: line 2",
         ] {
             assert!(findings.contains(part), "{part}: {findings}");
         }

@@ -86,14 +86,6 @@ impl Cells {
         }
     }
 
-    pub(crate) fn truncate(&mut self, rows: usize) {
-        match self {
-            Self::Numbers(values) => values.truncate(rows),
-            Self::Names(names) => names.index.truncate(rows),
-            Self::Text(cells) => cells.truncate(rows),
-        }
-    }
-
     /// Appends an empty cell.
     pub(crate) fn push_missing(&mut self) {
         match self {

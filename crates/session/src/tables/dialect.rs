@@ -66,7 +66,7 @@ pub struct Dialect {
     pub(crate) longest_quote: usize,
 }
 
-/// Samples of a session: RFC 4180, so that a million rows are read by the block.
+/// Samples of a session: RFC 4180.
 pub(crate) const SAMPLES: Dialect = Dialect {
     separator: Separator::Comma,
     returns_end_lines: false,

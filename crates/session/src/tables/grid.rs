@@ -46,7 +46,7 @@ pub(crate) struct Grid<'a> {
 pub(crate) fn open_quote(file: &Place, quote: OpenQuote) -> Diagnostic {
     let place = file.clone().at_line(quote.line);
     let found = text!("a quote that is not closed");
-    Diagnostic::error(place, found, text!("a second quote, or none"))
+    Diagnostic::error(place, found, text!("a closing quote"))
 }
 
 impl<'a> Grid<'a> {

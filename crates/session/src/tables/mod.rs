@@ -5,8 +5,7 @@
 //!       → rows: places or texts (rows) → where the table begins, its header (grid) → columns
 //! ```
 //!
-//! - Samples of a session are comma-separated and may be millions: `samples` takes them by the block, from a file that
-//!   is never held whole. What is regular goes column by column through wide registers; the rest cell by cell, as here.
+//! - Samples of a session are comma-separated and may be millions: `samples` puts them into columns in one pass.
 //! - Instruments write any dialect: `grid` finds separator and header in a text (`encoding`) and
 //!   `decimals` the decimal sign.
 //! - Targets are changed in place: [`Rows`] says where their cells are, whatever the encoding.

@@ -69,9 +69,9 @@ fn motor(o: &mut Object<'_, '_>, own: &mut Motor) {
     let (range_min, range_max) = (own.range_min, own.range_max);
     if o.has_read_well() && range_min >= range_max {
         let found = text!(
-            "a range from {range_min} to {range_max}",
-            range_min,
-            range_max
+            "a range from {from} to {to}",
+            from = range_min,
+            to = range_max
         );
         let expected = phrase!("a range from the smaller to the larger value");
         o.error(found, expected);

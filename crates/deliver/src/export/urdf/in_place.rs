@@ -60,17 +60,10 @@ pub(super) fn write(
         joints = origins.len()
     )];
     if !added.is_empty() {
-        notes.push(if own.ends_in_tool {
-            text!(
-                "the corrected tool is the added link {tip}: no link of the file can be moved for it, as the tool is the link behind the last joint",
-                tip = &tip
-            )
-        } else {
-            text!(
-                "the corrected tool is the added link {tip}: no link of the file can be moved for it, as the tool was stated beside the file",
-                tip = &tip
-            )
-        });
+        notes.push(text!(
+            "the corrected tool is the added link {tip}: no link of the file can be moved for it",
+            tip = &tip
+        ));
     }
     Ok(Written {
         ends: Some([own.base, tip]),

@@ -124,7 +124,7 @@ fn group(words: &Words, mut k: usize) -> Result<(Group, usize), Problem> {
             let (value, end) = value(words, k + 1)?;
             k = end;
             if group.values.insert(key.clone(), value).is_some() {
-                let found = text!("{component} a second time", component = key.to_uppercase());
+                let found = text!("{name} a second time", name = key.to_uppercase());
                 return Err(Problem::new(at, found, text!("every value once")));
             }
         }

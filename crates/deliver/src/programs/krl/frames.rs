@@ -96,7 +96,7 @@ pub(super) fn sets(
                 Some((list, _)) if target(list) => return false,
                 Some((list, _)) => pose_of(list, &shown),
                 None if !walk.is_held(&shown) => return false,
-                None => Err(text!("{spelled} is computed at run time", spelled = &shown)),
+                None => Err(text!("{name} is computed at run time", name = &shown)),
             };
             for part in [BASE, TOOL] {
                 walk.program
@@ -192,7 +192,10 @@ fn value(
 fn mode(shown: &str) -> Referred {
     match shown.to_lowercase().as_str() {
         "#base" => Referred::Unsaid,
-        "#tcp" => Referred::Unknown(text!("the tool stands and the robot moves the part (#TCP)")),
+        "#tcp" => Referred::Unknown(text!(
+            "the tool stands and the robot moves the part ({sign})",
+            sign = "#TCP"
+        )),
         _ => Referred::Unknown(text!("{name} is computed at run time", name = shown)),
     }
 }
@@ -213,7 +216,7 @@ fn by_numbers(walk: &Walk, name: &str) -> [Set; 3] {
 fn as_numbered((numbers, tcp): &Numbers, name: &str) -> [Set; 3] {
     let of = |number: Option<f64>, table: &str, zero: Referred| match number {
         Some(number) => numbered(table, &number.to_string(), zero),
-        None => Referred::Unknown(text!("{name} has its numbers elsewhere", name)),
+        None => Referred::Unknown(text!("{spelled} has its values elsewhere", spelled = name)),
     };
     [
         (BASE, of(numbers[0], "BASE_DATA", Referred::Unsaid)),
@@ -229,7 +232,7 @@ fn numbered(table: &str, number: &str, zero: Referred) -> Referred {
         Ok(number) => Referred::named(format!("{table}[{number}]")),
         Err(_) => {
             let name = format!("{table}[{number}]");
-            Referred::Unknown(text!("{name} is chosen at run time", name))
+            Referred::Unknown(text!("{name} is computed at run time", name))
         }
     }
 }

@@ -84,10 +84,6 @@ fn check_length(frame: &Frame, name: &str) -> Result<(), Problem> {
     let Some((at, length)) = frame.wrong_length() else {
         return Ok(());
     };
-    if length == 0.0 {
-        let found = text!("a quaternion of no length in {name}", name);
-        return Err(Problem::new(at, found, text!("an orientation")));
-    }
     let length = format!("{length:.4}");
     let found = text!("a quaternion of length {length} in {name}", length, name);
     Err(Problem::new(at, found, text!("a length of 1")))

@@ -110,7 +110,11 @@ impl Walk<'_> {
             return Ok(());
         }
         let found = text!("blocks in blocks");
-        Err(Problem::new(self.at, found, text!("at most 64 deep")))
+        Err(Problem::new(
+            self.at,
+            found,
+            text!("at most {most} deep", most = DEEPEST),
+        ))
     }
 
     /// A routine begins, whose name is word `k`; its parameters are the names behind it that one of these signs follows.

@@ -117,11 +117,11 @@ fn nominal_length(context: &mut ReadContext<'_>, is_deviation: bool) -> Option<f
                 .filter(|value: &f64| value.is_finite());
             if value.is_none() {
                 let found = text!(
-                    "--{nominal_length}: {said}",
-                    nominal_length = NOMINAL_LENGTH,
-                    said = quoted(said)
+                    "--{option}: {found}",
+                    option = NOMINAL_LENGTH,
+                    found = quoted(said)
                 );
-                context.refuse(found, text!("a length in mm, such as 300.0015"));
+                context.refuse(found, text!("a length in mm"));
             }
             value
         }

@@ -98,7 +98,7 @@ fn read(context: &mut ReadContext<'_>) -> Option<Columns> {
     };
     let frames = frames(context, rows, &chosen, with_orientation);
     if context.found.rows == 0 && !context.is_open() {
-        context.refuse(text!("no frame"), text!("at least one"));
+        context.refuse(text!("no row that can be read"), text!("at least one"));
     }
     let columns = frames.into_columns(&chosen, unit);
     context.found.columns = columns
@@ -166,10 +166,11 @@ fn unit(context: &mut ReadContext<'_>, keys: &[(String, String)]) -> Option<Unit
     match (by_file, given) {
         (Some(unit), given) => {
             let unit_named = named.unwrap_or_default();
-            context.found.unit = text!("{unit}, from the first line", unit = unit_named);
+            context.found.unit =
+                text!("{unit}, from the lines before the table", unit = unit_named);
             if given.is_some_and(|given| given.unit() != unit) {
                 let found = text!(
-                    "the first line names another unit: {unit}",
+                    "the lines before the table name another unit: {unit}",
                     unit = &context.found.unit
                 );
                 context.warn(found, text!("the same unit as the file, which is used"));

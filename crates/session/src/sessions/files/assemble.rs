@@ -5,7 +5,6 @@
 
 use crate::text::Text;
 use std::collections::BTreeMap;
-use std::io::{self, Read};
 
 use crate::diagnostic::{Diagnostic, Place};
 use crate::document::number::quoted;
@@ -32,23 +31,16 @@ pub(crate) struct Declared<'a> {
 }
 
 /// Reads the CSV file of a session, told as `part` of something: its headings are those of the robot's joints and of
-/// what was measured. `bytes` is the length of the input where it is known.
-/// `None` when the headings already make no sense; otherwise the table is whole only if `findings`
-/// got no error.
-///
-/// # Errors
-/// What reading from `input` says, or that it was cancelled.
+/// what was measured. `None` when the headings already make no sense, or when it was cancelled; otherwise the table is
+/// whole only if `findings` got no error.
 pub(crate) fn table(
-    input: impl Read,
-    bytes: Option<u64>,
+    bytes: &[u8],
     file: &Place,
     joints: Option<&[Joint]>,
     findings: &mut Vec<Diagnostic>,
     part: ProgressSpan<'_>,
-) -> io::Result<Option<Table>> {
-    let Some(mut table) = SampleTable::open(input, file, findings)? else {
-        return Ok(None);
-    };
+) -> Option<Table> {
+    let table = SampleTable::open(bytes, file, findings)?;
     let header = file.clone().at_line(1);
     let place = |index: usize| {
         let column = header.clone().at_column(index as u64 + 1);
@@ -56,13 +48,13 @@ pub(crate) fn table(
     };
     let layout = Layout::read(&table.names, joints, &header, &place, findings);
     let kinds = layout.headings.iter().map(Heading::cells);
-    let (columns, line) = table.rows(kinds, bytes, file, findings, part)?;
-    Ok(Some(Table {
+    let (columns, line) = table.rows(kinds, file, findings, part).ok()?;
+    Some(Table {
         layout,
         names: table.names,
         columns,
         line,
-    }))
+    })
 }
 
 /// Makes samples of the rows of a text file, and says of each on which line it stands.
@@ -310,8 +302,8 @@ impl PlacedColumn<'_> {
             let place = (self.locate)(self.index, row);
             self.findings.push(Diagnostic::error(
                 place,
-                text!("a number that overflows in mm"),
-                text!("a length that a double can hold in mm"),
+                text!("a number that overflows"),
+                text!("a number that a double can hold"),
             ));
         }
         values

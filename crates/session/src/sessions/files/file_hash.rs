@@ -4,8 +4,7 @@
 //! SHA-256 of the bytes, carriage returns left out: what only ends its lines differently holds the same
 //! samples. Files that the program writes have none, so that `sha256sum` gives the same.
 
-use std::cell::RefCell;
-use std::io::{self, Read, Write};
+use std::io::{self, Write};
 
 use sha2::{Digest, Sha256};
 
@@ -49,34 +48,9 @@ impl Write for Hashed<'_> {
     }
 }
 
-/// A reader that hashes what passes, where that is wanted.
-pub(crate) struct HashedInput<'a, R> {
-    input: R,
-    hash: &'a RefCell<Option<Sha256>>,
-}
-
-impl<'a, R> HashedInput<'a, R> {
-    pub(crate) fn new(input: R, hash: &'a RefCell<Option<Sha256>>) -> Self {
-        Self { input, hash }
-    }
-}
-
-impl<R: Read> Read for HashedInput<'_, R> {
-    fn read(&mut self, bytes: &mut [u8]) -> io::Result<usize> {
-        let read = self.input.read(bytes)?;
-        if let Some(hash) = self.hash.borrow_mut().as_mut() {
-            add(hash, &bytes[..read]);
-        }
-        Ok(read)
-    }
-}
-
-/// A hash to be filled, where `wanted`.
-pub(crate) fn begun(wanted: bool) -> RefCell<Option<Sha256>> {
-    RefCell::new(wanted.then(Sha256::new))
-}
-
-/// What it came to: 64 hexadecimal digits.
-pub(crate) fn ended(hash: RefCell<Option<Sha256>>) -> Option<String> {
-    hash.into_inner().map(|hash| hexadecimal(&hash.finalize()))
+/// The hash of these bytes: 64 hexadecimal digits.
+pub(crate) fn of(bytes: &[u8]) -> String {
+    let mut hash = Sha256::new();
+    add(&mut hash, bytes);
+    hexadecimal(&hash.finalize())
 }

@@ -1,7 +1,5 @@
 //! From a file, or from memory, to a session and what is worth knowing about it.
 
-use std::fs::File;
-use std::io::{self, Read};
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
@@ -13,7 +11,6 @@ use crate::progress::{Progress, ProgressSpan, ReadError, unwatched};
 use crate::sessions::domain::{Samples, Session};
 use crate::sessions::files::assemble::Declared;
 use crate::sessions::files::file_hash;
-use crate::sessions::files::file_hash::HashedInput;
 use crate::sessions::files::format_v1::head;
 use crate::sessions::files::format_v1::head::SamplesAt;
 use crate::sessions::files::format_v1::inline;
@@ -204,7 +201,7 @@ fn samples_file(
     let opened = match companion {
         CompanionFile::Csv(bytes) => {
             let file = Place::file(name);
-            return samples_from(bytes, None, &file, place, wanted, findings);
+            return samples_from(bytes, &file, place, wanted, wanted.part, findings);
         }
         CompanionFile::Nothing => Err((
             text!("samples in a file: {name}", name),
@@ -216,7 +213,7 @@ fn samples_file(
             Ok((path, file, length))
         }),
     };
-    let (path, file, length): (_, File, u64) = match opened {
+    let (path, file, length) = match opened {
         Ok(opened) => opened,
         Err((found, expected)) => {
             findings.push(Diagnostic::error(place.clone(), found, expected));
@@ -225,35 +222,34 @@ fn samples_file(
     };
     fields.also_read.push(path.clone());
     let csv = Place::file(path);
-    samples_from(file, Some(length), &csv, place, wanted, findings)
+    match open::read_whole(file, length, wanted.part.part(0.0, 0.2)) {
+        Ok(bytes) => {
+            let part = wanted.part.part(0.2, 1.0);
+            samples_from(&bytes, &csv, place, wanted, part, findings)
+        }
+        Err(error) => {
+            let expected = text!("a file that can be read to its end");
+            findings.push(Diagnostic::error(csv, unreadable(&error), expected));
+            None
+        }
+    }
 }
 
 fn samples_from(
-    input: impl Read,
-    bytes: Option<u64>,
+    bytes: &[u8],
     file: &Place,
     named_at: &Place,
     wanted: &TableRequest<'_>,
+    part: ProgressSpan<'_>,
     findings: &mut Vec<Diagnostic>,
 ) -> Option<Samples> {
-    let hash = file_hash::begun(wanted.sha256.is_some());
-    let input = HashedInput::new(input, &hash);
-    let table = assemble::table(input, bytes, file, wanted.joints, findings, wanted.part);
-    if let (Some(found), Some(own)) = (file_hash::ended(hash), &wanted.sha256)
-        && found != *own
-        && matches!(table, Ok(Some(_)))
-    {
-        findings.push(others_samples(&found, own, file, named_at));
+    let table = assemble::table(bytes, file, wanted.joints, findings, part)?;
+    if let Some(own) = &wanted.sha256 {
+        let found = file_hash::of(bytes);
+        if found != *own {
+            findings.push(others_samples(&found, own, file, named_at));
+        }
     }
-    let table = table.unwrap_or_else(|error: io::Error| {
-        let expected = text!("a file that can be read to its end");
-        findings.push(Diagnostic::error(
-            file.clone(),
-            unreadable(&error),
-            expected,
-        ));
-        None
-    })?;
     Some(assemble::rows(table, wanted.declared, file, findings))
 }
 

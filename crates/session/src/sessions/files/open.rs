@@ -4,7 +4,8 @@
 //! below, and only a regular file is opened (see [`guard`](crate::guard)).
 
 use crate::text::{Template, Text};
-use std::io::Read;
+use std::fs::File;
+use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
 use crate::diagnostic::{Diagnostic, Place, Rejected, unreadable};
@@ -33,13 +34,23 @@ pub fn read_document_in(path: &Path, part: ProgressSpan<'_>) -> Result<Vec<u8>, 
     let refused = |(found, expected): Refusal| {
         Rejected::because(Diagnostic::error(Place::file(path), found, expected))
     };
-    let (mut file, length) = open_regular(path).map_err(refused)?;
+    let (file, length) = open_regular(path).map_err(refused)?;
+    let read = read_whole(file, length, part);
+    part.check()?;
+    let failed = |error| refused((unreadable(&error), text!("a file that can be read")));
+    Ok(read.map_err(failed)?)
+}
+
+/// The whole of an opened file of about this length, told as this part of something.
+pub(crate) fn read_whole(
+    mut file: File,
+    length: u64,
+    part: ProgressSpan<'_>,
+) -> io::Result<Vec<u8>> {
     let expected = usize::try_from(length).unwrap_or(0);
     let mut bytes = Vec::with_capacity(expected);
     loop {
-        let read = (&mut file).take(AT_ONCE).read_to_end(&mut bytes);
-        let read =
-            read.map_err(|error| refused((unreadable(&error), text!("a file that can be read"))))?;
+        let read = (&mut file).take(AT_ONCE).read_to_end(&mut bytes)?;
         part.counted(bytes.len(), expected)?;
         if read == 0 {
             return Ok(bytes);

@@ -32,10 +32,9 @@ pub(super) struct Sample<'a> {
 }
 
 impl<'a> Sample<'a> {
-    /// Reads the cell from `at`; `bytes[..end]` ends with a line feed.
-    pub(super) fn read(bytes: &'a [u8], at: usize, end: usize) -> Self {
-        let bytes = &bytes[..end];
-        let cell = Cell::read(bytes, at.min(end), SAMPLES);
+    /// Reads the cell from `at`.
+    pub(super) fn read(bytes: &'a [u8], at: usize) -> Self {
+        let cell = Cell::read(bytes, at, SAMPLES);
         let stop = match bytes.get(cell.stop) {
             Some(b',') => Stop::Comma,
             _ => Stop::Line,
@@ -56,20 +55,15 @@ impl<'a> Sample<'a> {
             content,
             quotes: cell.quotes,
             after_quote,
-            after: (cell.stop + 1).min(end),
+            after: (cell.stop + 1).min(bytes.len()),
             stop,
             line_feeds,
         }
     }
 
-    /// Whether its quote never closes.
-    pub(super) fn is_open(&self) -> bool {
-        self.quotes == Quotes::Open
-    }
-
     /// The cell as text, or what to say about it.
     pub(super) fn text(&self) -> Result<&str, (Text, Template)> {
-        if self.is_open() {
+        if self.quotes == Quotes::Open {
             return Err((
                 text!("a quote that is not closed"),
                 phrase!("a closing quote"),
@@ -80,15 +74,15 @@ impl<'a> Sample<'a> {
             return Err((found, phrase!("a comma or the end of the line")));
         }
         if self.content.contains(&0) {
-            return Err((text!("a NUL byte"), phrase!("text; this is a binary file")));
+            return Err((
+                text!("a zero byte"),
+                phrase!("a CSV file: headings and one line per sample"),
+            ));
         }
         match std::str::from_utf8(&self.content) {
             Ok(text) => Ok(text),
             Err(_) => Err((
-                text!(
-                    "bytes that are not UTF-8: {content}",
-                    content = quoted(&String::from_utf8_lossy(&self.content))
-                ),
+                text!("bytes that are not UTF-8"),
                 phrase!("UTF-8 text; another encoding is read by `truepose import`"),
             )),
         }
@@ -100,18 +94,6 @@ impl<'a> Sample<'a> {
             Quotes::None => trimmed(text),
             _ => text,
         }
-    }
-
-    /// Appends the cell to its column of names or text; false, and nothing done, if there is
-    /// anything to say about it.
-    pub(super) fn store_text(&self, column: &mut Cells) -> bool {
-        let Ok(text) = self.text() else { return false };
-        match column {
-            Cells::Text(cells) => cells.push(text.to_owned()),
-            Cells::Names(names) => names.push(self.plain(text)),
-            Cells::Numbers(_) => return false,
-        }
-        true
     }
 
     /// Appends the cell to its column.
@@ -141,18 +123,12 @@ impl<'a> Sample<'a> {
                 Err(problem) => {
                     values.push(f64::NAN);
                     let expected = match problem {
-                        NotANumber::NotFinite => {
-                            text!("a finite number; a missing value is an empty cell")
-                        }
-                        NotANumber::Overflow => {
-                            text!("a number that a double can hold (below 1.8e308)")
-                        }
                         NotANumber::DecimalComma => {
-                            text!(
+                            phrase!(
                                 "a decimal point; decimal commas are read by `truepose import --decimal ,`"
                             )
                         }
-                        NotANumber::Garbage => text!("a number"),
+                        other => other.expected(),
                     };
                     complaints.about_cell(line, index, Text::verbatim(quoted(plain)), expected);
                 }
@@ -162,15 +138,15 @@ impl<'a> Sample<'a> {
 }
 
 /// A cell without quotes may have spaces around it.
-pub(super) fn trimmed(cell: &str) -> &str {
+fn trimmed(cell: &str) -> &str {
     cell.trim_matches([' ', '\t'])
 }
 
 /// Where the line after this one starts and how many cells are left in this one.
-pub(super) fn skip_line(bytes: &[u8], mut at: usize, end: usize) -> (usize, usize) {
+pub(super) fn skip_line(bytes: &[u8], mut at: usize) -> (usize, usize) {
     let mut cells = 0;
     loop {
-        let cell = Sample::read(bytes, at, end);
+        let cell = Sample::read(bytes, at);
         cells += 1;
         at = cell.after;
         if cell.stop == Stop::Line {

@@ -1,48 +1,38 @@
 //! The first line, and what a file looks like that is no session CSV at all.
 
 use crate::text::{Template, Text};
-use std::io::{self, Read};
 
 use crate::diagnostic::{Diagnostic, Place};
 use crate::document::number::{any_decimal, quoted};
 use crate::tables::encoding::{Mark, mark};
 
-use super::blocks::Blocks;
 use super::cells::{Sample, Stop};
 
 /// A session has fewer columns, with every quantity of a hundred joints.
 const MOST_COLUMNS: usize = 10_000;
 
-/// Reads the headings; `None`, with the reason in `findings`, when the file is something else.
-pub(super) fn read<R: Read>(
-    blocks: &mut Blocks<R>,
+/// As much as tells what a file is.
+const START: usize = 1 << 18;
+
+/// Reads the headings, and where the next line starts; `None`, with the reason in `findings`, when the file is
+/// something else.
+pub(super) fn read(
+    bytes: &[u8],
     file: &Place,
     findings: &mut Vec<Diagnostic>,
-) -> io::Result<Option<Vec<String>>> {
-    let start = blocks.peek()?;
-    let bom = match mark(start) {
+) -> Option<(Vec<String>, usize)> {
+    let mut at = match mark(bytes) {
         Some((Mark::Utf8, length)) => length,
         _ => 0,
     };
-    if let Some(diagnostic) = something_else(&start[bom..], file) {
+    let start = &bytes[at..bytes.len().min(at + START)];
+    if let Some(diagnostic) = something_else(start, file) {
         findings.push(diagnostic);
-        return Ok(None);
+        return None;
     }
-    if bom > 0 {
-        blocks.consume(bom);
-    }
-    let Some(lines) = blocks.next_rows()? else {
-        findings.push(Diagnostic::error(
-            file.clone(),
-            text!("no line end"),
-            text!("a line of headings"),
-        ));
-        return Ok(None);
-    };
     let mut names = Vec::new();
-    let mut at = 0;
     loop {
-        let cell = Sample::read(lines.bytes, at, lines.end);
+        let cell = Sample::read(bytes, at);
         match cell.text() {
             Ok(_) if names.len() == MOST_COLUMNS => {
                 findings.push(Diagnostic::error(
@@ -50,7 +40,7 @@ pub(super) fn read<R: Read>(
                     text!("more than {most} columns", most = MOST_COLUMNS),
                     text!("the columns of a session"),
                 ));
-                return Ok(None);
+                return None;
             }
             Ok(text) if cell.line_feeds == 0 => names.push(text.trim().to_owned()),
             Ok(text) => {
@@ -60,12 +50,12 @@ pub(super) fn read<R: Read>(
                     Text::verbatim(quoted(text)),
                     text!("a heading on one line"),
                 ));
-                return Ok(None);
+                return None;
             }
             Err((found, expected)) => {
                 let place = file.clone().at_line(1).at_column(names.len() as u64 + 1);
                 findings.push(Diagnostic::error(place, found, expected));
-                return Ok(None);
+                return None;
             }
         }
         at = cell.after;
@@ -73,8 +63,7 @@ pub(super) fn read<R: Read>(
             break;
         }
     }
-    blocks.consume(at);
-    Ok(wrong_dialect(&names, file, findings).then_some(names))
+    wrong_dialect(&names, file, findings).then_some((names, at))
 }
 
 /// Recognises what is no text by its first bytes.
@@ -86,7 +75,7 @@ fn something_else(start: &[u8], file: &Place) -> Option<Diagnostic> {
     if start.trim_ascii().is_empty() {
         return error(
             text!("an empty file"),
-            phrase!("a line of headings and one line per sample"),
+            phrase!("a CSV file: headings and one line per sample"),
         );
     }
     match mark(start) {
@@ -98,10 +87,10 @@ fn something_else(start: &[u8], file: &Place) -> Option<Diagnostic> {
     }
     let nul = memchr::memchr(0, start)?;
     if nul <= 1 && start.len() > 3 && start[(nul + 1) % 2].is_ascii_graphic() {
-        return error(text!("a file in UTF-16 without a byte order mark"), IMPORT);
+        return error(text!("a file in UTF-16"), IMPORT);
     }
     error(
-        text!("a binary file (it holds NUL bytes)"),
+        text!("a zero byte"),
         phrase!("a CSV file: headings and one line per sample"),
     )
 }

@@ -6,14 +6,11 @@ use crate::tables::complaints::Complaints;
 use crate::tables::lines::Lines;
 use crate::text::Text;
 
-use super::starts::Starts;
-
 /// The rows so far.
 pub(super) struct Rows<'a> {
     pub(super) columns: Vec<Cells>,
     pub(super) line: Lines,
     pub(super) next_line: u64,
-    pub(super) starts: Starts,
     pub(super) complaints: CellComplaints<'a>,
 }
 

@@ -58,7 +58,11 @@ pub(super) fn units_of(
             (text!("a length for a joint that turns"), text!("an angle"))
         };
         context.refuse(
-            text!("{index}: {kind}", index = quoted(&headings[index]), kind),
+            text!(
+                "{found}: {name}",
+                found = quoted(&headings[index]),
+                name = kind
+            ),
             expected,
         );
         return None;

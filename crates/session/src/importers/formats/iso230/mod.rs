@@ -104,7 +104,7 @@ fn read(context: &mut ReadContext<'_>) -> Option<Columns> {
     let list = measurements(context, &grid, &parts, decimal);
     context.found.rows = list.len();
     if list.is_empty() && !context.is_open() {
-        context.refuse(text!("no measurement"), text!("at least one"));
+        context.refuse(text!("no row that can be read"), text!("at least one"));
     }
     if context.is_open() {
         return None;
@@ -145,15 +145,18 @@ fn measurements(
             match part {
                 TableColumn::Target => match value(cell(index), decimal) {
                     Ok(number) => target = Some(number),
-                    Err(_) => wrong(index, phrase!("the target as a number")),
+                    Err(_) => wrong(index, phrase!("a number")),
                 },
                 TableColumn::Direction => match direction(cell(index)) {
                     Some(number) => dir = number,
-                    None => wrong(index, phrase!("+ or -, 1 or -1, forward or backward")),
+                    None => wrong(
+                        index,
+                        phrase!("1, -1 or 0 (unknown), + or -, forward or backward"),
+                    ),
                 },
                 TableColumn::Run => match cell(index).parse() {
                     Ok(number) => run = number,
-                    Err(_) => wrong(index, phrase!("the number of the run")),
+                    Err(_) => wrong(index, phrase!("a number")),
                 },
                 _ => {}
             }
@@ -179,7 +182,7 @@ fn measurements(
                 (Ok(_), None) => {}
                 (Err(_), _) => wrong(
                     index,
-                    phrase!("a number, or an empty cell where it was not measured"),
+                    phrase!("a finite number, or an empty cell where it is missing"),
                 ),
             }
         }

@@ -75,7 +75,8 @@ pub(super) fn parts(
         parts
     } else if grid.width == 4 {
         context.note(text!(
-            "no header: the columns are taken as target, direction, run, position"
+            "no header: the columns are taken as {words}",
+            words = "target, direction, run, position"
         ));
         vec![
             TableColumn::Target,

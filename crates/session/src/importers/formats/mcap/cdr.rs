@@ -9,6 +9,11 @@ use crate::text::Text;
 /// What is wrong, in words.
 pub(super) type Wrong = Text;
 
+/// What is said of a message that is not as its type has it.
+pub(super) fn not_whole() -> Wrong {
+    text!("fields that are not those of its type")
+}
+
 /// Fields one after the other, none beyond the end.
 #[derive(Debug, Clone)]
 pub(super) struct Cdr<'a> {
@@ -23,7 +28,7 @@ impl<'a> Cdr<'a> {
     /// Reads the four bytes at the start.
     pub(super) fn new(data: &'a [u8]) -> Result<Self, Wrong> {
         let Some((head, body)) = data.split_at_checked(4) else {
-            return Err(text!("a message of {length} bytes", length = data.len()));
+            return Err(not_whole());
         };
         let (is_little, largest) = match (head[0], head[1]) {
             (0, 0) => (false, 8),
@@ -48,13 +53,7 @@ impl<'a> Cdr<'a> {
     fn take(&mut self, length: usize) -> Result<&'a [u8], Wrong> {
         let end = self.at.checked_add(length);
         let bytes = end.and_then(|end| self.body.get(self.at..end));
-        let bytes = bytes.ok_or_else(|| {
-            let length = self.body.len() + 4;
-            text!(
-                "a message that ends within a field (it has {length} bytes)",
-                length
-            )
-        })?;
+        let bytes = bytes.ok_or_else(not_whole)?;
         self.at += length;
         Ok(bytes)
     }
@@ -89,11 +88,7 @@ impl<'a> Cdr<'a> {
         let count = self.u32()? as usize;
         let left = self.body.len() - self.at.min(self.body.len());
         if count > left / smallest {
-            return Err(text!(
-                "{elements} elements in the {left} bytes that are left",
-                elements = count,
-                left
-            ));
+            return Err(not_whole());
         }
         Ok(count)
     }
@@ -103,10 +98,8 @@ impl<'a> Cdr<'a> {
         let length = self.count(1)?;
         let bytes = self.take(length)?;
         let bytes = bytes.strip_suffix(b"\0").unwrap_or(bytes);
-        match std::str::from_utf8(bytes) {
-            Ok(text) => Ok(text.to_owned()),
-            Err(_) => Err(text!("a text that is not UTF-8")),
-        }
+        let text = std::str::from_utf8(bytes).map_err(|_| not_whole())?;
+        Ok(text.to_owned())
     }
 
     /// A sequence of numbers.
@@ -138,7 +131,7 @@ mod tests {
     fn counts_are_not_believed() {
         let mut cdr = Cdr::new(b"\0\x01\0\0\xff\xff\xff\xff").unwrap();
         assert!(cdr.clone().text().is_err());
-        assert!(cdr.numbers().unwrap_err().contains("4294967295 elements"));
+        assert!(cdr.numbers().unwrap_err().contains("fields that are not"));
         assert!(Cdr::new(b"\0\x03\0\0").unwrap_err().contains("00 03"));
         assert!(Cdr::new(b"\0").is_err());
     }

@@ -77,31 +77,27 @@ impl Broken {
             McapError::UnexpectedEof | McapError::RecordTooLarge { .. } | McapError::BadMagic => {
                 Self {
                     is_cut: true,
-                    ..Self::new(
-                        byte,
-                        text!("the recording is cut off"),
-                        phrase!("a whole MCAP file"),
-                    )
+                    ..Self::new(byte, text!("the recording is cut off"), WHOLE)
                 }
             }
-            // The crate says it with colours and over several lines.
-            McapError::Parse(wrong) if !wrong.is_eof() => Self::new(
-                byte,
-                text!("a record whose fields cannot be read"),
-                phrase!("records as the MCAP specification has them, texts in UTF-8"),
-            ),
-            _ => Self::short(byte),
+            _ => Self::record(byte),
         }
     }
 
-    fn short(byte: usize) -> Self {
-        Self::new(
-            byte,
-            text!("a record that is shorter than its fields"),
-            phrase!("records as the MCAP specification has them"),
-        )
+    fn record(byte: usize) -> Self {
+        Self::new(byte, text!("a record that cannot be read"), WHOLE)
+    }
+
+    fn chunk(byte: usize, error: impl Into<Text>) -> Self {
+        let found = text!(
+            "a chunk that cannot be unpacked ({error})",
+            error = error.into()
+        );
+        Self::new(byte, found, WHOLE)
     }
 }
+
+const WHOLE: Template = phrase!("a whole MCAP file");
 
 /// Goes through a file once.
 #[derive(Debug, Default)]
@@ -191,15 +187,8 @@ impl Reader {
         let read = records(&unpacked, 0, options, &mut |opcode, content, _| {
             self.record(opcode, content, byte, share, each)
         });
-        read.map_err(|broken| {
-            let found = text!("a chunk that ends within a record");
-            if broken.is_cut {
-                Broken::new(byte, found, phrase!("whole records in every chunk"))
-            } else {
-                // Where in the unpacked records says nothing about the file.
-                Broken { byte, ..broken }
-            }
-        })
+        // Where in the unpacked records says nothing about the file.
+        read.map_err(|broken| Broken::chunk(byte, broken.found))
     }
 
     fn record(
@@ -218,15 +207,7 @@ impl Reader {
             Record::Schema { header, .. } => {
                 // Every channel has a copy of it.
                 if header.name.len() > LONGEST_TYPE {
-                    let found = text!(
-                        "a type whose name has {header} bytes",
-                        header = header.name.len()
-                    );
-                    return Err(Broken::new(
-                        byte,
-                        found,
-                        phrase!("a name such as sensor_msgs/msg/Joy"),
-                    ));
+                    return Err(Broken::record(byte));
                 }
                 self.schemas.insert(header.id, header.name);
             }
@@ -234,15 +215,7 @@ impl Reader {
             Record::Message { header, data } => {
                 let number = header.channel_id;
                 let Some(&channel) = self.numbers.get(&number) else {
-                    let found = text!(
-                        "a message of channel {number}, which nothing announces",
-                        number
-                    );
-                    return Err(Broken::new(
-                        byte,
-                        found,
-                        phrase!("a channel before its messages"),
-                    ));
+                    return Err(Broken::record(byte));
                 };
                 let message = Message {
                     channel,
@@ -277,7 +250,7 @@ impl Reader {
 
 fn parsed(opcode: u8, content: &[u8], byte: usize) -> Result<Record<'_>, Broken> {
     if !texts_fit(opcode, content) {
-        return Err(Broken::short(byte));
+        return Err(Broken::record(byte));
     }
     parse_record(opcode, content).map_err(|error| Broken::refused(byte, &error))
 }
@@ -324,11 +297,9 @@ fn unpacked(content: &[u8], byte: usize) -> Result<Vec<u8>, Broken> {
     };
     let length = header.uncompressed_size;
     if length > LONGEST_CHUNK {
-        let found = text!("a chunk of {length} bytes", length);
-        return Err(Broken::new(
+        return Err(Broken::chunk(
             byte,
-            found,
-            phrase!("chunks of at most 256 MiB"),
+            Text::verbatim(format!("{length} B > 256 MiB")),
         ));
     }
     let records = match header.compression.as_str() {
@@ -343,29 +314,12 @@ fn unpacked(content: &[u8], byte: usize) -> Result<Vec<u8>, Broken> {
             return Err(Broken::new(byte, found, phrase!("none, lz4 or zstd")));
         }
     };
-    let records = records.map_err(|error| {
-        let found = text!("a chunk that cannot be unpacked ({error})", error);
-        Broken::new(byte, found, phrase!("a chunk as it was recorded"))
-    })?;
-    if records.len() as u64 != length {
-        let found = text!(
-            "a chunk of {records} bytes that states {length}",
-            records = records.len(),
-            length
-        );
-        return Err(Broken::new(
-            byte,
-            found,
-            phrase!("a chunk as it was recorded"),
-        ));
-    }
+    let records = records.map_err(|error| Broken::chunk(byte, Text::verbatim(error)))?;
     let checksum = header.uncompressed_crc;
-    if checksum != 0 && crc32fast::hash(&records) != checksum {
-        let found = text!("a chunk whose checksum does not agree");
-        return Err(Broken::new(
+    if records.len() as u64 != length || checksum != 0 && crc32fast::hash(&records) != checksum {
+        return Err(Broken::chunk(
             byte,
-            found,
-            phrase!("a chunk as it was recorded"),
+            text!("its length or its checksum is another one"),
         ));
     }
     Ok(records)
@@ -438,7 +392,7 @@ mod tests {
             (CHUNK, [&[0; 28][..], &long, b"lz4"].concat()),
         ] {
             let refused = parsed(opcode, &content, 8).unwrap_err();
-            assert_eq!(refused, Broken::short(8), "{opcode}");
+            assert_eq!(refused, Broken::record(8), "{opcode}");
         }
     }
 
@@ -509,8 +463,8 @@ mod tests {
     fn records_that_say_nothing_are_refused_with_their_byte() {
         let no_text = [&[1, 0, 1, 0, 0, 0, 255, 0, 0, 0, 0][..], &text("")].concat();
         for (schema, says) in [
-            (&b"\x01"[..], "shorter than its fields"),
-            (&no_text, "whose fields cannot be read"),
+            (&b"\x01"[..], "a record that cannot be read"),
+            (&no_text, "a record that cannot be read"),
         ] {
             let broken = messages(&of_records(&[&framed(3, schema)])).1.unwrap_err();
             assert!(

@@ -5,7 +5,9 @@
 
 use serde::Deserialize;
 
-use super::cdr::{Cdr, Wrong};
+use crate::text::Text;
+
+use super::cdr::{Cdr, Wrong, not_whole};
 
 /// Joints or transforms of one message are fewer.
 const MOST: usize = 4096;
@@ -123,10 +125,7 @@ fn from_cdr(type_: Type, cdr: &mut Cdr<'_>) -> Result<Content, Wrong> {
 
 fn few(count: usize) -> Result<usize, Wrong> {
     if count > MOST {
-        return Err(text!(
-            "{elements} elements in one message",
-            elements = count
-        ));
+        return Err(not_whole());
     }
     Ok(count)
 }
@@ -145,12 +144,7 @@ fn joints(header: Header, mut names: Vec<String>, values: Vec<f64>) -> Result<Co
         names.clear();
     }
     if names.len() != values.len() {
-        let (names, values) = (names.len(), values.len());
-        return Err(text!(
-            "{names} names and {values} positions of joints",
-            names,
-            values
-        ));
+        return Err(not_whole());
     }
     Ok(Content::Joints(Joints {
         header,
@@ -235,12 +229,7 @@ struct JsonTransforms {
 }
 
 fn from_json(type_: Type, data: &[u8]) -> Result<Content, Wrong> {
-    let wrong = |error: serde_json::Error| {
-        text!(
-            "JSON that is not as expected ({error})",
-            error = error.to_string()
-        )
-    };
+    let wrong = |error: serde_json::Error| Text::verbatim(error.to_string());
     let measured = match type_ {
         Type::JointState => {
             let read: JsonJoints = serde_json::from_slice(data).map_err(wrong)?;
@@ -257,10 +246,7 @@ fn from_json(type_: Type, data: &[u8]) -> Result<Content, Wrong> {
             (Some(place), _) => (place.position, Some(place.orientation)),
             (None, Some(point)) => (point, None),
             (None, None) => {
-                return Err(text!(
-                    "no pose and no point in a message of type {type_}",
-                    type_ = type_.name()
-                ));
+                return Err(not_whole());
             }
         };
         Ok(Measured {
@@ -310,19 +296,19 @@ mod tests {
     fn what_is_no_such_message_is_refused_in_words() {
         for (type_, encoding, data, says) in [
             (Type::PoseStamped, "ros1", &b""[..], "encoded as 'ros1'"),
-            (Type::PoseStamped, "json", b"{}", "no pose and no point"),
-            (Type::PoseStamped, "json", b"[", "JSON that is not"),
+            (Type::PoseStamped, "json", b"{}", "fields that are not"),
+            (Type::PoseStamped, "json", b"[", "EOF"),
             (
                 Type::JointState,
                 "json",
                 br#"{"name":["a"],"position":[1,2]}"#,
-                "1 names and 2 positions",
+                "fields that are not",
             ),
             (
                 Type::TfMessage,
                 "cdr",
                 b"\0\x01\0\0\xff\xff\0\0",
-                "65535 elements",
+                "fields that are not",
             ),
         ] {
             let wrong = read(type_, encoding, data).unwrap_err();

@@ -155,7 +155,7 @@ fn joints_of(context: &mut ReadContext<'_>, topic: &Topic) -> Option<Vec<String>
             None => return Some(names),
         };
         context.refuse(
-            text!("--{joint_names}: {found}", joint_names = JOINT_NAMES, found),
+            text!("--{option}: {found}", option = JOINT_NAMES, found),
             text!(
                 "as many names as the robot has joints, of {recorded}",
                 recorded
@@ -295,21 +295,13 @@ pub(super) fn points(
     let frames: BTreeSet<&str> = list.iter().map(|m| m.header.frame.as_str()).collect();
     let frames: Vec<String> = frames.into_iter().map(quoted).collect();
     let listed = listed_names_up_to(&frames, SHOWN);
-    context.note(match child {
-        Some(child) => text!(
-            "measured is {topic}, child {child}, {list} times, in the frame {frames}",
-            topic = quoted(&topic.name),
-            child = quoted(&child),
-            list = list.len(),
-            frames = listed
-        ),
-        None => text!(
-            "measured is {topic}, {list} times, in the frame {frames}",
-            topic = quoted(&topic.name),
-            list = list.len(),
-            frames = listed
-        ),
-    });
+    let child = child.map_or_else(String::new, |child| format!(" → {}", quoted(&child)));
+    context.note(text!(
+        "measured is {topic}, {list} times, in the frame {frames}",
+        topic = quoted(&topic.name) + &child,
+        list = list.len(),
+        frames = listed
+    ));
     let of = |part: &dyn Fn(&Measured) -> f64| list.iter().map(|m| part(m)).collect::<Vec<f64>>();
     let mut columns = Columns::default();
     for (axis, quantity) in [Quantity::X, Quantity::Y, Quantity::Z]

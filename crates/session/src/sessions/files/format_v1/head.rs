@@ -113,11 +113,10 @@ pub const TOLERANCE_MM: Kind<f64> = positive(phrase!("a length above 0 mm"));
 
 /// Names of targets, and where they are in the tool frame.
 pub const TARGETS: Kind<Vec<Target>> = Kind {
-    expected: phrase!("an object with a position for each name"),
+    expected: phrase!("an object"),
     read: |at| {
         let targets = at.named(|name, at| {
-            at.expected =
-                phrase!("an array of 3 numbers: the position in the tool frame, mm").into();
+            at.expected = phrase!("an array of 3 numbers").into();
             let position = at.numbers::<3>().map(Point3::from);
             Target {
                 name: name.to_owned(),
@@ -141,7 +140,7 @@ pub const TARGETS: Kind<Vec<Target>> = Kind {
 
 /// The measuring instrument.
 pub const INSTRUMENT: Kind<Instrument> = Kind {
-    expected: phrase!("an object with name and sigma_mm"),
+    expected: phrase!("an object"),
     read: |at| at.object(Instrument::default(), instrument),
     write: |own| written(own.clone(), instrument),
 };
@@ -151,7 +150,7 @@ fn instrument(o: &mut Object<'_, '_>, own: &mut Instrument) {
     o.optional("sigma_mm", &mut own.sigma_mm, &SIGMA);
     // Null says that they are not known, which is another thing than to say nothing.
     if o.is_read() || own.targets_sigma_mm != Some(TARGETS_SIGMA_MM) {
-        let kind = positive(phrase!("a length above 0 mm, or null"));
+        let kind = positive(phrase!("a number above 0, or null"));
         o.usual_or_null("targets_sigma_mm", &mut own.targets_sigma_mm, &kind);
     }
     let says = !own.free_targets.is_empty();
@@ -178,9 +177,7 @@ fn tracker(o: &mut Object<'_, '_>, own: &mut Option<Tracker>) {
         let expected = text!("all of sigma_range_mm, sigma_angle_urad and position_mm, or none");
         return o.error(text!("only {given}", given = given.join(" and ")), expected);
     }
-    let stands = point(phrase!(
-        "an array of 3 numbers: where the tracker stands, mm"
-    ));
+    let stands = point(phrase!("an array of 3 numbers"));
     o.optional(keys[2], &mut position, &stands);
     if let (Some(sigma_range_mm), Some(sigma_angle), Some(position_mm)) = (range, angle, position) {
         *own = Some(Tracker {
@@ -244,13 +241,13 @@ fn as_written(value: f64, outer: f64, inner: f64) -> f64 {
 
 /// Regions of the first joint.
 pub const REGIONS: Kind<Vec<Region>> = Kind {
-    expected: phrase!("an array of regions"),
+    expected: phrase!("an array"),
     read: |at| at.list(&REGION),
     write: |all| all.iter().map(REGION.write).collect(),
 };
 
 const REGION: Kind<Region> = Kind {
-    expected: phrase!("an object with name, from_deg and to_deg"),
+    expected: phrase!("an object"),
     read: |at| at.object(Region::default(), region),
     write: |own| written(own.clone(), region),
 };

@@ -42,7 +42,7 @@ pub fn references(o: &mut Object<'_, '_>, all: &mut References) {
             at.fill(&mut own, declare).then_some(Some(own))
         };
         let write = |own: &Option<Pointing>| own.clone().map(|own| written(own, declare));
-        let expected = phrase!("an object with axis");
+        let expected = phrase!("an object");
         o.with(key, &mut all.pointing, expected, read, write);
     }
 }
@@ -81,19 +81,19 @@ fn named<T: Clone>(o: &mut Object<'_, '_>, key: &'static str, all: &mut Vec<T>, 
         };
         (!all.is_empty()).then(|| Value::Object(all.iter().map(one).collect()))
     };
-    let expected = phrase!("an object with an entry for each name");
+    let expected = phrase!("an object");
     o.with(key, all, expected, read, write);
 }
 
 const POSITION: Kind<Option<Point3<f64>>> = Kind {
-    expected: phrase!("an array of 3 numbers: the position in the measuring frame, mm; or null"),
+    expected: phrase!("an array of 3 numbers, or null"),
     read: |at| at.numbers::<3>().map(|position| Some(position.into())),
     write: |position| position.as_ref().map(point(phrase!("")).write).into(),
 };
 
 /// Of any length but zero.
 const DIRECTION: Kind<Unit<Vector3<f64>>> = Kind {
-    expected: phrase!("an array of 3 numbers: a direction that is not zero"),
+    expected: phrase!("an array of 3 numbers"),
     read: |at| {
         let unit = Unit::try_new(Vector3::from(at.numbers::<3>()?), 1e-9);
         unit.or_else(|| {
@@ -105,9 +105,7 @@ const DIRECTION: Kind<Unit<Vector3<f64>>> = Kind {
 };
 
 const ATTITUDE: Kind<Option<UnitQuaternion<f64>>> = Kind {
-    expected: phrase!(
-        "an array of 4 numbers: w, x, y, z of a quaternion that is not zero; or null"
-    ),
+    expected: phrase!("an array of 4 numbers: w, x, y, z"),
     read: |at| {
         let [w, x, y, z] = at.numbers::<4>()?;
         let unit = UnitQuaternion::try_new(Quaternion::new(w, x, y, z), 1e-9);
@@ -137,7 +135,7 @@ const ANCHOR: Entry<Anchor> = Entry {
     },
     name: |anchor| &anchor.name,
     is_known: |_| true,
-    expected: phrase!("an object with position_mm, offset_mm, or null"),
+    expected: phrase!("an object, or null"),
     declare: |o, anchor| {
         o.usual("position_mm", &mut anchor.position_mm, &POSITION);
         o.usual_or_null("offset_mm", &mut anchor.offset_mm, &NUMBER);
@@ -153,7 +151,7 @@ const STATION: Entry<Station> = Entry {
     },
     name: |station| &station.name,
     is_known: |_| true,
-    expected: phrase!("an object with position_mm, quaternion_wxyz, azimuth, or null"),
+    expected: phrase!("an object, or null"),
     declare: |o, station| {
         o.usual("position_mm", &mut station.position_mm, &POSITION);
         o.usual("quaternion_wxyz", &mut station.attitude, &ATTITUDE);
@@ -165,7 +163,7 @@ const PLANE: Entry<Plane> = Entry {
     blank: |name| Plane { name, stated: None },
     name: |plane| &plane.name,
     is_known: |plane| plane.stated.is_some(),
-    expected: phrase!("an object with normal, distance_mm, or null"),
+    expected: phrase!("an object, or null"),
     declare: |o, plane| {
         let (mut normal, mut distance) = plane.stated.unwrap_or((Vector3::z_axis(), 0.0));
         let across = phrase!("a direction across the plane");
@@ -184,7 +182,7 @@ const SOCKET: Entry<Socket> = Entry {
     },
     name: |socket| &socket.name,
     is_known: |_| true,
-    expected: phrase!("an object with position_mm, or null"),
+    expected: phrase!("an object, or null"),
     declare: |o, socket| o.usual("position_mm", &mut socket.position_mm, &POSITION),
 };
 
@@ -235,6 +233,6 @@ fn pointing(o: &mut Object<'_, '_>, own: &mut Pointing, stations: &[Station]) {
         let name = |index: &usize| &stations[*index].name;
         all.as_ref().map(|all| all.iter().map(name).collect())
     };
-    let expected = text!("an array of names of stations");
+    let expected = text!("an array of names");
     o.with("stations", &mut own.stations, expected, read, write);
 }

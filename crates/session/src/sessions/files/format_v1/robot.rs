@@ -6,7 +6,7 @@
 use crate::text::{Template, Text};
 use nalgebra::{Point3, Unit, Vector3};
 
-use super::robot_parts::{ENDS, JOINT_KIND, POSE, range};
+use super::robot_parts::{CENTRE, ENDS, JOINT_KIND, MASS, POSE, range};
 use super::{robot_beside, robot_source, unit};
 use crate::diagnostic::Diagnostic;
 use crate::document::kinds::{NUMBER, TEXT, VECTOR, components, count, point};
@@ -19,7 +19,7 @@ use crate::kinematics::{
 
 /// A robot. A file that it names is looked for beside the document.
 pub const ROBOT: Kind<Robot> = Kind {
-    expected: phrase!("an object that describes the robot"),
+    expected: phrase!("an object"),
     read: |at| {
         ranges::check(at.fields, at.node, at.path);
         at.object(blank(), robot)
@@ -107,7 +107,7 @@ const JOINTS: Kind<Vec<Joint>> = Kind {
     read: |at| match &at.node.value {
         Value::List(all) if all.len() > MOST_JOINTS => {
             let expected = text!("at most {most} joints", most = MOST_JOINTS);
-            at.error(text!("{all} joints", all = all.len()), expected)
+            at.error(text!("{joints} joints", joints = all.len()), expected)
         }
         _ => at.some(&JOINT),
     },
@@ -115,7 +115,7 @@ const JOINTS: Kind<Vec<Joint>> = Kind {
 };
 
 const JOINT: Kind<Joint> = Kind {
-    expected: phrase!("an object that describes a joint"),
+    expected: phrase!("an object"),
     read: |at| {
         let blank = Joint {
             name: String::new(),
@@ -173,7 +173,7 @@ const GEAR_RATIO: Kind<f64> = Kind {
 };
 
 const FOLLOWS: Kind<Follows> = Kind {
-    expected: phrase!("an object with joint, ratio and offset"),
+    expected: phrase!("an object"),
     read: |at| {
         let blank = Follows {
             of: 0,
@@ -219,16 +219,3 @@ const AXIS: Kind<Unit<Vector3<f64>>> = Kind {
     },
     write: components,
 };
-
-const MASS: Kind<f64> = Kind {
-    expected: phrase!("a mass of 0 kg or more"),
-    read: |at| {
-        let mass = NUMBER.read(at.fields, at.node, at.path)?;
-        if mass < 0.0 { at.wrong() } else { Some(mass) }
-    },
-    write: NUMBER.write,
-};
-
-const CENTRE: Kind<Point3<f64>> = point(phrase!(
-    "the centre of the link at home (3 numbers), as mass_kg is given"
-));

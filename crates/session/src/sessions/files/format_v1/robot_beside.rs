@@ -4,10 +4,9 @@
 
 use nalgebra::Point3;
 
-use super::robot_parts::{ENDS, POSE, range};
+use super::robot_parts::{CENTRE, ENDS, MASS, POSE, range};
 use crate::document::Value;
-use crate::document::kinds::{NUMBER, point};
-use crate::document::object::{Cursor, Kind, Object};
+use crate::document::object::{Cursor, Object};
 use crate::kinematics::{Joint, LinkMass, Pose, Robot, RobotSource};
 use crate::text::Text;
 
@@ -29,37 +28,18 @@ pub(super) fn with(o: &mut Object<'_, '_>, robot: &mut Robot, source: &str) {
         move_by(robot, base);
     }
     o.usual("tool", &mut robot.base_from_tool, &POSE);
-    let joints = robot.joints.len();
-    of_joints(
-        o,
-        "limits",
-        &mut robot.joints,
-        text!(
-            "an array with one pair of limits for each of {joints} joints",
-            joints
-        ),
-        |joint, at| {
-            if at.node.value == Value::Null {
-                return true;
-            }
-            let ends = ENDS.read(at.fields, at.node, at.path);
-            joint.limits = ends.map(|ends| range(joint.kind, ends));
-            ends.is_some()
-        },
-    );
-    of_joints(
-        o,
-        "masses",
-        &mut robot.joints,
-        text!(
-            "an array with one mass, or null, for each of {joints} joints",
-            joints
-        ),
-        |joint, at| {
-            joint.link = None;
-            at.node.value == Value::Null || at.fill(&mut joint.link, mass)
-        },
-    );
+    of_joints(o, "limits", &mut robot.joints, |joint, at| {
+        if at.node.value == Value::Null {
+            return true;
+        }
+        let ends = ENDS.read(at.fields, at.node, at.path);
+        joint.limits = ends.map(|ends| range(joint.kind, ends));
+        ends.is_some()
+    });
+    of_joints(o, "masses", &mut robot.joints, |joint, at| {
+        joint.link = None;
+        at.node.value == Value::Null || at.fill(&mut joint.link, mass)
+    });
     gear_ratios(o, &mut robot.joints);
 }
 
@@ -77,19 +57,26 @@ fn move_by(robot: &mut Robot, base: Pose) {
     }
 }
 
+fn one_each(joints: &[Joint]) -> Text {
+    text!(
+        "an array with {joints} entries, one for each joint",
+        joints = joints.len()
+    )
+}
+
 /// Reads an array with one element for each joint.
 fn of_joints(
     o: &mut Object<'_, '_>,
     key: &'static str,
     joints: &mut Vec<Joint>,
-    expected: Text,
     take: fn(&mut Joint, &mut Cursor<'_, '_>) -> bool,
 ) {
     if !o.is_given(key) {
         return;
     }
     let own = joints.clone();
-    let element = text!("an object with mass_kg and centre_mm, or null");
+    let expected = one_each(joints);
+    let element = text!("an object, or null");
     let read = |at: &mut Cursor<'_, '_>| at.each(own, element, take);
     o.with(key, joints, expected, read, |_| None);
 }
@@ -100,10 +87,7 @@ fn gear_ratios(o: &mut Object<'_, '_>, joints: &mut Vec<Joint>) {
     if !o.is_given(KEY) {
         return;
     }
-    let expected = text!(
-        "an array with one gear ratio, or null, for each of {joints} joints",
-        joints = joints.len()
-    );
+    let expected = one_each(joints);
     let mut own = joints.clone();
     let is_one = |ratio: &f64| ratio.is_nan() || ratio.is_finite() && *ratio > 0.0;
     let read = |at: &mut Cursor<'_, '_>| match &at.node.value {
@@ -135,23 +119,8 @@ fn mass(o: &mut Object<'_, '_>, link: &mut Option<LinkMass>) {
             mass_kg: 0.0,
             centre_mm: Point3::origin(),
         };
-        o.required(keys[0], &mut own.mass_kg, &MASS_KG);
+        o.required(keys[0], &mut own.mass_kg, &MASS);
         o.required(keys[1], &mut own.centre_mm, &CENTRE);
         *link = Some(own);
     }
 }
-
-const MASS_KG: Kind<f64> = Kind {
-    read: |at| {
-        let kg = (NUMBER.read)(at)?;
-        if kg < 0.0 {
-            return at.error(text!("{kg} kg", kg), text!("a mass of 0 kg or more"));
-        }
-        Some(kg)
-    },
-    ..NUMBER
-};
-
-const CENTRE: Kind<Point3<f64>> = point(phrase!(
-    "an array of 3 numbers: the centre at home, in the base frame"
-));

@@ -1,9 +1,9 @@
 //! Values of which the `robot` object is made, whatever it is given as.
 
-use crate::document::kinds::{VECTOR, wxyz};
+use crate::document::kinds::{NUMBER, VECTOR, point, wxyz};
 use crate::document::object::{Kind, Object, written};
 use crate::kinematics::{JointKind, Pose, Range};
-use nalgebra::{Quaternion, UnitQuaternion};
+use nalgebra::{Point3, Quaternion, UnitQuaternion};
 
 use super::unit;
 
@@ -32,7 +32,7 @@ pub(super) const ENDS: Kind<[f64; 2]> = Kind {
         let [from, to] = at.numbers::<2>()?;
         if from >= to {
             let found = text!("limits from {from} to {to}", from, to);
-            return at.error(found, text!("limits from the smaller to the larger value"));
+            return at.error(found, text!("a range from the smaller to the larger value"));
         }
         Some([from, to])
     },
@@ -41,7 +41,7 @@ pub(super) const ENDS: Kind<[f64; 2]> = Kind {
 
 /// A pose at home, in the base frame.
 pub const POSE: Kind<Pose> = Kind {
-    expected: phrase!("an object with position_mm and quaternion_wxyz"),
+    expected: phrase!("an object"),
     read: |at| at.object(Pose::identity(), pose),
     write: |own| written(*own, pose),
 };
@@ -64,3 +64,16 @@ const QUATERNION: Kind<UnitQuaternion<f64>> = Kind {
     },
     write: wxyz,
 };
+
+pub(super) const MASS: Kind<f64> = Kind {
+    expected: phrase!("a mass of 0 kg or more"),
+    read: |at| {
+        let mass = NUMBER.read(at.fields, at.node, at.path)?;
+        if mass < 0.0 { at.wrong() } else { Some(mass) }
+    },
+    write: NUMBER.write,
+};
+
+pub(super) const CENTRE: Kind<Point3<f64>> = point(phrase!(
+    "the centre of the link at home (3 numbers), as mass_kg is given"
+));

@@ -37,7 +37,7 @@ pub const DH_ROWS: Kind<Vec<DhRow>> = Kind {
 };
 
 const DH_ROW: Kind<DhRow> = Kind {
-    expected: phrase!("an object with a_mm, alpha_deg, d_mm, theta_deg"),
+    expected: phrase!("an object"),
     read: |at| {
         let blank = DhRow {
             a_mm: 0.0,
@@ -80,7 +80,7 @@ fn convention(own: DhConvention) -> &'static str {
 }
 
 /// What a robot of a file is given as.
-pub(super) const FILE: Template = phrase!("an object with file, base and tip");
+pub(super) const FILE: Template = phrase!("an object");
 
 /// The robot between two links of a file, which stands beside the document.
 pub(super) fn from_file(at: &mut Cursor<'_, '_>, format: DescriptionFormat) -> Option<Robot> {
@@ -102,8 +102,14 @@ pub(super) fn from_file(at: &mut Cursor<'_, '_>, format: DescriptionFormat) -> O
         Err(rejected) => {
             at.fields.also_read.push(described);
             let expected = match format {
-                DescriptionFormat::Urdf => text!("a URDF file with a chain from base to tip"),
-                DescriptionFormat::Mjcf => text!("an MJCF file with a chain from base to tip"),
+                DescriptionFormat::Urdf => text!(
+                    "a file ({format}) with a chain from base to tip",
+                    format = "URDF"
+                ),
+                DescriptionFormat::Mjcf => text!(
+                    "a file ({format}) with a chain from base to tip",
+                    format = "MJCF"
+                ),
             };
             at.error::<()>(
                 text!("the file {file} cannot be used", file = quoted(&file)),
@@ -136,7 +142,7 @@ pub(super) fn source(o: &mut Object<'_, '_>, robot: &mut Robot) {
     };
     let write =
         |own: &RobotSource| (*own != RobotSource::Axes).then(|| written(own.clone(), described));
-    let expected = text!("an object with dh or links");
+    let expected = text!("an object");
     o.with("source", &mut robot.source, expected, read, write);
 }
 
@@ -169,7 +175,7 @@ fn described(o: &mut Object<'_, '_>, own: &mut RobotSource) {
 }
 
 const FRAMES: Kind<Vec<Pose>> = Kind {
-    expected: phrase!("an array with a frame for each joint"),
+    expected: phrase!("an array with an object for each joint"),
     read: |at| at.some(&POSE),
     write: |frames| frames.iter().map(POSE.write).collect(),
 };
