@@ -3,11 +3,11 @@
 //!
 //! - `regression`: the whitened rows and the table; `fit`, `fitting`, `refine`, `placement`: fits to them.
 //! - `score`, `scores`, `projected`, `surroundings`, `beside_fits`: what candidates would do beside a fit.
-//! - `likelihood`: how fits are compared; `significance`, `trials`, `familywise`: what noise does.
+//! - `likelihood`: how fits are compared; `significance`, `trials`, `largest_in_noise`,
+//!   `familywise`: what noise does.
 //! - `held_out`, `reduced_basis`, `exchanged`, `rescanned`: errors on samples that a fit has not seen.
 //! - `rival`: another explanation of the same samples.
-//! - `memo`, `known_fits`, `base_basis`: what was computed before; `work`: how much may be computed; `thinned`: on how
-//!   many samples.
+//! - `memo`, `known_fits`, `base_basis`: what was computed before; `work`: how much may be computed.
 
 mod base_basis;
 mod beside_fits;
@@ -17,6 +17,7 @@ mod fit;
 mod fitting;
 mod held_out;
 mod known_fits;
+mod largest_in_noise;
 mod likelihood;
 pub(crate) mod memo;
 mod placement;

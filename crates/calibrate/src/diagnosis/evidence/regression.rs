@@ -12,9 +12,9 @@ use crate::fit::problem::Problem;
 use crate::model::Model;
 
 use super::base_basis::BaseBasis;
-use super::familywise::LargestInNoise;
 use super::fit::Fit;
 use super::known_fits::KnownFits;
+use super::largest_in_noise::LargestInNoise;
 use super::memo::Memo;
 use super::projected::Grams;
 use super::rival::Rival;
