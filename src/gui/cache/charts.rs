@@ -350,11 +350,10 @@ fn widest(a: Option<[f64; 2]>, b: Option<[f64; 2]>) -> Option<[f64; 2]> {
 
 #[cfg(test)]
 mod tests {
-    use crate::gui::core::edit::Edit;
     use crate::gui::core::loaded_session::Component;
     use crate::gui::core::quantity::Variable;
     use crate::gui::testing::workbench;
-    use crate::gui::workbench::{Command, Workbench};
+    use crate::gui::workbench::Workbench;
 
     use super::*;
 
@@ -397,7 +396,7 @@ mod tests {
     #[test]
     fn columns_hold_what_the_samples_hold() {
         let mut workbench = workbench();
-        workbench.execute(Command::Edit(Edit::Identify));
+        workbench.execute(|bench| bench.identify(None));
         workbench.receive();
         let loaded_session = workbench.loaded_session();
         let envelope = Envelope::of(chart_inputs(&workbench, Component::Radial), ANGLE);

@@ -3,19 +3,18 @@
 use egui::{Checkbox, Grid, RichText, TextEdit, Ui};
 
 use crate::compensation::decision::Rule;
-use crate::gui::core::edit::Edit;
 use crate::gui::style::{Palette, size, space, strong};
 use crate::gui::view::{About, What};
 use crate::gui::views;
 use crate::gui::widgets;
-use crate::gui::workbench::{Asked, Command, Workbench};
+use crate::gui::workbench::Workbench;
 use crate::report::Details;
 use crate::text::spoken;
 
 /// Widest, points.
 const WIDE: f32 = 640.0;
 
-pub(super) fn details(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+pub(super) fn details(ui: &mut Ui, workbench: &Workbench) {
     widgets::wide(ui, WIDE);
     widgets::heading(ui, say!("Report details"));
     widgets::hint(
@@ -47,7 +46,7 @@ pub(super) fn details(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Com
                 let hint = say!("a PNG file");
                 field(ui, name, &mut stated.logo, hint, width);
                 if ui.button(say!("Choose…")).clicked() {
-                    commands.push(Command::Ask(Asked::Logo));
+                    workbench.then(Workbench::choose_logo);
                 }
             });
             ui.end_row();
@@ -57,7 +56,7 @@ pub(super) fn details(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Com
             let decided = RichText::new(say!("Pass or fail"));
             ui.label(decided.font(strong(size::SMALL)).color(muted));
             ui.end_row();
-            views::session::tolerance(ui, workbench, widgets::number_in_a_grid, commands);
+            views::session::tolerance(ui, workbench, widgets::number_in_a_grid);
             ui.end_row();
             ui.label(RichText::new(say!("Decision rule")).color(muted));
             let rules = [
@@ -74,28 +73,30 @@ pub(super) fn details(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Com
         ui.horizontal(|ui| {
             ui.label(RichText::new(says).size(size::SMALL).color(muted));
             if ui.small_button(say!("Use it")).clicked() {
-                commands.push(Command::Edit(Edit::Tolerance(Some(last))));
+                workbench.then(move |bench| {
+                    bench.edit(phrase!("set tolerance"), |document| {
+                        document.set_tolerance(Some(last))
+                    })
+                });
             }
         });
     }
     widgets::hint(ui, about(stated.details.rule));
     views::results::decision(ui, workbench);
     if stated != before {
-        commands.push(Command::State(Box::new(stated)));
+        workbench.then(move |bench| bench.state(stated));
     }
     ui.add_space(space::ROW);
     ui.columns(2, |columns| {
         let measured = !workbench.loaded_session().is_empty();
         let report = columns[0].add_enabled_ui(measured, |ui| widgets::other(ui, say!("Report…")));
         if report.inner.clicked() {
-            commands.push(Command::no_sheet());
-            commands.push(Command::Ask(Asked::WhereToExport(What::Report(
-                About::Session,
-            ))));
+            workbench.then(move |bench| bench.show_sheet(None));
+            workbench.then(move |bench| bench.choose_where_to_export(What::Report(About::Session)));
         }
         // Enter ends what is typed into one of many fields.
         if widgets::primary(&mut columns[1], say!("Done")).clicked() {
-            commands.push(Command::no_sheet());
+            workbench.then(move |bench| bench.show_sheet(None));
         }
     });
 }

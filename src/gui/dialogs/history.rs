@@ -7,7 +7,7 @@ use crate::gui::core::disk::name_of;
 use crate::gui::style::{Palette, size, space};
 use crate::gui::views::blocks;
 use crate::gui::widgets;
-use crate::gui::workbench::{Asked, Command, Workbench};
+use crate::gui::workbench::Workbench;
 use crate::history::{Order, RobotHistory};
 use crate::present::history::{CHANGED, entries, parameters};
 use crate::present::table::Table;
@@ -17,9 +17,9 @@ const WIDE: f32 = 900.0;
 /// The newest sessions stand side by side.
 const MOST: usize = 12;
 
-pub(super) fn history(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+pub(super) fn history(ui: &mut Ui, workbench: &Workbench) {
     let Some(past) = workbench.past() else {
-        return commands.push(Command::no_sheet());
+        return workbench.then(move |bench| bench.show_sheet(None));
     };
     widgets::wide(ui, WIDE);
     let id = Id::unique("history of a machine");
@@ -30,7 +30,7 @@ pub(super) fn history(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Com
     let all = &past.history.robots;
     let found = all.iter().find(|one| one.robot == chosen);
     let Some(robot) = found.or(all.first()) else {
-        return commands.push(Command::no_sheet());
+        return workbench.then(move |bench| bench.show_sheet(None));
     };
     widgets::heading(ui, &say!("History of {robot}", robot = robot.robot));
     let name = name_of(&past.folder);
@@ -56,8 +56,8 @@ pub(super) fn history(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Com
     for file in &past.history.not_read {
         widgets::wrong(ui, &crate::language::spoken(file.describe()));
     }
-    if widgets::done_beside(ui, say!("Other folder…"), true, commands) {
-        commands.push(Command::Ask(Asked::Folder));
+    if widgets::done_beside(ui, say!("Other folder…"), true, workbench) {
+        workbench.then(Workbench::choose_folder);
     }
 }
 

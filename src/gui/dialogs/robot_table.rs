@@ -1,5 +1,6 @@
 //! A robot as a table that is typed: axes or Denavit–Hartenberg rows, with the robot drawn beside it.
 
+use crate::gui::workbench::Workbench;
 use egui::{Button, DragValue, Grid, ScrollArea, TextEdit, Ui, vec2};
 
 use crate::gui::core::robot_table::{RobotTable, Row, TableForm};
@@ -7,7 +8,6 @@ use crate::gui::core::simulate;
 use crate::gui::style::{Palette, size, space};
 use crate::gui::view::{Camera, Sheet};
 use crate::gui::widgets;
-use crate::gui::workbench::{Command, ViewChange};
 use crate::gui::workspace::robot_alone;
 
 /// Width of the table with axes and of that with rows, points.
@@ -23,12 +23,7 @@ const NUMBER: f32 = 54.0;
 const NAME: [f32; 2] = [76.0, 28.0];
 const MOVES: [f32; 2] = [54.0, 28.0];
 
-pub(super) fn show(
-    ui: &mut Ui,
-    table: &RobotTable,
-    opened: &RobotTable,
-    commands: &mut Vec<Command>,
-) {
+pub(super) fn show(ui: &mut Ui, table: &RobotTable, opened: &RobotTable, workbench: &Workbench) {
     let mut typed = table.clone();
     let wide = if typed.form == TableForm::Axes {
         AXES
@@ -83,17 +78,14 @@ pub(super) fn show(
     if let Err(problem) = &made {
         widgets::wrong(ui, &crate::language::spoken(problem));
     }
-    ends(ui, &typed, made.is_ok(), commands);
-    if typed != *table
-        && !commands
-            .iter()
-            .any(|c| matches!(c, Command::View(ViewChange::Sheet(_))))
-    {
-        commands.push(Command::sheet(Sheet::RobotTable {
-            table: Box::new(typed),
+    if typed != *table {
+        let sheet = Sheet::RobotTable {
+            table: Box::new(typed.clone()),
             opened: Box::new(opened.clone()),
-        }));
+        };
+        workbench.then(|bench| bench.show_sheet(Some(sheet)));
     }
+    ends(ui, &typed, made.is_ok(), workbench);
 }
 
 /// Name of the robot, and in which terms it is typed.
@@ -283,28 +275,26 @@ fn frames(ui: &mut Ui, typed: &mut RobotTable) {
     }
 }
 
-fn ends(ui: &mut Ui, typed: &RobotTable, sound: bool, commands: &mut Vec<Command>) {
+fn ends(ui: &mut Ui, typed: &RobotTable, sound: bool, workbench: &Workbench) {
     ui.add_space(space::ROW);
     ui.columns(3, |columns| {
         if widgets::other(&mut columns[0], say!("Cancel")).clicked() {
-            commands.push(Command::sheet(Sheet::ROBOTS));
+            workbench.then(move |bench| bench.show_sheet(Some(Sheet::ROBOTS)));
         }
         let save = |ui: &mut Ui| widgets::other(ui, say!("Save robot file…"));
         let save = columns[1].add_enabled_ui(sound, save).inner;
         let simulate = |ui: &mut Ui| widgets::primary(ui, say!("Simulate…"));
         let simulate = columns[2].add_enabled_ui(sound, simulate).inner;
         if save.clicked() {
-            commands.push(Command::no_sheet());
+            workbench.then(move |bench| bench.show_sheet(None));
         }
         if save.clicked() || simulate.clicked() {
-            commands.push(Command::KeepRobot {
-                table: Box::new(typed.clone()),
-                save: save.clicked(),
-            });
+            let (table, save) = (typed.clone(), save.clicked());
+            workbench.then(move |bench| bench.keep_robot(table, save));
         }
         if let (true, Some(robot)) = (simulate.clicked(), typed.simulated()) {
             let form = simulate::Form::of(robot);
-            commands.push(Command::sheet(Sheet::Simulate(form)));
+            workbench.then(move |bench| bench.show_sheet(Some(Sheet::Simulate(form))));
         }
     });
 }

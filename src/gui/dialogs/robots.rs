@@ -10,7 +10,7 @@ use crate::gui::core::simulate::SimulatedRobot;
 use crate::gui::style::{Palette, space};
 use crate::gui::view::{Camera, Sheet, What};
 use crate::gui::widgets;
-use crate::gui::workbench::{Asked, Command, Workbench};
+use crate::gui::workbench::Workbench;
 use crate::gui::workspace::robot_alone;
 use crate::kinematics;
 use crate::present::robots_v1::figure;
@@ -122,7 +122,7 @@ impl<'w> Robot<'w> {
     }
 }
 
-pub(super) fn robots(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+pub(super) fn robots(ui: &mut Ui, workbench: &Workbench) {
     let (wide, room) = sizes(ui);
     ui.set_width(wide + room.x + f32::from(space::PANEL));
     widgets::heading(ui, say!("Robots"));
@@ -170,14 +170,14 @@ pub(super) fn robots(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comm
         }
         ui.vertical(|ui| match chosen {
             Some(Robot::Library(robot)) => described(ui, robot, room, &mut typed.camera),
-            Some(Robot::Own(table)) => own(ui, (table, room), &mut typed.camera, commands),
+            Some(Robot::Own(table)) => own(ui, (table, room), &mut typed.camera, workbench),
             None => widgets::hint(ui, say!("No robot has this name")),
         });
     });
     typed.chosen = chosen.map_or_else(String::new, Robot::key);
     // On a button it presses that.
     let entered = field.lost_focus() && ui.input(|i| i.key_pressed(Key::Enter));
-    ends(ui, chosen, entered || widgets::entered(ui), commands);
+    ends(ui, chosen, entered || widgets::entered(ui), workbench);
     if ui.input(|i| i.key_pressed(Key::Escape)) {
         // Next time it begins anew.
         typed = RobotsInput::default();
@@ -268,7 +268,7 @@ fn own(
     ui: &mut Ui,
     (table, room): (&RobotTable, egui::Vec2),
     camera: &mut Camera,
-    commands: &mut Vec<Command>,
+    workbench: &Workbench,
 ) {
     ui.spacing_mut().item_spacing.y = space::TIGHT;
     match table.robot() {
@@ -284,7 +284,8 @@ fn own(
     widgets::fact_of(ui, phrase!("kind"), joints);
     widgets::hint(ui, say!("Typed here, and remembered on this computer"));
     if widgets::secondary(ui, say!("Forget it")).clicked() {
-        commands.push(Command::ForgetRobot(table.name.clone()));
+        let name = table.name.clone();
+        workbench.then(move |bench| bench.forget_robot(&name));
     }
 }
 
@@ -302,33 +303,35 @@ fn kind(robot: &LibraryRobot) -> String {
     says.to_owned()
 }
 
-fn ends(ui: &mut Ui, chosen: Option<Robot<'_>>, entered: bool, commands: &mut Vec<Command>) {
+fn ends(ui: &mut Ui, chosen: Option<Robot<'_>>, entered: bool, workbench: &Workbench) {
     ui.add_space(space::ROW);
     let mut simulate = false;
     ui.columns(4, |columns| {
         if widgets::other(&mut columns[0], say!("Cancel")).clicked() {
-            commands.push(Command::no_sheet());
+            workbench.then(move |bench| bench.show_sheet(None));
         }
         let edit = |ui: &mut Ui| widgets::other(ui, say!("As a table…"));
         let edit = columns[1].add_enabled_ui(chosen.is_some(), edit).inner;
         let edit = edit.on_hover_text(say!("Change its table, or type a robot of your own"));
         if let (true, Some(robot)) = (edit.clicked(), chosen) {
             let table = Box::new(robot.table());
-            commands.push(Command::sheet(Sheet::RobotTable {
-                opened: table.clone(),
-                table,
-            }));
+            workbench.then(move |bench| {
+                bench.show_sheet(Some(Sheet::RobotTable {
+                    opened: table.clone(),
+                    table,
+                }))
+            });
         }
         let save = |ui: &mut Ui| widgets::other(ui, say!("Save robot file…"));
         let save = columns[2].add_enabled_ui(chosen.is_some(), save).inner;
         match (save.clicked(), chosen) {
             (true, Some(Robot::Library(robot))) => {
-                commands.push(Command::Ask(Asked::WhereToExport(What::Robot(&robot.id))));
+                workbench.then(move |bench| bench.choose_where_to_export(What::Robot(&robot.id)));
             }
-            (true, Some(Robot::Own(table))) => commands.push(Command::KeepRobot {
-                table: Box::new(table.clone()),
-                save: true,
-            }),
+            (true, Some(Robot::Own(table))) => {
+                let table = table.clone();
+                workbench.then(|bench| bench.keep_robot(table, true));
+            }
             _ => {}
         }
         let primary = |ui: &mut Ui| widgets::primary(ui, say!("Simulate…"));
@@ -338,6 +341,6 @@ fn ends(ui: &mut Ui, chosen: Option<Robot<'_>>, entered: bool, commands: &mut Ve
     if let (true, Some(robot)) = (simulate || entered, chosen)
         && let Some(form) = robot.form()
     {
-        commands.push(Command::sheet(Sheet::Simulate(form)));
+        workbench.then(move |bench| bench.show_sheet(Some(Sheet::Simulate(form))));
     }
 }

@@ -10,7 +10,6 @@ use egui_plot::{Plot, PlotResponse, PlotUi};
 
 use crate::gui::style::size;
 use crate::gui::widgets;
-use crate::gui::workbench::Command;
 
 /// What is done with the mouse, and what it does; the help and the tooltips say the same.
 pub(crate) const GESTURES: [(Template, Template); 7] = [
@@ -100,7 +99,7 @@ fn sound(plot: &PlotUi<'_>, closer: Vec2) -> bool {
 }
 
 /// Four corners: shows everything again. Says how to look at a part.
-pub(crate) fn fit(ui: &mut Ui, name: &str, command: Command, commands: &mut Vec<Command>) {
+pub(crate) fn fit(ui: &mut Ui, name: &str) -> bool {
     let button = widgets::icon_button(ui, widgets::FIT, name);
     let response = button.on_hover_ui(|ui| {
         ui.set_max_width(320.0);
@@ -110,7 +109,5 @@ pub(crate) fn fit(ui: &mut Ui, name: &str, command: Command, commands: &mut Vec<
             ui.label(RichText::new(says).size(size::SMALL));
         }
     });
-    if response.clicked() {
-        commands.push(command);
-    }
+    response.clicked()
 }

@@ -5,6 +5,7 @@
 pub(crate) mod chart;
 pub(crate) mod gestures;
 
+use crate::gui::workbench::Workbench;
 use std::ops::RangeInclusive;
 
 use egui::epaint::{Mesh, Tessellator, Vertex};
@@ -21,16 +22,19 @@ use crate::present::numbers::trimmed;
 
 use crate::gui::scene::paint::{DIAMOND, TRIANGLE, corners_of};
 use crate::gui::style::{Palette, size};
-use crate::gui::view::{Plot, What};
+use crate::gui::view::{Key, Plot, What};
 use crate::gui::widgets;
-use crate::gui::workbench::{Asked, Command};
 
-/// Saves a plot as a file.
-pub(crate) fn picture(ui: &mut Ui, plot: Plot, commands: &mut Vec<Command>) {
+/// Saves a plot as a file: of charts that show the same that of this pane.
+pub(crate) fn picture(ui: &mut Ui, plot: Plot, key: Option<Key>, workbench: &Workbench) {
     let says = say!("Save picture of the {plot}…", plot = plot.title());
     let button = widgets::icon_button(ui, widgets::SAVE, &says);
     if button.on_hover_text(&says).clicked() {
-        commands.push(Command::Ask(Asked::WhereToExport(What::Picture(plot))));
+        workbench.then(move |bench| {
+            key.into_iter()
+                .for_each(|key| bench.view.panes.activate(key));
+            bench.choose_where_to_export(What::Picture(plot));
+        });
     }
 }
 

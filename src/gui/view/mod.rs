@@ -96,13 +96,6 @@ pub(crate) struct Fitted {
     pub(crate) charts: u64,
 }
 
-impl Fitted {
-    pub(crate) fn everywhere(&mut self) {
-        self.workspace += 1;
-        self.charts += 1;
-    }
-}
-
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct ViewState {
     pub(crate) step: Step,
@@ -162,10 +155,58 @@ pub(crate) struct ViewState {
 }
 
 impl ViewState {
-    /// Shows the workspace like this, and brings it into sight.
-    pub(crate) fn look(&mut self, aspect: Aspect) {
+    /// Shows the workspace in this plane, and brings it into sight.
+    pub(crate) fn look_in(&mut self, plane: Plane) {
+        self.plane = plane;
+        self.look(Aspect::Plane);
+    }
+
+    /// The same in space, from this side if one is named.
+    pub(crate) fn look_from(&mut self, from: Option<Standard>) {
+        self.look(Aspect::Space);
+        if let Some(from) = from {
+            self.camera = self.camera.seen_from(from);
+        }
+    }
+
+    fn look(&mut self, aspect: Aspect) {
         self.aspect = aspect;
         self.panes.activate(self.panes.workspace());
+    }
+
+    pub(crate) fn select(&mut self, sample: Option<usize>) {
+        self.selected = sample;
+        self.pose = None;
+        self.marked.clear();
+    }
+
+    /// Chooses these samples: a finding is about them.
+    pub(crate) fn mark(&mut self, samples: Vec<usize>) {
+        self.selected = samples.first().copied();
+        self.pose = None;
+        self.marked = samples;
+        self.side = Side::Samples;
+    }
+
+    /// Everything in sight again, in all plots.
+    pub(crate) fn fit(&mut self) {
+        self.fitted.charts += 1;
+        self.fit_workspace();
+    }
+
+    pub(crate) fn fit_workspace(&mut self) {
+        self.fitted.workspace += 1;
+        self.camera = self.camera.fitted();
+    }
+
+    /// Leaves out what a session of so many samples and joints does not have.
+    pub(crate) fn stay_within(&mut self, samples: usize, joints: usize) {
+        let there = |sample: &usize| *sample < samples;
+        self.hovered = self.hovered.filter(there);
+        self.selected = self.selected.filter(there);
+        self.marked.retain(there);
+        let a_pose = |q: &Vec<f64>| q.len() == joints && q.iter().all(|v| v.is_finite());
+        self.pose = self.pose.take().filter(a_pose);
     }
 
     /// The samples that are chosen.

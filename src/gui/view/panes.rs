@@ -121,6 +121,13 @@ impl Panes {
         }
     }
 
+    /// The chart in a pane shows everything again.
+    pub(crate) fn fit(&mut self, key: Key) {
+        if let Some(pane) = self.chart_mut(key) {
+            pane.fitted += 1;
+        }
+    }
+
     pub(crate) fn workspace(&self) -> Key {
         let all = self.panes();
         let workspace = all.iter().find(|pane| pane.shows == Content::Workspace);

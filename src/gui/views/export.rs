@@ -7,12 +7,11 @@ use crate::explain::{self, Block, Detail, Exported, Section, Topic};
 use crate::export::{EXPORTERS, find};
 use crate::gui::cache::identified::ExportPreview;
 use crate::gui::core::document::ExportChoice;
-use crate::gui::core::edit::Edit;
 use crate::gui::style::{Palette, size, space, strong};
 use crate::gui::view::{About, Sheet, Step, What};
 use crate::gui::views::blocks;
 use crate::gui::widgets;
-use crate::gui::workbench::{Asked, Command, ViewChange, Workbench};
+use crate::gui::workbench::Workbench;
 use crate::language::spoken;
 
 use super::blocks::in_words;
@@ -39,22 +38,22 @@ fn state(workbench: &Workbench) -> (String, Progress) {
     }
 }
 
-fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+fn show(ui: &mut Ui, workbench: &Workbench) {
     if workbench.answer().is_none() {
         widgets::hint(
             ui,
             say!("There is nothing to export yet: the table comes from the identified robot"),
         );
     } else {
-        not_added(ui, workbench, commands);
-        export(ui, workbench, commands);
-        targets(ui, workbench, commands);
+        not_added(ui, workbench);
+        export(ui, workbench);
+        targets(ui, workbench);
     }
-    reports(ui, workbench, commands);
+    reports(ui, workbench);
 }
 
 /// Found effects that the table would leave uncorrected.
-fn not_added(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+fn not_added(ui: &mut Ui, workbench: &Workbench) {
     let missing = workbench.not_added();
     if missing.is_empty() {
         return;
@@ -71,27 +70,29 @@ fn not_added(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     );
     ui.label(RichText::new(says).color(Palette::of(ui).warning));
     if widgets::secondary(ui, &blocks::add_all(missing.len())).clicked() {
-        commands.push(Command::Edit(Edit::Add(missing)));
+        workbench.then(move |bench| bench.add(&missing));
     }
 }
 
 /// The report: of the session, and of the model that is exported.
-fn reports(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+fn reports(ui: &mut Ui, workbench: &Workbench) {
     let measured = !workbench.loaded_session().is_empty();
     let identified = workbench.answer().is_some();
     if !measured && !identified {
         return;
     }
     widgets::section(ui, say!("Report"));
-    let mut offer = |ui: &mut Ui, text: &str, command: Command| {
+    let report = |ui: &mut Ui, text: &str, about| {
         if widgets::secondary(ui, text).clicked() {
-            commands.push(command);
+            let what = What::Report(about);
+            workbench.then(move |bench| bench.choose_where_to_export(what));
         }
     };
-    let report = |about| Command::Ask(Asked::WhereToExport(What::Report(about)));
     if measured {
-        offer(ui, say!("Report details…"), Command::sheet(Sheet::DETAILS));
-        offer(ui, say!("Report…"), report(About::Session));
+        if widgets::secondary(ui, say!("Report details…")).clicked() {
+            workbench.then(|bench| bench.show_sheet(Some(Sheet::DETAILS)));
+        }
+        report(ui, say!("Report…"), About::Session);
         let says = if workbench.diagnosis().is_some() {
             say!("HTML or PDF: what was measured, the effects found, the open points")
         } else {
@@ -105,11 +106,11 @@ fn reports(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         } else {
             say!("Report…")
         };
-        offer(ui, text, report(About::Model));
+        report(ui, text, About::Model);
     }
 }
 
-fn export(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+fn export(ui: &mut Ui, workbench: &Workbench) {
     let choice = workbench.document().export;
     widgets::section(ui, say!("Format"));
     ui.scope(|ui| {
@@ -118,23 +119,25 @@ fn export(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         for format in EXPORTERS.iter().filter(|format| (format.suits)(robot)) {
             let response = ui.radio(format.id == choice.format, spoken(format.title));
             if response.clicked() && format.id != choice.format {
-                commands.push(Command::Edit(Edit::Export(ExportChoice {
-                    format: format.id,
-                    ..choice
-                })));
+                workbench.then(move |bench| {
+                    bench.choose_export(ExportChoice {
+                        format: format.id,
+                        ..choice
+                    })
+                });
             }
         }
     });
     // A description of the robot is about all joints and has no steps.
     if find(choice.format).is_some_and(|format| format.rules.is_some()) {
         widgets::section(ui, say!("Table"));
-        joint_and_step(ui, workbench, choice, commands);
+        joint_and_step(ui, workbench, choice);
     }
     match workbench.export() {
         None if workbench.is_unprepared() => {
             widgets::hint(ui, say!("The preparation of the table was cancelled"));
             if widgets::secondary(ui, say!("Prepare the table")).clicked() {
-                commands.push(Command::Prepare);
+                workbench.then(Workbench::prepare_again);
             }
         }
         None => widgets::hint(ui, say!("The table is being prepared")),
@@ -150,9 +153,9 @@ fn export(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
                 );
             } else {
                 // What the format cannot hold is switched off here, or left out of the fit.
-                super::gap::switches(ui, workbench, commands);
+                super::gap::switches(ui, workbench);
                 if widgets::secondary(ui, say!("Go to identify")).clicked() {
-                    commands.push(Command::View(ViewChange::GoTo(Step::Identify)));
+                    workbench.then(move |bench| bench.view.step = Step::Identify);
                 }
             }
         }
@@ -171,57 +174,36 @@ fn export(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
                 ui.copy_text(text_of(made));
             }
             if widgets::secondary(ui, say!("Save model…")).clicked() {
-                commands.push(Command::Ask(Asked::WhereToExport(What::Model)));
+                workbench.then(move |bench| bench.choose_where_to_export(What::Model));
             }
         }
     }
 }
 
-fn joint_and_step(
-    ui: &mut Ui,
-    workbench: &Workbench,
-    choice: ExportChoice,
-    commands: &mut Vec<Command>,
-) {
+fn joint_and_step(ui: &mut Ui, workbench: &Workbench, choice: ExportChoice) {
     let joints = &workbench.loaded_session().session.robot.joints;
     let mut next = choice;
-    let mut dragged = false;
     if joints.len() > 1 {
         let mut joint = choice.joint + 1;
         let field = DragValue::new(&mut joint).range(1..=joints.len());
-        let response = widgets::number(ui, say!("joint"), "", field);
+        widgets::number(ui, say!("joint"), "", field);
         next.joint = joint - 1;
-        dragged |= response.dragged();
-        if response.drag_stopped() {
-            commands.push(Command::EndDrag);
-        }
     }
     let unit = joints[choice.joint].kind.sign();
     let mut own = choice.step.is_some();
     if ui.checkbox(&mut own, say!("Custom step")).changed() {
         next.step = own.then_some(FIRST_STEP);
     }
-    let mut let_go = false;
     if let Some(step) = &mut next.step {
         let field = DragValue::new(step)
             .range(0.001..=90.0)
             .speed(0.02)
             .max_decimals(4)
             .suffix(unit);
-        let response = widgets::number(ui, say!("step"), unit.trim(), field);
-        dragged |= response.dragged();
-        let_go = response.drag_stopped();
+        widgets::number(ui, say!("step"), unit.trim(), field);
     }
     if next != choice {
-        let edit = Edit::Export(next);
-        commands.push(if dragged {
-            Command::Drag(edit)
-        } else {
-            Command::Edit(edit)
-        });
-    }
-    if let_go {
-        commands.push(Command::EndDrag);
+        workbench.then(move |bench| bench.choose_export(next));
     }
 }
 
@@ -335,10 +317,10 @@ fn text(ui: &mut Ui, text: &str) {
     }
 }
 
-fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+fn next(ui: &mut Ui, workbench: &Workbench) {
     if workbench.answer().is_none() {
         if widgets::primary(ui, say!("Go to identify")).clicked() {
-            commands.push(Command::View(ViewChange::GoTo(Step::Identify)));
+            workbench.then(move |bench| bench.view.step = Step::Identify);
         }
         return;
     }
@@ -352,13 +334,13 @@ fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let ready = matches!(workbench.export(), Some(Ok(_))) || workbench.is_unprepared();
     if is_refused_for_an_arm(workbench) {
         if widgets::primary(ui, say!("Compensate…")).clicked() {
-            commands.push(Command::Ask(Asked::Targets));
+            workbench.then(Workbench::choose_targets);
         }
         return;
     }
     let save = ui.add_enabled_ui(ready, |ui| widgets::primary(ui, &says));
     if save.inner.clicked() {
-        commands.push(Command::Ask(Asked::WhereToExport(What::Table)));
+        workbench.then(move |bench| bench.choose_where_to_export(What::Table));
     }
 }
 
@@ -369,12 +351,12 @@ fn is_refused_for_an_arm(workbench: &Workbench) -> bool {
 }
 
 /// Targets and programs: what is corrected where the controller takes no table.
-fn targets(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+fn targets(ui: &mut Ui, workbench: &Workbench) {
     widgets::section(ui, say!("Targets and programs"));
     // One button of a name: where nothing else is ready it is the main one.
     if !is_refused_for_an_arm(workbench) && widgets::secondary(ui, say!("Compensate…")).clicked()
     {
-        commands.push(Command::Ask(Asked::Targets));
+        workbench.then(Workbench::choose_targets);
     }
     widgets::hint(
         ui,

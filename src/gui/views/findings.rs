@@ -18,12 +18,12 @@ use crate::gui::jobs::Running;
 use crate::gui::style::{Palette, size, space, strong};
 use crate::gui::view::What;
 use crate::gui::widgets;
-use crate::gui::workbench::{Asked, Command, Workbench};
+use crate::gui::workbench::Workbench;
 
 use super::blocks::{self, Title, in_words};
 use super::{copies, found};
 
-pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+pub(super) fn show(ui: &mut Ui, workbench: &Workbench) {
     widgets::heading(ui, say!("Diagnosis"));
     ui.add_space(space::TIGHT);
     widgets::scroll(ui, "findings", |ui| {
@@ -38,7 +38,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         match beneath {
             None => crate::gui::views::coverage::show(ui, workbench),
             Some(Err(because)) => widgets::hint(ui, because),
-            Some(Ok(diagnosis)) => all(ui, workbench, diagnosis, commands),
+            Some(Ok(diagnosis)) => all(ui, workbench, diagnosis),
         }
     });
 }
@@ -86,7 +86,7 @@ fn so_far(ui: &mut Ui, name: &str, says: &str, found: &[String]) {
     });
 }
 
-fn all(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis, commands: &mut Vec<Command>) {
+fn all(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis) {
     let sections = workbench.diagnosis_sections();
     for section in sections.iter() {
         match section.topic {
@@ -97,18 +97,18 @@ fn all(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis, commands: &mut Vec<Com
                 widgets::card(ui, |ui| {
                     heading(ui, section, d);
                     match section.topic {
-                        Topic::NextPoses => next_poses(ui, workbench, &d.next_poses, commands),
-                        Topic::Found(k) => found::show(ui, workbench, (d, k, section), commands),
+                        Topic::NextPoses => next_poses(ui, workbench, &d.next_poses),
+                        Topic::Found(k) => found::show(ui, workbench, (d, k, section)),
                         _ => blocks::show(ui, &section.blocks),
                     }
-                    buttons(ui, workbench, d, section, commands);
+                    buttons(ui, workbench, d, section);
                 });
             }
         }
         match section.topic {
             Topic::Answer => hidden(ui, workbench, d),
             Topic::DataProblem(index) if index + 1 == d.data_problems.len() => {
-                blocks::mend_all(ui, &d.data_problems, commands);
+                blocks::mend_all(ui, &d.data_problems, workbench);
             }
             Topic::Found(index) if index + 1 == d.found.len() => {
                 copies::button(ui, say!("found effects"), || copies::found(d));
@@ -138,16 +138,10 @@ fn heading(ui: &mut Ui, section: &Section, d: &Diagnosis) {
 }
 
 /// What the window can do about a section.
-fn buttons(
-    ui: &mut Ui,
-    workbench: &Workbench,
-    d: &Diagnosis,
-    section: &Section,
-    commands: &mut Vec<Command>,
-) {
+fn buttons(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis, section: &Section) {
     match section.topic {
-        Topic::DataProblem(index) => blocks::of_problem(ui, &d.data_problems[index], commands),
-        Topic::Unnamed => blocks::unexplained(ui, workbench, d, commands),
+        Topic::DataProblem(index) => blocks::of_problem(ui, &d.data_problems[index], workbench),
+        Topic::Unnamed => blocks::unexplained(ui, workbench, d),
         _ => {}
     }
 }
@@ -243,7 +237,7 @@ fn one(ui: &mut Ui, workbench: &Workbench, term: &Term, d: &Diagnosis) {
     }
 }
 
-fn next_poses(ui: &mut Ui, workbench: &Workbench, poses: &[NextPose], commands: &mut Vec<Command>) {
+fn next_poses(ui: &mut Ui, workbench: &Workbench, poses: &[NextPose]) {
     const MOST: usize = 24;
     let robot = &workbench.loaded_session().session.robot;
     let table = table(poses, robot);
@@ -272,7 +266,7 @@ fn next_poses(ui: &mut Ui, workbench: &Workbench, poses: &[NextPose], commands: 
     }
     copies::button(ui, say!("poses"), || copies::poses(poses, robot));
     if widgets::secondary(ui, say!("Save measuring list…")).clicked() {
-        commands.push(Command::Ask(Asked::WhereToExport(What::Poses)));
+        workbench.then(move |bench| bench.choose_where_to_export(What::Poses));
     }
 }
 

@@ -10,12 +10,11 @@ use crate::explain::{Block, Detail, Section, found_effect};
 use crate::fit::Estimate;
 use crate::gui::charts::effect::{self, EffectCurve};
 use crate::gui::core::answer::term_of;
-use crate::gui::core::edit::Edit;
 use crate::gui::core::scale::stride;
 use crate::gui::plots::disc;
 use crate::gui::style::{Palette, size, space};
 use crate::gui::widgets;
-use crate::gui::workbench::{Command, ViewChange, Workbench};
+use crate::gui::workbench::Workbench;
 
 use super::blocks::{self, curve_link};
 
@@ -24,7 +23,6 @@ pub(super) fn show(
     ui: &mut Ui,
     workbench: &Workbench,
     (d, index, section): (&Diagnosis, usize, &Section),
-    commands: &mut Vec<Command>,
 ) {
     let section = in_use(workbench, d, index).map_or(Cow::Borrowed(section), Cow::Owned);
     let is_facts = |block: &&Block| matches!(block, Block::Facts(_));
@@ -32,10 +30,10 @@ pub(super) fn show(
     let (first, more) = section.blocks.split_at(rest.map_or(0, |rest| rest + 1));
     blocks::show(ui, first);
     match workbench.sketch(index) {
-        Some(curve) => sketch(ui, workbench, (index, curve), commands),
-        None => curve_link(ui, workbench, index, commands),
+        Some(curve) => sketch(ui, workbench, (index, curve)),
+        None => curve_link(ui, workbench, index),
     }
-    in_the_model(ui, workbench, d, index, commands);
+    in_the_model(ui, workbench, d, index);
     ui.push_id(index, |ui| {
         widgets::folded(ui, say!("More"), size::SMALL, |ui| blocks::show(ui, more));
     });
@@ -59,14 +57,9 @@ const HIGH: f32 = 46.0;
 const MOST: usize = 240;
 
 /// What is left without the effect, and what it does; a click shows the chart of it.
-fn sketch(
-    ui: &mut Ui,
-    workbench: &Workbench,
-    (index, curve): (usize, &EffectCurve),
-    commands: &mut Vec<Command>,
-) {
+fn sketch(ui: &mut Ui, workbench: &Workbench, (index, curve): (usize, &EffectCurve)) {
     let palette = Palette::of(ui);
-    let view = workbench.view();
+    let view = &workbench.view;
     let shown = workbench.shows(effect::ID) && view.effect == index;
     let sense = if shown {
         Sense::hover()
@@ -87,7 +80,7 @@ fn sketch(
     ui.painter()
         .extend(drawn(rect.shrink2(vec2(6.0, 4.0)), curve, &palette));
     if response.clicked() {
-        commands.push(Command::View(ViewChange::ShowEffect(index)));
+        workbench.then(move |bench| bench.show_effect(index));
     }
     if !shown {
         let response = response.on_hover_cursor(CursorIcon::PointingHand);
@@ -130,13 +123,7 @@ fn drawn(room: Rect, curve: &EffectCurve, palette: &Palette) -> Vec<Shape> {
 }
 
 /// Adds the effect to the model, or switches it off there.
-fn in_the_model(
-    ui: &mut Ui,
-    workbench: &Workbench,
-    d: &Diagnosis,
-    index: usize,
-    commands: &mut Vec<Command>,
-) {
+fn in_the_model(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis, index: usize) {
     let Some(term) = term_of(d, &d.found[index]) else {
         return;
     };
@@ -145,13 +132,13 @@ fn in_the_model(
         None => {
             // The button that stands out is the one at the foot of the step, which adds all of them.
             if widgets::secondary(ui, say!("Add to model")).clicked() {
-                commands.push(Command::Edit(Edit::Add(vec![term])));
+                workbench.then(move |bench| bench.add(&[term]));
             }
         }
         Some(index) => {
             let mut on = workbench.document().added[index].on;
             if ui.checkbox(&mut on, say!("in the model")).changed() {
-                commands.push(Command::Edit(Edit::Switch(index, on)));
+                workbench.then(move |bench| bench.switch(index, on));
             }
         }
     }

@@ -1,5 +1,6 @@
 //! The bar at the top: menus, the session's name, undo and redo.
 
+use crate::gui::file_state::Recent;
 use egui::containers::menu::MenuButton;
 use egui::gui_zoom::{kb_shortcuts, zoom_in, zoom_out};
 use egui::{
@@ -13,7 +14,7 @@ use crate::gui::core::loaded_session::Origin;
 use crate::gui::preferences::{ZOOM, largest_zoom};
 use crate::gui::style::{Palette, size, space, strong};
 use crate::gui::widgets;
-use crate::gui::workbench::{Command, ViewChange, Workbench};
+use crate::gui::workbench::Workbench;
 
 /// Width of the menus, points.
 const MENUS: f32 = 200.0;
@@ -34,7 +35,7 @@ pub(crate) fn window_title(workbench: &Workbench) -> String {
     format!("{name}{mark} – truepose")
 }
 
-pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+pub(crate) fn show(ui: &mut Ui, workbench: &Workbench) {
     ui.horizontal_centered(|ui| {
         let palette = Palette::of(ui);
         ui.label(
@@ -46,10 +47,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         // A menu bar takes all the width that it is given.
         let menus = ui.allocate_ui(egui::vec2(MENUS, ui.available_height()), |ui| {
             MenuBar::new().ui(ui, |ui| {
-                let menu = &mut Menu {
-                    workbench,
-                    commands,
-                };
+                let menu = &mut Menu { workbench };
                 header(ui, say!("File"), |ui| file(ui, menu));
                 header(ui, say!("Edit"), |ui| edit(ui, menu));
                 header(ui, say!("View"), |ui| view(ui, menu));
@@ -76,7 +74,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
                 |w| say!("Redo {edit}", edit = w),
             );
             if widgets::history_button(ui, true, redo.is_some(), &says).clicked() {
-                commands.push(Command::Redo);
+                workbench.then(Workbench::redo);
             }
             let undo = workbench.undoes();
             let says = undo.map_or_else(
@@ -84,12 +82,12 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
                 |w| say!("Undo {edit}", edit = w),
             );
             if widgets::history_button(ui, false, undo.is_some(), &says).clicked() {
-                commands.push(Command::Undo);
+                workbench.then(Workbench::undo);
             }
             ui.add_space(space::ROW);
             let open = actions::layout(ui.ctx(), workbench).results();
             if widgets::side_button(ui, open, actions::results_says(open)).clicked() {
-                commands.push(Command::View(ViewChange::Results(!open)));
+                workbench.then(move |bench| bench.view.results = Some(!open));
             }
         });
     });
@@ -137,7 +135,6 @@ fn name(ui: &mut Ui, workbench: &Workbench) {
 /// What the items of a menu are about, and what they ask for.
 struct Menu<'a> {
     workbench: &'a Workbench,
-    commands: &'a mut Vec<Command>,
 }
 
 impl Menu<'_> {
@@ -166,7 +163,7 @@ impl Menu<'_> {
             response = response.on_hover_text(about);
         }
         if response.clicked() {
-            self.commands.push(action.command(now));
+            action.ask_for(now);
             ui.close();
         }
     }
@@ -279,7 +276,8 @@ fn recent(ui: &mut Ui, menu: &mut Menu<'_>) {
                 let button = named(ui.add_enabled(*there, button), &name);
                 let button = button.on_hover_text(path.display().to_string());
                 if button.clicked() {
-                    menu.commands.push(Command::OpenFile(path.to_path_buf()));
+                    let path = path.to_path_buf();
+                    workbench.then(move |bench| bench.open_file(path));
                     ui.close();
                 }
                 if *there {
@@ -292,7 +290,8 @@ fn recent(ui: &mut Ui, menu: &mut Menu<'_>) {
                     let says = RichText::new(say!("file not found")).size(size::SMALL);
                     ui.label(says.color(warning));
                     if ui.small_button(say!("Forget {name}", name)).clicked() {
-                        menu.commands.push(Command::Forget(path.to_path_buf()));
+                        let path = path.to_path_buf();
+                        workbench.then(move |bench| bench.use_recent(Recent::Forgotten(path)));
                     }
                 }
             });

@@ -1,4 +1,4 @@
-//! What stands around the plots. Panels read the workbench and send commands.
+//! What stands around the plots. Panels read the workbench and leave changes in it.
 
 pub(crate) mod blocks;
 pub(crate) mod copies;
@@ -22,14 +22,14 @@ pub(super) mod steps;
 use egui::Ui;
 
 use crate::gui::view::Step;
-use crate::gui::workbench::{Command, Workbench};
+use crate::gui::workbench::Workbench;
 
 /// A step of the work, as a panel. Each step's file has one; `steps` lists them.
 pub(super) struct StepView {
     pub(super) step: Step,
-    pub(super) show: fn(&mut Ui, &Workbench, &mut Vec<Command>),
+    pub(super) show: fn(&mut Ui, &Workbench),
     /// The button at the foot.
-    pub(super) next: fn(&mut Ui, &Workbench, &mut Vec<Command>),
+    pub(super) next: fn(&mut Ui, &Workbench),
     /// What it has to show for itself.
     pub(super) state: fn(&Workbench) -> (String, Progress),
 }

@@ -13,11 +13,10 @@ use crate::present::units::Units;
 
 use crate::gui::core::answer::{Answer, LoadedModelSummary};
 use crate::gui::core::document::Method;
-use crate::gui::core::edit::Edit;
 use crate::gui::style::{Palette, size};
 use crate::gui::view::Step;
 use crate::gui::widgets;
-use crate::gui::workbench::{Command, ViewChange, Workbench};
+use crate::gui::workbench::Workbench;
 
 use super::{Progress, StepView, blocks, copies};
 
@@ -45,7 +44,7 @@ fn state(workbench: &Workbench) -> (String, Progress) {
     (caption, Progress::of(workbench.answer().is_some()))
 }
 
-fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+fn show(ui: &mut Ui, workbench: &Workbench) {
     let document = workbench.document();
     if let Some(given) = &document.loaded_model {
         widgets::hint(
@@ -63,7 +62,7 @@ fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
             return;
         }
         if widgets::secondary(ui, say!("Identify from this session")).clicked() {
-            commands.push(Command::Edit(Edit::Identify));
+            workbench.then(move |bench| bench.identify(None));
         }
         return;
     }
@@ -74,7 +73,11 @@ fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
             (Method::Regional, say!("By region")),
         ];
         if let Some(method) = widgets::segmented(ui, &methods, document.method) {
-            commands.push(Command::Edit(Edit::Method(method)));
+            workbench.then(move |bench| {
+                bench.edit(phrase!("choose method"), |document| {
+                    document.choose_method(method)
+                })
+            });
         }
     }
     match document.method {
@@ -85,7 +88,7 @@ fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
                     "One model for the whole range, fitted in the measuring frame, with an interval for every number"
                 ),
             );
-            effects(ui, workbench, commands);
+            effects(ui, workbench);
         }
         Method::Regional => {
             widgets::hint(
@@ -97,13 +100,13 @@ fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
             let n = document.regions.len();
             widgets::fact_of(ui, phrase!("regions"), n.to_string());
             if ui.link(say!("Change the regions")).clicked() {
-                commands.push(Command::View(ViewChange::GoTo(Step::Regions)));
+                workbench.then(move |bench| bench.view.step = Step::Regions);
             }
         }
     }
 }
 
-fn effects(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+fn effects(ui: &mut Ui, workbench: &Workbench) {
     let document = workbench.document();
     let loaded_session = workbench.loaded_session();
     widgets::section(ui, say!("Effects to fit"));
@@ -132,7 +135,11 @@ fn effects(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
             widgets::hint(ui, about.equation);
         });
         if response.changed() {
-            commands.push(Command::Edit(Edit::Effect(about.id, on)));
+            workbench.then(move |bench| {
+                bench.edit(phrase!("choose effects"), |document| {
+                    document.choose_effect(about.id, on)
+                })
+            });
         }
     }
     if loaded_session.coverage.not_testable.is_empty() {
@@ -155,11 +162,11 @@ fn effects(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         });
 }
 
-fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+fn next(ui: &mut Ui, workbench: &Workbench) {
     let document = workbench.document();
     if !document.identified {
         if widgets::primary(ui, say!("Identify")).clicked() {
-            commands.push(Command::Edit(Edit::Identify));
+            workbench.then(move |bench| bench.identify(None));
         }
         return;
     }
@@ -167,7 +174,7 @@ fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         widgets::hint_above_the_button(ui, say!("Identified; the result follows every change"));
     }
     if widgets::primary(ui, say!("Continue to diagnose")).clicked() {
-        commands.push(Command::View(ViewChange::GoTo(Step::Gap)));
+        workbench.then(move |bench| bench.view.step = Step::Gap);
     }
 }
 

@@ -8,7 +8,7 @@ use egui_extras::{Column, TableBuilder, TableRow};
 
 use crate::gui::style::{Palette, size};
 use crate::gui::views::copies;
-use crate::gui::workbench::{Command, ViewChange, Workbench};
+use crate::gui::workbench::Workbench;
 use crate::gui::workspace::{judged, sample_menu};
 use crate::present::numbers::trimmed;
 
@@ -21,13 +21,13 @@ const MARK: f32 = 20.0;
 /// A head as wide as this has room for its unit beside its name.
 const ROOM_FOR_UNITS: f32 = 76.0;
 
-pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+pub(crate) fn show(ui: &mut Ui, workbench: &Workbench) {
     let palette = Palette::of(ui);
     let units = workbench.units();
     let loaded_session = workbench.loaded_session();
     let answer = workbench.answer();
     let tolerance_mm = workbench.document().tolerance_mm;
-    let view = workbench.view();
+    let view = &workbench.view;
     let sorted_by = ui.scope_id().with("sorted by");
     let mut sorting: Sorting = ui.data(|d| d.get_temp(sorted_by)).unwrap_or_default();
     let rows = Rows::of(ui, ui.scope_id().with("rows"), workbench, sorting);
@@ -113,29 +113,29 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
                 }
                 let marked = view.marked.contains(&sample);
                 if response.clicked() || response.secondary_clicked() && !marked {
-                    commands.push(Command::View(ViewChange::Select(Some(sample))));
+                    workbench.then(move |bench| bench.view.select(Some(sample)));
                 }
-                response.context_menu(|ui| sample_menu(ui, workbench, commands));
+                response.context_menu(|ui| sample_menu(ui, workbench));
             });
         });
     ui.data_mut(|data| data.insert_temp(sorted_by, sorting));
-    point_at(ui, hovered, commands);
+    point_at(ui, hovered, workbench);
 }
 
 /// Says which row the pointer is on, where that is another than before.
-fn point_at(ui: &Ui, hovered: Option<usize>, commands: &mut Vec<Command>) {
+fn point_at(ui: &Ui, hovered: Option<usize>, workbench: &Workbench) {
     let id = ui.scope_id().with("row under the pointer");
     let before = ui.data_mut(|data| data.get_temp::<Option<usize>>(id));
     ui.data_mut(|data| data.insert_temp(id, hovered));
     if before.flatten() != hovered {
-        commands.push(Command::View(ViewChange::Hover(hovered)));
+        workbench.then(move |bench| bench.view.hovered = hovered);
     }
 }
 
 /// The row that is brought into sight in this frame, and to where. A sample that is chosen or pointed
 /// at elsewhere is brought once; under the pointer nothing moves.
 fn brought(ui: &Ui, workbench: &Workbench) -> Option<(usize, Option<Align>)> {
-    let view = workbench.view();
+    let view = &workbench.view;
     let here = ui.rect_contains_pointer(ui.available_rect_before_wrap());
     let elsewhere = view.hovered.filter(|_| !here);
     let wanted = elsewhere.or(view.selected);

@@ -1,12 +1,15 @@
 //! Step 1: what was measured, on what, and what was found while it was read.
 
+use std::path::PathBuf;
+
+use crate::gui::file_state::Recent;
+use crate::gui::files;
 use crate::language;
 use egui::{DragValue, Response, RichText, TextEdit, Ui};
 
 use super::{Progress, StepView, setup};
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::gui::core::disk::name_of;
-use crate::gui::core::edit::Edit;
 use crate::gui::core::loaded_session::Origin;
 use crate::gui::core::quantity::joint_value;
 use crate::gui::core::simulate::Form;
@@ -14,7 +17,7 @@ use crate::gui::import_draft::in_the_windows_words;
 use crate::gui::style::{Palette, size, space, strong};
 use crate::gui::view::{Sheet, Step};
 use crate::gui::widgets::{self, or_none};
-use crate::gui::workbench::{Asked, Command, ViewChange, Workbench, of_field};
+use crate::gui::workbench::Workbench;
 use crate::present::numbers::grouped;
 use crate::present::units::LengthUnit;
 
@@ -36,28 +39,28 @@ fn state(workbench: &Workbench) -> (String, Progress) {
     (says, Progress::Done)
 }
 
-fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+fn show(ui: &mut Ui, workbench: &Workbench) {
     widgets::section(ui, say!("Measured"));
     facts(ui, workbench);
-    tolerance(ui, workbench, widgets::number, commands);
-    findings(ui, workbench, commands);
+    tolerance(ui, workbench, widgets::number);
+    findings(ui, workbench);
     widgets::section(ui, say!("Another session or model"));
     if widgets::secondary(ui, say!("Open…")).clicked() {
-        commands.push(Command::Ask(Asked::File));
+        workbench.then(move |bench| bench.choose_file(files::choose_to_open));
     }
-    path_field(ui, commands);
+    path_field(ui, workbench);
     if widgets::secondary(ui, say!("Simulate session…")).clicked() {
-        commands.push(Command::sheet(Sheet::Simulate(Form::default())));
+        workbench.then(move |bench| bench.show_sheet(Some(Sheet::Simulate(Form::default()))));
     }
     if widgets::secondary(ui, say!("Robots…")).clicked() {
-        commands.push(Command::sheet(Sheet::ROBOTS));
+        workbench.then(move |bench| bench.show_sheet(Some(Sheet::ROBOTS)));
     }
-    recent(ui, workbench, commands);
-    setup::show(ui, workbench, commands);
+    recent(ui, workbench);
+    setup::show(ui, workbench);
 }
 
 /// Files that were opened before, newest first.
-fn recent(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+fn recent(ui: &mut Ui, workbench: &Workbench) {
     const MOST: usize = 5;
     let recent: Vec<_> = workbench.recent().take(MOST).collect();
     if recent.is_empty() {
@@ -72,7 +75,8 @@ fn recent(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         if there {
             let link = ui.link(name.as_ref()).on_hover_text(whole);
             if link.clicked() {
-                commands.push(Command::OpenFile(path.to_path_buf()));
+                let path = path.to_path_buf();
+                workbench.then(move |bench| bench.open_file(path));
             }
             continue;
         }
@@ -81,7 +85,8 @@ fn recent(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         let says = ui.add(egui::Label::new(says.color(palette.muted)).wrap());
         says.on_hover_text(whole);
         if ui.link(say!("Forget {name}", name)).clicked() {
-            commands.push(Command::Forget(path.to_path_buf()));
+            let path = path.to_path_buf();
+            workbench.then(move |bench| bench.use_recent(Recent::Forgotten(path)));
         }
     }
 }
@@ -153,7 +158,6 @@ pub(crate) fn tolerance(
     ui: &mut Ui,
     workbench: &Workbench,
     shown: fn(&mut Ui, &str, &str, DragValue<'_>) -> Response,
-    commands: &mut Vec<Command>,
 ) {
     // The largest that makes sense on any robot.
     const LARGEST_MM: f64 = 1000.0;
@@ -184,12 +188,14 @@ pub(crate) fn tolerance(
             String::new()
         });
     let name = format!("{unit}{}", or_none());
-    let response = shown(ui, say!("tolerance"), &name, field);
-    let edit = Edit::Tolerance((tolerance > 0.0).then_some(tolerance / one_mm));
-    commands.extend(of_field(&response, (tolerance != now).then_some(edit)));
+    shown(ui, say!("tolerance"), &name, field);
+    if tolerance != now {
+        let tolerance = (tolerance > 0.0).then_some(tolerance / one_mm);
+        workbench.then(move |bench| bench.set_tolerance(tolerance));
+    }
 }
 
-fn findings(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+fn findings(ui: &mut Ui, workbench: &Workbench) {
     const MOST: usize = 50;
     let findings = &workbench.loaded_session().findings;
     if findings.is_empty() {
@@ -203,7 +209,7 @@ fn findings(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         let mut sorted: Vec<&Diagnostic> = findings.iter().collect();
         sorted.sort_by_key(|finding| std::cmp::Reverse(finding.severity));
         for finding in sorted.into_iter().take(MOST) {
-            finding_line(ui, finding, commands);
+            finding_line(ui, finding, workbench);
         }
     });
     if findings.len() > MOST {
@@ -214,7 +220,7 @@ fn findings(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     }
 }
 
-fn finding_line(ui: &mut Ui, finding: &Diagnostic, commands: &mut Vec<Command>) {
+fn finding_line(ui: &mut Ui, finding: &Diagnostic, workbench: &Workbench) {
     let palette = Palette::of(ui);
     let (mark, color) = match finding.severity {
         Severity::Note => (say!("note"), palette.muted),
@@ -232,13 +238,14 @@ fn finding_line(ui: &mut Ui, finding: &Diagnostic, commands: &mut Vec<Command>) 
             .on_hover_text(say!("Show these samples"))
             .clicked()
         {
-            commands.push(Command::View(ViewChange::Mark(finding.samples.clone())));
+            let samples = finding.samples.clone();
+            workbench.then(|bench| bench.view.mark(samples));
         }
     });
 }
 
 /// A path can always be typed: not every system has a dialog.
-fn path_field(ui: &mut Ui, commands: &mut Vec<Command>) {
+fn path_field(ui: &mut Ui, workbench: &Workbench) {
     let id = ui.scope_id().with("typed path");
     let mut typed: String = ui.data_mut(|data| data.get_temp(id)).unwrap_or_default();
     ui.horizontal(|ui| {
@@ -268,13 +275,14 @@ fn path_field(ui: &mut Ui, commands: &mut Vec<Command>) {
             ui.add_enabled(!path.is_empty(), button).clicked()
         };
         if (entered || pressed) && !path.is_empty() {
-            commands.push(Command::OpenFile(path.into()));
+            let path = PathBuf::from(path);
+            workbench.then(move |bench| bench.open_file(path));
         }
     });
     ui.data_mut(|data| data.insert_temp(id, typed));
 }
 
-fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+fn next(ui: &mut Ui, workbench: &Workbench) {
     let loaded_session = workbench.loaded_session();
     if loaded_session.origin == Origin::Bundled {
         widgets::hint(ui, say!("This is an example that comes with the program"));
@@ -287,6 +295,6 @@ fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         (Step::Identify, say!("Continue to identify"))
     };
     if widgets::primary(ui, text).clicked() {
-        commands.push(Command::View(ViewChange::GoTo(step)));
+        workbench.then(move |bench| bench.view.step = step);
     }
 }

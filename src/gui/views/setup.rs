@@ -4,10 +4,9 @@
 use crate::text::{Template, filled};
 use egui::{CollapsingHeader, DragValue, RichText, TextEdit, Ui};
 
-use crate::gui::core::edit::Edit;
 use crate::gui::core::setup::{Field, JointForm, Problem, SetupForm, SigmaForm, TargetForm};
 use crate::gui::style::{size, space};
-use crate::gui::workbench::{Command, ViewChange, Workbench};
+use crate::gui::workbench::Workbench;
 use crate::gui::{help, widgets};
 use crate::kinematics::JointKind;
 
@@ -16,8 +15,6 @@ struct Fields {
     problems: Vec<Problem>,
     /// The number of the joint or of the reflector whose fields they are.
     n: usize,
-    dragged: bool,
-    released: bool,
 }
 
 impl Fields {
@@ -45,32 +42,25 @@ impl Fields {
             for (part, value) in parts.iter().zip(values) {
                 let name = format!("{label} {part}");
                 let field = DragValue::new(value).speed(speed).max_decimals(6);
-                let response = widgets::cell_number(ui, name.trim_end(), unit, width, field);
-                self.dragged |= response.dragged();
-                self.released |= response.drag_stopped();
+                widgets::cell_number(ui, name.trim_end(), unit, width, field);
             }
         });
     }
 }
 
 /// Shows the parts of the form, folded.
-pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+pub(super) fn show(ui: &mut Ui, workbench: &Workbench) {
     let session = &workbench.loaded_session().session;
-    let now = match &workbench.view().setup {
+    let now = match &workbench.view.setup {
         Some(draft) => SetupForm::clone(draft),
         None => SetupForm::of(session),
     };
-    let problems = match &workbench.view().setup {
+    let problems = match &workbench.view.setup {
         Some(draft) => draft.session(session).err().unwrap_or_default(),
         None => Vec::new(),
     };
     let mut form = now.clone();
-    let mut fields = Fields {
-        problems,
-        n: 1,
-        dragged: false,
-        released: false,
-    };
+    let mut fields = Fields { problems, n: 1 };
     let is_open = |fields: &Fields, wrong: &dyn Fn(Field) -> bool| {
         fields.problems.iter().any(|(field, _)| wrong(*field))
     };
@@ -103,23 +93,22 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
             instrument(ui, &mut form, &mut fields);
         });
     }
-    if workbench.view().setup.is_some() {
+    if workbench.view.setup.is_some() {
         fields.message(ui, Field::Joints);
         widgets::hint(ui, say!("Not taken over while something is wrong"));
         if ui.link(say!("Back to what was there")).clicked() {
-            commands.push(Command::View(ViewChange::Draft(None)));
+            workbench.then(move |bench| bench.view.setup = None);
             return;
         }
     }
     if form != now {
-        commands.push(match form.session(session) {
-            Err(_) => Command::View(ViewChange::Draft(Some(Box::new(form)))),
-            Ok(_) if fields.dragged => Command::Drag(Edit::Setup(Box::new(form))),
-            Ok(_) => Command::Edit(Edit::Setup(Box::new(form))),
+        let sound = form.session(session).is_ok();
+        workbench.then(move |bench| match sound {
+            true => bench.edit(phrase!("edit robot and instrument"), |document| {
+                document.set_up(&form)
+            }),
+            false => bench.view.setup = Some(Box::new(form)),
         });
-    }
-    if fields.released {
-        commands.push(Command::EndDrag);
     }
 }
 

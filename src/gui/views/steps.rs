@@ -10,7 +10,7 @@ use crate::gui::preferences::{Preferences, Sizes};
 use crate::gui::style::layout::Layout;
 use crate::gui::style::{Palette, size, space, strong};
 use crate::gui::widgets::{self, Gripped};
-use crate::gui::workbench::{Command, ViewChange, Workbench};
+use crate::gui::workbench::Workbench;
 
 use super::{Progress, StepView, export, gap, model, regions, session};
 
@@ -26,18 +26,18 @@ static STEPS: [StepView; 5] = [
 /// The button at the foot stands no lower than this below the top of its panel, points.
 const HIGHEST: f32 = 960.0;
 
-pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, room: Layout, commands: &mut Vec<Command>) {
+pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, room: Layout) {
     // On a high screen the button at the foot would be far from what it belongs to.
     let mut rect = ui.available_rect_before_wrap();
     rect.set_height(rect.height().min(HIGHEST));
     ui.scope_builder(UiBuilder::new().max_rect(rect), |ui| {
-        all(ui, workbench, room, commands);
+        all(ui, workbench, room);
     });
 }
 
-fn all(ui: &mut Ui, workbench: &Workbench, room: Layout, commands: &mut Vec<Command>) {
+fn all(ui: &mut Ui, workbench: &Workbench, room: Layout) {
     ui.spacing_mut().item_spacing.y = 2.0;
-    let now = workbench.view().step;
+    let now = workbench.view.step;
     let view_of = |step| STEPS.iter().find(|view| view.step == step);
     let chosen = view_of(now).unwrap_or(&STEPS[0]);
     let offered = workbench.steps().iter().filter_map(|step| view_of(*step));
@@ -55,7 +55,7 @@ fn all(ui: &mut Ui, workbench: &Workbench, room: Layout, commands: &mut Vec<Comm
         };
         let row = row.show(ui);
         if row.clicked() {
-            commands.push(Command::View(ViewChange::GoTo(step)));
+            workbench.then(move |bench| bench.view.step = step);
         }
     }
     ui.spacing_mut().item_spacing.y = space::ROW;
@@ -68,10 +68,10 @@ fn all(ui: &mut Ui, workbench: &Workbench, room: Layout, commands: &mut Vec<Comm
         .frame(frame)
         .show(ui, |ui| {
             ui.add_space(space::ROW);
-            (chosen.next)(ui, workbench, commands);
+            (chosen.next)(ui, workbench);
         });
     widgets::scroll(ui, ("controls", chosen.step.name()), |ui| {
-        (chosen.show)(ui, workbench, commands);
+        (chosen.show)(ui, workbench);
     });
 }
 
@@ -169,30 +169,32 @@ impl StepRow<'_> {
 }
 
 /// What the sides can be pulled by.
-pub(crate) fn grips(
-    ui: &Ui,
-    workbench: &Workbench,
-    layout: Layout,
-    middle: Rect,
-    commands: &mut Vec<Command>,
-) {
-    let preferences = workbench.view().preferences;
-    let mut pulled = |gripped: Option<Gripped>, set: &dyn Fn(&mut Sizes, Option<f32>)| {
+pub(crate) fn grips(ui: &Ui, workbench: &Workbench, layout: Layout, middle: Rect) {
+    let preferences = workbench.view.preferences;
+    let pulled = |gripped: Option<Gripped>, set: &dyn Fn(&mut Sizes, Option<f32>)| {
         let mut sizes = preferences.sizes;
         let done = match gripped {
             None => return,
             Some(Gripped::To(x)) => {
                 set(&mut sizes, Some(x));
-                return commands.push(Command::View(ViewChange::Resize(sizes)));
+                return workbench.then(move |bench| {
+                    let preferences = Preferences {
+                        sizes,
+                        ..bench.view.preferences
+                    };
+                    bench.view.preferences = preferences.sound();
+                });
             }
             Some(Gripped::LetGo(x)) => Some(x),
             Some(Gripped::Usual) => None,
         };
         set(&mut sizes, done);
-        commands.push(Command::Prefer(Preferences {
-            sizes,
-            ..preferences
-        }));
+        workbench.then(move |bench| {
+            bench.prefer(Preferences {
+                sizes,
+                ..preferences
+            })
+        });
     };
     let left = widgets::grip(ui, say!("steps"), middle, middle.left());
     pulled(left, &|sizes, x| sizes.left = x);

@@ -8,19 +8,19 @@ use crate::gui::files::{self, Replace};
 use crate::gui::jobs::{Kind, Running};
 use crate::gui::view::{Message, Sheet, What};
 
+use super::Workbench;
 use super::state::Chooser;
-use super::{Command, Workbench};
 
 impl Workbench {
     /// Asks for a file to open, beside the one in hand.
-    pub(super) fn choose_file(&mut self, ask: fn(Option<&Path>) -> Option<PathBuf>) {
+    pub(crate) fn choose_file(&mut self, ask: fn(Option<&Path>) -> Option<PathBuf>) {
         let near = self.file().map(Path::to_path_buf);
         let near = near.or_else(|| Some(self.recent().next()?.0.to_path_buf()));
         self.choose(
             say!("waiting for a file to be chosen"),
             move || ask(near.as_deref()),
             |bench, path| match path {
-                Some(path) => bench.execute(Command::OpenFile(path)),
+                Some(path) => bench.open_file(path),
                 // Cancelled, or there is no dialog on this system: the two look alike.
                 None => bench.view.message = Some(no_file_was_chosen()),
             },
@@ -28,7 +28,10 @@ impl Workbench {
     }
 
     /// Asks where to save the session: that one is saved, whatever is open by then.
-    pub(super) fn choose_where_to_save(&mut self) {
+    pub(crate) fn choose_where_to_save(&mut self) {
+        if self.has_nothing_to_save() {
+            return;
+        }
         let path = self.proposed_path();
         let document = Arc::clone(self.history.present());
         let ask = move || files::choose_to_save(&path);
@@ -38,13 +41,16 @@ impl Workbench {
             move |bench, path| match path {
                 // The dialog has asked.
                 Some(path) => bench.save_document(document, &path, Replace::Named),
-                None => bench.execute(bench.typed_path()),
+                None => bench.type_path_to_save(),
             },
         );
     }
 
     /// Asks where to export to: what is there now is written, whatever is open by then.
-    pub(super) fn choose_where_to_export(&mut self, what: What) {
+    pub(crate) fn choose_where_to_export(&mut self, what: What) {
+        if self.needs_picture(what) {
+            return self.wait_for_picture(move |bench| bench.choose_where_to_export(what));
+        }
         let Some(write) = self.prepared(what) else {
             return;
         };
@@ -85,7 +91,7 @@ impl Workbench {
     }
 
     /// Goes on without an answer: a dialog that the system does not show must not hold the window for ever.
-    pub(super) fn stop_asking(&mut self) {
+    pub(crate) fn stop_asking(&mut self) {
         self.cancel_pending_action();
         self.jobs.cancel(|kind| kind == Kind::Asks);
     }

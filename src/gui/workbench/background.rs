@@ -9,13 +9,12 @@ use crate::gui::cache::identified::{IdentifiedAnswer, Preview, PreviewRequest};
 use crate::gui::cache::{PlotCache, PlotInputs};
 use crate::gui::core::answer::Search;
 use crate::gui::core::document::{ExportChoice, Question};
-use crate::gui::core::edit::Edit;
 use crate::gui::core::loaded_session::LoadedSession;
 use crate::gui::files::{self, Opened};
 use crate::gui::jobs::{Jobs, Kind, Running, Watch};
 use crate::gui::view::Message;
 
-use super::{Command, Workbench};
+use super::Workbench;
 
 impl Workbench {
     /// Jobs that are under way.
@@ -41,7 +40,7 @@ impl Workbench {
                 match kind {
                     Kind::Identifies => {
                         if let Some(next) = self.asked.questions.answered() {
-                            self.identify(next);
+                            self.answer_question(next);
                         }
                     }
                     Kind::Prepares => {
@@ -52,10 +51,10 @@ impl Workbench {
                     Kind::Searches => self.asked.searched = None,
                     _ => {}
                 }
-                match outcome {
-                    Some(take) => take(self),
-                    None => self.broke_off(),
-                }
+                self.execute(|bench| match outcome {
+                    Some(take) => take(bench),
+                    None => bench.broke_off(),
+                });
                 if kind == Kind::Draws
                     && let Some(next) = self.asked.plots.answered()
                 {
@@ -66,7 +65,7 @@ impl Workbench {
     }
 
     /// Answers a question.
-    pub(super) fn identify(&mut self, question: Question) {
+    pub(super) fn answer_question(&mut self, question: Question) {
         let samples = say!(one "{count} sample", "{count} samples", count = grouped(question.loaded_session.len()));
         self.jobs.start(
             Kind::Identifies,
@@ -75,8 +74,6 @@ impl Workbench {
             |bench: &mut Self, outcome| {
                 let before = bench.identified.replace(Arc::new(outcome));
                 bench.let_go(before);
-                bench.keep_preparing();
-                bench.keep_drawing();
             },
         );
     }
@@ -116,18 +113,14 @@ impl Workbench {
             Kind::Searches,
             say!("searching"),
             move |watch| Search::of(loaded_session, watch),
-            |bench: &mut Self, search| {
-                bench.searched = Some(Arc::new(search));
-                // What is in the model may be just what was found, with the search's values.
-                bench.refresh_answer();
-                bench.keep_drawing();
-            },
+            // What is in the model may be just what was found, with the search's values.
+            |bench: &mut Self, search| bench.searched = Some(Arc::new(search)),
         );
     }
 
     /// Stops the search. The names that it had found until then stay in sight, and a diagnosis that was complete
     /// stays what it was: what is stopped half-way answers nothing.
-    pub(super) fn stop_search(&mut self) {
+    pub(crate) fn stop_search(&mut self) {
         let found = self.jobs.running(Kind::Searches).map(Running::found);
         self.jobs.cancel(|kind| kind == Kind::Searches);
         let searched = self.asked.searched.take();
@@ -154,8 +147,9 @@ impl Workbench {
         Arc::ptr_eq(loaded_session, self.loaded_session()).then_some(found)
     }
 
-    /// Drops the newest job that the status bar names.
-    pub(super) fn cancel_newest(&mut self) {
+    /// Drops the newest job that the status bar names; what was to be done after it is not wanted any more either.
+    pub(crate) fn cancel_newest(&mut self) {
+        self.cancel_pending_action();
         if self.jobs.newest().is_some_and(Running::searches) {
             return self.stop_search();
         }
@@ -178,15 +172,15 @@ impl Workbench {
     pub(super) fn take_opened(&mut self, opened: Result<Opened, Message>) {
         match opened {
             Ok(Opened::Session(loaded_session)) => {
-                self.execute(Command::Edit(Edit::Open(loaded_session)));
+                self.open_session(loaded_session);
             }
             Ok(Opened::Foreign(draft)) => self.ask_about(draft),
             Ok(Opened::Model(given)) => {
                 let beside = self.has_a_session_for(&given);
-                self.execute(Command::Edit(Edit::OpenModel {
-                    loaded_model: given,
-                    of_open_session: beside,
-                }));
+                self.edit(phrase!("open model"), |document| {
+                    document.open_model(given, beside);
+                    Ok(())
+                });
             }
             Err(message) => self.take_written(message),
         }
@@ -220,7 +214,6 @@ impl Workbench {
                 }
                 self.exported.retain(|(other, _)| *other != path);
                 self.exported.push((path, question));
-                self.keep_preparing();
                 self.resume();
             }
             Err(message) => self.take_written(message),
@@ -239,7 +232,7 @@ impl Workbench {
     }
 
     /// Opens a file with the system's program for it, or shows it in its folder.
-    pub(super) fn open_outside(&mut self, path: PathBuf, in_folder: bool) {
+    pub(crate) fn open_outside(&mut self, path: PathBuf, in_folder: bool) {
         self.jobs.quietly(
             move || files::open_outside(&path, in_folder).map_err(|because| (path, because)),
             |bench: &mut Self, opened| {

@@ -15,8 +15,8 @@ use crate::pipeline;
 use crate::present::decision::rests_on;
 use crate::progress::ReadError;
 
+use super::Workbench;
 use super::state::Past;
-use super::{Asked, Command, Workbench};
 
 impl Workbench {
     /// Report details: as they were typed, or as they are proposed.
@@ -52,7 +52,7 @@ impl Workbench {
     }
 
     /// Report details are these now; remembered once their sheet is closed.
-    pub(super) fn state(&mut self, stated: Stated) {
+    pub(crate) fn state(&mut self, stated: Stated) {
         self.file_state
             .stated
             .insert(self.loaded_session().lineage, stated);
@@ -76,7 +76,7 @@ impl Workbench {
     }
 
     /// Asks for a picture.
-    pub(super) fn choose_logo(&mut self) {
+    pub(crate) fn choose_logo(&mut self) {
         let near = self.file().map(Path::to_path_buf);
         let of = self.loaded_session().lineage;
         let ask = move || files::choose_logo(near.as_deref());
@@ -135,15 +135,15 @@ impl Workbench {
     }
 
     /// Compares the sessions that lie beside the open one; asks for a folder where it is in no file.
-    pub(crate) fn compare_here(&self) -> Command {
+    pub(crate) fn compare_here(&mut self) {
         match self.folder() {
-            Some(folder) => Command::CompareSessions(folder),
-            None => Command::Ask(Asked::Folder),
+            Some(folder) => self.compare_sessions(folder),
+            None => self.choose_folder(),
         }
     }
 
     /// Asks for a folder of sessions.
-    pub(super) fn choose_folder(&mut self) {
+    pub(crate) fn choose_folder(&mut self) {
         let near = self.file().map(Path::to_path_buf);
         let ask = move || files::choose_folder(near.as_deref());
         self.choose(
@@ -151,14 +151,14 @@ impl Workbench {
             ask,
             |bench, folder| {
                 if let Some(folder) = folder {
-                    bench.execute(Command::CompareSessions(folder));
+                    bench.compare_sessions(folder);
                 }
             },
         );
     }
 
     /// Compares the sessions of a folder, and shows what changed.
-    pub(super) fn compare_sessions(&mut self, folder: PathBuf) {
+    pub(crate) fn compare_sessions(&mut self, folder: PathBuf) {
         let says = say!(
             "comparing the sessions of {folder}",
             folder = folder.display()
@@ -193,7 +193,7 @@ impl Workbench {
     }
 
     /// Remembers one, and asks for a file to save it to where that is wanted.
-    pub(super) fn keep_robot(&mut self, table: RobotTable, save: bool) {
+    pub(crate) fn keep_robot(&mut self, table: RobotTable, save: bool) {
         remember(&mut self.file_state.robots, table.clone());
         self.keep(move |kept| remember(&mut kept.robots, table));
         if save {
@@ -202,7 +202,7 @@ impl Workbench {
     }
 
     /// Forgets the one of this name.
-    pub(super) fn forget_robot(&mut self, name: &str) {
+    pub(crate) fn forget_robot(&mut self, name: &str) {
         self.file_state.robots.retain(|own| own.name != name);
         let name = name.to_owned();
         self.keep(move |kept| kept.robots.retain(|own| own.name != name));

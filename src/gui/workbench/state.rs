@@ -8,7 +8,6 @@ use std::sync::Arc;
 
 use egui::ColorImage;
 
-use super::Command;
 use crate::explain::Section;
 use crate::gui::cache::identified::{Figures, IdentifiedAnswer, Preview, PreviewRequest};
 use crate::gui::cache::{PlotCache, PlotInputs};
@@ -16,7 +15,7 @@ use crate::gui::core::answer::Search;
 use crate::gui::core::compensated::Compensated;
 use crate::gui::core::disk::Fingerprint;
 use crate::gui::core::document::{Document, ExportChoice, Question};
-use crate::gui::core::edit::History;
+use crate::gui::core::history::History;
 use crate::gui::core::loaded_session::LoadedSession;
 use crate::gui::core::robot_table::RobotTable;
 use crate::gui::file_state::machines::{Machine, Stated};
@@ -32,13 +31,20 @@ use crate::text::Language;
 /// What answers in place of the system's dialogs: for tests, which cannot press anything in one.
 pub(crate) type Chooser = Arc<dyn Fn() -> Option<PathBuf> + Send + Sync>;
 
+/// A change of a workbench.
+pub(crate) type Change = Box<dyn FnOnce(&mut Workbench)>;
+
 /// Document, view, answer and jobs.
 pub(crate) struct Workbench {
     pub(super) history: History<Document>,
     /// The session that the window began with, not opened by the user.
     pub(super) first: Arc<LoadedSession>,
     pub(super) file_state: FileState,
-    pub(super) view: ViewState,
+    /// How it is looked at.
+    pub(crate) view: ViewState,
+    /// What is to be done once the frame is drawn.
+    pub(super) changes: RefCell<Vec<Change>>,
+    pub(super) dragging: bool,
     /// The import that was left without being done, with what was said.
     pub(super) left_draft: Option<ImportDraft>,
     pub(super) identified: Option<Arc<IdentifiedAnswer>>,
@@ -57,7 +63,7 @@ pub(crate) struct Workbench {
     pub(super) saved_as: Option<(ExportChoice, String)>,
     pub(super) figures: Option<Figures>,
     /// What waits for a picture of the workspace, and whether one was asked for; the picture as soon as it is there.
-    pub(super) waiting: Option<(Command, bool)>,
+    pub(super) waiting: Option<(Change, bool)>,
     pub(super) picture: Option<ColorImage>,
     pub(super) chooser: Option<Chooser>,
     pub(super) jobs: Jobs<Self>,
@@ -74,6 +80,8 @@ impl Workbench {
             file_state: FileState::default(),
             history,
             view: ViewState::default(),
+            changes: RefCell::default(),
+            dragging: false,
             left_draft: None,
             identified: None,
             searched: None,

@@ -7,7 +7,7 @@ use egui::{ComboBox, Popup, PopupCloseBehavior, RichText, Slider, Ui, vec2};
 use crate::gui::style::{Palette, size, space};
 use crate::gui::view::{Colouring, Standard};
 use crate::gui::widgets::{self, caption, fine};
-use crate::gui::workbench::{Command, ViewChange, Workbench};
+use crate::gui::workbench::Workbench;
 use crate::present::numbers::{significant, trimmed};
 
 use super::model::{magnification as magnification_of, offers, readable};
@@ -30,17 +30,17 @@ pub(super) fn folded(ui: &mut Ui, text: &str, name: &str, contents: impl FnOnce(
 }
 
 /// How vectors, map and colours are drawn, one below the other.
-pub(super) fn everything(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
-    widgets::row(ui, |ui| magnification(ui, workbench, commands));
-    widgets::row(ui, |ui| scale_for(ui, workbench, commands));
-    beneath(ui, workbench, commands);
+pub(super) fn everything(ui: &mut Ui, workbench: &Workbench) {
+    widgets::row(ui, |ui| magnification(ui, workbench));
+    widgets::row(ui, |ui| scale_for(ui, workbench));
+    beneath(ui, workbench);
     caption(ui, say!("colour"));
     let shown = coloured(workbench);
     for colouring in Colouring::ALL {
         if offers(workbench, colouring) {
             let text = RichText::new(colouring.name()).size(size::SMALL);
             if ui.radio(colouring == shown, text).clicked() && colouring != shown {
-                commands.push(Command::View(ViewChange::Colour(colouring)));
+                workbench.then(move |bench| bench.view.colouring = colouring);
             }
         }
     }
@@ -52,8 +52,8 @@ fn listed<'a>(salt: &str, shown: &str) -> ComboBox<'a> {
 }
 
 /// From before to after. What stands at the end that is shown is written stronger.
-pub(super) fn blend(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
-    let mut blend = workbench.view().blend;
+pub(super) fn blend(ui: &mut Ui, workbench: &Workbench) {
+    let mut blend = workbench.view.blend;
     // Beside the switch of views in a narrow bar.
     let narrow = ui.available_width() < 320.0;
     let bare = ui.available_width() < 160.0 * stretch();
@@ -74,7 +74,7 @@ pub(super) fn blend(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comma
     let slider = ui.add(Slider::new(&mut blend, 0.0..=1.0).show_value(false));
     widgets::label(&slider, say!("From before to after"));
     if slider.changed() {
-        commands.push(Command::View(ViewChange::Blend(blend)));
+        workbench.then(move |bench| bench.view.blend = blend);
     }
     slider.on_hover_text(blend_says(blend));
     if !bare {
@@ -98,17 +98,17 @@ fn blend_says(blend: f32) -> String {
 }
 
 /// How long the vectors are drawn and for whose lengths, where there is little room.
-pub(super) fn length_folded(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+pub(super) fn length_folded(ui: &mut Ui, workbench: &Workbench) {
     let now = significant(magnification_of(workbench), 2);
     let name = say!("vectors × {now}", now);
     folded(ui, &name, say!("Length of vectors"), |ui| {
-        widgets::row(ui, |ui| magnification(ui, workbench, commands));
-        widgets::row(ui, |ui| scale_for(ui, workbench, commands));
+        widgets::row(ui, |ui| magnification(ui, workbench));
+        widgets::row(ui, |ui| scale_for(ui, workbench));
     });
 }
 
 /// How long the vectors are drawn.
-pub(super) fn magnification(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+pub(super) fn magnification(ui: &mut Ui, workbench: &Workbench) {
     let now = magnification_of(workbench);
     caption(ui, say!("vectors"));
     let mut factor = now;
@@ -119,13 +119,13 @@ pub(super) fn magnification(ui: &mut Ui, workbench: &Workbench, commands: &mut V
     let slider = ui.add(slider);
     widgets::label(&slider, say!("Length of vectors"));
     if slider.changed() && factor != now {
-        commands.push(Command::View(ViewChange::Magnify(Some(factor))));
+        workbench.then(move |bench| bench.view.magnification = Some(factor));
     }
     caption(ui, &format!("× {}", significant(now, 2)));
 }
 
 /// Whose lengths vectors and colours are made for.
-pub(super) fn scale_for(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+pub(super) fn scale_for(ui: &mut Ui, workbench: &Workbench) {
     let Some(after) = workbench.after() else {
         return;
     };
@@ -141,18 +141,18 @@ pub(super) fn scale_for(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<C
     let options = [(Some(before), say!("before")), (Some(left), say!("after"))];
     match widgets::segmented(ui, &options, Some(now)) {
         Some(Some(factor)) if factor == readable(workbench) => {
-            commands.push(Command::View(ViewChange::Magnify(None)));
+            workbench.then(move |bench| bench.view.magnification = None);
         }
-        Some(factor) => commands.push(Command::View(ViewChange::Magnify(factor))),
+        Some(factor) => workbench.then(move |bench| bench.view.magnification = factor),
         None => {}
     }
 }
 
 /// What only one way of looking has: the heat map of a plane; the side and the pose in space.
-pub(super) fn beneath(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
-    let view = workbench.view();
+pub(super) fn beneath(ui: &mut Ui, workbench: &Workbench) {
+    let view = &workbench.view;
     if !view.in_space() {
-        heat(ui, workbench, commands);
+        heat(ui, workbench);
         return;
     }
     caption(ui, say!(in "toolbar", "from"));
@@ -161,7 +161,7 @@ pub(super) fn beneath(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Com
     let offered = Standard::ALL.into_iter();
     let offered = offered.map(|from| (Some(from), from.name()));
     if let Some(from) = widgets::list(ui, say!("Standard view"), list, offered, shown) {
-        commands.push(Command::View(ViewChange::LookFrom(from)));
+        workbench.then(move |bench| bench.view.look_from(from));
     }
     let mut open = posing(ui);
     let text = RichText::new(say!("pose")).size(size::SMALL);
@@ -185,19 +185,19 @@ pub(super) fn posing(ui: &Ui) -> bool {
 }
 
 /// Whether the error between the samples is shown.
-fn heat(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
-    let mut shown = workbench.view().heat;
+fn heat(ui: &mut Ui, workbench: &Workbench) {
+    let mut shown = workbench.view.heat;
     let text = RichText::new(say!("heat map")).size(size::SMALL);
     let says = say!("the root mean square deviation between the samples, fading away from them");
     let checkbox = ui.checkbox(&mut shown, text).on_hover_text(says);
     widgets::label(&checkbox, say!("heat map"));
     if checkbox.changed() {
-        commands.push(Command::View(ViewChange::Heat(shown)));
+        workbench.then(move |bench| bench.view.heat = shown);
     }
 }
 
 /// What the colour of the vectors says.
-pub(super) fn colouring(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+pub(super) fn colouring(ui: &mut Ui, workbench: &Workbench) {
     let shown = coloured(workbench);
     if ui.available_width() > COLOUR {
         caption(ui, say!("colour"));
@@ -209,13 +209,13 @@ pub(super) fn colouring(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<C
     let offered = offered.map(|colouring| (colouring, colouring.name()));
     let chosen = widgets::list(ui, say!("Colour of vectors"), list, offered, shown);
     if let Some(colouring) = chosen.filter(|colouring| *colouring != shown) {
-        commands.push(Command::View(ViewChange::Colour(colouring)));
+        workbench.then(move |bench| bench.view.colouring = colouring);
     }
 }
 
 /// What colour says, where the session has it.
 fn coloured(workbench: &Workbench) -> Colouring {
-    let now = workbench.view().colouring;
+    let now = workbench.view.colouring;
     if offers(workbench, now) {
         now
     } else {

@@ -8,9 +8,8 @@ use egui::{
 };
 
 use crate::gui::core::boundaries::{self, SNAP_DEG};
-use crate::gui::core::edit::Edit;
 use crate::gui::style::Palette;
-use crate::gui::workbench::{Command, Workbench};
+use crate::gui::workbench::Workbench;
 use crate::units::{deg_from_rad, rad_from_deg};
 
 /// Size of a handle, points: large enough for a finger.
@@ -53,12 +52,7 @@ pub(crate) fn grab(ui: &Ui, workbench: &Workbench) {
 }
 
 /// Shows a handle for every boundary and sends what the hand does with it.
-pub(crate) fn show(
-    ui: &mut Ui,
-    workbench: &Workbench,
-    handles: &Handles<'_>,
-    commands: &mut Vec<Command>,
-) {
+pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, handles: &Handles<'_>) {
     let document = workbench.document();
     let within = document.loaded_session.travel();
     for (index, boundary) in boundaries::boundaries(&document.regions).iter().enumerate() {
@@ -96,14 +90,19 @@ pub(crate) fn show(
             && let Some(pointer) = response.interact_pointer_pos()
         {
             let to = boundaries::snapped_rad((handles.angle)(pointer, boundary.at_rad));
-            commands.push(Command::Drag(Edit::MoveBoundary(index, to)));
-        }
-        if response.drag_stopped() {
-            commands.push(Command::EndDrag);
+            workbench.then(move |bench| {
+                bench.edit(phrase!("move boundary"), |document| {
+                    document.move_boundary(index, to)
+                })
+            });
         }
         if let Some(to_deg) = moved_by_keys(ui, &response, at_deg) {
             let to = rad_from_deg(to_deg);
-            commands.push(Command::Edit(Edit::MoveBoundary(index, to)));
+            workbench.then(move |bench| {
+                bench.edit(phrase!("move boundary"), |document| {
+                    document.move_boundary(index, to)
+                })
+            });
         }
         paint(ui, &response);
         response.on_hover_text(say!(

@@ -30,22 +30,22 @@ use crate::gui::scene::paint::Camera;
 use crate::gui::scene::screen::Screen;
 use crate::gui::style::Palette;
 use crate::gui::view::Step;
-use crate::gui::workbench::{Command, Workbench};
+use crate::gui::workbench::Workbench;
 
 use handles::Handles;
 use over::{Seen, tell_plot_size};
 
 /// Shows the plot in the space that is left, and sends what the pointer does.
-pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+pub(crate) fn show(ui: &mut Ui, workbench: &Workbench) {
     let (seen, pass) = (
         ui.available_rect_before_wrap(),
         ui.ctx().cumulative_pass_nr(),
     );
     ui.data_mut(|data| data.insert_temp(picture_id(), (seen, pass)));
-    if workbench.view().in_space() {
-        space::show(ui, workbench, display::posing(ui), commands);
+    if workbench.view.in_space() {
+        space::show(ui, workbench, display::posing(ui));
     } else {
-        plane(ui, workbench, commands);
+        plane(ui, workbench);
     }
 }
 
@@ -67,13 +67,13 @@ pub(crate) fn in_picture(ctx: &Context, window: &ColorImage) -> Option<ColorImag
 /// What stands at the axes of the plane.
 fn axes(workbench: &Workbench) -> [String; 2] {
     let unit = workbench.units().length_name();
-    let axes = workbench.view().plane.axes();
+    let axes = workbench.view.plane.axes();
     axes.map(|axis| format!("{}, {unit}", ["x", "y", "z"][axis]))
 }
 
-fn plane(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+fn plane(ui: &mut Ui, workbench: &Workbench) {
     let palette = Palette::of(ui);
-    let view = workbench.view();
+    let view = &workbench.view;
     let units = workbench.units();
     let [mut across, upwards] = axes(workbench);
     // In a low plot the axis below goes without its name, which the bar says as well.
@@ -115,7 +115,6 @@ fn plane(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     tell_plot_size(
         workbench,
         layout::fitted(bounds, [frame.width(), frame.height()].map(f64::from)),
-        commands,
     );
     let samples = workbench.loaded_session().overview.usable.len();
     response.widget_info(|| {
@@ -126,7 +125,7 @@ fn plane(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         )
     });
     let pointer = response.hover_pos();
-    seen.finish(ui, workbench, &camera, (&response, pointer), commands);
+    seen.finish(ui, workbench, &camera, (&response, pointer));
     if editing && let Some(dial) = &shown.dial {
         let handles = Handles {
             at: &|angle| {
@@ -140,6 +139,6 @@ fn plane(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
             frame,
             name: |at| say!("boundary at {at}", at),
         };
-        handles::show(ui, workbench, &handles, commands);
+        handles::show(ui, workbench, &handles);
     }
 }

@@ -102,7 +102,7 @@ impl Shown {
     /// The workspace as the workbench has it.
     pub(crate) fn of(workbench: &Workbench) -> Self {
         let loaded_session = &**workbench.loaded_session();
-        let view = workbench.view();
+        let view = &workbench.view;
         let facing = workbench.facing();
         let look = look(workbench);
         let shown = |sample: usize| shown(workbench, sample);
@@ -180,7 +180,7 @@ pub(crate) fn judged(workbench: &Workbench, within: bool) -> &'static str {
 
 /// The magnification that is chosen, or at which deviations can be read.
 pub(crate) fn magnification(workbench: &Workbench) -> f64 {
-    let chosen = workbench.view().magnification;
+    let chosen = workbench.view.magnification;
     chosen.unwrap_or_else(|| readable(workbench))
 }
 
@@ -203,7 +203,7 @@ pub(crate) fn shown(workbench: &Workbench, sample: usize) -> [f64; 3] {
         return before;
     };
     let after = answer.deviation_after(sample);
-    let blend = f64::from(workbench.view().blend);
+    let blend = f64::from(workbench.view.blend);
     std::array::from_fn(|k| before[k] + blend * (after[k] - before[k]))
 }
 
@@ -229,7 +229,7 @@ pub(crate) fn ball(workbench: &Workbench) -> Ball {
 }
 
 fn look(workbench: &Workbench) -> LayerOptions {
-    let (view, loaded_session) = (workbench.view(), workbench.loaded_session());
+    let (view, loaded_session) = (&workbench.view, workbench.loaded_session());
     let answered = workbench.answer().is_some();
     let magnification = magnification(workbench);
     let colouring = offered(workbench, view.colouring);
@@ -259,7 +259,7 @@ fn look(workbench: &Workbench) -> LayerOptions {
 /// The upper end of colour scales, mm: colour and length say the same. With the heat map, and while
 /// no scale is chosen, it goes from what suits the deviations before to what suits those after.
 fn colour_end_mm(workbench: &Workbench, magnification: f64) -> f64 {
-    let view = workbench.view();
+    let view = &workbench.view;
     let radius_mm = workbench.loaded_session().overview.radius_mm;
     let before = long_mm(radius_mm, magnification);
     match workbench.after() {
@@ -375,17 +375,15 @@ fn paths(loaded_session: &LoadedSession, base: &Isometry3<f64>) -> Vec<Vec<[f64;
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gui::core::edit::Edit;
     use crate::gui::testing::workbench;
-    use crate::gui::workbench::{Command, ViewChange};
 
     #[test]
     fn the_way_of_each_reflector_says_how_sure_the_model_is_while_colour_says_that() {
         let mut workbench = workbench();
-        workbench.execute(Command::Edit(Edit::Identify));
+        workbench.execute(|bench| bench.identify(None));
         workbench.receive();
         assert!(Shown::of(&workbench).sure.is_empty());
-        workbench.execute(Command::View(ViewChange::Colour(Colouring::Uncertainty)));
+        workbench.execute(|bench| bench.view.colouring = Colouring::Uncertainty);
         workbench.receive();
         let shown = Shown::of(&workbench);
         let lengths = |ways: Vec<usize>| (!ways.is_empty()).then_some(ways);
@@ -395,14 +393,14 @@ mod tests {
         let parts = shown.sure.iter().flatten();
         assert!(parts.clone().all(|part| (0.0..=1.0).contains(part)));
         assert!(parts.fold(0.0_f32, |most, part| most.max(*part)) > 0.5);
-        workbench.execute(Command::View(ViewChange::Colour(Colouring::State)));
+        workbench.execute(|bench| bench.view.colouring = Colouring::State);
         assert!(Shown::of(&workbench).sure.is_empty());
     }
 
     #[test]
     fn blending_takes_the_vectors_from_before_to_after() {
         let mut workbench = workbench();
-        workbench.execute(Command::Edit(Edit::Identify));
+        workbench.execute(|bench| bench.identify(None));
         workbench.receive();
         let longest = |workbench: &Workbench| {
             let lengths = (0..workbench.loaded_session().len()).map(|sample| {
@@ -411,11 +409,11 @@ mod tests {
             });
             lengths.fold(0.0, f64::max)
         };
-        workbench.execute(Command::View(ViewChange::Blend(0.0)));
+        workbench.execute(|bench| bench.view.blend = 0.0);
         let before = longest(&workbench);
-        workbench.execute(Command::View(ViewChange::Blend(0.5)));
+        workbench.execute(|bench| bench.view.blend = 0.5);
         let between = longest(&workbench);
-        workbench.execute(Command::View(ViewChange::Blend(1.0)));
+        workbench.execute(|bench| bench.view.blend = 1.0);
         let after = longest(&workbench);
         assert!(
             before > between && between > after,
@@ -437,7 +435,7 @@ mod tests {
     #[test]
     fn there_is_no_dial_where_the_joint_is_seen_from_the_side() {
         let mut workbench = workbench();
-        workbench.execute(Command::View(ViewChange::Look(Plane::Xz)));
+        workbench.execute(|bench| bench.view.look_in(Plane::Xz));
         assert_eq!(Shown::of(&workbench).dial, None);
     }
 }

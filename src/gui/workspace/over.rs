@@ -8,7 +8,7 @@ use egui::{FontId, Pos2, Rect, Response, Stroke, Ui, Vec2, vec2};
 use crate::gui::cache::cloud::Cloud;
 use crate::gui::scene::paint::Camera;
 use crate::gui::style::{Palette, size};
-use crate::gui::workbench::{Command, ViewChange, Workbench};
+use crate::gui::workbench::Workbench;
 use crate::present::numbers::trimmed;
 
 use super::layout;
@@ -49,12 +49,11 @@ impl Seen {
         workbench: &Workbench,
         camera: &Camera,
         (response, pointer): (&Response, Option<Pos2>),
-        commands: &mut Vec<Command>,
     ) {
         self.notes.keep(ui, &self.shown, camera.transform());
         show(ui, workbench, self, camera);
         let under = pointer.and_then(|at| under(workbench, &self.shown, camera, at));
-        hover(response, workbench, under, commands);
+        hover(response, workbench, under);
     }
 }
 
@@ -69,7 +68,7 @@ fn show(ui: &mut Ui, workbench: &Workbench, seen: &Seen, camera: &Camera) {
     let Some(robot) = &seen.robot else {
         return;
     };
-    let view = workbench.view();
+    let view = &workbench.view;
     // Only needed where something is written.
     let crowd = if view.selected.is_some() && view.hovered.is_none() {
         vector_points(workbench, all, camera)
@@ -188,14 +187,10 @@ fn label(ui: &Ui, place: Rect, says: &str) {
 const ANOTHER: f64 = 0.03;
 
 /// Says over how many points the workspace is drawn where all of it is in sight, where that has changed.
-pub(super) fn tell_plot_size(
-    workbench: &Workbench,
-    points_per_mm: f64,
-    commands: &mut Vec<Command>,
-) {
+pub(super) fn tell_plot_size(workbench: &Workbench, points_per_mm: f64) {
     let points = 2.0 * workbench.loaded_session().overview.radius_mm * points_per_mm;
-    let known = workbench.view().plot_size;
+    let known = workbench.view.plot_size;
     if points.is_finite() && points > 0.0 && (points / known - 1.0).abs() > ANOTHER {
-        commands.push(Command::View(ViewChange::PlotSize(points)));
+        workbench.then(move |bench| bench.view.plot_size = points);
     }
 }

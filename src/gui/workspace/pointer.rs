@@ -14,7 +14,7 @@ use crate::gui::core::quantity::joint_value;
 use crate::gui::scene::paint::Camera;
 use crate::gui::style::{DARK, LIGHT, size, strong};
 use crate::gui::view::{Colouring, ViewState};
-use crate::gui::workbench::{Command, ViewChange, Workbench};
+use crate::gui::workbench::Workbench;
 use crate::present::numbers::trimmed;
 
 use super::layout;
@@ -98,24 +98,19 @@ fn drawn_at(
 }
 
 /// Sends what is under the pointer, and says what it is.
-pub(crate) fn hover(
-    response: &egui::Response,
-    workbench: &Workbench,
-    under: Option<usize>,
-    commands: &mut Vec<Command>,
-) {
+pub(crate) fn hover(response: &egui::Response, workbench: &Workbench, under: Option<usize>) {
     if workbench.poses() {
         return;
     }
     let left = left(response, &response.ctx);
-    if (response.hovered() || left) && under != workbench.view().hovered {
-        commands.push(Command::View(ViewChange::Hover(under)));
+    if (response.hovered() || left) && under != workbench.view.hovered {
+        workbench.then(move |bench| bench.view.hovered = under);
     }
     if response.clicked() || response.secondary_clicked() && under.is_some() {
-        commands.push(Command::View(ViewChange::Select(under)));
+        workbench.then(move |bench| bench.view.select(under));
     }
-    if workbench.view().selected.is_some() {
-        response.context_menu(|ui| sample_menu(ui, workbench, commands));
+    if workbench.view.selected.is_some() {
+        response.context_menu(|ui| sample_menu(ui, workbench));
     }
     if let Some(sample) = under
         && let Some(pointer) = response.hover_pos()
@@ -126,7 +121,7 @@ pub(crate) fn hover(
 }
 
 /// What can be done with the chosen samples.
-pub(crate) fn sample_menu(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+pub(crate) fn sample_menu(ui: &mut Ui, workbench: &Workbench) {
     let ctx = ui.ctx().clone();
     let now = WindowState {
         ctx: &ctx,
@@ -137,7 +132,7 @@ pub(crate) fn sample_menu(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec
     let response = ui.add_enabled(EXCLUDE.enabled(now), button);
     response.widget_info(|| WidgetInfo::labeled(Role::Button, true, &name));
     if response.clicked() {
-        commands.push(EXCLUDE.command(now));
+        EXCLUDE.ask_for(now);
         ui.close();
     }
 }
@@ -170,7 +165,7 @@ fn card(response: &Response, workbench: &Workbench, sample: usize, pointer: Pos2
     let ctx = &response.ctx;
     let dark = ctx.global_style().visuals.dark_mode;
     let palette = if dark { DARK } else { LIGHT };
-    let chosen = workbench.view().selected == Some(sample);
+    let chosen = workbench.view.selected == Some(sample);
     let (title, lines) = if chosen {
         about(workbench, sample)
     } else {
@@ -234,8 +229,8 @@ fn brief(workbench: &Workbench, sample: usize) -> (String, Vec<Line>) {
     } else {
         lines.extend(all.iter().take(joints).cloned());
     }
-    let colour = workbench.view().colouring;
-    let component = workbench.view().component;
+    let colour = workbench.view.colouring;
+    let component = workbench.view.component;
     let matters = |name: &str| {
         [
             say!("excluded"),
@@ -377,8 +372,8 @@ mod tests {
         let mut workbench = workbench();
         let tilted = View::default().orbited([40.0, 25.0]);
         for camera in [View::from(Standard::Front), tilted] {
-            workbench.execute(Command::View(ViewChange::LookFrom(None)));
-            workbench.execute(Command::View(ViewChange::Turn(camera)));
+            workbench.execute(|bench| bench.view.look_from(None));
+            workbench.execute(|bench| bench.view.camera = camera);
             let shown = Shown::of(&workbench);
             let facing = workbench.facing();
             let loaded_session = workbench.loaded_session();

@@ -183,7 +183,6 @@ mod tests {
     use crate::gui::style::testing::{ColourVision, colour_distance, lightness};
     use crate::gui::style::{DARK, LIGHT, STOPS};
     use crate::gui::testing::workbench;
-    use crate::gui::workbench::{Command, ViewChange};
 
     #[test]
     fn every_colour_that_says_something_has_a_scale() {
@@ -194,24 +193,24 @@ mod tests {
             names.collect::<Vec<_>>()
         };
         assert!(named(&workbench).is_empty());
-        workbench.execute(Command::View(ViewChange::Colour(Colouring::Deviation)));
+        workbench.execute(|bench| bench.view.colouring = Colouring::Deviation);
         assert_eq!(named(&workbench), ["deviation, mm"]);
-        workbench.execute(Command::View(ViewChange::Heat(true)));
+        workbench.execute(|bench| bench.view.heat = true);
         workbench.receive();
         // The same scale for both.
         assert_eq!(named(&workbench), ["deviation, mm"]);
-        workbench.execute(Command::View(ViewChange::Colour(Colouring::Direction)));
+        workbench.execute(|bench| bench.view.colouring = Colouring::Direction);
         assert_eq!(named(&workbench), ["direction", "heat map, mm"]);
     }
 
     #[test]
     fn the_scale_of_the_heat_map_follows_from_before_to_after() {
         let mut workbench = workbench();
-        workbench.execute(Command::Edit(crate::gui::core::edit::Edit::Identify));
-        workbench.execute(Command::View(ViewChange::Heat(true)));
+        workbench.execute(|bench| bench.identify(None));
+        workbench.execute(|bench| bench.view.heat = true);
         workbench.receive();
         let mut end_mm = |blend: f32| {
-            workbench.execute(Command::View(ViewChange::Blend(blend)));
+            workbench.execute(|bench| bench.view.blend = blend);
             let scale = scales(&workbench, &Shown::of(&workbench)).pop();
             let [_, end] = scale.and_then(|s| s.ends).expect("the heat map's");
             end.trim_start_matches("≥ ")
@@ -229,10 +228,10 @@ mod tests {
     #[test]
     fn the_uncertainty_of_a_model_is_offered_once_there_is_one() {
         let mut workbench = workbench();
-        workbench.execute(Command::View(ViewChange::Colour(Colouring::Uncertainty)));
+        workbench.execute(|bench| bench.view.colouring = Colouring::Uncertainty);
         workbench.receive();
         assert!(scales(&workbench, &Shown::of(&workbench)).is_empty());
-        workbench.execute(Command::Edit(crate::gui::core::edit::Edit::Identify));
+        workbench.execute(|bench| bench.identify(None));
         workbench.receive();
         let shown = Shown::of(&workbench);
         let scale = scales(&workbench, &shown).pop().expect("a scale");
@@ -249,7 +248,7 @@ mod tests {
     #[test]
     fn a_condition_that_was_not_recorded_is_not_offered() {
         let mut workbench = workbench();
-        workbench.execute(Command::View(ViewChange::Colour(Colouring::Temperature)));
+        workbench.execute(|bench| bench.view.colouring = Colouring::Temperature);
         let shown = Shown::of(&workbench);
         assert_eq!(shown.look.colouring, Colouring::State);
         assert!(scales(&workbench, &shown).is_empty());

@@ -172,7 +172,7 @@ fn vectors(scene: &mut Scene, shown: &Shown, all: &[VisibleSample]) {
 
 /// The samples that a finding is about, and the one under the pointer or else the chosen one.
 pub(super) fn emphasised(scene: &mut Scene, workbench: &Workbench, all: &Shown) {
-    let (view, loaded_session) = (workbench.view(), workbench.loaded_session());
+    let (view, loaded_session) = (&workbench.view, workbench.loaded_session());
     let measured =
         |sample: usize| loaded_session.usable[sample].then(|| loaded_session.measured(sample));
     let ring = |scene: &mut Scene, at: [f64; 3]| {

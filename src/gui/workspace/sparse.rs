@@ -21,7 +21,7 @@ pub(super) fn sparse(workbench: &Workbench) -> bool {
 /// The samples with the largest deviations of those that are shown, and some of the others.
 pub(super) fn most_telling(workbench: &Workbench) -> Vec<u32> {
     let loaded_session = workbench.loaded_session();
-    let after = workbench.answer().filter(|_| workbench.view().blend > 0.0);
+    let after = workbench.answer().filter(|_| workbench.view.blend > 0.0);
     let lengths = after.map_or(&loaded_session.before.length_mm, |a| &a.lengths_mm);
     let mut largest = loaded_session.overview.usable.clone();
     largest.retain(|sample| lengths[*sample as usize].is_finite());
@@ -40,5 +40,5 @@ pub(super) fn most_telling(workbench: &Workbench) -> Vec<u32> {
 /// [`Readable::magnification`]: crate::gui::core::scale::Readable::magnification
 pub(super) fn room(workbench: &Workbench) -> f64 {
     let longer = if sparse(workbench) { LONGER } else { 1.0 };
-    workbench.view().plot_size / longer
+    workbench.view.plot_size / longer
 }

@@ -7,20 +7,20 @@ use crate::gui::plots::{gestures, picture};
 use crate::gui::style::space;
 use crate::gui::view::{Aspect, Plane, Plot};
 use crate::gui::widgets::{self, title};
-use crate::gui::workbench::{Command, ViewChange, Workbench};
+use crate::gui::workbench::Workbench;
 
 use super::display::{
     beneath, blend, colouring, everything, folded, length_folded, magnification, scale_for,
 };
 
 /// What stands at the beginning of the bar.
-pub(crate) type First<'a> = &'a mut dyn FnMut(&mut Ui, &mut Vec<Command>);
+pub(crate) type First<'a> = &'a mut dyn FnMut(&mut Ui);
 
 /// Room for it, points.
 const FIRST: f32 = 32.0;
 
 /// Something else that stands in the bar.
-pub(crate) type ExtraControls = fn(&mut Ui, &Workbench, &mut Vec<Command>);
+pub(crate) type ExtraControls = fn(&mut Ui, &Workbench);
 
 /// How much of the bar there is room for.
 #[derive(Clone, Copy, PartialEq)]
@@ -39,9 +39,8 @@ pub(crate) fn show(
     workbench: &Workbench,
     extra: Option<ExtraControls>,
     first: First<'_>,
-    commands: &mut Vec<Command>,
 ) {
-    let view = workbench.view();
+    let view = &workbench.view;
     let drawn = !workbench.loaded_session().is_empty();
     let blends = drawn && workbench.answer().is_some();
     let mut room = ui.available_size();
@@ -62,10 +61,10 @@ pub(crate) fn show(
     let bare = !roomy && beside_first > least - WORDS && extra.is_none();
     if let Some(beside) = extra {
         widgets::row(ui, |ui| {
-            beside(ui, workbench, commands);
+            beside(ui, workbench);
             if blends {
                 ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-                    blend(ui, workbench, commands);
+                    blend(ui, workbench);
                 });
             }
         });
@@ -80,26 +79,26 @@ pub(crate) fn show(
         },
         fold,
     };
-    row.show(ui, workbench, first, commands);
+    row.show(ui, workbench, first);
     if !drawn {
         return;
     }
     if fold != Fold::Tight {
         widgets::row(ui, |ui| {
             if fold == Fold::Narrow {
-                length_folded(ui, workbench, commands);
+                length_folded(ui, workbench);
             } else {
-                magnification(ui, workbench, commands);
-                scale_for(ui, workbench, commands);
+                magnification(ui, workbench);
+                scale_for(ui, workbench);
             }
-            beneath(ui, workbench, commands);
-            colouring(ui, workbench, commands);
+            beneath(ui, workbench);
+            colouring(ui, workbench);
         });
     }
     if blends && !roomy && !bare && extra.is_none() {
         ui.horizontal(|ui| {
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-                blend(ui, workbench, commands);
+                blend(ui, workbench);
             });
         });
     }
@@ -117,33 +116,28 @@ struct Row {
 }
 
 impl Row {
-    fn show(
-        &self,
-        ui: &mut Ui,
-        workbench: &Workbench,
-        first: First<'_>,
-        commands: &mut Vec<Command>,
-    ) {
+    fn show(&self, ui: &mut Ui, workbench: &Workbench, first: First<'_>) {
         widgets::row(ui, |ui| {
-            first(ui, commands);
+            first(ui);
             if ui.available_width() > self.least * stretch() {
                 title(ui, say!("Workspace"));
             }
-            ways(ui, workbench, self.fold, commands);
+            ways(ui, workbench, self.fold);
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 if self.drawn {
-                    picture(ui, Plot::Workspace, commands);
+                    picture(ui, Plot::Workspace, None, workbench);
                 }
-                let fit = Command::View(ViewChange::FitWorkspace);
-                gestures::fit(ui, say!("Fit to view"), fit, commands);
+                if gestures::fit(ui, say!("Fit to view")) {
+                    workbench.then(|bench| bench.view.fit_workspace());
+                }
                 if self.drawn && self.fold == Fold::Tight {
                     folded(ui, say!("display"), say!("How it is drawn"), |ui| {
-                        everything(ui, workbench, commands);
+                        everything(ui, workbench);
                     });
                 }
                 if self.blends {
                     ui.add_space(space::TIGHT);
-                    blend(ui, workbench, commands);
+                    blend(ui, workbench);
                 }
             });
         });
@@ -151,8 +145,8 @@ impl Row {
 }
 
 /// The ways to look at the workspace.
-fn ways(ui: &mut Ui, workbench: &Workbench, fold: Fold, commands: &mut Vec<Command>) {
-    let view = workbench.view();
+fn ways(ui: &mut Ui, workbench: &Workbench, fold: Fold) {
+    let view = &workbench.view;
     let planes = Plane::ALL.map(|plane| ((Aspect::Plane, plane), plane.name()));
     let space = ((Aspect::Space, view.plane), say!("3-D"));
     let views = [planes[0], planes[1], planes[2], space];
@@ -172,8 +166,8 @@ fn ways(ui: &mut Ui, workbench: &Workbench, fold: Fold, commands: &mut Vec<Comma
         widgets::list(ui, say!("View"), list, views, now)
     };
     match chosen {
-        Some((Aspect::Plane, plane)) => commands.push(Command::View(ViewChange::Look(plane))),
-        Some((Aspect::Space, _)) => commands.push(Command::View(ViewChange::LookFrom(None))),
+        Some((Aspect::Plane, plane)) => workbench.then(move |bench| bench.view.look_in(plane)),
+        Some((Aspect::Space, _)) => workbench.then(move |bench| bench.view.look_from(None)),
         None => {}
     }
 }

@@ -1,6 +1,7 @@
 //! Files beside the measured one, and the field in which the path of one is typed: commands, points that are known
 //! in the base frame, reflectors.
 
+use crate::gui::workbench::Workbench;
 use std::path::{Path, PathBuf};
 
 use egui::{DragValue, Grid, RichText, TextEdit, Ui};
@@ -14,14 +15,13 @@ use crate::gui::core::disk::name_of;
 use crate::gui::import_draft::{Companion, ImportAnswers, ImportDraft};
 use crate::gui::style::{Palette, size, space, strong};
 use crate::gui::widgets;
-use crate::gui::workbench::{Asked, Command};
 
 /// Where the robot was sent.
 pub(super) fn commanded(
     ui: &mut Ui,
     now: &ImportDraft,
     next: &mut ImportAnswers,
-    commands: &mut Vec<Command>,
+    workbench: &Workbench,
 ) {
     let title = say!("Commanded positions, if the table does not have them");
     let field = (
@@ -30,7 +30,7 @@ pub(super) fn commanded(
     );
     widgets::section(ui, title);
     let which = (Companion::Commands, now);
-    path(ui, field, &mut next.commands, which, commands);
+    path(ui, field, &mut next.commands, which, workbench);
     if next.commands.trim().is_empty() {
         return;
     }
@@ -112,7 +112,7 @@ pub(super) fn base_frame(
     ui: &mut Ui,
     now: &ImportDraft,
     next: &mut ImportAnswers,
-    commands: &mut Vec<Command>,
+    workbench: &Workbench,
 ) {
     let title = say!("Reference points (base frame), if the instrument has a frame of its own");
     let field = (
@@ -121,7 +121,7 @@ pub(super) fn base_frame(
     );
     widgets::section(ui, title);
     let which = (Companion::Reference, now);
-    path(ui, field, &mut next.reference, which, commands);
+    path(ui, field, &mut next.reference, which, workbench);
     if next.reference.trim().is_empty() {
         return;
     }
@@ -206,7 +206,7 @@ pub(super) fn reflectors(
     open: &[Target],
     now: &ImportDraft,
     next: &mut ImportAnswers,
-    commands: &mut Vec<Command>,
+    workbench: &Workbench,
 ) {
     let title = say!("Reflectors in the tool frame, if there are several");
     let field = (
@@ -215,7 +215,7 @@ pub(super) fn reflectors(
     );
     widgets::section(ui, title);
     let which = (Companion::Targets, now);
-    path(ui, field, &mut next.targets, which, commands);
+    path(ui, field, &mut next.targets, which, workbench);
     if open.len() > 1 && next.targets.trim().is_empty() {
         let names: Vec<&str> = open.iter().map(|target| &*target.name).collect();
         let text = say!(
@@ -237,7 +237,7 @@ pub(super) fn path(
     (label, hint): (&str, &str),
     typed: &mut String,
     (which, now): (Companion, &ImportDraft),
-    commands: &mut Vec<Command>,
+    workbench: &Workbench,
 ) -> bool {
     let mut changed = false;
     ui.horizontal(|ui| {
@@ -252,7 +252,7 @@ pub(super) fn path(
         let button = ui.button(say!("Choose…"));
         widgets::label(&button, say!("Choose: {label}", label));
         if button.clicked() {
-            commands.push(Command::Ask(Asked::Beside(which)));
+            workbench.then(move |bench| bench.choose_beside(which));
         }
     });
     if !typed.trim().is_empty() {

@@ -15,17 +15,17 @@ use crate::gui::style::layout::MIDDLE;
 use crate::gui::style::{Palette, space};
 use crate::gui::view::{Content, Key, Pane, Panes, SplitShare, Tile};
 use crate::gui::widgets::{self, Gripped};
-use crate::gui::workbench::{Command, ViewChange, Workbench};
+use crate::gui::workbench::Workbench;
 
 use pane::{contents, name_of, switch};
 
-pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
-    let panes = &workbench.view().panes;
+pub(crate) fn show(ui: &mut Ui, workbench: &Workbench) {
+    let panes = &workbench.view.panes;
     let room = ui.available_size();
     if fits(&panes.root, room) {
-        tree(ui, workbench, commands);
+        tree(ui, workbench);
     } else if let Some(active) = panes.pane(panes.active()) {
-        contents(ui, workbench, active, Some(switch), commands);
+        contents(ui, workbench, active, Some(switch));
         settle(ui, active.key);
     }
 }
@@ -177,8 +177,8 @@ fn taken_over(tiles: &Tiles<Key>, id: TileId, panes: &Panes) -> Option<Tile> {
 
 /// The tree of panes as tiles of `egui_tiles`, which lays them out and lets them be dragged; the grips
 /// between them are those of the window, which have a name and listen to the arrow keys.
-fn tree(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
-    let panes = &workbench.view().panes;
+fn tree(ui: &mut Ui, workbench: &Workbench) {
+    let panes = &workbench.view.panes;
     let room = ui.available_rect_before_wrap();
     let mut tiles = Tiles::default();
     let root = laid_out(&panes.root, room.size(), &mut tiles, &mut 0);
@@ -190,7 +190,6 @@ fn tree(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         palette: Palette::of(ui),
         dropped: false,
         dragged: dragged.map(|id| (id, Rect::NOTHING)),
-        commands: &mut *commands,
     };
     tree.ui(&mut middle, ui);
     let dropped = middle.dropped && !middle.is_at_home(ui.painter());
@@ -201,21 +200,14 @@ fn tree(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         if let Some(TileId(key)) = dragged {
             next.activate(Key::try_from(key).unwrap_or_default());
         }
-        commands.push(Command::View(ViewChange::Panes(Box::new(next))));
+        workbench.then(move |bench| bench.arrange(next));
     } else if dragged.is_none() {
-        pulled(ui, workbench, &panes.root, room, &mut Vec::new(), commands);
+        pulled(ui, workbench, &panes.root, room, &mut Vec::new());
     }
 }
 
 /// The grips between the parts of a tile, and of all that is in it; `way` leads to it.
-fn pulled(
-    ui: &Ui,
-    workbench: &Workbench,
-    tile: &Tile,
-    area: Rect,
-    way: &mut Vec<usize>,
-    commands: &mut Vec<Command>,
-) {
+fn pulled(ui: &Ui, workbench: &Workbench, tile: &Tile, area: Rect, way: &mut Vec<usize>) {
     let Some((side_by_side, parts)) = tile.parts() else {
         return;
     };
@@ -227,7 +219,7 @@ fn pulled(
         let mut inner = area;
         (inner.min[axis], inner.max[axis]) = (from, to);
         way.push(k);
-        pulled(ui, workbench, &part.tile, inner, way, commands);
+        pulled(ui, workbench, &part.tile, inner, way);
         way.pop();
         if k + 1 < parts.len() {
             let mut gap = area;
@@ -254,13 +246,14 @@ fn pulled(
             let at = at.min(both - needs[1]).max(needs[0]);
             let mut sizes = sizes.clone();
             (sizes[k], sizes[k + 1]) = (at, both - at);
-            let mut panes = workbench.view().panes.clone();
+            let mut panes = workbench.view.panes.clone();
             resize(&mut panes.root, way, &sizes);
-            let panes = Box::new(panes);
-            commands.push(if kept {
-                Command::View(ViewChange::Panes(panes))
-            } else {
-                Command::View(ViewChange::Pull(panes))
+            workbench.then(move |bench| {
+                if kept {
+                    bench.arrange(panes);
+                } else {
+                    bench.view.panes = panes;
+                }
             });
         }
         from = to + GAP;
@@ -301,7 +294,6 @@ struct Middle<'a> {
     dropped: bool,
     /// The one that is dragged, and where it stands.
     dragged: Option<(TileId, Rect)>,
-    commands: &'a mut Vec<Command>,
 }
 
 impl Middle<'_> {
@@ -325,12 +317,13 @@ impl Behavior<Key> for Middle<'_> {
             *home = rect;
         }
         ui.shrink_clip_rect(rect);
-        let handle = contents(ui, self.workbench, pane, None, self.commands);
+        let handle = contents(ui, self.workbench, pane, None);
         let pressed = ui.input(|input| input.pointer.any_pressed());
         let active = self.panes.active() == *key;
         if pressed && !active && ui.rect_contains_pointer(rect) {
-            self.commands
-                .push(Command::View(ViewChange::Activate(*key)));
+            let key = *key;
+            self.workbench
+                .then(move |bench| bench.view.panes.activate(key));
         }
         if active && self.panes.panes().len() > 2 {
             let line = Stroke::new(space::RING, self.palette.accent);

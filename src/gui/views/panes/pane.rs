@@ -5,13 +5,13 @@ use egui::{Button, Popup, Response, Role, Sense, Ui, WidgetInfo, vec2};
 use crate::gui::actions::{CHART_BELOW, CHART_BESIDE, CLOSE_CHART, WindowState};
 use crate::gui::style::{Palette, space};
 use crate::gui::view::{ChartPane, Content, Edge, Key, Pane, Plot, What};
-use crate::gui::workbench::{Asked, Command, ViewChange, Workbench};
+use crate::gui::workbench::Workbench;
 use crate::gui::{widgets, workspace};
 
 use super::chart;
 
 /// What stands above a pane that is shown in place of all.
-pub(super) type Above = fn(&mut Ui, &Workbench, &mut Vec<Command>);
+pub(super) type Above = fn(&mut Ui, &Workbench);
 
 /// A pane with its bar. Its handle, which the pointer moves it by where several are shown.
 pub(super) fn contents(
@@ -19,7 +19,6 @@ pub(super) fn contents(
     workbench: &Workbench,
     pane: &Pane,
     above: Option<Above>,
-    commands: &mut Vec<Command>,
 ) -> Option<Response> {
     let whole = ui.available_rect_before_wrap();
     ui.painter()
@@ -28,30 +27,30 @@ pub(super) fn contents(
     let mut handle = None;
     ui.scope_builder(inside, |ui| match &pane.shows {
         Content::Workspace => {
-            let mut first = |ui: &mut Ui, commands: &mut Vec<Command>| {
-                handle = Some(grip(ui, workbench, pane, commands));
+            let mut first = |ui: &mut Ui| {
+                handle = Some(grip(ui, workbench, pane));
             };
-            workspace::bar(ui, workbench, above, &mut first, commands);
-            workspace::show(ui, workbench, commands);
+            workspace::bar(ui, workbench, above, &mut first);
+            workspace::show(ui, workbench);
         }
         Content::Chart(looked_at) => {
             if let Some(above) = above {
-                widgets::row(ui, |ui| above(ui, workbench, commands));
+                widgets::row(ui, |ui| above(ui, workbench));
             }
             let place = place(workbench, pane.key, looked_at);
-            let mut first = |ui: &mut Ui, commands: &mut Vec<Command>| {
-                handle = Some(grip(ui, workbench, pane, commands));
+            let mut first = |ui: &mut Ui| {
+                handle = Some(grip(ui, workbench, pane));
             };
-            chart::show(ui, workbench, place, &mut first, commands);
+            chart::show(ui, workbench, place, &mut first);
         }
     });
     handle
 }
 
 fn place<'a>(workbench: &Workbench, key: Key, pane: &'a ChartPane) -> chart::Place<'a> {
-    let mut charts = workbench.view().panes.charts();
+    let mut charts = workbench.view.panes.charts();
     let number = charts.position(|(one, _)| one == key).map_or(1, |k| k + 1);
-    let several = workbench.view().panes.charts().count() > 1;
+    let several = workbench.view.panes.charts().count() > 1;
     chart::Place {
         key,
         pane,
@@ -60,7 +59,7 @@ fn place<'a>(workbench: &Workbench, key: Key, pane: &'a ChartPane) -> chart::Pla
 }
 
 /// Six dots: what a pane is moved by, and where it says what can be done with it.
-fn grip(ui: &mut Ui, workbench: &Workbench, pane: &Pane, commands: &mut Vec<Command>) -> Response {
+fn grip(ui: &mut Ui, workbench: &Workbench, pane: &Pane) -> Response {
     let name = name_of(workbench, pane);
     let says = say!("Arrange {plot}", plot = name);
     let (button, color) = widgets::bare_button(ui, &says, Sense::click_and_drag());
@@ -75,13 +74,13 @@ fn grip(ui: &mut Ui, workbench: &Workbench, pane: &Pane, commands: &mut Vec<Comm
         ui.painter()
             .circle_filled(button.rect.center() + vec2(x, y), 1.5, color);
     }
-    menu(ui, workbench, pane, &button, commands);
+    menu(ui, workbench, pane, &button);
     button.on_hover_text(say!("Drag to move it; click to split, move or close it"))
 }
 
 /// Which pane is shown where there is room for one only.
-pub(super) fn switch(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
-    let panes = &workbench.view().panes;
+pub(super) fn switch(ui: &mut Ui, workbench: &Workbench) {
+    let panes = &workbench.view.panes;
     let several = panes.charts().count() > 1;
     let mut number = 0;
     let names = panes.panes().into_iter().map(|pane| match pane.shows {
@@ -105,7 +104,7 @@ pub(super) fn switch(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comm
         .map(|(key, short, long)| (*key, short.as_str(), long.as_str()))
         .collect();
     if let Some(key) = widgets::segmented_named(ui, &named, panes.active()) {
-        commands.push(Command::View(ViewChange::Activate(key)));
+        workbench.then(move |bench| bench.view.panes.activate(key));
     }
 }
 
@@ -118,13 +117,7 @@ pub(super) fn name_of(workbench: &Workbench, pane: &Pane) -> String {
 }
 
 /// What can be done with a pane: the menu of its handle.
-fn menu(
-    ui: &Ui,
-    workbench: &Workbench,
-    pane: &Pane,
-    handle: &Response,
-    commands: &mut Vec<Command>,
-) {
+fn menu(ui: &Ui, workbench: &Workbench, pane: &Pane, handle: &Response) {
     let ctx = ui.ctx().clone();
     let now = WindowState {
         ctx: &ctx,
@@ -147,27 +140,27 @@ fn menu(
                 (say!("Save picture…"), What::Picture(plot)),
             ] {
                 if item(ui, name, None, true) {
-                    commands.push(Command::View(ViewChange::Activate(key)));
-                    commands.push(Command::Ask(Asked::WhereToExport(what)));
+                    workbench.then(move |bench| bench.view.panes.activate(key));
+                    workbench.then(move |bench| bench.choose_where_to_export(what));
                 }
             }
             if item(ui, say!("Copy numbers"), None, true) {
-                commands.push(Command::View(ViewChange::Activate(key)));
-                commands.push(Command::CopyNumbers(id));
+                workbench.then(move |bench| bench.view.panes.activate(key));
+                workbench.then(move |bench| bench.copy_numbers(id));
             }
             if item(ui, say!("Fit chart to view"), None, true) {
-                commands.push(Command::View(ViewChange::FitChart(key)));
+                workbench.then(move |bench| bench.view.panes.fit(key));
             }
             ui.separator();
         }
-        let panes = &workbench.view().panes;
+        let panes = &workbench.view.panes;
         let active = panes.active() == key;
         // The keys are for the active pane.
         let keys = |action: &crate::gui::actions::Action| active.then(|| action.keys(&ctx));
         for (action, edge) in [(CHART_BESIDE, Edge::Right), (CHART_BELOW, Edge::Bottom)] {
             if item(ui, &action.label(now), keys(&action), panes.has_room()) {
                 let with = workbench.with_chart(key, edge);
-                commands.push(Command::View(ViewChange::Panes(Box::new(with))));
+                workbench.then(move |bench| bench.arrange(with));
             }
         }
         if panes.panes().len() > 1 {
@@ -180,14 +173,14 @@ fn menu(
                     Edge::Bottom => say!("Move to the bottom"),
                 };
                 if item(ui, name, None, true) {
-                    commands.push(workbench.rearranged(|panes| panes.move_to(key, edge)));
+                    workbench.then(move |bench| bench.rearrange(|panes| panes.move_to(key, edge)));
                 }
             }
         }
         if pane.shows != Content::Workspace {
             ui.separator();
             if item(ui, &CLOSE_CHART.label(now), keys(&CLOSE_CHART), true) {
-                commands.push(workbench.rearranged(|panes| panes.close(key)));
+                workbench.then(move |bench| bench.rearrange(|panes| panes.close(key)));
             }
         }
     });

@@ -8,10 +8,9 @@ use egui::{Align, DragValue, Layout, Ui};
 use crate::gui::core::boundaries;
 use crate::gui::core::by_angle::Count;
 use crate::gui::core::document::{Division, Method};
-use crate::gui::core::edit::Edit;
 use crate::gui::style::space;
 use crate::gui::view::Step;
-use crate::gui::workbench::{Command, ViewChange, Workbench, of_field};
+use crate::gui::workbench::Workbench;
 use crate::gui::{help, widgets};
 use crate::present::numbers::grouped;
 
@@ -46,7 +45,7 @@ fn state(workbench: &Workbench) -> (String, Progress) {
     (caption, Progress::of(used))
 }
 
-fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+fn show(ui: &mut Ui, workbench: &Workbench) {
     let loaded_session = workbench.loaded_session();
     if loaded_session.is_empty() {
         widgets::hint(
@@ -60,18 +59,18 @@ fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let counts = loaded_session
         .angles()
         .by_region(&workbench.document().regions);
-    division(ui, workbench, commands);
+    division(ui, workbench);
     if workbench.document().regions.is_empty() {
         none(ui, workbench);
         return;
     }
     ui.add_space(space::TIGHT);
-    rows::show(ui, workbench, &counts, commands);
+    rows::show(ui, workbench, &counts);
     left_out(ui, workbench, &counts);
 }
 
 /// How the range is divided.
-fn division(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+fn division(ui: &mut Ui, workbench: &Workbench) {
     let document = workbench.document();
     let present = document.regions.len();
     let number = if present == 0 { OFFERED } else { present };
@@ -94,20 +93,32 @@ fn division(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         chosen
     });
     match chosen {
-        Some(0) => commands.push(Command::Edit(Edit::Divide(number))),
-        Some(1) if present > 0 => commands.push(Command::Edit(Edit::KeepRegions)),
-        Some(1) => commands.push(Command::Edit(Edit::RegionsOfSession)),
-        Some(_) => commands.push(Command::Adapt),
+        Some(0) => workbench.then(move |bench| {
+            bench.edit(phrase!("divide into regions"), |document| {
+                document.divide(number)
+            })
+        }),
+        Some(1) if present > 0 => workbench.then(move |bench| {
+            bench.edit(phrase!("keep the regions"), |document| {
+                document.keep_regions()
+            })
+        }),
+        Some(1) => workbench.then(move |bench| {
+            bench.edit(phrase!("take regions from session"), |document| {
+                document.regions_of_session()
+            })
+        }),
+        Some(_) => workbench.then(Workbench::adapt),
         None => {}
     }
     match &document.division {
-        Division::Even => evenly(ui, workbench, commands),
+        Division::Even => evenly(ui, workbench),
         Division::Given => {
             widgets::hint(
                 ui,
                 say!("Drag a boundary on the plot, or type it; the identification follows at once"),
             );
-            own(ui, workbench, commands);
+            own(ui, workbench);
         }
         Division::Adaptive(decision) => {
             widgets::hint(ui, decision.describe(workbench.units()));
@@ -115,7 +126,7 @@ fn division(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     }
 }
 
-fn evenly(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+fn evenly(ui: &mut Ui, workbench: &Workbench) {
     let present = workbench.document().regions.len();
     let mut number = if present == 0 { OFFERED } else { present };
     let before = number;
@@ -128,15 +139,20 @@ fn evenly(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
             } else {
                 say!(in "unit", " regions")
             });
-        let response = widgets::cell_number(ui, say!("Number of regions"), "", 110.0, field);
+        widgets::cell_number(ui, say!("Number of regions"), "", 110.0, field);
         let divide = present == 0 && ui.button(say!("Divide")).clicked();
-        let edit = (number != before || divide).then_some(Edit::Divide(number));
-        commands.extend(of_field(&response, edit));
+        if number != before || divide {
+            workbench.then(move |bench| {
+                bench.edit(phrase!("divide into regions"), |document| {
+                    document.divide(number)
+                });
+            });
+        }
     });
 }
 
 /// Offers the regions that the session brings along.
-fn own(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+fn own(ui: &mut Ui, workbench: &Workbench) {
     let own = &workbench.loaded_session().session.regions;
     if own.is_empty() || own[..] == workbench.document().regions[..] {
         return;
@@ -146,7 +162,11 @@ fn own(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         .on_hover_text(say!("take the regions that the session brings along"))
         .clicked()
     {
-        commands.push(Command::Edit(Edit::RegionsOfSession));
+        workbench.then(move |bench| {
+            bench.edit(phrase!("take regions from session"), |document| {
+                document.regions_of_session()
+            })
+        });
     }
 }
 
@@ -202,7 +222,7 @@ fn left_out(ui: &mut Ui, workbench: &Workbench, counts: &[Count]) {
     }
 }
 
-fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+fn next(ui: &mut Ui, workbench: &Workbench) {
     let document = workbench.document();
     let regional = document.identified && document.method == Method::Regional;
     let loaded_session = workbench.loaded_session();
@@ -213,11 +233,11 @@ fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         let says = say!("Optional: fills the next step, Identify, region by region");
         widgets::hint_above_the_button(ui, says);
         if widgets::primary(ui, say!("Identify by region")).clicked() {
-            commands.push(Command::Edit(Edit::IdentifyBy(Method::Regional)));
+            workbench.then(move |bench| bench.identify(Some(Method::Regional)));
         }
         return;
     }
     if widgets::primary(ui, say!("Continue to identify")).clicked() {
-        commands.push(Command::View(ViewChange::GoTo(Step::Identify)));
+        workbench.then(move |bench| bench.view.step = Step::Identify);
     }
 }

@@ -1,11 +1,10 @@
 //! What can be done with a region: a menu at the end of its row, and keys while that has the focus.
 
+use crate::gui::workbench::Workbench;
 use egui::{Button, Id, Key, Modifiers, Ui};
 
 use crate::gui::core::boundaries;
-use crate::gui::core::edit::Edit;
 use crate::gui::widgets;
-use crate::gui::workbench::Command;
 use crate::sessions::Region;
 
 /// Widths of the columns: name, from, to, samples, what can be done; the ends share what is left.
@@ -31,7 +30,10 @@ struct RowAction {
 }
 
 enum RowEffect {
-    Edit(Edit),
+    Split,
+    /// Of this and the one after it.
+    Join(usize),
+    Delete,
     Rename,
 }
 
@@ -47,7 +49,7 @@ fn deeds(regions: &[Region], k: usize) -> [RowAction; 4] {
             key: Key::S,
             shown: "S",
             does: crate::gui::core::boundaries::split(regions, k)
-                .map(|_| RowEffect::Edit(Edit::Split(k)))
+                .map(|_| RowEffect::Split)
                 .ok_or(say!("it is too narrow")),
         },
         RowAction {
@@ -61,7 +63,7 @@ fn deeds(regions: &[Region], k: usize) -> [RowAction; 4] {
             does: next
                 .map(|_| k)
                 .or(before)
-                .map(|first| RowEffect::Edit(Edit::Join(first)))
+                .map(RowEffect::Join)
                 .ok_or(say!("no region touches it")),
         },
         RowAction {
@@ -69,7 +71,7 @@ fn deeds(regions: &[Region], k: usize) -> [RowAction; 4] {
             key: Key::Delete,
             shown: "Del",
             does: (!last)
-                .then_some(RowEffect::Edit(Edit::Delete(k)))
+                .then_some(RowEffect::Delete)
                 .ok_or(say!("the last region stays")),
         },
         RowAction {
@@ -81,7 +83,7 @@ fn deeds(regions: &[Region], k: usize) -> [RowAction; 4] {
     ]
 }
 
-pub(super) fn more(ui: &mut Ui, regions: &[Region], k: usize, commands: &mut Vec<Command>) {
+pub(super) fn more(ui: &mut Ui, regions: &[Region], k: usize, workbench: &Workbench) {
     let mut done = None;
     let menu = ui.scope(|ui| {
         ui.spacing_mut().button_padding = egui::vec2(4.0, 2.0);
@@ -117,7 +119,15 @@ pub(super) fn more(ui: &mut Ui, regions: &[Region], k: usize, commands: &mut Vec
         }
     }
     match done {
-        Some(RowEffect::Edit(edit)) => commands.push(Command::Edit(edit)),
+        Some(RowEffect::Split) => workbench.then(move |bench| {
+            bench.edit(phrase!("split region"), |document| document.split(k));
+        }),
+        Some(RowEffect::Join(first)) => workbench.then(move |bench| {
+            bench.edit(phrase!("merge regions"), |document| document.join(first));
+        }),
+        Some(RowEffect::Delete) => workbench.then(move |bench| {
+            bench.edit(phrase!("delete region"), |document| document.delete(k));
+        }),
         Some(RowEffect::Rename) => {
             let id = name_id(ui, k);
             ui.memory_mut(|memory| memory.request_focus(id));

@@ -4,10 +4,9 @@ use egui::{Align, DragValue, Key, Layout, RichText, TextEdit, Ui, UiBuilder, vec
 
 use crate::gui::core::boundaries::{self, End, SNAP_DEG};
 use crate::gui::core::by_angle::Count;
-use crate::gui::core::edit::Edit;
 use crate::gui::style::{Palette, size, space};
 use crate::gui::widgets;
-use crate::gui::workbench::{Command, ViewChange, Workbench, of_field};
+use crate::gui::workbench::Workbench;
 use crate::present::numbers::{grouped, trimmed};
 use crate::present::units::{AngleUnit, Units};
 use crate::sessions::regions::Assignment;
@@ -31,12 +30,7 @@ fn columns(available: f32) -> [f32; 5] {
     [name, end, end, samples, more]
 }
 
-pub(super) fn show(
-    ui: &mut Ui,
-    workbench: &Workbench,
-    counts: &[Count],
-    commands: &mut Vec<Command>,
-) {
+pub(super) fn show(ui: &mut Ui, workbench: &Workbench, counts: &[Count]) {
     let regions = &workbench.document().regions;
     let units = workbench.units();
     ui.spacing_mut().item_spacing = vec2(GAP, 3.0);
@@ -45,12 +39,12 @@ pub(super) fn show(
     head(ui, columns, units);
     for (k, region) in regions.iter().enumerate().take(MOST_LISTED) {
         ui.horizontal(|ui| {
-            name(ui, k, &region.name, commands);
+            name(ui, k, &region.name, workbench);
             for end in [End::From, End::To] {
-                angle(ui, columns[1], workbench, (k, end), commands);
+                angle(ui, columns[1], workbench, (k, end));
             }
-            samples(ui, workbench, k, counts[k], commands);
-            row::more(ui, regions, k, commands);
+            samples(ui, workbench, k, counts[k]);
+            row::more(ui, regions, k, workbench);
         });
         if let Some(says) = few(counts[k]) {
             note(ui, &says);
@@ -129,7 +123,7 @@ fn note(ui: &mut Ui, text: &str) {
     });
 }
 
-fn name(ui: &mut Ui, region: usize, name: &str, commands: &mut Vec<Command>) {
+fn name(ui: &mut Ui, region: usize, name: &str, workbench: &Workbench) {
     let id = name_id(ui, region);
     let typed: Option<String> = ui.data_mut(|data| data.get_temp(id));
     let mut text = typed.unwrap_or_else(|| name.to_owned());
@@ -147,19 +141,17 @@ fn name(ui: &mut Ui, region: usize, name: &str, commands: &mut Vec<Command>) {
         return;
     }
     if field.lost_focus() && text != name && !escaped {
-        commands.push(Command::Edit(Edit::Rename(region, text)));
+        workbench.then(move |bench| {
+            bench.edit(phrase!("rename region"), |document| {
+                document.rename(region, &text)
+            })
+        });
     }
     ui.data_mut(|data| data.remove::<String>(id));
 }
 
 /// The number of an end. It stops at its neighbours, as a boundary that is dragged does.
-fn angle(
-    ui: &mut Ui,
-    width: f32,
-    workbench: &Workbench,
-    (k, end): (usize, End),
-    commands: &mut Vec<Command>,
-) {
+fn angle(ui: &mut Ui, width: f32, workbench: &Workbench, (k, end): (usize, End)) {
     let (regions, units) = (&workbench.document().regions, workbench.units());
     let (name, at_rad) = match end {
         End::From => (
@@ -188,20 +180,19 @@ fn angle(
         .speed(units.angle_value(rad_from_deg(SNAP_DEG)))
         .custom_formatter(move |value, _| trimmed(value, digits))
         .range(units.angle_value(low)..=units.angle_value(high));
-    let response = widgets::cell_number(ui, &name, units.angle_name().trim(), width, field);
+    widgets::cell_number(ui, &name, units.angle_name().trim(), width, field);
     let to_rad = value / units.angle_value(1.0);
-    let edit = (value != before).then_some(Edit::MoveBoundary(boundary, to_rad));
-    commands.extend(of_field(&response, edit));
+    if value != before {
+        workbench.then(move |bench| {
+            bench.edit(phrase!("move boundary"), |document| {
+                document.move_boundary(boundary, to_rad)
+            });
+        });
+    }
 }
 
 /// The number of samples; pressed, it shows them.
-fn samples(
-    ui: &mut Ui,
-    workbench: &Workbench,
-    k: usize,
-    count: Count,
-    commands: &mut Vec<Command>,
-) {
+fn samples(ui: &mut Ui, workbench: &Workbench, k: usize, count: Count) {
     let region = &workbench.document().regions[k];
     let palette = Palette::of(ui);
     let room = egui::Rect::from_min_size(ui.cursor().min, vec2(COLUMNS[3], HEIGHT));
@@ -229,7 +220,8 @@ fn samples(
     };
     widgets::label(&response, says.clone());
     if response.on_hover_text(says).clicked() {
-        commands.push(Command::View(ViewChange::Mark(samples_of(workbench, k))));
+        let samples = samples_of(workbench, k);
+        workbench.then(|bench| bench.view.mark(samples));
     }
 }
 

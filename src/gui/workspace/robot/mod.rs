@@ -81,7 +81,7 @@ pub(crate) struct Drawn {
 impl Drawn {
     /// The robot at the sample that is pointed at or chosen, or else at one in the middle.
     pub(crate) fn of(workbench: &Workbench) -> Option<Self> {
-        let (loaded_session, view) = (&**workbench.loaded_session(), workbench.view());
+        let (loaded_session, view) = (&**workbench.loaded_session(), &workbench.view);
         let robot = &loaded_session.session.robot;
         let asked = view
             .hovered
@@ -219,10 +219,8 @@ fn real(workbench: &Workbench, sample: usize, corners: &[Point3<f64>]) -> Option
 mod tests {
     use std::sync::Arc;
 
-    use crate::gui::core::edit::Edit;
     use crate::gui::testing::workbench;
     use crate::gui::view::Plane;
-    use crate::gui::workbench::{Command, ViewChange};
 
     use super::*;
 
@@ -231,11 +229,11 @@ mod tests {
         let mut workbench = workbench();
         let faint = Drawn::of(&workbench).expect("there are samples");
         assert!(!faint.asked_for && faint.describe().contains("as an example"));
-        workbench.execute(Command::View(ViewChange::Select(Some(30))));
+        workbench.execute(|bench| bench.view.select(Some(30)));
         let chosen = Drawn::of(&workbench).expect("there are samples");
         assert!(chosen.asked_for);
         assert_eq!(chosen.describe(), "robot at sample 31: pan 0°");
-        workbench.execute(Command::View(ViewChange::Hover(Some(0))));
+        workbench.execute(|bench| bench.view.hovered = Some(0));
         let hovered = Drawn::of(&workbench).expect("there are samples");
         assert_eq!(hovered.describe(), "robot at sample 1: pan −90°");
     }
@@ -243,7 +241,7 @@ mod tests {
     #[test]
     fn the_real_robot_is_displaced_by_the_magnified_deviation_and_never_off_the_plot() {
         let mut workbench = workbench();
-        workbench.execute(Command::View(ViewChange::Select(Some(30))));
+        workbench.execute(|bench| bench.view.select(Some(30)));
         let displacement = |workbench: &Workbench| {
             let drawn = Drawn::of(workbench).expect("there are samples");
             let real = drawn.real.expect("it was measured");
@@ -256,13 +254,13 @@ mod tests {
             )
         };
         let e = workbench.loaded_session().deviation_before(30);
-        workbench.execute(Command::View(ViewChange::Magnify(Some(2.0))));
+        workbench.execute(|bench| bench.view.magnification = Some(2.0));
         let (moved, times, identified) = displacement(&workbench);
         assert!((moved - 2.0 * e[0].hypot(e[1])).abs() < 1e-9);
         assert!(times == 2.0 && !identified);
-        workbench.execute(Command::Edit(Edit::Identify));
+        workbench.execute(|bench| bench.identify(None));
         workbench.receive();
-        workbench.execute(Command::View(ViewChange::Magnify(Some(5000.0))));
+        workbench.execute(|bench| bench.view.magnification = Some(5000.0));
         let (moved, times, identified) = displacement(&workbench);
         assert!(identified && times < 5000.0);
         assert!(moved <= MOST_DISPLACED * workbench.loaded_session().overview.reach_mm + 1e-9);
@@ -272,7 +270,7 @@ mod tests {
     fn everything_of_the_robot_is_within_the_plots_bounds() {
         let mut workbench = workbench();
         for plane in Plane::ALL {
-            workbench.execute(Command::View(ViewChange::Look(plane)));
+            workbench.execute(|bench| bench.view.look_in(plane));
             let shown = crate::gui::workspace::model::Shown::of(&workbench);
             let [low, high] = crate::gui::workspace::layout::bounds(&shown);
             let drawn = Drawn::of(&workbench).expect("there are samples");

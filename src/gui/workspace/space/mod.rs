@@ -17,7 +17,7 @@ use crate::gui::scene::screen::Screen;
 use crate::gui::style::{Palette, size};
 use crate::gui::view::Camera;
 use crate::gui::widgets::{self, caption, fine};
-use crate::gui::workbench::{Command, ViewChange, Workbench};
+use crate::gui::workbench::Workbench;
 use crate::kinematics::JointKind;
 use crate::numeric::extent;
 
@@ -31,7 +31,7 @@ const FORESHORTENED: f64 = std::f64::consts::FRAC_PI_4;
 const SLIDERS: f32 = 176.0;
 
 /// Shows the view in the space that is left, and sends what the pointer does.
-pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, posing: bool, commands: &mut Vec<Command>) {
+pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, posing: bool) {
     let palette = Palette::of(ui);
     let seen = Seen::of(ui, workbench);
     if posing && let Some(robot) = &seen.robot {
@@ -39,18 +39,18 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, posing: bool, commands: &
             .resizable(false)
             .exact_size(SLIDERS)
             .frame(egui::Frame::NONE.inner_margin(egui::Margin::symmetric(8, 4)))
-            .show(ui, |ui| pose(ui, workbench, &robot.q, commands));
+            .show(ui, |ui| pose(ui, workbench, &robot.q));
     }
     let (rect, response) = ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
     let space = Space::new(workbench, rect);
     let camera = &space.camera;
     let whole = Camera {
         zoom: 1.0,
-        ..workbench.view().camera
+        ..workbench.view.camera
     };
     let size = [rect.width(), rect.height()].map(f64::from);
     let points_per_mm = FORESHORTENED * whole.points_per_mm(&space.ball, size);
-    tell_plot_size(workbench, points_per_mm, commands);
+    tell_plot_size(workbench, points_per_mm);
     let mut inside = ui.new_child(egui::UiBuilder::new().max_rect(rect));
     let ui = &mut inside;
     ui.set_clip_rect(rect.intersect(ui.clip_rect()));
@@ -58,21 +58,21 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, posing: bool, commands: &
     let mut shapes = Vec::new();
     Screen::new(ui.painter(), &palette, &mut shapes).draw(&scene.items, camera);
     ui.painter().extend(shapes);
-    let view = workbench.view();
+    let view = &workbench.view;
     describe(&response, workbench);
     let pointer = response.hover_pos().filter(|_| !response.dragged());
-    seen.finish(ui, workbench, camera, (&response, pointer), commands);
+    seen.finish(ui, workbench, camera, (&response, pointer));
     let turned = alone::looked(ui, &response, rect, &space.ball, view.camera);
     if response.double_clicked() {
-        commands.push(Command::View(ViewChange::FitWorkspace));
+        workbench.then(move |bench| bench.view.fit_workspace());
     } else if turned != view.camera {
-        commands.push(Command::View(ViewChange::Turn(turned)));
+        workbench.then(move |bench| bench.view.camera = turned);
     }
 }
 
 /// How the view is called, and what it shows, for those who do not see it.
 fn describe(response: &egui::Response, workbench: &Workbench) {
-    let view = workbench.view();
+    let view = &workbench.view;
     let samples = workbench.loaded_session().overview.usable.len();
     let camera = view.camera.describe();
     let name = match view.selected {
@@ -116,13 +116,13 @@ fn range(workbench: &Workbench, joint: usize) -> [f64; 2] {
 }
 
 /// A slider for each joint; `now` is where the robot is drawn.
-fn pose(ui: &mut Ui, workbench: &Workbench, now: &[f64], commands: &mut Vec<Command>) {
+fn pose(ui: &mut Ui, workbench: &Workbench, now: &[f64]) {
     let units = workbench.units();
     let joints = &workbench.loaded_session().session.robot.joints;
     ui.horizontal(|ui| {
         widgets::title(ui, say!("Pose"));
-        if workbench.view().pose.is_some() && ui.button(say!("Back to sample")).clicked() {
-            commands.push(Command::View(ViewChange::Pose(None)));
+        if workbench.view.pose.is_some() && ui.button(say!("Back to sample")).clicked() {
+            workbench.then(move |bench| bench.view.pose = None);
         }
     });
     ScrollArea::vertical().id_salt("joints").show(ui, |ui| {
@@ -143,10 +143,10 @@ fn pose(ui: &mut Ui, workbench: &Workbench, now: &[f64], commands: &mut Vec<Comm
             if slider.changed() && next != *q {
                 let mut pose = now.to_vec();
                 pose[k] = next;
-                commands.push(Command::View(ViewChange::Pose(Some(pose))));
+                workbench.then(move |bench| bench.view.pose = Some(pose));
             }
         }
-        if workbench.view().pose.is_none() {
+        if workbench.view.pose.is_none() {
             ui.label(RichText::new(say!("from the sample that is shown")).size(size::NOTE));
         }
         widgets::focus_in_sight(ui);
@@ -158,9 +158,7 @@ mod tests {
     use egui::{Rect, vec2};
     use nalgebra::{Isometry3, Point3, Vector3};
 
-    use crate::gui::core::edit::Edit;
     use crate::gui::testing::workbench;
-    use crate::gui::workbench::{Command, ViewChange};
 
     use super::super::model::Shown;
     use super::super::robot::Drawn;
@@ -177,9 +175,9 @@ mod tests {
 
     fn opened(file: &std::path::Path) -> Workbench {
         let mut workbench = workbench();
-        workbench.execute(Command::OpenFile(file.into()));
+        workbench.execute(|bench| bench.open_file(file.into()));
         workbench.receive();
-        assert!(workbench.view().in_space(), "no plane shows several joints");
+        assert!(workbench.view.in_space(), "no plane shows several joints");
         workbench
     }
 
@@ -200,7 +198,7 @@ mod tests {
             .expect("samples")
             .rms_mm;
         assert!(before < 10.0, "{before}");
-        workbench.execute(Command::Edit(Edit::Identify));
+        workbench.execute(|bench| bench.identify(None));
         workbench.receive();
         assert!(far(&workbench) < 20.0, "{}", far(&workbench));
         assert!(
@@ -220,7 +218,7 @@ mod tests {
         std::fs::write(folder.path().join("six-60.csv"), samples).expect("written");
         let mut workbench = opened(&file);
         assert!(far(&workbench) > 1000.0);
-        workbench.execute(Command::Edit(Edit::Identify));
+        workbench.execute(|bench| bench.identify(None));
         workbench.receive();
         assert!(far(&workbench) < 20.0, "{}", far(&workbench));
         // z of the base is up although the tracker leans.
@@ -230,19 +228,19 @@ mod tests {
         let scene = Shown::of(&workbench);
         assert!(scene.magnification > 100.0 && !scene.look.ghosts());
         // The plane stays in the measuring frame.
-        workbench.execute(Command::View(ViewChange::Look(crate::gui::view::Plane::Xy)));
+        workbench.execute(|bench| bench.view.look_in(crate::gui::view::Plane::Xy));
         assert_eq!(workbench.base(), Isometry3::identity());
     }
 
     #[test]
     fn everything_is_in_sight_until_somebody_looks_closer() {
         let mut workbench = arm();
-        workbench.execute(Command::Edit(Edit::Identify));
+        workbench.execute(|bench| bench.identify(None));
         workbench.receive();
         let rect = Rect::from_min_size(egui::pos2(20.0, 30.0), vec2(500.0, 320.0));
         for _ in 0..6 {
-            let turned = workbench.view().camera.orbited([61.0, 17.0]);
-            workbench.execute(Command::View(ViewChange::Turn(turned)));
+            let turned = workbench.view.camera.orbited([61.0, 17.0]);
+            workbench.execute(|bench| bench.view.camera = turned);
             let space = Space::new(&workbench, rect);
             let loaded_session = workbench.loaded_session();
             for sample in 0..loaded_session.len() {
@@ -251,17 +249,17 @@ mod tests {
             }
             assert!(rect.contains(space.camera.at(space.of_base([0.0; 3]))));
         }
-        let closer = workbench.view().camera.zoomed(20.0, [0.0; 2]);
-        workbench.execute(Command::View(ViewChange::Turn(closer)));
-        workbench.execute(Command::View(ViewChange::FitWorkspace));
-        assert_eq!(workbench.view().camera.zoom, 1.0);
+        let closer = workbench.view.camera.zoomed(20.0, [0.0; 2]);
+        workbench.execute(|bench| bench.view.camera = closer);
+        workbench.execute(|bench| bench.view.fit_workspace());
+        assert_eq!(workbench.view.camera.zoom, 1.0);
     }
 
     #[test]
     fn a_posed_robot_stands_there_until_a_sample_is_chosen_or_the_robot_is_another() {
         let mut workbench = arm();
         let pose = vec![0.1, -0.2, 0.3, 0.0, 0.5, 0.0];
-        workbench.execute(Command::View(ViewChange::Pose(Some(pose.clone()))));
+        workbench.execute(|bench| bench.view.pose = Some(pose.clone()));
         let drawn = Drawn::of(&workbench).expect("a robot");
         assert!(drawn.q == pose && drawn.asked_for && drawn.real.is_none());
         assert!(
@@ -269,13 +267,12 @@ mod tests {
             "{}",
             drawn.describe()
         );
-        workbench.execute(Command::View(ViewChange::Select(Some(3))));
+        workbench.execute(|bench| bench.view.select(Some(3)));
         assert_eq!(Drawn::of(&workbench).expect("a robot").sample, Some(3));
-        workbench.execute(Command::View(ViewChange::Pose(Some(pose))));
-        workbench.execute(Command::View(ViewChange::Pose(Some(vec![0.0]))));
+        workbench.execute(|bench| bench.view.pose = Some(pose));
+        workbench.execute(|bench| bench.view.pose = Some(vec![0.0]));
         assert_eq!(
-            workbench.view().pose,
-            None,
+            workbench.view.pose, None,
             "one value is no pose of six joints"
         );
     }

@@ -32,7 +32,7 @@ impl Space {
     pub(super) fn new(workbench: &Workbench, rect: Rect) -> Self {
         let size = [rect.width(), rect.height()].map(f64::from);
         let ball = ball(workbench);
-        let mut bounds = workbench.view().camera.bounds(&ball, size);
+        let mut bounds = workbench.view.camera.bounds(&ball, size);
         // The scene's coordinates are those of the measuring frame.
         let (facing, base) = (workbench.facing(), workbench.base());
         let shift = facing.flat(base.translation.vector.into());
