@@ -9,8 +9,7 @@
 //! - `app`: the shell: takes what was done in the background, lays out the views, makes the changes.
 //! - `dialogs`: sheets over the window; `views`: what stands around the plots; `workspace`: the plot of
 //!   the robot and its samples.
-//! - `plots`, `widgets`: what views are made of; `scene`: what is seen of the workspace, for screen and
-//!   paper; `layers`: what is drawn for each sample.
+//! - `plots`, `widgets`: what views are made of; `layers`: what is drawn for each sample.
 //! - `actions`: one table of what can be done: keys, menus, help.
 //! - `workbench`: what there is, and what is done with it.
 //! - `charts`: what is charted below the workspace, one file and one line of a register each.
@@ -37,7 +36,6 @@ mod jobs;
 mod layers;
 mod plots;
 mod preferences;
-mod scene;
 mod style;
 mod view;
 mod views;

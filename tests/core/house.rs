@@ -406,7 +406,6 @@ const FLOORS: [&[&str]; 16] = [
     &["files", "file_state"],
     &["workbench"],
     &["actions", "layers", "widgets"],
-    &["scene"],
     &["plots"],
     &["workspace"],
     &["views"],

@@ -11,11 +11,10 @@ use egui_plot::{Axis, Plot, PlotPoint, PlotTransform};
 use crate::present::chart::{Bar, Chart, ColourRole, Entry, Item, LegendSymbol, Ticks};
 use crate::present::drawing::Anchor;
 
-use crate::gui::scene::screen::dashes;
 use crate::gui::style::{Palette, size, space};
 use crate::gui::widgets;
 
-use super::{Drawing, gestures, many, mark, of_chart, places};
+use super::{Drawing, dashes, gestures, many, mark, of_chart, places};
 
 /// What something that stands for this is drawn in.
 pub(super) fn color(stands: ColourRole, palette: &Palette) -> Color32 {

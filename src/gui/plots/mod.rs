@@ -10,7 +10,7 @@ use std::ops::RangeInclusive;
 
 use egui::epaint::{Mesh, Tessellator, Vertex};
 use egui::{
-    Color32, Context, FontId, Pos2, Rangef, Response, RichText, Role, Shape, Stroke, Ui,
+    Color32, Context, FontId, Pos2, Rangef, Response, RichText, Role, Shape, Stroke, Ui, Vec2,
     WidgetInfo, vec2,
 };
 use egui_plot::{
@@ -20,7 +20,6 @@ use egui_plot::{
 use crate::present::chart::{Form, Ticks, ticks};
 use crate::present::numbers::trimmed;
 
-use crate::gui::scene::paint::{DIAMOND, TRIANGLE, corners_of};
 use crate::gui::style::{Palette, size};
 use crate::gui::view::{Key, Plot, What};
 use crate::gui::widgets;
@@ -134,6 +133,17 @@ fn steps((low, high): (f64, f64), degrees: bool, lines: f64) -> Vec<GridMark> {
     let (values, step_size) = ticks([low, high], degrees, lines);
     let mark = |value| GridMark { value, step_size };
     values.into_iter().map(mark).collect()
+}
+
+/// Corners of forms that look to the right, of a radius of 1.
+pub(crate) const DIAMOND: [[f32; 2]; 4] = [[0.0, -1.0], [1.0, 0.0], [0.0, 1.0], [-1.0, 0.0]];
+const TRIANGLE: [[f32; 2]; 3] = [[1.25, 0.0], [-0.75, 1.1], [-0.75, -1.1]];
+
+/// The same of this radius about a point, looking that way.
+pub(crate) fn corners_of(corners: &[[f32; 2]], at: Pos2, radius: f32, ahead: Vec2) -> Vec<Pos2> {
+    let across = vec2(-ahead.y, ahead.x);
+    let corner = |[x, y]: &[f32; 2]| at + (ahead * *x + across * *y) * radius;
+    corners.iter().map(corner).collect()
 }
 
 pub(crate) fn disc(at: Pos2, radius: f32, fill: Color32) -> Shape {
@@ -275,6 +285,38 @@ impl PlotItem for Drawing<'_> {
     }
 }
 
+/// A dashed line through points that may be nearer to each other than a dash is long; lengths of a
+/// dash and of the gap after it, points.
+fn dashes(points: &[Pos2], stroke: Stroke, lengths: [f32; 2]) -> Vec<Shape> {
+    let mut shapes = Vec::new();
+    let mut dash: Vec<Pos2> = points.first().copied().into_iter().collect();
+    let (mut drawn, mut left) = (true, lengths[0]);
+    for pair in points.windows(2) {
+        let (mut from, to) = (pair[0], pair[1]);
+        let mut length = from.distance(to);
+        if !length.is_finite() {
+            continue;
+        }
+        while length > left {
+            from += (to - from) * (left / length);
+            length -= left;
+            dash.push(from);
+            if drawn {
+                shapes.push(Shape::line(std::mem::take(&mut dash), stroke));
+            }
+            dash = vec![from];
+            drawn = !drawn;
+            left = lengths[usize::from(!drawn)];
+        }
+        left -= length;
+        dash.push(to);
+    }
+    if drawn && dash.len() > 1 {
+        shapes.push(Shape::line(dash, stroke));
+    }
+    shapes
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -323,5 +365,26 @@ mod tests {
                 assert!(a.pos.distance(b.pos) < 1e-4 && a.color == b.color && a.uv == b.uv);
             }
         }
+    }
+
+    #[test]
+    fn dashes_have_one_length_however_near_the_points_are() {
+        let ends = [pos2(0.0, 3.0), pos2(85.0, 3.0)];
+        let fine: Vec<Pos2> = (0_u8..=170)
+            .map(|k| pos2(0.5 * f32::from(k), 3.0))
+            .collect();
+        let stroke = Stroke::new(1.0, Color32::GRAY);
+        let lengths = |points: &[Pos2]| {
+            let shapes = dashes(points, stroke, [5.0, 3.5]);
+            let of = |shape: &Shape| shape.visual_bounding_rect().width();
+            shapes.iter().map(of).collect::<Vec<f32>>()
+        };
+        let (few, many) = (lengths(&ends), lengths(&fine));
+        assert_eq!(few.len(), 10);
+        assert_eq!(many.len(), 10);
+        for (a, b) in few.iter().zip(&many) {
+            assert!((a - b).abs() < 1e-2, "{few:?} {many:?}");
+        }
+        assert!(dashes(&ends[..1], stroke, [5.0, 3.5]).is_empty());
     }
 }

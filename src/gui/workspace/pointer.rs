@@ -11,7 +11,6 @@ use crate::gui::actions::{EXCLUDE, WindowState};
 use crate::gui::cache::cloud::Cloud;
 use crate::gui::core::loaded_session::Component;
 use crate::gui::core::quantity::joint_value;
-use crate::gui::scene::paint::Camera;
 use crate::gui::style::{DARK, LIGHT, size, strong};
 use crate::gui::view::{Colouring, ViewState};
 use crate::gui::workbench::Workbench;
@@ -19,6 +18,7 @@ use crate::present::numbers::trimmed;
 
 use super::layout;
 use super::model::{Shown, judged};
+use super::pen::Camera;
 
 /// A sample is under the pointer within this many points.
 const REACH: f32 = 14.0;
@@ -30,7 +30,7 @@ pub(super) fn under(
     camera: &Camera,
     at: Pos2,
 ) -> Option<usize> {
-    let transform = camera.transform();
+    let transform = &camera.transform;
     let at = transform.value_from_position(at);
     let [points, _] = layout::counts(shown, transform);
     let scale = camera.points_per_mm();

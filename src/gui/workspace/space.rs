@@ -4,25 +4,26 @@
 //! The scene is the one of the plane, projected along the line of sight, so that vectors, colours,
 //! legend and robot are the same in both; only what has a depth is added here.
 
-mod alone;
-mod scene;
-
-pub(crate) use alone::robot_alone;
-
-use egui::{Panel, RichText, Role, ScrollArea, Sense, Slider, Ui, WidgetInfo};
+use egui::{
+    Color32, EventFilter, Key, Panel, PointerButton, Rect, Response, RichText, Role, ScrollArea,
+    Sense, Slider, Stroke, Ui, Vec2, WidgetInfo,
+};
+use nalgebra::Isometry3;
 
 use crate::gui::core::quantity::joint_value;
 use crate::gui::core::scale::stride;
-use crate::gui::scene::screen::Screen;
-use crate::gui::style::{Palette, size};
-use crate::gui::view::Camera;
+use crate::gui::plots::gestures;
+use crate::gui::style::{Palette, size, space};
+use crate::gui::view::{Ball, Camera};
 use crate::gui::widgets::{self, caption, fine};
 use crate::gui::workbench::Workbench;
-use crate::kinematics::JointKind;
+use crate::kinematics::{JointKind, Robot};
 use crate::numeric::extent;
 
-use super::over::{Seen, tell_plot_size};
-use scene::{Space, scene};
+use super::pen::{self, Pen};
+use super::robot::{Drawn, body};
+use super::scene::{self, Space};
+use super::{Seen, tell_plot_size};
 
 /// A direction in space is drawn so much shorter on average.
 const FORESHORTENED: f64 = std::f64::consts::FRAC_PI_4;
@@ -32,7 +33,6 @@ const SLIDERS: f32 = 176.0;
 
 /// Shows the view in the space that is left, and sends what the pointer does.
 pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, posing: bool) {
-    let palette = Palette::of(ui);
     let seen = Seen::of(ui, workbench);
     if posing && let Some(robot) = &seen.robot {
         Panel::right("joints of the robot")
@@ -54,15 +54,14 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, posing: bool) {
     let mut inside = ui.new_child(egui::UiBuilder::new().max_rect(rect));
     let ui = &mut inside;
     ui.set_clip_rect(rect.intersect(ui.clip_rect()));
-    let scene = scene(workbench, &seen.shown, seen.robot.as_ref(), &space);
-    let mut shapes = Vec::new();
-    Screen::new(ui.painter(), &palette, &mut shapes).draw(&scene.items, camera);
-    ui.painter().extend(shapes);
+    Pen::draw(ui, |pen| {
+        scene::space(pen, workbench, &seen.shown, seen.robot.as_ref(), &space);
+    });
     let view = &workbench.view;
     describe(&response, workbench);
     let pointer = response.hover_pos().filter(|_| !response.dragged());
     seen.finish(ui, workbench, camera, (&response, pointer));
-    let turned = alone::looked(ui, &response, rect, &space.ball, view.camera);
+    let turned = looked(ui, &response, rect, &space.ball, view.camera);
     if response.double_clicked() {
         workbench.then(move |bench| bench.view.fit_workspace());
     } else if turned != view.camera {
@@ -71,7 +70,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, posing: bool) {
 }
 
 /// How the view is called, and what it shows, for those who do not see it.
-fn describe(response: &egui::Response, workbench: &Workbench) {
+fn describe(response: &Response, workbench: &Workbench) {
     let view = &workbench.view;
     let samples = workbench.loaded_session().overview.usable.len();
     let camera = view.camera.describe();
@@ -153,15 +152,123 @@ fn pose(ui: &mut Ui, workbench: &Workbench, now: &[f64]) {
     });
 }
 
+/// Room around the robot, a part of its ball.
+const ROOM: f64 = 1.12;
+
+/// Draws a robot in a field of this size, seen from where the camera is; `name` says what it shows.
+pub(crate) fn robot_alone(
+    ui: &mut Ui,
+    (robot, name): (&Robot, &str),
+    camera: &mut Camera,
+    size: Vec2,
+) -> Response {
+    let (rect, response) = ui.allocate_exact_size(size, Sense::click_and_drag());
+    widgets::label(&response, name);
+    let palette = Palette::of(ui);
+    let painter = ui.painter_at(rect);
+    painter.rect_filled(rect, space::ROUND, palette.inset);
+    let Some(drawn) = Drawn::alone(robot) else {
+        return response;
+    };
+    let points: Vec<[f64; 3]> = drawn.corners_mm.iter().map(|p| p.coords.into()).collect();
+    let mut ball = Ball::around(&points);
+    ball.radius_mm *= ROOM;
+    *camera = looked(ui, &response, rect, &ball, *camera);
+    let sides = [rect.width(), rect.height()].map(f64::from);
+    let facing = camera.facing();
+    let seen = pen::Camera::showing(facing, camera.bounds(&ball, sides), rect);
+    let mut pen = Pen::new(&painter, &palette);
+    body(&mut pen, &drawn, &Isometry3::identity(), &seen);
+    painter.extend(pen.shapes);
+    if response.has_focus() {
+        let ring = Stroke::new(1.0, palette.outline);
+        let inside = egui::StrokeKind::Inside;
+        painter.rect(rect, space::ROUND, Color32::TRANSPARENT, ring, inside);
+    }
+    response
+}
+
+/// What an arrow key turns, points of a drag.
+const STEP: f64 = 12.0;
+/// What + and − zoom.
+const CLOSER: f64 = 1.25;
+
+/// Where the camera is after what mouse and keys did in this frame.
+fn looked(ui: &Ui, response: &Response, rect: Rect, ball: &Ball, camera: Camera) -> Camera {
+    let size = [rect.width(), rect.height()].map(f64::from);
+    let mut camera = camera;
+    let dragged = response.drag_delta();
+    if dragged != Vec2::ZERO {
+        let [right, down] = [dragged.x, dragged.y].map(f64::from);
+        let shift = ui.input(|i| i.modifiers.shift);
+        camera = if response.dragged_by(PointerButton::Primary) && !shift {
+            camera.orbited([right, down])
+        } else {
+            let scale = camera.points_per_mm(ball, size);
+            camera.panned([right / scale, -down / scale])
+        };
+    }
+    if response.contains_pointer()
+        && let Some(at) = ui.input(|i| i.pointer.hover_pos())
+    {
+        let closer = f64::from(gestures::closer(ui.ctx()).y)
+            * f64::from(ui.input(egui::InputState::zoom_delta));
+        if closer != 1.0 {
+            let off = at - rect.center();
+            let scale = camera.points_per_mm(ball, size);
+            camera = camera.zoomed(
+                closer,
+                [f64::from(off.x) / scale, -f64::from(off.y) / scale],
+            );
+        }
+    }
+    if response.has_focus() {
+        keep_arrows(ui, response);
+        camera = by_keys(ui, camera);
+    }
+    camera
+}
+
+/// The arrow keys turn the view instead of going to the next control.
+fn keep_arrows(ui: &Ui, response: &Response) {
+    let filter = EventFilter {
+        horizontal_arrows: true,
+        vertical_arrows: true,
+        ..EventFilter::default()
+    };
+    ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, filter));
+}
+
+fn by_keys(ui: &Ui, camera: Camera) -> Camera {
+    let pressed = |key| ui.input(|i| i.modifiers.is_none() && i.key_pressed(key));
+    let turned = |camera: Camera, way: [f64; 2]| camera.orbited(way.map(|v| STEP * v));
+    let mut camera = camera;
+    for (key, way) in [
+        (Key::ArrowLeft, [-1.0, 0.0]),
+        (Key::ArrowRight, [1.0, 0.0]),
+        (Key::ArrowUp, [0.0, -1.0]),
+        (Key::ArrowDown, [0.0, 1.0]),
+    ] {
+        if pressed(key) {
+            camera = turned(camera, way);
+        }
+    }
+    if pressed(Key::Plus) || pressed(Key::Equals) {
+        camera = camera.zoomed(CLOSER, [0.0; 2]);
+    }
+    if pressed(Key::Minus) {
+        camera = camera.zoomed(1.0 / CLOSER, [0.0; 2]);
+    }
+    camera
+}
 #[cfg(test)]
 mod tests {
-    use egui::{Rect, vec2};
-    use nalgebra::{Isometry3, Point3, Vector3};
+    use egui::vec2;
+    use nalgebra::{Point3, Vector3};
 
     use crate::gui::testing::workbench;
 
     use super::super::model::Shown;
-    use super::super::robot::Drawn;
     use super::*;
 
     /// An arm measured by a tracker that stands in a frame of its own, and says so in a column.
