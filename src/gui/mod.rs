@@ -99,7 +99,7 @@ pub fn run(path: Option<PathBuf>) -> anyhow::Result<()> {
             let app = App::new(&cc.egui_ctx, path, Runner::Threads);
             let app = app.drawn_by(cc.wgpu_render_state.as_ref());
             let app = app.speaking(Language::of_system());
-            let app = app.on_day(file_state::machines::today());
+            let app = app.on_day(file_state::today());
             Ok(Box::new(app.at_home(file_state::home())))
         }),
     )

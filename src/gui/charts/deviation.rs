@@ -3,7 +3,7 @@
 
 use super::{About, ChartChoice, ChartKind, ChartPlaceholder, HoverTarget, Samples, Scene, Shown};
 use crate::gui::cache::charts::{Column, Envelope, Work};
-use crate::gui::core::boundaries::boundaries;
+use crate::gui::core::regions::boundaries;
 use crate::gui::core::loaded_session::Component;
 use crate::gui::core::quantity::{Over, Scale, Variable};
 use crate::gui::core::scale::{FEW, stride, thinned};

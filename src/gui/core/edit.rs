@@ -14,10 +14,10 @@ use crate::sessions::{Region, Session};
 use crate::units::rad_from_deg;
 
 use super::answer::LoadedModel;
-use super::boundaries;
 use super::document::{Added, Choices, Decision, Division, Document, ExportChoice, Method};
 use super::loaded_session::LoadedSession;
 use super::setup::SetupForm;
+use crate::gui::core::regions;
 
 /// Whether the change was made; the reason where it cannot be.
 type Changed = Result<(), String>;
@@ -267,13 +267,13 @@ impl Document {
     /// Moves a boundary (counted in ascending order) to this angle, rad.
     pub(crate) fn move_boundary(&mut self, boundary: usize, to_rad: f64) -> Changed {
         let travel = self.loaded_session.travel();
-        let moved = boundaries::moved(&self.regions, boundary, to_rad, travel);
+        let moved = regions::moved(&self.regions, boundary, to_rad, travel);
         self.by_hand(moved, say!("the boundary cannot be moved there"))
     }
 
     /// Cuts a region in half.
     pub(crate) fn split(&mut self, region: usize) -> Changed {
-        let split = boundaries::split(&self.regions, region);
+        let split = regions::split(&self.regions, region);
         self.by_hand(split, say!("the region is too narrow to be split"))
     }
 
@@ -282,13 +282,13 @@ impl Document {
         let otherwise = say!(
             "no region begins where this one ends; enter the end of this region as the start of the next one first"
         );
-        self.by_hand(boundaries::joined(&self.regions, region), otherwise)
+        self.by_hand(regions::joined(&self.regions, region), otherwise)
     }
 
     /// Takes a region away: where it was nothing is corrected.
     pub(crate) fn delete(&mut self, region: usize) -> Changed {
         let otherwise = say!("the last region stays: without one nothing is corrected");
-        self.by_hand(boundaries::without(&self.regions, region), otherwise)
+        self.by_hand(regions::without(&self.regions, region), otherwise)
     }
 
     fn by_hand(&mut self, regions: Option<Vec<Region>>, otherwise: &str) -> Changed {

@@ -9,7 +9,7 @@ use crate::text::spoken;
 
 use crate::gui::actions::{self, Action, WindowState};
 use crate::gui::charts::CHARTS;
-use crate::gui::plots::gestures;
+use crate::gui::plots;
 use crate::gui::style::{Palette, size, space};
 use crate::gui::workbench::Workbench;
 use crate::gui::{help, widgets};
@@ -64,7 +64,7 @@ pub(super) fn keys(ui: &mut Ui, workbench: &Workbench) {
     let others = others.map(|(keys, what)| (keys.to_owned(), what));
     let all: Vec<_> = all.chain(others).collect();
     let rows = all.len().div_ceil(2);
-    let mouse = gestures::GESTURES.map(|(how, what)| (spoken(how).to_owned(), spoken(what)));
+    let mouse = plots::GESTURES.map(|(how, what)| (spoken(how).to_owned(), spoken(what)));
     // The button stays in sight.
     let high = (ui.ctx().content_rect().height() - OTHER).max(LEAST);
     ScrollArea::vertical().max_height(high).show(ui, |ui| {

@@ -2,7 +2,6 @@
 
 mod import;
 mod new_session;
-mod robot_table;
 
 use egui::style::NumberFormatter;
 use egui::{Align2, Context, Id, LayerId, Margin, Modal, Popup, ScrollArea, Ui, vec2};
@@ -25,10 +24,9 @@ macro_rules! register {
 
 register! {
     compensation: compensation;
-    details: details;
     help: about, keys, palette, words;
-    history: history;
     preferences: preferences;
+    record: details, history;
     robots: robots;
     unsaved: recovery;
 }
@@ -77,7 +75,7 @@ pub(crate) fn show(ui: &Ui, workbench: &Workbench) {
                     None => new_session::simulation(ui, form, workbench),
                 },
                 Sheet::RobotTable { table, opened } => {
-                    robot_table::show(ui, table, opened, workbench);
+                    robots::typed(ui, table, opened, workbench);
                 }
                 Sheet::Discard(typed) => unsaved::typed(ui, typed, workbench),
                 Sheet::Unsaved(then) => unsaved::losses(ui, workbench, then),
@@ -150,7 +148,7 @@ mod tests {
     fn every_sheet_is_opened_by_its_name_and_every_name_has_a_sheet() {
         let code = concat!(
             include_str!("../actions.rs"),
-            include_str!("../view/sheet.rs")
+            include_str!("../view/mod.rs")
         );
         let named = code.split("Named(\"").skip(1);
         let mut opened: Vec<&str> = named.filter_map(|rest| rest.split('"').next()).collect();

@@ -1,9 +1,8 @@
 //! Reading and writing, as the background tasks do it: through the library, like the terminal. Here a session or a
 //! model is read or made, with everything that follows from it; also those that come with the program.
 
-pub(crate) mod reporting;
 mod system;
-mod writing;
+pub(crate) mod writing;
 
 pub(crate) use crate::pipeline::is_model;
 pub(crate) use system::{

@@ -14,7 +14,7 @@ use crate::present::drawing::Anchor;
 use crate::gui::style::{Palette, size, space};
 use crate::gui::widgets;
 
-use super::{Drawing, dashes, gestures, many, mark, of_chart, places};
+use crate::gui::plots::{self, Drawing, dashes, many, mark, of_chart, places};
 
 /// What something that stands for this is drawn in.
 pub(super) fn color(stands: ColourRole, palette: &Palette) -> Color32 {
@@ -46,7 +46,7 @@ pub(crate) fn show<'a>(
     let room = (ui.available_width() - beside.max(40.0)) / 50.0;
     let most = f64::from(room.clamp(3.0, 9.0));
     let plot = plot(id, chart, beside, most, &palette);
-    let plotted = gestures::show(ui, plot, |plot| {
+    let plotted = plots::show(ui, plot, |plot| {
         let draw = move |ui: &Ui, transform: &PlotTransform, shapes: &mut Vec<Shape>| {
             let canvas = Canvas {
                 transform,
@@ -88,13 +88,13 @@ fn plot<'a>(
     let lines = [across, upwards].map(|axis| !matches!(axis.ticks, Ticks::Words(_)));
     let [x, y] = [across.ticks.clone(), upwards.ticks.clone()];
     if y == Ticks::Plane {
-        return gestures::plot(id)
+        return plots::plot(id)
             .data_aspect(1.0)
             .show_axes(false)
             .show_grid(false)
             .set_margin_fraction(egui::Vec2::ZERO);
     }
-    gestures::plot(id)
+    plots::plot(id)
         .set_margin_fraction(egui::Vec2::ZERO)
         .grid_color(palette.line)
         .show_grid(lines)

@@ -3,29 +3,36 @@
 //! (what is shown), a layout (where it goes; both are tested without pixels) and paint (egui).
 
 pub(crate) mod chart;
-pub(crate) mod gestures;
 
-use crate::gui::workbench::Workbench;
+use std::fmt::Debug;
+use std::hash::Hash;
 use std::ops::RangeInclusive;
 
 use egui::epaint::{Mesh, Tessellator, Vertex};
 use egui::{
-    Color32, Context, FontId, Pos2, Rangef, Response, RichText, Role, Shape, Stroke, Ui, Vec2,
-    WidgetInfo, vec2,
+    Color32, Context, FontId, Pos2, Rangef, Rect, Response, RichText, Role, Shape, Stroke, Ui,
+    Vec2, WidgetInfo, vec2,
 };
 use egui_plot::{
-    Axis, AxisHints, GridMark, PlotBounds, PlotGeometry, PlotItem, PlotItemBase, PlotTransform,
+    Axis, AxisHints, GridMark, Plot, PlotBounds, PlotGeometry, PlotItem, PlotItemBase,
+    PlotResponse, PlotTransform, PlotUi,
 };
 
+use crate::gui::style::{Palette, size};
+use crate::gui::view::{Key, What};
+use crate::gui::widgets;
+use crate::gui::workbench::Workbench;
 use crate::present::chart::{Form, Ticks, ticks};
 use crate::present::numbers::trimmed;
-
-use crate::gui::style::{Palette, size};
-use crate::gui::view::{Key, Plot, What};
-use crate::gui::widgets;
+use crate::text::{Template, spoken};
 
 /// Saves a plot as a file: of charts that show the same that of this pane.
-pub(crate) fn picture(ui: &mut Ui, plot: Plot, key: Option<Key>, workbench: &Workbench) {
+pub(crate) fn picture(
+    ui: &mut Ui,
+    plot: crate::gui::view::Plot,
+    key: Option<Key>,
+    workbench: &Workbench,
+) {
     let says = say!("Save picture of the {plot}…", plot = plot.title());
     let button = widgets::icon_button(ui, widgets::SAVE, &says);
     if button.on_hover_text(&says).clicked() {
@@ -315,6 +322,107 @@ fn dashes(points: &[Pos2], stroke: Stroke, lengths: [f32; 2]) -> Vec<Shape> {
         shapes.push(Shape::line(dash, stroke));
     }
     shapes
+}
+
+/// What is done with the mouse, and what it does; the help and the tooltips say the same.
+pub(crate) const GESTURES: [(Template, Template); 7] = [
+    (phrase!("wheel, or pinch"), phrase!("zoom at the pointer")),
+    (
+        phrase!("Shift and wheel"),
+        phrase!("zoom along a chart's axis"),
+    ),
+    (phrase!("drag"), phrase!("move")),
+    (
+        phrase!("drag with the right button"),
+        phrase!("show a part"),
+    ),
+    (phrase!("drag in the 3-D view"), phrase!("orbit")),
+    (
+        phrase!("Shift or middle button and drag in the 3-D view"),
+        phrase!("move"),
+    ),
+    (phrase!("double click, or Home"), phrase!("fit the view")),
+];
+
+/// So much scrolling goes closer by a factor of e, points: a notch of a wheel is 40.
+const SCROLL: f32 = 300.0;
+/// The smallest and the largest span that can be gone to, in what the axes show.
+const SPANS: [f64; 2] = [1e-9, 1e9];
+
+/// A plot of this name that shows everything until the mouse asks for something else.
+pub(crate) fn plot<'a>(id: impl Hash + Debug) -> Plot<'a> {
+    Plot::new(id)
+        .show_x(false)
+        .show_y(false)
+        .show_background(false)
+        .show_crosshair(false)
+        .allow_scroll(false)
+}
+
+/// Shows it, with the wheel going closer.
+pub(crate) fn show<'a>(
+    ui: &mut Ui,
+    plot: Plot<'a>,
+    add: impl FnOnce(&mut PlotUi<'a>) + 'a,
+) -> PlotResponse<()> {
+    let shown = plot.show(ui, |plot| {
+        add(plot);
+        let closer = closer(plot.ctx());
+        let reached = plot.response().contains_pointer();
+        if reached && closer != Vec2::splat(1.0) && sound(plot, closer) {
+            plot.zoom_bounds_around_hovered(closer);
+        }
+    });
+    settle(&shown.response);
+    shown
+}
+
+/// Axes are laid out with the room that they took in the frame before: whatever the plot's size
+/// was, there is another frame until it stays.
+fn settle(response: &Response) {
+    let id = response.id.with("settled");
+    let before: Option<Rect> = response.ctx.data(|data| data.get_temp(id));
+    if before != Some(response.rect) {
+        response
+            .ctx
+            .data_mut(|data| data.insert_temp(id, response.rect));
+        response.ctx.request_repaint();
+    }
+}
+
+/// How much closer the wheel goes in this frame, along the axis below and upwards.
+pub(crate) fn closer(ctx: &Context) -> Vec2 {
+    let (scrolled, shift) = ctx.input(|i| (i.smooth_scroll_delta(), i.modifiers.shift));
+    if shift {
+        // egui turns the wheel sideways with Shift.
+        let along = scrolled.x + scrolled.y;
+        return vec2((along / SCROLL).exp(), 1.0);
+    }
+    Vec2::splat((scrolled.y / SCROLL).exp())
+}
+
+fn sound(plot: &PlotUi<'_>, closer: Vec2) -> bool {
+    let bounds = plot.plot_bounds();
+    let [x, y] = [bounds.width(), bounds.height()];
+    let then = [x / f64::from(closer.x), y / f64::from(closer.y)];
+    then.into_iter().all(|span| {
+        let [least, most] = SPANS;
+        (least..=most).contains(&span)
+    })
+}
+
+/// Four corners: shows everything again. Says how to look at a part.
+pub(crate) fn fit(ui: &mut Ui, name: &str) -> bool {
+    let button = widgets::icon_button(ui, widgets::FIT, name);
+    let response = button.on_hover_ui(|ui| {
+        ui.set_max_width(320.0);
+        widgets::bold(ui, name);
+        for (how, what) in GESTURES {
+            let says = format!("{}: {}", spoken(how), spoken(what));
+            ui.label(RichText::new(says).size(size::SMALL));
+        }
+    });
+    response.clicked()
 }
 
 #[cfg(test)]

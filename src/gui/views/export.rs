@@ -227,7 +227,7 @@ pub(crate) fn preview(ui: &mut Ui, workbench: &Workbench) {
         }
         None => widgets::hint(ui, say!("The table is being prepared")),
     }
-    super::standards::show(ui, workbench);
+    super::results::standards(ui, workbench);
 }
 
 fn made_preview(ui: &mut Ui, workbench: &Workbench, made: &ExportPreview) {

@@ -2,26 +2,33 @@
 //! cannot be told apart, what no name explains, what to measure next, and what was hidden where the session was
 //! simulated.
 
-use egui::{Grid, Label, RichText, TextStyle, TextWrapMode, Ui, WidgetText};
+use std::borrow::Cow;
+
+use egui::{
+    CursorIcon, Grid, Label, Rect, RichText, Role, Sense, Shape, Stroke, TextStyle, TextWrapMode,
+    Ui, WidgetInfo, WidgetText, pos2, vec2,
+};
 
 use crate::diagnosis::{Diagnosis, NextPose, Verdict};
 use crate::effects::Term;
-use crate::explain::{Section, Topic};
+use crate::explain::{Block, Detail, Section, Topic, found_effect};
 use crate::fit::Estimate;
+use crate::gui::charts::effect::{self, EffectCurve};
+use crate::gui::core::answer::term_of;
+use crate::gui::core::scale::stride;
+use crate::gui::jobs::Running;
+use crate::gui::plots::disc;
+use crate::gui::style::{Palette, size, space, strong};
+use crate::gui::view::What;
+use crate::gui::views::blocks::{self, Title, curve_link, in_words};
+use crate::gui::views::copies;
+use crate::gui::widgets;
+use crate::gui::workbench::Workbench;
 use crate::kinematics::JointKind;
 use crate::present::names::{parameter, title_of};
 use crate::present::numbers::{significant, with_minus_signs};
 use crate::present::poses::{new_reflectors, table};
 use crate::present::table::Cell;
-
-use crate::gui::jobs::Running;
-use crate::gui::style::{Palette, size, space, strong};
-use crate::gui::view::What;
-use crate::gui::widgets;
-use crate::gui::workbench::Workbench;
-
-use super::blocks::{self, Title, in_words};
-use super::{copies, found};
 
 pub(super) fn show(ui: &mut Ui, workbench: &Workbench) {
     widgets::heading(ui, say!("Diagnosis"));
@@ -98,7 +105,7 @@ fn all(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis) {
                     heading(ui, section, d);
                     match section.topic {
                         Topic::NextPoses => next_poses(ui, workbench, &d.next_poses),
-                        Topic::Found(k) => found::show(ui, workbench, (d, k, section)),
+                        Topic::Found(k) => effect_card(ui, workbench, (d, k, section)),
                         _ => blocks::show(ui, &section.blocks),
                     }
                     buttons(ui, workbench, d, section);
@@ -322,5 +329,131 @@ fn one_below_the_other(ui: &mut Ui, headings: &[&str], rows: &[Vec<Cell>]) {
         let rest = (1..SHOWN).filter(|k| !row[*k].shown.is_empty());
         let rest = rest.map(|k| format!("{} {}", headings[k], row[k].shown));
         widgets::hint(ui, rest.collect::<Vec<_>>().join(", "));
+    }
+}
+
+/// What stands below its title.
+fn effect_card(
+    ui: &mut Ui,
+    workbench: &Workbench,
+    (d, index, section): (&Diagnosis, usize, &Section),
+) {
+    let section = in_use(workbench, d, index).map_or(Cow::Borrowed(section), Cow::Owned);
+    let is_facts = |block: &&Block| matches!(block, Block::Facts(_));
+    let rest = section.blocks.iter().skip(1).position(|b| is_facts(&b));
+    let (first, more) = section.blocks.split_at(rest.map_or(0, |rest| rest + 1));
+    blocks::show(ui, first);
+    match workbench.sketch(index) {
+        Some(curve) => sketch(ui, workbench, (index, curve)),
+        None => curve_link(ui, workbench, index),
+    }
+    in_the_model(ui, workbench, d, index);
+    ui.push_id(index, |ui| {
+        widgets::folded(ui, say!("More"), size::SMALL, |ui| blocks::show(ui, more));
+    });
+}
+
+/// The same with the sizes that the model in use has: with fewer effects in it, it is another fit than the search's.
+fn in_use(workbench: &Workbench, d: &Diagnosis, index: usize) -> Option<Section> {
+    let found = &d.found[index];
+    let term = term_of(d, found)?;
+    let mut added = workbench.document().in_the_model();
+    added.find(|t| t.same_column(&term))?;
+    let all = &workbench.answer()?.identification.parameters;
+    let of_it = |one: &&Estimate| one.effect == found.effect && one.joint == found.joint;
+    let sizes: Vec<Estimate> = all.iter().filter(of_it).cloned().collect();
+    let detail = Detail::window(workbench.units());
+    (!sizes.is_empty()).then(|| found_effect(d, detail, index, &sizes))
+}
+
+/// Height of a small curve, points, and how many samples are behind it at most.
+const HIGH: f32 = 46.0;
+const MOST: usize = 240;
+
+/// What is left without the effect, and what it does; a click shows the chart of it.
+fn sketch(ui: &mut Ui, workbench: &Workbench, (index, curve): (usize, &EffectCurve)) {
+    let palette = Palette::of(ui);
+    let view = &workbench.view;
+    let shown = workbench.shows(effect::ID) && view.effect == index;
+    let sense = if shown {
+        Sense::hover()
+    } else {
+        Sense::click()
+    };
+    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), HIGH), sense);
+    response.widget_info(|| WidgetInfo::labeled(Role::Button, !shown, say!("Show its curve")));
+    let edge = if shown || response.hovered() || response.has_focus() {
+        palette.accent
+    } else {
+        palette.line
+    };
+    let round = f32::from(space::ROUND);
+    let inside = egui::StrokeKind::Inside;
+    ui.painter()
+        .rect(rect, round, palette.surface, Stroke::new(1.0, edge), inside);
+    ui.painter()
+        .extend(drawn(rect.shrink2(vec2(6.0, 4.0)), curve, &palette));
+    if response.clicked() {
+        workbench.then(move |bench| bench.show_effect(index));
+    }
+    if !shown {
+        let response = response.on_hover_cursor(CursorIcon::PointingHand);
+        response.on_hover_text(say!("Show its curve"));
+    }
+}
+
+fn drawn(room: Rect, curve: &EffectCurve, palette: &Palette) -> Vec<Shape> {
+    let ends = curve.spots.first().zip(curve.spots.last());
+    let [from, to] = ends.map_or([0.0, 1.0], |(a, b)| [a.x, b.x]);
+    let [low, high] = curve.extent_mm;
+    let part = |value: f64, low: f64, high: f64| {
+        crate::numeric::single((value - low) / (high - low).max(1e-12))
+    };
+    let at = |x: f64, mm: f64| {
+        let across = egui::lerp(room.left()..=room.right(), part(x, from, to));
+        pos2(
+            across,
+            egui::lerp(room.bottom()..=room.top(), part(mm, low, high)),
+        )
+    };
+    let zero = [at(from, 0.0), at(to, 0.0)];
+    let mut shapes = vec![Shape::line_segment(zero, Stroke::new(1.0, palette.line))];
+    let some = || curve.spots.iter().step_by(stride(curve.spots.len(), MOST));
+    let residual = palette.before.gamma_multiply(0.55);
+    shapes.extend(some().map(|s| disc(at(s.x, s.residual_mm), 1.4, residual)));
+    if curve.lines.is_empty() {
+        shapes.extend(some().map(|s| disc(at(s.x, s.effect_mm), 1.6, palette.accent)));
+    }
+    let stroke = Stroke::new(1.8, palette.accent);
+    for line in &curve.lines {
+        let points: Vec<_> = line.points.iter().map(|[x, mm]| at(*x, *mm)).collect();
+        if line.side < 0.0 {
+            shapes.extend(Shape::dashed_line(&points, stroke, 4.0, 3.0));
+        } else {
+            shapes.push(Shape::line(points, stroke));
+        }
+    }
+    shapes
+}
+
+/// Adds the effect to the model, or switches it off there.
+fn in_the_model(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis, index: usize) {
+    let Some(term) = term_of(d, &d.found[index]) else {
+        return;
+    };
+    let mut added = workbench.document().added.iter();
+    match added.position(|a| a.term.same_column(&term)) {
+        None => {
+            // The button that stands out is the one at the foot of the step, which adds all of them.
+            if widgets::secondary(ui, say!("Add to model")).clicked() {
+                workbench.then(move |bench| bench.add(&[term]));
+            }
+        }
+        Some(index) => {
+            let mut on = workbench.document().added[index].on;
+            if ui.checkbox(&mut on, say!("in the model")).changed() {
+                workbench.then(move |bench| bench.switch(index, on));
+            }
+        }
     }
 }

@@ -5,7 +5,6 @@ pub(crate) mod copies;
 mod coverage;
 mod export;
 mod findings;
-mod found;
 mod gap;
 pub(super) mod menu;
 mod model;
@@ -15,7 +14,6 @@ pub(super) mod results;
 mod samples;
 pub(super) mod session;
 mod setup;
-mod standards;
 pub(super) mod status;
 pub(super) mod steps;
 

@@ -15,7 +15,7 @@ use crate::gui::core::compensated::{Compensated, CompensationRequest, MOST_KG};
 use crate::gui::core::disk::name_of;
 use crate::gui::core::document::{ExportChoice, plain};
 use crate::gui::files;
-use crate::gui::files::reporting::{self, Source};
+use crate::gui::files::writing::{self, Source};
 use crate::gui::jobs::{Kind, Watch};
 use crate::gui::view::{About, Plot, Sheet, Step, What};
 use crate::pipeline::measuring_list;
@@ -25,7 +25,7 @@ use crate::robots::named;
 use crate::sessions::{robot_document, samples_path};
 
 use super::Workbench;
-use super::asking::no_file_was_chosen;
+use crate::gui::workbench::background::no_file_was_chosen;
 
 impl Workbench {
     /// What an export's file is called unless the user says otherwise.
@@ -206,7 +206,7 @@ impl Workbench {
         let stated = self.stated();
         let folder = self.folder().filter(|_| !stated.without_history);
         let robot = self.loaded_session().session.robot.name.clone();
-        let wanted = reporting::ReportRequest {
+        let wanted = writing::ReportRequest {
             source,
             past: folder.map(|folder| (folder, robot)),
             stated,
@@ -214,7 +214,7 @@ impl Workbench {
             inputs: self.inputs(),
         };
         let work = move |path: &Path, replace: bool, watch: &Watch| {
-            reporting::write(&wanted, path, replace, watch)
+            writing::write_report(&wanted, path, replace, watch)
         };
         Some(later(work, Self::take_written))
     }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use crate::compensation::decision::{Outcome, Rule};
 use crate::gui::core::robot_table::{RobotTable, remember};
-use crate::gui::file_state::machines::{self, Machine, Of, Stated};
+use crate::gui::file_state::{self, Machine, Of, Stated};
 use crate::gui::files;
 use crate::gui::jobs::{Kind, Watch};
 use crate::gui::view::{Message, Sheet, What};
@@ -16,7 +16,7 @@ use crate::present::decision::rests_on;
 use crate::progress::ReadError;
 
 use super::Workbench;
-use super::state::Past;
+use crate::gui::workbench::Past;
 
 impl Workbench {
     /// Report details: as they were typed, or as they are proposed.
@@ -28,7 +28,7 @@ impl Workbench {
             .cloned();
         typed.unwrap_or_else(|| {
             let folder = self.folder().unwrap_or_default();
-            let mut stated = machines::proposed(&self.file_state.machines, self.machine(&folder));
+            let mut stated = file_state::proposed(&self.file_state.machines, self.machine(&folder));
             if let (true, Some(today)) = (stated.details.date.is_empty(), &self.file_state.today) {
                 stated.details.date.clone_from(today);
             }
@@ -71,8 +71,8 @@ impl Workbench {
         stated.details.tolerance_mm = self.document().tolerance_mm;
         let folder = self.folder().unwrap_or_default();
         let machine = Machine::new(self.machine(&folder), &stated);
-        machines::remember(&mut self.file_state.machines, machine.clone());
-        self.keep(move |kept| machines::remember(&mut kept.machines, machine));
+        file_state::remember(&mut self.file_state.machines, machine.clone());
+        self.keep(move |kept| file_state::remember(&mut kept.machines, machine));
     }
 
     /// Asks for a picture.

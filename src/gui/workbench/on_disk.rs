@@ -13,7 +13,7 @@ use crate::gui::jobs::{Kind, Watch};
 use crate::gui::view::{OnDisk, Sheet};
 
 use super::Workbench;
-use super::state::Place;
+use crate::gui::workbench::Place;
 
 impl Workbench {
     /// Keeps preferences, recent files and what is not saved in this folder, and looks what it

@@ -8,8 +8,8 @@ use std::sync::Arc;
 
 use super::Workbench;
 use super::on_disk::Looked;
-use crate::gui::core::boundaries::boundaries;
 use crate::gui::core::disk::FileChange;
+use crate::gui::core::regions::boundaries;
 
 use crate::fit::Estimate;
 use crate::gui::core::answer;

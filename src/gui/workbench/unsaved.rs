@@ -13,7 +13,7 @@ use crate::gui::jobs::{Kind, Running, Watch};
 use crate::gui::view::{Message, NextAction, Sheet, What};
 
 use super::Workbench;
-use super::state::Place;
+use crate::gui::workbench::Place;
 
 /// Documents that are remembered as standing in a file.
 const MOST_ON_FILE: usize = 64;

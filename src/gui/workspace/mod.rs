@@ -25,7 +25,7 @@ use egui::{
 use egui_plot::Axis;
 
 use crate::gui::cache::cloud::Cloud;
-use crate::gui::plots::{Drawing, axis, gestures, steps_in};
+use crate::gui::plots::{self, Drawing, axis, steps_in};
 use crate::gui::style::{Palette, size};
 use crate::gui::view::Step;
 use crate::gui::workbench::Workbench;
@@ -88,7 +88,7 @@ fn plane(ui: &mut Ui, workbench: &Workbench) {
     let seen = Seen::of(ui, workbench);
     let (shown, robot) = (&seen.shown, seen.robot.as_ref());
     let bounds = layout::bounds(shown);
-    let plot = gestures::plot(("workspace", view.plane.name(), view.fitted.workspace))
+    let plot = plots::plot(("workspace", view.plane.name(), view.fitted.workspace))
         .data_aspect(1.0)
         .set_margin_fraction(egui::Vec2::splat(0.02))
         .grid_color(palette.line)
@@ -100,7 +100,7 @@ fn plane(ui: &mut Ui, workbench: &Workbench) {
     if editing {
         handles::grab(ui, workbench);
     }
-    let drawn = gestures::show(ui, plot, |plot| {
+    let drawn = plots::show(ui, plot, |plot| {
         plot.add(Drawing::new(
             "workspace",
             bounds,

@@ -12,7 +12,7 @@ use nalgebra::Isometry3;
 
 use crate::gui::core::quantity::joint_value;
 use crate::gui::core::scale::stride;
-use crate::gui::plots::gestures;
+use crate::gui::plots;
 use crate::gui::style::{Palette, size, space};
 use crate::gui::view::{Ball, Camera};
 use crate::gui::widgets::{self, caption, fine};
@@ -211,7 +211,7 @@ fn looked(ui: &Ui, response: &Response, rect: Rect, ball: &Ball, camera: Camera)
     if response.contains_pointer()
         && let Some(at) = ui.input(|i| i.pointer.hover_pos())
     {
-        let closer = f64::from(gestures::closer(ui.ctx()).y)
+        let closer = f64::from(plots::closer(ui.ctx()).y)
             * f64::from(ui.input(egui::InputState::zoom_delta));
         if closer != 1.0 {
             let off = at - rect.center();

@@ -3,7 +3,7 @@
 
 use egui::{Align, ComboBox, Layout, Popup, PopupCloseBehavior, RichText, Slider, Ui, vec2};
 
-use crate::gui::plots::{gestures, picture};
+use crate::gui::plots::{self, picture};
 use crate::gui::style::{Palette, size, space};
 use crate::gui::view::{Aspect, Colouring, Plane, Plot, Standard};
 use crate::gui::widgets::{self, caption, fine, title};
@@ -127,7 +127,7 @@ impl Row {
                 if self.drawn {
                     picture(ui, Plot::Workspace, None, workbench);
                 }
-                if gestures::fit(ui, say!("Fit to view")) {
+                if plots::fit(ui, say!("Fit to view")) {
                     workbench.then(|bench| bench.view.fit_workspace());
                 }
                 if self.drawn && self.fold == Fold::Tight {

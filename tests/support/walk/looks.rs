@@ -10,7 +10,7 @@ use crate::report::Details;
 use crate::gui::charts::CHARTS;
 use crate::gui::core::loaded_session::Component;
 use crate::gui::core::quantity::Quantity;
-use crate::gui::file_state::machines::Stated;
+use crate::gui::file_state::Stated;
 use crate::gui::preferences::Sizes;
 use crate::gui::view::{
     Camera, ChartPane, Colouring, Edge, Key, Panes, Plane, Plot, Sheet, Side, Standard, Step, Tile,

@@ -3,7 +3,6 @@
 //! bring stands at the end before it is done.
 
 mod columns;
-mod companion_file;
 mod file;
 
 use std::sync::Arc;
@@ -63,11 +62,11 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, now: &ImportDraft) {
         file::questions(ui, now, &mut next);
         let mut reason_in_sight = findings(ui, now);
         reason_in_sight |= robot(ui, workbench, now, &mut next);
-        companion_file::commanded(ui, now, &mut next, workbench);
-        companion_file::order_of_rows(ui, &mut next);
-        companion_file::base_frame(ui, now, &mut next, workbench);
+        file::commanded(ui, now, &mut next, workbench);
+        file::order_of_rows(ui, &mut next);
+        file::base_frame(ui, now, &mut next, workbench);
         let open = &workbench.loaded_session().session.targets;
-        companion_file::reflectors(ui, open, now, &mut next, workbench);
+        file::reflectors(ui, open, now, &mut next, workbench);
         reason_in_sight |= result(ui, now, workbench.units());
         widgets::focus_in_sight(ui);
         (ui.max_rect().width(), reason_in_sight)
@@ -233,7 +232,7 @@ fn robot(ui: &mut Ui, workbench: &Workbench, now: &ImportDraft, next: &mut Impor
         say!("File of the robot"),
         say!("a robot, a session, or a URDF file"),
     );
-    if companion_file::path(ui, field, &mut path, (Companion::Robot, now), workbench) {
+    if file::path(ui, field, &mut path, (Companion::Robot, now), workbench) {
         next.robot = next.robot.of_file(path);
     }
     if let RobotFrom::File { path, base, tip } = &mut next.robot

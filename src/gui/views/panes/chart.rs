@@ -9,7 +9,7 @@ use crate::gui::charts::{
 use crate::gui::core::loaded_session::Component;
 use crate::gui::core::quantity::Quantity;
 use crate::gui::plots::chart::{self, Canvas};
-use crate::gui::plots::{figure, gestures, picture, ring};
+use crate::gui::plots::{self, figure, picture, ring};
 use crate::gui::style::{size, space};
 use crate::gui::view::{ChartPane, Key, Plot, Step, What};
 use crate::gui::widgets;
@@ -392,7 +392,7 @@ fn signs(ui: &mut Ui, (place, kind): (Place<'_>, &dyn ChartKind), workbench: &Wo
             bench.choose_where_to_export(What::Numbers(about.id));
         });
     }
-    if gestures::fit(ui, &place.own(say!("Fit chart to view"))) {
+    if plots::fit(ui, &place.own(say!("Fit chart to view"))) {
         workbench.then(move |bench| bench.view.panes.fit(key));
     }
     copies::chart_button(ui, &about, key, workbench);
