@@ -2,10 +2,8 @@
 //! samples. Which chart it is for only that chart knows.
 //!
 //! A chart of many samples shows what lies between the smallest and the largest deviation in each column
-//! of pixels. Samples are sorted by what the chart stands over once, for each side from which it came, and
-//! above them stands a tree of extremes, sixteen to one. A column then costs a few looks at the tree, and a
-//! frame as much as it has columns, for any number of samples. As long as the view stands still they are
-//! those of the frame before.
+//! of pixels. Samples are sorted by what the chart stands over once, for each side from which it came; while the view
+//! stands still the columns are those of the frame before.
 
 use std::any::Any;
 use std::fmt;
@@ -81,65 +79,12 @@ impl fmt::Debug for Work {
     }
 }
 
-/// How many of one level make one of the next.
-const FAN: usize = 16;
-
-/// Smallest and largest of nothing.
-const NOTHING: [f32; 2] = [f32::INFINITY, f32::NEG_INFINITY];
-
-/// Values with a tree of their extremes. What is not finite is passed over.
-#[derive(Debug, Clone, Default, PartialEq)]
-struct Extremes {
-    values: Vec<f32>,
-    levels: Vec<Vec<[f32; 2]>>,
-}
-
-impl Extremes {
-    fn new(values: Vec<f32>) -> Self {
-        let mut levels: Vec<Vec<[f32; 2]>> = Vec::new();
-        if values.len() > FAN {
-            levels.push(values.chunks(FAN).map(of_values).collect());
-        }
-        while let Some(last) = levels.last()
-            && last.len() > FAN
-        {
-            let next = last.chunks(FAN).map(of_pairs).collect();
-            levels.push(next);
-        }
-        Self { values, levels }
-    }
-
-    /// Smallest and largest of the values from `from` to before `to`.
-    fn of(&self, mut from: usize, mut to: usize) -> [f32; 2] {
-        let mut found = NOTHING;
-        let mut level = 0;
-        let take = |level: usize, from: usize, to: usize| match level {
-            0 => of_values(&self.values[from..to]),
-            _ => of_pairs(&self.levels[level - 1][from..to]),
-        };
-        loop {
-            let (first, last) = (from.div_ceil(FAN), to / FAN);
-            if first >= last || level >= self.levels.len() {
-                return both(found, take(level, from, to));
-            }
-            found = both(found, take(level, from, first * FAN));
-            found = both(found, take(level, last * FAN, to));
-            (from, to, level) = (first, last, level + 1);
-        }
-    }
-}
-
-fn of_values(values: &[f32]) -> [f32; 2] {
+/// Smallest and largest of values, if there are any; what is not finite is passed over.
+fn extremes(values: &[f32]) -> Option<[f64; 2]> {
     let finite = values.iter().filter(|v| v.is_finite());
-    finite.fold(NOTHING, |[a, b], v| [a.min(*v), b.max(*v)])
-}
-
-fn of_pairs(pairs: &[[f32; 2]]) -> [f32; 2] {
-    pairs.iter().copied().fold(NOTHING, both)
-}
-
-fn both(a: [f32; 2], b: [f32; 2]) -> [f32; 2] {
-    [a[0].min(b[0]), a[1].max(b[1])]
+    let nothing = [f32::INFINITY, f32::NEG_INFINITY];
+    let [low, high] = finite.fold(nothing, |[a, b], v| [a.min(*v), b.max(*v)]);
+    (low <= high).then(|| [low, high].map(f64::from))
 }
 
 /// Samples that the joint reached from one side.
@@ -148,8 +93,8 @@ struct Track {
     side: f64,
     samples: Vec<u32>,
     x: Vec<f64>,
-    before: Extremes,
-    after: Option<Extremes>,
+    before: Vec<f32>,
+    after: Option<Vec<f32>>,
 }
 
 /// A column: from where to where along the chart, and what lies in it, mm.
@@ -172,11 +117,16 @@ impl Column {
             before_mm: known(before),
             after_mm: after.and_then(known),
         };
-        samples.map(one).reduce(|a, b| Self {
-            x: [a.x[0].min(b.x[0]), a.x[1].max(b.x[1])],
-            before_mm: widest(a.before_mm, b.before_mm),
-            after_mm: widest(a.after_mm, b.after_mm),
-        })
+        samples.map(one).reduce(Self::with)
+    }
+
+    /// Both, and all between them.
+    fn with(self, other: Self) -> Self {
+        Self {
+            x: [self.x[0].min(other.x[0]), self.x[1].max(other.x[1])],
+            before_mm: widest(self.before_mm, other.before_mm),
+            after_mm: widest(self.after_mm, other.after_mm),
+        }
     }
 }
 
@@ -184,6 +134,8 @@ impl Column {
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Envelope {
     tracks: Vec<Track>,
+    /// Everything.
+    extent: Option<Column>,
     last: Last,
 }
 
@@ -229,7 +181,7 @@ impl Envelope {
                     let sample = *sample as usize;
                     single(loaded_session.component(deviation(sample), sample, component))
                 };
-                Extremes::new(samples.iter().map(value).collect())
+                samples.iter().map(value).collect()
             };
             Track {
                 side,
@@ -240,23 +192,21 @@ impl Envelope {
             }
         };
         let tracks = [-1.0, 0.0, 1.0].into_iter().map(track);
+        let tracks: Vec<Track> = tracks.filter(|t| !t.samples.is_empty()).collect();
+        let whole = tracks.iter().map(|t| {
+            let last = t.x.len() - 1;
+            t.column([t.x[0], t.x[last]], 0, last + 1)
+        });
         Self {
-            tracks: tracks.filter(|t| !t.samples.is_empty()).collect(),
+            extent: whole.reduce(Column::with),
+            tracks,
             last: Last::default(),
         }
     }
 
     /// Smallest and largest value along the chart, and of the deviations before and after.
     pub(crate) fn extent(&self) -> Option<Column> {
-        let ends = |t: &Track| Some([*t.x.first()?, *t.x.last()?]);
-        let x = self.tracks.iter().filter_map(ends);
-        let x = x.reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])])?;
-        let whole = self.tracks.iter().map(|t| t.column(x, 0, t.x.len()));
-        whole.reduce(|a, b| Column {
-            x,
-            before_mm: widest(a.before_mm, b.before_mm),
-            after_mm: widest(a.after_mm, b.after_mm),
-        })
+        self.extent
     }
 
     /// How many samples have a place along the chart.
@@ -331,12 +281,10 @@ impl Track {
     }
 
     fn column(&self, x: [f64; 2], from: usize, to: usize) -> Column {
-        let known =
-            |[low, high]: [f32; 2]| (low <= high).then(|| [f64::from(low), f64::from(high)]);
         Column {
             x,
-            before_mm: known(self.before.of(from, to)),
-            after_mm: self.after.as_ref().and_then(|a| known(a.of(from, to))),
+            before_mm: extremes(&self.before[from..to]),
+            after_mm: self.after.as_ref().and_then(|a| extremes(&a[from..to])),
         }
     }
 }
@@ -367,29 +315,6 @@ mod tests {
             loaded_session: workbench.loaded_session(),
             answer: workbench.answer(),
             component,
-        }
-    }
-
-    #[test]
-    fn the_tree_knows_the_extremes_of_every_range() {
-        let value = |k: u32| f32::from(u8::try_from(k.wrapping_mul(97) % 251).expect("small"));
-        let mut values: Vec<f32> = (0..5000).map(value).collect();
-        values[17] = f32::NAN;
-        values[4000] = f32::INFINITY;
-        let tree = Extremes::new(values.clone());
-        for (from, to) in [
-            (0, 5000),
-            (0, 1),
-            (3, 3),
-            (15, 17),
-            (16, 4096),
-            (4001, 4999),
-        ] {
-            assert_eq!(
-                tree.of(from, to),
-                of_values(&values[from..to]),
-                "{from}..{to}"
-            );
         }
     }
 
@@ -428,6 +353,7 @@ mod tests {
     fn an_envelope_of_nothing_is_empty() {
         let envelope = Envelope {
             tracks: Vec::new(),
+            extent: None,
             last: Last::default(),
         };
         assert_eq!(envelope.extent(), None);

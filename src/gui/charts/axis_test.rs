@@ -15,8 +15,6 @@ use crate::standards::{AxisTest, Series, axis_test};
 
 pub(crate) struct OfAxis;
 
-pub(crate) static OF_AXIS: OfAxis = OfAxis;
-
 const ID: &str = "deviation over position";
 
 impl ChartKind for OfAxis {

@@ -22,8 +22,6 @@ const FINE: usize = 240;
 
 pub(crate) struct Histogram;
 
-pub(crate) static HISTOGRAM: Histogram = Histogram;
-
 impl ChartKind for Histogram {
     fn about(&self) -> About {
         About {

@@ -25,8 +25,6 @@ const ROWS: usize = 3;
 
 pub(crate) struct Orders;
 
-pub(crate) static ORDERS: Orders = Orders;
-
 impl ChartKind for Orders {
     fn about(&self) -> About {
         About {

@@ -44,8 +44,6 @@ const GAP_RAD: f64 = 0.45;
 
 pub(crate) struct Polar;
 
-pub(crate) static POLAR: Polar = Polar;
-
 impl ChartKind for Polar {
     fn about(&self) -> About {
         About {
@@ -406,7 +404,7 @@ mod tests {
     }
 
     fn of<T>(workbench: &Workbench, look: impl FnOnce(&Drawn<'_>) -> T) -> T {
-        look(&Drawn::of(&workbench.scene_of(&POLAR)))
+        look(&Drawn::of(&workbench.scene_of(&Polar)))
     }
 
     #[test]

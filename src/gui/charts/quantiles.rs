@@ -24,8 +24,6 @@ const QUARTILES: f64 = 1.348_979_500_392_163_5;
 
 pub(crate) struct Quantiles;
 
-pub(crate) static QUANTILES: Quantiles = Quantiles;
-
 /// Samples in ascending order of what is left: which, its normal quantile, and how much, mm.
 struct Ranked(Vec<(usize, f64, f64)>);
 

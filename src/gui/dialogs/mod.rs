@@ -8,7 +8,7 @@ use egui::{Align2, Context, Id, LayerId, Margin, Modal, Popup, ScrollArea, Ui, v
 
 use crate::gui::style::{Palette, space};
 use crate::gui::view::Sheet;
-use crate::gui::widgets;
+use crate::gui::widgets::{self, Does};
 use crate::gui::workbench::Workbench;
 
 type Show = fn(&mut Ui, &Workbench);
@@ -113,9 +113,7 @@ pub(crate) fn asking(ui: &Ui, workbench: &Workbench) {
         ui.spacing_mut().item_spacing.y = space::ROW;
         widgets::bold(ui, &asking.what);
         widgets::hint(ui, say!("The window goes on once the dialog is answered"));
-        if widgets::secondary(ui, say!("Go on without it")).clicked() {
-            workbench.then(Workbench::stop_asking);
-        }
+        widgets::secondary(ui, say!("Go on without it")).does(workbench, Workbench::stop_asking);
     });
 }
 

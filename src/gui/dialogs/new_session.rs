@@ -9,7 +9,7 @@ use crate::text::{Template, spoken};
 use crate::gui::core::simulate::{Chosen, Form, SimulatedRobot, field};
 use crate::gui::style::{Palette, size, space};
 use crate::gui::view::Sheet;
-use crate::gui::widgets;
+use crate::gui::widgets::{self, Does};
 
 /// Width of the names of effects, points.
 const NAMES: f32 = 168.0;
@@ -26,9 +26,9 @@ pub(super) fn simulation(ui: &mut Ui, form: &Form, workbench: &Workbench) {
             "A lamp on one turning axis, measured by a tracker. What is filled in here is what identification should find"
         ),
     );
-    if widgets::secondary(ui, say!("Another robot…")).clicked() {
-        workbench.then(move |bench| bench.show_sheet(Some(Sheet::ROBOTS)));
-    }
+    widgets::secondary(ui, say!("Another robot…")).does(workbench, move |bench| {
+        bench.show_sheet(Some(Sheet::ROBOTS))
+    });
     let mut filled = form.clone();
     let wrong = form.problems();
     ui.spacing_mut().item_spacing.x = f32::from(space::PANEL) * 1.5;

@@ -4,7 +4,7 @@
 use egui::{Checkbox, ComboBox, Grid, Id, RichText, ScrollArea, TextEdit, Ui};
 
 use crate::compensation::decision::Rule;
-use crate::gui::widgets;
+use crate::gui::widgets::{self, Does};
 use crate::gui::core::disk::name_of;
 use crate::gui::style::{Palette, size, space, strong};
 use crate::gui::view::{About, What};
@@ -155,9 +155,7 @@ pub(super) fn details(ui: &mut Ui, workbench: &Workbench) {
                 let width = ui.available_width() - 86.0;
                 let hint = say!("a PNG file");
                 field(ui, name, &mut stated.logo, hint, width);
-                if ui.button(say!("Choose…")).clicked() {
-                    workbench.then(Workbench::choose_logo);
-                }
+                ui.button(say!("Choose…")).does(workbench, Workbench::choose_logo);
             });
             ui.end_row();
             with_history(ui, workbench, &mut stated.without_history);
@@ -182,13 +180,11 @@ pub(super) fn details(ui: &mut Ui, workbench: &Workbench) {
         let says = say!("Last time it was {last} mm", last);
         ui.horizontal(|ui| {
             ui.label(RichText::new(says).size(size::SMALL).color(muted));
-            if ui.small_button(say!("Use it")).clicked() {
-                workbench.then(move |bench| {
+            ui.small_button(say!("Use it")).does(workbench, move |bench| {
                     bench.edit(phrase!("set tolerance"), |document| {
                         document.set_tolerance(Some(last))
                     })
                 });
-            }
         });
     }
     widgets::hint(ui, about(stated.details.rule));

@@ -4,7 +4,7 @@
 use egui::{Align, Button, DragValue, Grid, Key, Layout, Modifiers, Role, ScrollArea, Sense, TextEdit, Ui, WidgetInfo, vec2};
 
 use crate::kinematics;
-use crate::gui::widgets;
+use crate::gui::widgets::{self, Does};
 use crate::gui::core::robot_table::{RobotTable, Row, TableForm};
 use crate::gui::core::simulate::{self, Form, SimulatedRobot};
 use crate::gui::style::{Palette, size, space};
@@ -618,9 +618,7 @@ fn typed_ends(ui: &mut Ui, typed: &RobotTable, sound: bool, workbench: &Workbenc
         let save = columns[1].add_enabled_ui(sound, save).inner;
         let simulate = |ui: &mut Ui| widgets::primary(ui, say!("Simulate…"));
         let simulate = columns[2].add_enabled_ui(sound, simulate).inner;
-        if save.clicked() {
-            workbench.then(move |bench| bench.show_sheet(None));
-        }
+        save.does(workbench, move |bench| bench.show_sheet(None));
         if save.clicked() || simulate.clicked() {
             let (table, save) = (typed.clone(), save.clicked());
             workbench.then(move |bench| bench.keep_robot(table, save));

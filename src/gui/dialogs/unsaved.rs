@@ -13,7 +13,7 @@ use crate::export::find;
 use crate::gui::core::disk::name_of;
 use crate::gui::style::space;
 use crate::gui::view::{NextAction, Sheet, What};
-use crate::gui::widgets;
+use crate::gui::widgets::{self, Does};
 use crate::gui::workbench::Workbench;
 
 /// Shows what would be lost, and what can be done about it.
@@ -167,9 +167,7 @@ pub(super) fn recovery(ui: &mut Ui, workbench: &Workbench) {
                     } else {
                         widgets::other(&mut columns[1], restore)
                     };
-                    if button.clicked() {
-                        workbench.then(move |bench| bench.restore(index));
-                    }
+                    button.does(workbench, move |bench| bench.restore(index));
                 });
             });
         }
@@ -241,41 +239,61 @@ fn a_time_is_said_in_words() {
     assert_eq!(says(200_000), "2 days ago");
 }
 
-/// What was done with a path that is being typed.
-enum PathInput {
-    /// It is complete.
-    Done {
-        path: PathBuf,
-        replace: bool,
-    },
-    /// It is another now.
-    Changed {
-        path: String,
-        replace: bool,
-    },
-    Same,
-}
-
 /// A file to save the session to.
 pub(super) fn save(ui: &mut Ui, workbench: &Workbench, typed: (&str, bool)) {
     let says = say!("The samples are written beside it, as a CSV file of the same name");
-    match path_form(ui, workbench, (say!("Save session"), says), typed) {
-        PathInput::Done { path, replace } => {
-            workbench.then(move |bench| bench.save_as(&path, replace))
-        }
-        PathInput::Changed { path, replace } => {
-            workbench.then(move |bench| bench.show_sheet(Some(Sheet::SavePath { path, replace })));
-        }
-        PathInput::Same => {}
-    }
+    let again = |path, replace| Sheet::SavePath { path, replace };
+    let done = |bench: &mut Workbench, path: PathBuf, replace| bench.save_as(&path, replace);
+    path_form(ui, workbench, (say!("Save session"), says), typed, again, done);
 }
 
+/// A file to export to.
+pub(super) fn export(ui: &mut Ui, workbench: &Workbench, what: What, typed: (&str, bool)) {
+    let format = find(workbench.document().export.format);
+    // It describes the robot and is no table.
+    let robot = what == What::Table && format.is_some_and(|format| format.rules.is_none());
+    let ending;
+    let says = match what {
+        What::Table if robot => {
+            say!("A file that says what its numbers mean is written beside it")
+        }
+        What::Table => say!("A file that says what the table means is written beside it"),
+        What::Model => say!("The model can be exported and verified later"),
+        What::Poses => say!("A CSV table with the session's column names, to be measured next"),
+        What::Report(_) => say!(
+            "A name that ends in .html or .pdf; a session without a diagnosis is diagnosed first"
+        ),
+        What::Picture(plot) => {
+            ending = say!("A name that ends in .{ending}", ending = plot.ending());
+            &*ending
+        }
+        What::Numbers(_) => say!("A CSV table of what the chart shows, with all digits"),
+        What::Targets => say!("What was changed is written beside it, as NAME.meta.json"),
+        What::Robot(_) | What::TypedRobot => say!("A file that sessions, imports and plans take"),
+    };
+    let title = if robot {
+        say!("Save robot")
+    } else {
+        what.title()
+    };
+    let again = move |path, replace| Sheet::ExportPath {
+        what,
+        path,
+        replace,
+    };
+    let done = move |bench: &mut Workbench, path, replace| bench.export_as(what, path, replace);
+    path_form(ui, workbench, (title, says), typed, again, done);
+}
+
+/// A path to save to: `done` once it is complete, `again` the sheet with what is typed now.
 fn path_form(
     ui: &mut Ui,
     workbench: &Workbench,
     (title, says): (&str, &str),
     (path, replace): (&str, bool),
-) -> PathInput {
+    again: impl FnOnce(String, bool) -> Sheet,
+    done: impl FnOnce(&mut Workbench, PathBuf, bool) + Send + 'static,
+) {
     widgets::wide(ui, 420.0);
     widgets::heading(ui, title);
     let (mut typed, mut allowed) = (path.to_owned(), replace);
@@ -297,82 +315,10 @@ fn path_form(
     let named = !typed.trim().is_empty();
     let pressed = widgets::sheet_buttons(ui, say!("Save"), named, workbench);
     if named && (pressed || entered) {
-        PathInput::Done {
-            path: typed.trim().into(),
-            replace: allowed,
-        }
+        let path = PathBuf::from(typed.trim());
+        workbench.then(move |bench| done(bench, path, allowed));
     } else if typed != path || allowed != replace {
-        PathInput::Changed {
-            path: typed,
-            replace: allowed,
-        }
-    } else {
-        PathInput::Same
-    }
-}
-
-/// Whether what is exported describes the robot and is no table.
-fn is_robot(workbench: &Workbench) -> bool {
-    let format = find(workbench.document().export.format);
-    format.is_some_and(|format| format.rules.is_none())
-}
-
-/// A file to export to.
-pub(super) fn export(ui: &mut Ui, workbench: &Workbench, what: What, typed: (&str, bool)) {
-    let ending;
-    let (title, says) = match what {
-        What::Table if is_robot(workbench) => (
-            say!("Save robot"),
-            say!("A file that says what its numbers mean is written beside it"),
-        ),
-        What::Table => (
-            say!("Save table"),
-            say!("A file that says what the table means is written beside it"),
-        ),
-        What::Model => (
-            say!("Save model"),
-            say!("The model can be exported and verified later"),
-        ),
-        What::Poses => (
-            say!("Save measuring list"),
-            say!("A CSV table with the session's column names, to be measured next"),
-        ),
-        What::Report(_) => (
-            say!("Save report"),
-            say!(
-                "A name that ends in .html or .pdf; a session without a diagnosis is diagnosed first"
-            ),
-        ),
-        What::Picture(plot) => {
-            ending = say!("A name that ends in .{ending}", ending = plot.ending());
-            (say!("Save picture"), &*ending)
-        }
-        What::Numbers(_) => (
-            say!("Save data"),
-            say!("A CSV table of what the chart shows, with all digits"),
-        ),
-        What::Targets => (
-            say!("Save corrected file"),
-            say!("What was changed is written beside it, as NAME.meta.json"),
-        ),
-        What::Robot(_) | What::TypedRobot => (
-            say!("Save robot file"),
-            say!("A file that sessions, imports and plans take"),
-        ),
-    };
-    match path_form(ui, workbench, (title, says), typed) {
-        PathInput::Done { path, replace } => {
-            workbench.then(move |bench| bench.export_as(what, path, replace))
-        }
-        PathInput::Changed { path, replace } => {
-            workbench.then(move |bench| {
-                bench.show_sheet(Some(Sheet::ExportPath {
-                    what,
-                    path,
-                    replace,
-                }))
-            });
-        }
-        PathInput::Same => {}
+        let sheet = again(typed, allowed);
+        workbench.then(move |bench| bench.show_sheet(Some(sheet)));
     }
 }

@@ -108,17 +108,7 @@ pub(crate) fn choose_to_save(path: &Path) -> Option<PathBuf> {
 
 /// Asks the user where to export to.
 pub(crate) fn choose_to_export(what: What, path: &Path) -> Option<PathBuf> {
-    let title = match what {
-        What::Table => say!("Save table"),
-        What::Model => say!("Save model"),
-        What::Poses => say!("Save measuring list"),
-        What::Report(_) => say!("Save report"),
-        What::Picture(_) => say!("Save picture"),
-        What::Numbers(_) => say!("Save data"),
-        What::Targets => say!("Save corrected file"),
-        What::Robot(_) | What::TypedRobot => say!("Save robot file"),
-    };
-    let dialog = dialog_at(path).set_title(title);
+    let dialog = dialog_at(path).set_title(what.title());
     let dialog = match what {
         What::Report(_) => dialog
             .add_filter(say!("HTML or PDF (*.html, *.pdf)"), &["html", "pdf"])

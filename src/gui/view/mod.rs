@@ -437,6 +437,22 @@ pub(crate) enum What {
     TypedRobot,
 }
 
+impl What {
+    /// What saving it is called.
+    pub(crate) fn title(self) -> &'static str {
+        match self {
+            Self::Table => say!("Save table"),
+            Self::Model => say!("Save model"),
+            Self::Poses => say!("Save measuring list"),
+            Self::Report(_) => say!("Save report"),
+            Self::Picture(_) => say!("Save picture"),
+            Self::Numbers(_) => say!("Save data"),
+            Self::Targets => say!("Save corrected file"),
+            Self::Robot(_) | Self::TypedRobot => say!("Save robot file"),
+        }
+    }
+}
+
 /// What a report is about.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum About {

@@ -22,7 +22,7 @@ use crate::units::deg_from_rad;
 
 use crate::gui::charts::effect;
 use crate::gui::style::{Palette, size, strong};
-use crate::gui::widgets;
+use crate::gui::widgets::{self, Does};
 use crate::gui::workbench::Workbench;
 
 /// How a section's title looks.
@@ -226,9 +226,9 @@ pub(super) fn curve_link(ui: &mut Ui, workbench: &Workbench, index: usize) {
     let view = &workbench.view;
     let shown = workbench.shows(effect::ID) && view.effect == index;
     let button = ui.add_enabled_ui(!shown, |ui| widgets::secondary(ui, say!("Show its curve")));
-    if button.inner.clicked() {
-        workbench.then(move |bench| bench.show_effect(index));
-    }
+    button
+        .inner
+        .does(workbench, move |bench| bench.show_effect(index));
 }
 
 /// A card for each problem of the data; what is mechanical was corrected before the fit that is shown below.

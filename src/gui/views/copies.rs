@@ -11,7 +11,7 @@ use crate::fit::{Estimate, RegionResult};
 use crate::gui::charts::About;
 use crate::gui::style::{size, space};
 use crate::gui::view::Key;
-use crate::gui::widgets;
+use crate::gui::widgets::{self, Does};
 use crate::gui::workbench::Workbench;
 use crate::kinematics::Robot;
 use crate::present::limits::sight;
@@ -71,12 +71,10 @@ pub(super) fn chart_button(ui: &mut Ui, about: &About, key: Key, workbench: &Wor
     let id = about.id;
     let says = say!("Copy numbers: {of}", of = about.name().to_lowercase());
     let button = widgets::icon_button(ui, widgets::COPY, &says).on_hover_text(&says);
-    if button.clicked() {
-        workbench.then(move |bench| {
-            bench.view.panes.activate(key);
-            bench.copy_numbers(id);
-        });
-    }
+    button.does(workbench, move |bench| {
+        bench.view.panes.activate(key);
+        bench.copy_numbers(id);
+    });
     if is_recent(ui, id_of(about.id)) {
         // What lies beneath it can be clicked all the same.
         Popup::from_response(&button)

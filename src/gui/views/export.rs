@@ -10,35 +10,27 @@ use crate::gui::core::document::ExportChoice;
 use crate::gui::style::{Palette, size, space, strong};
 use crate::gui::view::{About, Sheet, Step, What};
 use crate::gui::views::blocks;
-use crate::gui::widgets;
+use crate::gui::widgets::{self, Does};
 use crate::gui::workbench::Workbench;
 use crate::language::spoken;
 
 use super::blocks::in_words;
-use super::{Progress, StepView};
 
 /// Where an own step begins, degrees or mm.
 const FIRST_STEP: f64 = 1.0;
 
-pub(super) const STEP: StepView = StepView {
-    step: Step::Export,
-    show,
-    next,
-    state,
-};
-
-fn state(workbench: &Workbench) -> (String, Progress) {
+pub(super) fn state(workbench: &Workbench) -> (String, bool) {
     match workbench
         .exported()
         .next_back()
         .and_then(|path| path.file_name())
     {
-        Some(name) => (name.to_string_lossy().into_owned(), Progress::Done),
-        None => (say!("not yet").to_owned(), Progress::Open),
+        Some(name) => (name.to_string_lossy().into_owned(), true),
+        None => (say!("not yet").to_owned(), false),
     }
 }
 
-fn show(ui: &mut Ui, workbench: &Workbench) {
+pub(super) fn show(ui: &mut Ui, workbench: &Workbench) {
     if workbench.answer().is_none() {
         widgets::hint(
             ui,
@@ -89,9 +81,8 @@ fn reports(ui: &mut Ui, workbench: &Workbench) {
         }
     };
     if measured {
-        if widgets::secondary(ui, say!("Report details…")).clicked() {
-            workbench.then(|bench| bench.show_sheet(Some(Sheet::DETAILS)));
-        }
+        widgets::secondary(ui, say!("Report details…"))
+            .does(workbench, |bench| bench.show_sheet(Some(Sheet::DETAILS)));
         report(ui, say!("Report…"), About::Session);
         let says = if workbench.diagnosis().is_some() {
             say!("HTML or PDF: what was measured, the effects found, the open points")
@@ -136,9 +127,8 @@ fn export(ui: &mut Ui, workbench: &Workbench) {
     match workbench.export() {
         None if workbench.is_unprepared() => {
             widgets::hint(ui, say!("The preparation of the table was cancelled"));
-            if widgets::secondary(ui, say!("Prepare the table")).clicked() {
-                workbench.then(Workbench::prepare_again);
-            }
+            widgets::secondary(ui, say!("Prepare the table"))
+                .does(workbench, Workbench::prepare_again);
         }
         None => widgets::hint(ui, say!("The table is being prepared")),
         Some(Err(because)) => {
@@ -154,9 +144,8 @@ fn export(ui: &mut Ui, workbench: &Workbench) {
             } else {
                 // What the format cannot hold is switched off here, or left out of the fit.
                 super::gap::switches(ui, workbench);
-                if widgets::secondary(ui, say!("Go to identify")).clicked() {
-                    workbench.then(move |bench| bench.view.step = Step::Identify);
-                }
+                widgets::secondary(ui, say!("Go to identify"))
+                    .does(workbench, move |bench| bench.view.step = Step::Identify);
             }
         }
         Some(Ok(made)) => {
@@ -173,9 +162,9 @@ fn export(ui: &mut Ui, workbench: &Workbench) {
             if widgets::secondary(ui, what).clicked() {
                 ui.copy_text(text_of(made));
             }
-            if widgets::secondary(ui, say!("Save model…")).clicked() {
-                workbench.then(move |bench| bench.choose_where_to_export(What::Model));
-            }
+            widgets::secondary(ui, say!("Save model…")).does(workbench, move |bench| {
+                bench.choose_where_to_export(What::Model)
+            });
         }
     }
 }
@@ -317,11 +306,10 @@ fn text(ui: &mut Ui, text: &str) {
     }
 }
 
-fn next(ui: &mut Ui, workbench: &Workbench) {
+pub(super) fn next(ui: &mut Ui, workbench: &Workbench) {
     if workbench.answer().is_none() {
-        if widgets::primary(ui, say!("Go to identify")).clicked() {
-            workbench.then(move |bench| bench.view.step = Step::Identify);
-        }
+        widgets::primary(ui, say!("Go to identify"))
+            .does(workbench, move |bench| bench.view.step = Step::Identify);
         return;
     }
     let format = find(workbench.document().export.format);
@@ -333,15 +321,13 @@ fn next(ui: &mut Ui, workbench: &Workbench) {
     };
     let ready = matches!(workbench.export(), Some(Ok(_))) || workbench.is_unprepared();
     if is_refused_for_an_arm(workbench) {
-        if widgets::primary(ui, say!("Compensate…")).clicked() {
-            workbench.then(Workbench::choose_targets);
-        }
+        widgets::primary(ui, say!("Compensate…")).does(workbench, Workbench::choose_targets);
         return;
     }
     let save = ui.add_enabled_ui(ready, |ui| widgets::primary(ui, &says));
-    if save.inner.clicked() {
-        workbench.then(move |bench| bench.choose_where_to_export(What::Table));
-    }
+    save.inner.does(workbench, move |bench| {
+        bench.choose_where_to_export(What::Table)
+    });
 }
 
 /// Whether what was chosen cannot hold the model of a robot with several joints: corrected targets can.

@@ -22,7 +22,7 @@ use crate::gui::style::{Palette, size, space, strong};
 use crate::gui::view::What;
 use crate::gui::views::blocks::{self, Title, curve_link, in_words};
 use crate::gui::views::copies;
-use crate::gui::widgets;
+use crate::gui::widgets::{self, Does};
 use crate::gui::workbench::Workbench;
 use crate::kinematics::JointKind;
 use crate::present::names::{parameter, title_of};
@@ -272,9 +272,9 @@ fn next_poses(ui: &mut Ui, workbench: &Workbench, poses: &[NextPose]) {
         widgets::hint(ui, say!("and {more} more, in the measuring list", more));
     }
     copies::button(ui, say!("poses"), || copies::poses(poses, robot));
-    if widgets::secondary(ui, say!("Save measuring list…")).clicked() {
-        workbench.then(move |bench| bench.choose_where_to_export(What::Poses));
-    }
+    widgets::secondary(ui, say!("Save measuring list…")).does(workbench, move |bench| {
+        bench.choose_where_to_export(What::Poses)
+    });
 }
 
 /// Columns that are shown where they hold anything; the last one of the table, why, stands under the pointer.
@@ -393,9 +393,7 @@ fn sketch(ui: &mut Ui, workbench: &Workbench, (index, curve): (usize, &EffectCur
         .rect(rect, round, palette.surface, Stroke::new(1.0, edge), inside);
     ui.painter()
         .extend(drawn(rect.shrink2(vec2(6.0, 4.0)), curve, &palette));
-    if response.clicked() {
-        workbench.then(move |bench| bench.show_effect(index));
-    }
+    response.does(workbench, move |bench| bench.show_effect(index));
     if !shown {
         let response = response.on_hover_cursor(CursorIcon::PointingHand);
         response.on_hover_text(say!("Show its curve"));
@@ -445,9 +443,8 @@ fn in_the_model(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis, index: usize)
     match added.position(|a| a.term.same_column(&term)) {
         None => {
             // The button that stands out is the one at the foot of the step, which adds all of them.
-            if widgets::secondary(ui, say!("Add to model")).clicked() {
-                workbench.then(move |bench| bench.add(&[term]));
-            }
+            widgets::secondary(ui, say!("Add to model"))
+                .does(workbench, move |bench| bench.add(&[term]));
         }
         Some(index) => {
             let mut on = workbench.document().added[index].on;

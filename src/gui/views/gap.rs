@@ -4,23 +4,15 @@ use crate::text::{spoken, within};
 use egui::{ProgressBar, RichText, Ui};
 
 use super::blocks::in_words;
-use super::{Progress, StepView};
 use crate::diagnosis::Verdict;
 use crate::gui::core::answer::{SEARCHING, STAGES};
 use crate::gui::core::document::Method;
 use crate::gui::style::{Palette, size, strong};
 use crate::gui::view::Step;
-use crate::gui::widgets;
+use crate::gui::widgets::{self, Does};
 use crate::gui::workbench::Workbench;
 
-pub(super) const STEP: StepView = StepView {
-    step: Step::Gap,
-    show,
-    next,
-    state,
-};
-
-fn show(ui: &mut Ui, workbench: &Workbench) {
+pub(super) fn show(ui: &mut Ui, workbench: &Workbench) {
     if workbench.loaded_session().is_empty() {
         widgets::hint(
             ui,
@@ -61,9 +53,7 @@ fn show(ui: &mut Ui, workbench: &Workbench) {
         widgets::fact_of(ui, phrase!("left by the table"), units.length(left));
     }
     widgets::fact_of(ui, phrase!("noise floor"), units.length(diagnosis.floor.mm));
-    if widgets::secondary(ui, say!("Run diagnosis again")).clicked() {
-        workbench.then(Workbench::search);
-    }
+    widgets::secondary(ui, say!("Run diagnosis again")).does(workbench, Workbench::search);
     switches(ui, workbench);
 }
 
@@ -190,15 +180,15 @@ pub(super) fn switches(ui: &mut Ui, workbench: &Workbench) {
 }
 
 /// What the step has to show for itself.
-fn state(workbench: &Workbench) -> (String, Progress) {
+pub(super) fn state(workbench: &Workbench) -> (String, bool) {
     if workbench.searching().is_some() {
-        return (say!("searching").to_owned(), Progress::Open);
+        return (say!("searching").to_owned(), false);
     }
     let on = workbench.document().in_the_model().count();
     let caption = match (workbench.diagnosis(), on) {
         (_, 1) => say!("one effect in the model").to_owned(),
         (_, 2..) => say!("{on} effects in the model", on),
-        (None, _) => return (say!("not yet").to_owned(), Progress::Open),
+        (None, _) => return (say!("not yet").to_owned(), false),
         (Some(diagnosis), _) => match (diagnosis.verdict, diagnosis.found.len()) {
             (Verdict::Noise, _) => say!("nothing is missing").to_owned(),
             (Verdict::Unexplained, _) => say!("something unexplained").to_owned(),
@@ -206,26 +196,24 @@ fn state(workbench: &Workbench) -> (String, Progress) {
             (_, n) => say!("{n} effects found", n),
         },
     };
-    (caption, Progress::Done)
+    (caption, true)
 }
 
-fn next(ui: &mut Ui, workbench: &Workbench) {
+pub(super) fn next(ui: &mut Ui, workbench: &Workbench) {
     if workbench.searching().is_some() {
         // It lies where it was started: the second click of a double click is not meant for it.
         let meant = widgets::has_stood(ui, "stop the search");
         let stop = |ui: &mut Ui| widgets::secondary(ui, say!("Stop the search"));
-        if ui.add_enabled_ui(meant, stop).inner.clicked() {
-            workbench.then(Workbench::stop_search);
-        }
+        ui.add_enabled_ui(meant, stop)
+            .inner
+            .does(workbench, Workbench::stop_search);
         return;
     }
     let missing = workbench.not_added();
     if workbench.diagnosis().is_none() {
         let measured = !workbench.loaded_session().is_empty();
         let button = ui.add_enabled_ui(measured, |ui| widgets::primary(ui, say!("Run diagnosis")));
-        if button.inner.clicked() {
-            workbench.then(Workbench::search);
-        }
+        button.inner.does(workbench, Workbench::search);
     } else if !missing.is_empty() {
         // The effect that was found comes before the table that would leave it uncorrected.
         let text = super::blocks::add_all(missing.len());

@@ -13,7 +13,7 @@ use crate::gui::core::disk::{EXAMPLES, name_of};
 use crate::gui::core::loaded_session::Origin;
 use crate::gui::preferences::{ZOOM, largest_zoom};
 use crate::gui::style::{Palette, size, space, strong};
-use crate::gui::widgets;
+use crate::gui::widgets::{self, Does};
 use crate::gui::workbench::Workbench;
 
 /// Width of the menus, points.
@@ -86,9 +86,8 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench) {
             }
             ui.add_space(space::ROW);
             let open = actions::layout(ui.ctx(), workbench).results();
-            if widgets::side_button(ui, open, actions::results_says(open)).clicked() {
-                workbench.then(move |bench| bench.view.results = Some(!open));
-            }
+            widgets::side_button(ui, open, actions::results_says(open))
+                .does(workbench, move |bench| bench.view.results = Some(!open));
         });
     });
 }

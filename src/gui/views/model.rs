@@ -15,19 +15,12 @@ use crate::gui::core::answer::{Answer, LoadedModelSummary};
 use crate::gui::core::document::Method;
 use crate::gui::style::{Palette, size};
 use crate::gui::view::Step;
-use crate::gui::widgets;
+use crate::gui::widgets::{self, Does};
 use crate::gui::workbench::Workbench;
 
-use super::{Progress, StepView, blocks, copies};
+use super::{blocks, copies};
 
-pub(super) const STEP: StepView = StepView {
-    step: Step::Identify,
-    show,
-    next,
-    state,
-};
-
-fn state(workbench: &Workbench) -> (String, Progress) {
+pub(super) fn state(workbench: &Workbench) -> (String, bool) {
     let document = workbench.document();
     let caption = match (document.identified, document.method) {
         _ if document.loaded_model.is_some() => say!("model from a file").to_owned(),
@@ -41,10 +34,10 @@ fn state(workbench: &Workbench) -> (String, Progress) {
             None => say!("full model").to_owned(),
         },
     };
-    (caption, Progress::of(workbench.answer().is_some()))
+    (caption, workbench.answer().is_some())
 }
 
-fn show(ui: &mut Ui, workbench: &Workbench) {
+pub(super) fn show(ui: &mut Ui, workbench: &Workbench) {
     let document = workbench.document();
     if let Some(given) = &document.loaded_model {
         widgets::hint(
@@ -61,9 +54,8 @@ fn show(ui: &mut Ui, workbench: &Workbench) {
             );
             return;
         }
-        if widgets::secondary(ui, say!("Identify from this session")).clicked() {
-            workbench.then(move |bench| bench.identify(None));
-        }
+        widgets::secondary(ui, say!("Identify from this session"))
+            .does(workbench, move |bench| bench.identify(None));
         return;
     }
     widgets::section(ui, say!("Method"));
@@ -99,9 +91,8 @@ fn show(ui: &mut Ui, workbench: &Workbench) {
             );
             let n = document.regions.len();
             widgets::fact_of(ui, phrase!("regions"), n.to_string());
-            if ui.link(say!("Change the regions")).clicked() {
-                workbench.then(move |bench| bench.view.step = Step::Regions);
-            }
+            ui.link(say!("Change the regions"))
+                .does(workbench, move |bench| bench.view.step = Step::Regions);
         }
     }
 }
@@ -162,20 +153,17 @@ fn effects(ui: &mut Ui, workbench: &Workbench) {
         });
 }
 
-fn next(ui: &mut Ui, workbench: &Workbench) {
+pub(super) fn next(ui: &mut Ui, workbench: &Workbench) {
     let document = workbench.document();
     if !document.identified {
-        if widgets::primary(ui, say!("Identify")).clicked() {
-            workbench.then(move |bench| bench.identify(None));
-        }
+        widgets::primary(ui, say!("Identify")).does(workbench, move |bench| bench.identify(None));
         return;
     }
     if document.loaded_model.is_none() {
         widgets::hint_above_the_button(ui, say!("Identified; the result follows every change"));
     }
-    if widgets::primary(ui, say!("Continue to diagnose")).clicked() {
-        workbench.then(move |bench| bench.view.step = Step::Gap);
-    }
+    widgets::primary(ui, say!("Continue to diagnose"))
+        .does(workbench, move |bench| bench.view.step = Step::Gap);
 }
 
 /// What there is to say about the model itself.

@@ -8,7 +8,7 @@ use crate::gui::core::document::{Division, Method};
 use crate::gui::core::regions::{self, Count, End, SNAP_DEG};
 use crate::gui::style::{Palette, size, space};
 use crate::gui::view::Step;
-use crate::gui::views::{Progress, StepView};
+use crate::gui::widgets::Does;
 use crate::gui::workbench::Workbench;
 use crate::gui::{help, widgets};
 use crate::present::numbers::{grouped, trimmed};
@@ -23,17 +23,10 @@ const OFFERED: usize = 6;
 /// More even regions than this are a slip of the keyboard.
 const MOST_EVEN: usize = 360;
 
-pub(super) const STEP: StepView = StepView {
-    step: Step::Regions,
-    show,
-    next,
-    state,
-};
-
-fn state(workbench: &Workbench) -> (String, Progress) {
+pub(super) fn state(workbench: &Workbench) -> (String, bool) {
     let document = workbench.document();
     if document.regions.is_empty() {
-        return (say!("optional").to_owned(), Progress::Open);
+        return (say!("optional").to_owned(), false);
     }
     let used = document.identified && document.method == Method::Regional;
     let regions =
@@ -43,10 +36,10 @@ fn state(workbench: &Workbench) -> (String, Progress) {
     } else {
         say!("optional, {regions}", regions)
     };
-    (caption, Progress::of(used))
+    (caption, used)
 }
 
-fn show(ui: &mut Ui, workbench: &Workbench) {
+pub(super) fn show(ui: &mut Ui, workbench: &Workbench) {
     let loaded_session = workbench.loaded_session();
     if loaded_session.is_empty() {
         widgets::hint(
@@ -223,7 +216,7 @@ fn left_out(ui: &mut Ui, workbench: &Workbench, counts: &[Count]) {
     }
 }
 
-fn next(ui: &mut Ui, workbench: &Workbench) {
+pub(super) fn next(ui: &mut Ui, workbench: &Workbench) {
     let document = workbench.document();
     let regional = document.identified && document.method == Method::Regional;
     let loaded_session = workbench.loaded_session();
@@ -233,14 +226,13 @@ fn next(ui: &mut Ui, workbench: &Workbench) {
     if possible && !regional {
         let says = say!("Optional: fills the next step, Identify, region by region");
         widgets::hint_above_the_button(ui, says);
-        if widgets::primary(ui, say!("Identify by region")).clicked() {
-            workbench.then(move |bench| bench.identify(Some(Method::Regional)));
-        }
+        widgets::primary(ui, say!("Identify by region")).does(workbench, move |bench| {
+            bench.identify(Some(Method::Regional))
+        });
         return;
     }
-    if widgets::primary(ui, say!("Continue to identify")).clicked() {
-        workbench.then(move |bench| bench.view.step = Step::Identify);
-    }
+    widgets::primary(ui, say!("Continue to identify"))
+        .does(workbench, move |bench| bench.view.step = Step::Identify);
 }
 
 /// Widths of the columns: name, from, to, samples, what can be done; the ends share what is left.

@@ -7,7 +7,7 @@ use crate::gui::files;
 use crate::language;
 use egui::{DragValue, Response, RichText, TextEdit, Ui};
 
-use super::{Progress, StepView, setup};
+use super::setup;
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::gui::core::disk::name_of;
 use crate::gui::core::loaded_session::Origin;
@@ -16,45 +16,38 @@ use crate::gui::core::simulate::Form;
 use crate::gui::import_draft::in_the_windows_words;
 use crate::gui::style::{Palette, size, space, strong};
 use crate::gui::view::{Sheet, Step};
-use crate::gui::widgets::{self, or_none};
+use crate::gui::widgets::{self, Does, or_none};
 use crate::gui::workbench::Workbench;
 use crate::present::numbers::grouped;
 use crate::present::units::LengthUnit;
 
 use crate::sessions::Sigma;
 
-pub(super) const STEP: StepView = StepView {
-    step: Step::Session,
-    show,
-    next,
-    state,
-};
-
-fn state(workbench: &Workbench) -> (String, Progress) {
+pub(super) fn state(workbench: &Workbench) -> (String, bool) {
     let says = if workbench.loaded_session().is_empty() {
         say!("a model, nothing measured").to_owned()
     } else {
         say!(one "{count} sample", "{count} samples", count = grouped(workbench.loaded_session().len()))
     };
-    (says, Progress::Done)
+    (says, true)
 }
 
-fn show(ui: &mut Ui, workbench: &Workbench) {
+pub(super) fn show(ui: &mut Ui, workbench: &Workbench) {
     widgets::section(ui, say!("Measured"));
     facts(ui, workbench);
     tolerance(ui, workbench, widgets::number);
     findings(ui, workbench);
     widgets::section(ui, say!("Another session or model"));
-    if widgets::secondary(ui, say!("Open…")).clicked() {
-        workbench.then(move |bench| bench.choose_file(files::choose_to_open));
-    }
+    widgets::secondary(ui, say!("Open…")).does(workbench, move |bench| {
+        bench.choose_file(files::choose_to_open)
+    });
     path_field(ui, workbench);
-    if widgets::secondary(ui, say!("Simulate session…")).clicked() {
-        workbench.then(move |bench| bench.show_sheet(Some(Sheet::Simulate(Form::default()))));
-    }
-    if widgets::secondary(ui, say!("Robots…")).clicked() {
-        workbench.then(move |bench| bench.show_sheet(Some(Sheet::ROBOTS)));
-    }
+    widgets::secondary(ui, say!("Simulate session…")).does(workbench, move |bench| {
+        bench.show_sheet(Some(Sheet::Simulate(Form::default())))
+    });
+    widgets::secondary(ui, say!("Robots…")).does(workbench, move |bench| {
+        bench.show_sheet(Some(Sheet::ROBOTS))
+    });
     recent(ui, workbench);
     setup::show(ui, workbench);
 }
@@ -282,7 +275,7 @@ fn path_field(ui: &mut Ui, workbench: &Workbench) {
     ui.data_mut(|data| data.insert_temp(id, typed));
 }
 
-fn next(ui: &mut Ui, workbench: &Workbench) {
+pub(super) fn next(ui: &mut Ui, workbench: &Workbench) {
     let loaded_session = workbench.loaded_session();
     if loaded_session.origin == Origin::Bundled {
         widgets::hint(ui, say!("This is an example that comes with the program"));
@@ -294,7 +287,5 @@ fn next(ui: &mut Ui, workbench: &Workbench) {
     } else {
         (Step::Identify, say!("Continue to identify"))
     };
-    if widgets::primary(ui, text).clicked() {
-        workbench.then(move |bench| bench.view.step = step);
-    }
+    widgets::primary(ui, text).does(workbench, move |bench| bench.view.step = step);
 }

@@ -4,11 +4,13 @@
 use crate::text::{Template, filled};
 use egui::{CollapsingHeader, DragValue, RichText, TextEdit, Ui};
 
-use crate::gui::core::setup::{Field, JointForm, Problem, SetupForm, SigmaForm, TargetForm};
+use crate::gui::core::setup::{Field, JointForm, Problem, SetupForm};
 use crate::gui::style::{size, space};
 use crate::gui::workbench::Workbench;
 use crate::gui::{help, widgets};
 use crate::kinematics::JointKind;
+use crate::sessions::{Sigma, Target};
+use nalgebra::Point3;
 
 /// The fields: what is wrong with them, and what happened to them.
 struct Fields {
@@ -253,7 +255,7 @@ fn targets(ui: &mut Ui, form: &mut SetupForm, last_is_free: bool, fields: &mut F
             phrase!("Reflector {n}"; n),
             "mm",
             &XYZ,
-            &mut target.position_mm,
+            target.position_mm.coords.as_mut_slice(),
             0.1,
         );
         fields.message(ui, Field::Target(k));
@@ -264,9 +266,9 @@ fn targets(ui: &mut Ui, form: &mut SetupForm, last_is_free: bool, fields: &mut F
     if gone {
         form.targets.pop();
     } else if ui.link(say!("Add a reflector")).clicked() {
-        form.targets.push(TargetForm {
+        form.targets.push(Target {
             name: format!("T{}", count + 1),
-            position_mm: [0.0; 3],
+            position_mm: Point3::origin(),
         });
     }
 }
@@ -278,9 +280,9 @@ fn instrument(ui: &mut Ui, form: &mut SetupForm, fields: &mut Fields) {
         widgets::question(ui, help::NOISE);
     });
     let kind = match form.sigma {
-        SigmaForm::Unknown => 0,
-        SigmaForm::One(_) => 1,
-        SigmaForm::Three(_) => 3,
+        None => 0,
+        Some(Sigma::Overall(_)) => 1,
+        Some(Sigma::PerAxis(_)) => 3,
     };
     let kinds = [
         (0, say!("unknown")),
@@ -289,23 +291,23 @@ fn instrument(ui: &mut Ui, form: &mut SetupForm, fields: &mut Fields) {
     ];
     if let Some(kind) = widgets::segmented(ui, &kinds, kind) {
         let size = match form.sigma {
-            SigmaForm::Unknown => 0.03,
-            SigmaForm::One(sigma) => sigma,
-            SigmaForm::Three([x, y, z]) => ((x * x + y * y + z * z) / 3.0).sqrt(),
+            None => 0.03,
+            Some(Sigma::Overall(sigma)) => sigma,
+            Some(Sigma::PerAxis([x, y, z])) => ((x * x + y * y + z * z) / 3.0).sqrt(),
         };
         form.sigma = match kind {
-            0 => SigmaForm::Unknown,
-            1 => SigmaForm::One(size),
-            _ => SigmaForm::Three([size; 3]),
+            0 => None,
+            1 => Some(Sigma::Overall(size)),
+            _ => Some(Sigma::PerAxis([size; 3])),
         };
     }
     match &mut form.sigma {
-        SigmaForm::Unknown => {}
-        SigmaForm::One(sigma) => {
+        None => {}
+        Some(Sigma::Overall(sigma)) => {
             let sigma = std::slice::from_mut(sigma);
             fields.numbers(ui, phrase!("Noise"), "mm", &[""], sigma, 0.001);
         }
-        SigmaForm::Three(sigma) => {
+        Some(Sigma::PerAxis(sigma)) => {
             fields.numbers(ui, phrase!("Noise"), "mm", &XYZ, sigma, 0.001);
         }
     }

@@ -15,7 +15,7 @@ use crate::gui::core::disk::{FileChange, name_of};
 use crate::gui::style::layout;
 use crate::gui::style::{Palette, size, space, strong};
 use crate::gui::view::Message;
-use crate::gui::widgets;
+use crate::gui::widgets::{self, Does};
 use crate::gui::workbench::Workbench;
 
 /// Where the work stands, in one line.
@@ -87,9 +87,8 @@ fn idle(ui: &mut Ui, workbench: &Workbench) {
     let palette = Palette::of(ui);
     let small = |text: String| RichText::new(text).size(size::NOTE);
     if workbench.is_declined() {
-        if ui.small_button(say!("Identify again")).clicked() {
-            workbench.then(move |bench| bench.identify(None));
-        }
+        ui.small_button(say!("Identify again"))
+            .does(workbench, move |bench| bench.identify(None));
         ui.label(small(say!("the identification was cancelled").to_owned()).color(palette.warning));
     }
 }
@@ -112,9 +111,8 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench) {
             let Some(task) = workbench.jobs().newest() else {
                 return idle(ui, workbench);
             };
-            if ui.small_button(say!("Cancel")).clicked() {
-                workbench.then(Workbench::cancel_newest);
-            }
+            ui.small_button(say!("Cancel"))
+                .does(workbench, Workbench::cancel_newest);
             let what = RichText::new(task.describe());
             ui.label(what.size(size::NOTE).color(palette.muted));
             match task.progress() {
@@ -249,9 +247,8 @@ fn buttons(ui: &mut Ui, message: &Message, workbench: &Workbench) {
             }
         }
     }
-    if ui.button(say!("Dismiss")).clicked() {
-        workbench.then(move |bench| bench.view.message = None);
-    }
+    ui.button(say!("Dismiss"))
+        .does(workbench, move |bench| bench.view.message = None);
 }
 
 /// An open file that is not what it was: said until the user decides.
@@ -284,9 +281,8 @@ fn file_that_changed(ui: &mut Ui, workbench: &Workbench) {
             FileChange::Vanished => save_again(ui, workbench, &on_disk.path),
             FileChange::Changed => {}
         }
-        if ui.button(say!("Keep this version")).clicked() {
-            workbench.then(Workbench::keep_mine);
-        }
+        ui.button(say!("Keep this version"))
+            .does(workbench, Workbench::keep_mine);
     });
 }
 
@@ -299,12 +295,10 @@ fn save_again(ui: &mut Ui, workbench: &Workbench, gone: &Path) {
     } else {
         say!("Save it again…")
     };
-    if ui.button(says).clicked() {
-        workbench.then(move |bench| match beside {
-            true => bench.save(),
-            false => bench.choose_where_to_save(),
-        });
-    }
+    ui.button(says).does(workbench, move |bench| match beside {
+        true => bench.save(),
+        false => bench.choose_where_to_save(),
+    });
 }
 
 /// Opens what was dropped, and says so while it is held over the window.

@@ -26,7 +26,22 @@ use egui::{
 
 use crate::gui::help::{self, Word};
 use crate::gui::style::{DARK, LIGHT, Palette, size, space, strong};
+use crate::gui::workbench::Workbench;
 use crate::text::{Template, spoken, within};
+
+/// What is done by a press.
+pub(crate) trait Does {
+    /// Does this once the frame is drawn, where it was pressed.
+    fn does(&self, workbench: &Workbench, change: impl FnOnce(&mut Workbench) + Send + 'static);
+}
+
+impl Does for Response {
+    fn does(&self, workbench: &Workbench, change: impl FnOnce(&mut Workbench) + Send + 'static) {
+        if self.clicked() {
+            workbench.then(change);
+        }
+    }
+}
 
 /// What is longer than its panel: it fades where it goes on, and its bar stands in the panel's
 /// margin, so that edges keep their line with or without it.

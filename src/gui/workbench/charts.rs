@@ -6,7 +6,7 @@ use std::sync::Arc;
 use crate::gui::cache::PlotCache;
 use crate::gui::cache::charts::{ChartResult, Work};
 use crate::gui::charts::effect::{EffectCurve, Sketches};
-use crate::gui::charts::{self, CHARTS, ChartKind, HoverTarget, Scene, effect, find};
+use crate::gui::charts::{CHARTS, ChartKind, HoverTarget, Scene, effect, find};
 use crate::gui::core::answer::Search;
 use crate::gui::core::loaded_session::Component;
 use crate::gui::jobs::{Kind as JobKind, Watch};
@@ -123,7 +123,7 @@ impl Workbench {
     pub(super) fn on_paper(&self, chart: &str) -> Result<(Drawing, String), String> {
         let kind = find(chart).ok_or(say!("there is no such chart"))?;
         let scene = self.scene_of(kind);
-        let shown = charts::shown(kind, &scene).map_err(|missing| missing.title)?;
+        let shown = kind.show(&scene).map_err(|missing| missing.title)?;
         let mut chart = shown.chart;
         if let HoverTarget::Samples(samples) = &shown.pointed {
             let [[from, _], [to, _]] = chart.bounds;

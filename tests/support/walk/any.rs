@@ -14,7 +14,7 @@ use crate::gui::core::compensated::{CompensationRequest, PrecedenceChoice};
 use crate::gui::core::document::{ExportChoice, Method};
 use crate::gui::core::loaded_session::LoadedSession;
 use crate::gui::core::robot_table::RobotTable;
-use crate::gui::core::setup::{SetupForm, SigmaForm};
+use crate::gui::core::setup::SetupForm;
 use crate::gui::core::simulate::Form;
 use crate::gui::file_state::Recent;
 use crate::gui::import_draft::{ImportAnswers, ImportDraft, RobotFrom, TypedAxis};
@@ -26,6 +26,7 @@ use crate::present::units::{AngleUnit, LengthUnit};
 use crate::programs::ExternalAxes;
 use crate::progress::{Progress, unwatched};
 use crate::robots::library;
+use crate::sessions::Sigma;
 use crate::text::Language;
 use crate::units::rad_from_deg;
 
@@ -133,7 +134,7 @@ fn setup(random: &mut ChaCha8Rng, loaded_session: &LoadedSession) -> SetupForm {
         0 => form.joints[0].axis[axis] = number,
         1 => form.joints[0].limits = Some([number, 90.0]),
         2 => form.tool_mm[axis] = number,
-        3 => form.sigma = SigmaForm::One(number),
+        3 => form.sigma = Some(Sigma::Overall(number)),
         4 => form.joints[0].kind = JointKind::Prismatic,
         5 => form.joints[0].axis = [0.0; 3],
         6 => form.joints[0].limits = None,

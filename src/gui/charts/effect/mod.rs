@@ -22,8 +22,6 @@ pub(crate) use curve::{EffectCurve, strongest};
 
 pub(crate) struct Effect;
 
-pub(crate) static EFFECT: Effect = Effect;
-
 /// The name of this chart: what was found is shown in it.
 pub(crate) const ID: &str = "effect's curve";
 

@@ -21,8 +21,6 @@ const MARGIN: f64 = 0.04;
 
 pub(crate) struct Scatter;
 
-pub(crate) static SCATTER: Scatter = Scatter;
-
 /// What stands across and upwards: as chosen, else the deviation as it is seen from above.
 pub(crate) fn axes(scene: &Scene) -> [Quantity; 2] {
     let first = [Component::X, Component::Y].map(Quantity::Deviation);

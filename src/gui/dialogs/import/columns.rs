@@ -5,7 +5,7 @@ use egui::{ComboBox, Grid, RichText, ScrollArea, Ui};
 
 use crate::gui::import_draft::{ImportAnswers, ImportDraft};
 use crate::gui::style::{Palette, size, strong};
-use crate::gui::widgets;
+use crate::gui::widgets::{self, Does};
 use crate::importers::{ColumnGuess, Importer, Known, Meanings};
 
 /// Rows that are shown.
@@ -124,9 +124,8 @@ pub(super) fn show(
                 columns = found.columns.len()
             );
             ui.label(RichText::new(says).color(palette.warning));
-            if ui.button(say!("The columns are right")).clicked() {
-                workbench.then(Workbench::confirm_columns);
-            }
+            ui.button(say!("The columns are right"))
+                .does(workbench, Workbench::confirm_columns);
         });
     }
 }

@@ -9,7 +9,7 @@ use egui::{ComboBox, DragValue, Grid, RichText, TextEdit, Ui};
 use crate::gui::core::disk::name_of;
 use crate::gui::import_draft::{Companion, ImportAnswers, ImportDraft, in_the_sheets_words};
 use crate::gui::style::{Palette, size, space, strong};
-use crate::gui::widgets;
+use crate::gui::widgets::{self, Does};
 use crate::gui::workbench::Workbench;
 use crate::importers::{
     About, Alignment, AngleUnit, Decimal, EULER, IMPORTERS, Importer, LengthUnit, Matching,
@@ -564,9 +564,7 @@ pub(super) fn path(
         changed = field.changed();
         let button = ui.button(say!("Choose…"));
         widgets::label(&button, say!("Choose: {label}", label));
-        if button.clicked() {
-            workbench.then(move |bench| bench.choose_beside(which));
-        }
+        button.does(workbench, move |bench| bench.choose_beside(which));
     });
     if !typed.trim().is_empty() {
         let is_this = |(of, path): &&(Companion, PathBuf)| {

@@ -27,7 +27,7 @@ use crate::gui::import_draft::{
 use crate::gui::jobs::Running;
 use crate::gui::style::{Palette, size, space};
 use crate::gui::views::blocks;
-use crate::gui::widgets;
+use crate::gui::widgets::{self, Does};
 use crate::gui::workbench::Workbench;
 
 use super::robots::{self, Robot as ListedRobot};
@@ -133,9 +133,8 @@ fn looking(ui: &mut Ui, running: &Running, workbench: &Workbench) {
             let bar = ProgressBar::new(part).desired_width(120.0);
             ui.add(bar.desired_height(8.0).fill(Palette::of(ui).accent));
         }
-        if ui.small_button(say!("Stop looking")).clicked() {
-            workbench.then(Workbench::cancel_look);
-        }
+        ui.small_button(say!("Stop looking"))
+            .does(workbench, Workbench::cancel_look);
     });
     widgets::look_again_soon(ui);
 }

@@ -3,8 +3,7 @@
 use egui::{Align, ComboBox, CursorIcon, Layout, Rect, Shape, Stroke, StrokeKind, Ui, pos2, vec2};
 
 use crate::gui::charts::{
-    self, Bars, CHARTS, ChartChoice, ChartKind, HoverTarget, Samples, Scene, Shown, deviation,
-    scatter,
+    Bars, CHARTS, ChartChoice, ChartKind, HoverTarget, Samples, Scene, Shown, deviation, scatter,
 };
 use crate::gui::core::loaded_session::Component;
 use crate::gui::core::quantity::Quantity;
@@ -12,7 +11,7 @@ use crate::gui::plots::chart::{self, Canvas};
 use crate::gui::plots::{self, figure, picture, ring};
 use crate::gui::style::{size, space};
 use crate::gui::view::{ChartPane, Key, Plot, Step, What};
-use crate::gui::widgets;
+use crate::gui::widgets::{self, Does};
 use crate::gui::workbench::Workbench;
 use crate::gui::workspace::handles::{self, Handles};
 use crate::gui::workspace::{self, marked, nearest};
@@ -54,7 +53,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, place: Place<'_>, first: 
     let kind = workbench.kind(place.pane);
     let scene = workbench.scene_in(place.pane);
     bar(ui, workbench, (place, kind, &scene), first);
-    match charts::shown(kind, &scene) {
+    match kind.show(&scene) {
         Ok(shown) => plotted(ui, workbench, (place, kind), &shown),
         Err(missing) => chart::empty(ui, &missing.title, missing.why),
     }
@@ -173,9 +172,9 @@ fn pointed(
     let response = if facts.samples.is_empty() {
         response
     } else {
-        if response.clicked() {
-            workbench.then(move |bench| bench.view.mark(facts.samples.clone()));
-        }
+        response.does(workbench, move |bench| {
+            bench.view.mark(facts.samples.clone())
+        });
         response.on_hover_cursor(CursorIcon::PointingHand)
     };
     response.on_hover_ui_at_pointer(|ui| {
