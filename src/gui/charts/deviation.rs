@@ -2,10 +2,10 @@
 //! after. Of many samples the extremes in each column of the screen are shown.
 
 use super::{About, ChartChoice, ChartKind, ChartPlaceholder, HoverTarget, Samples, Scene, Shown};
-use crate::gui::cache::charts::{Column, Envelope, Work};
-use crate::gui::core::regions::boundaries;
+use crate::gui::cache::{Column, Envelope, Work};
 use crate::gui::core::loaded_session::Component;
 use crate::gui::core::quantity::{Over, Scale, Variable};
+use crate::gui::core::regions::boundaries;
 use crate::gui::core::scale::{FEW, stride, thinned};
 use crate::gui::help::{self, Word};
 use crate::numeric::whole;

@@ -7,8 +7,8 @@ use std::any::Any;
 use std::sync::Arc;
 
 use crate::diagnosis::Diagnosis;
-use crate::gui::cache::charts::{ChartResult, Work};
 use crate::gui::cache::identified::{ExportPreview, IdentifiedAnswer, Preview};
+use crate::gui::cache::{ChartResult, Work};
 use crate::gui::core::answer::Answer;
 use crate::gui::core::answer::Search;
 use crate::gui::core::document::Document;

@@ -3,7 +3,7 @@
 use super::{
     About, Bars, ChartChoice, ChartKind, ChartPlaceholder, Facts, HoverTarget, Scene, Shown,
 };
-use crate::gui::cache::charts::{ChartInputs, Work};
+use crate::gui::cache::{ChartInputs, Work};
 use crate::gui::core::answer::terms;
 use crate::gui::core::quantity::{Over, Variable};
 use crate::gui::help;

@@ -11,7 +11,7 @@ use std::f64::consts::TAU;
 
 use super::deviation::{ANGLE, DrawnDeviations, MOST_NEAR};
 use super::{About, ChartChoice, ChartKind, ChartPlaceholder, HoverTarget, Samples, Scene, Shown};
-use crate::gui::cache::charts::{Column, Work};
+use crate::gui::cache::{Column, Work};
 use crate::gui::core::loaded_session::{Component, LoadedSession};
 use crate::gui::core::scale::round_down;
 use crate::gui::help;

@@ -8,7 +8,7 @@
 use statrs::function::erf::erf_inv;
 
 use super::{About, ChartChoice, ChartKind, ChartPlaceholder, HoverTarget, Samples, Scene, Shown};
-use crate::gui::cache::charts::Work;
+use crate::gui::cache::Work;
 use crate::gui::core::loaded_session::Component;
 use crate::gui::help::Word;
 use crate::present::chart::{

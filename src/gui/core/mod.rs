@@ -5,7 +5,6 @@ pub(crate) mod answer;
 pub(crate) mod compensated;
 pub(crate) mod disk;
 pub(crate) mod document;
-mod edit;
 pub(crate) mod history;
 pub(crate) mod loaded_session;
 pub(crate) mod overview;

@@ -4,11 +4,11 @@
 use egui::{Checkbox, ComboBox, Grid, Id, RichText, ScrollArea, TextEdit, Ui};
 
 use crate::compensation::decision::Rule;
-use crate::gui::widgets::{self, Does};
 use crate::gui::core::disk::name_of;
 use crate::gui::style::{Palette, size, space, strong};
 use crate::gui::view::{About, What};
 use crate::gui::views::{self, blocks};
+use crate::gui::widgets::{self, Does};
 use crate::gui::workbench::Workbench;
 use crate::history::{Order, RobotHistory};
 use crate::present::history::{CHANGED, entries, parameters};
@@ -155,7 +155,8 @@ pub(super) fn details(ui: &mut Ui, workbench: &Workbench) {
                 let width = ui.available_width() - 86.0;
                 let hint = say!("a PNG file");
                 field(ui, name, &mut stated.logo, hint, width);
-                ui.button(say!("Choose…")).does(workbench, Workbench::choose_logo);
+                ui.button(say!("Choose…"))
+                    .does(workbench, Workbench::choose_logo);
             });
             ui.end_row();
             with_history(ui, workbench, &mut stated.without_history);
@@ -180,7 +181,8 @@ pub(super) fn details(ui: &mut Ui, workbench: &Workbench) {
         let says = say!("Last time it was {last} mm", last);
         ui.horizontal(|ui| {
             ui.label(RichText::new(says).size(size::SMALL).color(muted));
-            ui.small_button(say!("Use it")).does(workbench, move |bench| {
+            ui.small_button(say!("Use it"))
+                .does(workbench, move |bench| {
                     bench.edit(phrase!("set tolerance"), |document| {
                         document.set_tolerance(Some(last))
                     })

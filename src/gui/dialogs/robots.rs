@@ -1,16 +1,19 @@
 //! The library of robots and one's own: found by typing, drawn as they are chosen, simulated, saved, typed anew as a
 //! table of axes or of Denavit–Hartenberg rows.
 
-use egui::{Align, Button, DragValue, Grid, Key, Layout, Modifiers, Role, ScrollArea, Sense, TextEdit, Ui, WidgetInfo, vec2};
+use egui::{
+    Align, Button, DragValue, Grid, Key, Layout, Modifiers, Role, ScrollArea, Sense, TextEdit, Ui,
+    WidgetInfo, vec2,
+};
 
-use crate::kinematics;
-use crate::gui::widgets::{self, Does};
 use crate::gui::core::robot_table::{RobotTable, Row, TableForm};
 use crate::gui::core::simulate::{self, Form, SimulatedRobot};
 use crate::gui::style::{Palette, size, space};
 use crate::gui::view::{Camera, Sheet, What};
+use crate::gui::widgets::{self, Does};
 use crate::gui::workbench::Workbench;
 use crate::gui::workspace::robot_alone;
+use crate::kinematics;
 use crate::present::robots_v1::figure;
 use crate::robots::{LibraryRobot, find, library, source};
 

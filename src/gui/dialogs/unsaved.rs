@@ -244,7 +244,14 @@ pub(super) fn save(ui: &mut Ui, workbench: &Workbench, typed: (&str, bool)) {
     let says = say!("The samples are written beside it, as a CSV file of the same name");
     let again = |path, replace| Sheet::SavePath { path, replace };
     let done = |bench: &mut Workbench, path: PathBuf, replace| bench.save_as(&path, replace);
-    path_form(ui, workbench, (say!("Save session"), says), typed, again, done);
+    path_form(
+        ui,
+        workbench,
+        (say!("Save session"), says),
+        typed,
+        again,
+        done,
+    );
 }
 
 /// A file to export to.

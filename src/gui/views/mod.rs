@@ -13,6 +13,5 @@ mod regions;
 pub(super) mod results;
 mod samples;
 pub(super) mod session;
-mod setup;
 pub(super) mod status;
 pub(super) mod steps;

@@ -4,7 +4,7 @@ use std::mem::discriminant;
 use std::sync::Arc;
 
 use crate::gui::cache::PlotCache;
-use crate::gui::cache::charts::{ChartResult, Work};
+use crate::gui::cache::{ChartResult, Work};
 use crate::gui::charts::effect::{EffectCurve, Sketches};
 use crate::gui::charts::{CHARTS, ChartKind, HoverTarget, Scene, effect, find};
 use crate::gui::core::answer::Search;

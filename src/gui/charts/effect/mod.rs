@@ -5,7 +5,7 @@ mod curve;
 use std::sync::Arc;
 
 use super::{About, ChartChoice, ChartKind, ChartPlaceholder, HoverTarget, Samples, Scene, Shown};
-use crate::gui::cache::charts::Work;
+use crate::gui::cache::Work;
 use crate::gui::core::answer::{Search, terms};
 use crate::gui::core::quantity::Scale;
 use crate::gui::core::scale::{FEW, stride, thinned};
