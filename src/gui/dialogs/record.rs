@@ -117,7 +117,7 @@ fn table(ui: &mut Ui, id: &str, table: &Table) {
             } else {
                 palette.text
             }
-        });
+        }, |_, _| ());
     });
 }
 

@@ -111,29 +111,26 @@ fn table(ui: &mut Ui, index: usize, table: &Table) {
     let gaps = table.columns.len().saturating_sub(1).max(1);
     let apart = apart + (spare / gaps as f32).floor();
     let color = Palette::of(ui).text;
-    grid(
-        ui,
-        ("table of an answer", index),
-        table,
-        (letters, apart),
-        |_| color,
-    );
+    let id = ("table of an answer", index);
+    grid(ui, id, table, (letters, apart), |_| color, |_, _| ());
 }
 
-/// The same with letters of this size and its columns so far apart, each cell in its colour.
+/// The same with letters of this size and its columns so far apart, each cell in its colour; `about` hears of the first
+/// cell of each row.
 pub(crate) fn grid(
     ui: &mut Ui,
     id: impl Hash + Debug,
     table: &Table,
     (letters, apart): (f32, f32),
     color: impl Fn(&str) -> Color32,
+    about: impl Fn(usize, Response),
 ) {
     let muted = Palette::of(ui).muted;
     let aligned = |ui: &mut Ui, column: &Column, text: RichText| {
         if column.right {
-            widgets::cell_right(ui, text);
+            widgets::cell_right(ui, text)
         } else {
-            ui.label(text);
+            ui.label(text)
         }
     };
     let grid = Grid::new(id).spacing([apart, 4.0]);
@@ -143,10 +140,13 @@ pub(crate) fn grid(
             aligned(ui, column, heading.color(muted));
         }
         ui.end_row();
-        for row in &table.rows {
-            for (cell, column) in row.iter().zip(&table.columns) {
+        for (k, row) in table.rows.iter().enumerate() {
+            for (place, (cell, column)) in row.iter().zip(&table.columns).enumerate() {
                 let text = RichText::new(with_minus_signs(&cell.shown)).size(letters);
-                aligned(ui, column, text.color(color(&cell.shown)));
+                let cell = aligned(ui, column, text.color(color(&cell.shown)));
+                if place == 0 {
+                    about(k, cell);
+                }
             }
             ui.end_row();
         }
@@ -154,7 +154,7 @@ pub(crate) fn grid(
 }
 
 /// How much room a table takes without a line that breaks, points.
-fn width_of(ui: &Ui, table: &Table, letters: f32, apart: f32) -> f32 {
+pub(super) fn width_of(ui: &Ui, table: &Table, letters: f32, apart: f32) -> f32 {
     let width = |text: &str, letters: f32| {
         let text = WidgetText::from(RichText::new(text).size(letters));
         let galley = text.into_galley(

@@ -5,8 +5,8 @@
 use std::borrow::Cow;
 
 use egui::{
-    CursorIcon, Grid, Label, Rect, RichText, Role, Sense, Shape, Stroke, TextStyle, TextWrapMode,
-    Ui, WidgetInfo, WidgetText, pos2, vec2,
+    CursorIcon, Label, Rect, Response, RichText, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2,
+    vec2,
 };
 
 use crate::diagnosis::{Diagnosis, NextPose, Verdict};
@@ -247,15 +247,35 @@ fn one(ui: &mut Ui, workbench: &Workbench, term: &Term, d: &Diagnosis) {
 fn next_poses(ui: &mut Ui, workbench: &Workbench, poses: &[NextPose]) {
     const MOST: usize = 24;
     let robot = &workbench.loaded_session().session.robot;
-    let table = table(poses, robot);
-    let rows = &table.rows[..table.rows.len().min(MOST)];
-    let headings: Vec<&str> = table.columns.iter().map(|c| &*c.heading).collect();
-    let holds = |k: &usize| rows.iter().any(|row| !row[*k].shown.is_empty());
-    let shown: Vec<usize> = (0..SHOWN).filter(holds).collect();
-    if is_narrower(ui, &shown, &headings, rows) {
-        one_below_the_other(ui, &headings, rows);
+    let mut table = table(poses, robot);
+    table.rows.truncate(MOST);
+    // Why stands under the pointer; a column that holds nothing is left out.
+    table.columns.pop();
+    let why: Vec<Cell> = table.rows.iter_mut().filter_map(Vec::pop).collect();
+    for k in (0..table.columns.len()).rev() {
+        if table.rows.iter().all(|row| row[k].shown.is_empty()) {
+            table.columns.remove(k);
+            for row in &mut table.rows {
+                row.remove(k);
+            }
+        }
+    }
+    let about = |row: usize, pose: Response| {
+        pose.on_hover_text(&why[row].shown);
+    };
+    if blocks::width_of(ui, &table, size::BODY, APART) <= ui.available_width() {
+        let color = Palette::of(ui).text;
+        let look = (size::BODY, APART);
+        blocks::grid(ui, "next poses", &table, look, |_| color, about);
     } else {
-        side_by_side(ui, &shown, &headings, rows);
+        // The values of all joints on as many lines as they need, and the rest in small below them.
+        for (k, row) in table.rows.iter().enumerate() {
+            about(k, ui.add(Label::new(&row[0].shown).wrap()));
+            let rest = row.iter().zip(&table.columns).skip(1);
+            let rest = rest.filter(|(cell, _)| !cell.shown.is_empty());
+            let rest = rest.map(|(cell, column)| format!("{} {}", column.heading, cell.shown));
+            widgets::hint(ui, rest.collect::<Vec<_>>().join(", "));
+        }
     }
     for line in new_reflectors(poses) {
         widgets::hint(ui, line);
@@ -277,60 +297,8 @@ fn next_poses(ui: &mut Ui, workbench: &Workbench, poses: &[NextPose]) {
     });
 }
 
-/// Columns that are shown where they hold anything; the last one of the table, why, stands under the pointer.
-const SHOWN: usize = 4;
-/// Between two columns, points.
+/// Between two columns of poses, points.
 const APART: f32 = 14.0;
-
-/// Whether the columns side by side are wider than what is left of the panel.
-fn is_narrower(ui: &Ui, shown: &[usize], headings: &[&str], rows: &[Vec<Cell>]) -> bool {
-    let width = |text: &str, style: TextStyle| {
-        let text = WidgetText::from(text);
-        let galley = text.into_galley(ui, Some(TextWrapMode::Extend), f32::INFINITY, style);
-        galley.size().x
-    };
-    let widest = |k: usize| {
-        let cells = rows.iter().map(|row| width(&row[k].shown, TextStyle::Body));
-        cells.fold(width(headings[k], TextStyle::Small), f32::max)
-    };
-    let all: f32 = shown.iter().map(|k| widest(*k) + APART).sum();
-    all - APART > ui.available_width()
-}
-
-fn side_by_side(ui: &mut Ui, shown: &[usize], headings: &[&str], rows: &[Vec<Cell>]) {
-    let palette = Palette::of(ui);
-    Grid::new("next poses")
-        .num_columns(shown.len())
-        .spacing([APART, 4.0])
-        .min_col_width(0.0)
-        .show(ui, |ui| {
-            for k in shown {
-                let heading = RichText::new(headings[*k]).size(size::SMALL);
-                ui.label(heading.color(palette.muted));
-            }
-            ui.end_row();
-            for row in rows {
-                for k in shown {
-                    let label = ui.label(&row[*k].shown);
-                    if *k == 0 {
-                        label.on_hover_text(&row[SHOWN].shown);
-                    }
-                }
-                ui.end_row();
-            }
-        });
-}
-
-/// The values of all joints on as many lines as they need, and the rest in small below them.
-fn one_below_the_other(ui: &mut Ui, headings: &[&str], rows: &[Vec<Cell>]) {
-    for row in rows {
-        let pose = Label::new(&row[0].shown).wrap();
-        ui.add(pose).on_hover_text(&row[SHOWN].shown);
-        let rest = (1..SHOWN).filter(|k| !row[*k].shown.is_empty());
-        let rest = rest.map(|k| format!("{} {}", headings[k], row[k].shown));
-        widgets::hint(ui, rest.collect::<Vec<_>>().join(", "));
-    }
-}
 
 /// What stands below its title.
 fn effect_card(

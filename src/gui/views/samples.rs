@@ -160,7 +160,7 @@ fn heads(header: &mut TableRow<'_, '_>, [angle, length]: [&str; 2], sorting: Sor
         String::new(),
     ];
     let mut after = sorting;
-    for (head, by) in heads.iter().zip(By::ALL) {
+    for (head, by) in heads.iter().zip(0..) {
         if heading(header, head, by, sorting) {
             after = sorting.after_click(by);
         }
@@ -170,7 +170,7 @@ fn heads(header: &mut TableRow<'_, '_>, [angle, length]: [&str; 2], sorting: Sor
 
 /// The head of a column, which sorts by it; the last is a mark, and needs a name all the same.
 /// Whether it was pressed.
-fn heading(header: &mut TableRow<'_, '_>, head: &str, by: By, sorting: Sorting) -> bool {
+fn heading(header: &mut TableRow<'_, '_>, head: &str, by: usize, sorting: Sorting) -> bool {
     let sorted = (sorting != Sorting::default() && sorting.by == by).then_some(sorting.descending);
     let (_, cell) = header.col(|ui| {
         let palette = Palette::of(ui);
@@ -265,65 +265,39 @@ fn mark(ui: &mut Ui, workbench: &Workbench, within: bool) {
     response.on_hover_text(judged(workbench, within));
 }
 
-/// What the rows can be sorted by.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-enum By {
-    /// The sample's number: the order of measuring.
-    #[default]
-    Number,
-    Angle,
-    Before,
-    After,
-    /// How far outside the tolerance, those excluded last.
-    Mark,
-}
-
-impl By {
-    /// In the order of the columns.
-    const ALL: [Self; 5] = [
-        Self::Number,
-        Self::Angle,
-        Self::Before,
-        Self::After,
-        Self::Mark,
-    ];
-
-    fn value(self, workbench: &Workbench, sample: usize) -> f64 {
-        let loaded_session = workbench.loaded_session();
-        let before = loaded_session.before.length_mm[sample];
-        let after = workbench.answer().map(|a| a.lengths_mm[sample]);
-        match self {
-            Self::Number => sample as f64,
-            Self::Angle => loaded_session.q(sample),
-            Self::Before => before,
-            Self::After => after.unwrap_or(f64::NAN),
-            Self::Mark => after.unwrap_or(before),
-        }
-    }
-}
-
 /// How the rows are sorted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 struct Sorting {
-    by: By,
+    /// By which column; the first is the order of measuring.
+    by: usize,
     descending: bool,
 }
 
 impl Sorting {
     /// After a click on the head of this column: the largest first, then the smallest, then the
     /// order of measuring.
-    fn after_click(self, by: By) -> Self {
-        let first = by != By::Number;
+    fn after_click(self, by: usize) -> Self {
+        let first = by != 0;
+        let next = |descending| Self { by, descending };
         match (self.by == by, self.descending == first) {
-            (false, _) => Self {
-                by,
-                descending: first,
-            },
-            (true, true) => Self {
-                by,
-                descending: !first,
-            },
+            (false, _) => next(first),
+            (true, true) => next(!first),
             (true, false) => Self::default(),
+        }
+    }
+
+    /// What a sample is sorted by.
+    fn value(self, workbench: &Workbench, sample: usize) -> f64 {
+        let loaded_session = workbench.loaded_session();
+        let before = loaded_session.before.length_mm[sample];
+        let after = workbench.answer().map(|a| a.lengths_mm[sample]);
+        match self.by {
+            0 => sample as f64,
+            1 => loaded_session.q(sample),
+            2 => before,
+            3 => after.unwrap_or(f64::NAN),
+            // How far outside the tolerance.
+            _ => after.unwrap_or(before),
         }
     }
 }
@@ -361,7 +335,7 @@ impl Rows {
         }
         let order = (sorting != Sorting::default()).then(|| {
             let n = u32::try_from(workbench.loaded_session().len()).unwrap_or(u32::MAX);
-            let keyed = (0..n).map(|i| (sorting.by.value(workbench, i as usize), i));
+            let keyed = (0..n).map(|i| (sorting.value(workbench, i as usize), i));
             let mut keyed: Vec<(f64, u32)> = keyed.collect();
             // What has no value stands last either way.
             keyed.sort_by(|a, b| {

@@ -265,19 +265,26 @@ impl Workbench {
 }
 
 impl Workbench {
-    /// Asks for a file to open, beside the one in hand.
+    /// Asks for a file to open.
     pub(crate) fn choose_file(&mut self, ask: fn(Option<&Path>) -> Option<PathBuf>) {
+        let says = say!("waiting for a file to be chosen");
+        self.choose_near(says, ask, |bench, path| match path {
+            Some(path) => bench.open_file(path),
+            // Cancelled, or there is no dialog on this system: the two look alike.
+            None => bench.view.message = Some(no_file_was_chosen()),
+        });
+    }
+
+    /// Asks for something beside the file in hand, or the latest.
+    pub(super) fn choose_near(
+        &mut self,
+        what: &str,
+        ask: fn(Option<&Path>) -> Option<PathBuf>,
+        then: impl FnOnce(&mut Self, Option<PathBuf>) + Send + 'static,
+    ) {
         let near = self.file().map(Path::to_path_buf);
         let near = near.or_else(|| Some(self.recent().next()?.0.to_path_buf()));
-        self.choose(
-            say!("waiting for a file to be chosen"),
-            move || ask(near.as_deref()),
-            |bench, path| match path {
-                Some(path) => bench.open_file(path),
-                // Cancelled, or there is no dialog on this system: the two look alike.
-                None => bench.view.message = Some(no_file_was_chosen()),
-            },
-        );
+        self.choose(what, move || ask(near.as_deref()), then);
     }
 
     /// Asks where to save the session: that one is saved, whatever is open by then.

@@ -335,17 +335,12 @@ impl Workbench {
 
     /// Asks for a file of targets.
     pub(crate) fn choose_targets(&mut self) {
-        let near = self.file().map(Path::to_path_buf);
         let by = self.shown_outcome();
-        let ask = move || files::choose_targets(near.as_deref());
-        self.choose(
-            say!("waiting for a file to be chosen"),
-            ask,
-            move |bench, path| match path {
-                Some(path) => bench.compensate_by(by, CompensationRequest::new(path)),
-                None => bench.view.message = Some(no_file_was_chosen()),
-            },
-        );
+        let says = say!("waiting for a file to be chosen");
+        self.choose_near(says, files::choose_targets, move |bench, path| match path {
+            Some(path) => bench.compensate_by(by, CompensationRequest::new(path)),
+            None => bench.view.message = Some(no_file_was_chosen()),
+        });
     }
 
     /// Corrects the targets of a file by the model that is shown.

@@ -77,25 +77,18 @@ impl Workbench {
 
     /// Asks for a picture.
     pub(crate) fn choose_logo(&mut self) {
-        let near = self.file().map(Path::to_path_buf);
         let of = self.loaded_session().lineage;
-        let ask = move || files::choose_logo(near.as_deref());
-        self.choose(
-            say!("waiting for a file to be chosen"),
-            ask,
-            move |bench, path| {
-                if let Some(path) = path
-                    && bench.loaded_session().lineage == of
-                {
-                    let logo = path.display().to_string();
-                    bench.state(Stated {
-                        logo,
-                        ..bench.stated()
-                    });
-                    bench.keep_stated();
-                }
-            },
-        );
+        let says = say!("waiting for a file to be chosen");
+        self.choose_near(says, files::choose_logo, move |bench, path| {
+            if let Some(path) = path.filter(|_| bench.loaded_session().lineage == of) {
+                let logo = path.display().to_string();
+                bench.state(Stated {
+                    logo,
+                    ..bench.stated()
+                });
+                bench.keep_stated();
+            }
+        });
     }
 
     /// Whether the robot is within its tolerance by the rule that was chosen, and what that rests on;
@@ -144,17 +137,12 @@ impl Workbench {
 
     /// Asks for a folder of sessions.
     pub(crate) fn choose_folder(&mut self) {
-        let near = self.file().map(Path::to_path_buf);
-        let ask = move || files::choose_folder(near.as_deref());
-        self.choose(
-            say!("waiting for a folder to be chosen"),
-            ask,
-            |bench, folder| {
-                if let Some(folder) = folder {
-                    bench.compare_sessions(folder);
-                }
-            },
-        );
+        let says = say!("waiting for a folder to be chosen");
+        self.choose_near(says, files::choose_folder, |bench, folder| {
+            if let Some(folder) = folder {
+                bench.compare_sessions(folder);
+            }
+        });
     }
 
     /// Compares the sessions of a folder, and shows what changed.
