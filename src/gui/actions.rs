@@ -252,8 +252,8 @@ actions! {
         |bench, _| bench.view.fit();
     FIT_TOO: PLAIN, Home, phrase!("the same"), |_| String::new(), |bench, _| bench.view.fit();
     STEP_1: COMMAND, Num1, phrase!("first step"), |now| step_name(now.workbench, 0), |bench, _| bench.go_to(0),
-        [on(|now| now.workbench.steps().get(0) == Some(&now.workbench.view.step))],
-        [when(need(|now| now.workbench.steps().len() > 0, phrase!("This robot has no such step")))];
+        [on(|now| now.workbench.steps().first() == Some(&now.workbench.view.step))],
+        [when(need(|now| !now.workbench.steps().is_empty(), phrase!("This robot has no such step")))];
     STEP_2: COMMAND, Num2, phrase!("second step"), |now| step_name(now.workbench, 1), |bench, _| bench.go_to(1),
         [on(|now| now.workbench.steps().get(1) == Some(&now.workbench.view.step))],
         [when(need(|now| now.workbench.steps().len() > 1, phrase!("This robot has no such step")))];

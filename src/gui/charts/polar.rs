@@ -438,7 +438,7 @@ mod tests {
         workbench.execute(|bench| {
             bench.edit(phrase!("set tolerance"), |document| {
                 document.set_tolerance(Some(0.2))
-            })
+            });
         });
         of(&workbench, |drawn| {
             let radius = |at: [f64; 2]| at[0].hypot(at[1]);
@@ -462,7 +462,7 @@ mod tests {
             bench.simulate(Simulated {
                 step_deg: 0.05,
                 ..Simulated::default()
-            })
+            });
         });
         workbench.receive();
         let key = workbench.view.panes.active_chart().map(|(key, _)| key);
@@ -490,7 +490,7 @@ mod tests {
         workbench.execute(|bench| {
             bench.edit(phrase!("set tolerance"), |document| {
                 document.set_tolerance(Some(0.2))
-            })
+            });
         });
         let band = |workbench: &Workbench| of(workbench, |drawn| drawn.band().expect("a band"));
         workbench.execute(|bench| bench.view.component = Component::Length);
@@ -501,7 +501,7 @@ mod tests {
         workbench.execute(|bench| {
             bench.edit(phrase!("set tolerance"), |document| {
                 document.set_tolerance(Some(1e9))
-            })
+            });
         });
         let [low, high] = band(&workbench);
         assert!(-NOMINAL < low && high < NOMINAL);

@@ -595,9 +595,8 @@ impl Document {
     }
 
     /// Goes on with the regions as they are, by hand.
-    pub(crate) fn keep_regions(&mut self) -> Changed {
+    pub(crate) fn keep_regions(&mut self) {
         self.division = Division::Given;
-        Ok(())
     }
 
     /// Moves a boundary (counted in ascending order) to this angle, rad.

@@ -27,7 +27,7 @@ pub(super) fn simulation(ui: &mut Ui, form: &Form, workbench: &Workbench) {
         ),
     );
     widgets::secondary(ui, say!("Another robot…")).does(workbench, move |bench| {
-        bench.show_sheet(Some(Sheet::ROBOTS))
+        bench.show_sheet(Some(Sheet::ROBOTS));
     });
     let mut filled = form.clone();
     let wrong = form.problems();

@@ -111,13 +111,20 @@ fn table(ui: &mut Ui, id: &str, table: &Table) {
     area.auto_shrink([false, true]).show(ui, |ui| {
         ui.style_mut().wrap_mode = Some(egui::TextWrapMode::Extend);
         let look = (size::SMALL, f32::from(space::PANEL));
-        blocks::grid(ui, id, table, look, |shown| {
-            if shown.contains(CHANGED) {
-                palette.before
-            } else {
-                palette.text
-            }
-        }, |_, _| ());
+        blocks::grid(
+            ui,
+            id,
+            table,
+            look,
+            |shown| {
+                if shown.contains(CHANGED) {
+                    palette.before
+                } else {
+                    palette.text
+                }
+            },
+            |_, _| (),
+        );
     });
 }
 
@@ -185,7 +192,7 @@ pub(super) fn details(ui: &mut Ui, workbench: &Workbench) {
                 .does(workbench, move |bench| {
                     bench.edit(phrase!("set tolerance"), |document| {
                         document.set_tolerance(Some(last))
-                    })
+                    });
                 });
         });
     }

@@ -320,7 +320,7 @@ fn ends(ui: &mut Ui, chosen: Option<Robot<'_>>, entered: bool, workbench: &Workb
                 bench.show_sheet(Some(Sheet::RobotTable {
                     opened: table.clone(),
                     table,
-                }))
+                }));
             });
         }
         let save = |ui: &mut Ui| widgets::other(ui, say!("Save robot file…"));

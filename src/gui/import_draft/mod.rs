@@ -7,7 +7,7 @@
 
 mod answers;
 
-pub(crate) use answers::{Companion, ImportAnswers, RobotFrom, TypedAxis};
+pub(crate) use answers::{Companion, ImportAnswers, RobotFrom};
 pub(crate) use answers::{Neighbours, ROBOTS, TABLES};
 
 use std::path::{Path, PathBuf};

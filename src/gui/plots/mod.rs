@@ -37,8 +37,9 @@ pub(crate) fn picture(
     let button = widgets::icon_button(ui, widgets::SAVE, &says);
     if button.on_hover_text(&says).clicked() {
         workbench.then(move |bench| {
-            key.into_iter()
-                .for_each(|key| bench.view.panes.activate(key));
+            if let Some(key) = key {
+                bench.view.panes.activate(key);
+            }
             bench.choose_where_to_export(What::Picture(plot));
         });
     }

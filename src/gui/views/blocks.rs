@@ -276,8 +276,8 @@ pub(super) fn mend_all(ui: &mut Ui, problems: &[DataProblem], workbench: &Workbe
 }
 
 fn correct(workbench: &Workbench, mends: Vec<SessionCorrection>) {
-    workbench.then(move |bench| {
-        bench.edit(phrase!("correct data"), |document| document.correct(&mends));
+    workbench.edits(phrase!("correct data"), move |document| {
+        document.correct(&mends)
     });
 }
 

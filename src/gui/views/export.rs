@@ -114,7 +114,7 @@ fn export(ui: &mut Ui, workbench: &Workbench) {
                     bench.choose_export(ExportChoice {
                         format: format.id,
                         ..choice
-                    })
+                    });
                 });
             }
         }
@@ -163,7 +163,7 @@ fn export(ui: &mut Ui, workbench: &Workbench) {
                 ui.copy_text(text_of(made));
             }
             widgets::secondary(ui, say!("Save model…")).does(workbench, move |bench| {
-                bench.choose_where_to_export(What::Model)
+                bench.choose_where_to_export(What::Model);
             });
         }
     }
@@ -326,7 +326,7 @@ pub(super) fn next(ui: &mut Ui, workbench: &Workbench) {
     }
     let save = ui.add_enabled_ui(ready, |ui| widgets::primary(ui, &says));
     save.inner.does(workbench, move |bench| {
-        bench.choose_where_to_export(What::Table)
+        bench.choose_where_to_export(What::Table);
     });
 }
 

@@ -293,7 +293,7 @@ fn next_poses(ui: &mut Ui, workbench: &Workbench, poses: &[NextPose]) {
     }
     copies::button(ui, say!("poses"), || copies::poses(poses, robot));
     widgets::secondary(ui, say!("Save measuring list…")).does(workbench, move |bench| {
-        bench.choose_where_to_export(What::Poses)
+        bench.choose_where_to_export(What::Poses);
     });
 }
 

@@ -65,10 +65,8 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench) {
             (Method::Regional, say!("By region")),
         ];
         if let Some(method) = widgets::segmented(ui, &methods, document.method) {
-            workbench.then(move |bench| {
-                bench.edit(phrase!("choose method"), |document| {
-                    document.choose_method(method)
-                })
+            workbench.edits(phrase!("choose method"), move |document| {
+                document.choose_method(method)
             });
         }
     }
@@ -126,10 +124,8 @@ fn effects(ui: &mut Ui, workbench: &Workbench) {
             widgets::hint(ui, about.equation);
         });
         if response.changed() {
-            workbench.then(move |bench| {
-                bench.edit(phrase!("choose effects"), |document| {
-                    document.choose_effect(about.id, on)
-                })
+            workbench.edits(phrase!("choose effects"), move |document| {
+                document.choose_effect(about.id, on)
             });
         }
     }

@@ -87,20 +87,15 @@ fn division(ui: &mut Ui, workbench: &Workbench) {
         chosen
     });
     match chosen {
-        Some(0) => workbench.then(move |bench| {
-            bench.edit(phrase!("divide into regions"), |document| {
-                document.divide(number)
-            })
+        Some(0) => workbench.edits(phrase!("divide into regions"), move |document| {
+            document.divide(number)
         }),
-        Some(1) if present > 0 => workbench.then(move |bench| {
-            bench.edit(phrase!("keep the regions"), |document| {
-                document.keep_regions()
-            })
+        Some(1) if present > 0 => workbench.edits(phrase!("keep the regions"), move |document| {
+            document.keep_regions();
+            Ok(())
         }),
-        Some(1) => workbench.then(move |bench| {
-            bench.edit(phrase!("take regions from session"), |document| {
-                document.regions_of_session()
-            })
+        Some(1) => workbench.edits(phrase!("take regions from session"), move |document| {
+            document.regions_of_session()
         }),
         Some(_) => workbench.then(Workbench::adapt),
         None => {}
@@ -136,10 +131,8 @@ fn evenly(ui: &mut Ui, workbench: &Workbench) {
         widgets::cell_number(ui, say!("Number of regions"), "", 110.0, field);
         let divide = present == 0 && ui.button(say!("Divide")).clicked();
         if number != before || divide {
-            workbench.then(move |bench| {
-                bench.edit(phrase!("divide into regions"), |document| {
-                    document.divide(number)
-                });
+            workbench.edits(phrase!("divide into regions"), move |document| {
+                document.divide(number)
             });
         }
     });
@@ -156,10 +149,8 @@ fn own(ui: &mut Ui, workbench: &Workbench) {
         .on_hover_text(say!("take the regions that the session brings along"))
         .clicked()
     {
-        workbench.then(move |bench| {
-            bench.edit(phrase!("take regions from session"), |document| {
-                document.regions_of_session()
-            })
+        workbench.edits(phrase!("take regions from session"), move |document| {
+            document.regions_of_session()
         });
     }
 }
@@ -227,7 +218,7 @@ pub(super) fn next(ui: &mut Ui, workbench: &Workbench) {
         let says = say!("Optional: fills the next step, Identify, region by region");
         widgets::hint_above_the_button(ui, says);
         widgets::primary(ui, say!("Identify by region")).does(workbench, move |bench| {
-            bench.identify(Some(Method::Regional))
+            bench.identify(Some(Method::Regional));
         });
         return;
     }
@@ -344,15 +335,16 @@ pub(super) fn more(ui: &mut Ui, regions: &[Region], k: usize, workbench: &Workbe
         }
     }
     match done {
-        Some(RowEffect::Split) => workbench.then(move |bench| {
-            bench.edit(phrase!("split region"), |document| document.split(k));
-        }),
-        Some(RowEffect::Join(first)) => workbench.then(move |bench| {
-            bench.edit(phrase!("merge regions"), |document| document.join(first));
-        }),
-        Some(RowEffect::Delete) => workbench.then(move |bench| {
-            bench.edit(phrase!("delete region"), |document| document.delete(k));
-        }),
+        Some(RowEffect::Split) => {
+            workbench.edits(phrase!("split region"), move |document| document.split(k));
+        }
+        Some(RowEffect::Join(first)) => workbench
+            .edits(phrase!("merge regions"), move |document| {
+                document.join(first)
+            }),
+        Some(RowEffect::Delete) => {
+            workbench.edits(phrase!("delete region"), move |document| document.delete(k));
+        }
         Some(RowEffect::Rename) => {
             let id = name_id(ui, k);
             ui.memory_mut(|memory| memory.request_focus(id));
@@ -488,10 +480,8 @@ fn name(ui: &mut Ui, region: usize, name: &str, workbench: &Workbench) {
         return;
     }
     if field.lost_focus() && text != name && !escaped {
-        workbench.then(move |bench| {
-            bench.edit(phrase!("rename region"), |document| {
-                document.rename(region, &text)
-            })
+        workbench.edits(phrase!("rename region"), move |document| {
+            document.rename(region, &text)
         });
     }
     ui.data_mut(|data| data.remove::<String>(id));
@@ -530,10 +520,8 @@ fn angle(ui: &mut Ui, width: f32, workbench: &Workbench, (k, end): (usize, End))
     widgets::cell_number(ui, &name, units.angle_name().trim(), width, field);
     let to_rad = value / units.angle_value(1.0);
     if value != before {
-        workbench.then(move |bench| {
-            bench.edit(phrase!("move boundary"), |document| {
-                document.move_boundary(boundary, to_rad)
-            });
+        workbench.edits(phrase!("move boundary"), move |document| {
+            document.move_boundary(boundary, to_rad)
         });
     }
 }

@@ -42,14 +42,14 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench) {
     findings(ui, workbench);
     widgets::section(ui, say!("Another session or model"));
     widgets::secondary(ui, say!("Open…")).does(workbench, move |bench| {
-        bench.choose_file(files::choose_to_open)
+        bench.choose_file(files::choose_to_open);
     });
     path_field(ui, workbench);
     widgets::secondary(ui, say!("Simulate session…")).does(workbench, move |bench| {
-        bench.show_sheet(Some(Sheet::Simulate(Form::default())))
+        bench.show_sheet(Some(Sheet::Simulate(Form::default())));
     });
     widgets::secondary(ui, say!("Robots…")).does(workbench, move |bench| {
-        bench.show_sheet(Some(Sheet::ROBOTS))
+        bench.show_sheet(Some(Sheet::ROBOTS));
     });
     recent(ui, workbench);
     setup(ui, workbench);
@@ -386,11 +386,14 @@ fn setup(ui: &mut Ui, workbench: &Workbench) {
     }
     if form != now {
         let sound = form.session(session).is_ok();
-        workbench.then(move |bench| match sound {
-            true => bench.edit(phrase!("edit robot and instrument"), |document| {
-                document.set_up(&form)
-            }),
-            false => bench.view.setup = Some(Box::new(form)),
+        workbench.then(move |bench| {
+            if sound {
+                bench.edit(phrase!("edit robot and instrument"), |document| {
+                    document.set_up(&form)
+                });
+            } else {
+                bench.view.setup = Some(Box::new(form));
+            }
         });
     }
 }

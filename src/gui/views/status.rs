@@ -295,9 +295,12 @@ fn save_again(ui: &mut Ui, workbench: &Workbench, gone: &Path) {
     } else {
         say!("Save it again…")
     };
-    ui.button(says).does(workbench, move |bench| match beside {
-        true => bench.save(),
-        false => bench.choose_where_to_save(),
+    ui.button(says).does(workbench, move |bench| {
+        if beside {
+            bench.save();
+        } else {
+            bench.choose_where_to_save();
+        }
     });
 }
 

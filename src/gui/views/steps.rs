@@ -16,9 +16,10 @@ use crate::gui::workbench::Workbench;
 use super::{export, gap, model, regions, session};
 
 type Show = fn(&mut Ui, &Workbench);
+type State = fn(&Workbench) -> (String, bool);
 
 /// A step of the work: its controls, the button at the foot; what it has to show for itself, and whether it is done.
-fn of(step: Step) -> (Show, Show, fn(&Workbench) -> (String, bool)) {
+fn of(step: Step) -> (Show, Show, State) {
     match step {
         Step::Session => (session::show, session::next, session::state),
         Step::Regions => (regions::show, regions::next, regions::state),
@@ -194,7 +195,7 @@ pub(crate) fn grips(ui: &Ui, workbench: &Workbench, layout: Layout, middle: Rect
             bench.prefer(Preferences {
                 sizes,
                 ..preferences
-            })
+            });
         });
     };
     let left = widgets::grip(ui, say!("steps"), middle, middle.left());

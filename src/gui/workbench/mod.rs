@@ -244,7 +244,9 @@ impl Workbench {
     pub(crate) fn make_changes(&mut self) -> bool {
         let changes = std::mem::take(self.changes.get_mut());
         let any = !changes.is_empty();
-        changes.into_iter().for_each(|change| self.execute(change));
+        for change in changes {
+            self.execute(change);
+        }
         any
     }
 
@@ -340,6 +342,15 @@ impl Workbench {
             self.view.message = None;
             self.opened();
         }
+    }
+
+    /// Makes one once the frame is drawn.
+    pub(crate) fn edits(
+        &self,
+        what: Template,
+        change: impl FnOnce(&mut Document) -> Result<(), String> + Send + 'static,
+    ) {
+        self.then(move |bench| bench.edit(what, change));
     }
 
     /// Identifies from now on, by this method or as it is chosen.

@@ -112,7 +112,7 @@ impl Workbench {
         self.view.sheet = Some(Sheet::SavePath {
             path: self.proposed_path().display().to_string(),
             replace: false,
-        })
+        });
     }
 
     /// The file with its samples, if they are in one.

@@ -32,7 +32,7 @@ fn the_exact_fit_finds_what_the_simulation_hid() {
     done(&mut workbench, |bench| {
         bench.edit(phrase!("choose effects"), |document| {
             document.choose_effect("backlash", true)
-        })
+        });
     });
     done(&mut workbench, |bench| bench.identify(None));
     let found = &workbench
@@ -136,7 +136,7 @@ fn what_cannot_be_done_is_said_and_changes_nothing() {
     done(&mut workbench, |bench| {
         bench.edit(phrase!("divide into regions"), |document| {
             document.divide(0)
-        })
+        });
     });
     assert_eq!(*workbench.document(), before);
     let message = workbench.view.message.as_ref().expect("it is said");
@@ -171,12 +171,12 @@ fn a_saved_session_brings_its_regions_and_its_tolerance_back() {
     done(&mut workbench, |bench| {
         bench.edit(phrase!("divide into regions"), |document| {
             document.divide(4)
-        })
+        });
     });
     done(&mut workbench, |bench| {
         bench.edit(phrase!("set tolerance"), |document| {
             document.set_tolerance(Some(0.35))
-        })
+        });
     });
     assert!(workbench.unsaved());
     let folder = tempfile::tempdir().expect("a folder");
@@ -208,7 +208,7 @@ fn what_this_window_saved_is_not_taken_for_a_change_by_another_program() {
     done(&mut workbench, |bench| {
         bench.edit(phrase!("divide into regions"), |document| {
             document.divide(5)
-        })
+        });
     });
     workbench.execute(Workbench::save);
     workbench.receive();
@@ -241,14 +241,14 @@ fn a_step_is_done_for_the_model_that_was_exported_alone() {
             crate::gui::view::What::Table,
             folder.path().join("table.csv"),
             false,
-        )
+        );
     });
     workbench.receive();
     assert_eq!(workbench.exported().count(), 1);
     done(&mut workbench, |bench| {
         bench.edit(phrase!("choose effects"), |document| {
             document.choose_effect("backlash", true)
-        })
+        });
     });
     done(&mut workbench, |bench| bench.identify(None));
     assert_eq!(workbench.exported().count(), 0);
@@ -277,7 +277,7 @@ fn an_export_writes_the_table_and_what_it_means() {
             crate::gui::view::What::Table,
             folder.path().join("table.csv"),
             false,
-        )
+        );
     });
     workbench.receive();
     for name in ["table.csv", "table.csv.meta.json"] {
@@ -300,7 +300,7 @@ fn a_robot_that_is_edited_is_seen_at_once_and_undone_in_one_step() {
             bench.drag(true);
             bench.edit(phrase!("edit robot and instrument"), |document| {
                 document.set_up(&form.clone())
-            })
+            });
         });
         workbench.receive();
     }

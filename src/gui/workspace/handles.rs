@@ -90,18 +90,14 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, handles: &Handles<'_>) {
             && let Some(pointer) = response.interact_pointer_pos()
         {
             let to = regions::snapped_rad((handles.angle)(pointer, boundary.at_rad));
-            workbench.then(move |bench| {
-                bench.edit(phrase!("move boundary"), |document| {
-                    document.move_boundary(index, to)
-                })
+            workbench.edits(phrase!("move boundary"), move |document| {
+                document.move_boundary(index, to)
             });
         }
         if let Some(to_deg) = moved_by_keys(ui, &response, at_deg) {
             let to = rad_from_deg(to_deg);
-            workbench.then(move |bench| {
-                bench.edit(phrase!("move boundary"), |document| {
-                    document.move_boundary(index, to)
-                })
+            workbench.edits(phrase!("move boundary"), move |document| {
+                document.move_boundary(index, to)
             });
         }
         paint(ui, &response);

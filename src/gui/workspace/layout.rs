@@ -395,7 +395,7 @@ mod tests {
             bench.simulate(Form {
                 step_deg: 0.05,
                 ..Form::default()
-            })
+            });
         });
         workbench.receive();
         let shown = Shown::of(&workbench);

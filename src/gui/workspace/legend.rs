@@ -126,13 +126,15 @@ pub(super) fn scale_in(ui: &Ui, room: Rect, workbench: &Workbench, shown: &Shown
     });
 }
 
+type Sign = dyn Fn(&mut Pen<'_>, Pos2);
+
 /// A name, with its sign.
 struct Entry {
     name: String,
     /// Points.
     wide: f32,
     /// Draws it about its middle.
-    sign: Box<dyn Fn(&mut Pen<'_>, Pos2)>,
+    sign: Box<Sign>,
 }
 
 impl Entry {
@@ -156,7 +158,7 @@ impl Entry {
 
     fn mark(name: &str, (form, radius): (Form, f32), fill: Color32, edge: Stroke) -> Self {
         Self::new(name, move |pen, at| {
-            pen.mark(at, (form, radius), fill, edge)
+            pen.mark(at, (form, radius), fill, edge);
         })
     }
 }

@@ -17,7 +17,7 @@ use crate::gui::core::robot_table::RobotTable;
 use crate::gui::core::setup::SetupForm;
 use crate::gui::core::simulate::Form;
 use crate::gui::file_state::Recent;
-use crate::gui::import_draft::{ImportAnswers, ImportDraft, RobotFrom, TypedAxis};
+use crate::gui::import_draft::{ImportAnswers, ImportDraft, RobotFrom};
 use crate::gui::preferences::{Preferences, Sizes, Theme};
 use crate::gui::view::{About, NextAction, Sheet, What};
 use crate::gui::workbench::{Change, Workbench};
@@ -169,19 +169,19 @@ fn edit(random: &mut ChaCha8Rng, workbench: &Workbench) -> Deed {
     let region = random.random_range(0..9);
     match random.random_range(0..40) {
         0 | 1 => deed("Divide", random.random_range(0..12), |bench, it| {
-            bench.edit(phrase!("divide into regions"), |d| d.divide(it))
+            bench.edit(phrase!("divide into regions"), |d| d.divide(it));
         }),
         2..=8 => deed("MoveBoundary", (region, angle(random)), |bench, it| {
-            bench.edit(phrase!("move boundary"), |d| d.move_boundary(it.0, it.1))
+            bench.edit(phrase!("move boundary"), |d| d.move_boundary(it.0, it.1));
         }),
         9..=11 => deed("Split", region, |bench, it| {
-            bench.edit(phrase!("split region"), |d| d.split(it))
+            bench.edit(phrase!("split region"), |d| d.split(it));
         }),
         12 | 13 => deed("Join", region, |bench, it| {
-            bench.edit(phrase!("merge regions"), |d| d.join(it))
+            bench.edit(phrase!("merge regions"), |d| d.join(it));
         }),
         14 | 15 => deed("Delete", region, |bench, it| {
-            bench.edit(phrase!("delete region"), |d| d.delete(it))
+            bench.edit(phrase!("delete region"), |d| d.delete(it));
         }),
         16 | 17 => {
             let name = ["", "1", "2", "Ost", "  x ", "ß·∆"];
@@ -194,10 +194,13 @@ fn edit(random: &mut ChaCha8Rng, workbench: &Workbench) -> Deed {
         18 => deed("RegionsOfSession", (), |bench, ()| {
             bench.edit(phrase!("take regions from session"), |d| {
                 d.regions_of_session()
-            })
+            });
         }),
         19 => deed("KeepRegions", (), |bench, ()| {
-            bench.edit(phrase!("keep the regions"), |d| d.keep_regions())
+            bench.edit(phrase!("keep the regions"), |d| {
+                d.keep_regions();
+                Ok(())
+            });
         }),
         20 => deed(
             "Method",
@@ -207,13 +210,13 @@ fn edit(random: &mut ChaCha8Rng, workbench: &Workbench) -> Deed {
         21 | 22 => {
             let effect = CATALOGUE[random.random_range(0..4)].about().id;
             deed("Effect", (effect, random.random()), |bench, it| {
-                bench.edit(phrase!("choose effects"), |d| d.choose_effect(it.0, it.1))
+                bench.edit(phrase!("choose effects"), |d| d.choose_effect(it.0, it.1));
             })
         }
         23 | 24 => {
             let tolerances = [None, Some(0.3), Some(0.0), Some(-1.0), Some(f64::NAN)];
             deed("Tolerance", pick(random, &tolerances), |bench, it| {
-                bench.edit(phrase!("set tolerance"), |d| d.set_tolerance(it))
+                bench.edit(phrase!("set tolerance"), |d| d.set_tolerance(it));
             })
         }
         25 | 26 => deed(
@@ -228,10 +231,10 @@ fn edit(random: &mut ChaCha8Rng, workbench: &Workbench) -> Deed {
             |bench, it| bench.edit(phrase!("choose table"), |d| d.choose_export(it)),
         ),
         27 | 28 => deed("Setup", setup(random, loaded_session), |bench, it| {
-            bench.edit(phrase!("edit robot and instrument"), |d| d.set_up(&it))
+            bench.edit(phrase!("edit robot and instrument"), |d| d.set_up(&it));
         }),
         29 => deed("Correct", vec![correction(random)], |bench, it| {
-            bench.edit(phrase!("correct data"), |d| d.correct(&it))
+            bench.edit(phrase!("correct data"), |d| d.correct(&it));
         }),
         35 => deed(
             "Exclude",
@@ -255,7 +258,7 @@ fn edit(random: &mut ChaCha8Rng, workbench: &Workbench) -> Deed {
         33 | 34 => deed(
             "IdentifyBy",
             Some(pick(random, &[Method::Exact, Method::Regional])),
-            |bench, it| bench.identify(it),
+            super::super::Workbench::identify,
         ),
         _ => deed("Identify", (), |bench, ()| bench.identify(None)),
     }
@@ -300,7 +303,7 @@ fn any_answers(random: &mut ChaCha8Rng, files: &Files, workbench: &Workbench) ->
     answers.robot = match random.random_range(0..6) {
         0 => RobotFrom::default().of_file(path(random)),
         1 => RobotFrom::Here(Box::new(workbench.loaded_session().session.robot.clone())),
-        2 => RobotFrom::Typed(TypedAxis::default()),
+        2 => RobotFrom::Typed(Box::new(RobotTable::one_axis())),
         3 => RobotFrom::Example(random.random_range(0..4)),
         4 => {
             let all = crate::robots::library();
@@ -391,7 +394,7 @@ fn own_robot(random: &mut ChaCha8Rng, workbench: &Workbench) -> Deed {
     match names.next_back().filter(|_| random.random()) {
         Some(name) => deed("ForgetRobot", name, |bench, it| bench.forget_robot(&it)),
         None => deed("KeepRobot", (typed_robot(random), false), |bench, it| {
-            bench.keep_robot(it.0, it.1)
+            bench.keep_robot(it.0, it.1);
         }),
     }
 }
@@ -465,11 +468,12 @@ fn compensation(random: &mut ChaCha8Rng, files: &Files) -> Deed {
             ),
             ..CompensationRequest::new(files.any(random))
         },
-        |bench, it| bench.compensate(it),
+        super::super::Workbench::compensate,
     )
 }
 
 /// A command of any kind but those that ask the system.
+#[allow(clippy::too_many_lines, reason = "one line for each kind")]
 pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Files) -> Deed {
     match random.random_range(0..160) {
         0..=29 => edit(random, workbench).while_dragging(false),
@@ -482,27 +486,27 @@ pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Fi
             deed(
                 "Drop",
                 (0..several).map(|_| files.any(random)).collect::<Vec<_>>(),
-                |bench, it| bench.drop_files(it),
+                super::super::Workbench::drop_files,
             )
         }
         68 => deed("OpenFile", files.any(random), |bench, it| {
-            bench.open_file(it)
+            bench.open_file(it);
         }),
         69 => deed("Say", any_answers(random, files, workbench), |bench, it| {
-            bench.say(it)
+            bench.say(it);
         }),
         70 if random.random() => deed("ConfirmColumns", (), |bench, ()| bench.confirm_columns()),
         70 => deed("Import", (), |bench, ()| bench.import()),
         71 => deed(
             "OpenExample",
             NextAction::Example(random.random_range(0..6)),
-            |bench, it| bench.ask_then(it),
+            super::super::Workbench::ask_then,
         ),
-        72 | 73 => deed("Do", then(random, files), |bench, it| bench.go(it)),
+        72 | 73 => deed("Do", then(random, files), super::super::Workbench::go),
         74 => match (workbench.file(), workbench.at_risk().session) {
             // Otherwise it asks the system.
             (Some(_), true) => deed("SaveThen", then(random, files), |bench, it| {
-                bench.save_then(it)
+                bench.save_then(it);
             }),
             _ => deed("no_sheet", (), |bench, ()| bench.show_sheet(None)),
         },
@@ -516,14 +520,14 @@ pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Fi
         81 | 82 => deed(
             "Forget",
             Recent::Forgotten(files.any(random)),
-            |bench, it| bench.use_recent(it),
+            super::super::Workbench::use_recent,
         ),
         83 => deed("Left Restore", random.random_range(0..2), |bench, it| {
-            bench.restore(it)
+            bench.restore(it);
         }),
         84 if random.random_range(0..4) == 0 => {
             deed("Left Discard", random.random_range(0..2), |bench, it| {
-                bench.discard_left(it)
+                bench.discard_left(it);
             })
         }
         84 if random.random_range(0..8) == 0 => {
@@ -534,7 +538,7 @@ pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Fi
         87..=90 => {
             let path = files.to_write(random, "json");
             let deed = deed("SaveAs", (path.clone(), random.random()), |bench, it| {
-                bench.save_as(&it.0, it.1)
+                bench.save_as(&it.0, it.1);
             });
             Deed {
                 writes: Some(path),
@@ -546,7 +550,7 @@ pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Fi
             let path = files.to_write(random, ending);
             let writes = (what == What::Model).then(|| path.clone());
             let deed = deed("ExportTo", (what, path, random.random()), |bench, it| {
-                bench.export_as(it.0, it.1, it.2)
+                bench.export_as(it.0, it.1, it.2);
             });
             Deed { writes, ..deed }
         }
@@ -557,7 +561,7 @@ pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Fi
             deed("Search", (), |bench, ()| bench.search())
         }
         104 => deed("Stop Search", (), |bench, ()| bench.stop_search()),
-        105 => deed("Simulate", form(random), |bench, it| bench.simulate(it)),
+        105 => deed("Simulate", form(random), super::super::Workbench::simulate),
         106 if random.random() => deed("Stop Dialog", (), |bench, ()| bench.stop_asking()),
         106 => deed("Stop Newest", (), |bench, ()| bench.cancel_newest()),
         at @ 107..=133 => seen(random, workbench, at),
@@ -565,9 +569,13 @@ pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Fi
         154 => way_to_look(random),
         134 | 135 | 156 | 157 => arrangement(random, workbench),
         155 => deed("Results", Some(random.random()), |bench, it| {
-            bench.view.results = it
+            bench.view.results = it;
         }),
-        136..=138 => deed("Prefer", preferences(random), |bench, it| bench.prefer(it)),
+        136..=138 => deed(
+            "Prefer",
+            preferences(random),
+            super::super::Workbench::prefer,
+        ),
         139 if random.random() => record(random, workbench, files),
         139 => deed("Resize", sizes(random), |bench, sizes| {
             let preferences = bench.view.preferences;
@@ -578,7 +586,7 @@ pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Fi
         }),
         140..=142 => draft(random, workbench),
         143..=147 => deed("Sheet", sheet(random, files, workbench), |bench, it| {
-            bench.show_sheet(it)
+            bench.show_sheet(it);
         }),
         148 if random.random_range(0..4) == 0 => {
             deed("Leave", (), |bench, ()| bench.ask_then(NextAction::Leave))
@@ -590,7 +598,7 @@ pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Fi
             deed("Prepare", (), |bench, ()| bench.prepare_again())
         }
         158 => deed("CopyNumbers", chart(random), |bench, it| {
-            bench.copy_numbers(it)
+            bench.copy_numbers(it);
         }),
         _ => {
             // A session beside which models and regions make sense again.
@@ -600,7 +608,7 @@ pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Fi
                 deed("EndDrag", (), |bench, ()| bench.drag(false))
             } else {
                 deed("Do", NextAction::Simulate(form(random)), |bench, it| {
-                    bench.go(it)
+                    bench.go(it);
                 })
             }
         }

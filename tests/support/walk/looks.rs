@@ -42,10 +42,10 @@ pub(super) fn look(random: &mut ChaCha8Rng) -> Deed {
         0 => deed("Fit", (), |bench, ()| bench.view.fit()),
         1 => deed("FitWorkspace", (), |bench, ()| bench.view.fit_workspace()),
         2 => deed("FitChart", random.random_range(0..9), |bench, it| {
-            bench.view.panes.fit(it)
+            bench.view.panes.fit(it);
         }),
         _ => deed("ActivateNext", (), |bench, ()| {
-            bench.view.panes.activate_next()
+            bench.view.panes.activate_next();
         }),
     }
 }
@@ -92,7 +92,7 @@ pub(super) fn arrangement(random: &mut ChaCha8Rng, workbench: &Workbench) -> Dee
             return deed(
                 "Panes",
                 workbench.with_chart(key, pick(random, &Edge::ALL)),
-                |bench, it| bench.arrange(it),
+                super::super::Workbench::arrange,
             );
         }
         3 => panes.close(key),
@@ -121,7 +121,7 @@ pub(super) fn arrangement(random: &mut ChaCha8Rng, workbench: &Workbench) -> Dee
             }
         }
     }
-    deed("Panes", panes, |bench, it| bench.arrange(it))
+    deed("Panes", panes, super::super::Workbench::arrange)
 }
 
 /// The same tiles with other shares, which may be no numbers.
@@ -138,10 +138,10 @@ fn shares(random: &mut ChaCha8Rng, mut tile: Tile) -> Tile {
 pub(super) fn chart_of(random: &mut ChaCha8Rng) -> Deed {
     match random.random_range(0..2) {
         0 => deed("ChartJoint", random.random_range(0..7), |bench, it| {
-            bench.view.joint = it
+            bench.view.joint = it;
         }),
         _ => deed("ShowEffect", random.random_range(0..4), |bench, it| {
-            bench.show_effect(it)
+            bench.show_effect(it);
         }),
     }
 }
@@ -156,10 +156,10 @@ pub(super) fn seen(random: &mut ChaCha8Rng, workbench: &Workbench, at: i32) -> D
     };
     match at {
         107..=112 => deed("GoTo", pick(random, &Step::ALL), |bench, it| {
-            bench.view.step = it
+            bench.view.step = it;
         }),
         113 | 114 => deed("Look", pick(random, &Plane::ALL), |bench, it| {
-            bench.view.look_in(it)
+            bench.view.look_in(it);
         }),
         115 => deed(
             "Magnify",
@@ -168,17 +168,17 @@ pub(super) fn seen(random: &mut ChaCha8Rng, workbench: &Workbench, at: i32) -> D
         ),
         116 if random.random() => plot_size(random),
         116 => deed("Blend", pick(random, &[0.0, 0.4, 1.0]), |bench, it| {
-            bench.view.blend = it
+            bench.view.blend = it;
         }),
         117 => deed("Colour", pick(random, &Colouring::ALL), |bench, it| {
-            bench.view.colouring = it
+            bench.view.colouring = it;
         }),
         118 => deed("Heat", random.random(), |bench, it| bench.view.heat = it),
         119 | 120 => deed("Component", pick(random, &Component::ALL), |bench, it| {
-            bench.view.component = it
+            bench.view.component = it;
         }),
         121 => deed("OnlyAfter", random.random(), |bench, it| {
-            bench.view.only_after = it
+            bench.view.only_after = it;
         }),
         122..=125 => deed("Hover", sample(random), |bench, it| bench.view.hovered = it),
         126..=129 => deed("Select", sample(random), |bench, it| bench.view.select(it)),
@@ -205,16 +205,16 @@ pub(super) fn sizes(random: &mut ChaCha8Rng) -> Sizes {
 pub(super) fn record(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Files) -> Deed {
     match random.random_range(0..5) {
         0 => deed("CompareSessions", files.any(random), |bench, it| {
-            bench.compare_sessions(it)
+            bench.compare_sessions(it);
         }),
         1 => deed("Sheet", (), |bench, ()| {
-            bench.show_sheet(Some(Sheet::DETAILS))
+            bench.show_sheet(Some(Sheet::DETAILS));
         }),
         2 => deed("Sheet", (), |bench, ()| {
-            bench.show_sheet(Some(Sheet::HISTORY))
+            bench.show_sheet(Some(Sheet::HISTORY));
         }),
         _ => deed("State", stated(random, workbench, files), |bench, it| {
-            bench.state(it)
+            bench.state(it);
         }),
     }
 }

@@ -20,9 +20,9 @@ use crate::present::units::Units;
 use crate::text::{length, spoken};
 
 use crate::gui::core::disk::{EXAMPLES, name_of};
+use crate::gui::core::robot_table::RobotTable;
 use crate::gui::import_draft::{
-    Companion, ImportAnswers, ImportDraft, LOOKING, RobotFrom, Trial, TypedAxis,
-    in_the_windows_words,
+    Companion, ImportAnswers, ImportDraft, LOOKING, RobotFrom, Trial, in_the_windows_words,
 };
 use crate::gui::jobs::Running;
 use crate::gui::style::{Palette, size, space};
@@ -253,7 +253,7 @@ fn robot(ui: &mut Ui, workbench: &Workbench, now: &ImportDraft, next: &mut Impor
         .clicked()
         && !typed
     {
-        next.robot = RobotFrom::Typed(TypedAxis::default());
+        next.robot = RobotFrom::Typed(Box::new(RobotTable::one_axis()));
     }
     if let RobotFrom::Typed(typed) = &mut next.robot {
         axis(ui, typed);
@@ -344,42 +344,25 @@ fn listed(ui: &mut Ui, workbench: &Workbench, next: &mut ImportAnswers) {
 }
 
 /// One axis that turns: its name, where it stands, where the tool is, how far it goes.
-fn axis(ui: &mut Ui, typed: &mut TypedAxis) {
+fn axis(ui: &mut Ui, typed: &mut RobotTable) {
     widgets::form_row(ui, say!("Name"), |ui| {
         let field = ui.add(TextEdit::singleline(&mut typed.name));
         widgets::label(&field, say!("Name of the robot"));
     });
-    numbers(
-        ui,
-        say!("Axis at home"),
-        (say!("Axis"), ""),
-        &["x", "y", "z"],
-        &mut typed.axis,
-    );
-    let parts = ["x", "y", "z"];
-    numbers(
-        ui,
-        say!("Point on it, mm"),
-        (say!("Point"), "mm"),
-        &parts,
-        &mut typed.point_mm,
-    );
-    numbers(
-        ui,
-        say!("Tool at home, mm"),
-        (say!("Tool"), "mm"),
-        &parts,
-        &mut typed.tool_mm,
-    );
-    let parts = [say!("from"), say!("to")];
-    numbers(
-        ui,
-        say!("Travel, °"),
-        (say!("Travel"), "°"),
-        &parts,
-        &mut typed.limits_deg,
-    );
-    ui.checkbox(&mut typed.gravity_down, say!("gravity points along −z"));
+    let xyz = ["x", "y", "z"];
+    let row = &mut typed.rows[0];
+    let (axis, point) = row.numbers.split_at_mut(3);
+    numbers(ui, say!("Axis at home"), (say!("Axis"), ""), &xyz, axis);
+    let (name, unit) = (say!("Point on it, mm"), "mm");
+    numbers(ui, name, (say!("Point"), unit), &xyz, point);
+    let name = say!("Tool at home, mm");
+    numbers(ui, name, (say!("Tool"), unit), &xyz, &mut typed.tool[..3]);
+    let (name, ends) = (say!("Travel, °"), [say!("from"), say!("to")]);
+    let travel = row.travel.get_or_insert([-180.0, 180.0]);
+    numbers(ui, name, (say!("Travel"), "°"), &ends, travel);
+    let mut down = typed.gravity.is_some();
+    ui.checkbox(&mut down, say!("gravity points along −z"));
+    typed.gravity = down.then_some([0.0, 0.0, -9.81]);
 }
 
 fn numbers(ui: &mut Ui, row: &str, (name, unit): (&str, &str), parts: &[&str], values: &mut [f64]) {

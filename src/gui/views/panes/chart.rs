@@ -173,7 +173,7 @@ fn pointed(
         response
     } else {
         response.does(workbench, move |bench| {
-            bench.view.mark(facts.samples.clone())
+            bench.view.mark(facts.samples.clone());
         });
         response.on_hover_cursor(CursorIcon::PointingHand)
     };
@@ -243,18 +243,24 @@ impl Other<'_> {
             Self::Component(choice) => {
                 if let Some(component) = choice.show(ui, false) {
                     let of_view = alone && place.pane.component.is_none();
-                    workbench.then(move |bench| match of_view {
-                        true => bench.view.component = component,
-                        false => bench.change_chart(key, |pane| pane.component = Some(component)),
+                    workbench.then(move |bench| {
+                        if of_view {
+                            bench.view.component = component;
+                        } else {
+                            bench.change_chart(key, |pane| pane.component = Some(component));
+                        }
                     });
                 }
             }
             Self::Joint(choice) => {
                 if let Some(joint) = choice.show(ui, false) {
                     let of_view = alone && place.pane.joint.is_none();
-                    workbench.then(move |bench| match of_view {
-                        true => bench.view.joint = joint,
-                        false => bench.change_chart(key, |pane| pane.joint = Some(joint)),
+                    workbench.then(move |bench| {
+                        if of_view {
+                            bench.view.joint = joint;
+                        } else {
+                            bench.change_chart(key, |pane| pane.joint = Some(joint));
+                        }
                     });
                 }
             }
@@ -357,9 +363,9 @@ fn bar(
             workbench.then(move |bench| bench.arrange(panes));
         }
         if one_row {
-            others
-                .iter()
-                .for_each(|other| other.show(ui, workbench, place));
+            for other in &others {
+                other.show(ui, workbench, place);
+            }
         }
         if marks {
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
@@ -370,9 +376,9 @@ fn bar(
     });
     if !one_row {
         ui.horizontal_wrapped(|ui| {
-            others
-                .iter()
-                .for_each(|other| other.show(ui, workbench, place));
+            for other in &others {
+                other.show(ui, workbench, place);
+            }
         });
     }
 }

@@ -241,7 +241,7 @@ fn an_export_while_the_answer_is_worked_out_anew_says_so_or_writes_what_is_shown
     bench.execute(|bench| {
         bench.edit(phrase!("choose effects"), |document| {
             document.choose_effect("backlash", false)
-        })
+        });
     });
     until(&mut bench, idle);
     assert!(path.exists());
@@ -254,7 +254,8 @@ fn what_a_dialog_was_opened_for_is_written_whatever_is_open_by_then() {
     let mut bench = on_threads();
     bench.execute(|bench| bench.identify(None));
     until(&mut bench, |bench| bench.answer().is_some());
-    let asks: [(fn(&mut Workbench), &str); 2] = [
+    type Ask = fn(&mut Workbench);
+    let asks: [(Ask, &str); 2] = [
         (Workbench::choose_where_to_save, "first.json"),
         (
             |bench| bench.choose_where_to_export(What::Table),
