@@ -15,8 +15,7 @@ use crate::gui::core::compensated::Compensated;
 use crate::gui::core::disk::{FileChange, Fingerprint, name_of};
 use crate::gui::core::document;
 use crate::gui::file_state::Stated;
-use crate::gui::files;
-use crate::gui::files::system::{advice, ending};
+use crate::gui::files::system::{advice, cancelled, ending};
 use crate::gui::jobs::Watch;
 use crate::gui::view::{Message, What};
 use crate::history::History;
@@ -353,8 +352,8 @@ pub(crate) fn write_report(
     let mut details = Vec::new();
     let written = make(wanted, path, replace, watch, &mut details);
     match written {
-        Ok(()) => files::saved(path, details),
-        Err(problem) => files::not_written(path, problem),
+        Ok(()) => saved(path, details),
+        Err(problem) => not_written(path, problem),
     }
 }
 
@@ -367,7 +366,7 @@ fn make(
 ) -> Result<(), String> {
     let kind = Kind::of(path).map_err(spoken)?;
     // A long search is not begun for a file that cannot be written.
-    files::can_be_written(path, replace, &wanted.inputs)?;
+    can_be_written(path, replace, &wanted.inputs)?;
     let extras = Extras {
         details: wanted.stated.complete()?,
         history: past(wanted, watch)?,
@@ -403,7 +402,7 @@ fn make(
             says
         ));
     }
-    files::write_one(path, replace, &written.bytes, watch)
+    write_one(path, replace, &written.bytes, watch)
 }
 
 /// What became of the machine, where its folder has more than one measurement of it.
@@ -412,7 +411,7 @@ fn past(wanted: &ReportRequest, watch: &Watch) -> Result<Option<History>, String
         return Ok(None);
     };
     let report_progress = watch.progress_callback();
-    pipeline::history_of_robot(folder, robot, &report_progress).map_err(|_| files::cancelled())
+    pipeline::history_of_robot(folder, robot, &report_progress).map_err(|_| cancelled())
 }
 
 /// The tables with their hashes; what cannot be named any more is said.
@@ -475,10 +474,10 @@ mod tests {
         let path = folder.path().join("report.html");
         let watch = Watch::default();
         watch.stop();
-        assert!(files::write_one(&path, false, b"text", &watch).is_err());
+        assert!(write_one(&path, false, b"text", &watch).is_err());
         assert_eq!(files_in(folder.path()), 0);
         let watch = Watch::default();
-        assert_eq!(files::write_one(&path, false, b"text", &watch), Ok(()));
+        assert_eq!(write_one(&path, false, b"text", &watch), Ok(()));
         assert_eq!(files_in(folder.path()), 1);
     }
 

@@ -5,7 +5,7 @@ use std::cell::RefCell;
 use std::rc::Rc;
 
 use super::buttons::{other, primary, segmented};
-use crate::gui::widgets::{label, wrong};
+use super::text::{label, wrong};
 use egui::text::{CCursor, CCursorRange};
 use egui::text_edit::TextEditState;
 use egui::{

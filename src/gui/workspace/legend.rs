@@ -22,12 +22,13 @@ use super::layout;
 use super::model::{Shown, judged};
 use super::pen::{Camera, Form, Label, Pen};
 use super::robot::Drawn;
-use super::scene::SQUARE;
 
 /// The longest that the scale's arrow gets, points.
 const LONGEST_SCALE: f64 = 52.0;
 /// Room for the arrow and its length in words, points.
 const SCALE: f32 = 116.0;
+/// Side of the square of a pose that was not measured, points.
+pub(super) const SQUARE: f32 = 5.0;
 /// Width of the sign of a mark or a line, points.
 const SIGN: f32 = 14.0;
 

@@ -20,15 +20,14 @@ use crate::present::numbers::trimmed;
 use crate::sessions::Region;
 
 use super::layout::{self, HANDLE, SECTOR};
+use super::legend::SQUARE;
 use super::model::{Dial, Shown, VisibleSample, ball, shown};
 use super::pen::{Camera, Form, Label, Pen};
 use super::pointer::marked;
 use super::robot::{Drawn, body};
 
-/// Width of a path where its colour says how sure the model is, points …
+/// Width of a path where its colour says how sure the model is, points.
 const BAND: f32 = 7.0;
-/// … and that of the square of a pose that was not measured.
-pub(super) const SQUARE: f32 = 5.0;
 /// Names of regions stand so far from the axis, in parts of the farthest reflector's distance.
 const NAMES: f64 = 0.42;
 /// Squares of the grid from its middle to its edge, at least.

@@ -1,7 +1,7 @@
 //! The workspace in three dimensions: what the plane shows, seen from wherever the camera is, with what the pointer
 //! does in it.
 //!
-//! The scene is the one of the plane, projected along the line of sight, so that vectors, colours,
+//! What is drawn is what a plane shows, projected along the line of sight, so that vectors, colours,
 //! legend and robot are the same in both; only what has a depth is added here.
 
 use egui::{
@@ -21,9 +21,9 @@ use crate::kinematics::{JointKind, Robot};
 use crate::numeric::extent;
 
 use super::pen::{self, Pen};
+use super::pointer::{Seen, tell_plot_size};
 use super::robot::{Drawn, body};
 use super::scene::{self, Space};
-use super::{Seen, tell_plot_size};
 
 /// A direction in space is drawn so much shorter on average.
 const FORESHORTENED: f64 = std::f64::consts::FRAC_PI_4;
