@@ -98,9 +98,12 @@ pub(crate) enum RobotFrom {
 /// A robot of one axis, whose tool is off that axis.
 fn off_its_axis(table: &RobotTable) -> Result<Robot, Text> {
     let robot = table.robot()?;
-    let axis = &robot.joints[0].axis;
-    let out = robot.base_from_tool.translation.vector - axis.point_mm.coords;
-    if out.cross(&axis.direction).norm() < 1e-6 {
+    let tool = robot.base_from_tool.translation.vector;
+    let on_axis = robot.joints.iter().any(|joint| {
+        let out = tool - joint.axis.point_mm.coords;
+        out.cross(&joint.axis.direction).norm() < 1e-6
+    });
+    if on_axis {
         return Err(text!(
             "the tool lies on the axis: say where it is at home, off the axis"
         ));
