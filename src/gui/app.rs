@@ -10,13 +10,13 @@ use egui::style::NumberFormatter;
 use egui::{CentralPanel, ColorImage, Context, Frame, Margin, Panel, Ui, ViewportCommand};
 
 use super::preferences::{Preferences, largest_zoom};
-use super::view::{Arrangement, Sheet};
+use super::view::{Arrangement, NextAction, Sheet};
 use super::{actions, dialogs, files, layers, widgets, workspace};
 use crate::gui::core::compensated::CompensationRequest;
 use crate::gui::jobs::{Jobs, Runner};
 use crate::gui::style::{self, Palette, space};
 use crate::gui::views;
-use crate::gui::workbench::{Command, Workbench};
+use crate::gui::workbench::Workbench;
 use crate::present::numbers::write_numbers;
 use crate::text::Language;
 
@@ -142,18 +142,16 @@ impl App {
         let units = self.workbench.units();
         let _units = crate::text::InUnits::begin((units.length, units.angle));
         if let Some(path) = self.first.take() {
-            self.workbench.execute(Command::OpenFile(path));
+            self.workbench.execute(|bench| bench.open_file(path));
         }
         self.workbench.receive();
         self.keep_preferences(ui.ctx());
         self.keep_time(ui.ctx());
         widgets::read_next(ui.ctx());
-        let mut commands = actions::read(ui.ctx(), &self.workbench);
-        self.lay_out(ui, &mut commands);
-        let any = !commands.is_empty();
-        for command in commands {
-            self.workbench.execute(command);
-        }
+        actions::read(ui.ctx(), &self.workbench);
+        self.lay_out(ui);
+        self.workbench.drag(ui.ctx().dragged_id().is_some());
+        let any = self.workbench.make_changes();
         self.keep_title(ui.ctx());
         self.ask_before_leaving(ui.ctx());
         if self.workbench.receive() || any {
@@ -166,7 +164,7 @@ impl App {
 
     /// Chooses the language for this frame.
     fn speak(&self) {
-        let preferred = self.workbench.view().preferences.language;
+        let preferred = self.workbench.view.preferences.language;
         crate::text::choose(preferred.unwrap_or(self.language));
         crate::text::name_by_titles(true);
     }
@@ -186,14 +184,15 @@ impl App {
 
     /// Compares the sessions of a folder, as if it had been chosen.
     pub fn compare_sessions(&mut self, folder: &Path) {
+        let folder = folder.to_path_buf();
         self.workbench
-            .execute(Command::CompareSessions(folder.to_path_buf()));
+            .execute(|bench| bench.compare_sessions(folder));
     }
 
     /// Corrects the targets of a file, as if it had been chosen.
     pub fn compensate(&mut self, path: &Path) {
         let wanted = CompensationRequest::new(path.to_path_buf());
-        self.workbench.execute(Command::Compensate(wanted));
+        self.workbench.execute(|bench| bench.compensate(wanted));
     }
 
     /// Opens the sheet in which the path of an export is typed, with this path in it: what the
@@ -209,10 +208,11 @@ impl App {
             path: path.display().to_string(),
             replace: false,
         };
-        self.workbench.execute(Command::sheet(sheet));
+        self.workbench
+            .execute(|bench| bench.show_sheet(Some(sheet)));
     }
 
-    fn lay_out(&self, ui: &mut Ui, commands: &mut Vec<Command>) {
+    fn lay_out(&self, ui: &mut Ui) {
         let workbench = &self.workbench;
         let palette = Palette::of(ui);
         let frame = |fill, margin| Frame::NONE.fill(fill).inner_margin(margin);
@@ -222,38 +222,38 @@ impl App {
             panel.exact_size(size).resizable(false).frame(frame)
         };
         fixed(Panel::top("menu"), 42.0, bar(palette.surface))
-            .show(ui, |ui| views::menu::show(ui, workbench, commands));
+            .show(ui, |ui| views::menu::show(ui, workbench));
         fixed(Panel::bottom("status"), 32.0, bar(palette.surface))
-            .show(ui, |ui| views::status::show(ui, workbench, commands));
+            .show(ui, |ui| views::status::show(ui, workbench));
         let room = actions::layout(ui.ctx(), workbench);
         fixed(Panel::left("steps"), room.left, side(palette.surface))
-            .show(ui, |ui| views::steps::show(ui, workbench, room, commands));
+            .show(ui, |ui| views::steps::show(ui, workbench, room));
         if let Some(width) = room.samples {
             fixed(Panel::right("samples"), width, side(palette.background))
-                .show(ui, |ui| views::results::samples(ui, workbench, commands));
+                .show(ui, |ui| views::results::samples(ui, workbench));
         }
-        let results = |ui: &mut Ui, commands: &mut Vec<Command>| {
-            views::results::show(ui, workbench, room, commands);
+        let results = |ui: &mut Ui| {
+            views::results::show(ui, workbench, room);
         };
         if let Some(width) = room.right {
             fixed(Panel::right("results"), width, side(palette.background))
-                .show(ui, |ui| results(ui, commands));
+                .show(ui, |ui| results(ui));
         }
         let middle = ui.available_rect_before_wrap();
         CentralPanel::no_frame()
             .frame(Frame::NONE.fill(palette.background))
             .show(ui, |ui| {
                 if room.instead {
-                    side(palette.background).show(ui, |ui| results(ui, commands));
+                    side(palette.background).show(ui, |ui| results(ui));
                 } else {
-                    views::panes::show(ui, workbench, commands);
+                    views::panes::show(ui, workbench);
                 }
             });
-        views::steps::grips(ui, workbench, room, middle, commands);
-        views::status::notices(ui, workbench, room, commands);
-        dialogs::show(ui, workbench, commands);
-        dialogs::asking(ui, workbench, commands);
-        views::status::dropped(ui, commands);
+        views::steps::grips(ui, workbench, room, middle);
+        views::status::notices(ui, workbench, room);
+        dialogs::show(ui, workbench);
+        dialogs::asking(ui, workbench);
+        views::status::dropped(ui, workbench);
         widgets::focus_ring(ui.ctx());
     }
 
@@ -278,7 +278,7 @@ impl App {
     }
 
     fn ask_before_leaving(&mut self, ctx: &Context) {
-        if self.workbench.view().leaving {
+        if self.workbench.view.leaving {
             self.workbench.tidy();
             ctx.send_viewport_cmd(ViewportCommand::Close);
         } else if ctx.input(|i| i.viewport().close_requested()) {
@@ -286,7 +286,8 @@ impl App {
                 ctx.send_viewport_cmd(ViewportCommand::CancelClose);
             } else if self.workbench.at_risk().any() || self.workbench.writing().is_some() {
                 ctx.send_viewport_cmd(ViewportCommand::CancelClose);
-                self.workbench.execute(Command::Leave);
+                self.workbench
+                    .execute(|bench| bench.ask_then(NextAction::Leave));
             } else {
                 self.workbench.tidy();
             }
@@ -296,7 +297,7 @@ impl App {
     /// Shows numbers, colours and text as the user wants them, and notices where egui's own keys
     /// have changed the size of text.
     fn keep_preferences(&mut self, ctx: &Context) {
-        let wanted = self.workbench.view().preferences;
+        let wanted = self.workbench.view.preferences;
         let notation = wanted.notation();
         write_numbers(notation);
         if notation.comma != self.comma {
@@ -309,7 +310,7 @@ impl App {
             let zoom = zoom.min(largest);
             let preferences = Preferences { zoom, ..wanted }.sound();
             self.shown.zoom = preferences.zoom;
-            self.workbench.execute(Command::Prefer(preferences));
+            self.workbench.execute(|bench| bench.prefer(preferences));
             return;
         }
         let fits = wanted.zoom.min(largest);
@@ -336,7 +337,7 @@ impl App {
             let due = *self.recovery_due.get_or_insert(now + RECOVERY_AFTER_S);
             if now >= due {
                 self.recovery_due = None;
-                self.workbench.execute(Command::KeepRecovery);
+                self.workbench.execute(Workbench::keep_recovery);
             } else {
                 ctx.request_repaint_after(Duration::from_secs_f64(due - now));
             }
@@ -344,7 +345,7 @@ impl App {
             self.recovery_due = None;
         }
         if ctx.input(|i| i.events.contains(&egui::Event::WindowFocused(true))) {
-            self.workbench.execute(Command::LookAtDisk);
+            self.workbench.execute(Workbench::look_at_disk);
         }
     }
 

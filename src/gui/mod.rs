@@ -1,18 +1,17 @@
 //! The window.
 //!
-//! Data goes one way: panels and plots read the `workbench::Workbench` and send
-//! `workbench::Command`s; the workbench is the one place that changes anything.
+//! Panels and plots are drawn from a `workbench::Workbench`; what the user does there is a change of its plain
+//! state, made once the frame is drawn.
 //!
 //! Each folder uses only what stands beneath it (`scripts/arrows` counts, a test in
 //! `tests/core/house.rs` holds it), from the top:
 //!
-//! - `app`: the shell: takes what was done in the background, lays out the views, executes commands.
+//! - `app`: the shell: takes what was done in the background, lays out the views, makes the changes.
 //! - `dialogs`: sheets over the window; `views`: what stands around the plots; `workspace`: the plot of
 //!   the robot and its samples.
-//! - `plots`, `widgets`: what views are made of; `scene`: what is seen of the workspace, for screen and
-//!   paper; `layers`: what is drawn for each sample.
+//! - `plots`, `widgets`: what views are made of; `layers`: what is drawn for each sample.
 //! - `actions`: one table of what can be done: keys, menus, help.
-//! - `workbench`: what there is, and the commands that change it.
+//! - `workbench`: what there is, and what is done with it.
 //! - `charts`: what is charted below the workspace, one file and one line of a register each.
 //! - `files`, `file_state`: reading and writing; what outlives the window and what changes under it.
 //! - `cache`: what is worked out once, in the background, so that no frame looks at all samples.
@@ -37,7 +36,6 @@ mod jobs;
 mod layers;
 mod plots;
 mod preferences;
-mod scene;
 mod style;
 mod view;
 mod views;
@@ -101,7 +99,7 @@ pub fn run(path: Option<PathBuf>) -> anyhow::Result<()> {
             let app = App::new(&cc.egui_ctx, path, Runner::Threads);
             let app = app.drawn_by(cc.wgpu_render_state.as_ref());
             let app = app.speaking(Language::of_system());
-            let app = app.on_day(file_state::machines::today());
+            let app = app.on_day(file_state::today());
             Ok(Box::new(app.at_home(file_state::home())))
         }),
     )

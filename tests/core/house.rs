@@ -394,7 +394,7 @@ fn the_window_takes_no_joint_for_the_only_one() {
 }
 
 /// The window's folders from the bottom to the top; what stands in one row is of one floor.
-const FLOORS: [&[&str]; 16] = [
+const FLOORS: [&[&str]; 15] = [
     &["language"],
     &["jobs", "help", "style"],
     &["preferences"],
@@ -406,7 +406,6 @@ const FLOORS: [&[&str]; 16] = [
     &["files", "file_state"],
     &["workbench"],
     &["actions", "layers", "widgets"],
-    &["scene"],
     &["plots"],
     &["workspace"],
     &["views"],

@@ -6,14 +6,12 @@
 //! ```
 
 use super::{About, ChartChoice, ChartKind, ChartPlaceholder, HoverTarget, Scene, Shown};
-use crate::gui::cache::charts::Work;
+use crate::gui::cache::Work;
 use crate::gui::help::Word;
 use crate::present::chart::{Axis, Chart, ColourRole, Entry, Item, LEAST_SPAN, LegendSymbol};
 use crate::present::table::{Cell, Table};
 
 pub(crate) struct Cumulative;
-
-pub(crate) static CUMULATIVE: Cumulative = Cumulative;
 
 /// Lengths in ascending order, mm.
 struct Sorted(Vec<f64>);

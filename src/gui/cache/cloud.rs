@@ -239,10 +239,8 @@ fn over_the_workspace(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gui::core::edit::Edit;
     use crate::gui::testing::workbench;
     use crate::gui::view::Colouring;
-    use crate::gui::workbench::{Command, ViewChange};
 
     #[test]
     fn every_beginning_of_the_order_is_spread_evenly() {
@@ -327,8 +325,8 @@ mod tests {
     #[test]
     fn it_is_what_the_covariance_makes_of_the_prediction() {
         let mut workbench = workbench();
-        workbench.execute(Command::Edit(Edit::Identify));
-        workbench.execute(Command::View(ViewChange::Colour(Colouring::Uncertainty)));
+        workbench.execute(|bench| bench.identify(None));
+        workbench.execute(|bench| bench.view.colouring = Colouring::Uncertainty);
         workbench.receive();
         let uncertain = workbench.uncertain().expect("it is known");
         let answer = workbench.answer().expect("an answer");
@@ -348,8 +346,8 @@ mod tests {
     #[test]
     fn between_the_samples_it_is_known_along_the_way_of_each_reflector() {
         let mut workbench = workbench();
-        workbench.execute(Command::Edit(Edit::Identify));
-        workbench.execute(Command::View(ViewChange::Colour(Colouring::Uncertainty)));
+        workbench.execute(|bench| bench.identify(None));
+        workbench.execute(|bench| bench.view.colouring = Colouring::Uncertainty);
         workbench.receive();
         let uncertain = workbench.uncertain().expect("it is known");
         let loaded_session = workbench.loaded_session();
@@ -383,10 +381,10 @@ mod tests {
     fn of_several_joints_it_is_known_over_their_ranges_as_the_answer_says() {
         let mut workbench = workbench();
         let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/arms");
-        workbench.execute(Command::OpenFile(folder.join("six-60.json")));
+        workbench.execute(|bench| bench.open_file(folder.join("six-60.json")));
         workbench.receive();
-        workbench.execute(Command::Edit(Edit::Identify));
-        workbench.execute(Command::View(ViewChange::Colour(Colouring::Uncertainty)));
+        workbench.execute(|bench| bench.identify(None));
+        workbench.execute(|bench| bench.view.colouring = Colouring::Uncertainty);
         workbench.receive();
         let uncertain = workbench.uncertain().expect("it is known");
         let said = workbench

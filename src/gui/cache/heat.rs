@@ -188,9 +188,7 @@ fn normalised([bb, ba, aa, weight, largest]: [f64; 5]) -> [f32; 4] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gui::core::edit::Edit;
     use crate::gui::testing::workbench;
-    use crate::gui::workbench::Command;
 
     impl Heat {
         /// The mean products and the opacity at a point of the plane, mm, between the middles of the
@@ -254,7 +252,7 @@ mod tests {
             step_deg: 12.0,
             ..crate::gui::core::simulate::Form::default()
         };
-        workbench.execute(Command::Simulate(form));
+        workbench.execute(|bench| bench.simulate(form));
         workbench.receive();
         let loaded_session = workbench.loaded_session();
         let heat = Heat::of(loaded_session, None, Plane::Xy).expect("there are samples");
@@ -275,7 +273,7 @@ mod tests {
             step_deg: 0.05,
             ..crate::gui::core::simulate::Form::default()
         };
-        workbench.execute(Command::Simulate(form));
+        workbench.execute(|bench| bench.simulate(form));
         workbench.receive();
         let often =
             Heat::of(workbench.loaded_session(), None, Plane::Xy).expect("there are samples");
@@ -287,7 +285,7 @@ mod tests {
     #[test]
     fn blending_is_exact_between_before_and_after() {
         let mut workbench = workbench();
-        workbench.execute(Command::Edit(Edit::Identify));
+        workbench.execute(|bench| bench.identify(None));
         workbench.receive();
         let answer = workbench.answer().expect("identified");
         let heat = Heat::of(workbench.loaded_session(), Some(answer), Plane::Xy).expect("samples");

@@ -2,7 +2,7 @@
 //! the table corrects and what is left as predicted with it; the figures of ISO 230-2 are next to it.
 
 use super::{About, ChartChoice, ChartKind, ChartPlaceholder, HoverTarget, Scene, Shown};
-use crate::gui::cache::charts::Work;
+use crate::gui::cache::Work;
 use crate::gui::core::quantity::{Over, Variable};
 use crate::gui::help::Word;
 use crate::gui::view::Step;
@@ -14,8 +14,6 @@ use crate::present::table::{Cell, Table};
 use crate::standards::{AxisTest, Series, axis_test};
 
 pub(crate) struct OfAxis;
-
-pub(crate) static OF_AXIS: OfAxis = OfAxis;
 
 const ID: &str = "deviation over position";
 

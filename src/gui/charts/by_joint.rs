@@ -18,8 +18,6 @@ const MOST_LETTERS: usize = 8;
 
 pub(crate) struct ByJoint;
 
-pub(crate) static BY_JOINT: ByJoint = ByJoint;
-
 /// Where the samples are: joint by joint the smallest and the largest value, inner units.
 struct Panels<'a> {
     scene: &'a Scene,

@@ -14,8 +14,6 @@ use crate::units::rad_from_deg;
 
 pub(crate) struct Correction;
 
-pub(crate) static CORRECTION: Correction = Correction;
-
 impl ChartKind for Correction {
     fn about(&self) -> About {
         About {

@@ -2,10 +2,10 @@
 //! after. Of many samples the extremes in each column of the screen are shown.
 
 use super::{About, ChartChoice, ChartKind, ChartPlaceholder, HoverTarget, Samples, Scene, Shown};
-use crate::gui::cache::charts::{Column, Envelope, Work};
-use crate::gui::core::boundaries::boundaries;
+use crate::gui::cache::{Column, Envelope, Work};
 use crate::gui::core::loaded_session::Component;
 use crate::gui::core::quantity::{Over, Scale, Variable};
+use crate::gui::core::regions::boundaries;
 use crate::gui::core::scale::{FEW, stride, thinned};
 use crate::gui::help::{self, Word};
 use crate::numeric::whole;
@@ -424,9 +424,8 @@ impl Samples for DrawnDeviations<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gui::core::edit::Edit;
     use crate::gui::testing::workbench;
-    use crate::gui::workbench::{Command, ViewChange, Workbench};
+    use crate::gui::workbench::Workbench;
 
     fn dots(workbench: &Workbench) -> Vec<Dot> {
         let scene = workbench.scene_of(&ANGLE);
@@ -437,7 +436,7 @@ mod tests {
     fn the_components_of_a_deviation_have_its_length() {
         let mut workbench = workbench();
         let mut of = |component: Component| {
-            workbench.execute(Command::View(ViewChange::Component(component)));
+            workbench.execute(|bench| bench.view.component = component);
             dots(&workbench)[5].before_mm
         };
         let length = of(Component::Length);
@@ -471,11 +470,11 @@ mod tests {
             shown.chart.bounds[1][1] - shown.chart.bounds[0][1]
         };
         assert_eq!(left(&workbench), 0);
-        workbench.execute(Command::Edit(Edit::Identify));
+        workbench.execute(|bench| bench.identify(None));
         workbench.receive();
         assert_eq!(left(&workbench), workbench.loaded_session().len());
         let both = high(&workbench);
-        workbench.execute(Command::View(ViewChange::OnlyAfter(true)));
+        workbench.execute(|bench| bench.view.only_after = true);
         assert!(high(&workbench) < 0.1 * both);
     }
 }

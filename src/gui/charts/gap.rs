@@ -12,8 +12,6 @@ use crate::present::table::{Cell, Table};
 
 pub(crate) struct Gap;
 
-pub(crate) static GAP: Gap = Gap;
-
 fn steps(scene: &Scene) -> &[ResidualStep] {
     scene
         .answer()

@@ -3,7 +3,7 @@
 use super::{
     About, Bars, ChartChoice, ChartKind, ChartPlaceholder, Facts, HoverTarget, Scene, Shown,
 };
-use crate::gui::cache::charts::Work;
+use crate::gui::cache::Work;
 use crate::gui::core::loaded_session::Component;
 use crate::gui::help;
 use crate::present::bins::{Bins, Counted, Distribution, NoiseCurve};
@@ -21,8 +21,6 @@ const MOST_PEAK: f64 = 2.0;
 const FINE: usize = 240;
 
 pub(crate) struct Histogram;
-
-pub(crate) static HISTOGRAM: Histogram = Histogram;
 
 impl ChartKind for Histogram {
     fn about(&self) -> About {

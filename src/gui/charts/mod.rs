@@ -7,8 +7,8 @@ use std::any::Any;
 use std::sync::Arc;
 
 use crate::diagnosis::Diagnosis;
-use crate::gui::cache::charts::{ChartResult, Work};
 use crate::gui::cache::identified::{ExportPreview, IdentifiedAnswer, Preview};
+use crate::gui::cache::{ChartResult, Work};
 use crate::gui::core::answer::Answer;
 use crate::gui::core::answer::Search;
 use crate::gui::core::document::Document;
@@ -32,16 +32,16 @@ macro_rules! register {
 
 register! {
     deviation: ANGLE, TIME, LOAD, TEMPERATURE;
-    polar: POLAR;
-    by_joint: BY_JOINT;
-    orders: ORDERS;
-    histogram: HISTOGRAM;
-    quantiles: QUANTILES;
-    gap: GAP;
-    axis_test: OF_AXIS;
-    effect: EFFECT;
-    correction: CORRECTION;
-    scatter: SCATTER;
+    polar: Polar;
+    by_joint: ByJoint;
+    orders: Orders;
+    histogram: Histogram;
+    quantiles: Quantiles;
+    gap: Gap;
+    axis_test: OfAxis;
+    effect: Effect;
+    correction: Correction;
+    scatter: Scatter;
 }
 
 /// What a chart says of itself.
@@ -105,14 +105,6 @@ pub(crate) trait ChartKind: Sync {
 
     /// What it shows, for a spreadsheet.
     fn numbers(&self, scene: &Scene) -> Table;
-}
-
-/// A chart as it is shown, in the language of the window.
-pub(crate) fn shown<'a>(
-    kind: &dyn ChartKind,
-    scene: &'a Scene,
-) -> Result<Shown<'a>, ChartPlaceholder> {
-    kind.show(scene)
 }
 
 /// The chart of this name.

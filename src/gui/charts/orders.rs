@@ -3,7 +3,7 @@
 use super::{
     About, Bars, ChartChoice, ChartKind, ChartPlaceholder, Facts, HoverTarget, Scene, Shown,
 };
-use crate::gui::cache::charts::{ChartInputs, Work};
+use crate::gui::cache::{ChartInputs, Work};
 use crate::gui::core::answer::terms;
 use crate::gui::core::quantity::{Over, Variable};
 use crate::gui::help;
@@ -24,8 +24,6 @@ const ROOM: f64 = 0.30;
 const ROWS: usize = 3;
 
 pub(crate) struct Orders;
-
-pub(crate) static ORDERS: Orders = Orders;
 
 impl ChartKind for Orders {
     fn about(&self) -> About {

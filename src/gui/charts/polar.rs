@@ -11,7 +11,7 @@ use std::f64::consts::TAU;
 
 use super::deviation::{ANGLE, DrawnDeviations, MOST_NEAR};
 use super::{About, ChartChoice, ChartKind, ChartPlaceholder, HoverTarget, Samples, Scene, Shown};
-use crate::gui::cache::charts::{Column, Work};
+use crate::gui::cache::{Column, Work};
 use crate::gui::core::loaded_session::{Component, LoadedSession};
 use crate::gui::core::scale::round_down;
 use crate::gui::help;
@@ -43,8 +43,6 @@ const SAME_RAD: f64 = 0.005;
 const GAP_RAD: f64 = 0.45;
 
 pub(crate) struct Polar;
-
-pub(crate) static POLAR: Polar = Polar;
 
 impl ChartKind for Polar {
     fn about(&self) -> About {
@@ -376,10 +374,9 @@ impl Samples for Drawn<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gui::core::edit::Edit;
     use crate::gui::core::simulate::Form as Simulated;
     use crate::gui::testing::workbench;
-    use crate::gui::workbench::{Command, ViewChange, Workbench};
+    use crate::gui::workbench::Workbench;
 
     #[test]
     fn the_largest_deviation_is_at_most_five_divisions_and_the_division_is_round() {
@@ -407,14 +404,13 @@ mod tests {
     }
 
     fn of<T>(workbench: &Workbench, look: impl FnOnce(&Drawn<'_>) -> T) -> T {
-        look(&Drawn::of(&workbench.scene_of(&POLAR)))
+        look(&Drawn::of(&workbench.scene_of(&Polar)))
     }
 
     #[test]
     fn it_shows_every_sample_and_what_is_left_alone() {
         let mut workbench = workbench();
-        let component = Command::View(ViewChange::Component(Component::Radial));
-        workbench.execute(component);
+        workbench.execute(|bench| bench.view.component = Component::Radial);
         let marks = |workbench: &Workbench, role: ColourRole| {
             of(workbench, |drawn| {
                 let items = drawn.chart(String::new()).items.into_iter();
@@ -428,9 +424,9 @@ mod tests {
         let all = workbench.loaded_session().len();
         assert_eq!(marks(&workbench, ColourRole::Before), all);
         let before = of(&workbench, |drawn| drawn.division_mm);
-        workbench.execute(Command::Edit(Edit::Identify));
+        workbench.execute(|bench| bench.identify(None));
         workbench.receive();
-        workbench.execute(Command::View(ViewChange::OnlyAfter(true)));
+        workbench.execute(|bench| bench.view.only_after = true);
         assert!(of(&workbench, |drawn| drawn.division_mm) < before);
         assert_eq!(marks(&workbench, ColourRole::Before), 0);
         assert_eq!(marks(&workbench, ColourRole::After), all);
@@ -439,7 +435,11 @@ mod tests {
     #[test]
     fn a_deviation_outwards_is_outside_the_nominal_circle_and_nothing_leaves_the_bounds() {
         let mut workbench = workbench();
-        workbench.execute(Command::Edit(Edit::Tolerance(Some(0.2))));
+        workbench.execute(|bench| {
+            bench.edit(phrase!("set tolerance"), |document| {
+                document.set_tolerance(Some(0.2))
+            });
+        });
         of(&workbench, |drawn| {
             let radius = |at: [f64; 2]| at[0].hypot(at[1]);
             let at = drawn.at(0.3, 2.0 * drawn.division_mm);
@@ -458,14 +458,16 @@ mod tests {
     #[test]
     fn what_is_pointed_at_is_found_at_its_angle_on_every_turn_of_many_samples() {
         let mut workbench = workbench();
-        workbench.execute(Command::Simulate(Simulated {
-            step_deg: 0.05,
-            ..Simulated::default()
-        }));
+        workbench.execute(|bench| {
+            bench.simulate(Simulated {
+                step_deg: 0.05,
+                ..Simulated::default()
+            });
+        });
         workbench.receive();
-        let key = workbench.view().panes.active_chart().map(|(key, _)| key);
+        let key = workbench.view.panes.active_chart().map(|(key, _)| key);
         let panes = workbench.with_choice(key.expect("a chart"), "polar");
-        workbench.execute(Command::View(ViewChange::Panes(Box::new(panes))));
+        workbench.execute(|bench| bench.arrange(panes));
         workbench.receive();
         of(&workbench, |drawn| {
             assert!(drawn.of.envelope.is_some());
@@ -485,15 +487,22 @@ mod tests {
     #[test]
     fn a_length_is_outside_the_circle_and_so_is_its_tolerance() {
         let mut workbench = workbench();
-        workbench.execute(Command::Edit(Edit::Tolerance(Some(0.2))));
+        workbench.execute(|bench| {
+            bench.edit(phrase!("set tolerance"), |document| {
+                document.set_tolerance(Some(0.2))
+            });
+        });
         let band = |workbench: &Workbench| of(workbench, |drawn| drawn.band().expect("a band"));
-        let component = |c| Command::View(ViewChange::Component(c));
-        workbench.execute(component(Component::Length));
+        workbench.execute(|bench| bench.view.component = Component::Length);
         assert_eq!(band(&workbench)[0], 0.0);
-        workbench.execute(component(Component::Radial));
+        workbench.execute(|bench| bench.view.component = Component::Radial);
         let [low, high] = band(&workbench);
         assert!(low < 0.0 && high > 0.0);
-        workbench.execute(Command::Edit(Edit::Tolerance(Some(1e9))));
+        workbench.execute(|bench| {
+            bench.edit(phrase!("set tolerance"), |document| {
+                document.set_tolerance(Some(1e9))
+            });
+        });
         let [low, high] = band(&workbench);
         assert!(-NOMINAL < low && high < NOMINAL);
     }

@@ -8,7 +8,7 @@
 use statrs::function::erf::erf_inv;
 
 use super::{About, ChartChoice, ChartKind, ChartPlaceholder, HoverTarget, Samples, Scene, Shown};
-use crate::gui::cache::charts::Work;
+use crate::gui::cache::Work;
 use crate::gui::core::loaded_session::Component;
 use crate::gui::help::Word;
 use crate::present::chart::{
@@ -23,8 +23,6 @@ const ENDS: usize = 40;
 const QUARTILES: f64 = 1.348_979_500_392_163_5;
 
 pub(crate) struct Quantiles;
-
-pub(crate) static QUANTILES: Quantiles = Quantiles;
 
 /// Samples in ascending order of what is left: which, its normal quantile, and how much, mm.
 struct Ranked(Vec<(usize, f64, f64)>);

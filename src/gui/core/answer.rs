@@ -16,17 +16,15 @@ use crate::effects::Term;
 use crate::fit::gap::Spread;
 use crate::fit::uncertainty::{NORMAL_95, all_estimates};
 use crate::fit::{Gap, Identification, Outlier, Quality, RegionResult};
+use crate::gui::core::disk::name_of;
+use crate::gui::core::loaded_session::{LoadedSession, Origin};
+use crate::gui::jobs::Watch;
 use crate::language::spoken;
 use crate::model::{Calibration, RegionalCorrection};
 use crate::pipeline::{diagnose, verify};
 use crate::sessions::regions::Assignment;
 use crate::sessions::{Instrument, Region, Samples, Session, hash_of_samples};
 use crate::text::Template;
-
-use crate::gui::core::disk::name_of;
-use crate::gui::jobs::Watch;
-
-use super::loaded_session::{LoadedSession, Origin};
 
 /// An identification, and what is left of every sample's deviation.
 #[derive(Debug, Clone)]

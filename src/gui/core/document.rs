@@ -1,23 +1,26 @@
-//! What the window works on, as one value: everything in it can be undone. Also how its regions came to be
-//! divided, and what the adaptive division decided and why.
+//! What the window works on, as one value: everything in it can be undone; what each change makes of it, or why it
+//! cannot be made. Also how its regions came to be divided, and what the adaptive division decided and why.
 
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
-use crate::diagnosis::Diagnosis;
-use crate::effects::{JointValues, Term};
+use crate::diagnosis::{Diagnosis, SessionCorrection};
+use crate::document::degrees;
+use crate::effects::{CATALOGUE, JointValues, Term};
 use crate::export::{find, usual};
 use crate::fit::{DEFAULT_EFFECTS, regions_of};
-use crate::kinematics::Robot;
+use crate::gui::core::answer::{self, LoadedModel, Search};
+use crate::gui::core::loaded_session::LoadedSession;
+use crate::gui::core::regions;
+use crate::gui::core::setup::SetupForm;
+use crate::kinematics::{JointKind, Robot};
 use crate::language::spoken;
 use crate::model::RegionalCorrection;
 use crate::pipeline::{self, identify};
 use crate::present::units::Units;
 use crate::sessions::division::RegionChoice;
 use crate::sessions::{Region, Session};
-
-use super::answer::LoadedModel;
-use super::answer::{self, Search};
-use super::loaded_session::LoadedSession;
+use crate::units::rad_from_deg;
 
 /// How the robot is identified.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -350,4 +353,339 @@ pub(crate) fn adapt(session: &Session) -> Result<(Vec<Region>, Decision), String
         even_mm: left(RegionChoice::Uniform(regions.len())),
     };
     Ok((regions, decision))
+}
+
+/// Whether the change was made; the reason where it cannot be.
+type Changed = Result<(), String>;
+
+impl Document {
+    /// What asks something of the samples takes the place of a model that was read from a file.
+    fn ask_samples(&mut self) -> Changed {
+        if self.loaded_session.is_empty() {
+            return Err(say!(
+                "nothing was measured yet: open a session that was measured on this robot"
+            )
+            .to_owned());
+        }
+        self.loaded_model = None;
+        Ok(())
+    }
+
+    /// Another session; a model that was read from a file stays where both are of the same robot.
+    pub(crate) fn open(&mut self, loaded_session: Arc<LoadedSession>) {
+        let given = self.loaded_model.take();
+        let given = given.filter(|given| given.is_of(&loaded_session.session));
+        let opened = Self::new(loaded_session);
+        *self = match given {
+            Some(given) => opened.with_model(given),
+            None => opened,
+        };
+    }
+
+    /// A model beside the open session, or by itself.
+    pub(crate) fn open_model(&mut self, loaded_model: Arc<LoadedModel>, beside: bool) {
+        let beneath = if beside {
+            self.clone()
+        } else {
+            Self::new(Arc::new(loaded_model.alone()))
+        };
+        *self = beneath.with_model(loaded_model);
+    }
+
+    /// What a window that is gone has left behind, with the choices that were made.
+    pub(crate) fn recover(&mut self, loaded_session: Arc<LoadedSession>, kept: Choices) {
+        self.open(loaded_session);
+        self.loaded_model = None;
+        self.identified = kept.identified;
+        if self.loaded_session.single_revolute() {
+            self.method = kept.method;
+        }
+        let all = CATALOGUE.iter().map(|effect| effect.about().id);
+        let chosen = all.filter(|id| kept.effects.iter().any(|e| e == id));
+        self.effects = chosen.collect();
+        self.added = kept.added.into();
+    }
+
+    pub(crate) fn choose_method(&mut self, method: Method) -> Changed {
+        self.ask_samples()?;
+        if method == Method::Regional && !self.loaded_session.single_revolute() {
+            return Err(say!("regions are for a single joint that turns").to_owned());
+        }
+        self.method = method;
+        Ok(())
+    }
+
+    /// Identifies from now on, by this method or as it is chosen.
+    pub(crate) fn identify(&mut self, method: Option<Method>) -> Changed {
+        self.choose_method(method.unwrap_or(self.method))?;
+        self.identified = true;
+        Ok(())
+    }
+
+    /// Fits this effect, or leaves it out.
+    pub(crate) fn choose_effect(&mut self, id: &str, on: bool) -> Changed {
+        self.ask_samples()?;
+        let chosen = |other: &&'static str| {
+            if *other == id {
+                on
+            } else {
+                self.effects.contains(other)
+            }
+        };
+        let all = CATALOGUE.iter().map(|effect| effect.about().id);
+        self.effects = all.filter(chosen).collect();
+        Ok(())
+    }
+
+    /// How far a position may be off, mm.
+    pub(crate) fn set_tolerance(&mut self, tolerance_mm: Option<f64>) -> Changed {
+        if tolerance_mm.is_some_and(|t| !(t.is_finite() && t > 0.0)) {
+            return Err(say!("a tolerance is a number above 0").to_owned());
+        }
+        self.tolerance_mm = tolerance_mm;
+        Ok(())
+    }
+
+    /// Another table.
+    pub(crate) fn choose_export(&mut self, choice: ExportChoice) -> Changed {
+        let joints = self.loaded_session.session.robot.joints.len();
+        let usable = choice
+            .step
+            .is_none_or(|step| step.is_finite() && step > 0.0);
+        if !usable || choice.joint >= joints {
+            return Err(say!("a table needs a joint of the robot and a step above 0").to_owned());
+        }
+        self.export = choice;
+        Ok(())
+    }
+
+    /// Adds what a search found to the exact fit, all of it switched on.
+    pub(crate) fn add(&mut self, terms: &[Term]) -> Changed {
+        let mut added = self.added.to_vec();
+        for term in terms {
+            match added.iter_mut().find(|a| a.term.same_column(term)) {
+                Some(there) => there.on = true,
+                None => added.push(Added {
+                    term: term.clone(),
+                    on: true,
+                }),
+            }
+        }
+        self.exactly_with(added)
+    }
+
+    /// Switches an added effect (counted in the order in which they were added) on or off.
+    pub(crate) fn switch(&mut self, index: usize, on: bool) -> Changed {
+        let mut added = self.added.to_vec();
+        added
+            .get_mut(index)
+            .ok_or(say!("there is no such effect"))?
+            .on = on;
+        self.exactly_with(added)
+    }
+
+    /// What is added is wanted: the exact fit follows at once.
+    fn exactly_with(&mut self, added: Vec<Added>) -> Changed {
+        self.ask_samples()?;
+        self.added = added.into();
+        self.method = Method::Exact;
+        self.identified = true;
+        Ok(())
+    }
+
+    /// Another description of the robot, its reflectors and the instrument, where that makes a robot.
+    pub(crate) fn set_up(&mut self, form: &SetupForm) -> Changed {
+        let session = &self.loaded_session.session;
+        // Compared as it is filled in: missing cells are never equal.
+        if *form == SetupForm::of(session) {
+            return Ok(());
+        }
+        let next = form.session(session);
+        self.take_session(next.map_err(|problems| problems[0].1.clone())?);
+        Ok(())
+    }
+
+    /// Takes samples out of every fit and figure, or in again.
+    pub(crate) fn exclude(&mut self, samples: &[usize], out: bool) -> Changed {
+        self.ask_samples()?;
+        let loaded_session = &self.loaded_session;
+        let of_session = &loaded_session.session.samples;
+        let mut excluded: BTreeSet<usize> = of_session.excluded_by_hand().into_iter().collect();
+        for sample in samples.iter().filter(|sample| **sample < of_session.len()) {
+            if out {
+                excluded.insert(*sample);
+            } else {
+                excluded.remove(sample);
+            }
+        }
+        let held_out = of_session.held_out.as_deref();
+        let counts = |i: usize| {
+            loaded_session.usable[i] && !excluded.contains(&i) && !held_out.is_some_and(|h| h[i])
+        };
+        if out && !(0..of_session.len()).any(counts) {
+            return Err(say!("no sample would be left to fit").to_owned());
+        }
+        let whole = loaded_session.made_of().map(|(whole, _)| Arc::clone(whole));
+        let whole = whole.unwrap_or_else(|| Arc::clone(loaded_session));
+        let excluded: Vec<usize> = excluded.into_iter().collect();
+        self.loaded_session = Arc::new(LoadedSession::excluding(&whole, &excluded));
+        Ok(())
+    }
+
+    /// Takes mistakes of setting up back, one after the other.
+    pub(crate) fn correct(&mut self, mends: &[SessionCorrection]) -> Changed {
+        self.ask_samples()?;
+        let mut session = self.loaded_session.session.clone();
+        for mend in mends {
+            mend.apply(&mut session);
+        }
+        as_saved(&mut session);
+        let left = session.samples.len();
+        if session.samples.incomplete().len() == left {
+            return Err(say!("no sample would be left").to_owned());
+        }
+        let same_rows = left == self.loaded_session.len();
+        self.take_session(session);
+        if !same_rows {
+            let mut loaded_session = LoadedSession::clone(&self.loaded_session);
+            // Samples have other numbers now.
+            for finding in &mut loaded_session.findings {
+                finding.samples.clear();
+            }
+            self.loaded_session = Arc::new(loaded_session);
+        }
+        Ok(())
+    }
+
+    /// The same opening with another description of the robot, or other samples.
+    fn take_session(&mut self, session: Session) {
+        let loaded_session = LoadedSession::with(&self.loaded_session, session);
+        let given = self.loaded_model.take();
+        self.loaded_model = given.filter(|given| given.is_of(&loaded_session.session));
+        if !loaded_session.single_revolute() {
+            self.regions = Arc::from([]);
+            self.division = Division::Given;
+            self.method = Method::Exact;
+        }
+        self.loaded_session = Arc::new(loaded_session);
+    }
+}
+
+/// Changes of the regions.
+impl Document {
+    /// So many regions of the same width.
+    pub(crate) fn divide(&mut self, number: usize) -> Changed {
+        self.divide_by(&RegionChoice::Uniform(number), Division::Even)
+    }
+
+    /// The regions that the session brings along.
+    pub(crate) fn regions_of_session(&mut self) -> Changed {
+        self.divide_by(&RegionChoice::FromSession, Division::Given)
+    }
+
+    fn divide_by(&mut self, choice: &RegionChoice, division: Division) -> Changed {
+        self.ask_samples()?;
+        let regions = regions_of(choice, &self.loaded_session.session);
+        self.take_regions(regions.map_err(|e| spoken(e.describe()))?, division)
+    }
+
+    /// What the adaptive division decided.
+    pub(crate) fn adapt(&mut self, regions: Vec<Region>, decision: Decision) -> Changed {
+        self.take_regions(regions, Division::Adaptive(decision))
+    }
+
+    /// Goes on with the regions as they are, by hand.
+    pub(crate) fn keep_regions(&mut self) {
+        self.division = Division::Given;
+    }
+
+    /// Moves a boundary (counted in ascending order) to this angle, rad.
+    pub(crate) fn move_boundary(&mut self, boundary: usize, to_rad: f64) -> Changed {
+        let travel = self.loaded_session.travel();
+        let moved = regions::moved(&self.regions, boundary, to_rad, travel);
+        self.by_hand(moved, say!("the boundary cannot be moved there"))
+    }
+
+    /// Cuts a region in half.
+    pub(crate) fn split(&mut self, region: usize) -> Changed {
+        let split = regions::split(&self.regions, region);
+        self.by_hand(split, say!("the region is too narrow to be split"))
+    }
+
+    /// Makes one region of this and the one after it.
+    pub(crate) fn join(&mut self, region: usize) -> Changed {
+        let otherwise = say!(
+            "no region begins where this one ends; enter the end of this region as the start of the next one first"
+        );
+        self.by_hand(regions::joined(&self.regions, region), otherwise)
+    }
+
+    /// Takes a region away: where it was nothing is corrected.
+    pub(crate) fn delete(&mut self, region: usize) -> Changed {
+        let otherwise = say!("the last region stays: without one nothing is corrected");
+        self.by_hand(regions::without(&self.regions, region), otherwise)
+    }
+
+    fn by_hand(&mut self, regions: Option<Vec<Region>>, otherwise: &str) -> Changed {
+        self.ask_samples()?;
+        self.take_regions(regions.ok_or(otherwise)?, Division::Given)
+    }
+
+    /// Regions that are worked on are regions that are wanted: the answer follows them at once.
+    fn take_regions(&mut self, regions: Vec<Region>, division: Division) -> Changed {
+        self.identify(Some(Method::Regional))?;
+        // Exactly as a file will have them: what is saved is read again to the last bit.
+        let as_saved = |region: Region| Region {
+            from_rad: rad_from_deg(degrees(region.from_rad)),
+            to_rad: rad_from_deg(degrees(region.to_rad)),
+            ..region
+        };
+        let regions: Vec<Region> = regions.into_iter().map(as_saved).collect();
+        // Regions that stay as they are stay the same to everything that looks at them.
+        if self.regions[..] != regions[..] {
+            self.regions = Arc::from(regions);
+        }
+        self.division = division;
+        Ok(())
+    }
+
+    /// Another name for a region.
+    pub(crate) fn rename(&mut self, region: usize, name: &str) -> Changed {
+        let name = name.trim();
+        if name.is_empty() {
+            return Err(say!("a region needs a name").to_owned());
+        }
+        let taken = |(k, r): (usize, &Region)| k != region && r.name == name;
+        if self.regions.iter().enumerate().any(taken) {
+            return Err(say!(
+                "another region is called {name}; choose another name",
+                name
+            ));
+        }
+        let mut regions = self.regions.to_vec();
+        let renamed = regions
+            .get_mut(region)
+            .ok_or(say!("there is no such region"))?;
+        name.clone_into(&mut renamed.name);
+        self.regions = regions.into();
+        Ok(())
+    }
+}
+
+/// Angles that were computed become those that a file will have: what is saved is read again to
+/// the last bit.
+fn as_saved(session: &mut Session) {
+    let turns = |k: usize| session.robot.joints[k].kind == JointKind::Revolute;
+    let turning: Vec<usize> = (0..session.robot.joints.len())
+        .filter(|k| turns(*k))
+        .collect();
+    let samples = &mut session.samples;
+    for k in turning {
+        for q in samples.q[k]
+            .iter_mut()
+            .chain(samples.q_read[k].iter_mut().flatten())
+        {
+            *q = rad_from_deg(degrees(*q));
+        }
+    }
 }

@@ -20,9 +20,9 @@ use crate::model::Positions;
 use crate::progress::{Cancelled, ProgressSpan};
 use crate::sessions::Session;
 
-use super::by_angle::Angles;
 use super::overview::{Attached, Coverage, Overview, measuring_from_base};
 use crate::gui::core::disk::Fingerprint;
+use crate::gui::core::regions::Angles;
 
 /// Where a session came from.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -146,6 +146,20 @@ impl RobotTable {
         Self::in_form(robot, form)
     }
 
+    /// One axis that turns, about z of the base.
+    pub(crate) fn one_axis() -> Self {
+        let mut table = Self {
+            name: "robot".to_owned(),
+            form: TableForm::Axes,
+            rows: Vec::new(),
+            base: [0.0; 6],
+            tool: [0.0; 6],
+            gravity: None,
+        };
+        table.add();
+        table
+    }
+
     fn in_form(robot: &Robot, form: TableForm) -> Self {
         let mut base = Pose::identity();
         let mut tool = robot.base_from_tool;

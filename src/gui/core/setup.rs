@@ -24,24 +24,6 @@ pub(crate) struct JointForm {
     pub(crate) link: Option<(f64, [f64; 3])>,
 }
 
-/// A reflector as it is filled in.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct TargetForm {
-    pub(crate) name: String,
-    /// Where it sits in the tool frame, mm.
-    pub(crate) position_mm: [f64; 3],
-}
-
-/// What is known of the instrument's noise, mm.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum SigmaForm {
-    Unknown,
-    /// One number.
-    One(f64),
-    /// One for each axis.
-    Three([f64; 3]),
-}
-
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct SetupForm {
     /// Name of the robot.
@@ -55,11 +37,11 @@ pub(crate) struct SetupForm {
     /// Gravity, m/s².
     pub(crate) gravity: Option<[f64; 3]>,
     /// Reflectors.
-    pub(crate) targets: Vec<TargetForm>,
+    pub(crate) targets: Vec<Target>,
     /// Name of the instrument.
     pub(crate) instrument: String,
-    /// Its noise.
-    pub(crate) sigma: SigmaForm,
+    /// Its noise, mm.
+    pub(crate) sigma: Option<Sigma>,
 }
 
 /// A part of the form that a message can stand at.
@@ -98,13 +80,9 @@ impl SetupForm {
             tool_mm: tool.translation.vector.into(),
             tool_wxyz: [turned.w, turned.i, turned.j, turned.k],
             gravity: robot.gravity_m_s2.map(Into::into),
-            targets: session.targets.iter().map(target_form).collect(),
+            targets: session.targets.clone(),
             instrument: session.instrument.name.clone(),
-            sigma: match session.instrument.sigma_mm {
-                None => SigmaForm::Unknown,
-                Some(Sigma::Overall(sigma)) => SigmaForm::One(sigma),
-                Some(Sigma::PerAxis(sigma)) => SigmaForm::Three(sigma),
-            },
+            sigma: session.instrument.sigma_mm,
         }
     }
 
@@ -143,15 +121,11 @@ impl SetupForm {
         next.robot.gravity_m_s2 = self.gravity.map(Vector3::from);
         self.targets(&mut next, &mut problems);
         next.instrument.name.clone_from(&self.instrument);
-        next.instrument.sigma_mm = match self.sigma {
-            SigmaForm::Unknown => None,
-            SigmaForm::One(sigma) => Some(Sigma::Overall(sigma)),
-            SigmaForm::Three(sigma) => Some(Sigma::PerAxis(sigma)),
-        };
+        next.instrument.sigma_mm = self.sigma;
         let sound = match self.sigma {
-            SigmaForm::Unknown => true,
-            SigmaForm::One(sigma) => sigma.is_finite() && sigma > 0.0,
-            SigmaForm::Three(sigma) => sigma.iter().all(|s| s.is_finite() && *s > 0.0),
+            None => true,
+            Some(Sigma::Overall(sigma)) => sigma.is_finite() && sigma > 0.0,
+            Some(Sigma::PerAxis(sigma)) => sigma.iter().all(|s| s.is_finite() && *s > 0.0),
         };
         if !sound {
             problems.push((
@@ -172,10 +146,9 @@ impl SetupForm {
     }
 
     fn targets(&self, next: &mut Session, problems: &mut Vec<Problem>) {
-        let position = |t: &TargetForm| Point3::from(t.position_mm);
         let targets = self.targets.iter().map(|form| Target {
             name: form.name.trim().to_owned(),
-            position_mm: position(form),
+            ..*form
         });
         next.targets = targets.collect();
         for (k, form) in self.targets.iter().enumerate() {
@@ -211,13 +184,6 @@ fn joint_form(joint: &Joint) -> JointForm {
             .limits
             .map(|l| [l.from, l.to].map(|q| joint.kind.to_display(q))),
         link: joint.link.map(|l| (l.mass_kg, l.centre_mm.coords.into())),
-    }
-}
-
-fn target_form(target: &Target) -> TargetForm {
-    TargetForm {
-        name: target.name.clone(),
-        position_mm: target.position_mm.coords.into(),
     }
 }
 
@@ -302,7 +268,7 @@ mod tests {
         let mut form = SetupForm::of(&session);
         form.joints[0].limits = Some([-45.0, 60.0]);
         form.joints[0].axis = [0.0, 0.0, -2.0];
-        form.sigma = SigmaForm::Three([0.01, 0.02, 0.03]);
+        form.sigma = Some(Sigma::PerAxis([0.01, 0.02, 0.03]));
         form.gravity = None;
         form.targets[0].position_mm[0] += 5.0;
         let next = form.session(&session).unwrap();
@@ -334,7 +300,10 @@ mod tests {
             [Field::JointName(0)]
         );
         assert_eq!(wrong(|f| f.tool_wxyz = [0.0; 4]), [Field::Tool]);
-        assert_eq!(wrong(|f| f.sigma = SigmaForm::One(0.0)), [Field::Sigma]);
+        assert_eq!(
+            wrong(|f| f.sigma = Some(Sigma::Overall(0.0))),
+            [Field::Sigma]
+        );
         assert_eq!(
             wrong(|f| f.targets[1].name = f.targets[0].name.clone()),
             [Field::Target(1)]

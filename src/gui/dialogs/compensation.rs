@@ -11,7 +11,7 @@ use crate::gui::style::{Palette, size, space, strong};
 use crate::gui::view::What;
 use crate::gui::views::blocks::{self, Title};
 use crate::gui::widgets;
-use crate::gui::workbench::{Asked, Command, Workbench};
+use crate::gui::workbench::Workbench;
 use crate::programs::{DifferingNumber, ExternalAxes};
 
 /// Widest, points.
@@ -28,9 +28,9 @@ const NUMBER: f32 = 44.0;
 /// So many targets and remarks of a kind are listed; the sidecar has all of them.
 const MOST_LEFT: usize = 30;
 
-pub(super) fn compensation(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+pub(super) fn compensation(ui: &mut Ui, workbench: &Workbench) {
     let Some(compensated) = workbench.compensated() else {
-        return commands.push(Command::no_sheet());
+        return workbench.then(move |bench| bench.show_sheet(None));
     };
     widgets::wide(ui, WIDE);
     let name = name_of(&compensated.wanted.path);
@@ -39,13 +39,13 @@ pub(super) fn compensation(ui: &mut Ui, workbench: &Workbench, commands: &mut Ve
         Err(not_corrected) => &not_corrected.differs,
         Ok(_) => &[],
     };
-    asked(ui, &compensated.wanted, differs, commands);
+    asked(ui, &compensated.wanted, differs, workbench);
     match &compensated.result {
         Err(not_corrected) => {
             for problem in not_corrected.problems.iter().take(MOST_LEFT) {
                 widgets::wrong(ui, problem);
             }
-            refused(ui, differs, commands);
+            refused(ui, differs, workbench);
         }
         Ok(corrected) => {
             widgets::fact_of(ui, phrase!("read as"), corrected.language);
@@ -58,23 +58,27 @@ pub(super) fn compensation(ui: &mut Ui, workbench: &Workbench, commands: &mut Ve
             );
             lines(ui, &corrected.changed);
             let any = corrected.summary.corrected > 0;
-            if widgets::sheet_buttons_without_enter(ui, say!("Save corrected file…"), any, commands)
-            {
-                commands.push(Command::Ask(Asked::WhereToExport(What::Targets)));
+            if widgets::sheet_buttons_without_enter(
+                ui,
+                say!("Save corrected file…"),
+                any,
+                workbench,
+            ) {
+                workbench.then(move |bench| bench.choose_where_to_export(What::Targets));
             }
         }
     }
 }
 
 /// What comes next where nothing was corrected: what is asked above is answered, or another file is taken.
-fn refused(ui: &mut Ui, differs: &[DifferingNumber], commands: &mut Vec<Command>) {
+fn refused(ui: &mut Ui, differs: &[DifferingNumber], workbench: &Workbench) {
     if differs.is_empty() {
-        if widgets::sheet_buttons_without_enter(ui, say!("Choose another file…"), true, commands)
+        if widgets::sheet_buttons_without_enter(ui, say!("Choose another file…"), true, workbench)
         {
-            commands.push(Command::Ask(Asked::Targets));
+            workbench.then(Workbench::choose_targets);
         }
     } else {
-        widgets::sheet_buttons_without_enter(ui, say!("Save corrected file…"), false, commands);
+        widgets::sheet_buttons_without_enter(ui, say!("Save corrected file…"), false, workbench);
     }
 }
 
@@ -84,7 +88,7 @@ fn asked(
     ui: &mut Ui,
     before: &CompensationRequest,
     differs: &[DifferingNumber],
-    commands: &mut Vec<Command>,
+    workbench: &Workbench,
 ) {
     let mut wanted = before.clone();
     let field = DragValue::new(&mut wanted.load_kg)
@@ -107,7 +111,7 @@ fn asked(
         moved(ui, &mut wanted.external);
     }
     if wanted != *before {
-        commands.push(Command::Compensate(wanted));
+        workbench.then(move |bench| bench.compensate(wanted));
     }
 }
 

@@ -9,12 +9,12 @@ use crate::text::spoken;
 
 use crate::gui::actions::{self, Action, WindowState};
 use crate::gui::charts::CHARTS;
-use crate::gui::plots::gestures;
+use crate::gui::plots;
 use crate::gui::style::{Palette, size, space};
-use crate::gui::workbench::{Command, Workbench};
+use crate::gui::workbench::Workbench;
 use crate::gui::{help, widgets};
 
-pub(super) fn about(ui: &mut Ui, _: &Workbench, commands: &mut Vec<Command>) {
+pub(super) fn about(ui: &mut Ui, workbench: &Workbench) {
     widgets::wide(ui, 400.0);
     widgets::heading(ui, "truepose");
     widgets::hint(
@@ -30,7 +30,7 @@ pub(super) fn about(ui: &mut Ui, _: &Workbench, commands: &mut Vec<Command>) {
         ui,
         say!("Type: Inter, by the Inter project authors, SIL Open Font License 1.1"),
     );
-    widgets::done(ui, commands);
+    widgets::done(ui, workbench);
 }
 
 /// Widest, points.
@@ -40,7 +40,7 @@ const OTHER: f32 = 190.0;
 const LEAST: f32 = 120.0;
 
 /// Keyboard and mouse: what can be pressed, and what it does.
-pub(super) fn keys(ui: &mut Ui, _: &Workbench, commands: &mut Vec<Command>) {
+pub(super) fn keys(ui: &mut Ui, workbench: &Workbench) {
     widgets::wide(ui, WIDE);
     widgets::heading(ui, say!("Keyboard and mouse"));
     let next = actions::in_words(ui.ctx(), widgets::NEXT);
@@ -64,7 +64,7 @@ pub(super) fn keys(ui: &mut Ui, _: &Workbench, commands: &mut Vec<Command>) {
     let others = others.map(|(keys, what)| (keys.to_owned(), what));
     let all: Vec<_> = all.chain(others).collect();
     let rows = all.len().div_ceil(2);
-    let mouse = gestures::GESTURES.map(|(how, what)| (spoken(how).to_owned(), spoken(what)));
+    let mouse = plots::GESTURES.map(|(how, what)| (spoken(how).to_owned(), spoken(what)));
     // The button stays in sight.
     let high = (ui.ctx().content_rect().height() - OTHER).max(LEAST);
     ScrollArea::vertical().max_height(high).show(ui, |ui| {
@@ -77,7 +77,7 @@ pub(super) fn keys(ui: &mut Ui, _: &Workbench, commands: &mut Vec<Command>) {
         widgets::bold(ui, say!("The mouse, in the plots"));
         key_rows(ui, &mouse);
     });
-    widgets::done(ui, commands);
+    widgets::done(ui, workbench);
 }
 
 /// Keys in a column as wide as the longest of them, and what they do behind it, on as many lines as that takes.
@@ -109,7 +109,7 @@ struct PaletteInput {
 }
 
 /// Everything that can be done, by a word of its name: typed, chosen with the arrows, done with Enter.
-pub(super) fn palette(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+pub(super) fn palette(ui: &mut Ui, workbench: &Workbench) {
     widgets::wide(ui, 460.0);
     let ctx = ui.ctx().clone();
     let id = ui.scope_id().with("typed command");
@@ -146,7 +146,7 @@ pub(super) fn palette(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Com
             }
             let meant = row.clicked() || enter && k == typed.chosen;
             if meant && action.enabled(now) {
-                done = Some(action.command(now));
+                done = Some(*action);
             }
         }
         if fitting.is_empty() {
@@ -158,8 +158,9 @@ pub(super) fn palette(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Com
         typed = PaletteInput::default();
     }
     ui.data_mut(|data| data.insert_temp(id, typed));
-    if let Some(command) = done {
-        commands.extend([Command::no_sheet(), command]);
+    if let Some(action) = done {
+        workbench.then(|bench| bench.show_sheet(None));
+        action.ask_for(now);
     }
 }
 
@@ -203,7 +204,7 @@ fn row(ui: &mut Ui, now: WindowState<'_>, action: &Action, name: &str, chosen: b
 const REST: f32 = 240.0;
 
 /// What the words mean, all of them.
-pub(super) fn words(ui: &mut Ui, _: &Workbench, commands: &mut Vec<Command>) {
+pub(super) fn words(ui: &mut Ui, workbench: &Workbench) {
     widgets::wide(ui, 520.0);
     widgets::heading(ui, say!("Glossary"));
     widgets::hint(
@@ -222,5 +223,5 @@ pub(super) fn words(ui: &mut Ui, _: &Workbench, commands: &mut Vec<Command>) {
             ui.add_space(space::ROW);
         }
     });
-    widgets::done(ui, commands);
+    widgets::done(ui, workbench);
 }

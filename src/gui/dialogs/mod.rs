@@ -2,17 +2,16 @@
 
 mod import;
 mod new_session;
-mod robot_table;
 
 use egui::style::NumberFormatter;
 use egui::{Align2, Context, Id, LayerId, Margin, Modal, Popup, ScrollArea, Ui, vec2};
 
 use crate::gui::style::{Palette, space};
 use crate::gui::view::Sheet;
-use crate::gui::widgets;
-use crate::gui::workbench::{Command, Task, ViewChange, Workbench};
+use crate::gui::widgets::{self, Does};
+use crate::gui::workbench::Workbench;
 
-type Show = fn(&mut Ui, &Workbench, &mut Vec<Command>);
+type Show = fn(&mut Ui, &Workbench);
 
 macro_rules! register {
     ($($file:ident: $($name:ident),*;)*) => {
@@ -25,10 +24,9 @@ macro_rules! register {
 
 register! {
     compensation: compensation;
-    details: details;
     help: about, keys, palette, words;
-    history: history;
     preferences: preferences;
+    record: details, history;
     robots: robots;
     unsaved: recovery;
 }
@@ -39,8 +37,8 @@ const HEAD: f32 = 0.09;
 const ASKING: f32 = 300.0;
 
 /// Shows the open sheet, if there is one.
-pub(crate) fn show(ui: &Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
-    let Some(sheet) = &workbench.view().sheet else {
+pub(crate) fn show(ui: &Ui, workbench: &Workbench) {
+    let Some(sheet) = &workbench.view.sheet else {
         return;
     };
     let frame = egui::Frame::popup(ui.style()).inner_margin(Margin::same(space::SHEET));
@@ -65,27 +63,27 @@ pub(crate) fn show(ui: &Ui, workbench: &Workbench, commands: &mut Vec<Command>) 
         scroll.show(ui, |ui| {
             match sheet {
                 Sheet::SavePath { path, replace } => {
-                    unsaved::save(ui, workbench, (path, *replace), commands);
+                    unsaved::save(ui, workbench, (path, *replace));
                 }
                 Sheet::ExportPath {
                     what,
                     path,
                     replace,
-                } => unsaved::export(ui, workbench, *what, (path, *replace), commands),
+                } => unsaved::export(ui, workbench, *what, (path, *replace)),
                 Sheet::Simulate(form) => match &form.robot {
-                    Some(robot) => new_session::of_robot(ui, robot, form, commands),
-                    None => new_session::simulation(ui, form, commands),
+                    Some(robot) => new_session::of_robot(ui, robot, form, workbench),
+                    None => new_session::simulation(ui, form, workbench),
                 },
                 Sheet::RobotTable { table, opened } => {
-                    robot_table::show(ui, table, opened, commands);
+                    robots::typed(ui, table, opened, workbench);
                 }
-                Sheet::Discard(typed) => unsaved::typed(ui, typed, commands),
-                Sheet::Unsaved(then) => unsaved::losses(ui, workbench, then, commands),
-                Sheet::Overwrite(path) => unsaved::overwrite(ui, path, commands),
-                Sheet::Import(foreign) => import::show(ui, workbench, foreign, commands),
+                Sheet::Discard(typed) => unsaved::typed(ui, typed, workbench),
+                Sheet::Unsaved(then) => unsaved::losses(ui, workbench, then),
+                Sheet::Overwrite(path) => unsaved::overwrite(ui, path, workbench),
+                Sheet::Import(foreign) => import::show(ui, workbench, foreign),
                 Sheet::Named(name) => match NAMED.iter().find(|(there, _)| there == name) {
-                    Some((_, show)) => show(ui, workbench, commands),
-                    None => commands.push(Command::no_sheet()),
+                    Some((_, show)) => show(ui, workbench),
+                    None => workbench.then(move |bench| bench.show_sheet(None)),
                 },
             }
             widgets::focus_in_sight(ui);
@@ -95,13 +93,14 @@ pub(crate) fn show(ui: &Ui, workbench: &Workbench, commands: &mut Vec<Command>) 
     let beside = shown.backdrop_response.clicked() && sheet.holds_entries();
     let field = sheet.is_a_form() && widgets::was_typed_into(ui.ctx());
     if shown.should_close() && !beside && !field {
-        commands.push(Command::View(ViewChange::Sheet(sheet.escaped())));
+        let escaped = sheet.escaped();
+        workbench.then(|bench| bench.show_sheet(escaped));
     }
 }
 
 /// While a dialog of the system is open the window takes no commands: what it asks for is for what is open now. It is
 /// said, as on some systems the dialog may lie behind the window.
-pub(crate) fn asking(ui: &Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+pub(crate) fn asking(ui: &Ui, workbench: &Workbench) {
     let Some(asking) = workbench.asking() else {
         return;
     };
@@ -114,9 +113,7 @@ pub(crate) fn asking(ui: &Ui, workbench: &Workbench, commands: &mut Vec<Command>
         ui.spacing_mut().item_spacing.y = space::ROW;
         widgets::bold(ui, &asking.what);
         widgets::hint(ui, say!("The window goes on once the dialog is answered"));
-        if widgets::secondary(ui, say!("Go on without it")).clicked() {
-            commands.push(Command::Stop(Task::Dialog));
-        }
+        widgets::secondary(ui, say!("Go on without it")).does(workbench, Workbench::stop_asking);
     });
 }
 
@@ -149,7 +146,7 @@ mod tests {
     fn every_sheet_is_opened_by_its_name_and_every_name_has_a_sheet() {
         let code = concat!(
             include_str!("../actions.rs"),
-            include_str!("../view/sheet.rs")
+            include_str!("../view/mod.rs")
         );
         let named = code.split("Named(\"").skip(1);
         let mut opened: Vec<&str> = named.filter_map(|rest| rest.split('"').next()).collect();

@@ -1,5 +1,6 @@
 //! A session that is made here by simulation, of an example of a robot or of one of the library or that was typed.
 
+use crate::gui::workbench::Workbench;
 use egui::{Align, Button, Checkbox, ComboBox, DragValue, Layout, RichText, ScrollArea, Ui, vec2};
 
 use crate::kinematics::JointKind;
@@ -8,8 +9,7 @@ use crate::text::{Template, spoken};
 use crate::gui::core::simulate::{Chosen, Form, SimulatedRobot, field};
 use crate::gui::style::{Palette, size, space};
 use crate::gui::view::Sheet;
-use crate::gui::widgets;
-use crate::gui::workbench::{Command, ViewChange};
+use crate::gui::widgets::{self, Does};
 
 /// Width of the names of effects, points.
 const NAMES: f32 = 168.0;
@@ -17,7 +17,7 @@ const NAMES: f32 = 168.0;
 const LIST: [f32; 2] = [190.0, 420.0];
 const OTHER: f32 = 610.0;
 
-pub(super) fn simulation(ui: &mut Ui, form: &Form, commands: &mut Vec<Command>) {
+pub(super) fn simulation(ui: &mut Ui, form: &Form, workbench: &Workbench) {
     widgets::wide(ui, 520.0);
     widgets::heading(ui, say!("Simulate session"));
     widgets::hint(
@@ -26,9 +26,9 @@ pub(super) fn simulation(ui: &mut Ui, form: &Form, commands: &mut Vec<Command>) 
             "A lamp on one turning axis, measured by a tracker. What is filled in here is what identification should find"
         ),
     );
-    if widgets::secondary(ui, say!("Another robot…")).clicked() {
-        commands.push(Command::sheet(Sheet::ROBOTS));
-    }
+    widgets::secondary(ui, say!("Another robot…")).does(workbench, move |bench| {
+        bench.show_sheet(Some(Sheet::ROBOTS));
+    });
     let mut filled = form.clone();
     let wrong = form.problems();
     ui.spacing_mut().item_spacing.x = f32::from(space::PANEL) * 1.5;
@@ -42,26 +42,22 @@ pub(super) fn simulation(ui: &mut Ui, form: &Form, commands: &mut Vec<Command>) 
     ui.spacing_mut().item_spacing.x = space::ROW;
     widgets::section(ui, say!("Other effects"));
     effects(ui, &mut filled, &wrong);
-    ends(ui, filled, form, commands);
+    ends(ui, filled, form, workbench);
 }
 
 /// What is wrong as a whole, and the buttons; what was changed stays in the sheet.
-fn ends(ui: &mut Ui, filled: Form, form: &Form, commands: &mut Vec<Command>) {
+fn ends(ui: &mut Ui, filled: Form, form: &Form, workbench: &Workbench) {
     if !form.problems().is_empty() {
         widgets::hint(ui, say!("Correct the fields marked above first"));
     }
     let ready = filled.problem().is_none();
-    let changed = filled != *form;
     let sheet = Sheet::Simulate(filled.clone());
     let back = sheet.before();
-    if widgets::buttons_or_back(ui, say!("Simulate"), ready, back, commands) {
-        commands.push(Command::Simulate(filled));
-    } else if changed
-        && !commands
-            .iter()
-            .any(|c| matches!(c, Command::View(ViewChange::Sheet(_))))
-    {
-        commands.push(Command::sheet(sheet));
+    if filled != *form {
+        workbench.then(|bench| bench.show_sheet(Some(sheet)));
+    }
+    if widgets::buttons_or_back(ui, say!("Simulate"), ready, back, workbench) {
+        workbench.then(|bench| bench.simulate(filled));
     }
 }
 
@@ -220,12 +216,7 @@ fn effect(ui: &mut Ui, chosen: &mut Chosen, kinds: &[JointKind]) -> bool {
 const WIDTH: f32 = 640.0;
 
 /// The form for a robot of the library or one that was typed.
-pub(super) fn of_robot(
-    ui: &mut Ui,
-    robot: &SimulatedRobot,
-    form: &Form,
-    commands: &mut Vec<Command>,
-) {
+pub(super) fn of_robot(ui: &mut Ui, robot: &SimulatedRobot, form: &Form, workbench: &Workbench) {
     widgets::wide(ui, WIDTH);
     widgets::heading(ui, &robot.title);
     widgets::hint(
@@ -242,5 +233,5 @@ pub(super) fn of_robot(
     noise(ui, &mut filled, &wrong);
     widgets::section(ui, say!("Hidden effects"));
     effects(ui, &mut filled, &wrong);
-    ends(ui, filled, form, commands);
+    ends(ui, filled, form, workbench);
 }

@@ -1,11 +1,12 @@
 //! Units, digits, colours, size of text: seen at once, kept for tomorrow.
 
+use crate::gui::view::Panes;
 use crate::text::LANGUAGES;
 use egui::{Slider, Ui};
 
 use crate::gui::preferences::{Preferences, Theme, ZOOM, largest_zoom};
 use crate::gui::widgets;
-use crate::gui::workbench::{Command, ViewChange, Workbench};
+use crate::gui::workbench::Workbench;
 use crate::present::units::{AngleUnit, LengthUnit};
 
 /// The languages, each in its own name.
@@ -17,10 +18,10 @@ fn language(ui: &mut Ui, next: &mut Preferences) {
     widgets::choice_row(ui, say!("Language"), &languages, &mut next.language);
 }
 
-pub(super) fn preferences(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+pub(super) fn preferences(ui: &mut Ui, workbench: &Workbench) {
     widgets::wide(ui, 440.0);
     widgets::heading(ui, say!("Preferences"));
-    let now = workbench.view().preferences;
+    let now = workbench.view.preferences;
     let mut next = now;
     language(ui, &mut next);
     let lengths = [
@@ -90,13 +91,13 @@ pub(super) fn preferences(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec
         ui,
         say!("Files are read and written in their own units, whatever is shown here"),
     );
-    let arranged = !workbench.view().panes.are_usual();
+    let arranged = !workbench.view.panes.are_usual();
     let changed = now != Preferences::default() || arranged;
-    if widgets::done_beside(ui, say!("Reset all"), changed, commands) {
+    if widgets::done_beside(ui, say!("Reset all"), changed, workbench) {
         next = Preferences::default();
-        commands.push(Command::View(ViewChange::Panes(Box::default())));
+        workbench.then(move |bench| bench.arrange(Panes::default()));
     }
     if next != now {
-        commands.push(Command::Prefer(next));
+        workbench.then(move |bench| bench.prefer(next));
     }
 }

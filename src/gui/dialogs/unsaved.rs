@@ -13,16 +13,11 @@ use crate::export::find;
 use crate::gui::core::disk::name_of;
 use crate::gui::style::space;
 use crate::gui::view::{NextAction, Sheet, What};
-use crate::gui::widgets;
-use crate::gui::workbench::{Asked, Command, LeftBehind, ViewChange, Workbench};
+use crate::gui::widgets::{self, Does};
+use crate::gui::workbench::Workbench;
 
 /// Shows what would be lost, and what can be done about it.
-pub(super) fn losses(
-    ui: &mut Ui,
-    workbench: &Workbench,
-    then: &NextAction,
-    commands: &mut Vec<Command>,
-) {
+pub(super) fn losses(ui: &mut Ui, workbench: &Workbench, then: &NextAction) {
     widgets::wide(ui, 420.0);
     let (title, discard) = match then {
         NextAction::Leave => (say!("Leave without saving?"), say!("Leave without saving")),
@@ -60,23 +55,24 @@ pub(super) fn losses(
         (false, true) => say!("Save model…"),
         (false, false) => say!("Go on"),
     };
-    let [saved, discarded] = decided(ui, save, discard, commands);
+    let then = then.clone();
+    let [saved, discarded] = decided(ui, save, discard, workbench);
     if saved && losses.any() {
-        commands.push(Command::SaveThen(then.clone()));
+        workbench.then(move |bench| bench.save_then(then));
     } else if saved || discarded {
-        commands.push(Command::Do(then.clone()));
+        workbench.then(move |bench| bench.go(then));
     }
 }
 
 /// The button that loses nothing, and below it one that loses something, and *Cancel*. Which of the first two was
 /// pressed.
-fn decided(ui: &mut Ui, keep: &str, lose: &str, commands: &mut Vec<Command>) -> [bool; 2] {
+fn decided(ui: &mut Ui, keep: &str, lose: &str, workbench: &Workbench) -> [bool; 2] {
     ui.add_space(space::ROW);
     let kept = widgets::primary(ui, keep).clicked();
     let lost = ui.columns(2, |columns| {
         let lost = widgets::secondary(&mut columns[0], lose).clicked();
         if widgets::secondary(&mut columns[1], say!("Cancel")).clicked() {
-            commands.push(Command::no_sheet());
+            workbench.then(move |bench| bench.show_sheet(None));
         }
         lost
     });
@@ -84,23 +80,25 @@ fn decided(ui: &mut Ui, keep: &str, lose: &str, commands: &mut Vec<Command>) -> 
 }
 
 /// Asks before what was typed on a sheet is discarded.
-pub(super) fn typed(ui: &mut Ui, sheet: &Sheet, commands: &mut Vec<Command>) {
+pub(super) fn typed(ui: &mut Ui, sheet: &Sheet, workbench: &Workbench) {
     widgets::wide(ui, 420.0);
     widgets::heading(ui, say!("Discard what was typed?"));
     ui.add_space(space::ROW);
     ui.columns(2, |columns| {
         if widgets::other(&mut columns[0], say!("Discard")).clicked() {
-            commands.push(Command::View(ViewChange::Sheet(sheet.before())));
+            let before = sheet.before();
+            workbench.then(|bench| bench.show_sheet(before));
         }
         let goes_on = widgets::primary(&mut columns[1], say!("Go on with it"));
         if goes_on.clicked() || widgets::entered(&columns[1]) {
-            commands.push(Command::sheet(sheet.clone()));
+            let sheet = sheet.clone();
+            workbench.then(|bench| bench.show_sheet(Some(sheet)));
         }
     });
 }
 
 /// Asks whether a file that changed since it was read is to be replaced.
-pub(super) fn overwrite(ui: &mut Ui, path: &Path, commands: &mut Vec<Command>) {
+pub(super) fn overwrite(ui: &mut Ui, path: &Path, workbench: &Workbench) {
     widgets::wide(ui, 420.0);
     widgets::heading(ui, say!("Replace what another program wrote?"));
     ui.label(say!(
@@ -108,15 +106,18 @@ pub(super) fn overwrite(ui: &mut Ui, path: &Path, commands: &mut Vec<Command>) {
         path = path.display()
     ));
     let (keep, lose) = (say!("Save under another name…"), say!("Replace it"));
-    match decided(ui, keep, lose, commands) {
-        [true, _] => commands.extend([Command::no_sheet(), Command::Ask(Asked::WhereToSave)]),
-        [_, true] => commands.push(Command::SaveDespite),
+    match decided(ui, keep, lose, workbench) {
+        [true, _] => workbench.then(|bench| {
+            bench.show_sheet(None);
+            bench.choose_where_to_save();
+        }),
+        [_, true] => workbench.then(Workbench::save_despite),
         _ => {}
     }
 }
 
 /// What windows that are gone have left behind: what, from when, and whether to bring it back.
-pub(super) fn recovery(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+pub(super) fn recovery(ui: &mut Ui, workbench: &Workbench) {
     widgets::wide(ui, 460.0);
     widgets::heading(ui, say!("Recover unsaved work"));
     widgets::hint(
@@ -155,7 +156,7 @@ pub(super) fn recovery(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Co
                 ui.add_space(space::TIGHT);
                 ui.columns(2, |columns| {
                     let restore = if left.kept.is_ok() {
-                        discard(&mut columns[0], index, left.path(), commands);
+                        discard(&mut columns[0], index, left.path(), workbench);
                         say!("Restore")
                     } else {
                         say!("Put it aside")
@@ -166,9 +167,7 @@ pub(super) fn recovery(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Co
                     } else {
                         widgets::other(&mut columns[1], restore)
                     };
-                    if button.clicked() {
-                        commands.push(Command::Left(LeftBehind::Restore(index)));
-                    }
+                    button.does(workbench, move |bench| bench.restore(index));
                 });
             });
         }
@@ -177,26 +176,26 @@ pub(super) fn recovery(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Co
         // A single one has its own button.
         let count = workbench.orphaned().len();
         if count > 1 {
-            discard_all(&mut columns[0], count, commands);
+            discard_all(&mut columns[0], count, workbench);
         }
         if widgets::other(&mut columns[1], say!("Not now")).clicked() {
-            commands.push(Command::no_sheet());
+            workbench.then(move |bench| bench.show_sheet(None));
         }
     });
 }
 
 /// Discards one on the second press.
-fn discard(ui: &mut Ui, index: usize, path: &Path, commands: &mut Vec<Command>) {
+fn discard(ui: &mut Ui, index: usize, path: &Path, workbench: &Workbench) {
     if pressed_twice(ui, path, say!("Discard"), say!("Discard for good")) {
-        commands.push(Command::Left(LeftBehind::Discard(index)));
+        workbench.then(move |bench| bench.discard_left(index));
     }
 }
 
 /// Discards everything on the second press.
-fn discard_all(ui: &mut Ui, count: usize, commands: &mut Vec<Command>) {
+fn discard_all(ui: &mut Ui, count: usize, workbench: &Workbench) {
     let sure = say!("Discard all {count} for good", count);
     if pressed_twice(ui, "all", say!("Discard all"), &sure) {
-        commands.push(Command::Left(LeftBehind::DiscardAll));
+        workbench.then(Workbench::discard_all_left);
     }
 }
 
@@ -240,45 +239,68 @@ fn a_time_is_said_in_words() {
     assert_eq!(says(200_000), "2 days ago");
 }
 
-/// What was done with a path that is being typed.
-enum PathInput {
-    /// It is complete.
-    Done {
-        path: PathBuf,
-        replace: bool,
-    },
-    /// It is another now.
-    Changed {
-        path: String,
-        replace: bool,
-    },
-    Same,
-}
-
 /// A file to save the session to.
-pub(super) fn save(
-    ui: &mut Ui,
-    workbench: &Workbench,
-    typed: (&str, bool),
-    commands: &mut Vec<Command>,
-) {
+pub(super) fn save(ui: &mut Ui, workbench: &Workbench, typed: (&str, bool)) {
     let says = say!("The samples are written beside it, as a CSV file of the same name");
-    match path_form(ui, workbench, (say!("Save session"), says), typed, commands) {
-        PathInput::Done { path, replace } => commands.push(Command::SaveAs { path, replace }),
-        PathInput::Changed { path, replace } => {
-            commands.push(Command::sheet(Sheet::SavePath { path, replace }));
-        }
-        PathInput::Same => {}
-    }
+    let again = |path, replace| Sheet::SavePath { path, replace };
+    let done = |bench: &mut Workbench, path: PathBuf, replace| bench.save_as(&path, replace);
+    path_form(
+        ui,
+        workbench,
+        (say!("Save session"), says),
+        typed,
+        again,
+        done,
+    );
 }
 
+/// A file to export to.
+pub(super) fn export(ui: &mut Ui, workbench: &Workbench, what: What, typed: (&str, bool)) {
+    let format = find(workbench.document().export.format);
+    // It describes the robot and is no table.
+    let robot = what == What::Table && format.is_some_and(|format| format.rules.is_none());
+    let ending;
+    let says = match what {
+        What::Table if robot => {
+            say!("A file that says what its numbers mean is written beside it")
+        }
+        What::Table => say!("A file that says what the table means is written beside it"),
+        What::Model => say!("The model can be exported and verified later"),
+        What::Poses => say!("A CSV table with the session's column names, to be measured next"),
+        What::Report(_) => say!(
+            "A name that ends in .html or .pdf; a session without a diagnosis is diagnosed first"
+        ),
+        What::Picture(plot) => {
+            ending = say!("A name that ends in .{ending}", ending = plot.ending());
+            &*ending
+        }
+        What::Numbers(_) => say!("A CSV table of what the chart shows, with all digits"),
+        What::Targets => say!("What was changed is written beside it, as NAME.meta.json"),
+        What::Robot(_) | What::TypedRobot => say!("A file that sessions, imports and plans take"),
+    };
+    let title = if robot {
+        say!("Save robot")
+    } else {
+        what.title()
+    };
+    let again = move |path, replace| Sheet::ExportPath {
+        what,
+        path,
+        replace,
+    };
+    let done = move |bench: &mut Workbench, path, replace| bench.export_as(what, path, replace);
+    path_form(ui, workbench, (title, says), typed, again, done);
+}
+
+/// A path to save to: `done` once it is complete, `again` the sheet with what is typed now.
 fn path_form(
     ui: &mut Ui,
     workbench: &Workbench,
     (title, says): (&str, &str),
     (path, replace): (&str, bool),
-    commands: &mut Vec<Command>,
-) -> PathInput {
+    again: impl FnOnce(String, bool) -> Sheet,
+    done: impl FnOnce(&mut Workbench, PathBuf, bool) + Send + 'static,
+) {
     widgets::wide(ui, 420.0);
     widgets::heading(ui, title);
     let (mut typed, mut allowed) = (path.to_owned(), replace);
@@ -298,90 +320,12 @@ fn path_form(
     ui.checkbox(&mut allowed, say!("replace the file if it exists"));
     widgets::hint(ui, says);
     let named = !typed.trim().is_empty();
-    let pressed = widgets::sheet_buttons(ui, say!("Save"), named, commands);
+    let pressed = widgets::sheet_buttons(ui, say!("Save"), named, workbench);
     if named && (pressed || entered) {
-        PathInput::Done {
-            path: typed.trim().into(),
-            replace: allowed,
-        }
+        let path = PathBuf::from(typed.trim());
+        workbench.then(move |bench| done(bench, path, allowed));
     } else if typed != path || allowed != replace {
-        PathInput::Changed {
-            path: typed,
-            replace: allowed,
-        }
-    } else {
-        PathInput::Same
-    }
-}
-
-/// Whether what is exported describes the robot and is no table.
-fn is_robot(workbench: &Workbench) -> bool {
-    let format = find(workbench.document().export.format);
-    format.is_some_and(|format| format.rules.is_none())
-}
-
-/// A file to export to.
-pub(super) fn export(
-    ui: &mut Ui,
-    workbench: &Workbench,
-    what: What,
-    typed: (&str, bool),
-    commands: &mut Vec<Command>,
-) {
-    let ending;
-    let (title, says) = match what {
-        What::Table if is_robot(workbench) => (
-            say!("Save robot"),
-            say!("A file that says what its numbers mean is written beside it"),
-        ),
-        What::Table => (
-            say!("Save table"),
-            say!("A file that says what the table means is written beside it"),
-        ),
-        What::Model => (
-            say!("Save model"),
-            say!("The model can be exported and verified later"),
-        ),
-        What::Poses => (
-            say!("Save measuring list"),
-            say!("A CSV table with the session's column names, to be measured next"),
-        ),
-        What::Report(_) => (
-            say!("Save report"),
-            say!(
-                "A name that ends in .html or .pdf; a session without a diagnosis is diagnosed first"
-            ),
-        ),
-        What::Picture(plot) => {
-            ending = say!("A name that ends in .{ending}", ending = plot.ending());
-            (say!("Save picture"), &*ending)
-        }
-        What::Numbers(_) => (
-            say!("Save data"),
-            say!("A CSV table of what the chart shows, with all digits"),
-        ),
-        What::Targets => (
-            say!("Save corrected file"),
-            say!("What was changed is written beside it, as NAME.meta.json"),
-        ),
-        What::Robot(_) | What::TypedRobot => (
-            say!("Save robot file"),
-            say!("A file that sessions, imports and plans take"),
-        ),
-    };
-    match path_form(ui, workbench, (title, says), typed, commands) {
-        PathInput::Done { path, replace } => commands.push(Command::ExportTo {
-            what,
-            path,
-            replace,
-        }),
-        PathInput::Changed { path, replace } => {
-            commands.push(Command::sheet(Sheet::ExportPath {
-                what,
-                path,
-                replace,
-            }));
-        }
-        PathInput::Same => {}
+        let sheet = again(typed, allowed);
+        workbench.then(move |bench| bench.show_sheet(Some(sheet)));
     }
 }

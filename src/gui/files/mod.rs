@@ -1,18 +1,18 @@
 //! Reading and writing, as the background tasks do it: through the library, like the terminal. Here a session or a
 //! model is read or made, with everything that follows from it; also those that come with the program.
 
-pub(crate) mod reporting;
 mod system;
-mod writing;
+pub(crate) mod writing;
 
 pub(crate) use crate::pipeline::is_model;
 pub(crate) use system::{
     cancelled, choose_beside, choose_folder, choose_logo, choose_targets, choose_to_export,
     choose_to_import, choose_to_open, choose_to_save, open_outside,
 };
+#[cfg(test)]
+pub(crate) use writing::not_written;
 pub(crate) use writing::{
-    NotSaved, Replace, Saved, can_be_written, export, not_written, png, save, saved, write_list,
-    write_one, write_picture, write_targets,
+    NotSaved, Replace, Saved, export, png, save, saved, write_list, write_picture, write_targets,
 };
 
 use std::fmt::Display;

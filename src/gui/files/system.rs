@@ -12,30 +12,32 @@ use crate::language;
 use crate::programs::LANGUAGES;
 use crate::text::{Template, spoken};
 
-/// Asks the user for a session, a model or measurements, beside this file.
+/// Asks the user for a file of one of these kinds, beside this one.
+fn pick(near: Option<&Path>, title: &str, kinds: &[(&str, &[&str])]) -> Option<PathBuf> {
+    let dialog = dialog_beside(near).set_title(title);
+    let with = |dialog: rfd::FileDialog, (name, endings): &(&str, &[&str])| {
+        dialog.add_filter(*name, endings)
+    };
+    let dialog = kinds.iter().fold(dialog, with);
+    dialog.add_filter(say!("All files"), &["*"]).pick_file()
+}
+
+/// Asks the user for a session, a model or measurements.
 pub(crate) fn choose_to_open(near: Option<&Path>) -> Option<PathBuf> {
-    let dialog = dialog_beside(near)
-        .set_title(say!("Open session, model or measurements"))
-        .add_filter(say!("Sessions and models (*.json)"), &["json"])
-        .add_filter(spoken(MEASUREMENTS), TABLES)
-        .add_filter(say!("All files"), &["*"]);
-    dialog.pick_file()
+    let kinds: [(&str, &[&str]); 2] = [
+        (say!("Sessions and models (*.json)"), &["json"]),
+        (spoken(MEASUREMENTS), TABLES),
+    ];
+    pick(near, say!("Open session, model or measurements"), &kinds)
 }
 
 /// Asks the user for a table of targets or a robot program.
 pub(crate) fn choose_targets(near: Option<&Path>) -> Option<PathBuf> {
-    let all: Vec<&str> = LANGUAGES
-        .iter()
-        .flat_map(|l| l.extensions)
-        .copied()
-        .collect();
-    let mut dialog = dialog_beside(near)
-        .set_title(say!("Targets or program to correct"))
-        .add_filter(say!("Targets and programs"), &all);
-    for language in LANGUAGES {
-        dialog = dialog.add_filter(language.title, language.extensions);
-    }
-    dialog.add_filter(say!("All files"), &["*"]).pick_file()
+    let all = LANGUAGES.iter().flat_map(|l| l.extensions);
+    let all: Vec<&str> = all.copied().collect();
+    let mut kinds = vec![(say!("Targets and programs"), &*all)];
+    kinds.extend(LANGUAGES.iter().map(|l| (l.title, l.extensions)));
+    pick(near, say!("Targets or program to correct"), &kinds)
 }
 
 /// Asks the user for a folder of sessions.
@@ -52,13 +54,10 @@ pub(crate) fn choose_logo(near: Option<&Path>) -> Option<PathBuf> {
         .pick_file()
 }
 
-/// Asks the user for a file that an instrument wrote, beside this file.
+/// Asks the user for a file that an instrument wrote.
 pub(crate) fn choose_to_import(near: Option<&Path>) -> Option<PathBuf> {
-    let dialog = dialog_beside(near)
-        .set_title(say!("Import measurements"))
-        .add_filter(spoken(MEASUREMENTS), TABLES)
-        .add_filter(say!("All files"), &["*"]);
-    dialog.pick_file()
+    let kinds = [(spoken(MEASUREMENTS), TABLES)];
+    pick(near, say!("Import measurements"), &kinds)
 }
 
 /// Asks the user for a file that goes with a measured one, beside that.
@@ -69,16 +68,12 @@ pub(crate) fn choose_beside(which: Companion, measured: Option<&Path>) -> Option
         Companion::Reference => say!("Reference points (base frame)"),
         Companion::Targets => say!("Reflectors in the tool frame"),
     };
-    let (name, kinds) = if which == Companion::Robot {
+    let kind = if which == Companion::Robot {
         (say!("Robots and sessions (*.json, *.urdf, *.xml)"), ROBOTS)
     } else {
         (say!("Tables (*.csv, *.txt, *.tsv, *.dat, *.asc)"), TABLES)
     };
-    let dialog = dialog_beside(measured)
-        .set_title(title)
-        .add_filter(name, kinds)
-        .add_filter(say!("All files"), &["*"]);
-    dialog.pick_file()
+    pick(measured, title, &[kind])
 }
 
 const MEASUREMENTS: Template = phrase!("Measurements (*.csv, *.txt, *.tsv, *.dat, *.asc)");
@@ -108,17 +103,7 @@ pub(crate) fn choose_to_save(path: &Path) -> Option<PathBuf> {
 
 /// Asks the user where to export to.
 pub(crate) fn choose_to_export(what: What, path: &Path) -> Option<PathBuf> {
-    let title = match what {
-        What::Table => say!("Save table"),
-        What::Model => say!("Save model"),
-        What::Poses => say!("Save measuring list"),
-        What::Report(_) => say!("Save report"),
-        What::Picture(_) => say!("Save picture"),
-        What::Numbers(_) => say!("Save data"),
-        What::Targets => say!("Save corrected file"),
-        What::Robot(_) | What::TypedRobot => say!("Save robot file"),
-    };
-    let dialog = dialog_at(path).set_title(title);
+    let dialog = dialog_at(path).set_title(what.title());
     let dialog = match what {
         What::Report(_) => dialog
             .add_filter(say!("HTML or PDF (*.html, *.pdf)"), &["html", "pdf"])

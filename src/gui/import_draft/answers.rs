@@ -4,17 +4,15 @@
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
-use nalgebra::{Point3, Vector3};
-
 use crate::diagnostic::{Diagnostic, Place, Rejected};
 use crate::importers::{Matching, Reading};
-use crate::kinematics::{Axis, Joint, JointKind, Range, Robot, pose_from_parts, robot_from_file};
+use crate::kinematics::{Robot, robot_from_file};
 use crate::pipeline;
 use crate::sessions::Target;
 use crate::text::Text;
-use crate::units::rad_from_deg;
 
 use crate::gui::core::disk::EXAMPLES;
+use crate::gui::core::robot_table::RobotTable;
 
 /// What a person said.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -94,78 +92,23 @@ pub(crate) enum RobotFrom {
         tip: String,
     },
     /// One axis that turns.
-    Typed(TypedAxis),
+    Typed(Box<RobotTable>),
 }
 
-/// One axis that turns, as it is typed.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct TypedAxis {
-    /// Name of the robot.
-    pub(crate) name: String,
-    /// Direction of the axis at home.
-    pub(crate) axis: [f64; 3],
-    pub(crate) point_mm: [f64; 3],
-    /// The tool at home, mm.
-    pub(crate) tool_mm: [f64; 3],
-    /// Travel, degrees.
-    pub(crate) limits_deg: [f64; 2],
-    /// Whether gravity points along −z; else it is not known.
-    pub(crate) gravity_down: bool,
-}
-
-impl Default for TypedAxis {
-    fn default() -> Self {
-        Self {
-            name: "robot".to_owned(),
-            axis: [0.0, 0.0, 1.0],
-            point_mm: [0.0; 3],
-            tool_mm: [0.0; 3],
-            limits_deg: [-180.0, 180.0],
-            gravity_down: false,
-        }
+/// A robot of one axis, whose tool is off that axis.
+fn off_its_axis(table: &RobotTable) -> Result<Robot, Text> {
+    let robot = table.robot()?;
+    let tool = robot.base_from_tool.translation.vector;
+    let on_axis = robot.joints.iter().any(|joint| {
+        let out = tool - joint.axis.point_mm.coords;
+        out.cross(&joint.axis.direction).norm() < 1e-6
+    });
+    if on_axis {
+        return Err(text!(
+            "the tool lies on the axis: say where it is at home, off the axis"
+        ));
     }
-}
-
-impl TypedAxis {
-    fn robot(&self) -> Result<Robot, String> {
-        let direction = Vector3::from(self.axis);
-        let point = Point3::from(self.point_mm);
-        let axis = Axis::through(direction, point).map_err(|error| error.to_string())?;
-        let [from, to] = self.limits_deg;
-        if from >= to {
-            return Err(say!("the travel runs from the smaller to the larger value").to_owned());
-        }
-        let out = Vector3::from(self.tool_mm) - point.coords;
-        if out.cross(&axis.direction).norm() < 1e-6 {
-            return Err(
-                say!("the tool lies on the axis: say where it is at home, off the axis").to_owned(),
-            );
-        }
-        let base_from_tool = pose_from_parts(self.tool_mm, [1.0, 0.0, 0.0, 0.0])
-            .map_err(|error| error.to_string())?;
-        let name = self.name.trim();
-        if name.is_empty() {
-            return Err(say!("a robot needs a name").to_owned());
-        }
-        Ok(Robot {
-            name: name.to_owned(),
-            joints: vec![Joint {
-                name: "joint 1".to_owned(),
-                kind: JointKind::Revolute,
-                axis,
-                limits: Some(Range {
-                    from: rad_from_deg(from),
-                    to: rad_from_deg(to),
-                }),
-                link: None,
-                follows: None,
-                gear_ratio: None,
-            }],
-            base_from_tool,
-            gravity_m_s2: self.gravity_down.then(|| Vector3::new(0.0, 0.0, -9.81)),
-            source: crate::kinematics::RobotSource::Axes,
-        })
-    }
+    Ok(robot)
 }
 
 impl RobotFrom {
@@ -202,13 +145,9 @@ impl RobotFrom {
                 Some(read.map(|described| described.robot))
             }
             Self::File { path, .. } => Some(from_file(Path::new(path.trim()))),
-            Self::Typed(typed) => Some(typed.robot().map_err(|because| {
+            Self::Typed(typed) => Some(off_its_axis(typed).map_err(|because| {
                 let place = Place::default();
-                Rejected::because(Diagnostic::error(
-                    place,
-                    Text::verbatim(because),
-                    Text::default(),
-                ))
+                Rejected::because(Diagnostic::error(place, because, Text::default()))
             })),
         }
     }

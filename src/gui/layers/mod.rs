@@ -14,7 +14,6 @@
 //! - Paint: `gpu` (what egui calls back, in space by depth and in a picture of their own) and `drawer` (what stays on
 //!   the graphics processor).
 
-mod drawer;
 pub(crate) mod gpu;
 #[cfg(test)]
 mod tests;

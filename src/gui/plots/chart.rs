@@ -1,5 +1,6 @@
 //! A chart on the screen, and its legend above it.
 
+use crate::gui::workbench::Workbench;
 use egui::epaint::Mesh;
 use egui::{
     Align, Align2, Color32, FontId, Layout, Painter, Pos2, Rect, Response, Role, Sense, Shape,
@@ -10,12 +11,10 @@ use egui_plot::{Axis, Plot, PlotPoint, PlotTransform};
 use crate::present::chart::{Bar, Chart, ColourRole, Entry, Item, LegendSymbol, Ticks};
 use crate::present::drawing::Anchor;
 
-use crate::gui::scene::screen::dashes;
 use crate::gui::style::{Palette, size, space};
 use crate::gui::widgets;
-use crate::gui::workbench::{Command, ViewChange};
 
-use super::{Drawing, gestures, many, mark, of_chart, places};
+use crate::gui::plots::{self, Drawing, dashes, many, mark, of_chart, places};
 
 /// What something that stands for this is drawn in.
 pub(super) fn color(stands: ColourRole, palette: &Palette) -> Color32 {
@@ -47,7 +46,7 @@ pub(crate) fn show<'a>(
     let room = (ui.available_width() - beside.max(40.0)) / 50.0;
     let most = f64::from(room.clamp(3.0, 9.0));
     let plot = plot(id, chart, beside, most, &palette);
-    let plotted = gestures::show(ui, plot, |plot| {
+    let plotted = plots::show(ui, plot, |plot| {
         let draw = move |ui: &Ui, transform: &PlotTransform, shapes: &mut Vec<Shape>| {
             let canvas = Canvas {
                 transform,
@@ -89,13 +88,13 @@ fn plot<'a>(
     let lines = [across, upwards].map(|axis| !matches!(axis.ticks, Ticks::Words(_)));
     let [x, y] = [across.ticks.clone(), upwards.ticks.clone()];
     if y == Ticks::Plane {
-        return gestures::plot(id)
+        return plots::plot(id)
             .data_aspect(1.0)
             .show_axes(false)
             .show_grid(false)
             .set_margin_fraction(egui::Vec2::ZERO);
     }
-    gestures::plot(id)
+    plots::plot(id)
         .set_margin_fraction(egui::Vec2::ZERO)
         .grid_color(palette.line)
         .show_grid(lines)
@@ -244,7 +243,7 @@ const BETWEEN: f32 = 12.0;
 /// The line between a chart's bar and the chart: what the marks are, and what has to be said. It stands beside
 /// the plot, not on it, so that it covers no sample. What was before can be left out where there is something
 /// after: `shown` says whether it is there.
-pub(crate) fn legend(ui: &mut Ui, chart: &Chart, shown: Option<bool>, commands: &mut Vec<Command>) {
+pub(crate) fn legend(ui: &mut Ui, chart: &Chart, shown: Option<bool>, workbench: &Workbench) {
     let font = FontId::proportional(size::SMALL);
     let wide = |one: &Entry| MARK + widgets::width_of(ui, &one.name, font.clone()) + BETWEEN;
     let names = chart.legend.iter().map(wide).sum::<f32>();
@@ -252,7 +251,7 @@ pub(crate) fn legend(ui: &mut Ui, chart: &Chart, shown: Option<bool>, commands: 
     // In a high chart what has to be said is not cut.
     let cut = names + said > ui.available_width() && ui.available_height() > HIGH;
     if names > ui.available_width() || cut {
-        return in_lines(ui, chart, shown, commands);
+        return in_lines(ui, chart, shown, workbench);
     }
     let room = vec2(ui.available_width(), HEIGHT);
     ui.allocate_ui_with_layout(room, Layout::right_to_left(Align::Center), |ui| {
@@ -260,7 +259,7 @@ pub(crate) fn legend(ui: &mut Ui, chart: &Chart, shown: Option<bool>, commands: 
         for one in chart.legend.iter().rev() {
             let shown = shown.filter(|_| one.may_go);
             if entry(ui, one, shown) {
-                commands.push(Command::View(ViewChange::OnlyAfter(shown == Some(true))));
+                workbench.then(move |bench| bench.view.only_after = shown == Some(true));
             }
         }
         ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
@@ -273,7 +272,7 @@ pub(crate) fn legend(ui: &mut Ui, chart: &Chart, shown: Option<bool>, commands: 
 }
 
 /// The same in a narrow chart: as many lines as it takes, and the note below them.
-fn in_lines(ui: &mut Ui, chart: &Chart, shown: Option<bool>, commands: &mut Vec<Command>) {
+fn in_lines(ui: &mut Ui, chart: &Chart, shown: Option<bool>, workbench: &Workbench) {
     ui.scope(|ui| {
         ui.spacing_mut().interact_size.y = HEIGHT;
         ui.spacing_mut().item_spacing = vec2(BETWEEN, 0.0);
@@ -281,7 +280,7 @@ fn in_lines(ui: &mut Ui, chart: &Chart, shown: Option<bool>, commands: &mut Vec<
             for one in &chart.legend {
                 let shown = shown.filter(|_| one.may_go);
                 if entry(ui, one, shown) {
-                    commands.push(Command::View(ViewChange::OnlyAfter(shown == Some(true))));
+                    workbench.then(move |bench| bench.view.only_after = shown == Some(true));
                 }
             }
         });

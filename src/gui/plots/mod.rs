@@ -3,34 +3,45 @@
 //! (what is shown), a layout (where it goes; both are tested without pixels) and paint (egui).
 
 pub(crate) mod chart;
-pub(crate) mod gestures;
 
+use std::fmt::Debug;
+use std::hash::Hash;
 use std::ops::RangeInclusive;
 
 use egui::epaint::{Mesh, Tessellator, Vertex};
 use egui::{
-    Color32, Context, FontId, Pos2, Rangef, Response, RichText, Role, Shape, Stroke, Ui,
-    WidgetInfo, vec2,
+    Color32, Context, FontId, Pos2, Rangef, Rect, Response, RichText, Role, Shape, Stroke, Ui,
+    Vec2, WidgetInfo, vec2,
 };
 use egui_plot::{
-    Axis, AxisHints, GridMark, PlotBounds, PlotGeometry, PlotItem, PlotItemBase, PlotTransform,
+    Axis, AxisHints, GridMark, Plot, PlotBounds, PlotGeometry, PlotItem, PlotItemBase,
+    PlotResponse, PlotTransform, PlotUi,
 };
 
+use crate::gui::style::{Palette, size};
+use crate::gui::view::{Key, What};
+use crate::gui::widgets;
+use crate::gui::workbench::Workbench;
 use crate::present::chart::{Form, Ticks, ticks};
 use crate::present::numbers::trimmed;
+use crate::text::{Template, spoken};
 
-use crate::gui::scene::paint::{DIAMOND, TRIANGLE, corners_of};
-use crate::gui::style::{Palette, size};
-use crate::gui::view::{Plot, What};
-use crate::gui::widgets;
-use crate::gui::workbench::{Asked, Command};
-
-/// Saves a plot as a file.
-pub(crate) fn picture(ui: &mut Ui, plot: Plot, commands: &mut Vec<Command>) {
+/// Saves a plot as a file: of charts that show the same that of this pane.
+pub(crate) fn picture(
+    ui: &mut Ui,
+    plot: crate::gui::view::Plot,
+    key: Option<Key>,
+    workbench: &Workbench,
+) {
     let says = say!("Save picture of the {plot}…", plot = plot.title());
     let button = widgets::icon_button(ui, widgets::SAVE, &says);
     if button.on_hover_text(&says).clicked() {
-        commands.push(Command::Ask(Asked::WhereToExport(What::Picture(plot))));
+        workbench.then(move |bench| {
+            if let Some(key) = key {
+                bench.view.panes.activate(key);
+            }
+            bench.choose_where_to_export(What::Picture(plot));
+        });
     }
 }
 
@@ -130,6 +141,17 @@ fn steps((low, high): (f64, f64), degrees: bool, lines: f64) -> Vec<GridMark> {
     let (values, step_size) = ticks([low, high], degrees, lines);
     let mark = |value| GridMark { value, step_size };
     values.into_iter().map(mark).collect()
+}
+
+/// Corners of forms that look to the right, of a radius of 1.
+pub(crate) const DIAMOND: [[f32; 2]; 4] = [[0.0, -1.0], [1.0, 0.0], [0.0, 1.0], [-1.0, 0.0]];
+const TRIANGLE: [[f32; 2]; 3] = [[1.25, 0.0], [-0.75, 1.1], [-0.75, -1.1]];
+
+/// The same of this radius about a point, looking that way.
+pub(crate) fn corners_of(corners: &[[f32; 2]], at: Pos2, radius: f32, ahead: Vec2) -> Vec<Pos2> {
+    let across = vec2(-ahead.y, ahead.x);
+    let corner = |[x, y]: &[f32; 2]| at + (ahead * *x + across * *y) * radius;
+    corners.iter().map(corner).collect()
 }
 
 pub(crate) fn disc(at: Pos2, radius: f32, fill: Color32) -> Shape {
@@ -271,6 +293,139 @@ impl PlotItem for Drawing<'_> {
     }
 }
 
+/// A dashed line through points that may be nearer to each other than a dash is long; lengths of a
+/// dash and of the gap after it, points.
+fn dashes(points: &[Pos2], stroke: Stroke, lengths: [f32; 2]) -> Vec<Shape> {
+    let mut shapes = Vec::new();
+    let mut dash: Vec<Pos2> = points.first().copied().into_iter().collect();
+    let (mut drawn, mut left) = (true, lengths[0]);
+    for pair in points.windows(2) {
+        let (mut from, to) = (pair[0], pair[1]);
+        let mut length = from.distance(to);
+        if !length.is_finite() {
+            continue;
+        }
+        while length > left {
+            from += (to - from) * (left / length);
+            length -= left;
+            dash.push(from);
+            if drawn {
+                shapes.push(Shape::line(std::mem::take(&mut dash), stroke));
+            }
+            dash = vec![from];
+            drawn = !drawn;
+            left = lengths[usize::from(!drawn)];
+        }
+        left -= length;
+        dash.push(to);
+    }
+    if drawn && dash.len() > 1 {
+        shapes.push(Shape::line(dash, stroke));
+    }
+    shapes
+}
+
+/// What is done with the mouse, and what it does; the help and the tooltips say the same.
+pub(crate) const GESTURES: [(Template, Template); 7] = [
+    (phrase!("wheel, or pinch"), phrase!("zoom at the pointer")),
+    (
+        phrase!("Shift and wheel"),
+        phrase!("zoom along a chart's axis"),
+    ),
+    (phrase!("drag"), phrase!("move")),
+    (
+        phrase!("drag with the right button"),
+        phrase!("show a part"),
+    ),
+    (phrase!("drag in the 3-D view"), phrase!("orbit")),
+    (
+        phrase!("Shift or middle button and drag in the 3-D view"),
+        phrase!("move"),
+    ),
+    (phrase!("double click, or Home"), phrase!("fit the view")),
+];
+
+/// So much scrolling goes closer by a factor of e, points: a notch of a wheel is 40.
+const SCROLL: f32 = 300.0;
+/// The smallest and the largest span that can be gone to, in what the axes show.
+const SPANS: [f64; 2] = [1e-9, 1e9];
+
+/// A plot of this name that shows everything until the mouse asks for something else.
+pub(crate) fn plot<'a>(id: impl Hash + Debug) -> Plot<'a> {
+    Plot::new(id)
+        .show_x(false)
+        .show_y(false)
+        .show_background(false)
+        .show_crosshair(false)
+        .allow_scroll(false)
+}
+
+/// Shows it, with the wheel going closer.
+pub(crate) fn show<'a>(
+    ui: &mut Ui,
+    plot: Plot<'a>,
+    add: impl FnOnce(&mut PlotUi<'a>) + 'a,
+) -> PlotResponse<()> {
+    let shown = plot.show(ui, |plot| {
+        add(plot);
+        let closer = closer(plot.ctx());
+        let reached = plot.response().contains_pointer();
+        if reached && closer != Vec2::splat(1.0) && sound(plot, closer) {
+            plot.zoom_bounds_around_hovered(closer);
+        }
+    });
+    settle(&shown.response);
+    shown
+}
+
+/// Axes are laid out with the room that they took in the frame before: whatever the plot's size
+/// was, there is another frame until it stays.
+fn settle(response: &Response) {
+    let id = response.id.with("settled");
+    let before: Option<Rect> = response.ctx.data(|data| data.get_temp(id));
+    if before != Some(response.rect) {
+        response
+            .ctx
+            .data_mut(|data| data.insert_temp(id, response.rect));
+        response.ctx.request_repaint();
+    }
+}
+
+/// How much closer the wheel goes in this frame, along the axis below and upwards.
+pub(crate) fn closer(ctx: &Context) -> Vec2 {
+    let (scrolled, shift) = ctx.input(|i| (i.smooth_scroll_delta(), i.modifiers.shift));
+    if shift {
+        // egui turns the wheel sideways with Shift.
+        let along = scrolled.x + scrolled.y;
+        return vec2((along / SCROLL).exp(), 1.0);
+    }
+    Vec2::splat((scrolled.y / SCROLL).exp())
+}
+
+fn sound(plot: &PlotUi<'_>, closer: Vec2) -> bool {
+    let bounds = plot.plot_bounds();
+    let [x, y] = [bounds.width(), bounds.height()];
+    let then = [x / f64::from(closer.x), y / f64::from(closer.y)];
+    then.into_iter().all(|span| {
+        let [least, most] = SPANS;
+        (least..=most).contains(&span)
+    })
+}
+
+/// Four corners: shows everything again. Says how to look at a part.
+pub(crate) fn fit(ui: &mut Ui, name: &str) -> bool {
+    let button = widgets::icon_button(ui, widgets::FIT, name);
+    let response = button.on_hover_ui(|ui| {
+        ui.set_max_width(320.0);
+        widgets::bold(ui, name);
+        for (how, what) in GESTURES {
+            let says = format!("{}: {}", spoken(how), spoken(what));
+            ui.label(RichText::new(says).size(size::SMALL));
+        }
+    });
+    response.clicked()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -319,5 +474,26 @@ mod tests {
                 assert!(a.pos.distance(b.pos) < 1e-4 && a.color == b.color && a.uv == b.uv);
             }
         }
+    }
+
+    #[test]
+    fn dashes_have_one_length_however_near_the_points_are() {
+        let ends = [pos2(0.0, 3.0), pos2(85.0, 3.0)];
+        let fine: Vec<Pos2> = (0_u8..=170)
+            .map(|k| pos2(0.5 * f32::from(k), 3.0))
+            .collect();
+        let stroke = Stroke::new(1.0, Color32::GRAY);
+        let lengths = |points: &[Pos2]| {
+            let shapes = dashes(points, stroke, [5.0, 3.5]);
+            let of = |shape: &Shape| shape.visual_bounding_rect().width();
+            shapes.iter().map(of).collect::<Vec<f32>>()
+        };
+        let (few, many) = (lengths(&ends), lengths(&fine));
+        assert_eq!(few.len(), 10);
+        assert_eq!(many.len(), 10);
+        for (a, b) in few.iter().zip(&many) {
+            assert!((a - b).abs() < 1e-2, "{few:?} {many:?}");
+        }
+        assert!(dashes(&ends[..1], stroke, [5.0, 3.5]).is_empty());
     }
 }

@@ -42,11 +42,6 @@ impl Facing {
         [dot(self.right, p), dot(self.up, p)]
     }
 
-    /// The point that is seen so many mm to the right and up, as near as the origin.
-    pub(crate) fn raised(&self, [right, up]: [f64; 2]) -> [f64; 3] {
-        [0, 1, 2].map(|k| right * self.right[k] + up * self.up[k])
-    }
-
     /// How near to the viewer a point is, mm; the larger the nearer.
     pub(crate) fn nearness(&self, p: [f64; 3]) -> f64 {
         dot(self.towards, p)

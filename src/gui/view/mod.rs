@@ -3,23 +3,23 @@
 
 mod camera;
 mod panes;
-mod sheet;
-mod tiles;
 
 pub(crate) use camera::{Aspect, Ball, Camera, Colouring, Facing, Plane, Standard};
-pub(crate) use panes::Panes;
-pub(crate) use sheet::{About, Plot, What};
-pub(crate) use sheet::{Message, NextAction, Sheet};
-pub(crate) use tiles::{ChartPane, Content, Edge, Key, Pane, SplitShare, Tile};
+pub(crate) use panes::{ChartPane, Content, Edge, Key, Pane, Panes, SplitShare, Tile};
 
 use std::mem::Discriminant;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
-use crate::gui::core::disk::FileChange;
+use crate::gui::core::disk::{FileChange, name_of};
+use crate::gui::core::document::plain;
 use crate::gui::core::loaded_session::Component;
+use crate::gui::core::robot_table::RobotTable;
 use crate::gui::core::scale::ROOM;
 use crate::gui::core::setup::SetupForm;
+use crate::gui::core::simulate::Form;
+use crate::gui::import_draft::ImportDraft;
 use crate::gui::preferences::Preferences;
+use crate::language::known_words;
 use crate::text::Language;
 
 named! {
@@ -96,13 +96,6 @@ pub(crate) struct Fitted {
     pub(crate) charts: u64,
 }
 
-impl Fitted {
-    pub(crate) fn everywhere(&mut self) {
-        self.workspace += 1;
-        self.charts += 1;
-    }
-}
-
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct ViewState {
     pub(crate) step: Step,
@@ -162,10 +155,58 @@ pub(crate) struct ViewState {
 }
 
 impl ViewState {
-    /// Shows the workspace like this, and brings it into sight.
-    pub(crate) fn look(&mut self, aspect: Aspect) {
+    /// Shows the workspace in this plane, and brings it into sight.
+    pub(crate) fn look_in(&mut self, plane: Plane) {
+        self.plane = plane;
+        self.look(Aspect::Plane);
+    }
+
+    /// The same in space, from this side if one is named.
+    pub(crate) fn look_from(&mut self, from: Option<Standard>) {
+        self.look(Aspect::Space);
+        if let Some(from) = from {
+            self.camera = self.camera.seen_from(from);
+        }
+    }
+
+    fn look(&mut self, aspect: Aspect) {
         self.aspect = aspect;
         self.panes.activate(self.panes.workspace());
+    }
+
+    pub(crate) fn select(&mut self, sample: Option<usize>) {
+        self.selected = sample;
+        self.pose = None;
+        self.marked.clear();
+    }
+
+    /// Chooses these samples: a finding is about them.
+    pub(crate) fn mark(&mut self, samples: Vec<usize>) {
+        self.selected = samples.first().copied();
+        self.pose = None;
+        self.marked = samples;
+        self.side = Side::Samples;
+    }
+
+    /// Everything in sight again, in all plots.
+    pub(crate) fn fit(&mut self) {
+        self.fitted.charts += 1;
+        self.fit_workspace();
+    }
+
+    pub(crate) fn fit_workspace(&mut self) {
+        self.fitted.workspace += 1;
+        self.camera = self.camera.fitted();
+    }
+
+    /// Leaves out what a session of so many samples and joints does not have.
+    pub(crate) fn stay_within(&mut self, samples: usize, joints: usize) {
+        let there = |sample: &usize| *sample < samples;
+        self.hovered = self.hovered.filter(there);
+        self.selected = self.selected.filter(there);
+        self.marked.retain(there);
+        let a_pose = |q: &Vec<f64>| q.len() == joints && q.iter().all(|v| v.is_finite());
+        self.pose = self.pose.take().filter(a_pose);
     }
 
     /// The samples that are chosen.
@@ -224,5 +265,237 @@ impl Default for ViewState {
             message: None,
             fitted: Fitted::default(),
         }
+    }
+}
+
+/// A sheet over the window.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum Sheet {
+    /// A path to save to, as it is typed.
+    SavePath {
+        path: String,
+        /// Whether a file that is there may be replaced.
+        replace: bool,
+    },
+    /// A path to export to, as it is typed.
+    ExportPath {
+        what: What,
+        path: String,
+        /// Whether a file that is there may be replaced.
+        replace: bool,
+    },
+    /// A simulation, as it is filled in.
+    Simulate(Form),
+    /// A robot, as its table is typed.
+    RobotTable {
+        table: Box<RobotTable>,
+        /// As it was opened.
+        opened: Box<RobotTable>,
+    },
+    /// Whether what was typed on this one is discarded.
+    Discard(Box<Self>),
+    /// What is lost if this is done now.
+    Unsaved(NextAction),
+    /// This file is not what it was when it was read: whether to replace it all the same.
+    Overwrite(PathBuf),
+    /// A file that an instrument wrote.
+    Import(Box<ImportDraft>),
+    /// One that keeps nothing of its own: its file in `dialogs`.
+    Named(&'static str),
+}
+
+impl Sheet {
+    /// Targets that were corrected.
+    pub(crate) const COMPENSATION: Self = Self::Named("compensation");
+    /// What the report states besides its measurements.
+    pub(crate) const DETAILS: Self = Self::Named("details");
+    /// What became of the machine.
+    pub(crate) const HISTORY: Self = Self::Named("history");
+    /// The library of robots.
+    pub(crate) const ROBOTS: Self = Self::Named("robots");
+    /// What windows that are gone have left behind.
+    pub(crate) const RECOVERY: Self = Self::Named("recovery");
+
+    /// The sheet that it was opened from: what one comes back to without an answer.
+    pub(crate) fn before(&self) -> Option<Self> {
+        match self {
+            Self::Simulate(form) => form.robot.is_some().then_some(Self::ROBOTS),
+            Self::RobotTable { .. } => Some(Self::ROBOTS),
+            Self::Discard(typed) => Some((**typed).clone()),
+            _ => None,
+        }
+    }
+
+    /// Where Escape leads: what was typed is not discarded without a question.
+    pub(crate) fn escaped(&self) -> Option<Self> {
+        let typed = match self {
+            Self::Simulate(form) => *form != form.untouched(),
+            Self::RobotTable { table, opened } => table != opened,
+            _ => false,
+        };
+        if typed {
+            Some(Self::Discard(Box::new(self.clone())))
+        } else {
+            self.before()
+        }
+    }
+
+    /// Whether it has many fields: Escape leaves the one that is typed into, and only then the sheet.
+    pub(crate) fn is_a_form(&self) -> bool {
+        matches!(
+            self,
+            Self::Simulate(_) | Self::RobotTable { .. } | Self::Import(_) | &Self::DETAILS
+        )
+    }
+
+    /// Whether it holds what was typed or chosen in it. A click beside it, which may be meant for something else, does
+    /// not close it; Escape and *Cancel* do.
+    pub(crate) fn holds_entries(&self) -> bool {
+        match self {
+            Self::SavePath { .. }
+            | Self::ExportPath { .. }
+            | Self::Simulate(_)
+            | Self::RobotTable { .. }
+            | Self::Discard(_)
+            | Self::Unsaved(_)
+            | Self::Overwrite(_)
+            | Self::Import(_) => true,
+            Self::Named(name) => ["compensation", "details", "recovery"].contains(name),
+        }
+    }
+}
+
+/// What is done next, when nothing is in the way any more.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum NextAction {
+    Leave,
+    Open(PathBuf),
+    Example(usize),
+    Simulate(Form),
+}
+
+/// A message to the user: an error that stays, or a notice that goes by itself.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct Message {
+    /// Whether something went wrong.
+    pub(crate) wrong: bool,
+    /// In one line.
+    pub(crate) title: String,
+    /// What exactly, and what to do next; one line each.
+    pub(crate) details: Vec<String>,
+    /// The file that was written.
+    pub(crate) file: Option<PathBuf>,
+}
+
+impl Message {
+    /// Something went wrong.
+    pub(crate) fn wrong(title: impl Into<String>, details: Vec<String>) -> Self {
+        Self {
+            wrong: true,
+            ..Self::done(title, details)
+        }
+    }
+
+    /// Something was done.
+    pub(crate) fn done(title: impl Into<String>, details: Vec<String>) -> Self {
+        Self {
+            wrong: false,
+            title: title.into(),
+            details,
+            file: None,
+        }
+    }
+
+    /// A file was written.
+    pub(crate) fn saved(path: &Path, details: Vec<String>) -> Self {
+        let whole = std::path::absolute(path).unwrap_or_else(|_| path.to_path_buf());
+        Self {
+            file: Some(whole),
+            ..Self::done(say!("Saved {name}", name = name_of(path)), details)
+        }
+    }
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum What {
+    /// The table for the controller.
+    Table,
+    /// The model itself.
+    Model,
+    /// Poses to measure next.
+    Poses,
+    /// The calibration report.
+    Report(About),
+    Picture(Plot),
+    /// What the chart of this name shows, as a table.
+    Numbers(&'static str),
+    /// A table of targets or a robot program, corrected.
+    Targets,
+    /// A robot of the library, by its name.
+    Robot(&'static str),
+    /// The robot that was typed last.
+    TypedRobot,
+}
+
+impl What {
+    /// What saving it is called.
+    pub(crate) fn title(self) -> &'static str {
+        match self {
+            Self::Table => say!("Save table"),
+            Self::Model => say!("Save model"),
+            Self::Poses => say!("Save measuring list"),
+            Self::Report(_) => say!("Save report"),
+            Self::Picture(_) => say!("Save picture"),
+            Self::Numbers(_) => say!("Save data"),
+            Self::Targets => say!("Save corrected file"),
+            Self::Robot(_) | Self::TypedRobot => say!("Save robot file"),
+        }
+    }
+}
+
+/// What a report is about.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum About {
+    /// The session: what was measured, what was found, what stays open.
+    Session,
+    /// The model that is exported, by itself.
+    Model,
+}
+
+/// A plot that can be saved.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Plot {
+    /// Where the points are, and how far off, as it is seen.
+    Workspace,
+    /// The chart of this name, as it is shown.
+    Chart(&'static str),
+}
+
+impl Plot {
+    /// Its name, as it stands within a sentence.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::Workspace => "workspace",
+            Self::Chart(name) => name,
+        }
+    }
+
+    /// What its file ends in: a chart is drawn, the workspace is a picture of the screen.
+    pub(crate) fn ending(self) -> &'static str {
+        match self {
+            Self::Workspace => "png",
+            Self::Chart(_) => "svg",
+        }
+    }
+
+    /// Its name in the language of the window.
+    pub(crate) fn title(self) -> String {
+        known_words("plot", self.name()).unwrap_or_else(|| self.name().to_owned())
+    }
+
+    /// What its file is called unless the user says otherwise.
+    pub(crate) fn file_name(self, session: &str, ending: &str) -> String {
+        let session = plain(session);
+        format!("{session}-{}.{ending}", plain(self.name()))
     }
 }

@@ -21,10 +21,9 @@ use crate::set_up_errors::DataProblem;
 use crate::units::deg_from_rad;
 
 use crate::gui::charts::effect;
-use crate::gui::core::edit::Edit;
 use crate::gui::style::{Palette, size, strong};
-use crate::gui::widgets;
-use crate::gui::workbench::{Command, ViewChange, Workbench};
+use crate::gui::widgets::{self, Does};
+use crate::gui::workbench::Workbench;
 
 /// How a section's title looks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -112,29 +111,26 @@ fn table(ui: &mut Ui, index: usize, table: &Table) {
     let gaps = table.columns.len().saturating_sub(1).max(1);
     let apart = apart + (spare / gaps as f32).floor();
     let color = Palette::of(ui).text;
-    grid(
-        ui,
-        ("table of an answer", index),
-        table,
-        (letters, apart),
-        |_| color,
-    );
+    let id = ("table of an answer", index);
+    grid(ui, id, table, (letters, apart), |_| color, |_, _| ());
 }
 
-/// The same with letters of this size and its columns so far apart, each cell in its colour.
+/// The same with letters of this size and its columns so far apart, each cell in its colour; `about` hears of the first
+/// cell of each row.
 pub(crate) fn grid(
     ui: &mut Ui,
     id: impl Hash + Debug,
     table: &Table,
     (letters, apart): (f32, f32),
     color: impl Fn(&str) -> Color32,
+    about: impl Fn(usize, Response),
 ) {
     let muted = Palette::of(ui).muted;
     let aligned = |ui: &mut Ui, column: &Column, text: RichText| {
         if column.right {
-            widgets::cell_right(ui, text);
+            widgets::cell_right(ui, text)
         } else {
-            ui.label(text);
+            ui.label(text)
         }
     };
     let grid = Grid::new(id).spacing([apart, 4.0]);
@@ -144,10 +140,13 @@ pub(crate) fn grid(
             aligned(ui, column, heading.color(muted));
         }
         ui.end_row();
-        for row in &table.rows {
-            for (cell, column) in row.iter().zip(&table.columns) {
+        for (k, row) in table.rows.iter().enumerate() {
+            for (place, (cell, column)) in row.iter().zip(&table.columns).enumerate() {
                 let text = RichText::new(with_minus_signs(&cell.shown)).size(letters);
-                aligned(ui, column, text.color(color(&cell.shown)));
+                let cell = aligned(ui, column, text.color(color(&cell.shown)));
+                if place == 0 {
+                    about(k, cell);
+                }
             }
             ui.end_row();
         }
@@ -155,7 +154,7 @@ pub(crate) fn grid(
 }
 
 /// How much room a table takes without a line that breaks, points.
-fn width_of(ui: &Ui, table: &Table, letters: f32, apart: f32) -> f32 {
+pub(super) fn width_of(ui: &Ui, table: &Table, letters: f32, apart: f32) -> f32 {
     let width = |text: &str, letters: f32| {
         let text = WidgetText::from(RichText::new(text).size(letters));
         let galley = text.into_galley(
@@ -223,18 +222,13 @@ pub(super) fn in_words(id: &str, joint: Option<usize>, workbench: &Workbench) ->
 }
 
 /// Shows what an effect does, in the chart.
-pub(super) fn curve_link(
-    ui: &mut Ui,
-    workbench: &Workbench,
-    index: usize,
-    commands: &mut Vec<Command>,
-) {
-    let view = workbench.view();
+pub(super) fn curve_link(ui: &mut Ui, workbench: &Workbench, index: usize) {
+    let view = &workbench.view;
     let shown = workbench.shows(effect::ID) && view.effect == index;
     let button = ui.add_enabled_ui(!shown, |ui| widgets::secondary(ui, say!("Show its curve")));
-    if button.inner.clicked() {
-        commands.push(Command::View(ViewChange::ShowEffect(index)));
-    }
+    button
+        .inner
+        .does(workbench, move |bench| bench.show_effect(index));
 }
 
 /// A card for each problem of the data; what is mechanical was corrected before the fit that is shown below.
@@ -242,42 +236,49 @@ pub(super) fn problems(
     ui: &mut Ui,
     problems: &[DataProblem],
     detail: Detail,
-    commands: &mut Vec<Command>,
+    workbench: &Workbench,
 ) {
     // Before the cards: of many the last is out of sight.
-    mend_all(ui, problems, commands);
+    mend_all(ui, problems, workbench);
     let sections = problems_of_data(problems, detail);
     for (section, problem) in sections.iter().zip(problems) {
         widgets::card(ui, |ui| {
             title(ui, section, Title::Large(Palette::of(ui).outside));
             show(ui, &section.blocks);
-            of_problem(ui, problem, commands);
+            of_problem(ui, problem, workbench);
         });
     }
 }
 
 /// A problem of the data: the samples that it is about, and its correction.
-pub(super) fn of_problem(ui: &mut Ui, problem: &DataProblem, commands: &mut Vec<Command>) {
+pub(super) fn of_problem(ui: &mut Ui, problem: &DataProblem, workbench: &Workbench) {
     if !problem.samples.is_empty() && ui.link(say!("Show these samples")).clicked() {
-        commands.push(Command::View(ViewChange::Mark(problem.samples.clone())));
+        let samples = problem.samples.clone();
+        workbench.then(move |bench| bench.view.mark(samples));
     }
     let Some(mend) = &problem.mend else {
         return;
     };
     if widgets::secondary(ui, &spoken(mend.describe())).clicked() {
-        commands.push(Command::Edit(Edit::Correct(vec![mend.clone()])));
+        correct(workbench, vec![mend.clone()]);
     }
 }
 
 /// All of them at once, where there are several.
-pub(super) fn mend_all(ui: &mut Ui, problems: &[DataProblem], commands: &mut Vec<Command>) {
+pub(super) fn mend_all(ui: &mut Ui, problems: &[DataProblem], workbench: &Workbench) {
     let mends: Vec<_> = problems.iter().filter_map(|p| p.mend.clone()).collect();
     if mends.len() > 1 {
         let text = say!("Correct all {mends}", mends = mends.len());
         if widgets::secondary(ui, &text).clicked() {
-            commands.push(Command::Edit(Edit::Correct(in_order(mends))));
+            correct(workbench, in_order(mends));
         }
     }
+}
+
+fn correct(workbench: &Workbench, mends: Vec<SessionCorrection>) {
+    workbench.edits(phrase!("correct data"), move |document| {
+        document.correct(&mends)
+    });
 }
 
 /// Samples are removed last, all at once: until then they have their numbers.
@@ -299,20 +300,15 @@ fn in_order(mends: Vec<SessionCorrection>) -> Vec<SessionCorrection> {
 }
 
 /// What the window can do about what a search could not name.
-pub(super) fn unexplained(
-    ui: &mut Ui,
-    workbench: &Workbench,
-    d: &Diagnosis,
-    commands: &mut Vec<Command>,
-) {
+pub(super) fn unexplained(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis) {
     if let Some(found) = d.correction() {
-        correction(ui, workbench, found, commands);
-        curve_link(ui, workbench, d.found.len(), commands);
+        correction(ui, workbench, found);
+        curve_link(ui, workbench, d.found.len());
     }
 }
 
 /// Where a smooth correction is measured, and the button that adds it.
-fn correction(ui: &mut Ui, workbench: &Workbench, found: &Correction, commands: &mut Vec<Command>) {
+fn correction(ui: &mut Ui, workbench: &Workbench, found: &Correction) {
     range(
         ui,
         workbench.loaded_session().session.robot.joints[found.term.joint].kind,
@@ -325,14 +321,14 @@ fn correction(ui: &mut Ui, workbench: &Workbench, found: &Correction, commands: 
                 // It is what the names leave: without them it would correct something else.
                 let mut terms = workbench.not_added();
                 terms.push(found.term.clone());
-                commands.push(Command::Edit(Edit::Add(terms)));
+                workbench.then(move |bench| bench.add(&terms));
             }
         }
         Some(index) => {
             let mut on = workbench.document().added[index].on;
             let checkbox = ui.checkbox(&mut on, say!("smooth correction in the model"));
             if checkbox.changed() {
-                commands.push(Command::Edit(Edit::Switch(index, on)));
+                workbench.then(move |bench| bench.switch(index, on));
             }
         }
     }

@@ -10,8 +10,9 @@ use crate::effects::find;
 use crate::fit::{Estimate, RegionResult};
 use crate::gui::charts::About;
 use crate::gui::style::{size, space};
-use crate::gui::widgets;
-use crate::gui::workbench::{Command, Workbench};
+use crate::gui::view::Key;
+use crate::gui::widgets::{self, Does};
+use crate::gui::workbench::Workbench;
 use crate::kinematics::Robot;
 use crate::present::limits::sight;
 use crate::present::names::parameter_in_english as parameter;
@@ -66,12 +67,14 @@ fn is_recent(ui: &Ui, id: Id) -> bool {
 }
 
 /// The mark in a chart's bar that copies its numbers.
-pub(super) fn chart_button(ui: &mut Ui, about: &About, commands: &mut Vec<Command>) {
+pub(super) fn chart_button(ui: &mut Ui, about: &About, key: Key, workbench: &Workbench) {
+    let id = about.id;
     let says = say!("Copy numbers: {of}", of = about.name().to_lowercase());
     let button = widgets::icon_button(ui, widgets::COPY, &says).on_hover_text(&says);
-    if button.clicked() {
-        commands.push(Command::CopyNumbers(about.id));
-    }
+    button.does(workbench, move |bench| {
+        bench.view.panes.activate(key);
+        bench.copy_numbers(id);
+    });
     if is_recent(ui, id_of(about.id)) {
         // What lies beneath it can be clicked all the same.
         Popup::from_response(&button)

@@ -22,7 +22,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench) {
     if workbench.loaded_session().is_empty() {
         return;
     }
-    match workbench.view().step {
+    match workbench.view.step {
         Step::Session | Step::Regions | Step::Identify => {
             gap(ui, workbench);
             covers(ui, workbench);

@@ -1,60 +1,53 @@
 //! Step 5: what the controller needs, seen before it is saved.
 
 use egui::scroll_area::ScrollBarVisibility;
-use egui::{DragValue, RichText, ScrollArea, Ui};
+use egui::{DragValue, Grid, RichText, ScrollArea, Ui};
 
 use crate::explain::{self, Block, Detail, Exported, Section, Topic};
 use crate::export::{EXPORTERS, find};
-use crate::gui::cache::identified::ExportPreview;
+use crate::gui::cache::identified::{ExportPreview, StandardsFigures, as_text};
 use crate::gui::core::document::ExportChoice;
-use crate::gui::core::edit::Edit;
+use crate::gui::help;
 use crate::gui::style::{Palette, size, space, strong};
 use crate::gui::view::{About, Sheet, Step, What};
-use crate::gui::views::blocks;
-use crate::gui::widgets;
-use crate::gui::workbench::{Asked, Command, ViewChange, Workbench};
+use crate::gui::views::{blocks, copies};
+use crate::gui::widgets::{self, Does};
+use crate::gui::workbench::Workbench;
 use crate::language::spoken;
+use crate::present::standards::Group;
 
 use super::blocks::in_words;
-use super::{Progress, StepView};
 
 /// Where an own step begins, degrees or mm.
 const FIRST_STEP: f64 = 1.0;
 
-pub(super) const STEP: StepView = StepView {
-    step: Step::Export,
-    show,
-    next,
-    state,
-};
-
-fn state(workbench: &Workbench) -> (String, Progress) {
+pub(super) fn state(workbench: &Workbench) -> (String, bool) {
     match workbench
         .exported()
         .next_back()
         .and_then(|path| path.file_name())
     {
-        Some(name) => (name.to_string_lossy().into_owned(), Progress::Done),
-        None => (say!("not yet").to_owned(), Progress::Open),
+        Some(name) => (name.to_string_lossy().into_owned(), true),
+        None => (say!("not yet").to_owned(), false),
     }
 }
 
-fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+pub(super) fn show(ui: &mut Ui, workbench: &Workbench) {
     if workbench.answer().is_none() {
         widgets::hint(
             ui,
             say!("There is nothing to export yet: the table comes from the identified robot"),
         );
     } else {
-        not_added(ui, workbench, commands);
-        export(ui, workbench, commands);
-        targets(ui, workbench, commands);
+        not_added(ui, workbench);
+        export(ui, workbench);
+        targets(ui, workbench);
     }
-    reports(ui, workbench, commands);
+    reports(ui, workbench);
 }
 
 /// Found effects that the table would leave uncorrected.
-fn not_added(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+fn not_added(ui: &mut Ui, workbench: &Workbench) {
     let missing = workbench.not_added();
     if missing.is_empty() {
         return;
@@ -71,27 +64,28 @@ fn not_added(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     );
     ui.label(RichText::new(says).color(Palette::of(ui).warning));
     if widgets::secondary(ui, &blocks::add_all(missing.len())).clicked() {
-        commands.push(Command::Edit(Edit::Add(missing)));
+        workbench.then(move |bench| bench.add(&missing));
     }
 }
 
 /// The report: of the session, and of the model that is exported.
-fn reports(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+fn reports(ui: &mut Ui, workbench: &Workbench) {
     let measured = !workbench.loaded_session().is_empty();
     let identified = workbench.answer().is_some();
     if !measured && !identified {
         return;
     }
     widgets::section(ui, say!("Report"));
-    let mut offer = |ui: &mut Ui, text: &str, command: Command| {
+    let report = |ui: &mut Ui, text: &str, about| {
         if widgets::secondary(ui, text).clicked() {
-            commands.push(command);
+            let what = What::Report(about);
+            workbench.then(move |bench| bench.choose_where_to_export(what));
         }
     };
-    let report = |about| Command::Ask(Asked::WhereToExport(What::Report(about)));
     if measured {
-        offer(ui, say!("Report details…"), Command::sheet(Sheet::DETAILS));
-        offer(ui, say!("Report…"), report(About::Session));
+        widgets::secondary(ui, say!("Report details…"))
+            .does(workbench, |bench| bench.show_sheet(Some(Sheet::DETAILS)));
+        report(ui, say!("Report…"), About::Session);
         let says = if workbench.diagnosis().is_some() {
             say!("HTML or PDF: what was measured, the effects found, the open points")
         } else {
@@ -105,11 +99,11 @@ fn reports(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         } else {
             say!("Report…")
         };
-        offer(ui, text, report(About::Model));
+        report(ui, text, About::Model);
     }
 }
 
-fn export(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+fn export(ui: &mut Ui, workbench: &Workbench) {
     let choice = workbench.document().export;
     widgets::section(ui, say!("Format"));
     ui.scope(|ui| {
@@ -118,24 +112,25 @@ fn export(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         for format in EXPORTERS.iter().filter(|format| (format.suits)(robot)) {
             let response = ui.radio(format.id == choice.format, spoken(format.title));
             if response.clicked() && format.id != choice.format {
-                commands.push(Command::Edit(Edit::Export(ExportChoice {
-                    format: format.id,
-                    ..choice
-                })));
+                workbench.then(move |bench| {
+                    bench.choose_export(ExportChoice {
+                        format: format.id,
+                        ..choice
+                    });
+                });
             }
         }
     });
     // A description of the robot is about all joints and has no steps.
     if find(choice.format).is_some_and(|format| format.rules.is_some()) {
         widgets::section(ui, say!("Table"));
-        joint_and_step(ui, workbench, choice, commands);
+        joint_and_step(ui, workbench, choice);
     }
     match workbench.export() {
         None if workbench.is_unprepared() => {
             widgets::hint(ui, say!("The preparation of the table was cancelled"));
-            if widgets::secondary(ui, say!("Prepare the table")).clicked() {
-                commands.push(Command::Prepare);
-            }
+            widgets::secondary(ui, say!("Prepare the table"))
+                .does(workbench, Workbench::prepare_again);
         }
         None => widgets::hint(ui, say!("The table is being prepared")),
         Some(Err(because)) => {
@@ -150,10 +145,9 @@ fn export(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
                 );
             } else {
                 // What the format cannot hold is switched off here, or left out of the fit.
-                super::gap::switches(ui, workbench, commands);
-                if widgets::secondary(ui, say!("Go to identify")).clicked() {
-                    commands.push(Command::View(ViewChange::GoTo(Step::Identify)));
-                }
+                super::gap::switches(ui, workbench);
+                widgets::secondary(ui, say!("Go to identify"))
+                    .does(workbench, move |bench| bench.view.step = Step::Identify);
             }
         }
         Some(Ok(made)) => {
@@ -170,58 +164,37 @@ fn export(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
             if widgets::secondary(ui, what).clicked() {
                 ui.copy_text(text_of(made));
             }
-            if widgets::secondary(ui, say!("Save model…")).clicked() {
-                commands.push(Command::Ask(Asked::WhereToExport(What::Model)));
-            }
+            widgets::secondary(ui, say!("Save model…")).does(workbench, move |bench| {
+                bench.choose_where_to_export(What::Model);
+            });
         }
     }
 }
 
-fn joint_and_step(
-    ui: &mut Ui,
-    workbench: &Workbench,
-    choice: ExportChoice,
-    commands: &mut Vec<Command>,
-) {
+fn joint_and_step(ui: &mut Ui, workbench: &Workbench, choice: ExportChoice) {
     let joints = &workbench.loaded_session().session.robot.joints;
     let mut next = choice;
-    let mut dragged = false;
     if joints.len() > 1 {
         let mut joint = choice.joint + 1;
         let field = DragValue::new(&mut joint).range(1..=joints.len());
-        let response = widgets::number(ui, say!("joint"), "", field);
+        widgets::number(ui, say!("joint"), "", field);
         next.joint = joint - 1;
-        dragged |= response.dragged();
-        if response.drag_stopped() {
-            commands.push(Command::EndDrag);
-        }
     }
     let unit = joints[choice.joint].kind.sign();
     let mut own = choice.step.is_some();
     if ui.checkbox(&mut own, say!("Custom step")).changed() {
         next.step = own.then_some(FIRST_STEP);
     }
-    let mut let_go = false;
     if let Some(step) = &mut next.step {
         let field = DragValue::new(step)
             .range(0.001..=90.0)
             .speed(0.02)
             .max_decimals(4)
             .suffix(unit);
-        let response = widgets::number(ui, say!("step"), unit.trim(), field);
-        dragged |= response.dragged();
-        let_go = response.drag_stopped();
+        widgets::number(ui, say!("step"), unit.trim(), field);
     }
     if next != choice {
-        let edit = Edit::Export(next);
-        commands.push(if dragged {
-            Command::Drag(edit)
-        } else {
-            Command::Edit(edit)
-        });
-    }
-    if let_go {
-        commands.push(Command::EndDrag);
+        workbench.then(move |bench| bench.choose_export(next));
     }
 }
 
@@ -245,7 +218,7 @@ pub(crate) fn preview(ui: &mut Ui, workbench: &Workbench) {
         }
         None => widgets::hint(ui, say!("The table is being prepared")),
     }
-    super::standards::show(ui, workbench);
+    standards(ui, workbench);
 }
 
 fn made_preview(ui: &mut Ui, workbench: &Workbench, made: &ExportPreview) {
@@ -335,11 +308,10 @@ fn text(ui: &mut Ui, text: &str) {
     }
 }
 
-fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+pub(super) fn next(ui: &mut Ui, workbench: &Workbench) {
     if workbench.answer().is_none() {
-        if widgets::primary(ui, say!("Go to identify")).clicked() {
-            commands.push(Command::View(ViewChange::GoTo(Step::Identify)));
-        }
+        widgets::primary(ui, say!("Go to identify"))
+            .does(workbench, move |bench| bench.view.step = Step::Identify);
         return;
     }
     let format = find(workbench.document().export.format);
@@ -351,15 +323,13 @@ fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     };
     let ready = matches!(workbench.export(), Some(Ok(_))) || workbench.is_unprepared();
     if is_refused_for_an_arm(workbench) {
-        if widgets::primary(ui, say!("Compensate…")).clicked() {
-            commands.push(Command::Ask(Asked::Targets));
-        }
+        widgets::primary(ui, say!("Compensate…")).does(workbench, Workbench::choose_targets);
         return;
     }
     let save = ui.add_enabled_ui(ready, |ui| widgets::primary(ui, &says));
-    if save.inner.clicked() {
-        commands.push(Command::Ask(Asked::WhereToExport(What::Table)));
-    }
+    save.inner.does(workbench, move |bench| {
+        bench.choose_where_to_export(What::Table);
+    });
 }
 
 /// Whether what was chosen cannot hold the model of a robot with several joints: corrected targets can.
@@ -369,12 +339,12 @@ fn is_refused_for_an_arm(workbench: &Workbench) -> bool {
 }
 
 /// Targets and programs: what is corrected where the controller takes no table.
-fn targets(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+fn targets(ui: &mut Ui, workbench: &Workbench) {
     widgets::section(ui, say!("Targets and programs"));
     // One button of a name: where nothing else is ready it is the main one.
     if !is_refused_for_an_arm(workbench) && widgets::secondary(ui, say!("Compensate…")).clicked()
     {
-        commands.push(Command::Ask(Asked::Targets));
+        workbench.then(Workbench::choose_targets);
     }
     widgets::hint(
         ui,
@@ -382,4 +352,87 @@ fn targets(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
             "A table of targets (CSV), RAPID, KRL, URScript or FANUC LS: its targets are corrected in place, and what changes is shown before anything is saved"
         ),
     );
+}
+
+/// Accuracy and repeatability as the standards state them, before and after, where there is something measured.
+fn standards(ui: &mut Ui, workbench: &Workbench) {
+    let Some(figures) = workbench.figures() else {
+        return;
+    };
+    widgets::card(ui, |ui| {
+        widgets::bold(ui, say!("Accuracy and repeatability"));
+        match &figures.made {
+            None => widgets::hint(ui, say!("The figures are being computed")),
+            Some(Err(because)) => widgets::hint(ui, because),
+            Some(Ok(made)) => tables(ui, made),
+        }
+    });
+}
+
+fn tables(ui: &mut Ui, made: &StandardsFigures) {
+    if made.groups.iter().any(|group| !group.rows.is_empty()) {
+        copies::button(ui, say!("figures"), || as_text(made));
+    }
+    let mut explained = "";
+    for group in &made.groups {
+        let title = spoken(&group.title);
+        widgets::section(ui, &format!("{title}, {}", group.standard));
+        if !group.rows.is_empty() {
+            widgets::hint(ui, spoken(&group.conditions));
+        }
+        if !group.rows.is_empty() {
+            table(ui, group);
+            if group.standard != explained {
+                widgets::hint(ui, legend(group));
+                explained = group.standard;
+            }
+        }
+        for line in &group.missing {
+            widgets::hint(ui, say!("missing: {line}", line = spoken(line)));
+        }
+    }
+    for line in &made.notes {
+        widgets::hint(ui, spoken(line));
+    }
+}
+
+/// What the symbols of a table are called; what each means in full is said at the symbol.
+fn legend(group: &Group) -> String {
+    let sides = |symbol: &str| symbol.ends_with(['↑', '↓']);
+    let rows = group.rows.iter().filter(|row| !sides(row.symbol));
+    let mut names: Vec<String> = rows
+        .map(|row| format!("{} {}", row.symbol, spoken(row.name)))
+        .collect();
+    if group.rows.iter().any(|row| sides(row.symbol)) {
+        names.push(say!("↑ positive approach, ↓ negative approach").to_owned());
+    }
+    names.join(" · ")
+}
+
+fn table(ui: &mut Ui, group: &Group) {
+    let palette = Palette::of(ui);
+    ui.style_mut().wrap_mode = Some(egui::TextWrapMode::Extend);
+    Grid::new(("standards", group.title.to_string()))
+        .num_columns(3)
+        .spacing([20.0, 3.0])
+        .show(ui, |ui| {
+            let measured = say!("measured, {group}", group = group.unit);
+            for head in ["", &measured, say!("corrected")] {
+                let head = RichText::new(head).size(size::SMALL).color(palette.muted);
+                widgets::cell_right(ui, head);
+            }
+            ui.end_row();
+            for row in &group.rows {
+                let before = group.shown(row.before);
+                let after = row.after.map_or_else(|| "–".to_owned(), |v| group.shown(v));
+                ui.label(row.symbol).on_hover_ui(|ui| {
+                    ui.set_max_width(space::TIP);
+                    widgets::bold(ui, spoken(row.name));
+                    ui.label(help::figure(row.symbol).unwrap_or_default());
+                });
+                widgets::cell_right(ui, RichText::new(before));
+                widgets::cell_right(ui, RichText::new(after).font(strong(size::BODY)));
+                ui.end_row();
+            }
+        });
 }

@@ -2,28 +2,35 @@
 //! cannot be told apart, what no name explains, what to measure next, and what was hidden where the session was
 //! simulated.
 
-use egui::{Grid, Label, RichText, TextStyle, TextWrapMode, Ui, WidgetText};
+use std::borrow::Cow;
+
+use egui::{
+    CursorIcon, Label, Rect, Response, RichText, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2,
+    vec2,
+};
 
 use crate::diagnosis::{Diagnosis, NextPose, Verdict};
 use crate::effects::Term;
-use crate::explain::{Section, Topic};
+use crate::explain::{Block, Detail, Section, Topic, found_effect};
 use crate::fit::Estimate;
+use crate::gui::charts::effect::{self, EffectCurve};
+use crate::gui::core::answer::term_of;
+use crate::gui::core::scale::stride;
+use crate::gui::jobs::Running;
+use crate::gui::plots::disc;
+use crate::gui::style::{Palette, size, space, strong};
+use crate::gui::view::What;
+use crate::gui::views::blocks::{self, Title, curve_link, in_words};
+use crate::gui::views::copies;
+use crate::gui::widgets::{self, Does};
+use crate::gui::workbench::Workbench;
 use crate::kinematics::JointKind;
 use crate::present::names::{parameter, title_of};
 use crate::present::numbers::{significant, with_minus_signs};
 use crate::present::poses::{new_reflectors, table};
 use crate::present::table::Cell;
 
-use crate::gui::jobs::Running;
-use crate::gui::style::{Palette, size, space, strong};
-use crate::gui::view::What;
-use crate::gui::widgets;
-use crate::gui::workbench::{Asked, Command, Workbench};
-
-use super::blocks::{self, Title, in_words};
-use super::{copies, found};
-
-pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+pub(super) fn show(ui: &mut Ui, workbench: &Workbench) {
     widgets::heading(ui, say!("Diagnosis"));
     ui.add_space(space::TIGHT);
     widgets::scroll(ui, "findings", |ui| {
@@ -38,7 +45,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         match beneath {
             None => crate::gui::views::coverage::show(ui, workbench),
             Some(Err(because)) => widgets::hint(ui, because),
-            Some(Ok(diagnosis)) => all(ui, workbench, diagnosis, commands),
+            Some(Ok(diagnosis)) => all(ui, workbench, diagnosis),
         }
     });
 }
@@ -86,7 +93,7 @@ fn so_far(ui: &mut Ui, name: &str, says: &str, found: &[String]) {
     });
 }
 
-fn all(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis, commands: &mut Vec<Command>) {
+fn all(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis) {
     let sections = workbench.diagnosis_sections();
     for section in sections.iter() {
         match section.topic {
@@ -97,18 +104,18 @@ fn all(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis, commands: &mut Vec<Com
                 widgets::card(ui, |ui| {
                     heading(ui, section, d);
                     match section.topic {
-                        Topic::NextPoses => next_poses(ui, workbench, &d.next_poses, commands),
-                        Topic::Found(k) => found::show(ui, workbench, (d, k, section), commands),
+                        Topic::NextPoses => next_poses(ui, workbench, &d.next_poses),
+                        Topic::Found(k) => effect_card(ui, workbench, (d, k, section)),
                         _ => blocks::show(ui, &section.blocks),
                     }
-                    buttons(ui, workbench, d, section, commands);
+                    buttons(ui, workbench, d, section);
                 });
             }
         }
         match section.topic {
             Topic::Answer => hidden(ui, workbench, d),
             Topic::DataProblem(index) if index + 1 == d.data_problems.len() => {
-                blocks::mend_all(ui, &d.data_problems, commands);
+                blocks::mend_all(ui, &d.data_problems, workbench);
             }
             Topic::Found(index) if index + 1 == d.found.len() => {
                 copies::button(ui, say!("found effects"), || copies::found(d));
@@ -138,16 +145,10 @@ fn heading(ui: &mut Ui, section: &Section, d: &Diagnosis) {
 }
 
 /// What the window can do about a section.
-fn buttons(
-    ui: &mut Ui,
-    workbench: &Workbench,
-    d: &Diagnosis,
-    section: &Section,
-    commands: &mut Vec<Command>,
-) {
+fn buttons(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis, section: &Section) {
     match section.topic {
-        Topic::DataProblem(index) => blocks::of_problem(ui, &d.data_problems[index], commands),
-        Topic::Unnamed => blocks::unexplained(ui, workbench, d, commands),
+        Topic::DataProblem(index) => blocks::of_problem(ui, &d.data_problems[index], workbench),
+        Topic::Unnamed => blocks::unexplained(ui, workbench, d),
         _ => {}
     }
 }
@@ -243,18 +244,38 @@ fn one(ui: &mut Ui, workbench: &Workbench, term: &Term, d: &Diagnosis) {
     }
 }
 
-fn next_poses(ui: &mut Ui, workbench: &Workbench, poses: &[NextPose], commands: &mut Vec<Command>) {
+fn next_poses(ui: &mut Ui, workbench: &Workbench, poses: &[NextPose]) {
     const MOST: usize = 24;
     let robot = &workbench.loaded_session().session.robot;
-    let table = table(poses, robot);
-    let rows = &table.rows[..table.rows.len().min(MOST)];
-    let headings: Vec<&str> = table.columns.iter().map(|c| &*c.heading).collect();
-    let holds = |k: &usize| rows.iter().any(|row| !row[*k].shown.is_empty());
-    let shown: Vec<usize> = (0..SHOWN).filter(holds).collect();
-    if is_narrower(ui, &shown, &headings, rows) {
-        one_below_the_other(ui, &headings, rows);
+    let mut table = table(poses, robot);
+    table.rows.truncate(MOST);
+    // Why stands under the pointer; a column that holds nothing is left out.
+    table.columns.pop();
+    let why: Vec<Cell> = table.rows.iter_mut().filter_map(Vec::pop).collect();
+    for k in (0..table.columns.len()).rev() {
+        if table.rows.iter().all(|row| row[k].shown.is_empty()) {
+            table.columns.remove(k);
+            for row in &mut table.rows {
+                row.remove(k);
+            }
+        }
+    }
+    let about = |row: usize, pose: Response| {
+        pose.on_hover_text(&why[row].shown);
+    };
+    if blocks::width_of(ui, &table, size::BODY, APART) <= ui.available_width() {
+        let color = Palette::of(ui).text;
+        let look = (size::BODY, APART);
+        blocks::grid(ui, "next poses", &table, look, |_| color, about);
     } else {
-        side_by_side(ui, &shown, &headings, rows);
+        // The values of all joints on as many lines as they need, and the rest in small below them.
+        for (k, row) in table.rows.iter().enumerate() {
+            about(k, ui.add(Label::new(&row[0].shown).wrap()));
+            let rest = row.iter().zip(&table.columns).skip(1);
+            let rest = rest.filter(|(cell, _)| !cell.shown.is_empty());
+            let rest = rest.map(|(cell, column)| format!("{} {}", column.heading, cell.shown));
+            widgets::hint(ui, rest.collect::<Vec<_>>().join(", "));
+        }
     }
     for line in new_reflectors(poses) {
         widgets::hint(ui, line);
@@ -271,62 +292,133 @@ fn next_poses(ui: &mut Ui, workbench: &Workbench, poses: &[NextPose], commands: 
         widgets::hint(ui, say!("and {more} more, in the measuring list", more));
     }
     copies::button(ui, say!("poses"), || copies::poses(poses, robot));
-    if widgets::secondary(ui, say!("Save measuring list…")).clicked() {
-        commands.push(Command::Ask(Asked::WhereToExport(What::Poses)));
+    widgets::secondary(ui, say!("Save measuring list…")).does(workbench, move |bench| {
+        bench.choose_where_to_export(What::Poses);
+    });
+}
+
+/// Between two columns of poses, points.
+const APART: f32 = 14.0;
+
+/// What stands below its title.
+fn effect_card(
+    ui: &mut Ui,
+    workbench: &Workbench,
+    (d, index, section): (&Diagnosis, usize, &Section),
+) {
+    let section = in_use(workbench, d, index).map_or(Cow::Borrowed(section), Cow::Owned);
+    let is_facts = |block: &&Block| matches!(block, Block::Facts(_));
+    let rest = section.blocks.iter().skip(1).position(|b| is_facts(&b));
+    let (first, more) = section.blocks.split_at(rest.map_or(0, |rest| rest + 1));
+    blocks::show(ui, first);
+    match workbench.sketch(index) {
+        Some(curve) => sketch(ui, workbench, (index, curve)),
+        None => curve_link(ui, workbench, index),
+    }
+    in_the_model(ui, workbench, d, index);
+    ui.push_id(index, |ui| {
+        widgets::folded(ui, say!("More"), size::SMALL, |ui| blocks::show(ui, more));
+    });
+}
+
+/// The same with the sizes that the model in use has: with fewer effects in it, it is another fit than the search's.
+fn in_use(workbench: &Workbench, d: &Diagnosis, index: usize) -> Option<Section> {
+    let found = &d.found[index];
+    let term = term_of(d, found)?;
+    let mut added = workbench.document().in_the_model();
+    added.find(|t| t.same_column(&term))?;
+    let all = &workbench.answer()?.identification.parameters;
+    let of_it = |one: &&Estimate| one.effect == found.effect && one.joint == found.joint;
+    let sizes: Vec<Estimate> = all.iter().filter(of_it).cloned().collect();
+    let detail = Detail::window(workbench.units());
+    (!sizes.is_empty()).then(|| found_effect(d, detail, index, &sizes))
+}
+
+/// Height of a small curve, points, and how many samples are behind it at most.
+const HIGH: f32 = 46.0;
+const MOST: usize = 240;
+
+/// What is left without the effect, and what it does; a click shows the chart of it.
+fn sketch(ui: &mut Ui, workbench: &Workbench, (index, curve): (usize, &EffectCurve)) {
+    let palette = Palette::of(ui);
+    let view = &workbench.view;
+    let shown = workbench.shows(effect::ID) && view.effect == index;
+    let sense = if shown {
+        Sense::hover()
+    } else {
+        Sense::click()
+    };
+    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), HIGH), sense);
+    response.widget_info(|| WidgetInfo::labeled(Role::Button, !shown, say!("Show its curve")));
+    let edge = if shown || response.hovered() || response.has_focus() {
+        palette.accent
+    } else {
+        palette.line
+    };
+    let round = f32::from(space::ROUND);
+    let inside = egui::StrokeKind::Inside;
+    ui.painter()
+        .rect(rect, round, palette.surface, Stroke::new(1.0, edge), inside);
+    ui.painter()
+        .extend(drawn(rect.shrink2(vec2(6.0, 4.0)), curve, &palette));
+    response.does(workbench, move |bench| bench.show_effect(index));
+    if !shown {
+        let response = response.on_hover_cursor(CursorIcon::PointingHand);
+        response.on_hover_text(say!("Show its curve"));
     }
 }
 
-/// Columns that are shown where they hold anything; the last one of the table, why, stands under the pointer.
-const SHOWN: usize = 4;
-/// Between two columns, points.
-const APART: f32 = 14.0;
-
-/// Whether the columns side by side are wider than what is left of the panel.
-fn is_narrower(ui: &Ui, shown: &[usize], headings: &[&str], rows: &[Vec<Cell>]) -> bool {
-    let width = |text: &str, style: TextStyle| {
-        let text = WidgetText::from(text);
-        let galley = text.into_galley(ui, Some(TextWrapMode::Extend), f32::INFINITY, style);
-        galley.size().x
+fn drawn(room: Rect, curve: &EffectCurve, palette: &Palette) -> Vec<Shape> {
+    let ends = curve.spots.first().zip(curve.spots.last());
+    let [from, to] = ends.map_or([0.0, 1.0], |(a, b)| [a.x, b.x]);
+    let [low, high] = curve.extent_mm;
+    let part = |value: f64, low: f64, high: f64| {
+        crate::numeric::single((value - low) / (high - low).max(1e-12))
     };
-    let widest = |k: usize| {
-        let cells = rows.iter().map(|row| width(&row[k].shown, TextStyle::Body));
-        cells.fold(width(headings[k], TextStyle::Small), f32::max)
+    let at = |x: f64, mm: f64| {
+        let across = egui::lerp(room.left()..=room.right(), part(x, from, to));
+        pos2(
+            across,
+            egui::lerp(room.bottom()..=room.top(), part(mm, low, high)),
+        )
     };
-    let all: f32 = shown.iter().map(|k| widest(*k) + APART).sum();
-    all - APART > ui.available_width()
+    let zero = [at(from, 0.0), at(to, 0.0)];
+    let mut shapes = vec![Shape::line_segment(zero, Stroke::new(1.0, palette.line))];
+    let some = || curve.spots.iter().step_by(stride(curve.spots.len(), MOST));
+    let residual = palette.before.gamma_multiply(0.55);
+    shapes.extend(some().map(|s| disc(at(s.x, s.residual_mm), 1.4, residual)));
+    if curve.lines.is_empty() {
+        shapes.extend(some().map(|s| disc(at(s.x, s.effect_mm), 1.6, palette.accent)));
+    }
+    let stroke = Stroke::new(1.8, palette.accent);
+    for line in &curve.lines {
+        let points: Vec<_> = line.points.iter().map(|[x, mm]| at(*x, *mm)).collect();
+        if line.side < 0.0 {
+            shapes.extend(Shape::dashed_line(&points, stroke, 4.0, 3.0));
+        } else {
+            shapes.push(Shape::line(points, stroke));
+        }
+    }
+    shapes
 }
 
-fn side_by_side(ui: &mut Ui, shown: &[usize], headings: &[&str], rows: &[Vec<Cell>]) {
-    let palette = Palette::of(ui);
-    Grid::new("next poses")
-        .num_columns(shown.len())
-        .spacing([APART, 4.0])
-        .min_col_width(0.0)
-        .show(ui, |ui| {
-            for k in shown {
-                let heading = RichText::new(headings[*k]).size(size::SMALL);
-                ui.label(heading.color(palette.muted));
+/// Adds the effect to the model, or switches it off there.
+fn in_the_model(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis, index: usize) {
+    let Some(term) = term_of(d, &d.found[index]) else {
+        return;
+    };
+    let mut added = workbench.document().added.iter();
+    match added.position(|a| a.term.same_column(&term)) {
+        None => {
+            // The button that stands out is the one at the foot of the step, which adds all of them.
+            widgets::secondary(ui, say!("Add to model"))
+                .does(workbench, move |bench| bench.add(&[term]));
+        }
+        Some(index) => {
+            let mut on = workbench.document().added[index].on;
+            if ui.checkbox(&mut on, say!("in the model")).changed() {
+                workbench.then(move |bench| bench.switch(index, on));
             }
-            ui.end_row();
-            for row in rows {
-                for k in shown {
-                    let label = ui.label(&row[*k].shown);
-                    if *k == 0 {
-                        label.on_hover_text(&row[SHOWN].shown);
-                    }
-                }
-                ui.end_row();
-            }
-        });
-}
-
-/// The values of all joints on as many lines as they need, and the rest in small below them.
-fn one_below_the_other(ui: &mut Ui, headings: &[&str], rows: &[Vec<Cell>]) {
-    for row in rows {
-        let pose = Label::new(&row[0].shown).wrap();
-        ui.add(pose).on_hover_text(&row[SHOWN].shown);
-        let rest = (1..SHOWN).filter(|k| !row[*k].shown.is_empty());
-        let rest = rest.map(|k| format!("{} {}", headings[k], row[k].shown));
-        widgets::hint(ui, rest.collect::<Vec<_>>().join(", "));
+        }
     }
 }

@@ -4,24 +4,15 @@ use crate::text::{spoken, within};
 use egui::{ProgressBar, RichText, Ui};
 
 use super::blocks::in_words;
-use super::{Progress, StepView};
 use crate::diagnosis::Verdict;
 use crate::gui::core::answer::{SEARCHING, STAGES};
 use crate::gui::core::document::Method;
-use crate::gui::core::edit::Edit;
 use crate::gui::style::{Palette, size, strong};
 use crate::gui::view::Step;
-use crate::gui::widgets;
-use crate::gui::workbench::{Command, Task, ViewChange, Workbench};
+use crate::gui::widgets::{self, Does};
+use crate::gui::workbench::Workbench;
 
-pub(super) const STEP: StepView = StepView {
-    step: Step::Gap,
-    show,
-    next,
-    state,
-};
-
-fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+pub(super) fn show(ui: &mut Ui, workbench: &Workbench) {
     if workbench.loaded_session().is_empty() {
         widgets::hint(
             ui,
@@ -42,7 +33,7 @@ fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let Some(diagnosis) = workbench.diagnosis() else {
         before(ui, workbench);
         // Restored after a kill, or the samples are others: what was added stays in the model.
-        return switches(ui, workbench, commands);
+        return switches(ui, workbench);
     };
     let units = workbench.units();
     widgets::section(ui, say!("RMS error"));
@@ -62,10 +53,8 @@ fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         widgets::fact_of(ui, phrase!("left by the table"), units.length(left));
     }
     widgets::fact_of(ui, phrase!("noise floor"), units.length(diagnosis.floor.mm));
-    if widgets::secondary(ui, say!("Run diagnosis again")).clicked() {
-        commands.push(Command::Search);
-    }
-    switches(ui, workbench, commands);
+    widgets::secondary(ui, say!("Run diagnosis again")).does(workbench, Workbench::search);
+    switches(ui, workbench);
 }
 
 /// Where the work stands before there is a search.
@@ -171,7 +160,7 @@ fn names_so_far(ui: &mut Ui, found: &[String]) {
 }
 
 /// What each effect is worth: switched off and on.
-pub(super) fn switches(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+pub(super) fn switches(ui: &mut Ui, workbench: &Workbench) {
     let added = &workbench.document().added;
     if added.is_empty() {
         return;
@@ -185,21 +174,21 @@ pub(super) fn switches(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Co
         let switch = ui.checkbox(&mut on, &name);
         widgets::label(&switch, say!("use {effect}", effect = within(&name)));
         if switch.changed() {
-            commands.push(Command::Edit(Edit::Switch(index, on)));
+            workbench.then(move |bench| bench.switch(index, on));
         }
     }
 }
 
 /// What the step has to show for itself.
-fn state(workbench: &Workbench) -> (String, Progress) {
+pub(super) fn state(workbench: &Workbench) -> (String, bool) {
     if workbench.searching().is_some() {
-        return (say!("searching").to_owned(), Progress::Open);
+        return (say!("searching").to_owned(), false);
     }
     let on = workbench.document().in_the_model().count();
     let caption = match (workbench.diagnosis(), on) {
         (_, 1) => say!("one effect in the model").to_owned(),
         (_, 2..) => say!("{on} effects in the model", on),
-        (None, _) => return (say!("not yet").to_owned(), Progress::Open),
+        (None, _) => return (say!("not yet").to_owned(), false),
         (Some(diagnosis), _) => match (diagnosis.verdict, diagnosis.found.len()) {
             (Verdict::Noise, _) => say!("nothing is missing").to_owned(),
             (Verdict::Unexplained, _) => say!("something unexplained").to_owned(),
@@ -207,33 +196,31 @@ fn state(workbench: &Workbench) -> (String, Progress) {
             (_, n) => say!("{n} effects found", n),
         },
     };
-    (caption, Progress::Done)
+    (caption, true)
 }
 
-fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+pub(super) fn next(ui: &mut Ui, workbench: &Workbench) {
     if workbench.searching().is_some() {
         // It lies where it was started: the second click of a double click is not meant for it.
         let meant = widgets::has_stood(ui, "stop the search");
         let stop = |ui: &mut Ui| widgets::secondary(ui, say!("Stop the search"));
-        if ui.add_enabled_ui(meant, stop).inner.clicked() {
-            commands.push(Command::Stop(Task::Search));
-        }
+        ui.add_enabled_ui(meant, stop)
+            .inner
+            .does(workbench, Workbench::stop_search);
         return;
     }
     let missing = workbench.not_added();
     if workbench.diagnosis().is_none() {
         let measured = !workbench.loaded_session().is_empty();
         let button = ui.add_enabled_ui(measured, |ui| widgets::primary(ui, say!("Run diagnosis")));
-        if button.inner.clicked() {
-            commands.push(Command::Search);
-        }
+        button.inner.does(workbench, Workbench::search);
     } else if !missing.is_empty() {
         // The effect that was found comes before the table that would leave it uncorrected.
         let text = super::blocks::add_all(missing.len());
         if widgets::primary(ui, &text).clicked() {
-            commands.push(Command::Edit(Edit::Add(missing)));
+            workbench.then(move |bench| bench.add(&missing));
         }
     } else if widgets::primary(ui, say!("Continue to export")).clicked() {
-        commands.push(Command::View(ViewChange::GoTo(Step::Export)));
+        workbench.then(move |bench| bench.view.step = Step::Export);
     }
 }

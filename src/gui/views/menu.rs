@@ -1,5 +1,6 @@
 //! The bar at the top: menus, the session's name, undo and redo.
 
+use crate::gui::file_state::Recent;
 use egui::containers::menu::MenuButton;
 use egui::gui_zoom::{kb_shortcuts, zoom_in, zoom_out};
 use egui::{
@@ -12,8 +13,8 @@ use crate::gui::core::disk::{EXAMPLES, name_of};
 use crate::gui::core::loaded_session::Origin;
 use crate::gui::preferences::{ZOOM, largest_zoom};
 use crate::gui::style::{Palette, size, space, strong};
-use crate::gui::widgets;
-use crate::gui::workbench::{Command, ViewChange, Workbench};
+use crate::gui::widgets::{self, Does};
+use crate::gui::workbench::Workbench;
 
 /// Width of the menus, points.
 const MENUS: f32 = 200.0;
@@ -34,7 +35,7 @@ pub(crate) fn window_title(workbench: &Workbench) -> String {
     format!("{name}{mark} – truepose")
 }
 
-pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+pub(crate) fn show(ui: &mut Ui, workbench: &Workbench) {
     ui.horizontal_centered(|ui| {
         let palette = Palette::of(ui);
         ui.label(
@@ -46,14 +47,10 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         // A menu bar takes all the width that it is given.
         let menus = ui.allocate_ui(egui::vec2(MENUS, ui.available_height()), |ui| {
             MenuBar::new().ui(ui, |ui| {
-                let menu = &mut Menu {
-                    workbench,
-                    commands,
-                };
-                header(ui, say!("File"), |ui| file(ui, menu));
-                header(ui, say!("Edit"), |ui| edit(ui, menu));
-                header(ui, say!("View"), |ui| view(ui, menu));
-                header(ui, say!("Help"), |ui| help(ui, menu));
+                header(ui, say!("File"), |ui| file(ui, workbench));
+                header(ui, say!("Edit"), |ui| edit(ui, workbench));
+                header(ui, say!("View"), |ui| view(ui, workbench));
+                header(ui, say!("Help"), |ui| help(ui, workbench));
             });
         });
         // The session's name stands over the plots, which are its own, and leaves room for the
@@ -76,7 +73,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
                 |w| say!("Redo {edit}", edit = w),
             );
             if widgets::history_button(ui, true, redo.is_some(), &says).clicked() {
-                commands.push(Command::Redo);
+                workbench.then(Workbench::redo);
             }
             let undo = workbench.undoes();
             let says = undo.map_or_else(
@@ -84,13 +81,12 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
                 |w| say!("Undo {edit}", edit = w),
             );
             if widgets::history_button(ui, false, undo.is_some(), &says).clicked() {
-                commands.push(Command::Undo);
+                workbench.then(Workbench::undo);
             }
             ui.add_space(space::ROW);
             let open = actions::layout(ui.ctx(), workbench).results();
-            if widgets::side_button(ui, open, actions::results_says(open)).clicked() {
-                commands.push(Command::View(ViewChange::Results(!open)));
-            }
+            widgets::side_button(ui, open, actions::results_says(open))
+                .does(workbench, move |bench| bench.view.results = Some(!open));
         });
     });
 }
@@ -134,41 +130,33 @@ fn name(ui: &mut Ui, workbench: &Workbench) {
     }
 }
 
-/// What the items of a menu are about, and what they ask for.
-struct Menu<'a> {
-    workbench: &'a Workbench,
-    commands: &'a mut Vec<Command>,
+/// Things to do, one below the other.
+fn items(ui: &mut Ui, workbench: &Workbench, actions: &[Action]) {
+    for action in actions {
+        item(ui, workbench, action, None);
+    }
 }
 
-impl Menu<'_> {
-    /// Things to do, one below the other.
-    fn items(&mut self, ui: &mut Ui, actions: &[Action]) {
-        for action in actions {
-            self.item_about(ui, action, None);
-        }
+/// One of them, with what there is to say about it.
+fn item(ui: &mut Ui, workbench: &Workbench, action: &Action, about: Option<&str>) {
+    let ctx = ui.ctx().clone();
+    let now = WindowState {
+        ctx: &ctx,
+        workbench,
+    };
+    let text = action.label(now);
+    let button = match action.chosen(now) {
+        Some(on) => Button::selectable(on, &text),
+        None => Button::new(&text),
+    };
+    let button = button.shortcut_text(action.keys(&ctx));
+    let mut response = named(ui.add_enabled(action.enabled(now), button), &text);
+    if let Some(about) = about {
+        response = response.on_hover_text(about);
     }
-
-    /// One of them, with what there is to say about it.
-    fn item_about(&mut self, ui: &mut Ui, action: &Action, about: Option<&str>) {
-        let ctx = ui.ctx().clone();
-        let now = WindowState {
-            ctx: &ctx,
-            workbench: self.workbench,
-        };
-        let text = action.label(now);
-        let button = match action.chosen(now) {
-            Some(on) => Button::selectable(on, &text),
-            None => Button::new(&text),
-        };
-        let button = button.shortcut_text(action.keys(&ctx));
-        let mut response = named(ui.add_enabled(action.enabled(now), button), &text);
-        if let Some(about) = about {
-            response = response.on_hover_text(about);
-        }
-        if response.clicked() {
-            self.commands.push(action.command(now));
-            ui.close();
-        }
+    if response.clicked() {
+        action.ask_for(now);
+        ui.close();
     }
 }
 
@@ -223,24 +211,30 @@ fn named(response: Response, text: &str) -> Response {
     response
 }
 
-fn file(ui: &mut Ui, menu: &mut Menu<'_>) {
+fn file(ui: &mut Ui, workbench: &Workbench) {
     ui.set_min_width(260.0);
-    menu.items(ui, &[actions::OPEN]);
-    recent(ui, menu);
+    items(ui, workbench, &[actions::OPEN]);
+    recent(ui, workbench);
     ui.menu_button(say!("Examples"), |ui| {
         for (action, example) in OPEN_EXAMPLE.iter().zip(&EXAMPLES) {
-            menu.item_about(ui, action, Some(example.what()));
+            item(ui, workbench, action, Some(example.what()));
         }
     });
-    menu.items(ui, &[actions::IMPORT, actions::NEW, actions::ROBOTS]);
-    ui.separator();
-    menu.items(
+    items(
         ui,
+        workbench,
+        &[actions::IMPORT, actions::NEW, actions::ROBOTS],
+    );
+    ui.separator();
+    items(
+        ui,
+        workbench,
         &[actions::SAVE, actions::SAVE_AS, actions::SAVE_TO_PATH],
     );
     ui.separator();
-    menu.items(
+    items(
         ui,
+        workbench,
         &[
             actions::SAVE_MODEL,
             actions::SAVE_TABLE,
@@ -251,14 +245,13 @@ fn file(ui: &mut Ui, menu: &mut Menu<'_>) {
         ],
     );
     ui.separator();
-    menu.items(ui, &[actions::RELOAD]);
+    items(ui, workbench, &[actions::RELOAD]);
     ui.separator();
-    menu.items(ui, &[actions::QUIT]);
+    items(ui, workbench, &[actions::QUIT]);
 }
 
 /// Files that were opened before. One that is not there any more says so, and can be taken out.
-fn recent(ui: &mut Ui, menu: &mut Menu<'_>) {
-    let workbench = menu.workbench;
+fn recent(ui: &mut Ui, workbench: &Workbench) {
     let recent: Vec<_> = workbench.recent().collect();
     if recent.is_empty() {
         ui.add_enabled(false, Button::new(say!("Recent files")));
@@ -279,7 +272,8 @@ fn recent(ui: &mut Ui, menu: &mut Menu<'_>) {
                 let button = named(ui.add_enabled(*there, button), &name);
                 let button = button.on_hover_text(path.display().to_string());
                 if button.clicked() {
-                    menu.commands.push(Command::OpenFile(path.to_path_buf()));
+                    let path = path.to_path_buf();
+                    workbench.then(move |bench| bench.open_file(path));
                     ui.close();
                 }
                 if *there {
@@ -292,7 +286,8 @@ fn recent(ui: &mut Ui, menu: &mut Menu<'_>) {
                     let says = RichText::new(say!("file not found")).size(size::SMALL);
                     ui.label(says.color(warning));
                     if ui.small_button(say!("Forget {name}", name)).clicked() {
-                        menu.commands.push(Command::Forget(path.to_path_buf()));
+                        let path = path.to_path_buf();
+                        workbench.then(move |bench| bench.use_recent(Recent::Forgotten(path)));
                     }
                 }
             });
@@ -300,43 +295,55 @@ fn recent(ui: &mut Ui, menu: &mut Menu<'_>) {
     });
 }
 
-fn edit(ui: &mut Ui, menu: &mut Menu<'_>) {
+fn edit(ui: &mut Ui, workbench: &Workbench) {
     ui.set_min_width(240.0);
-    menu.items(ui, &[actions::UNDO, actions::REDO]);
+    items(ui, workbench, &[actions::UNDO, actions::REDO]);
     ui.separator();
-    menu.items(ui, &[actions::EXCLUDE]);
+    items(ui, workbench, &[actions::EXCLUDE]);
     ui.separator();
-    menu.items(ui, &[actions::IDENTIFY, actions::SEARCH, actions::CANCEL]);
+    items(
+        ui,
+        workbench,
+        &[actions::IDENTIFY, actions::SEARCH, actions::CANCEL],
+    );
     ui.separator();
-    menu.items(ui, &[actions::PALETTE, actions::PREFERENCES]);
+    items(ui, workbench, &[actions::PALETTE, actions::PREFERENCES]);
 }
 
-fn view(ui: &mut Ui, menu: &mut Menu<'_>) {
+fn view(ui: &mut Ui, workbench: &Workbench) {
     use actions::{
         CHART_BELOW, CHART_BESIDE, CLOSE_CHART, FIT, FROM_FRONT, FROM_ISOMETRIC, FROM_SIDE,
         FROM_TOP, LOOK_AROUND, LOOK_IN_SPACE, LOOK_XY, LOOK_XZ, LOOK_YZ, NEXT_ANGLE, NEXT_LENGTH,
         NEXT_PLOT, OTHER_THEME, RESULTS, USUAL_PLOTS,
     };
     ui.set_min_width(260.0);
-    menu.items(ui, &actions::STEPS[..menu.workbench.steps().len()]);
+    items(ui, workbench, &actions::STEPS[..workbench.steps().len()]);
     ui.separator();
-    menu.items(ui, &[LOOK_XY, LOOK_XZ, LOOK_YZ, LOOK_AROUND, LOOK_IN_SPACE]);
+    items(
+        ui,
+        workbench,
+        &[LOOK_XY, LOOK_XZ, LOOK_YZ, LOOK_AROUND, LOOK_IN_SPACE],
+    );
     // In a list of their own: a longer menu would not fit below its header.
     ui.menu_button(say!("Standard 3-D views"), |ui| {
         ui.set_min_width(220.0);
-        menu.items(ui, &[FROM_ISOMETRIC, FROM_FRONT, FROM_SIDE, FROM_TOP]);
+        items(
+            ui,
+            workbench,
+            &[FROM_ISOMETRIC, FROM_FRONT, FROM_SIDE, FROM_TOP],
+        );
     });
     ui.menu_button(say!("Charts"), |ui| {
         ui.set_min_width(220.0);
-        menu.items(ui, &[CHART_BESIDE, CHART_BELOW, CLOSE_CHART]);
+        items(ui, workbench, &[CHART_BESIDE, CHART_BELOW, CLOSE_CHART]);
         ui.separator();
-        menu.items(ui, &[NEXT_PLOT, USUAL_PLOTS]);
+        items(ui, workbench, &[NEXT_PLOT, USUAL_PLOTS]);
     });
-    menu.items(ui, &[FIT]);
+    items(ui, workbench, &[FIT]);
     ui.separator();
-    menu.items(ui, &[RESULTS]);
+    items(ui, workbench, &[RESULTS]);
     ui.separator();
-    menu.items(ui, &[NEXT_LENGTH, NEXT_ANGLE, OTHER_THEME]);
+    items(ui, workbench, &[NEXT_LENGTH, NEXT_ANGLE, OTHER_THEME]);
     ui.separator();
     let now = ui.ctx().zoom_factor();
     for (text, keys, change, enabled) in [
@@ -368,7 +375,11 @@ fn view(ui: &mut Ui, menu: &mut Menu<'_>) {
     }
 }
 
-fn help(ui: &mut Ui, menu: &mut Menu<'_>) {
+fn help(ui: &mut Ui, workbench: &Workbench) {
     ui.set_min_width(240.0);
-    menu.items(ui, &[actions::WORDS, actions::KEYS, actions::ABOUT]);
+    items(
+        ui,
+        workbench,
+        &[actions::WORDS, actions::KEYS, actions::ABOUT],
+    );
 }

@@ -13,22 +13,14 @@ use crate::present::units::Units;
 
 use crate::gui::core::answer::{Answer, LoadedModelSummary};
 use crate::gui::core::document::Method;
-use crate::gui::core::edit::Edit;
 use crate::gui::style::{Palette, size};
 use crate::gui::view::Step;
-use crate::gui::widgets;
-use crate::gui::workbench::{Command, ViewChange, Workbench};
+use crate::gui::widgets::{self, Does};
+use crate::gui::workbench::Workbench;
 
-use super::{Progress, StepView, blocks, copies};
+use super::{blocks, copies};
 
-pub(super) const STEP: StepView = StepView {
-    step: Step::Identify,
-    show,
-    next,
-    state,
-};
-
-fn state(workbench: &Workbench) -> (String, Progress) {
+pub(super) fn state(workbench: &Workbench) -> (String, bool) {
     let document = workbench.document();
     let caption = match (document.identified, document.method) {
         _ if document.loaded_model.is_some() => say!("model from a file").to_owned(),
@@ -42,10 +34,10 @@ fn state(workbench: &Workbench) -> (String, Progress) {
             None => say!("full model").to_owned(),
         },
     };
-    (caption, Progress::of(workbench.answer().is_some()))
+    (caption, workbench.answer().is_some())
 }
 
-fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+pub(super) fn show(ui: &mut Ui, workbench: &Workbench) {
     let document = workbench.document();
     if let Some(given) = &document.loaded_model {
         widgets::hint(
@@ -62,9 +54,8 @@ fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
             );
             return;
         }
-        if widgets::secondary(ui, say!("Identify from this session")).clicked() {
-            commands.push(Command::Edit(Edit::Identify));
-        }
+        widgets::secondary(ui, say!("Identify from this session"))
+            .does(workbench, move |bench| bench.identify(None));
         return;
     }
     widgets::section(ui, say!("Method"));
@@ -74,7 +65,9 @@ fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
             (Method::Regional, say!("By region")),
         ];
         if let Some(method) = widgets::segmented(ui, &methods, document.method) {
-            commands.push(Command::Edit(Edit::Method(method)));
+            workbench.edits(phrase!("choose method"), move |document| {
+                document.choose_method(method)
+            });
         }
     }
     match document.method {
@@ -85,7 +78,7 @@ fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
                     "One model for the whole range, fitted in the measuring frame, with an interval for every number"
                 ),
             );
-            effects(ui, workbench, commands);
+            effects(ui, workbench);
         }
         Method::Regional => {
             widgets::hint(
@@ -96,14 +89,13 @@ fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
             );
             let n = document.regions.len();
             widgets::fact_of(ui, phrase!("regions"), n.to_string());
-            if ui.link(say!("Change the regions")).clicked() {
-                commands.push(Command::View(ViewChange::GoTo(Step::Regions)));
-            }
+            ui.link(say!("Change the regions"))
+                .does(workbench, move |bench| bench.view.step = Step::Regions);
         }
     }
 }
 
-fn effects(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+fn effects(ui: &mut Ui, workbench: &Workbench) {
     let document = workbench.document();
     let loaded_session = workbench.loaded_session();
     widgets::section(ui, say!("Effects to fit"));
@@ -132,7 +124,9 @@ fn effects(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
             widgets::hint(ui, about.equation);
         });
         if response.changed() {
-            commands.push(Command::Edit(Edit::Effect(about.id, on)));
+            workbench.edits(phrase!("choose effects"), move |document| {
+                document.choose_effect(about.id, on)
+            });
         }
     }
     if loaded_session.coverage.not_testable.is_empty() {
@@ -155,20 +149,17 @@ fn effects(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         });
 }
 
-fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+pub(super) fn next(ui: &mut Ui, workbench: &Workbench) {
     let document = workbench.document();
     if !document.identified {
-        if widgets::primary(ui, say!("Identify")).clicked() {
-            commands.push(Command::Edit(Edit::Identify));
-        }
+        widgets::primary(ui, say!("Identify")).does(workbench, move |bench| bench.identify(None));
         return;
     }
     if document.loaded_model.is_none() {
         widgets::hint_above_the_button(ui, say!("Identified; the result follows every change"));
     }
-    if widgets::primary(ui, say!("Continue to diagnose")).clicked() {
-        commands.push(Command::View(ViewChange::GoTo(Step::Gap)));
-    }
+    widgets::primary(ui, say!("Continue to diagnose"))
+        .does(workbench, move |bench| bench.view.step = Step::Gap);
 }
 
 /// What there is to say about the model itself.

@@ -9,32 +9,31 @@ use crate::gui::core::answer::{self, Answer};
 use crate::gui::style::layout::Layout;
 use crate::gui::style::{Palette, size, space, strong};
 use crate::gui::view::{Side, Step};
+use crate::gui::views::blocks::{self, Title};
+use crate::gui::views::{copies, model, samples};
 use crate::gui::widgets;
-use crate::gui::workbench::{Command, ViewChange, Workbench};
+use crate::gui::workbench::Workbench;
+use crate::language::spoken;
 use crate::present::decision;
 use crate::present::numbers::{grouped, trimmed, with_minus_signs};
-use crate::text::spoken;
 use crate::units::deg_from_rad;
 
-use super::blocks::{self, Title};
-use super::{copies, model, samples};
-
-pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, room: Layout, commands: &mut Vec<Command>) {
+pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, room: Layout) {
     // Samples that stand beside the results are not shown in their place as well.
     let alone = room.samples.is_none();
     let side = if alone {
-        workbench.view().side
+        workbench.view.side
     } else {
         Side::Results
     };
-    if workbench.view().step == Step::Export {
+    if workbench.view.step == Step::Export {
         widgets::heading(ui, say!("Export"));
         ui.add_space(space::TIGHT);
         widgets::scroll(ui, "export", |ui| super::export::preview(ui, workbench));
         return;
     }
-    if workbench.view().step == Step::Gap && side == Side::Results {
-        return super::findings::show(ui, workbench, commands);
+    if workbench.view.step == Step::Gap && side == Side::Results {
+        return super::findings::show(ui, workbench);
     }
     let sides = [
         (Side::Results, say!("Summary")),
@@ -54,27 +53,27 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, room: Layout, commands: &
         }
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             if let Some(side) = widgets::segmented(ui, &sides, side) {
-                commands.push(Command::View(ViewChange::Side(side)));
+                workbench.then(move |bench| bench.view.side = side);
             }
         });
     });
     ui.add_space(space::TIGHT);
     match side {
-        Side::Samples => samples::show(ui, workbench, commands),
+        Side::Samples => samples::show(ui, workbench),
         Side::Results => {
-            widgets::scroll(ui, "results", |ui| summary(ui, workbench, commands));
+            widgets::scroll(ui, "results", |ui| summary(ui, workbench));
         }
     }
 }
 
 /// Shows the samples, where they have a place of their own.
-pub(crate) fn samples(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+pub(crate) fn samples(ui: &mut Ui, workbench: &Workbench) {
     widgets::heading(ui, say!("Samples"));
     ui.add_space(space::TIGHT);
-    samples::show(ui, workbench, commands);
+    samples::show(ui, workbench);
 }
 
-fn summary(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+fn summary(ui: &mut Ui, workbench: &Workbench) {
     ui.spacing_mut().item_spacing.y = space::ROW;
     match workbench.identified().map(|o| &o.answer) {
         None => super::coverage::show(ui, workbench),
@@ -86,7 +85,7 @@ fn summary(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         }),
         Some(Ok(answer)) => {
             let detail = Detail::window(workbench.units());
-            blocks::problems(ui, &answer.data_problems, detail, commands);
+            blocks::problems(ui, &answer.data_problems, detail, workbench);
             identified(ui, workbench, answer);
         }
     }

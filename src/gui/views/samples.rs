@@ -8,7 +8,7 @@ use egui_extras::{Column, TableBuilder, TableRow};
 
 use crate::gui::style::{Palette, size};
 use crate::gui::views::copies;
-use crate::gui::workbench::{Command, ViewChange, Workbench};
+use crate::gui::workbench::Workbench;
 use crate::gui::workspace::{judged, sample_menu};
 use crate::present::numbers::trimmed;
 
@@ -21,13 +21,13 @@ const MARK: f32 = 20.0;
 /// A head as wide as this has room for its unit beside its name.
 const ROOM_FOR_UNITS: f32 = 76.0;
 
-pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+pub(crate) fn show(ui: &mut Ui, workbench: &Workbench) {
     let palette = Palette::of(ui);
     let units = workbench.units();
     let loaded_session = workbench.loaded_session();
     let answer = workbench.answer();
     let tolerance_mm = workbench.document().tolerance_mm;
-    let view = workbench.view();
+    let view = &workbench.view;
     let sorted_by = ui.scope_id().with("sorted by");
     let mut sorting: Sorting = ui.data(|d| d.get_temp(sorted_by)).unwrap_or_default();
     let rows = Rows::of(ui, ui.scope_id().with("rows"), workbench, sorting);
@@ -113,29 +113,29 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
                 }
                 let marked = view.marked.contains(&sample);
                 if response.clicked() || response.secondary_clicked() && !marked {
-                    commands.push(Command::View(ViewChange::Select(Some(sample))));
+                    workbench.then(move |bench| bench.view.select(Some(sample)));
                 }
-                response.context_menu(|ui| sample_menu(ui, workbench, commands));
+                response.context_menu(|ui| sample_menu(ui, workbench));
             });
         });
     ui.data_mut(|data| data.insert_temp(sorted_by, sorting));
-    point_at(ui, hovered, commands);
+    point_at(ui, hovered, workbench);
 }
 
 /// Says which row the pointer is on, where that is another than before.
-fn point_at(ui: &Ui, hovered: Option<usize>, commands: &mut Vec<Command>) {
+fn point_at(ui: &Ui, hovered: Option<usize>, workbench: &Workbench) {
     let id = ui.scope_id().with("row under the pointer");
     let before = ui.data_mut(|data| data.get_temp::<Option<usize>>(id));
     ui.data_mut(|data| data.insert_temp(id, hovered));
     if before.flatten() != hovered {
-        commands.push(Command::View(ViewChange::Hover(hovered)));
+        workbench.then(move |bench| bench.view.hovered = hovered);
     }
 }
 
 /// The row that is brought into sight in this frame, and to where. A sample that is chosen or pointed
 /// at elsewhere is brought once; under the pointer nothing moves.
 fn brought(ui: &Ui, workbench: &Workbench) -> Option<(usize, Option<Align>)> {
-    let view = workbench.view();
+    let view = &workbench.view;
     let here = ui.rect_contains_pointer(ui.available_rect_before_wrap());
     let elsewhere = view.hovered.filter(|_| !here);
     let wanted = elsewhere.or(view.selected);
@@ -160,7 +160,7 @@ fn heads(header: &mut TableRow<'_, '_>, [angle, length]: [&str; 2], sorting: Sor
         String::new(),
     ];
     let mut after = sorting;
-    for (head, by) in heads.iter().zip(By::ALL) {
+    for (head, by) in heads.iter().zip(0..) {
         if heading(header, head, by, sorting) {
             after = sorting.after_click(by);
         }
@@ -170,7 +170,7 @@ fn heads(header: &mut TableRow<'_, '_>, [angle, length]: [&str; 2], sorting: Sor
 
 /// The head of a column, which sorts by it; the last is a mark, and needs a name all the same.
 /// Whether it was pressed.
-fn heading(header: &mut TableRow<'_, '_>, head: &str, by: By, sorting: Sorting) -> bool {
+fn heading(header: &mut TableRow<'_, '_>, head: &str, by: usize, sorting: Sorting) -> bool {
     let sorted = (sorting != Sorting::default() && sorting.by == by).then_some(sorting.descending);
     let (_, cell) = header.col(|ui| {
         let palette = Palette::of(ui);
@@ -265,65 +265,39 @@ fn mark(ui: &mut Ui, workbench: &Workbench, within: bool) {
     response.on_hover_text(judged(workbench, within));
 }
 
-/// What the rows can be sorted by.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-enum By {
-    /// The sample's number: the order of measuring.
-    #[default]
-    Number,
-    Angle,
-    Before,
-    After,
-    /// How far outside the tolerance, those excluded last.
-    Mark,
-}
-
-impl By {
-    /// In the order of the columns.
-    const ALL: [Self; 5] = [
-        Self::Number,
-        Self::Angle,
-        Self::Before,
-        Self::After,
-        Self::Mark,
-    ];
-
-    fn value(self, workbench: &Workbench, sample: usize) -> f64 {
-        let loaded_session = workbench.loaded_session();
-        let before = loaded_session.before.length_mm[sample];
-        let after = workbench.answer().map(|a| a.lengths_mm[sample]);
-        match self {
-            Self::Number => sample as f64,
-            Self::Angle => loaded_session.q(sample),
-            Self::Before => before,
-            Self::After => after.unwrap_or(f64::NAN),
-            Self::Mark => after.unwrap_or(before),
-        }
-    }
-}
-
 /// How the rows are sorted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 struct Sorting {
-    by: By,
+    /// By which column; the first is the order of measuring.
+    by: usize,
     descending: bool,
 }
 
 impl Sorting {
     /// After a click on the head of this column: the largest first, then the smallest, then the
     /// order of measuring.
-    fn after_click(self, by: By) -> Self {
-        let first = by != By::Number;
+    fn after_click(self, by: usize) -> Self {
+        let first = by != 0;
+        let next = |descending| Self { by, descending };
         match (self.by == by, self.descending == first) {
-            (false, _) => Self {
-                by,
-                descending: first,
-            },
-            (true, true) => Self {
-                by,
-                descending: !first,
-            },
+            (false, _) => next(first),
+            (true, true) => next(!first),
             (true, false) => Self::default(),
+        }
+    }
+
+    /// What a sample is sorted by.
+    fn value(self, workbench: &Workbench, sample: usize) -> f64 {
+        let loaded_session = workbench.loaded_session();
+        let before = loaded_session.before.length_mm[sample];
+        let after = workbench.answer().map(|a| a.lengths_mm[sample]);
+        match self.by {
+            0 => sample as f64,
+            1 => loaded_session.q(sample),
+            2 => before,
+            3 => after.unwrap_or(f64::NAN),
+            // How far outside the tolerance.
+            _ => after.unwrap_or(before),
         }
     }
 }
@@ -361,7 +335,7 @@ impl Rows {
         }
         let order = (sorting != Sorting::default()).then(|| {
             let n = u32::try_from(workbench.loaded_session().len()).unwrap_or(u32::MAX);
-            let keyed = (0..n).map(|i| (sorting.by.value(workbench, i as usize), i));
+            let keyed = (0..n).map(|i| (sorting.value(workbench, i as usize), i));
             let mut keyed: Vec<(f64, u32)> = keyed.collect();
             // What has no value stands last either way.
             keyed.sort_by(|a, b| {

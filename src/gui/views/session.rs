@@ -1,63 +1,62 @@
-//! Step 1: what was measured, on what, and what was found while it was read.
+//! Step 1: what was measured, on what, and what was found while it was read; robot, reflectors and instrument, to be
+//! edited: checked as they are typed, with the message at the field, and in the plots at once.
 
-use crate::language;
-use egui::{DragValue, Response, RichText, TextEdit, Ui};
+use std::path::PathBuf;
 
-use super::{Progress, StepView, setup};
+use egui::{CollapsingHeader, DragValue, Response, RichText, TextEdit, Ui};
+use nalgebra::Point3;
+
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::gui::core::disk::name_of;
-use crate::gui::core::edit::Edit;
 use crate::gui::core::loaded_session::Origin;
 use crate::gui::core::quantity::joint_value;
+use crate::gui::core::setup::{Field, JointForm, Problem, SetupForm};
 use crate::gui::core::simulate::Form;
+use crate::gui::file_state::Recent;
 use crate::gui::import_draft::in_the_windows_words;
 use crate::gui::style::{Palette, size, space, strong};
 use crate::gui::view::{Sheet, Step};
-use crate::gui::widgets::{self, or_none};
-use crate::gui::workbench::{Asked, Command, ViewChange, Workbench, of_field};
+use crate::gui::widgets::{self, Does, or_none};
+use crate::gui::workbench::Workbench;
+use crate::gui::{files, help};
+use crate::kinematics::JointKind;
+use crate::language;
 use crate::present::numbers::grouped;
 use crate::present::units::LengthUnit;
+use crate::sessions::{Sigma, Target};
+use crate::text::{Template, filled};
 
-use crate::sessions::Sigma;
-
-pub(super) const STEP: StepView = StepView {
-    step: Step::Session,
-    show,
-    next,
-    state,
-};
-
-fn state(workbench: &Workbench) -> (String, Progress) {
+pub(super) fn state(workbench: &Workbench) -> (String, bool) {
     let says = if workbench.loaded_session().is_empty() {
         say!("a model, nothing measured").to_owned()
     } else {
         say!(one "{count} sample", "{count} samples", count = grouped(workbench.loaded_session().len()))
     };
-    (says, Progress::Done)
+    (says, true)
 }
 
-fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+pub(super) fn show(ui: &mut Ui, workbench: &Workbench) {
     widgets::section(ui, say!("Measured"));
     facts(ui, workbench);
-    tolerance(ui, workbench, widgets::number, commands);
-    findings(ui, workbench, commands);
+    tolerance(ui, workbench, widgets::number);
+    findings(ui, workbench);
     widgets::section(ui, say!("Another session or model"));
-    if widgets::secondary(ui, say!("Open…")).clicked() {
-        commands.push(Command::Ask(Asked::File));
-    }
-    path_field(ui, commands);
-    if widgets::secondary(ui, say!("Simulate session…")).clicked() {
-        commands.push(Command::sheet(Sheet::Simulate(Form::default())));
-    }
-    if widgets::secondary(ui, say!("Robots…")).clicked() {
-        commands.push(Command::sheet(Sheet::ROBOTS));
-    }
-    recent(ui, workbench, commands);
-    setup::show(ui, workbench, commands);
+    widgets::secondary(ui, say!("Open…")).does(workbench, move |bench| {
+        bench.choose_file(files::choose_to_open);
+    });
+    path_field(ui, workbench);
+    widgets::secondary(ui, say!("Simulate session…")).does(workbench, move |bench| {
+        bench.show_sheet(Some(Sheet::Simulate(Form::default())));
+    });
+    widgets::secondary(ui, say!("Robots…")).does(workbench, move |bench| {
+        bench.show_sheet(Some(Sheet::ROBOTS));
+    });
+    recent(ui, workbench);
+    setup(ui, workbench);
 }
 
 /// Files that were opened before, newest first.
-fn recent(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+fn recent(ui: &mut Ui, workbench: &Workbench) {
     const MOST: usize = 5;
     let recent: Vec<_> = workbench.recent().take(MOST).collect();
     if recent.is_empty() {
@@ -72,7 +71,8 @@ fn recent(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         if there {
             let link = ui.link(name.as_ref()).on_hover_text(whole);
             if link.clicked() {
-                commands.push(Command::OpenFile(path.to_path_buf()));
+                let path = path.to_path_buf();
+                workbench.then(move |bench| bench.open_file(path));
             }
             continue;
         }
@@ -81,7 +81,8 @@ fn recent(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         let says = ui.add(egui::Label::new(says.color(palette.muted)).wrap());
         says.on_hover_text(whole);
         if ui.link(say!("Forget {name}", name)).clicked() {
-            commands.push(Command::Forget(path.to_path_buf()));
+            let path = path.to_path_buf();
+            workbench.then(move |bench| bench.use_recent(Recent::Forgotten(path)));
         }
     }
 }
@@ -153,7 +154,6 @@ pub(crate) fn tolerance(
     ui: &mut Ui,
     workbench: &Workbench,
     shown: fn(&mut Ui, &str, &str, DragValue<'_>) -> Response,
-    commands: &mut Vec<Command>,
 ) {
     // The largest that makes sense on any robot.
     const LARGEST_MM: f64 = 1000.0;
@@ -184,12 +184,14 @@ pub(crate) fn tolerance(
             String::new()
         });
     let name = format!("{unit}{}", or_none());
-    let response = shown(ui, say!("tolerance"), &name, field);
-    let edit = Edit::Tolerance((tolerance > 0.0).then_some(tolerance / one_mm));
-    commands.extend(of_field(&response, (tolerance != now).then_some(edit)));
+    shown(ui, say!("tolerance"), &name, field);
+    if tolerance != now {
+        let tolerance = (tolerance > 0.0).then_some(tolerance / one_mm);
+        workbench.then(move |bench| bench.set_tolerance(tolerance));
+    }
 }
 
-fn findings(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+fn findings(ui: &mut Ui, workbench: &Workbench) {
     const MOST: usize = 50;
     let findings = &workbench.loaded_session().findings;
     if findings.is_empty() {
@@ -203,7 +205,7 @@ fn findings(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         let mut sorted: Vec<&Diagnostic> = findings.iter().collect();
         sorted.sort_by_key(|finding| std::cmp::Reverse(finding.severity));
         for finding in sorted.into_iter().take(MOST) {
-            finding_line(ui, finding, commands);
+            finding_line(ui, finding, workbench);
         }
     });
     if findings.len() > MOST {
@@ -214,7 +216,7 @@ fn findings(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     }
 }
 
-fn finding_line(ui: &mut Ui, finding: &Diagnostic, commands: &mut Vec<Command>) {
+fn finding_line(ui: &mut Ui, finding: &Diagnostic, workbench: &Workbench) {
     let palette = Palette::of(ui);
     let (mark, color) = match finding.severity {
         Severity::Note => (say!("note"), palette.muted),
@@ -232,13 +234,14 @@ fn finding_line(ui: &mut Ui, finding: &Diagnostic, commands: &mut Vec<Command>) 
             .on_hover_text(say!("Show these samples"))
             .clicked()
         {
-            commands.push(Command::View(ViewChange::Mark(finding.samples.clone())));
+            let samples = finding.samples.clone();
+            workbench.then(|bench| bench.view.mark(samples));
         }
     });
 }
 
 /// A path can always be typed: not every system has a dialog.
-fn path_field(ui: &mut Ui, commands: &mut Vec<Command>) {
+fn path_field(ui: &mut Ui, workbench: &Workbench) {
     let id = ui.scope_id().with("typed path");
     let mut typed: String = ui.data_mut(|data| data.get_temp(id)).unwrap_or_default();
     ui.horizontal(|ui| {
@@ -268,13 +271,14 @@ fn path_field(ui: &mut Ui, commands: &mut Vec<Command>) {
             ui.add_enabled(!path.is_empty(), button).clicked()
         };
         if (entered || pressed) && !path.is_empty() {
-            commands.push(Command::OpenFile(path.into()));
+            let path = PathBuf::from(path);
+            workbench.then(move |bench| bench.open_file(path));
         }
     });
     ui.data_mut(|data| data.insert_temp(id, typed));
 }
 
-fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+pub(super) fn next(ui: &mut Ui, workbench: &Workbench) {
     let loaded_session = workbench.loaded_session();
     if loaded_session.origin == Origin::Bundled {
         widgets::hint(ui, say!("This is an example that comes with the program"));
@@ -286,7 +290,310 @@ fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     } else {
         (Step::Identify, say!("Continue to identify"))
     };
-    if widgets::primary(ui, text).clicked() {
-        commands.push(Command::View(ViewChange::GoTo(step)));
+    widgets::primary(ui, text).does(workbench, move |bench| bench.view.step = step);
+}
+
+/// The fields: what is wrong with them, and what happened to them.
+struct Fields {
+    problems: Vec<Problem>,
+    /// The number of the joint or of the reflector whose fields they are.
+    n: usize,
+}
+
+impl Fields {
+    fn message(&self, ui: &mut Ui, field: Field) {
+        for (_, says) in self.problems.iter().filter(|(f, _)| *f == field) {
+            widgets::wrong(ui, says);
+        }
     }
+
+    /// So many numbers in a row, and their name.
+    fn numbers(
+        &mut self,
+        ui: &mut Ui,
+        key: Template,
+        unit: &str,
+        parts: &[&str],
+        values: &mut [f64],
+        speed: f64,
+    ) {
+        let label = filled(key, &[("n", &self.n)]);
+        let gap = 6.0;
+        let width = (ui.available_width() - gap * (parts.len() as f32 - 1.0)) / parts.len() as f32;
+        ui.horizontal(|ui| {
+            ui.spacing_mut().item_spacing.x = gap;
+            for (part, value) in parts.iter().zip(values) {
+                let name = format!("{label} {part}");
+                let field = DragValue::new(value).speed(speed).max_decimals(6);
+                widgets::cell_number(ui, name.trim_end(), unit, width, field);
+            }
+        });
+    }
+}
+
+/// Shows the parts of the form, folded.
+fn setup(ui: &mut Ui, workbench: &Workbench) {
+    let session = &workbench.loaded_session().session;
+    let now = match &workbench.view.setup {
+        Some(draft) => SetupForm::clone(draft),
+        None => SetupForm::of(session),
+    };
+    let problems = match &workbench.view.setup {
+        Some(draft) => draft.session(session).err().unwrap_or_default(),
+        None => Vec::new(),
+    };
+    let mut form = now.clone();
+    let mut fields = Fields { problems, n: 1 };
+    let is_open = |fields: &Fields, wrong: &dyn Fn(Field) -> bool| {
+        fields.problems.iter().any(|(field, _)| wrong(*field))
+    };
+    widgets::section(ui, say!("Robot and instrument"));
+    ui.spacing_mut().item_spacing.y = space::TIGHT;
+    for k in 0..form.joints.len() {
+        let title = say!(
+            "Joint {k}, {joints}",
+            k = k + 1,
+            joints = now.joints[k].name
+        );
+        let wrong = |f: Field| matches!(f, Field::JointName(j) | Field::Axis(j) | Field::Limits(j) | Field::Mass(j) if j == k);
+        let open = is_open(&fields, &|f| wrong(f) || f == Field::Joints);
+        folded(ui, &title, (say!("joint"), k), open, |ui| {
+            joint(ui, &mut form.joints[k], k, &mut fields);
+        });
+    }
+    let open = is_open(&fields, &|f| f == Field::Tool);
+    folded(ui, say!("Tool and gravity"), "tool", open, |ui| {
+        tool(ui, &mut form, &mut fields);
+    });
+    let open = is_open(&fields, &|f| matches!(f, Field::Target(_)));
+    folded(ui, say!("Reflectors"), "targets", open, |ui| {
+        let free = now.last_target_is_free(session);
+        targets(ui, &mut form, free, &mut fields);
+    });
+    if !workbench.loaded_session().is_empty() {
+        let open = is_open(&fields, &|f| f == Field::Sigma);
+        folded(ui, say!("Instrument"), "instrument", open, |ui| {
+            instrument(ui, &mut form, &mut fields);
+        });
+    }
+    if workbench.view.setup.is_some() {
+        fields.message(ui, Field::Joints);
+        widgets::hint(ui, say!("Not taken over while something is wrong"));
+        if ui.link(say!("Back to what was there")).clicked() {
+            workbench.then(move |bench| bench.view.setup = None);
+            return;
+        }
+    }
+    if form != now {
+        let sound = form.session(session).is_ok();
+        workbench.then(move |bench| {
+            if sound {
+                bench.edit(phrase!("edit robot and instrument"), |document| {
+                    document.set_up(&form)
+                });
+            } else {
+                bench.view.setup = Some(Box::new(form));
+            }
+        });
+    }
+}
+
+fn folded(
+    ui: &mut Ui,
+    title: &str,
+    salt: impl std::hash::Hash + std::fmt::Debug,
+    open: bool,
+    contents: impl FnOnce(&mut Ui),
+) {
+    let header = CollapsingHeader::new(RichText::new(title).size(size::BODY)).id_salt(salt);
+    // What is wrong is not folded away.
+    let header = if open {
+        header.open(Some(true))
+    } else {
+        header
+    };
+    header.show(ui, |ui| {
+        ui.spacing_mut().item_spacing.y = space::TIGHT;
+        contents(ui);
+    });
+}
+
+fn text(ui: &mut Ui, label: &str, text: &mut String) {
+    let id = ui.scope_id().with(("text", label));
+    // A name is taken over when it is complete: one step back takes the whole of it back.
+    let mut typed: String = ui.data(|d| d.get_temp(id)).unwrap_or_else(|| text.clone());
+    let field = TextEdit::singleline(&mut typed).desired_width(f32::INFINITY);
+    let field = ui.add(field.min_size(egui::vec2(0.0, 24.0)));
+    widgets::label(&field, label);
+    if field.has_focus() {
+        ui.data_mut(|d| d.insert_temp(id, typed));
+    } else {
+        if field.lost_focus() {
+            *text = typed;
+        }
+        ui.data_mut(|d| d.remove_temp::<String>(id));
+    }
+}
+
+const XYZ: [&str; 3] = ["x", "y", "z"];
+
+fn joint(ui: &mut Ui, joint: &mut JointForm, k: usize, fields: &mut Fields) {
+    let n = k + 1;
+    fields.n = n;
+    text(ui, &say!("Name of joint {n}", n), &mut joint.name);
+    fields.message(ui, Field::JointName(k));
+    let kinds = [
+        (JointKind::Revolute, say!("turns")),
+        (JointKind::Prismatic, say!("slides")),
+    ];
+    widgets::choice(ui, &kinds, &mut joint.kind);
+    ui.horizontal(|ui| {
+        widgets::caption(ui, say!("axis, direction at home"));
+        widgets::question(ui, help::AXIS);
+    });
+    fields.numbers(ui, phrase!("Axis {n}"; n), "", &XYZ, &mut joint.axis, 0.01);
+    fields.message(ui, Field::Axis(k));
+    widgets::caption(ui, say!("a point on it, mm"));
+    fields.numbers(
+        ui,
+        phrase!("Point {n}"; n),
+        "mm",
+        &XYZ,
+        &mut joint.point_mm,
+        0.1,
+    );
+    let unit = joint.kind.sign().trim();
+    let mut limited = joint.limits.is_some();
+    if ui
+        .checkbox(&mut limited, say!("limits of joint {n}, {unit}", n, unit))
+        .changed()
+    {
+        joint.limits = limited.then_some([-90.0, 90.0]);
+    }
+    if let Some(limits) = &mut joint.limits {
+        fields.numbers(
+            ui,
+            phrase!("Limit {n}"; n),
+            unit,
+            &[say!("from"), say!("to")],
+            limits,
+            0.5,
+        );
+        fields.message(ui, Field::Limits(k));
+    }
+    let mut heavy = joint.link.is_some();
+    if ui
+        .checkbox(&mut heavy, say!("mass of link {n}, kg", n))
+        .changed()
+    {
+        joint.link = heavy.then_some((1.0, joint.point_mm));
+    }
+    if let Some((mass, centre_mm)) = &mut joint.link {
+        let mass = std::slice::from_mut(mass);
+        fields.numbers(ui, phrase!("Mass {n}"; n), "kg", &[""], mass, 0.05);
+        fields.message(ui, Field::Mass(k));
+        widgets::caption(ui, say!("its centre at home, mm"));
+        fields.numbers(ui, phrase!("Centre {n}"; n), "mm", &XYZ, centre_mm, 0.5);
+    }
+}
+
+fn tool(ui: &mut Ui, form: &mut SetupForm, fields: &mut Fields) {
+    ui.horizontal(|ui| {
+        widgets::caption(ui, say!("tool at home, mm"));
+        widgets::question(ui, help::TOOL);
+    });
+    fields.numbers(ui, phrase!("Tool"), "mm", &XYZ, &mut form.tool_mm, 0.1);
+    widgets::caption(ui, say!("orientation, quaternion w x y z"));
+    let wxyz = ["w", "x", "y", "z"];
+    fields.numbers(
+        ui,
+        phrase!("Orientation"),
+        "",
+        &wxyz,
+        &mut form.tool_wxyz,
+        0.005,
+    );
+    fields.message(ui, Field::Tool);
+    let mut known = form.gravity.is_some();
+    if ui
+        .checkbox(&mut known, say!("gravity is known, m/s²"))
+        .changed()
+    {
+        form.gravity = known.then_some([0.0, 0.0, -9.81]);
+    }
+    if let Some(gravity) = &mut form.gravity {
+        fields.numbers(ui, phrase!("Gravity"), "", &XYZ, gravity, 0.01);
+    }
+}
+
+fn targets(ui: &mut Ui, form: &mut SetupForm, last_is_free: bool, fields: &mut Fields) {
+    widgets::caption(ui, say!("in the tool frame, mm"));
+    let mut gone = false;
+    let count = form.targets.len();
+    for (k, target) in form.targets.iter_mut().enumerate() {
+        let n = k + 1;
+        fields.n = n;
+        text(ui, &say!("Name of reflector {n}", n), &mut target.name);
+        fields.numbers(
+            ui,
+            phrase!("Reflector {n}"; n),
+            "mm",
+            &XYZ,
+            target.position_mm.coords.as_mut_slice(),
+            0.1,
+        );
+        fields.message(ui, Field::Target(k));
+        if n == count && last_is_free {
+            gone = ui.link(say!("Remove this reflector")).clicked();
+        }
+    }
+    if gone {
+        form.targets.pop();
+    } else if ui.link(say!("Add a reflector")).clicked() {
+        form.targets.push(Target {
+            name: format!("T{}", count + 1),
+            position_mm: Point3::origin(),
+        });
+    }
+}
+
+fn instrument(ui: &mut Ui, form: &mut SetupForm, fields: &mut Fields) {
+    text(ui, say!("Name of the instrument"), &mut form.instrument);
+    ui.horizontal(|ui| {
+        widgets::caption(ui, say!("noise, one σ, mm"));
+        widgets::question(ui, help::NOISE);
+    });
+    let kind = match form.sigma {
+        None => 0,
+        Some(Sigma::Overall(_)) => 1,
+        Some(Sigma::PerAxis(_)) => 3,
+    };
+    let kinds = [
+        (0, say!("unknown")),
+        (1, say!("one number")),
+        (3, "x, y, z"),
+    ];
+    if let Some(kind) = widgets::segmented(ui, &kinds, kind) {
+        let size = match form.sigma {
+            None => 0.03,
+            Some(Sigma::Overall(sigma)) => sigma,
+            Some(Sigma::PerAxis([x, y, z])) => ((x * x + y * y + z * z) / 3.0).sqrt(),
+        };
+        form.sigma = match kind {
+            0 => None,
+            1 => Some(Sigma::Overall(size)),
+            _ => Some(Sigma::PerAxis([size; 3])),
+        };
+    }
+    match &mut form.sigma {
+        None => {}
+        Some(Sigma::Overall(sigma)) => {
+            let sigma = std::slice::from_mut(sigma);
+            fields.numbers(ui, phrase!("Noise"), "mm", &[""], sigma, 0.001);
+        }
+        Some(Sigma::PerAxis(sigma)) => {
+            fields.numbers(ui, phrase!("Noise"), "mm", &XYZ, sigma, 0.001);
+        }
+    }
+    fields.message(ui, Field::Sigma);
 }

@@ -12,12 +12,11 @@ use crate::diagnosis::FloorFrom;
 use crate::present::numbers::grouped;
 
 use crate::gui::core::disk::{FileChange, name_of};
-use crate::gui::core::edit::Edit;
 use crate::gui::style::layout;
 use crate::gui::style::{Palette, size, space, strong};
 use crate::gui::view::Message;
-use crate::gui::widgets;
-use crate::gui::workbench::{Asked, Command, Task, ViewChange, Workbench};
+use crate::gui::widgets::{self, Does};
+use crate::gui::workbench::Workbench;
 
 /// Where the work stands, in one line.
 fn line(workbench: &Workbench) -> String {
@@ -84,13 +83,12 @@ fn floor_from(from: FloorFrom) -> &'static str {
 }
 
 /// What there is to say while nothing runs.
-fn idle(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+fn idle(ui: &mut Ui, workbench: &Workbench) {
     let palette = Palette::of(ui);
     let small = |text: String| RichText::new(text).size(size::NOTE);
     if workbench.is_declined() {
-        if ui.small_button(say!("Identify again")).clicked() {
-            commands.push(Command::Edit(Edit::Identify));
-        }
+        ui.small_button(say!("Identify again"))
+            .does(workbench, move |bench| bench.identify(None));
         ui.label(small(say!("the identification was cancelled").to_owned()).color(palette.warning));
     }
 }
@@ -98,7 +96,7 @@ fn idle(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
 /// Room for what runs in the background, points.
 const BUSY: f32 = 420.0;
 
-pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+pub(crate) fn show(ui: &mut Ui, workbench: &Workbench) {
     let palette = Palette::of(ui);
     ui.horizontal_centered(|ui| {
         let status = line(workbench);
@@ -111,11 +109,10 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         ui.allocate_ui_with_layout(egui::vec2(room, high), left, |ui| ui.add(line));
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             let Some(task) = workbench.jobs().newest() else {
-                return idle(ui, workbench, commands);
+                return idle(ui, workbench);
             };
-            if ui.small_button(say!("Cancel")).clicked() {
-                commands.push(Command::Stop(Task::Newest));
-            }
+            ui.small_button(say!("Cancel"))
+                .does(workbench, Workbench::cancel_newest);
             let what = RichText::new(task.describe());
             ui.label(what.size(size::NOTE).color(palette.muted));
             match task.progress() {
@@ -154,13 +151,8 @@ struct Shown {
 /// What lies over the window by itself: notices (a file that changed on the disk, an error, a task that
 /// is done) and what becomes of files that are dropped on it. Notices lie over the results, above the
 /// status bar, so that no plot is moved when one appears or is dismissed.
-pub(crate) fn notices(
-    ui: &Ui,
-    workbench: &Workbench,
-    room: layout::Layout,
-    commands: &mut Vec<Command>,
-) {
-    let (message, on_disk) = (&workbench.view().message, &workbench.view().on_disk);
+pub(crate) fn notices(ui: &Ui, workbench: &Workbench, room: layout::Layout) {
+    let (message, on_disk) = (&workbench.view.message, &workbench.view.on_disk);
     if message.is_none() {
         // The same may be said again: it stands as long as the first time.
         ui.data_mut(|data| data.remove::<Shown>(Id::unique("notice")));
@@ -188,25 +180,25 @@ pub(crate) fn notices(
             });
         };
         if on_disk.is_some() {
-            card(ui, &mut |ui| file_that_changed(ui, workbench, commands));
+            card(ui, &mut |ui| file_that_changed(ui, workbench));
         }
         if let Some(message) = message {
             card(ui, &mut |ui| {
                 // What is long scrolls; its buttons stay in sight.
                 let scroll = ScrollArea::vertical().max_height(high);
                 scroll.show(ui, |ui| body(ui, message));
-                ui.horizontal_wrapped(|ui| buttons(ui, message, commands));
+                ui.horizontal_wrapped(|ui| buttons(ui, message, workbench));
             });
         }
     });
     if let Some(done) = message.as_ref().filter(|message| !message.wrong) {
         let pointed = area.response.contains_pointer();
-        goes_by_itself(ui, done, pointed, commands);
+        goes_by_itself(ui, done, pointed, workbench);
     }
 }
 
 /// What was done is not said for ever.
-fn goes_by_itself(ui: &Ui, message: &Message, pointed: bool, commands: &mut Vec<Command>) {
+fn goes_by_itself(ui: &Ui, message: &Message, pointed: bool, workbench: &Workbench) {
     let (ctx, id) = (ui.ctx(), Id::unique("notice"));
     let now = ctx.input(|i| i.time);
     let before: Option<Shown> = ctx.data(|data| data.get_temp(id));
@@ -214,7 +206,7 @@ fn goes_by_itself(ui: &Ui, message: &Message, pointed: bool, commands: &mut Vec<
     let since = shown.filter(|_| !pointed).map_or(now, |shown| shown.since);
     let left = since + STANDS_S - now;
     if left <= 0.0 {
-        commands.push(Command::View(ViewChange::Dismiss));
+        workbench.then(move |bench| bench.view.message = None);
     } else {
         ctx.request_repaint_after(std::time::Duration::from_secs_f64(left));
     }
@@ -242,7 +234,7 @@ fn body(ui: &mut Ui, message: &Message) {
     }
 }
 
-fn buttons(ui: &mut Ui, message: &Message, commands: &mut Vec<Command>) {
+fn buttons(ui: &mut Ui, message: &Message, workbench: &Workbench) {
     if let Some(file) = &message.file {
         let name = name_of(file);
         for (text, in_folder) in [(say!("Open"), false), (say!("Show in folder"), true)] {
@@ -251,18 +243,17 @@ fn buttons(ui: &mut Ui, message: &Message, commands: &mut Vec<Command>) {
             button.widget_info(|| WidgetInfo::labeled(Role::Button, true, &says));
             if button.clicked() {
                 let path = file.clone();
-                commands.push(Command::OpenOutside { path, in_folder });
+                workbench.then(move |bench| bench.open_outside(path, in_folder));
             }
         }
     }
-    if ui.button(say!("Dismiss")).clicked() {
-        commands.push(Command::View(ViewChange::Dismiss));
-    }
+    ui.button(say!("Dismiss"))
+        .does(workbench, move |bench| bench.view.message = None);
 }
 
 /// An open file that is not what it was: said until the user decides.
-fn file_that_changed(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
-    let Some(on_disk) = &workbench.view().on_disk else {
+fn file_that_changed(ui: &mut Ui, workbench: &Workbench) {
+    let Some(on_disk) = &workbench.view.on_disk else {
         return;
     };
     let palette = Palette::of(ui);
@@ -285,39 +276,43 @@ fn file_that_changed(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comm
     ui.horizontal_wrapped(|ui| {
         match on_disk.change {
             FileChange::Changed if ui.button(say!("Reload")).clicked() => {
-                commands.push(Command::Reload);
+                workbench.then(Workbench::reload);
             }
-            FileChange::Vanished => save_again(ui, workbench, &on_disk.path, commands),
+            FileChange::Vanished => save_again(ui, workbench, &on_disk.path),
             FileChange::Changed => {}
         }
-        if ui.button(say!("Keep this version")).clicked() {
-            commands.push(Command::View(ViewChange::KeepMine));
-        }
+        ui.button(say!("Keep this version"))
+            .does(workbench, Workbench::keep_mine);
     });
 }
 
 /// Offers to write what is gone. Where it is the samples the document still says where they belong;
 /// where it is the document the user has to.
-fn save_again(ui: &mut Ui, workbench: &Workbench, gone: &Path, commands: &mut Vec<Command>) {
-    let (says, command) = if workbench.samples_file() == Some(gone) {
-        (say!("Save it again"), Command::Save)
+fn save_again(ui: &mut Ui, workbench: &Workbench, gone: &Path) {
+    let beside = workbench.samples_file() == Some(gone);
+    let says = if beside {
+        say!("Save it again")
     } else {
-        (say!("Save it again…"), Command::Ask(Asked::WhereToSave))
+        say!("Save it again…")
     };
-    if ui.button(says).clicked() {
-        commands.push(command);
-    }
+    ui.button(says).does(workbench, move |bench| {
+        if beside {
+            bench.save();
+        } else {
+            bench.choose_where_to_save();
+        }
+    });
 }
 
 /// Opens what was dropped, and says so while it is held over the window.
-pub(crate) fn dropped(ui: &Ui, commands: &mut Vec<Command>) {
+pub(crate) fn dropped(ui: &Ui, workbench: &Workbench) {
     let (held, paths) = ui.input(|input| {
         let files = input.raw.dropped_files.iter();
         let paths: Vec<PathBuf> = files.map(|file| file.path().to_path_buf()).collect();
         (!input.raw.hovered_files.is_empty(), paths)
     });
     if !paths.is_empty() {
-        commands.push(Command::Drop(paths));
+        workbench.then(move |bench| bench.drop_files(paths));
     }
     if held {
         let palette = Palette::of(ui);

@@ -9,54 +9,56 @@ use egui::{
 use crate::gui::preferences::{Preferences, Sizes};
 use crate::gui::style::layout::Layout;
 use crate::gui::style::{Palette, size, space, strong};
-use crate::gui::widgets::{self, Gripped};
-use crate::gui::workbench::{Command, ViewChange, Workbench};
+use crate::gui::view::Step;
+use crate::gui::widgets::{self, Does, Gripped};
+use crate::gui::workbench::Workbench;
 
-use super::{Progress, StepView, export, gap, model, regions, session};
+use super::{export, gap, model, regions, session};
 
-/// Every step.
-static STEPS: [StepView; 5] = [
-    session::STEP,
-    regions::STEP,
-    model::STEP,
-    gap::STEP,
-    export::STEP,
-];
+type Show = fn(&mut Ui, &Workbench);
+type State = fn(&Workbench) -> (String, bool);
+
+/// A step of the work: its controls, the button at the foot; what it has to show for itself, and whether it is done.
+fn of(step: Step) -> (Show, Show, State) {
+    match step {
+        Step::Session => (session::show, session::next, session::state),
+        Step::Regions => (regions::show, regions::next, regions::state),
+        Step::Identify => (model::show, model::next, model::state),
+        Step::Gap => (gap::show, gap::next, gap::state),
+        Step::Export => (export::show, export::next, export::state),
+    }
+}
 
 /// The button at the foot stands no lower than this below the top of its panel, points.
 const HIGHEST: f32 = 960.0;
 
-pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, room: Layout, commands: &mut Vec<Command>) {
+pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, room: Layout) {
     // On a high screen the button at the foot would be far from what it belongs to.
     let mut rect = ui.available_rect_before_wrap();
     rect.set_height(rect.height().min(HIGHEST));
     ui.scope_builder(UiBuilder::new().max_rect(rect), |ui| {
-        all(ui, workbench, room, commands);
+        all(ui, workbench, room);
     });
 }
 
-fn all(ui: &mut Ui, workbench: &Workbench, room: Layout, commands: &mut Vec<Command>) {
+fn all(ui: &mut Ui, workbench: &Workbench, room: Layout) {
     ui.spacing_mut().item_spacing.y = 2.0;
-    let now = workbench.view().step;
-    let view_of = |step| STEPS.iter().find(|view| view.step == step);
-    let chosen = view_of(now).unwrap_or(&STEPS[0]);
-    let offered = workbench.steps().iter().filter_map(|step| view_of(*step));
-    for (index, view) in offered.enumerate() {
-        let step = view.step;
-        let (caption, progress) = (view.state)(workbench);
+    let now = workbench.view.step;
+    let (show, next, _) = of(now);
+    for (index, step) in workbench.steps().iter().copied().enumerate() {
+        let (_, _, state) = of(step);
+        let (caption, done) = state(workbench);
         let selected = now == step;
         let row = StepRow {
             number: index + 1,
             name: step.name(),
             caption: &caption,
-            progress,
+            done,
             selected,
             low: room.low,
         };
         let row = row.show(ui);
-        if row.clicked() {
-            commands.push(Command::View(ViewChange::GoTo(step)));
-        }
+        row.does(workbench, move |bench| bench.view.step = step);
     }
     ui.spacing_mut().item_spacing.y = space::ROW;
     ui.add_space(space::ROW);
@@ -68,10 +70,10 @@ fn all(ui: &mut Ui, workbench: &Workbench, room: Layout, commands: &mut Vec<Comm
         .frame(frame)
         .show(ui, |ui| {
             ui.add_space(space::ROW);
-            (chosen.next)(ui, workbench, commands);
+            next(ui, workbench);
         });
-    widgets::scroll(ui, ("controls", chosen.step.name()), |ui| {
-        (chosen.show)(ui, workbench, commands);
+    widgets::scroll(ui, ("controls", now.name()), |ui| {
+        show(ui, workbench);
     });
 }
 
@@ -82,8 +84,8 @@ struct StepRow<'a> {
     name: &'a str,
     /// What it has to show.
     caption: &'a str,
-    /// How far it has come.
-    progress: Progress,
+    /// Whether there is something to show for it.
+    done: bool,
     /// Whether it is the one that is worked on.
     selected: bool,
     /// Whether name and caption share one line.
@@ -150,7 +152,7 @@ impl StepRow<'_> {
 
     /// Its number, or a tick.
     fn badge(self, painter: &egui::Painter, palette: Palette, centre: egui::Pos2) {
-        let done = self.progress == Progress::Done;
+        let done = self.done;
         let (fill, edge, text) = match (done, self.selected) {
             (true, _) => (palette.accent, palette.accent, palette.on_accent),
             (false, true) => (palette.surface, palette.accent, palette.accent),
@@ -169,30 +171,32 @@ impl StepRow<'_> {
 }
 
 /// What the sides can be pulled by.
-pub(crate) fn grips(
-    ui: &Ui,
-    workbench: &Workbench,
-    layout: Layout,
-    middle: Rect,
-    commands: &mut Vec<Command>,
-) {
-    let preferences = workbench.view().preferences;
-    let mut pulled = |gripped: Option<Gripped>, set: &dyn Fn(&mut Sizes, Option<f32>)| {
+pub(crate) fn grips(ui: &Ui, workbench: &Workbench, layout: Layout, middle: Rect) {
+    let preferences = workbench.view.preferences;
+    let pulled = |gripped: Option<Gripped>, set: &dyn Fn(&mut Sizes, Option<f32>)| {
         let mut sizes = preferences.sizes;
         let done = match gripped {
             None => return,
             Some(Gripped::To(x)) => {
                 set(&mut sizes, Some(x));
-                return commands.push(Command::View(ViewChange::Resize(sizes)));
+                return workbench.then(move |bench| {
+                    let preferences = Preferences {
+                        sizes,
+                        ..bench.view.preferences
+                    };
+                    bench.view.preferences = preferences.sound();
+                });
             }
             Some(Gripped::LetGo(x)) => Some(x),
             Some(Gripped::Usual) => None,
         };
         set(&mut sizes, done);
-        commands.push(Command::Prefer(Preferences {
-            sizes,
-            ..preferences
-        }));
+        workbench.then(move |bench| {
+            bench.prefer(Preferences {
+                sizes,
+                ..preferences
+            });
+        });
     };
     let left = widgets::grip(ui, say!("steps"), middle, middle.left());
     pulled(left, &|sizes, x| sizes.left = x);

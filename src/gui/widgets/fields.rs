@@ -1,5 +1,6 @@
 //! What forms are made of: fields for numbers with their names, rows, and how sheets end: their buttons, and Enter.
 
+use crate::gui::workbench::Workbench;
 use std::cell::RefCell;
 use std::rc::Rc;
 
@@ -15,7 +16,6 @@ use crate::present::units::typed_in;
 
 use crate::gui::style::{Palette, space};
 use crate::gui::view::Sheet;
-use crate::gui::workbench::{Command, ViewChange};
 
 /// What was typed into a field and refused, and why.
 #[derive(Clone, Default)]
@@ -203,13 +203,8 @@ pub(crate) fn wide(ui: &mut Ui, width: f32) {
 }
 
 /// The buttons at the end of a sheet. Whether the first was pressed.
-pub(crate) fn sheet_buttons(
-    ui: &mut Ui,
-    text: &str,
-    enabled: bool,
-    commands: &mut Vec<Command>,
-) -> bool {
-    let pressed = sheet_buttons_without_enter(ui, text, enabled, commands);
+pub(crate) fn sheet_buttons(ui: &mut Ui, text: &str, enabled: bool, workbench: &Workbench) -> bool {
+    let pressed = sheet_buttons_without_enter(ui, text, enabled, workbench);
     pressed || (enabled && entered(ui))
 }
 
@@ -218,9 +213,9 @@ pub(crate) fn sheet_buttons_without_enter(
     ui: &mut Ui,
     text: &str,
     enabled: bool,
-    commands: &mut Vec<Command>,
+    workbench: &Workbench,
 ) -> bool {
-    buttons_or_back(ui, text, enabled, None, commands)
+    buttons_or_back(ui, text, enabled, None, workbench)
 }
 
 /// The same where *Cancel* goes back to the sheet that this one was opened from.
@@ -229,12 +224,12 @@ pub(crate) fn buttons_or_back(
     text: &str,
     enabled: bool,
     back: Option<Sheet>,
-    commands: &mut Vec<Command>,
+    workbench: &Workbench,
 ) -> bool {
     ui.add_space(space::ROW);
     ui.columns(2, |columns| {
         if other(&mut columns[0], say!("Cancel")).clicked() {
-            commands.push(Command::View(ViewChange::Sheet(back)));
+            workbench.then(move |bench| bench.show_sheet(back));
         }
         let button = columns[1].add_enabled_ui(enabled, |ui| primary(ui, text));
         button.inner.clicked()
@@ -242,25 +237,20 @@ pub(crate) fn buttons_or_back(
 }
 
 /// The button at the end of a sheet that only says something.
-pub(crate) fn done(ui: &mut Ui, commands: &mut Vec<Command>) {
+pub(crate) fn done(ui: &mut Ui, workbench: &Workbench) {
     ui.add_space(space::ROW);
     if primary(ui, say!("Done")).clicked() || entered(ui) {
-        commands.push(Command::no_sheet());
+        workbench.then(move |bench| bench.show_sheet(None));
     }
 }
 
 /// The same with another button beside it. Whether that was pressed.
-pub(crate) fn done_beside(
-    ui: &mut Ui,
-    text: &str,
-    enabled: bool,
-    commands: &mut Vec<Command>,
-) -> bool {
+pub(crate) fn done_beside(ui: &mut Ui, text: &str, enabled: bool, workbench: &Workbench) -> bool {
     ui.add_space(space::ROW);
     ui.columns(2, |columns| {
         let beside = columns[0].add_enabled_ui(enabled, |ui| other(ui, text));
         if primary(&mut columns[1], say!("Done")).clicked() || entered(&columns[1]) {
-            commands.push(Command::no_sheet());
+            workbench.then(move |bench| bench.show_sheet(None));
         }
         beside.inner.clicked()
     })

@@ -21,11 +21,26 @@ pub(crate) use text::{
 
 use egui::text_edit::TextEditState;
 use egui::{
-    Color32, CornerRadius, CursorIcon, EventFilter, Frame, Id, Key, Margin, Rect, Role, Sense,
-    Stroke, StrokeKind, Ui, WidgetInfo, accesskit, vec2,
+    Color32, CornerRadius, CursorIcon, EventFilter, Frame, Id, Key, Margin, Rect, Response, Role,
+    Sense, Stroke, StrokeKind, Ui, WidgetInfo, accesskit, vec2,
 };
 
 use crate::gui::style::{DARK, LIGHT, Palette, space};
+use crate::gui::workbench::Workbench;
+
+/// What is done by a press.
+pub(crate) trait Does {
+    /// Does this once the frame is drawn, where it was pressed.
+    fn does(&self, workbench: &Workbench, change: impl FnOnce(&mut Workbench) + Send + 'static);
+}
+
+impl Does for Response {
+    fn does(&self, workbench: &Workbench, change: impl FnOnce(&mut Workbench) + Send + 'static) {
+        if self.clicked() {
+            workbench.then(change);
+        }
+    }
+}
 
 /// What is longer than its panel: it fades where it goes on, and its bar stands in the panel's
 /// margin, so that edges keep their line with or without it.

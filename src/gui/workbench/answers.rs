@@ -18,7 +18,6 @@ use crate::gui::cache::{PlotCache, PlotInputs};
 use crate::gui::core::answer::term_of;
 use crate::gui::core::answer::{Answer, LoadedModel, Search};
 use crate::gui::core::document::{Method, Question};
-use crate::gui::core::edit::Edit;
 use crate::gui::core::overview::measuring_from_base;
 use crate::gui::view::{Colouring, Facing, Message, Step};
 use crate::present::numbers::notation;
@@ -238,7 +237,7 @@ impl Workbench {
     }
 
     /// A search begins where the exact identification ends.
-    pub(super) fn search(&mut self) {
+    pub(crate) fn search(&mut self) {
         if self.loaded_session().is_empty() {
             return self.complain(
                 say!("There is nothing to search yet"),
@@ -266,9 +265,14 @@ impl Workbench {
                     say!("The diagnosis starts from the full model; undo brings the other back");
                 Message::done(title.to_owned(), vec![undo.to_owned()])
             });
-            self.edit(&Edit::IdentifyBy(Method::Exact), false);
+            self.identify(Some(Method::Exact));
         }
         self.search_in(Arc::clone(self.loaded_session()));
+    }
+
+    /// Prepares the export whose preparation was cancelled.
+    pub(crate) fn prepare_again(&mut self) {
+        self.asked.previews.resume();
     }
 
     /// Asks for the preview that the export step shows.
@@ -334,7 +338,7 @@ impl Workbench {
             .as_ref()
             .is_some_and(|o| o.question == question);
         if !answered && let Some(question) = self.asked.questions.want(question) {
-            self.identify(question);
+            self.answer_question(question);
         }
     }
 

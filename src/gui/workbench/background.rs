@@ -1,21 +1,19 @@
-//! What is done in the background, and what becomes of it; also the letters that the bundled fonts lack.
+//! What is done in the background, and what becomes of it; dialogs of the system, one at a time.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-
-use crate::present::numbers::grouped;
 
 use crate::gui::cache::identified::{IdentifiedAnswer, Preview, PreviewRequest};
 use crate::gui::cache::{PlotCache, PlotInputs};
 use crate::gui::core::answer::Search;
 use crate::gui::core::document::{ExportChoice, Question};
-use crate::gui::core::edit::Edit;
 use crate::gui::core::loaded_session::LoadedSession;
-use crate::gui::files::{self, Opened};
+use crate::gui::files::{self, Opened, Replace};
 use crate::gui::jobs::{Jobs, Kind, Running, Watch};
-use crate::gui::view::Message;
-
-use super::{Command, Workbench};
+use crate::gui::view::{Message, Sheet, What};
+use crate::gui::workbench::Chooser;
+use crate::gui::workbench::Workbench;
+use crate::present::numbers::grouped;
 
 impl Workbench {
     /// Jobs that are under way.
@@ -41,7 +39,7 @@ impl Workbench {
                 match kind {
                     Kind::Identifies => {
                         if let Some(next) = self.asked.questions.answered() {
-                            self.identify(next);
+                            self.answer_question(next);
                         }
                     }
                     Kind::Prepares => {
@@ -52,10 +50,10 @@ impl Workbench {
                     Kind::Searches => self.asked.searched = None,
                     _ => {}
                 }
-                match outcome {
-                    Some(take) => take(self),
-                    None => self.broke_off(),
-                }
+                self.execute(|bench| match outcome {
+                    Some(take) => take(bench),
+                    None => bench.broke_off(),
+                });
                 if kind == Kind::Draws
                     && let Some(next) = self.asked.plots.answered()
                 {
@@ -66,7 +64,7 @@ impl Workbench {
     }
 
     /// Answers a question.
-    pub(super) fn identify(&mut self, question: Question) {
+    pub(super) fn answer_question(&mut self, question: Question) {
         let samples = say!(one "{count} sample", "{count} samples", count = grouped(question.loaded_session.len()));
         self.jobs.start(
             Kind::Identifies,
@@ -75,8 +73,6 @@ impl Workbench {
             |bench: &mut Self, outcome| {
                 let before = bench.identified.replace(Arc::new(outcome));
                 bench.let_go(before);
-                bench.keep_preparing();
-                bench.keep_drawing();
             },
         );
     }
@@ -116,18 +112,14 @@ impl Workbench {
             Kind::Searches,
             say!("searching"),
             move |watch| Search::of(loaded_session, watch),
-            |bench: &mut Self, search| {
-                bench.searched = Some(Arc::new(search));
-                // What is in the model may be just what was found, with the search's values.
-                bench.refresh_answer();
-                bench.keep_drawing();
-            },
+            // What is in the model may be just what was found, with the search's values.
+            |bench: &mut Self, search| bench.searched = Some(Arc::new(search)),
         );
     }
 
     /// Stops the search. The names that it had found until then stay in sight, and a diagnosis that was complete
     /// stays what it was: what is stopped half-way answers nothing.
-    pub(super) fn stop_search(&mut self) {
+    pub(crate) fn stop_search(&mut self) {
         let found = self.jobs.running(Kind::Searches).map(Running::found);
         self.jobs.cancel(|kind| kind == Kind::Searches);
         let searched = self.asked.searched.take();
@@ -154,8 +146,9 @@ impl Workbench {
         Arc::ptr_eq(loaded_session, self.loaded_session()).then_some(found)
     }
 
-    /// Drops the newest job that the status bar names.
-    pub(super) fn cancel_newest(&mut self) {
+    /// Drops the newest job that the status bar names; what was to be done after it is not wanted any more either.
+    pub(crate) fn cancel_newest(&mut self) {
+        self.cancel_pending_action();
         if self.jobs.newest().is_some_and(Running::searches) {
             return self.stop_search();
         }
@@ -178,15 +171,15 @@ impl Workbench {
     pub(super) fn take_opened(&mut self, opened: Result<Opened, Message>) {
         match opened {
             Ok(Opened::Session(loaded_session)) => {
-                self.execute(Command::Edit(Edit::Open(loaded_session)));
+                self.open_session(loaded_session);
             }
             Ok(Opened::Foreign(draft)) => self.ask_about(draft),
             Ok(Opened::Model(given)) => {
                 let beside = self.has_a_session_for(&given);
-                self.execute(Command::Edit(Edit::OpenModel {
-                    loaded_model: given,
-                    of_open_session: beside,
-                }));
+                self.edit(phrase!("open model"), |document| {
+                    document.open_model(given, beside);
+                    Ok(())
+                });
             }
             Err(message) => self.take_written(message),
         }
@@ -220,7 +213,6 @@ impl Workbench {
                 }
                 self.exported.retain(|(other, _)| *other != path);
                 self.exported.push((path, question));
-                self.keep_preparing();
                 self.resume();
             }
             Err(message) => self.take_written(message),
@@ -239,7 +231,7 @@ impl Workbench {
     }
 
     /// Opens a file with the system's program for it, or shows it in its folder.
-    pub(super) fn open_outside(&mut self, path: PathBuf, in_folder: bool) {
+    pub(crate) fn open_outside(&mut self, path: PathBuf, in_folder: bool) {
         self.jobs.quietly(
             move || files::open_outside(&path, in_folder).map_err(|because| (path, because)),
             |bench: &mut Self, opened| {
@@ -270,4 +262,110 @@ impl Workbench {
             )],
         );
     }
+}
+
+impl Workbench {
+    /// Asks for a file to open.
+    pub(crate) fn choose_file(&mut self, ask: fn(Option<&Path>) -> Option<PathBuf>) {
+        let says = say!("waiting for a file to be chosen");
+        self.choose_near(says, ask, |bench, path| match path {
+            Some(path) => bench.open_file(path),
+            // Cancelled, or there is no dialog on this system: the two look alike.
+            None => bench.view.message = Some(no_file_was_chosen()),
+        });
+    }
+
+    /// Asks for something beside the file in hand, or the latest.
+    pub(super) fn choose_near(
+        &mut self,
+        what: &str,
+        ask: fn(Option<&Path>) -> Option<PathBuf>,
+        then: impl FnOnce(&mut Self, Option<PathBuf>) + Send + 'static,
+    ) {
+        let near = self.file().map(Path::to_path_buf);
+        let near = near.or_else(|| Some(self.recent().next()?.0.to_path_buf()));
+        self.choose(what, move || ask(near.as_deref()), then);
+    }
+
+    /// Asks where to save the session: that one is saved, whatever is open by then.
+    pub(crate) fn choose_where_to_save(&mut self) {
+        if self.has_nothing_to_save() {
+            return;
+        }
+        let path = self.proposed_path();
+        let document = Arc::clone(self.history.present());
+        let ask = move || files::choose_to_save(&path);
+        self.choose(
+            say!("waiting for a file name"),
+            ask,
+            move |bench, path| match path {
+                // The dialog has asked.
+                Some(path) => bench.save_document(document, &path, Replace::Named),
+                None => bench.type_path_to_save(),
+            },
+        );
+    }
+
+    /// Asks where to export to: what is there now is written, whatever is open by then.
+    pub(crate) fn choose_where_to_export(&mut self, what: What) {
+        if self.needs_picture(what) {
+            return self.wait_for_picture(move |bench| bench.choose_where_to_export(what));
+        }
+        let Some(write) = self.prepared(what) else {
+            return;
+        };
+        let path = self.placed(self.name_of(what).as_ref());
+        let ask = move || files::choose_to_export(what, &path);
+        self.choose(say!("waiting for a file name"), ask, move |bench, path| {
+            if let Some(path) = path {
+                // The dialog has asked.
+                return write(bench, path, true);
+            }
+            let path = bench.placed(bench.name_of(what).as_ref());
+            bench.view.sheet = Some(Sheet::ExportPath {
+                what,
+                path: path.display().to_string(),
+                replace: false,
+            });
+        });
+    }
+
+    /// Waits for the system's dialog, of which there is one at a time.
+    pub(super) fn choose(
+        &mut self,
+        what: &str,
+        ask: impl FnOnce() -> Option<PathBuf> + Send + 'static,
+        then: impl FnOnce(&mut Self, Option<PathBuf>) + Send + 'static,
+    ) {
+        if self.asking().is_some() {
+            return;
+        }
+        let instead = self.chooser.clone();
+        let ask = move || instead.map_or_else(ask, |chosen| chosen());
+        self.jobs.start(Kind::Asks, what, move |_| ask(), then);
+    }
+
+    /// The dialog of the system that is open: until it is answered the window takes no commands.
+    pub(crate) fn asking(&self) -> Option<&Running> {
+        self.jobs.running(Kind::Asks)
+    }
+
+    /// Goes on without an answer: a dialog that the system does not show must not hold the window for ever.
+    pub(crate) fn stop_asking(&mut self) {
+        self.cancel_pending_action();
+        self.jobs.cancel(|kind| kind == Kind::Asks);
+    }
+
+    /// Takes this for the answer of every dialog of the system.
+    pub(crate) fn choose_by(&mut self, chooser: Chooser) {
+        self.chooser = Some(chooser);
+    }
+}
+
+/// Cancelled, or there is no dialog on this system.
+pub(super) fn no_file_was_chosen() -> Message {
+    Message::done(
+        say!("No file was chosen").to_owned(),
+        vec![say!("If no dialog appeared, drop the file on the window, or type its path in the Session step").to_owned()],
+    )
 }

@@ -4,9 +4,9 @@ use std::mem::discriminant;
 use std::sync::Arc;
 
 use crate::gui::cache::PlotCache;
-use crate::gui::cache::charts::{ChartResult, Work};
+use crate::gui::cache::{ChartResult, Work};
 use crate::gui::charts::effect::{EffectCurve, Sketches};
-use crate::gui::charts::{self, CHARTS, ChartKind, HoverTarget, Scene, effect, find};
+use crate::gui::charts::{CHARTS, ChartKind, HoverTarget, Scene, effect, find};
 use crate::gui::core::answer::Search;
 use crate::gui::core::loaded_session::Component;
 use crate::gui::jobs::{Kind as JobKind, Watch};
@@ -16,7 +16,7 @@ use crate::present::drawing::Drawing;
 use crate::present::numbers::{notation, write_numbers};
 use crate::present::table::Table;
 
-use super::{Command, ViewChange, Workbench};
+use super::Workbench;
 
 impl Workbench {
     /// The chart that is active, or was so last.
@@ -123,7 +123,7 @@ impl Workbench {
     pub(super) fn on_paper(&self, chart: &str) -> Result<(Drawing, String), String> {
         let kind = find(chart).ok_or(say!("there is no such chart"))?;
         let scene = self.scene_of(kind);
-        let shown = charts::shown(kind, &scene).map_err(|missing| missing.title)?;
+        let shown = kind.show(&scene).map_err(|missing| missing.title)?;
         let mut chart = shown.chart;
         if let HoverTarget::Samples(samples) = &shown.pointed {
             let [[from, _], [to, _]] = chart.bounds;
@@ -135,7 +135,7 @@ impl Workbench {
     }
 
     /// Copies what a chart shows as a table, as soon as that is made.
-    pub(super) fn copy_numbers(&mut self, chart: &'static str) {
+    pub(crate) fn copy_numbers(&mut self, chart: &'static str) {
         let Some(numbers) = self.numbers_of(chart) else {
             return;
         };
@@ -201,20 +201,33 @@ impl Workbench {
         panes
     }
 
-    /// What shows this chart, in the pane that was active last.
-    pub(crate) fn showing(&self, chart: &str) -> Command {
-        let mut panes = self.view.panes.clone();
-        if let Some((key, _)) = panes.active_chart() {
-            panes = self.with_choice(key, chart);
+    /// Shows this chart in the pane that was active last.
+    pub(crate) fn show_chart(&mut self, chart: &str) {
+        let active = self.view.panes.active_chart().map(|(key, _)| key);
+        let panes = if let Some(key) = active {
+            self.with_choice(key, chart)
         } else {
-            let chart = Some(chart.to_owned());
+            let mut panes = self.view.panes.clone();
             let pane = ChartPane {
-                chart,
+                chart: Some(chart.to_owned()),
                 ..ChartPane::default()
             };
             panes.split(panes.workspace(), Edge::Bottom, pane);
+            panes
+        };
+        self.arrange(panes);
+    }
+
+    /// Another chart at an edge of the active plot.
+    pub(crate) fn add_chart(&mut self, edge: Edge) {
+        self.arrange(self.with_chart(self.view.panes.active(), edge));
+    }
+
+    /// Closes the chart that is active, or was so last.
+    pub(crate) fn close_chart(&mut self) {
+        if let Some(key) = self.view.panes.active_chart().map(|(key, _)| key) {
+            self.rearrange(|panes| panes.close(key));
         }
-        Command::View(ViewChange::Panes(Box::new(panes)))
     }
 
     /// The panes with another chart in one of them.
@@ -232,7 +245,7 @@ impl Workbench {
     }
 
     /// Arranges the panes like this, tomorrow as well.
-    pub(super) fn arrange(&mut self, panes: Panes) {
+    pub(crate) fn arrange(&mut self, panes: Panes) {
         self.view.panes = panes.sound(|chart| find(chart).is_some());
         let panes = self.view.panes.clone();
         self.keep(move |kept| kept.panes = panes);
@@ -248,7 +261,7 @@ impl Workbench {
         self.pane_of(id).map_or(active, |(key, _)| key)
     }
 
-    pub(super) fn show_effect(&mut self, index: usize) {
+    pub(crate) fn show_effect(&mut self, index: usize) {
         let loaded_session = Arc::clone(self.loaded_session());
         let strongest = self
             .diagnosis()
@@ -286,26 +299,26 @@ impl Workbench {
         }
     }
 
-    /// The panes with this done to them.
-    pub(crate) fn rearranged(&self, change: impl FnOnce(&mut Panes)) -> Command {
-        let mut panes = self.view().panes.clone();
+    /// Arranges the panes otherwise.
+    pub(crate) fn rearrange(&mut self, change: impl FnOnce(&mut Panes)) {
+        let mut panes = self.view.panes.clone();
         change(&mut panes);
-        Command::View(ViewChange::Panes(Box::new(panes)))
+        self.arrange(panes);
     }
 
-    /// The panes with this done to the chart in one of them.
-    pub(crate) fn chart_changed(&self, key: Key, change: impl FnOnce(&mut ChartPane)) -> Command {
-        self.rearranged(|panes| {
+    /// Changes the chart in a pane.
+    pub(crate) fn change_chart(&mut self, key: Key, change: impl FnOnce(&mut ChartPane)) {
+        self.rearrange(|panes| {
             if let Some(pane) = panes.chart_mut(key) {
                 change(pane);
             }
             panes.activate(key);
-        })
+        });
     }
 
     /// Which panels there are now.
     pub(crate) fn arrangement(&self) -> Arrangement {
-        let view = self.view();
+        let view = &self.view;
         let shown = view.panes.charts();
         let shown = shown.map(|(_, pane)| self.kind(pane).about().id);
         Arrangement {
@@ -328,10 +341,8 @@ impl Workbench {
 
 #[cfg(test)]
 mod tests {
-    use crate::gui::core::edit::Edit;
     use crate::gui::core::loaded_session::Component;
     use crate::gui::testing::workbench;
-    use crate::gui::workbench::{Command, ViewChange};
 
     use super::*;
 
@@ -348,15 +359,15 @@ mod tests {
     }
 
     fn go(workbench: &mut Workbench, step: Step) -> &'static str {
-        workbench.execute(Command::View(ViewChange::GoTo(step)));
+        workbench.execute(|bench| bench.view.step = step);
         workbench.receive();
         workbench.chart().about().id
     }
 
     fn choose(workbench: &mut Workbench, chart: &'static str) {
-        let key = workbench.view().panes.active_chart().map(|(key, _)| key);
+        let key = workbench.view.panes.active_chart().map(|(key, _)| key);
         let panes = workbench.with_choice(key.expect("a chart"), chart);
-        workbench.execute(Command::View(ViewChange::Panes(Box::new(panes))));
+        workbench.execute(|bench| bench.arrange(panes));
         workbench.receive();
         assert_eq!(workbench.chart().about().id, chart);
     }
@@ -369,7 +380,7 @@ mod tests {
             let suits = if step == Step::Gap { ANGLE } else { POSITION };
             assert_eq!(go(&mut workbench, step), suits, "nothing is identified");
         }
-        workbench.execute(Command::Edit(Edit::Identify));
+        workbench.execute(|bench| bench.identify(None));
         workbench.receive();
         assert_eq!(go(&mut workbench, Step::Identify), POSITION);
         assert_eq!(go(&mut workbench, Step::Gap), GAP);
@@ -387,7 +398,7 @@ mod tests {
         choose(&mut workbench, POSITION);
         assert_eq!(go(&mut workbench, Step::Gap), GAP);
         choose(&mut workbench, TIME);
-        workbench.execute(Command::Edit(Edit::Identify));
+        workbench.execute(|bench| bench.identify(None));
         assert_eq!(workbench.chart().about().id, TIME);
     }
 
@@ -400,19 +411,19 @@ mod tests {
             Arc::clone(backdrop.charted.first().expect("it is charted"))
         };
         let first = made(&workbench);
-        workbench.execute(Command::View(ViewChange::Hover(Some(3))));
-        workbench.execute(Command::View(ViewChange::OnlyAfter(true)));
+        workbench.execute(|bench| bench.view.hovered = Some(3));
+        workbench.execute(|bench| bench.view.only_after = true);
         workbench.receive();
         assert!(
             Arc::ptr_eq(&first, &made(&workbench)),
             "nothing has changed"
         );
-        workbench.execute(Command::View(ViewChange::Component(Component::Radial)));
+        workbench.execute(|bench| bench.view.component = Component::Radial);
         workbench.receive();
         assert!(is_worked_out(&workbench));
         let radial = made(&workbench);
         assert!(!Arc::ptr_eq(&first, &radial));
-        workbench.execute(Command::Edit(Edit::Identify));
+        workbench.execute(|bench| bench.identify(None));
         workbench.receive();
         assert!(
             !Arc::ptr_eq(&radial, &made(&workbench)),
@@ -428,12 +439,12 @@ mod tests {
         choose(&mut workbench, HISTOGRAM);
         let made = |workbench: &Workbench| workbench.plot_cache().expect("made").charted.clone();
         let add = |workbench: &mut Workbench, chart: &str| {
-            let key = workbench.view().panes.active();
+            let key = workbench.view.panes.active();
             let panes = workbench.with_chart(key, Edge::Right);
             let mut panes = panes.clone();
             let key = panes.active();
             panes.chart_mut(key).expect("it is new").chart = Some(chart.to_owned());
-            workbench.execute(Command::View(ViewChange::Panes(Box::new(panes))));
+            workbench.execute(|bench| bench.arrange(panes));
             workbench.receive();
         };
         let first = made(&workbench);
@@ -444,37 +455,37 @@ mod tests {
         // The same in the same component is there once.
         add(&mut workbench, ORDERS);
         assert_eq!(made(&workbench).len(), 2);
-        let key = workbench.view().panes.active();
-        let mut panes = workbench.view().panes.clone();
+        let key = workbench.view.panes.active();
+        let mut panes = workbench.view.panes.clone();
         panes.chart_mut(key).expect("a chart").component = Some(Component::Radial);
-        workbench.execute(Command::View(ViewChange::Panes(Box::new(panes))));
+        workbench.execute(|bench| bench.arrange(panes));
         workbench.receive();
         let three = made(&workbench);
         assert_eq!(three.len(), 3);
         assert!(Arc::ptr_eq(&both[1], &three[1]));
-        for (_, pane) in workbench.view().panes.charts() {
+        for (_, pane) in workbench.view.panes.charts() {
             assert!(workbench.scene_in(pane).worked_out.is_some());
         }
-        let radial = workbench.view().panes.active_chart().expect("a chart").1;
+        let radial = workbench.view.panes.active_chart().expect("a chart").1;
         assert_eq!(workbench.scene_in(radial).component, Component::Radial);
     }
 
     #[test]
     fn the_curve_of_a_found_effect_is_charted_in_the_component_that_it_has() {
         let mut workbench = workbench();
-        workbench.execute(Command::View(ViewChange::ShowEffect(0)));
+        workbench.execute(|bench| bench.show_effect(0));
         assert_eq!(
             workbench.chart().about().id,
             POSITION,
             "nothing was found yet"
         );
-        workbench.execute(Command::Search);
+        workbench.execute(Workbench::search);
         workbench.receive();
-        workbench.execute(Command::View(ViewChange::Component(Component::Axial)));
-        workbench.execute(Command::View(ViewChange::ShowEffect(0)));
+        workbench.execute(|bench| bench.view.component = Component::Axial);
+        workbench.execute(|bench| bench.show_effect(0));
         workbench.receive();
         assert_eq!(workbench.chart().about().id, effect::ID);
-        assert_eq!(workbench.view().component, Component::Tangential);
+        assert_eq!(workbench.view.component, Component::Tangential);
         let scene = workbench.scene_of(workbench.chart());
         let shown = workbench.chart().show(&scene);
         let name = shown.map(|shown| shown.name).unwrap_or_default();

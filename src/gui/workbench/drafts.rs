@@ -9,14 +9,13 @@ use crate::sessions::Region;
 use crate::gui::cache::cloud::Cloud;
 use crate::gui::core::disk::name_of;
 use crate::gui::core::document::{Decision, adapt};
-use crate::gui::core::edit::Edit;
 use crate::gui::core::loaded_session::LoadedSession;
 use crate::gui::files;
 use crate::gui::import_draft::{Companion, ImportAnswers, ImportDraft, InspectedDraft};
 use crate::gui::jobs::{Kind, Running, Watch};
 use crate::gui::view::{Message, Sheet};
 
-use super::{Command, Workbench};
+use super::Workbench;
 
 impl Workbench {
     fn import_draft(&mut self) -> Option<&mut ImportDraft> {
@@ -53,7 +52,7 @@ impl Workbench {
     }
 
     /// Takes what was said, and looks at the file with it.
-    pub(super) fn say(&mut self, answers: ImportAnswers) {
+    pub(crate) fn say(&mut self, answers: ImportAnswers) {
         if let Some(foreign) = self.import_draft() {
             foreign.answers = answers;
         }
@@ -66,12 +65,12 @@ impl Workbench {
     }
 
     /// Cancels that look, whatever else is under way.
-    pub(super) fn cancel_look(&mut self) {
+    pub(crate) fn cancel_look(&mut self) {
         self.jobs.cancel(|kind| kind == Kind::Looks);
     }
 
     /// Asks for a file beside it.
-    pub(super) fn choose_beside(&mut self, which: Companion) {
+    pub(crate) fn choose_beside(&mut self, which: Companion) {
         let measured = self.import_draft().map(|foreign| foreign.path.clone());
         let of = measured.clone();
         let ask = move || files::choose_beside(which, measured.as_deref());
@@ -135,14 +134,14 @@ impl Workbench {
         self.keep_looking();
     }
 
-    pub(super) fn confirm_columns(&mut self) {
+    pub(crate) fn confirm_columns(&mut self) {
         if let Some(foreign) = self.import_draft() {
             foreign.confirm();
         }
     }
 
     /// Opens the session that the sheet shows.
-    pub(super) fn import(&mut self) {
+    pub(crate) fn import(&mut self) {
         let result = self.import_draft().and_then(|foreign| {
             let trial = foreign.result()?;
             Some(Arc::clone(&trial.loaded_session))
@@ -150,7 +149,7 @@ impl Workbench {
         if let Some(loaded_session) = result {
             self.view.sheet = None;
             self.left_draft = None;
-            self.execute(Command::Edit(Edit::Open(loaded_session)));
+            self.open_session(loaded_session);
         }
     }
 }
@@ -166,7 +165,7 @@ pub(super) fn adapted(loaded_session: Arc<LoadedSession>) -> Adapted {
 
 impl Workbench {
     /// Looks where the samples ask for regions.
-    pub(super) fn adapt(&mut self) {
+    pub(crate) fn adapt(&mut self) {
         let loaded_session = Arc::clone(self.loaded_session());
         if loaded_session.is_empty() || !loaded_session.single_revolute() {
             return self.complain(
@@ -190,8 +189,8 @@ impl Workbench {
         }
         match made {
             Ok((regions, decision)) => {
-                let edit = Edit::Adapt(regions.into(), decision);
-                self.execute(Command::Edit(edit));
+                let what = phrase!("divide adaptively");
+                self.edit(what, |document| document.adapt(regions, decision));
             }
             Err(because) => {
                 self.complain(say!("This change cannot be made"), vec![because]);

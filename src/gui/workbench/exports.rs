@@ -15,7 +15,7 @@ use crate::gui::core::compensated::{Compensated, CompensationRequest, MOST_KG};
 use crate::gui::core::disk::name_of;
 use crate::gui::core::document::{ExportChoice, plain};
 use crate::gui::files;
-use crate::gui::files::reporting::{self, Source};
+use crate::gui::files::writing::{self, Source};
 use crate::gui::jobs::{Kind, Watch};
 use crate::gui::view::{About, Plot, Sheet, Step, What};
 use crate::pipeline::measuring_list;
@@ -24,8 +24,8 @@ use crate::report::svg::svg_file;
 use crate::robots::named;
 use crate::sessions::{robot_document, samples_path};
 
-use super::asking::no_file_was_chosen;
-use super::{Command, Workbench};
+use super::Workbench;
+use crate::gui::workbench::background::no_file_was_chosen;
 
 impl Workbench {
     /// What an export's file is called unless the user says otherwise.
@@ -91,8 +91,13 @@ impl Workbench {
         }
     }
 
-    /// Writes an export to a file.
-    pub(super) fn export_to(&mut self, what: What, path: PathBuf, replace: bool) {
+    /// Writes an export to the file that was typed; whether one that is there may be replaced.
+    pub(crate) fn export_as(&mut self, what: What, path: PathBuf, replace: bool) {
+        if self.needs_picture(what) {
+            return self.wait_for_picture(move |bench| bench.export_as(what, path, replace));
+        }
+        self.view.sheet = None;
+        let path = self.placed(&path);
         if let Some(write) = self.prepared(what) {
             write(self, path, replace);
         }
@@ -201,7 +206,7 @@ impl Workbench {
         let stated = self.stated();
         let folder = self.folder().filter(|_| !stated.without_history);
         let robot = self.loaded_session().session.robot.name.clone();
-        let wanted = reporting::ReportRequest {
+        let wanted = writing::ReportRequest {
             source,
             past: folder.map(|folder| (folder, robot)),
             stated,
@@ -209,7 +214,7 @@ impl Workbench {
             inputs: self.inputs(),
         };
         let work = move |path: &Path, replace: bool, watch: &Watch| {
-            reporting::write(&wanted, path, replace, watch)
+            writing::write_report(&wanted, path, replace, watch)
         };
         Some(later(work, Self::take_written))
     }
@@ -233,12 +238,17 @@ impl Workbench {
         Some(later(work, Self::take_written))
     }
 
+    /// Whether it shows the workspace, of which there is no picture yet.
+    pub(super) fn needs_picture(&self, what: What) -> bool {
+        what == What::Picture(Plot::Workspace) && self.picture.is_none()
+    }
+
     /// A picture of the workspace is taken of the next frame, in which nothing lies over it.
-    pub(super) fn wait_for_picture(&mut self, then: Command) {
+    pub(super) fn wait_for_picture(&mut self, then: impl FnOnce(&mut Self) + 'static) {
         self.view.sheet = None;
         self.view.message = None;
         self.view.hovered = None;
-        self.waiting = Some((then, false));
+        self.waiting = Some((Box::new(then), false));
     }
 
     /// Whether a picture of the workspace is being taken: nothing may lie over it.
@@ -324,22 +334,17 @@ impl Workbench {
     }
 
     /// Asks for a file of targets.
-    pub(super) fn choose_targets(&mut self) {
-        let near = self.file().map(Path::to_path_buf);
+    pub(crate) fn choose_targets(&mut self) {
         let by = self.shown_outcome();
-        let ask = move || files::choose_targets(near.as_deref());
-        self.choose(
-            say!("waiting for a file to be chosen"),
-            ask,
-            move |bench, path| match path {
-                Some(path) => bench.compensate_by(by, CompensationRequest::new(path)),
-                None => bench.view.message = Some(no_file_was_chosen()),
-            },
-        );
+        let says = say!("waiting for a file to be chosen");
+        self.choose_near(says, files::choose_targets, move |bench, path| match path {
+            Some(path) => bench.compensate_by(by, CompensationRequest::new(path)),
+            None => bench.view.message = Some(no_file_was_chosen()),
+        });
     }
 
     /// Corrects the targets of a file by the model that is shown.
-    pub(super) fn compensate(&mut self, wanted: CompensationRequest) {
+    pub(crate) fn compensate(&mut self, wanted: CompensationRequest) {
         self.compensate_by(self.shown_outcome(), wanted);
     }
 

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use crate::compensation::decision::{Outcome, Rule};
 use crate::gui::core::robot_table::{RobotTable, remember};
-use crate::gui::file_state::machines::{self, Machine, Of, Stated};
+use crate::gui::file_state::{self, Machine, Of, Stated};
 use crate::gui::files;
 use crate::gui::jobs::{Kind, Watch};
 use crate::gui::view::{Message, Sheet, What};
@@ -15,8 +15,8 @@ use crate::pipeline;
 use crate::present::decision::rests_on;
 use crate::progress::ReadError;
 
-use super::state::Past;
-use super::{Asked, Command, Workbench};
+use super::Workbench;
+use crate::gui::workbench::Past;
 
 impl Workbench {
     /// Report details: as they were typed, or as they are proposed.
@@ -28,7 +28,7 @@ impl Workbench {
             .cloned();
         typed.unwrap_or_else(|| {
             let folder = self.folder().unwrap_or_default();
-            let mut stated = machines::proposed(&self.file_state.machines, self.machine(&folder));
+            let mut stated = file_state::proposed(&self.file_state.machines, self.machine(&folder));
             if let (true, Some(today)) = (stated.details.date.is_empty(), &self.file_state.today) {
                 stated.details.date.clone_from(today);
             }
@@ -52,7 +52,7 @@ impl Workbench {
     }
 
     /// Report details are these now; remembered once their sheet is closed.
-    pub(super) fn state(&mut self, stated: Stated) {
+    pub(crate) fn state(&mut self, stated: Stated) {
         self.file_state
             .stated
             .insert(self.loaded_session().lineage, stated);
@@ -71,31 +71,24 @@ impl Workbench {
         stated.details.tolerance_mm = self.document().tolerance_mm;
         let folder = self.folder().unwrap_or_default();
         let machine = Machine::new(self.machine(&folder), &stated);
-        machines::remember(&mut self.file_state.machines, machine.clone());
-        self.keep(move |kept| machines::remember(&mut kept.machines, machine));
+        file_state::remember(&mut self.file_state.machines, machine.clone());
+        self.keep(move |kept| file_state::remember(&mut kept.machines, machine));
     }
 
     /// Asks for a picture.
-    pub(super) fn choose_logo(&mut self) {
-        let near = self.file().map(Path::to_path_buf);
+    pub(crate) fn choose_logo(&mut self) {
         let of = self.loaded_session().lineage;
-        let ask = move || files::choose_logo(near.as_deref());
-        self.choose(
-            say!("waiting for a file to be chosen"),
-            ask,
-            move |bench, path| {
-                if let Some(path) = path
-                    && bench.loaded_session().lineage == of
-                {
-                    let logo = path.display().to_string();
-                    bench.state(Stated {
-                        logo,
-                        ..bench.stated()
-                    });
-                    bench.keep_stated();
-                }
-            },
-        );
+        let says = say!("waiting for a file to be chosen");
+        self.choose_near(says, files::choose_logo, move |bench, path| {
+            if let Some(path) = path.filter(|_| bench.loaded_session().lineage == of) {
+                let logo = path.display().to_string();
+                bench.state(Stated {
+                    logo,
+                    ..bench.stated()
+                });
+                bench.keep_stated();
+            }
+        });
     }
 
     /// Whether the robot is within its tolerance by the rule that was chosen, and what that rests on;
@@ -135,30 +128,25 @@ impl Workbench {
     }
 
     /// Compares the sessions that lie beside the open one; asks for a folder where it is in no file.
-    pub(crate) fn compare_here(&self) -> Command {
+    pub(crate) fn compare_here(&mut self) {
         match self.folder() {
-            Some(folder) => Command::CompareSessions(folder),
-            None => Command::Ask(Asked::Folder),
+            Some(folder) => self.compare_sessions(folder),
+            None => self.choose_folder(),
         }
     }
 
     /// Asks for a folder of sessions.
-    pub(super) fn choose_folder(&mut self) {
-        let near = self.file().map(Path::to_path_buf);
-        let ask = move || files::choose_folder(near.as_deref());
-        self.choose(
-            say!("waiting for a folder to be chosen"),
-            ask,
-            |bench, folder| {
-                if let Some(folder) = folder {
-                    bench.execute(Command::CompareSessions(folder));
-                }
-            },
-        );
+    pub(crate) fn choose_folder(&mut self) {
+        let says = say!("waiting for a folder to be chosen");
+        self.choose_near(says, files::choose_folder, |bench, folder| {
+            if let Some(folder) = folder {
+                bench.compare_sessions(folder);
+            }
+        });
     }
 
     /// Compares the sessions of a folder, and shows what changed.
-    pub(super) fn compare_sessions(&mut self, folder: PathBuf) {
+    pub(crate) fn compare_sessions(&mut self, folder: PathBuf) {
         let says = say!(
             "comparing the sessions of {folder}",
             folder = folder.display()
@@ -193,7 +181,7 @@ impl Workbench {
     }
 
     /// Remembers one, and asks for a file to save it to where that is wanted.
-    pub(super) fn keep_robot(&mut self, table: RobotTable, save: bool) {
+    pub(crate) fn keep_robot(&mut self, table: RobotTable, save: bool) {
         remember(&mut self.file_state.robots, table.clone());
         self.keep(move |kept| remember(&mut kept.robots, table));
         if save {
@@ -202,7 +190,7 @@ impl Workbench {
     }
 
     /// Forgets the one of this name.
-    pub(super) fn forget_robot(&mut self, name: &str) {
+    pub(crate) fn forget_robot(&mut self, name: &str) {
         self.file_state.robots.retain(|own| own.name != name);
         let name = name.to_owned();
         self.keep(move |kept| kept.robots.retain(|own| own.name != name));

@@ -1,18 +1,16 @@
-//! Everything that can be done, and the one place that does it.
+//! What there is, and what is done with it.
 //!
-//! Panels and plots read the [`Workbench`] and send [`Command`]s; [`Workbench::execute`] is the
-//! only function that changes anything.
+//! Panels and plots are drawn from a [`Workbench`] as it was when the frame began. What the user does there they leave
+//! in it ([`Workbench::then`]) as a change of its plain state, which is made once the frame is drawn: none is drawn half
+//! before and half after a change. What follows from the state is asked for after each change.
 
 mod answers;
-mod asking;
 mod background;
 mod charts;
-mod command;
 mod drafts;
 mod exports;
 mod machine;
 mod on_disk;
-mod state;
 #[cfg(test)]
 mod tests;
 mod unsaved;
@@ -21,24 +19,187 @@ mod unsaved;
 #[path = "../../../tests/support/walk/mod.rs"]
 pub mod walk;
 
-use std::path::Path;
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+use std::path::PathBuf;
 use std::sync::Arc;
 
-use crate::gui::core::compensated::CompensationRequest;
-use crate::gui::core::document::Document;
-use crate::gui::core::edit::{Edit, History};
+use egui::ColorImage;
+
+use crate::effects::Term;
+use crate::explain::Section;
+use crate::gui::cache::identified::{Figures, IdentifiedAnswer, Preview, PreviewRequest};
+use crate::gui::cache::{PlotCache, PlotInputs};
+use crate::gui::core::answer::Search;
+use crate::gui::core::compensated::{Compensated, CompensationRequest};
+use crate::gui::core::disk::Fingerprint;
+use crate::gui::core::document::{Document, ExportChoice, Method, Question};
+use crate::gui::core::history::History;
 use crate::gui::core::loaded_session::LoadedSession;
-use crate::gui::file_state::Recent;
-use crate::gui::files::{self, Replace};
+use crate::gui::core::robot_table::RobotTable;
+use crate::gui::core::simulate::Form;
+use crate::gui::file_state::recovery::{OrphanedRecovery, RecoveryFile};
+use crate::gui::file_state::{Machine, Stated};
+use crate::gui::files;
+use crate::gui::import_draft::ImportDraft;
+use crate::gui::jobs::{Jobs, Slot};
 use crate::gui::preferences::Preferences;
 use crate::gui::view::{
-    Aspect, Camera, Message, NextAction, Plane, Plot, Sheet, Side, Step, ViewState, What,
+    Aspect, Camera, Message, NextAction, OnDisk, Plane, Sheet, Step, ViewState,
 };
+use crate::history;
+use crate::present::numbers::Notation;
 use crate::present::units::Units;
-use crate::text::spoken;
+use crate::text::{Language, Template, spoken};
 
-pub(crate) use command::{Asked, Command, LeftBehind, Task, ViewChange, of_field};
-pub(crate) use state::Workbench;
+/// What answers in place of the system's dialogs: for tests, which cannot press anything in one.
+pub(crate) type Chooser = Arc<dyn Fn() -> Option<PathBuf> + Send + Sync>;
+
+/// A change of a workbench.
+pub(crate) type Change = Box<dyn FnOnce(&mut Workbench)>;
+
+/// Document, view, answer and jobs.
+pub(crate) struct Workbench {
+    pub(super) history: History<Document>,
+    /// The session that the window began with, not opened by the user.
+    pub(super) first: Arc<LoadedSession>,
+    pub(super) file_state: FileState,
+    /// How it is looked at.
+    pub(crate) view: ViewState,
+    /// What is to be done once the frame is drawn.
+    pub(super) changes: RefCell<Vec<Change>>,
+    pub(super) dragging: bool,
+    /// The import that was left without being done, with what was said.
+    pub(super) left_draft: Option<ImportDraft>,
+    pub(super) identified: Option<Arc<IdentifiedAnswer>>,
+    pub(super) searched: Option<Arc<Search>>,
+    /// A chart and its numbers, ready to be copied.
+    pub(super) copied: Option<(&'static str, String)>,
+    pub(super) spoken_sections: SpokenSections,
+    /// What a search that was stopped had found until then, and in which session.
+    pub(super) stopped: Option<(Arc<LoadedSession>, Vec<String>)>,
+    pub(super) preview: Option<Arc<Preview>>,
+    pub(super) plot_cache: Option<Arc<PlotCache>>,
+    pub(super) compensated: Option<Arc<Compensated>>,
+    /// Files that were exported from this session, the newest last, each with what its model answers.
+    pub(super) exported: Vec<(PathBuf, Option<Question>)>,
+    /// The name under which this export was saved last.
+    pub(super) saved_as: Option<(ExportChoice, String)>,
+    pub(super) figures: Option<Figures>,
+    /// What waits for a picture of the workspace, and whether one was asked for; the picture as soon as it is there.
+    pub(super) waiting: Option<(Change, bool)>,
+    pub(super) picture: Option<ColorImage>,
+    pub(super) chooser: Option<Chooser>,
+    pub(super) jobs: Jobs<Self>,
+    pub(super) asked: PendingQueries,
+}
+
+impl Workbench {
+    /// A workbench with a session on it.
+    pub(crate) fn new(loaded_session: Arc<LoadedSession>, jobs: Jobs<Self>) -> Self {
+        let first = Arc::clone(&loaded_session);
+        let history = History::new(Document::new(loaded_session));
+        let mut workbench = Self {
+            first,
+            file_state: FileState::default(),
+            history,
+            view: ViewState::default(),
+            changes: RefCell::default(),
+            dragging: false,
+            left_draft: None,
+            identified: None,
+            searched: None,
+            copied: None,
+            spoken_sections: SpokenSections::default(),
+            stopped: None,
+            preview: None,
+            plot_cache: None,
+            compensated: None,
+            exported: Vec::new(),
+            saved_as: None,
+            figures: None,
+            waiting: None,
+            picture: None,
+            chooser: None,
+            asked: PendingQueries::default(),
+            jobs,
+        };
+        workbench.remember_on_file(Arc::clone(workbench.history.present()));
+        workbench.look_along_the_axis();
+        workbench
+    }
+}
+
+/// Where an opening stands on the disk.
+#[derive(Debug, Clone)]
+pub(super) struct Place {
+    pub(super) path: PathBuf,
+    /// As they looked when they were last read or written.
+    pub(super) files: Vec<Fingerprint>,
+    pub(super) samples: Option<PathBuf>,
+}
+
+/// Files: where openings stand on the disk, what changed there, and what outlives the window.
+#[derive(Default)]
+pub(super) struct FileState {
+    pub(super) home: Option<PathBuf>,
+    pub(super) recovery_file: Option<RecoveryFile>,
+    pub(super) orphaned: Vec<OrphanedRecovery>,
+    /// Restored, and to be removed as soon as this window keeps it itself.
+    pub(super) restored: Vec<OrphanedRecovery>,
+    pub(super) recent: Vec<PathBuf>,
+    /// The date that is proposed for reports.
+    pub(super) today: Option<String>,
+    /// What the reports of machines state, newest first.
+    pub(super) machines: Vec<Machine>,
+    /// Robots that were typed, newest first.
+    pub(super) robots: Vec<RobotTable>,
+    /// Sessions that were compared.
+    pub(super) past: Option<Arc<Past>>,
+    /// What was typed for the report of an opening.
+    pub(super) stated: BTreeMap<u64, Stated>,
+    pub(super) missing: Vec<PathBuf>,
+    pub(super) places: BTreeMap<u64, Place>,
+    /// Counts how often what is known of files was replaced.
+    pub(super) look: u64,
+    /// What became of a file, as it was read and put aside.
+    pub(super) dismissed: Option<OnDisk>,
+    /// Documents that stand in a file, or need none.
+    pub(super) on_file: Vec<Arc<Document>>,
+    /// What was asked of the model that was written last.
+    pub(super) model_on_file: Option<Question>,
+    pub(super) then: Option<NextAction>,
+    /// Whether everything that would be lost is saved before that.
+    pub(super) saves_all: bool,
+    /// The document as recovery has it.
+    pub(super) kept: Option<Arc<Document>>,
+}
+
+/// What is asked faster than it is answered.
+#[derive(Default)]
+pub(super) struct PendingQueries {
+    pub(super) questions: Slot<Question>,
+    pub(super) previews: Slot<PreviewRequest>,
+    pub(super) plots: Slot<PlotInputs>,
+    /// The session that is being searched: only that one can be given its answer.
+    pub(super) searched: Option<Arc<LoadedSession>>,
+}
+
+/// Sections as they were said last; nothing until they are asked for.
+#[derive(Debug, Default)]
+pub(super) struct SpokenSections(pub(super) RefCell<Option<CachedSections>>);
+
+/// Of which diagnosis, how it is said, and the sections.
+pub(super) type CachedSections = (Arc<Search>, Voice, Arc<[Section]>);
+/// How it is said.
+pub(super) type Voice = (Units, Language, Notation);
+
+/// What became of the machines of a folder.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Past {
+    pub(crate) folder: PathBuf,
+    pub(crate) history: history::History,
+}
 
 impl Workbench {
     pub(crate) fn document(&self) -> &Document {
@@ -47,11 +208,6 @@ impl Workbench {
 
     pub(crate) fn loaded_session(&self) -> &Arc<LoadedSession> {
         &self.document().loaded_session
-    }
-
-    /// How it is looked at.
-    pub(crate) fn view(&self) -> &ViewState {
-        &self.view
     }
 
     pub(crate) fn units(&self) -> Units {
@@ -66,6 +222,11 @@ impl Workbench {
         Step::offered(self.loaded_session().single_revolute())
     }
 
+    /// Goes to one of them.
+    pub(crate) fn go_to(&mut self, index: usize) {
+        self.view.step = self.steps().get(index).copied().unwrap_or(self.view.step);
+    }
+
     pub(crate) fn undoes(&self) -> Option<&'static str> {
         self.history.undoes().map(spoken)
     }
@@ -74,210 +235,67 @@ impl Workbench {
         self.history.redoes().map(spoken)
     }
 
-    pub(crate) fn execute(&mut self, command: Command) {
-        match command {
-            Command::Ask(Asked::WhereToExport(What::Picture(Plot::Workspace)))
-            | Command::ExportTo {
-                what: What::Picture(Plot::Workspace),
-                ..
-            } if self.picture.is_none() => self.wait_for_picture(command),
-            Command::Edit(edit) => self.edit(&edit, false),
-            Command::Drag(edit) => self.edit(&edit, true),
-            Command::EndDrag => self.history.finish_gesture(),
-            Command::Undo => self.travel(History::undo),
-            Command::Redo => self.travel(History::redo),
-            // A robot program has nothing to be opened: its targets are corrected.
-            Command::OpenFile(path) if files::is_program(&path) => {
-                self.compensate(CompensationRequest::new(path));
-            }
-            Command::OpenFile(path) => self.ask_then(NextAction::Open(path)),
-            Command::Drop(paths) => self.drop_files(paths),
-            Command::OpenExample(index) => self.ask_then(NextAction::Example(index)),
-            Command::Leave => self.ask_then(NextAction::Leave),
-            Command::Do(then) => self.go(then),
-            Command::SaveThen(then) => self.save_then(then),
-            Command::Save | Command::Ask(Asked::WhereToSave) | Command::SaveAs { .. }
-                if self.loaded_session().is_empty() =>
-            {
-                self.complain(
-                    say!("There is no session to save"),
-                    [say!("A model by itself is saved in the Export step")],
-                );
-            }
-            Command::Say(said) => self.say(*said),
-            Command::ConfirmColumns => self.confirm_columns(),
-            Command::Import => self.import(),
-            Command::Save => self.save_here(),
-            Command::SaveAs { path, replace } => {
-                let replace = if replace {
-                    Replace::Named
-                } else {
-                    Replace::Nothing
-                };
-                self.save_to(&self.placed(&path), replace);
-            }
-            Command::SaveDespite => {
-                if let Some(path) = self.file().map(Path::to_path_buf) {
-                    self.save_to(&path, Replace::Whatever);
-                }
-            }
-            Command::Forget(path) => self.use_recent(Recent::Forgotten(path)),
-            Command::Reload => self.reload(),
-            Command::KeepRecovery => self.keep_recovery(),
-            Command::LookAtDisk => self.look_at_disk(),
-            Command::ExportTo {
-                what,
-                path,
-                replace,
-            } => {
-                self.view.sheet = None;
-                self.export_to(what, self.placed(&path), replace);
-            }
-            Command::CopyNumbers(chart) => self.copy_numbers(chart),
-            Command::State(stated) => self.state(*stated),
-            Command::KeepRobot { table, save } => self.keep_robot(*table, save),
-            Command::ForgetRobot(name) => self.forget_robot(&name),
-            Command::CompareSessions(folder) => self.compare_sessions(folder),
-            Command::Compensate(wanted) => self.compensate(wanted),
-            Command::Simulate(form) => {
-                if let Some(problem) = form.problem() {
-                    self.complain(say!("The simulation needs other numbers"), vec![problem]);
-                } else {
-                    self.ask_then(NextAction::Simulate(form));
-                }
-            }
-            Command::Adapt => self.adapt(),
-            Command::Search => self.search(),
-            Command::Prepare => self.asked.previews.resume(),
-            Command::OpenOutside { path, in_folder } => self.open_outside(path, in_folder),
-            Command::Prefer(preferences) => {
-                self.view.preferences = preferences.sound();
-                self.keep_preferences();
-            }
-            Command::View(change) => self.look(change),
-            Command::Ask(asked) => self.ask_for(asked),
-            Command::Stop(task) => self.stop(task),
-            Command::Left(LeftBehind::Restore(index)) => self.restore(index),
-            Command::Left(LeftBehind::Discard(index)) => self.discard_left(index),
-            Command::Left(LeftBehind::DiscardAll) => self.discard_all_left(),
+    /// Does this once the frame is drawn.
+    pub(crate) fn then(&self, change: impl FnOnce(&mut Self) + Send + 'static) {
+        self.changes.borrow_mut().push(Box::new(change));
+    }
+
+    /// Makes the changes that were left in it. Whether there were any.
+    pub(crate) fn make_changes(&mut self) -> bool {
+        let changes = std::mem::take(self.changes.get_mut());
+        let any = !changes.is_empty();
+        for change in changes {
+            self.execute(change);
         }
+        any
+    }
+
+    /// Does this, and asks for what follows from it.
+    pub(crate) fn execute(&mut self, change: impl FnOnce(&mut Self)) {
+        change(self);
         if !self.steps().contains(&self.view.step) {
             // Another robot has no regions.
             self.view.step = Step::Identify;
         }
+        let session = &self.loaded_session().session;
+        let (samples, joints) = (session.samples.len(), session.robot.joint_count());
+        self.view.stay_within(samples, joints);
         self.stop_search_of_others();
         self.refresh_answer();
         self.keep_preparing();
         self.keep_drawing();
     }
 
-    /// Asks for a file or a folder.
-    fn ask_for(&mut self, asked: Asked) {
-        match asked {
-            Asked::File => self.choose_file(files::choose_to_open),
-            Asked::WhereToSave => self.choose_where_to_save(),
-            Asked::Beside(which) => self.choose_beside(which),
-            Asked::Import => self.choose_file(files::choose_to_import),
-            Asked::WhereToExport(what) => self.choose_where_to_export(what),
-            Asked::Folder => self.choose_folder(),
-            Asked::Logo => self.choose_logo(),
-            Asked::Targets => self.choose_targets(),
+    /// A robot program has nothing to be opened: its targets are corrected.
+    pub(crate) fn open_file(&mut self, path: PathBuf) {
+        if files::is_program(&path) {
+            self.compensate(CompensationRequest::new(path));
+        } else {
+            self.ask_then(NextAction::Open(path));
         }
     }
 
-    /// Stops what is under way.
-    fn stop(&mut self, task: Task) {
-        match task {
-            Task::Search => self.stop_search(),
-            Task::Import => self.cancel_look(),
-            Task::Dialog => self.stop_asking(),
-            Task::Newest => {
-                // What was to be done after it is not wanted any more either.
-                self.cancel_pending_action();
-                self.cancel_newest();
-            }
+    pub(crate) fn simulate(&mut self, form: Form) {
+        if let Some(problem) = form.problem() {
+            self.complain(say!("The simulation needs other numbers"), vec![problem]);
+        } else {
+            self.ask_then(NextAction::Simulate(form));
         }
     }
 
-    /// Looks at the document in another way.
-    fn look(&mut self, change: ViewChange) {
-        let view = &mut self.view;
-        match change {
-            ViewChange::GoTo(step) => view.step = step,
-            ViewChange::Look(plane) => {
-                view.plane = plane;
-                view.look(Aspect::Plane);
-            }
-            ViewChange::LookFrom(from) => {
-                view.look(Aspect::Space);
-                if let Some(from) = from {
-                    view.camera = view.camera.seen_from(from);
-                }
-            }
-            ViewChange::Turn(camera) => view.camera = camera.sound(),
-            ViewChange::Pose(q) => view.pose = q,
-            ViewChange::Magnify(factor) => {
-                view.magnification = factor.filter(|f| f.is_finite() && *f > 0.0);
-            }
-            ViewChange::PlotSize(size) if size.is_finite() => {
-                view.plot_size = size.clamp(20.0, 1e5);
-            }
-            ViewChange::Blend(t) if t.is_finite() => view.blend = t.clamp(0.0, 1.0),
-            ViewChange::Colour(colouring) => view.colouring = colouring,
-            ViewChange::Heat(shown) => view.heat = shown,
-            ViewChange::Component(component) => view.component = component,
-            ViewChange::OnlyAfter(only) => view.only_after = only,
-            ViewChange::Hover(sample) => view.hovered = sample,
-            ViewChange::Select(sample) => {
-                view.selected = sample;
-                view.pose = None;
-                view.marked.clear();
-            }
-            ViewChange::Mark(samples) => {
-                view.selected = samples.first().copied();
-                view.pose = None;
-                view.marked = samples;
-                view.side = Side::Samples;
-            }
-            ViewChange::Side(side) => view.side = side,
-            ViewChange::Panes(panes) => self.arrange(*panes),
-            ViewChange::Pull(panes) => view.panes = *panes,
-            ViewChange::Activate(key) => view.panes.activate(key),
-            ViewChange::ActivateNext => view.panes.activate_next(),
-            ViewChange::ChartJoint(joint) => view.joint = joint,
-            ViewChange::ShowEffect(index) => self.show_effect(index),
-            ViewChange::Results(open) => view.results = Some(open),
-            ViewChange::Resize(sizes) => {
-                let preferences = Preferences {
-                    sizes,
-                    ..view.preferences
-                };
-                view.preferences = preferences.sound();
-            }
-            ViewChange::Draft(form) => view.setup = form,
-            ViewChange::KeepMine => self.file_state.dismissed = view.on_disk.take(),
-            ViewChange::Sheet(sheet) => self.show_sheet(sheet),
-            ViewChange::Dismiss => view.message = None,
-            ViewChange::Fit => {
-                view.fitted.everywhere();
-                view.camera = view.camera.fitted();
-            }
-            ViewChange::FitWorkspace => {
-                view.fitted.workspace += 1;
-                view.camera = view.camera.fitted();
-            }
-            ViewChange::FitChart(key) => {
-                if let Some(pane) = view.panes.chart_mut(key) {
-                    pane.fitted += 1;
-                }
-            }
-            // No number.
-            ViewChange::PlotSize(_) | ViewChange::Blend(_) => {}
-        }
-        self.forget_missing_samples();
+    /// Shows numbers, colours and text like this, tomorrow as well.
+    pub(crate) fn prefer(&mut self, preferences: Preferences) {
+        self.view.preferences = preferences.sound();
+        let preferences = self.view.preferences;
+        self.keep(move |kept| kept.preferences = preferences);
     }
 
-    fn show_sheet(&mut self, sheet: Option<Sheet>) {
+    /// Goes on with what is here, whatever is on the disk.
+    pub(crate) fn keep_mine(&mut self) {
+        self.file_state.dismissed = self.view.on_disk.take();
+    }
+
+    pub(crate) fn show_sheet(&mut self, sheet: Option<Sheet>) {
         if sheet.is_none() {
             match &self.view.sheet {
                 // Closing the question cancels what it was about.
@@ -297,19 +315,20 @@ impl Workbench {
         self.view.sheet = sheet;
     }
 
-    fn edit(&mut self, edit: &Edit, within_gesture: bool) {
+    /// A change of the document, called `what` after “Undo”; while something is dragged, part of one.
+    pub(crate) fn edit(
+        &mut self,
+        what: Template,
+        change: impl FnOnce(&mut Document) -> Result<(), String>,
+    ) {
         let before = Arc::clone(self.loaded_session());
-        match edit.apply(self.document()) {
-            Err(because) => {
-                self.complain(say!("This change cannot be made"), vec![because]);
-            }
-            Ok(next) if within_gesture => self.history.change_within_gesture(next, edit.what()),
-            Ok(next) => self.history.change(next, edit.what()),
+        let mut next = self.document().clone();
+        match change(&mut next) {
+            Err(because) => self.complain(say!("This change cannot be made"), vec![because]),
+            Ok(()) if self.dragging => self.history.change_within_gesture(next, what),
+            Ok(()) => self.history.change(next, what),
         }
         self.view.setup = None;
-        if matches!(edit, Edit::Identify | Edit::IdentifyBy(_)) {
-            self.asked.questions.resume();
-        }
         if !Arc::ptr_eq(&before, self.loaded_session()) {
             self.view.marked.clear();
             self.after_travel(before.lineage);
@@ -319,10 +338,83 @@ impl Workbench {
             self.leave_effects();
             self.look_along_the_axis();
             self.view.step = Step::Session;
-            self.view.fitted.everywhere();
+            self.view.fit();
             self.view.message = None;
             self.opened();
         }
+    }
+
+    /// Makes one once the frame is drawn.
+    pub(crate) fn edits(
+        &self,
+        what: Template,
+        change: impl FnOnce(&mut Document) -> Result<(), String> + Send + 'static,
+    ) {
+        self.then(move |bench| bench.edit(what, change));
+    }
+
+    /// Identifies from now on, by this method or as it is chosen.
+    pub(crate) fn identify(&mut self, method: Option<Method>) {
+        self.edit(phrase!("identify"), |document| document.identify(method));
+        self.asked.questions.resume();
+    }
+
+    /// Adds what a search found to the exact fit.
+    pub(crate) fn add(&mut self, terms: &[Term]) {
+        self.edit(phrase!("add to model"), |document| document.add(terms));
+    }
+
+    /// Switches an added effect on or off.
+    pub(crate) fn switch(&mut self, index: usize, on: bool) {
+        let what = if on {
+            phrase!("switch effect on")
+        } else {
+            phrase!("switch effect off")
+        };
+        self.edit(what, |document| document.switch(index, on));
+    }
+
+    /// Takes the chosen samples out of every fit and figure, or in again.
+    pub(crate) fn exclude(&mut self, samples: &[usize], out: bool) {
+        let what = if out {
+            phrase!("exclude samples")
+        } else {
+            phrase!("include samples")
+        };
+        self.edit(what, |document| document.exclude(samples, out));
+    }
+
+    pub(crate) fn choose_export(&mut self, choice: ExportChoice) {
+        let what = phrase!("choose table");
+        self.edit(what, |document| document.choose_export(choice));
+    }
+
+    pub(crate) fn set_tolerance(&mut self, tolerance_mm: Option<f64>) {
+        let what = phrase!("set tolerance");
+        self.edit(what, |document| document.set_tolerance(tolerance_mm));
+    }
+
+    pub(super) fn open_session(&mut self, loaded_session: Arc<LoadedSession>) {
+        self.edit(phrase!("open session"), |document| {
+            document.open(loaded_session);
+            Ok(())
+        });
+    }
+
+    /// Whether something is dragged at present: all that it changes is one change.
+    pub(crate) fn drag(&mut self, dragging: bool) {
+        self.dragging = dragging;
+        if !dragging {
+            self.history.finish_gesture();
+        }
+    }
+
+    pub(crate) fn undo(&mut self) {
+        self.travel(History::undo);
+    }
+
+    pub(crate) fn redo(&mut self) {
+        self.travel(History::redo);
     }
 
     /// Back or forth in the history.
@@ -335,21 +427,9 @@ impl Workbench {
     /// After a change that may have brought another session.
     fn after_travel(&mut self, lineage_before: u64) {
         self.view.setup = None;
-        self.forget_missing_samples();
         if self.loaded_session().lineage != lineage_before {
             self.arrived();
         }
-    }
-
-    fn forget_missing_samples(&mut self) {
-        let samples = self.loaded_session().len();
-        let there = |sample: &usize| *sample < samples;
-        self.view.hovered = self.view.hovered.filter(there);
-        self.view.selected = self.view.selected.filter(there);
-        self.view.marked.retain(there);
-        let joints = self.loaded_session().session.robot.joint_count();
-        let a_pose = |q: &Vec<f64>| q.len() == joints && q.iter().all(|v| v.is_finite());
-        self.view.pose = self.view.pose.take().filter(a_pose);
     }
 
     /// Looks at the workspace in the plane in which joint 1 turns; with several joints in space, as

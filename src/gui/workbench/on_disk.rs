@@ -12,8 +12,8 @@ use crate::gui::files;
 use crate::gui::jobs::{Kind, Watch};
 use crate::gui::view::{OnDisk, Sheet};
 
-use super::state::Place;
-use super::{Command, Workbench};
+use super::Workbench;
+use crate::gui::workbench::Place;
 
 impl Workbench {
     /// Keeps preferences, recent files and what is not saved in this folder, and looks what it
@@ -108,11 +108,11 @@ impl Workbench {
     }
 
     /// Opens the sheet on which a path to save to is typed.
-    pub(crate) fn typed_path(&self) -> Command {
-        Command::sheet(Sheet::SavePath {
+    pub(crate) fn type_path_to_save(&mut self) {
+        self.view.sheet = Some(Sheet::SavePath {
             path: self.proposed_path().display().to_string(),
             replace: false,
-        })
+        });
     }
 
     /// The file with its samples, if they are in one.
@@ -167,7 +167,7 @@ impl Workbench {
     }
 
     /// Keeps a change of the recent files.
-    pub(super) fn use_recent(&mut self, recent: Recent) {
+    pub(crate) fn use_recent(&mut self, recent: Recent) {
         // Seen from another folder tomorrow, it has to be the same file.
         let recent = match recent {
             Recent::Used(path) => Recent::Used(std::path::absolute(&path).unwrap_or(path)),
@@ -178,14 +178,8 @@ impl Workbench {
         self.keep(move |kept| recent.apply(&mut kept.recent));
     }
 
-    /// Keeps the preferences for tomorrow.
-    pub(super) fn keep_preferences(&mut self) {
-        let preferences = self.view.preferences;
-        self.keep(move |kept| kept.preferences = preferences);
-    }
-
     /// Reads the session's file again. Undo brings back what was here.
-    pub(super) fn reload(&mut self) {
+    pub(crate) fn reload(&mut self) {
         self.view.on_disk = None;
         let Some(place) = self.file_state.places.get(&self.loaded_session().lineage) else {
             return;
@@ -217,7 +211,7 @@ impl Workbench {
 
     /// Looks in the background whether the files of what is open are what they were, and which of the recent ones are
     /// there. What this window is writing itself is not looked at.
-    pub(super) fn look_at_disk(&mut self) {
+    pub(crate) fn look_at_disk(&mut self) {
         let place = self.file_state.places.get(&self.loaded_session().lineage);
         let own = place.filter(|_| self.writing().is_none());
         let files = own.map_or_else(Vec::new, |place| place.files.clone());

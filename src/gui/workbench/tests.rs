@@ -3,34 +3,38 @@
 mod how_far;
 mod under_way;
 
+use std::path::Path;
 use std::sync::Arc;
 
+use super::Workbench;
 use super::on_disk::Looked;
-use super::{Command, Task, ViewChange, Workbench};
-use crate::gui::core::boundaries::boundaries;
 use crate::gui::core::disk::FileChange;
+use crate::gui::core::regions::boundaries;
 
 use crate::fit::Estimate;
 use crate::gui::core::answer;
 use crate::gui::core::document::Method;
-use crate::gui::core::edit::Edit;
 use crate::gui::core::loaded_session::{LoadedSession, Origin};
 use crate::gui::core::setup::SetupForm;
 use crate::gui::jobs::{Jobs, Runner};
 use crate::gui::testing::workbench;
-use crate::gui::view::{About, OnDisk, Step, What};
+use crate::gui::view::{About, NextAction, OnDisk, Step, What};
 use crate::units::rad_from_deg;
 
-fn done(workbench: &mut Workbench, edit: Edit) {
-    workbench.execute(Command::Edit(edit));
+fn done(workbench: &mut Workbench, change: impl FnOnce(&mut Workbench)) {
+    workbench.execute(change);
     workbench.receive();
 }
 
 #[test]
 fn the_exact_fit_finds_what_the_simulation_hid() {
     let mut workbench = workbench();
-    done(&mut workbench, Edit::Effect("backlash", true));
-    done(&mut workbench, Edit::Identify);
+    done(&mut workbench, |bench| {
+        bench.edit(phrase!("choose effects"), |document| {
+            document.choose_effect("backlash", true)
+        });
+    });
+    done(&mut workbench, |bench| bench.identify(None));
     let found = &workbench
         .answer()
         .expect("it can be identified")
@@ -48,12 +52,12 @@ fn the_exact_fit_finds_what_the_simulation_hid() {
 #[test]
 fn all_that_a_search_found_is_one_model_to_the_last_bit_wherever_it_goes() {
     let mut workbench = workbench();
-    workbench.execute(Command::Search);
+    workbench.execute(Workbench::search);
     workbench.receive();
     let found = workbench.diagnosis().expect("it was searched").clone();
     assert!(!found.found.is_empty());
-    let terms = answer::terms(&found).into_iter().flatten().collect();
-    done(&mut workbench, Edit::Add(terms));
+    let terms: Vec<_> = answer::terms(&found).into_iter().flatten().collect();
+    done(&mut workbench, |bench| bench.add(&terms));
     let all = found.calibration(&workbench.loaded_session().session);
     let answer = workbench.answer().expect("it is identified");
     assert_eq!(answer.calibration, all);
@@ -73,10 +77,10 @@ fn all_that_a_search_found_is_one_model_to_the_last_bit_wherever_it_goes() {
     let gap = answer.identification.gap.after.rms_mm;
     assert!((gap - found.gap.end_mm).abs() < 1e-9, "{gap}");
     // A part of it is another model; all of it is the same one again.
-    done(&mut workbench, Edit::Switch(0, false));
+    done(&mut workbench, |bench| bench.switch(0, false));
     let part = &workbench.answer().expect("identified").calibration;
     assert_ne!(part.model, all.model);
-    done(&mut workbench, Edit::Switch(0, true));
+    done(&mut workbench, |bench| bench.switch(0, true));
     assert_eq!(workbench.answer().expect("identified").calibration, all);
 }
 
@@ -84,16 +88,20 @@ fn all_that_a_search_found_is_one_model_to_the_last_bit_wherever_it_goes() {
 fn dragging_a_boundary_identifies_by_region_and_is_undone_in_one_step() {
     let mut workbench = workbench();
     for deg in [1.0, 3.0, 7.0] {
-        let edit = Edit::MoveBoundary(3, rad_from_deg(deg));
-        workbench.execute(Command::Drag(edit));
+        workbench.execute(|bench| {
+            bench.drag(true);
+            bench.edit(phrase!("move boundary"), |document| {
+                document.move_boundary(3, rad_from_deg(deg))
+            });
+        });
         workbench.receive();
         assert!(workbench.settled(), "the answer follows at once");
         let outcome = workbench.answer().expect("by region");
         assert_eq!(outcome.identification.method, "regional");
     }
-    workbench.execute(Command::EndDrag);
+    workbench.execute(|bench| bench.drag(false));
     assert_eq!(workbench.undoes(), Some("move boundary"));
-    workbench.execute(Command::Undo);
+    workbench.execute(Workbench::undo);
     let all = boundaries(&workbench.document().regions);
     assert!(all[3].at_rad.abs() < 1e-12);
     assert_eq!(workbench.document().method, Method::Exact);
@@ -104,19 +112,19 @@ fn dragging_a_boundary_identifies_by_region_and_is_undone_in_one_step() {
 fn undo_brings_the_session_before_back() {
     let mut workbench = workbench();
     let first = Arc::clone(workbench.loaded_session());
-    workbench.execute(Command::OpenExample(1));
+    workbench.execute(|bench| bench.ask_then(NextAction::Example(1)));
     workbench.receive();
     assert_eq!(workbench.loaded_session().len(), 30);
-    workbench.execute(Command::Undo);
+    workbench.execute(Workbench::undo);
     assert!(Arc::ptr_eq(&first, workbench.loaded_session()));
 }
 
 #[test]
 fn an_answer_to_another_question_is_not_shown() {
     let mut workbench = workbench();
-    done(&mut workbench, Edit::Identify);
+    done(&mut workbench, |bench| bench.identify(None));
     assert!(workbench.answer().is_some());
-    workbench.execute(Command::OpenExample(1));
+    workbench.execute(|bench| bench.ask_then(NextAction::Example(1)));
     workbench.receive();
     assert!(workbench.answer().is_none(), "nothing is identified yet");
 }
@@ -125,9 +133,13 @@ fn an_answer_to_another_question_is_not_shown() {
 fn what_cannot_be_done_is_said_and_changes_nothing() {
     let mut workbench = workbench();
     let before = workbench.document().clone();
-    done(&mut workbench, Edit::Divide(0));
+    done(&mut workbench, |bench| {
+        bench.edit(phrase!("divide into regions"), |document| {
+            document.divide(0)
+        });
+    });
     assert_eq!(*workbench.document(), before);
-    let message = workbench.view().message.as_ref().expect("it is said");
+    let message = workbench.view.message.as_ref().expect("it is said");
     assert!(message.wrong && message.details[0].contains("0 regions"));
     assert_eq!(workbench.undoes(), None);
 }
@@ -135,16 +147,16 @@ fn what_cannot_be_done_is_said_and_changes_nothing() {
 #[test]
 fn a_wrong_file_leaves_everything_as_it_was() {
     let mut workbench = workbench();
-    done(&mut workbench, Edit::Identify);
+    done(&mut workbench, |bench| bench.identify(None));
     let before = workbench.document().clone();
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("wrong.json");
     std::fs::write(&path, "{ \"format\": \"truepose-session/1\", ").expect("it can be written");
-    workbench.execute(Command::OpenFile(path));
+    workbench.execute(|bench| bench.open_file(path));
     workbench.receive();
     assert_eq!(*workbench.document(), before);
     assert!(workbench.answer().is_some());
-    let message = workbench.view().message.as_ref().expect("it is said");
+    let message = workbench.view.message.as_ref().expect("it is said");
     assert!(message.title.contains("nothing was changed"));
     assert!(
         message.details[0].contains("line 1"),
@@ -156,29 +168,31 @@ fn a_wrong_file_leaves_everything_as_it_was() {
 #[test]
 fn a_saved_session_brings_its_regions_and_its_tolerance_back() {
     let mut workbench = workbench();
-    done(&mut workbench, Edit::Divide(4));
-    done(&mut workbench, Edit::Tolerance(Some(0.35)));
+    done(&mut workbench, |bench| {
+        bench.edit(phrase!("divide into regions"), |document| {
+            document.divide(4)
+        });
+    });
+    done(&mut workbench, |bench| {
+        bench.edit(phrase!("set tolerance"), |document| {
+            document.set_tolerance(Some(0.35))
+        });
+    });
     assert!(workbench.unsaved());
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("kept.json");
-    workbench.execute(Command::SaveAs {
-        path: path.clone(),
-        replace: false,
-    });
+    workbench.execute(|bench| bench.save_as(&path.clone(), false));
     workbench.receive();
-    assert!(!workbench.unsaved(), "{:?}", workbench.view().message);
+    assert!(!workbench.unsaved(), "{:?}", workbench.view.message);
     let regions = Arc::clone(&workbench.document().regions);
-    workbench.execute(Command::OpenFile(path.clone()));
+    workbench.execute(|bench| bench.open_file(path.clone()));
     workbench.receive();
     assert_eq!(workbench.document().regions, regions);
     assert_eq!(workbench.document().tolerance_mm, Some(0.35));
 
-    workbench.execute(Command::SaveAs {
-        path,
-        replace: false,
-    });
+    workbench.execute(|bench| bench.save_as(&path, false));
     workbench.receive();
-    let message = workbench.view().message.as_ref().expect("it is said");
+    let message = workbench.view.message.as_ref().expect("it is said");
     assert!(message.wrong && message.details[0].contains("exists already"));
 }
 
@@ -188,15 +202,15 @@ fn what_this_window_saved_is_not_taken_for_a_change_by_another_program() {
     let mut workbench = workbench();
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("own.json");
-    let save = Command::SaveAs {
-        path: path.clone(),
-        replace: true,
-    };
-    workbench.execute(save);
+    workbench.execute(|bench| bench.save_as(&path, true));
     workbench.receive();
     let before = workbench.file_state.look;
-    done(&mut workbench, Edit::Divide(5));
-    workbench.execute(Command::Save);
+    done(&mut workbench, |bench| {
+        bench.edit(phrase!("divide into regions"), |document| {
+            document.divide(5)
+        });
+    });
+    workbench.execute(Workbench::save);
     workbench.receive();
     let change = OnDisk {
         path: path.clone(),
@@ -207,12 +221,12 @@ fn what_this_window_saved_is_not_taken_for_a_change_by_another_program() {
         change: Some(change),
         missing: Vec::new(),
     });
-    assert_eq!(workbench.view().on_disk, None);
+    assert_eq!(workbench.view.on_disk, None);
     // A change that another program made after that is said.
     std::fs::write(&path, "{}").expect("written");
     workbench.look_at_disk();
     workbench.receive();
-    let seen = workbench.view().on_disk.as_ref().expect("it is said");
+    let seen = workbench.view.on_disk.as_ref().expect("it is said");
     assert_eq!(seen.change, FileChange::Changed);
 }
 
@@ -220,19 +234,25 @@ fn what_this_window_saved_is_not_taken_for_a_change_by_another_program() {
 #[test]
 fn a_step_is_done_for_the_model_that_was_exported_alone() {
     let mut workbench = workbench();
-    done(&mut workbench, Edit::Identify);
+    done(&mut workbench, |bench| bench.identify(None));
     let folder = tempfile::tempdir().expect("a folder");
-    workbench.execute(Command::ExportTo {
-        what: crate::gui::view::What::Table,
-        path: folder.path().join("table.csv"),
-        replace: false,
+    workbench.execute(|bench| {
+        bench.export_as(
+            crate::gui::view::What::Table,
+            folder.path().join("table.csv"),
+            false,
+        );
     });
     workbench.receive();
     assert_eq!(workbench.exported().count(), 1);
-    done(&mut workbench, Edit::Effect("backlash", true));
-    done(&mut workbench, Edit::Identify);
+    done(&mut workbench, |bench| {
+        bench.edit(phrase!("choose effects"), |document| {
+            document.choose_effect("backlash", true)
+        });
+    });
+    done(&mut workbench, |bench| bench.identify(None));
     assert_eq!(workbench.exported().count(), 0);
-    workbench.execute(Command::Undo);
+    workbench.execute(Workbench::undo);
     workbench.receive();
     assert_eq!(workbench.exported().count(), 1);
 }
@@ -240,8 +260,8 @@ fn a_step_is_done_for_the_model_that_was_exported_alone() {
 #[test]
 fn an_export_writes_the_table_and_what_it_means() {
     let mut workbench = workbench();
-    done(&mut workbench, Edit::Identify);
-    workbench.execute(Command::View(ViewChange::GoTo(Step::Export)));
+    done(&mut workbench, |bench| bench.identify(None));
+    workbench.execute(|bench| bench.view.step = Step::Export);
     workbench.receive();
     let made = workbench.export().expect("prepared").expect("possible");
     let table = made.export.reads_as.as_ref().expect("a table");
@@ -252,10 +272,12 @@ fn an_export_writes_the_table_and_what_it_means() {
         "a joint cannot lengthen a link"
     );
     let folder = tempfile::tempdir().expect("a folder");
-    workbench.execute(Command::ExportTo {
-        what: crate::gui::view::What::Table,
-        path: folder.path().join("table.csv"),
-        replace: false,
+    workbench.execute(|bench| {
+        bench.export_as(
+            crate::gui::view::What::Table,
+            folder.path().join("table.csv"),
+            false,
+        );
     });
     workbench.receive();
     for name in ["table.csv", "table.csv.meta.json"] {
@@ -274,10 +296,15 @@ fn a_robot_that_is_edited_is_seen_at_once_and_undone_in_one_step() {
     let mut form = SetupForm::of(&workbench.loaded_session().session);
     for k in 1..=5 {
         form.tool_mm[0] += f64::from(k);
-        workbench.execute(Command::Drag(Edit::Setup(Box::new(form.clone()))));
+        workbench.execute(|bench| {
+            bench.drag(true);
+            bench.edit(phrase!("edit robot and instrument"), |document| {
+                document.set_up(&form.clone())
+            });
+        });
         workbench.receive();
     }
-    workbench.execute(Command::EndDrag);
+    workbench.execute(|bench| bench.drag(false));
     let after = workbench
         .loaded_session()
         .gap_before
@@ -286,7 +313,7 @@ fn a_robot_that_is_edited_is_seen_at_once_and_undone_in_one_step() {
     assert!((after - before).abs() > 1.0);
     assert!(workbench.unsaved());
     assert_eq!(workbench.undoes(), Some("edit robot and instrument"));
-    workbench.execute(Command::Undo);
+    workbench.execute(Workbench::undo);
     assert_eq!(workbench.undoes(), None);
     assert!(!workbench.unsaved());
 }
@@ -295,15 +322,15 @@ fn a_robot_that_is_edited_is_seen_at_once_and_undone_in_one_step() {
 fn an_identification_that_was_cancelled_is_not_begun_again_by_itself() {
     let mut workbench = workbench();
     workbench.jobs = Jobs::new(Runner::Threads, Arc::new(|| {}));
-    workbench.execute(Command::Edit(Edit::Identify));
-    workbench.execute(Command::Stop(Task::Newest));
+    workbench.execute(|bench| bench.identify(None));
+    workbench.execute(Workbench::cancel_newest);
     assert!(workbench.is_declined());
-    workbench.execute(Command::View(ViewChange::GoTo(Step::Export)));
+    workbench.execute(|bench| bench.view.step = Step::Export);
     assert!(
         workbench.jobs.newest().is_none(),
         "it is not asked for again"
     );
-    workbench.execute(Command::Edit(Edit::Identify));
+    workbench.execute(|bench| bench.identify(None));
     assert!(workbench.jobs.newest().is_some());
 }
 
@@ -311,23 +338,23 @@ fn an_identification_that_was_cancelled_is_not_begun_again_by_itself() {
 fn a_search_ends_where_another_session_is_opened() {
     let mut workbench = workbench();
     workbench.jobs = Jobs::new(Runner::Threads, Arc::new(|| {}));
-    workbench.execute(Command::Search);
+    workbench.execute(Workbench::search);
     assert!(workbench.searching().is_some());
     let session = workbench.loaded_session().session.clone();
     let other = LoadedSession::new(session, Vec::new(), Origin::Imported("other.txt".into()));
-    workbench.execute(Command::Edit(Edit::Open(Arc::new(other))));
+    workbench.execute(|bench| bench.open_session(Arc::new(other)));
     assert!(workbench.searching().is_none());
 }
 
 #[test]
 fn a_search_that_is_stopped_answers_nothing_and_takes_the_place_of_nothing() {
     let mut workbench = workbench();
-    workbench.execute(Command::Search);
+    workbench.execute(Workbench::search);
     workbench.receive();
     assert!(workbench.diagnosis().is_some());
     workbench.jobs = Jobs::new(Runner::Threads, Arc::new(|| {}));
-    workbench.execute(Command::Search);
-    workbench.execute(Command::Stop(Task::Search));
+    workbench.execute(Workbench::search);
+    workbench.execute(Workbench::stop_search);
     assert!(workbench.searching().is_none() && workbench.stopped().is_some());
     let diagnosis = workbench.diagnosis().expect("that which was complete");
     assert_eq!(diagnosis.stopped, None);
@@ -340,19 +367,16 @@ fn new_files_belong_beside_what_they_were_made_of() {
     let tracker = folder.path().join("tracker.txt");
     let session = workbench.loaded_session().session.clone();
     let imported = LoadedSession::new(session, Vec::new(), Origin::Imported(tracker));
-    workbench.execute(Command::Edit(Edit::Open(Arc::new(imported))));
+    workbench.execute(|bench| bench.open_session(Arc::new(imported)));
     let proposed = workbench.proposed_path();
     assert_eq!(proposed.parent(), Some(folder.path()));
     // A bare name means the same folder, not the one that the program was started in.
-    workbench.execute(Command::SaveAs {
-        path: "column.json".into(),
-        replace: false,
-    });
+    workbench.execute(|bench| bench.save_as(Path::new("column.json"), false));
     workbench.receive();
     let saved = folder.path().join("column.json");
-    assert!(saved.exists(), "{:?}", workbench.view().message);
+    assert!(saved.exists(), "{:?}", workbench.view.message);
     assert_eq!(workbench.proposed_path(), saved);
-    let message = workbench.view().message.as_ref().expect("it is said");
+    let message = workbench.view.message.as_ref().expect("it is said");
     assert_eq!(message.file.as_deref(), Some(&*saved));
     let report = workbench.name_of(What::Report(About::Session));
     let report = workbench.placed(report.as_ref());
@@ -365,7 +389,7 @@ fn excluding_a_sample_keeps_the_sample_and_not_the_session() {
     let opened = Arc::downgrade(workbench.loaded_session());
     let mut before = Vec::new();
     for sample in 1..=4 {
-        done(&mut workbench, Edit::Exclude(vec![sample], true));
+        done(&mut workbench, |bench| bench.exclude(&[sample], true));
         before.push(Arc::downgrade(workbench.loaded_session()));
     }
     let alive = before.iter().filter(|one| one.strong_count() > 0).count();
@@ -378,7 +402,7 @@ fn excluding_a_sample_keeps_the_sample_and_not_the_session() {
         samples.excluded_by_hand()
     };
     for left in [&[1, 2, 3][..], &[1, 2], &[1], &[]] {
-        workbench.execute(Command::Undo);
+        workbench.execute(Workbench::undo);
         assert_eq!(excluded(&workbench), left);
     }
     assert!(std::ptr::eq(
@@ -386,7 +410,7 @@ fn excluding_a_sample_keeps_the_sample_and_not_the_session() {
         Arc::as_ptr(workbench.loaded_session())
     ));
     for _ in 0..4 {
-        workbench.execute(Command::Redo);
+        workbench.execute(Workbench::redo);
     }
     assert!(Arc::ptr_eq(&held, workbench.loaded_session()));
     assert_eq!(excluded(&workbench), [1, 2, 3, 4]);
@@ -395,18 +419,18 @@ fn excluding_a_sample_keeps_the_sample_and_not_the_session() {
 #[test]
 fn a_preparation_that_was_cancelled_is_not_begun_again_by_itself() {
     let mut workbench = workbench();
-    workbench.execute(Command::Edit(Edit::Identify));
+    workbench.execute(|bench| bench.identify(None));
     workbench.receive();
     workbench.jobs = Jobs::new(Runner::Threads, Arc::new(|| {}));
-    workbench.execute(Command::View(ViewChange::GoTo(Step::Export)));
+    workbench.execute(|bench| bench.view.step = Step::Export);
     assert!(workbench.jobs.newest().is_some());
-    workbench.execute(Command::Stop(Task::Newest));
+    workbench.execute(Workbench::cancel_newest);
     assert!(workbench.is_unprepared());
-    workbench.execute(Command::View(ViewChange::Fit));
+    workbench.execute(|bench| bench.view.fit());
     assert!(
         workbench.jobs.newest().is_none(),
         "it is not asked for again"
     );
-    workbench.execute(Command::Prepare);
+    workbench.execute(Workbench::prepare_again);
     assert!(!workbench.is_unprepared() && workbench.jobs.newest().is_some());
 }

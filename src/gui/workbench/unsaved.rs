@@ -5,7 +5,6 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use crate::gui::core::document::Document;
-use crate::gui::core::edit::Edit;
 use crate::gui::core::loaded_session::{LoadedSession, Origin};
 use crate::gui::file_state::Recent;
 use crate::gui::file_state::recovery::{self, OrphanedRecovery, SavedDocument};
@@ -13,8 +12,8 @@ use crate::gui::files::{self, NotSaved, Opened, Replace, Saved};
 use crate::gui::jobs::{Kind, Running, Watch};
 use crate::gui::view::{Message, NextAction, Sheet, What};
 
-use super::state::Place;
-use super::{Asked, Command, Workbench};
+use super::Workbench;
+use crate::gui::workbench::Place;
 
 /// Documents that are remembered as standing in a file.
 const MOST_ON_FILE: usize = 64;
@@ -71,7 +70,7 @@ impl Workbench {
     }
 
     /// Does it, unless something would be lost: then asks first.
-    pub(super) fn ask_then(&mut self, then: NextAction) {
+    pub(crate) fn ask_then(&mut self, then: NextAction) {
         if let (NextAction::Leave, Some(writing)) = (&then, self.writing()) {
             // Leaving does not depend on a file being chosen.
             let title = say!(
@@ -89,7 +88,7 @@ impl Workbench {
         }
     }
 
-    pub(super) fn go(&mut self, then: NextAction) {
+    pub(crate) fn go(&mut self, then: NextAction) {
         self.file_state.then = None;
         self.view.sheet = None;
         match then {
@@ -112,7 +111,7 @@ impl Workbench {
     }
 
     /// Opens what was dropped: one file, or a session with its samples; of a folder its sessions are compared.
-    pub(super) fn drop_files(&mut self, mut paths: Vec<PathBuf>) {
+    pub(crate) fn drop_files(&mut self, mut paths: Vec<PathBuf>) {
         if self.asking().is_some() {
             return;
         }
@@ -136,9 +135,9 @@ impl Workbench {
         match &paths[..] {
             [] => {}
             [folder] if folder.is_dir() => {
-                self.execute(Command::CompareSessions(folder.clone()));
+                self.compare_sessions(folder.clone());
             }
-            [file] => self.execute(Command::OpenFile(file.clone())),
+            [file] => self.open_file(file.clone()),
             several => self.complain(
                 &say!("{count} files were dropped: none was opened", count = several.len()),
                 [say!("Drop one at a time: a session, a model, a robot program, or a table of measurements")],
@@ -156,15 +155,14 @@ impl Workbench {
     }
 
     /// Saves what would be lost, then does it.
-    pub(super) fn save_then(&mut self, then: NextAction) {
+    pub(crate) fn save_then(&mut self, then: NextAction) {
         self.view.sheet = None;
         self.file_state.then = Some(then);
         self.file_state.saves_all = true;
         if self.at_risk().session {
-            self.execute(Command::Save);
+            self.save();
         } else {
-            let what = What::Model;
-            self.execute(Command::Ask(Asked::WhereToExport(what)));
+            self.choose_where_to_export(What::Model);
         }
     }
 
@@ -185,15 +183,47 @@ impl Workbench {
     }
 
     /// Saves to the session's own file, or asks for one.
-    pub(super) fn save_here(&mut self) {
+    pub(crate) fn save(&mut self) {
         match self.file().map(Path::to_path_buf) {
             Some(path) => self.save_to(&path, Replace::Own),
-            None => self.execute(Command::Ask(Asked::WhereToSave)),
+            None => self.choose_where_to_save(),
         }
+    }
+
+    /// The same, although the file changed since it was read.
+    pub(crate) fn save_despite(&mut self) {
+        if let Some(path) = self.file().map(Path::to_path_buf) {
+            self.save_to(&path, Replace::Whatever);
+        }
+    }
+
+    /// Saves to the file that was typed; whether one that is there may be replaced.
+    pub(crate) fn save_as(&mut self, path: &Path, replace: bool) {
+        let replace = if replace {
+            Replace::Named
+        } else {
+            Replace::Nothing
+        };
+        self.save_to(&self.placed(path), replace);
+    }
+
+    /// A model by itself: that is said.
+    pub(super) fn has_nothing_to_save(&mut self) -> bool {
+        let nothing = self.loaded_session().is_empty();
+        if nothing {
+            self.complain(
+                say!("There is no session to save"),
+                [say!("A model by itself is saved in the Export step")],
+            );
+        }
+        nothing
     }
 
     /// Saves what is open to a file.
     pub(super) fn save_to(&mut self, path: &Path, replace: Replace) {
+        if self.has_nothing_to_save() {
+            return;
+        }
         self.save_document(Arc::clone(self.history.present()), path, replace);
     }
 
@@ -277,7 +307,7 @@ impl Workbench {
     }
 
     /// Writes what is not saved to this window's recovery file, or removes it where all is saved.
-    pub(super) fn keep_recovery(&mut self) {
+    pub(crate) fn keep_recovery(&mut self) {
         let Some(path) = self
             .file_state
             .recovery_file
@@ -322,7 +352,7 @@ impl Workbench {
     }
 
     /// Brings back what was left behind.
-    pub(super) fn restore(&mut self, index: usize) {
+    pub(crate) fn restore(&mut self, index: usize) {
         if index >= self.file_state.orphaned.len() {
             return;
         }
@@ -334,8 +364,11 @@ impl Workbench {
                 session.path.clone_from(&kept.about.file);
                 let origin = Origin::Recovered(kept.about.file.clone());
                 let loaded_session = Arc::new(LoadedSession::new(session, Vec::new(), origin));
-                let edit = Edit::Recover(loaded_session, kept.choices());
-                self.execute(Command::Edit(edit));
+                let choices = kept.choices();
+                self.edit(phrase!("restore"), |document| {
+                    document.recover(loaded_session, choices);
+                    Ok(())
+                });
                 self.file_state.restored.push(left);
                 self.keep_recovery();
                 self.view.message = Some(Message::done(
@@ -358,7 +391,7 @@ impl Workbench {
     }
 
     /// Discards what was left behind.
-    pub(super) fn discard_left(&mut self, index: usize) {
+    pub(crate) fn discard_left(&mut self, index: usize) {
         if index < self.file_state.orphaned.len() {
             let left = self.file_state.orphaned.remove(index);
             if left.kept.is_ok() {
@@ -370,7 +403,7 @@ impl Workbench {
         self.close_recovery();
     }
 
-    pub(super) fn discard_all_left(&mut self) {
+    pub(crate) fn discard_all_left(&mut self) {
         while !self.file_state.orphaned.is_empty() {
             self.discard_left(0);
         }

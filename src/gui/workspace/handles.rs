@@ -7,10 +7,9 @@ use egui::{
     WidgetInfo,
 };
 
-use crate::gui::core::boundaries::{self, SNAP_DEG};
-use crate::gui::core::edit::Edit;
+use crate::gui::core::regions::{self, SNAP_DEG};
 use crate::gui::style::Palette;
-use crate::gui::workbench::{Command, Workbench};
+use crate::gui::workbench::Workbench;
 use crate::units::{deg_from_rad, rad_from_deg};
 
 /// Size of a handle, points: large enough for a finger.
@@ -39,7 +38,7 @@ pub(crate) fn grab(ui: &Ui, workbench: &Workbench) {
         i.pointer.primary_pressed().then_some((from, to))
     });
     let Some((from, to)) = press else { return };
-    let count = boundaries::boundaries(&workbench.document().regions).len();
+    let count = regions::boundaries(&workbench.document().regions).len();
     let left = |id: &Id| {
         let rect = ui.ctx().read_response(*id).map(|handle| handle.rect);
         rect.is_some_and(|rect| rect.contains(from) && !rect.contains(to))
@@ -53,15 +52,10 @@ pub(crate) fn grab(ui: &Ui, workbench: &Workbench) {
 }
 
 /// Shows a handle for every boundary and sends what the hand does with it.
-pub(crate) fn show(
-    ui: &mut Ui,
-    workbench: &Workbench,
-    handles: &Handles<'_>,
-    commands: &mut Vec<Command>,
-) {
+pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, handles: &Handles<'_>) {
     let document = workbench.document();
     let within = document.loaded_session.travel();
-    for (index, boundary) in boundaries::boundaries(&document.regions).iter().enumerate() {
+    for (index, boundary) in regions::boundaries(&document.regions).iter().enumerate() {
         let centre = (handles.at)(boundary.at_rad);
         if !handles.frame.contains(centre) {
             continue;
@@ -78,7 +72,7 @@ pub(crate) fn show(
             info.role = Role::Slider;
             info
         });
-        let room = boundaries::allowed_range(&document.regions, index, within);
+        let room = regions::allowed_range(&document.regions, index, within);
         if let Some((low, high)) = room {
             ui.ctx().accesskit_node_builder(id, |node| {
                 node.set_min_numeric_value(deg_from_rad(low));
@@ -95,15 +89,16 @@ pub(crate) fn show(
         if response.dragged()
             && let Some(pointer) = response.interact_pointer_pos()
         {
-            let to = boundaries::snapped_rad((handles.angle)(pointer, boundary.at_rad));
-            commands.push(Command::Drag(Edit::MoveBoundary(index, to)));
-        }
-        if response.drag_stopped() {
-            commands.push(Command::EndDrag);
+            let to = regions::snapped_rad((handles.angle)(pointer, boundary.at_rad));
+            workbench.edits(phrase!("move boundary"), move |document| {
+                document.move_boundary(index, to)
+            });
         }
         if let Some(to_deg) = moved_by_keys(ui, &response, at_deg) {
             let to = rad_from_deg(to_deg);
-            commands.push(Command::Edit(Edit::MoveBoundary(index, to)));
+            workbench.edits(phrase!("move boundary"), move |document| {
+                document.move_boundary(index, to)
+            });
         }
         paint(ui, &response);
         response.on_hover_text(say!(

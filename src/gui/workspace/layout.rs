@@ -253,7 +253,6 @@ mod tests {
     use super::*;
     use crate::gui::core::simulate::Form;
     use crate::gui::testing::workbench;
-    use crate::gui::workbench::Command;
     use egui_plot::PlotBounds;
 
     #[test]
@@ -329,10 +328,12 @@ mod tests {
     #[test]
     fn of_many_vectors_one_is_drawn_for_every_cell() {
         let mut workbench = workbench();
-        workbench.execute(Command::Simulate(Form {
-            step_deg: 0.05,
-            ..Form::default()
-        }));
+        workbench.execute(|bench| {
+            bench.simulate(Form {
+                step_deg: 0.05,
+                ..Form::default()
+            });
+        });
         workbench.receive();
         let shown = Shown::of(&workbench);
         let [points, vectors] = super::counts(&shown, &transform(1.0));

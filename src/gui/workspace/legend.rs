@@ -1,34 +1,40 @@
 //! The scale of the vectors, what marks and colours mean, and what is not shown: in rows above the
-//! plot, so that nothing of it ever covers what was measured, however small the plot is.
+//! plot, so that nothing of it ever covers what was measured, however small the plot is. What colour says is said a
+//! second time: a deviation by the vector's length, a direction by its direction, a condition by its width.
 
-use egui::{Align2, Link, Popup, PopupCloseBehavior, Rect, RichText, Ui, vec2};
+use egui::epaint::Mesh;
+use egui::{
+    Align2, Color32, FontId, Link, Popup, PopupCloseBehavior, Pos2, Rect, RichText, Role, Sense,
+    Shape, Stroke, Ui, WidgetInfo, pos2, vec2,
+};
 use egui_plot::PlotTransform;
 
-use crate::gui::layers::OUTLINE;
-use crate::gui::scene::paint::Camera;
-use crate::gui::scene::screen::Screen;
-use crate::gui::scene::{
-    ColourToken, Form, Item, Label, LegendEntry, Mark, Place, SIGN, Stroke, Tint,
-};
+use crate::gui::cache::cloud::Cloud;
+use crate::gui::layers::{OUTLINE, WEDGE, scale_at};
 use crate::gui::style::{Palette, size};
 use crate::gui::view::Colouring;
+use crate::gui::widgets;
 use crate::gui::workbench::Workbench;
-use crate::present::numbers::trimmed;
+use crate::numeric::single;
+use crate::present::numbers::{significant, trimmed};
 
 use super::layout;
 use super::model::{Shown, judged};
+use super::pen::{Camera, Form, Label, Pen};
 use super::robot::Drawn;
-use super::scales::{self, HIGH, entry};
-use super::scene::SQUARE;
 
 /// The longest that the scale's arrow gets, points.
 const LONGEST_SCALE: f64 = 52.0;
 /// Room for the arrow and its length in words, points.
 const SCALE: f32 = 116.0;
+/// Side of the square of a pose that was not measured, points.
+pub(super) const SQUARE: f32 = 5.0;
+/// Width of the sign of a mark or a line, points.
+const SIGN: f32 = 14.0;
 
-fn symbol(ui: &mut Ui, one: &LegendEntry, palette: &Palette) {
+fn symbol(ui: &mut Ui, one: &Entry, palette: &Palette) {
     let room = entry(ui, one.wide, &one.name, palette);
-    Screen::symbol(ui.painter(), palette, one, room.center());
+    Pen::draw(ui, |pen| (one.sign)(pen, room.center()));
 }
 
 fn note(ui: &mut Ui, says: &str, palette: &Palette) {
@@ -56,8 +62,8 @@ pub(super) fn show(
     let mut scale = None;
     let measured = !workbench.loaded_session().is_empty();
     let low = ui.available_height() < LOW;
-    let entries = entries(workbench, shown, robot);
-    let scales = scales::entries(ui, workbench, shown, low);
+    let entries = entries(workbench, shown, robot, palette);
+    let scales = colour_bars(ui, workbench, shown, low);
     let marks = |ui: &mut Ui| entries.iter().for_each(|one| symbol(ui, one, palette));
     rows(ui, |ui| {
         if measured {
@@ -95,116 +101,131 @@ fn folded(ui: &mut Ui, marks: impl FnOnce(&mut Ui)) {
         });
 }
 
-/// The scale of the vectors: an arrow that stands for a round length, and which.
-fn scale(workbench: &Workbench, shown: &Shown, camera: &Camera) -> LegendEntry {
+/// Draws the scale of the vectors: an arrow that stands for a round length, and which.
+pub(super) fn scale_in(ui: &Ui, room: Rect, workbench: &Workbench, shown: &Shown, camera: &Camera) {
     let units = workbench.units();
     let points_per_mm = camera.points_per_mm();
     // Round in the unit in which it is written.
     let per_mm = units.length_value(1.0);
     let round = layout::scale_mm(shown.magnification, points_per_mm / per_mm, LONGEST_SCALE);
     let mm = round / per_mm;
-    let long = mm * shown.magnification * points_per_mm;
-    let token = if shown.look.colouring != Colouring::State {
-        ColourToken::Muted
-    } else if shown.look.answered && shown.look.blend > 0.0 {
-        ColourToken::After
-    } else {
-        ColourToken::Before
-    };
-    let at = |x: f64| Place::from([x - 0.5 * f64::from(SCALE), 0.0, 0.0]);
-    let says = format!(
-        "{} {}",
-        trimmed(units.length_value(mm), 6),
-        units.length_name()
-    );
-    let says = Label {
-        anchor: Align2::LEFT_CENTER,
-        ..Label::new(at(long + 8.0), says, ColourToken::Text)
-    };
-    let arrow = Item::Vector([at(0.0), at(long)], Stroke::new(2.0, token));
-    LegendEntry {
-        name: String::new(),
-        sign: vec![arrow, Item::Label(says)],
-        wide: SCALE,
+    let long = single(mm * shown.magnification * points_per_mm);
+    let length = trimmed(units.length_value(mm), 6);
+    let says = format!("{length} {}", units.length_name());
+    Pen::draw(ui, |pen| {
+        let color = if shown.look.colouring != Colouring::State {
+            pen.palette.muted
+        } else if shown.look.answered && shown.look.blend > 0.0 {
+            pen.palette.after
+        } else {
+            pen.palette.before
+        };
+        let ends = [room.left_center(), room.left_center() + vec2(long, 0.0)];
+        pen.arrow(ends, Stroke::new(2.0, color));
+        let says = Label::new(says, pen.palette.text).anchored(Align2::LEFT_CENTER);
+        pen.label(ends[1] + vec2(8.0, 0.0), &says);
+    });
+}
+
+type Sign = dyn Fn(&mut Pen<'_>, Pos2);
+
+/// A name, with its sign.
+struct Entry {
+    name: String,
+    /// Points.
+    wide: f32,
+    /// Draws it about its middle.
+    sign: Box<Sign>,
+}
+
+impl Entry {
+    fn new(name: impl Into<String>, sign: impl Fn(&mut Pen<'_>, Pos2) + 'static) -> Self {
+        Self {
+            name: name.into(),
+            wide: SIGN,
+            sign: Box::new(sign),
+        }
+    }
+
+    /// Pieces of lines, one over the other.
+    fn line<const N: usize>(name: &str, strokes: [(f32, Color32); N]) -> Self {
+        Self::new(name, move |pen, at| {
+            let half = vec2(0.5 * SIGN, 0.0);
+            for (width, color) in strokes {
+                pen.line([at - half, at + half], Stroke::new(width, color));
+            }
+        })
+    }
+
+    fn mark(name: &str, (form, radius): (Form, f32), fill: Color32, edge: Stroke) -> Self {
+        Self::new(name, move |pen, at| {
+            pen.mark(at, (form, radius), fill, edge);
+        })
     }
 }
 
-/// Draws the scale where there is room for it.
-pub(super) fn scale_in(ui: &Ui, room: Rect, workbench: &Workbench, shown: &Shown, camera: &Camera) {
-    let scale = scale(workbench, shown, camera);
-    Screen::symbol(ui.painter(), &Palette::of(ui), &scale, room.center());
-}
-
 /// What the marks mean.
-fn entries(workbench: &Workbench, shown: &Shown, robot: Option<&Drawn>) -> Vec<LegendEntry> {
+fn entries(
+    workbench: &Workbench,
+    shown: &Shown,
+    robot: Option<&Drawn>,
+    palette: &Palette,
+) -> Vec<Entry> {
     let mut all = Vec::new();
     if !workbench.loaded_session().is_empty() {
-        meanings(&mut all, workbench, shown);
+        meanings(&mut all, workbench, shown, palette);
     }
     // Whether the pointer is at a sample or not: nothing moves under the pointer.
     let Some(robot) = robot else {
         return all;
     };
-    let tube = [(7.0, ColourToken::Nominal), (4.5, ColourToken::Surface)];
-    let tube = tube.map(|(width, token)| LegendEntry::line("", Stroke::new(width, token)).sign);
-    all.push(LegendEntry {
-        name: say!("robot").to_owned(),
-        sign: tube.concat(),
-        wide: SIGN,
-    });
+    let tube = [(7.0, palette.nominal), (4.5, palette.surface)];
+    all.push(Entry::line(say!("robot"), tube));
     if let Some(real) = &robot.real {
-        let (name, token) = if real.identified {
-            (say!("identified"), ColourToken::After)
+        let (name, color) = if real.identified {
+            (say!("identified"), palette.after)
         } else {
-            (say!("as measured"), ColourToken::Before)
+            (say!("as measured"), palette.before)
         };
-        all.push(LegendEntry::line(name, Stroke::new(2.5, token)));
+        all.push(Entry::line(name, [(2.5, color)]));
     }
     all
 }
 
-fn meanings(all: &mut Vec<LegendEntry>, workbench: &Workbench, shown: &Shown) {
-    let line = |name: &str, width, ink: Tint| LegendEntry::line(name, Stroke::new(width, ink));
+fn meanings(all: &mut Vec<Entry>, workbench: &Workbench, shown: &Shown, palette: &Palette) {
     if !shown.paths_mm.is_empty() {
-        all.push(line(
-            say!("nominal path"),
-            1.25,
-            ColourToken::Nominal.into(),
-        ));
+        all.push(Entry::line(say!("nominal path"), [(1.25, palette.nominal)]));
     }
     if shown.look.ghosts() {
-        all.push(line(say!("before"), 1.5, ColourToken::Before.clear(0.5)));
-        all.push(line(say!("after"), 1.8, ColourToken::After.into()));
+        let before = palette.before.gamma_multiply(0.5);
+        all.push(Entry::line(say!("before"), [(1.5, before)]));
+        all.push(Entry::line(say!("after"), [(1.8, palette.after)]));
     }
     // Where colour says something else, shape alone says what is within the tolerance.
     let colouring = shown.look.colouring;
     let plain = colouring == Colouring::State;
-    let middle = ColourToken::Scale(colouring, 0.5);
-    let here = [0.0; 3];
-    let disc = |token: ColourToken| {
+    let middle = scale_at(colouring, palette, 0.5);
+    let disc = |name: &str, color: Color32| {
         if plain {
-            Mark::filled(here, Form::Disc, 2.8, token)
+            Entry::mark(name, (Form::Disc, 2.8), color, Stroke::NONE)
         } else {
-            let edge = Stroke::new(OUTLINE, ColourToken::Text);
-            Mark::filled(here, Form::Disc, 4.0, middle).edged(edge)
+            let edge = Stroke::new(OUTLINE, palette.text);
+            Entry::mark(name, (Form::Disc, 4.0), middle, edge)
         }
     };
     if workbench.document().tolerance_mm.is_some() {
-        let inner = if plain { ColourToken::Surface } else { middle };
-        let edge = Stroke::new(1.4, ColourToken::Outside);
-        let diamond = Mark::filled(here, Form::Diamond, 4.2, inner).edged(edge);
+        let inner = if plain { palette.surface } else { middle };
+        let edge = Stroke::new(1.4, palette.outside);
         let [within, outside] = [true, false].map(|within| judged(workbench, within));
-        all.push(LegendEntry::mark(within, disc(ColourToken::Within)));
-        all.push(LegendEntry::mark(outside, diamond));
+        all.push(disc(within, palette.within));
+        all.push(Entry::mark(outside, (Form::Diamond, 4.2), inner, edge));
     } else {
-        all.push(LegendEntry::mark(say!("measured"), disc(ColourToken::Text)));
+        all.push(disc(say!("measured"), palette.text));
     }
     if !shown.over.is_empty() {
-        let square = Mark::filled(here, Form::Square, 0.5 * SQUARE, middle);
-        all.push(LegendEntry::mark(
-            say!("poses over the joints’ ranges"),
-            square,
-        ));
+        let square = (Form::Square, 0.5 * SQUARE);
+        let name = say!("poses over the joints’ ranges");
+        all.push(Entry::mark(name, square, middle, Stroke::NONE));
     }
 }
 
@@ -230,6 +251,312 @@ impl Notes {
         if now != self.before {
             ui.data_mut(|data| data.insert_temp(self.id, now));
             ui.ctx().request_repaint();
+        }
+    }
+}
+
+/// Length of a scale, points; and in a low plot.
+const LONG: f32 = 96.0;
+const SHORT: f32 = 64.0;
+/// Length of a row of directions, points.
+const DIRECTIONS: f32 = 136.0;
+/// Thickness of a scale that says nothing by it, points.
+const THICK: f32 = 7.0;
+/// How much thicker than the vectors a wedge is drawn.
+const WEDGE_BY: f32 = 3.0;
+/// Pieces of a scale.
+const PIECES: u16 = 48;
+
+/// A scale: what it is of, its ends in words, and what colour it has.
+#[derive(Debug, Clone, PartialEq)]
+struct Scale {
+    name: String,
+    /// Its ends; none for directions.
+    ends: Option<[String; 2]>,
+    /// What its colour says.
+    colouring: Colouring,
+}
+
+/// The scales that are in use.
+fn scales(workbench: &Workbench, shown: &Shown) -> Vec<Scale> {
+    let units = workbench.units();
+    let colouring = shown.look.colouring;
+    let heat = workbench.heat().is_some();
+    let long = significant(units.length_value(shown.look.long_mm), 2);
+    let lengths = |name: &str| Scale {
+        name: format!("{name}, {}", units.length_name()),
+        ends: Some(["0".to_owned(), format!("≥ {long}")]),
+        colouring: Colouring::Deviation,
+    };
+    let mut scales = Vec::new();
+    match colouring {
+        Colouring::State => {}
+        Colouring::Deviation => scales.push(lengths(say!("deviation"))),
+        Colouring::Direction => scales.push(Scale {
+            name: say!("direction").to_owned(),
+            ends: None,
+            colouring,
+        }),
+        Colouring::Uncertainty => {
+            let most = workbench.uncertain().map_or(0.0, |u| u.most_mm);
+            let most = significant(units.length_value(most), 2);
+            scales.push(Scale {
+                name: format!("{}, {}", colouring.name(), units.length_name()),
+                ends: Some(["0".to_owned(), most]),
+                colouring,
+            });
+        }
+        Colouring::Load | Colouring::Temperature | Colouring::Time => {
+            let unit = match colouring {
+                Colouring::Load => "kg",
+                Colouring::Temperature => "°C",
+                _ => "s",
+            };
+            let conditions = Cloud::of(workbench.loaded_session()).conditions;
+            let range = colouring.condition().and_then(|k| conditions[k]);
+            scales.push(Scale {
+                name: format!("{}, {unit}", colouring.name()),
+                ends: range.map(|ends| ends.map(|end| trimmed(end, 2))),
+                colouring,
+            });
+        }
+    }
+    if heat && colouring != Colouring::Deviation {
+        scales.push(lengths(say!("heat map")));
+    }
+    scales
+}
+
+/// The scales as entries of a legend: from little to much, a wedge where the width of vectors says the
+/// same; every direction in its colour.
+fn colour_bars(ui: &Ui, workbench: &Workbench, shown: &Shown, low: bool) -> Vec<Entry> {
+    let long = if low { SHORT } else { LONG };
+    let all = scales(workbench, shown).into_iter();
+    all.map(|scale| colour_bar(ui, scale, long)).collect()
+}
+
+fn colour_bar(ui: &Ui, scale: Scale, long: f32) -> Entry {
+    let width = |text: &str| widgets::width_of(ui, text, FontId::proportional(size::SMALL));
+    let Some([low, high]) = scale.ends else {
+        return Entry {
+            wide: DIRECTIONS,
+            ..Entry::new(scale.name, arrows)
+        };
+    };
+    let before = width(&low) + 4.0;
+    let wide = before + long + 4.0 + width(&high);
+    let left = before - 0.5 * wide;
+    let colouring = scale.colouring;
+    let half = move |part: f32| {
+        let wide = WEDGE_BY * (WEDGE[0] + part * (WEDGE[1] - WEDGE[0]));
+        0.5 * if colouring.by_width() { wide } else { THICK }
+    };
+    let sign = move |pen: &mut Pen<'_>, at: Pos2| {
+        for (x, says) in [(-0.5 * wide, &low), (left + long + 4.0, &high)] {
+            let label = Label::new(says, pen.palette.muted).anchored(Align2::LEFT_CENTER);
+            pen.label(at + vec2(x, 0.0), &label);
+        }
+        let mut mesh = Mesh::default();
+        for k in 0..=PIECES {
+            let part = f32::from(k) / f32::from(PIECES);
+            let color = scale_at(colouring, pen.palette, part);
+            for up in [-1.0, 1.0] {
+                mesh.colored_vertex(at + vec2(left + part * long, up * half(part)), color);
+            }
+            if k > 0 {
+                let here = 2 * u32::from(k) + 1;
+                mesh.add_triangle(here, here - 1, here - 2);
+                mesh.add_triangle(here - 1, here - 2, here - 3);
+            }
+        }
+        pen.shapes.push(Shape::mesh(mesh));
+    };
+    Entry {
+        wide,
+        ..Entry::new(scale.name, sign)
+    }
+}
+
+/// From the right around over up.
+fn arrows(pen: &mut Pen<'_>, at: Pos2) {
+    const NUMBER: u8 = 8;
+    let step = DIRECTIONS / f32::from(NUMBER);
+    for k in 0..NUMBER {
+        let part = f32::from(k) / f32::from(NUMBER);
+        let (sin, cos) = (part * std::f32::consts::TAU).sin_cos();
+        let middle = at + vec2(step * (f32::from(k) + 0.5) - 0.5 * DIRECTIONS, 0.0);
+        let half = 6.5 * vec2(cos, -sin);
+        let color = scale_at(Colouring::Direction, pen.palette, part);
+        pen.arrow([middle - half, middle + half], Stroke::new(2.0, color));
+    }
+}
+
+/// Height of a row, points.
+const HIGH: f32 = 18.0;
+
+/// An entry of the legend: so much room for what is drawn, and its name behind it. Where the room
+/// is.
+fn entry(ui: &mut Ui, room: f32, name: &str, palette: &Palette) -> Rect {
+    let font = FontId::proportional(size::SMALL);
+    let galley = ui
+        .painter()
+        .layout_no_wrap(name.to_owned(), font, palette.muted);
+    let between = if name.is_empty() { 0.0 } else { 5.0 };
+    let wide = room + between + galley.size().x;
+    let (rect, response) = ui.allocate_exact_size(vec2(wide, HIGH), Sense::hover());
+    let label = say!("legend: {name}", name);
+    response.widget_info(|| WidgetInfo::labeled(Role::Image, true, label.clone()));
+    let at = pos2(rect.right(), rect.center().y);
+    let place = Align2::RIGHT_CENTER.anchor_size(at, galley.size());
+    ui.painter().galley(place.min, galley, palette.muted);
+    rect.with_max_x(rect.left() + room)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gui::style::testing::{ColourVision, colour_distance, lightness};
+    use crate::gui::style::{DARK, LIGHT, STOPS};
+    use crate::gui::testing::workbench;
+
+    #[test]
+    fn every_colour_that_says_something_has_a_scale() {
+        let mut workbench = workbench();
+        let named = |workbench: &Workbench| {
+            let shown = Shown::of(workbench);
+            let names = scales(workbench, &shown).into_iter().map(|s| s.name);
+            names.collect::<Vec<_>>()
+        };
+        assert!(named(&workbench).is_empty());
+        workbench.execute(|bench| bench.view.colouring = Colouring::Deviation);
+        assert_eq!(named(&workbench), ["deviation, mm"]);
+        workbench.execute(|bench| bench.view.heat = true);
+        workbench.receive();
+        // The same scale for both.
+        assert_eq!(named(&workbench), ["deviation, mm"]);
+        workbench.execute(|bench| bench.view.colouring = Colouring::Direction);
+        assert_eq!(named(&workbench), ["direction", "heat map, mm"]);
+    }
+
+    #[test]
+    fn the_scale_of_the_heat_map_follows_from_before_to_after() {
+        let mut workbench = workbench();
+        workbench.execute(|bench| bench.identify(None));
+        workbench.execute(|bench| bench.view.heat = true);
+        workbench.receive();
+        let mut end_mm = |blend: f32| {
+            workbench.execute(|bench| bench.view.blend = blend);
+            let scale = scales(&workbench, &Shown::of(&workbench)).pop();
+            let [_, end] = scale.and_then(|s| s.ends).expect("the heat map's");
+            end.trim_start_matches("≥ ")
+                .parse::<f64>()
+                .expect("a number")
+        };
+        let [before, between, after] = [0.0, 0.5, 1.0].map(&mut end_mm);
+        assert!(before > 2.0 * after, "{before} {after}");
+        assert!(
+            before > between && between > after,
+            "{before} {between} {after}"
+        );
+    }
+
+    #[test]
+    fn the_uncertainty_of_a_model_is_offered_once_there_is_one() {
+        let mut workbench = workbench();
+        workbench.execute(|bench| bench.view.colouring = Colouring::Uncertainty);
+        workbench.receive();
+        assert!(scales(&workbench, &Shown::of(&workbench)).is_empty());
+        workbench.execute(|bench| bench.identify(None));
+        workbench.receive();
+        let shown = Shown::of(&workbench);
+        let scale = scales(&workbench, &shown).pop().expect("a scale");
+        assert_eq!(scale.name, "uncertainty (1σ), mm");
+        let most = workbench.uncertain().expect("it is known").most_mm;
+        let [low, high] = scale.ends.expect("its ends");
+        assert_eq!([low, high], ["0".to_owned(), significant(most, 2)]);
+        let drawn = workbench.remainder().expect("it is known");
+        let parts: Vec<f32> = drawn.rows.iter().map(|row| row[4]).collect();
+        assert_eq!(parts.len(), workbench.loaded_session().len());
+        assert!(parts.iter().all(|p| (0.0..=1.0).contains(p)) && parts.contains(&1.0));
+    }
+
+    #[test]
+    fn a_condition_that_was_not_recorded_is_not_offered() {
+        let mut workbench = workbench();
+        workbench.execute(|bench| bench.view.colouring = Colouring::Temperature);
+        let shown = Shown::of(&workbench);
+        assert_eq!(shown.look.colouring, Colouring::State);
+        assert!(scales(&workbench, &shown).is_empty());
+    }
+
+    const THEMES: [(&str, Palette); 2] = [("light", LIGHT), ("dark", DARK)];
+
+    #[test]
+    fn a_sequential_scale_gets_steadily_darker_or_lighter_for_everybody() {
+        for (theme, palette) in THEMES {
+            for sight in ColourVision::ALL {
+                let lightness: Vec<f64> = (0..=20_u8)
+                    .map(|k| scale_at(Colouring::Deviation, &palette, f32::from(k) / 20.0))
+                    .map(|color| lightness(color, sight))
+                    .collect();
+                let way = (lightness[20] - lightness[0]).signum();
+                for pair in lightness.windows(2) {
+                    let step = way * (pair[1] - pair[0]);
+                    assert!(step > 0.4, "{theme}, {sight:?}: {lightness:?}");
+                }
+                let all = (lightness[20] - lightness[0]).abs();
+                assert!(all > 35.0, "{theme}, {sight:?}: {all}");
+            }
+        }
+    }
+
+    #[test]
+    fn neighbouring_steps_of_every_scale_can_be_told_apart_by_everybody() {
+        // About 2.3 is just noticeable (Mahy et al. 1994).
+        const NOTICEABLE: f64 = 4.6;
+        for (theme, palette) in THEMES {
+            for sight in ColourVision::ALL {
+                for (colouring, around) in
+                    [(Colouring::Deviation, false), (Colouring::Direction, true)]
+                {
+                    let steps = if around { STOPS } else { STOPS - 1 };
+                    for k in 0..steps {
+                        let at = |k: usize| {
+                            let part = k as f32 / steps as f32;
+                            scale_at(colouring, &palette, part)
+                        };
+                        let found = colour_distance(at(k), at(k + 1), sight);
+                        assert!(
+                            found > NOTICEABLE,
+                            "{theme}, {sight:?}, {colouring:?} {k}: {found}"
+                        );
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn opposite_directions_can_be_told_apart_by_everybody() {
+        for (theme, palette) in THEMES {
+            for sight in ColourVision::ALL {
+                for k in 0..STOPS / 2 {
+                    let at = |k: usize| {
+                        let part = k as f32 / STOPS as f32;
+                        scale_at(Colouring::Direction, &palette, part)
+                    };
+                    let found = colour_distance(at(k), at(k + STOPS / 2), sight);
+                    assert!(found > 20.0, "{theme}, {sight:?}, {k}: {found}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_circle_of_directions_closes() {
+        for (_, palette) in THEMES {
+            let at = |part: f32| scale_at(Colouring::Direction, &palette, part);
+            assert_eq!(at(0.0), at(1.0));
         }
     }
 }

@@ -1,19 +1,15 @@
 //! The workspace on the screen, with what the pointer does in it: sectors, nominal path, the robot,
 //! measured points, error vectors.
 
-mod display;
-mod extent;
 pub(crate) mod handles;
 mod layout;
 mod legend;
 mod model;
-mod over;
+mod pen;
 mod pointer;
 mod robot;
-mod scales;
 mod scene;
 mod space;
-mod sparse;
 mod toolbar;
 
 pub(crate) use layout::nearest;
@@ -23,29 +19,28 @@ pub(crate) use space::robot_alone;
 pub(crate) use toolbar::show as bar;
 
 use egui::{ColorImage, Context, Id, Pos2, Rect, Role, Ui, WidgetInfo, vec2};
-use egui_plot::{Axis, PlotPoint};
+use egui_plot::Axis;
 
-use crate::gui::plots::{Drawing, axis, gestures, steps_in};
-use crate::gui::scene::paint::Camera;
-use crate::gui::scene::screen::Screen;
+use crate::gui::plots::{self, Drawing, axis, steps_in};
 use crate::gui::style::Palette;
 use crate::gui::view::Step;
-use crate::gui::workbench::{Command, Workbench};
+use crate::gui::workbench::Workbench;
 
 use handles::Handles;
-use over::{Seen, tell_plot_size};
+use pen::{Camera, Pen};
+use pointer::{Seen, tell_plot_size};
 
 /// Shows the plot in the space that is left, and sends what the pointer does.
-pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+pub(crate) fn show(ui: &mut Ui, workbench: &Workbench) {
     let (seen, pass) = (
         ui.available_rect_before_wrap(),
         ui.ctx().cumulative_pass_nr(),
     );
     ui.data_mut(|data| data.insert_temp(picture_id(), (seen, pass)));
-    if workbench.view().in_space() {
-        space::show(ui, workbench, display::posing(ui), commands);
+    if workbench.view.in_space() {
+        space::show(ui, workbench, toolbar::posing(ui));
     } else {
-        plane(ui, workbench, commands);
+        plane(ui, workbench);
     }
 }
 
@@ -67,13 +62,13 @@ pub(crate) fn in_picture(ctx: &Context, window: &ColorImage) -> Option<ColorImag
 /// What stands at the axes of the plane.
 fn axes(workbench: &Workbench) -> [String; 2] {
     let unit = workbench.units().length_name();
-    let axes = workbench.view().plane.axes();
+    let axes = workbench.view.plane.axes();
     axes.map(|axis| format!("{}, {unit}", ["x", "y", "z"][axis]))
 }
 
-fn plane(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+fn plane(ui: &mut Ui, workbench: &Workbench) {
     let palette = Palette::of(ui);
-    let view = workbench.view();
+    let view = &workbench.view;
     let units = workbench.units();
     let [mut across, upwards] = axes(workbench);
     // In a low plot the axis below goes without its name, which the bar says as well.
@@ -86,7 +81,7 @@ fn plane(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let seen = Seen::of(ui, workbench);
     let (shown, robot) = (&seen.shown, seen.robot.as_ref());
     let bounds = layout::bounds(shown);
-    let plot = gestures::plot(("workspace", view.plane.name(), view.fitted.workspace))
+    let plot = plots::plot(("workspace", view.plane.name(), view.fitted.workspace))
         .data_aspect(1.0)
         .set_margin_fraction(egui::Vec2::splat(0.02))
         .grid_color(palette.line)
@@ -98,24 +93,25 @@ fn plane(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     if editing {
         handles::grab(ui, workbench);
     }
-    let drawn = gestures::show(ui, plot, |plot| {
+    let drawn = plots::show(ui, plot, |plot| {
         plot.add(Drawing::new(
             "workspace",
             bounds,
             |ui, transform, shapes| {
-                let camera = Camera::new(facing, transform);
-                let scene = scene::plane(workbench, shown, robot, editing, &camera);
-                Screen::new(ui.painter(), &palette, shapes).draw(&scene.items, &camera);
+                let transform = *transform;
+                let camera = Camera { facing, transform };
+                let mut pen = Pen::new(ui.painter(), &palette);
+                scene::plane(&mut pen, workbench, shown, robot, editing, &camera);
+                shapes.append(&mut pen.shapes);
             },
         ));
     });
     let (response, transform) = (drawn.response, drawn.transform);
-    let camera = Camera::new(facing, &transform);
+    let camera = Camera { facing, transform };
     let frame = camera.frame();
     tell_plot_size(
         workbench,
         layout::fitted(bounds, [frame.width(), frame.height()].map(f64::from)),
-        commands,
     );
     let samples = workbench.loaded_session().overview.usable.len();
     response.widget_info(|| {
@@ -126,13 +122,10 @@ fn plane(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         )
     });
     let pointer = response.hover_pos();
-    seen.finish(ui, workbench, &camera, (&response, pointer), commands);
+    seen.finish(ui, workbench, &camera, (&response, pointer));
     if editing && let Some(dial) = &shown.dial {
         let handles = Handles {
-            at: &|angle| {
-                let [x, y] = dial.at(angle, layout::HANDLE * dial.radius_mm);
-                transform.position_from_point(&PlotPoint::new(x, y))
-            },
+            at: &|angle| camera.at_flat(dial.at(angle, layout::HANDLE * dial.radius_mm)),
             angle: &|at, near| {
                 let point = transform.value_from_position(at);
                 dial.angle_of([point.x, point.y], near)
@@ -140,6 +133,6 @@ fn plane(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
             frame,
             name: |at| say!("boundary at {at}", at),
         };
-        handles::show(ui, workbench, &handles, commands);
+        handles::show(ui, workbench, &handles);
     }
 }

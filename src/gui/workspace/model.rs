@@ -12,9 +12,6 @@ use crate::gui::view::{Ball, Colouring, Facing, Plane};
 use crate::gui::workbench::Workbench;
 use crate::numeric::single;
 
-use super::extent::{Extent, SOME};
-use super::sparse::{most_telling, room, sparse};
-
 /// A sample whose vectors are drawn by themselves.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct VisibleSample {
@@ -102,7 +99,7 @@ impl Shown {
     /// The workspace as the workbench has it.
     pub(crate) fn of(workbench: &Workbench) -> Self {
         let loaded_session = &**workbench.loaded_session();
-        let view = workbench.view();
+        let view = &workbench.view;
         let facing = workbench.facing();
         let look = look(workbench);
         let shown = |sample: usize| shown(workbench, sample);
@@ -116,7 +113,7 @@ impl Shown {
                 .collect();
             Extent::of(&some)
         });
-        let telling = sparse(workbench).then(|| {
+        let telling = is_sparse(workbench).then(|| {
             let mut telling = most_telling(workbench);
             if view.in_space() {
                 // What is near covers what is far.
@@ -180,7 +177,7 @@ pub(crate) fn judged(workbench: &Workbench, within: bool) -> &'static str {
 
 /// The magnification that is chosen, or at which deviations can be read.
 pub(crate) fn magnification(workbench: &Workbench) -> f64 {
-    let chosen = workbench.view().magnification;
+    let chosen = workbench.view.magnification;
     chosen.unwrap_or_else(|| readable(workbench))
 }
 
@@ -203,7 +200,7 @@ pub(crate) fn shown(workbench: &Workbench, sample: usize) -> [f64; 3] {
         return before;
     };
     let after = answer.deviation_after(sample);
-    let blend = f64::from(workbench.view().blend);
+    let blend = f64::from(workbench.view.blend);
     std::array::from_fn(|k| before[k] + blend * (after[k] - before[k]))
 }
 
@@ -229,7 +226,7 @@ pub(crate) fn ball(workbench: &Workbench) -> Ball {
 }
 
 fn look(workbench: &Workbench) -> LayerOptions {
-    let (view, loaded_session) = (workbench.view(), workbench.loaded_session());
+    let (view, loaded_session) = (&workbench.view, workbench.loaded_session());
     let answered = workbench.answer().is_some();
     let magnification = magnification(workbench);
     let colouring = offered(workbench, view.colouring);
@@ -259,7 +256,7 @@ fn look(workbench: &Workbench) -> LayerOptions {
 /// The upper end of colour scales, mm: colour and length say the same. With the heat map, and while
 /// no scale is chosen, it goes from what suits the deviations before to what suits those after.
 fn colour_end_mm(workbench: &Workbench, magnification: f64) -> f64 {
-    let view = workbench.view();
+    let view = &workbench.view;
     let radius_mm = workbench.loaded_session().overview.radius_mm;
     let before = long_mm(radius_mm, magnification);
     match workbench.after() {
@@ -372,20 +369,120 @@ fn paths(loaded_session: &LoadedSession, base: &Isometry3<f64>) -> Vec<Vec<[f64;
     arcs.collect()
 }
 
+/// Vectors of a robot with several joints at once: those that are largest, and others spread evenly over the session.
+const LARGEST: usize = 16;
+const EVENLY: usize = 48;
+/// They are drawn so much longer than those of a crowd.
+const LONGER: f64 = 1.6;
+
+/// Whether only some vectors are drawn: those of one joint stand in a row, and of thousands the layout chooses.
+fn is_sparse(workbench: &Workbench) -> bool {
+    let loaded_session = workbench.loaded_session();
+    let several = loaded_session.session.robot.joints.len() > 1;
+    let samples = loaded_session.overview.usable.len();
+    several && (LARGEST + EVENLY + 1..=FEW).contains(&samples)
+}
+
+/// The samples with the largest deviations of those that are shown, and some of the others.
+fn most_telling(workbench: &Workbench) -> Vec<u32> {
+    let loaded_session = workbench.loaded_session();
+    let after = workbench.answer().filter(|_| workbench.view.blend > 0.0);
+    let lengths = after.map_or(&loaded_session.before.length_mm, |a| &a.lengths_mm);
+    let mut largest = loaded_session.overview.usable.clone();
+    largest.retain(|sample| lengths[*sample as usize].is_finite());
+    largest.sort_by(|a, b| lengths[*b as usize].total_cmp(&lengths[*a as usize]));
+    largest.truncate(LARGEST);
+    let cloud = Cloud::of(loaded_session);
+    let others = cloud.samples.iter().copied();
+    let others = others.filter(|sample| !largest.contains(sample));
+    let others: Vec<u32> = others.take(EVENLY).collect();
+    largest.extend(others);
+    largest
+}
+
+/// Over how many points vectors are made for, see [`Readable::magnification`]: fewer make them longer.
+///
+/// [`Readable::magnification`]: crate::gui::core::scale::Readable::magnification
+pub(super) fn room(workbench: &Workbench) -> f64 {
+    let longer = if is_sparse(workbench) { LONGER } else { 1.0 };
+    workbench.view.plot_size / longer
+}
+
+/// Cells along the longer side of where samples lie, in which they are counted.
+const COUNTED: usize = 32;
+/// The last of them lie on the edge of one cell more.
+const SIDE: usize = COUNTED + 1;
+/// So many samples show where all of them lie.
+pub(crate) const SOME: usize = 2_048;
+
+/// How many cells of a grid the samples lie in, whatever the size of the cells:
+///
+/// ```text
+/// N(cell) = N(side) · (side / cell)^d,   d = log₂( N(side) / N(2 side) )
+/// ```
+///
+/// the box dimension of where they lie: 1 along a path, 2 over an area.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Extent {
+    side_mm: f64,
+    cells: f64,
+    dimension: f64,
+}
+
+impl Extent {
+    /// Of some points that show the whole, mm; `None` where they are one.
+    pub(crate) fn of(points_mm: &[[f64; 2]]) -> Option<Self> {
+        let end = |axis: usize, pick: fn(f64, f64) -> f64, start: f64| {
+            points_mm.iter().map(|p| p[axis]).fold(start, pick)
+        };
+        let low = [0, 1].map(|k| end(k, f64::min, f64::INFINITY));
+        let high = [0, 1].map(|k| end(k, f64::max, f64::NEG_INFINITY));
+        let long_mm = f64::max(high[0] - low[0], high[1] - low[1]);
+        if !(long_mm.is_finite() && long_mm > 0.0) {
+            return None;
+        }
+        let side_mm = long_mm / COUNTED as f64;
+        let count = |side_mm: f64| {
+            let mut seen = [false; SIDE * SIDE];
+            for p in points_mm {
+                #[allow(
+                    clippy::cast_possible_truncation,
+                    clippy::cast_sign_loss,
+                    reason = "a place on a grid that begins at the lowest of them"
+                )]
+                let [across, up] = [0, 1].map(|k| ((p[k] - low[k]) / side_mm) as usize);
+                seen[up.min(COUNTED) * SIDE + across.min(COUNTED)] = true;
+            }
+            seen.iter().filter(|seen| **seen).count() as f64
+        };
+        let cells = count(side_mm);
+        let dimension = (cells / count(2.0 * side_mm)).log2().clamp(0.0, 2.0);
+        Some(Self {
+            side_mm,
+            cells,
+            dimension,
+        })
+    }
+
+    /// How many cells of this size there are; at least one.
+    pub(crate) fn cells(&self, side_mm: f64) -> f64 {
+        let cells = self.cells * (self.side_mm / side_mm.max(1e-9)).powf(self.dimension);
+        cells.max(1.0)
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gui::core::edit::Edit;
     use crate::gui::testing::workbench;
-    use crate::gui::workbench::{Command, ViewChange};
 
     #[test]
     fn the_way_of_each_reflector_says_how_sure_the_model_is_while_colour_says_that() {
         let mut workbench = workbench();
-        workbench.execute(Command::Edit(Edit::Identify));
+        workbench.execute(|bench| bench.identify(None));
         workbench.receive();
         assert!(Shown::of(&workbench).sure.is_empty());
-        workbench.execute(Command::View(ViewChange::Colour(Colouring::Uncertainty)));
+        workbench.execute(|bench| bench.view.colouring = Colouring::Uncertainty);
         workbench.receive();
         let shown = Shown::of(&workbench);
         let lengths = |ways: Vec<usize>| (!ways.is_empty()).then_some(ways);
@@ -395,14 +492,14 @@ mod tests {
         let parts = shown.sure.iter().flatten();
         assert!(parts.clone().all(|part| (0.0..=1.0).contains(part)));
         assert!(parts.fold(0.0_f32, |most, part| most.max(*part)) > 0.5);
-        workbench.execute(Command::View(ViewChange::Colour(Colouring::State)));
+        workbench.execute(|bench| bench.view.colouring = Colouring::State);
         assert!(Shown::of(&workbench).sure.is_empty());
     }
 
     #[test]
     fn blending_takes_the_vectors_from_before_to_after() {
         let mut workbench = workbench();
-        workbench.execute(Command::Edit(Edit::Identify));
+        workbench.execute(|bench| bench.identify(None));
         workbench.receive();
         let longest = |workbench: &Workbench| {
             let lengths = (0..workbench.loaded_session().len()).map(|sample| {
@@ -411,11 +508,11 @@ mod tests {
             });
             lengths.fold(0.0, f64::max)
         };
-        workbench.execute(Command::View(ViewChange::Blend(0.0)));
+        workbench.execute(|bench| bench.view.blend = 0.0);
         let before = longest(&workbench);
-        workbench.execute(Command::View(ViewChange::Blend(0.5)));
+        workbench.execute(|bench| bench.view.blend = 0.5);
         let between = longest(&workbench);
-        workbench.execute(Command::View(ViewChange::Blend(1.0)));
+        workbench.execute(|bench| bench.view.blend = 1.0);
         let after = longest(&workbench);
         assert!(
             before > between && between > after,
@@ -437,7 +534,35 @@ mod tests {
     #[test]
     fn there_is_no_dial_where_the_joint_is_seen_from_the_side() {
         let mut workbench = workbench();
-        workbench.execute(Command::View(ViewChange::Look(Plane::Xz)));
+        workbench.execute(|bench| bench.view.look_in(Plane::Xz));
         assert_eq!(Shown::of(&workbench).dial, None);
+    }
+
+    #[test]
+    fn cells_are_counted_along_a_path_and_over_an_area() {
+        let turn = |k: usize| (k as f64 * 0.618_034 * std::f64::consts::TAU).sin_cos();
+        let ring: Vec<[f64; 2]> = (0..SOME)
+            .map(turn)
+            .map(|(x, y): (f64, f64)| [250.0 * x, 250.0 * y])
+            .collect();
+        let ring = Extent::of(&ring).expect("they are many");
+        // A circle of 1571 mm crosses 4/π cells to its length in cells.
+        for side_mm in [2.0, 15.0, 40.0] {
+            let expected = 8.0 * 250.0 / side_mm;
+            let found = ring.cells(side_mm);
+            assert!((found / expected - 1.0).abs() < 0.25, "{found} {expected}");
+        }
+        let area: Vec<[f64; 2]> = (0..SOME)
+            .map(|k| [1.0, 0.618_034, 0.754_877_7].map(|step| (k as f64 * step).fract() * 320.0))
+            .map(|[_, x, y]| [x, y])
+            .collect();
+        let area = Extent::of(&area).expect("they are many");
+        for side_mm in [5.0_f64, 10.0, 20.0] {
+            let expected = (320.0 / side_mm).powi(2);
+            let found = area.cells(side_mm);
+            assert!((found / expected - 1.0).abs() < 0.35, "{found} {expected}");
+        }
+        assert_eq!(Extent::of(&[[1.0, 2.0]; 5]), None);
+        assert_eq!(Extent::of(&[]), None);
     }
 }

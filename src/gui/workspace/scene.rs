@@ -1,87 +1,94 @@
 //! What is seen of samples in a plane and in space: the heat map, the nominal path, error vectors,
-//! measured points and what stands out.
+//! measured points and what stands out; in space also what gives it its bearings, a grid on the plane z = 0 of
+//! the base, and frames.
 
 use std::sync::Arc;
 
+use egui::epaint::Mesh;
+use egui::{Align2, Color32, Rect, Shape, Stroke, pos2, vec2};
+use nalgebra::{Isometry3, Point3, UnitQuaternion, Vector3};
+
 use crate::gui::cache::cloud::Cloud;
-use crate::gui::layers::{LayerOptions, WEDGE, WIDTH};
-use crate::gui::scene::paint::Camera;
-use crate::gui::scene::{
-    ColourToken, Form, Item, Label, Layer, Mark, Place, Samples, Scene, Stroke, Tint,
-};
-use crate::gui::style::size;
-use crate::gui::view::Colouring;
+use crate::gui::core::scale::round_down;
+use crate::gui::layers::gpu::{CloudLayer, HeatLayer, Layer as _};
+use crate::gui::layers::{Frame, LayerOptions, WEDGE, WIDTH, scale_at};
+use crate::gui::style::{size, strong};
+use crate::gui::view::{Ball, Colouring};
 use crate::gui::workbench::Workbench;
-use crate::numeric::single;
+use crate::numeric::whole;
+use crate::present::numbers::trimmed;
 use crate::sessions::Region;
 
 use super::layout::{self, HANDLE, SECTOR};
-use super::model::{Dial, Shown, VisibleSample, shown};
+use super::legend::SQUARE;
+use super::model::{Dial, Shown, VisibleSample, ball, shown};
+use super::pen::{Camera, Form, Label, Pen};
 use super::pointer::marked;
 use super::robot::{Drawn, body};
 
-/// Width of a path where its colour says how sure the model is, points …
+/// Width of a path where its colour says how sure the model is, points.
 const BAND: f32 = 7.0;
-/// … and that of the square of a pose that was not measured.
-pub(super) const SQUARE: f32 = 5.0;
 /// Names of regions stand so far from the axis, in parts of the farthest reflector's distance.
 const NAMES: f64 = 0.42;
+/// Squares of the grid from its middle to its edge, at least.
+const SQUARES: f64 = 4.0;
+/// Length of a frame's axis, points.
+const AXIS: f64 = 34.0;
 
 /// The workspace in a plane.
 pub(super) fn plane(
+    pen: &mut Pen<'_>,
     workbench: &Workbench,
     shown: &Shown,
     robot: Option<&Drawn>,
     editing: bool,
     camera: &Camera,
-) -> Scene {
-    let mut scene = Scene::default();
+) {
     let regions = &workbench.document().regions;
     if let Some(dial) = &shown.dial {
-        sectors(&mut scene, shown, dial, regions, editing);
+        sectors(pen, dial, regions, editing, camera);
     }
-    heat(&mut scene, workbench, shown);
-    path(&mut scene, shown);
+    heat(pen, workbench, shown, camera);
+    path(pen, shown, camera);
     if let Some(robot) = robot {
-        body::body(&mut scene, robot, &workbench.base(), camera);
+        body(pen, robot, &workbench.base(), camera);
     }
-    samples(&mut scene, workbench, shown, camera);
-    emphasised(&mut scene, workbench, shown);
+    samples(pen, workbench, shown, camera);
+    emphasised(pen, workbench, shown, camera);
     if let Some(dial) = &shown.dial {
-        names_of_regions(&mut scene, shown, dial, regions, camera);
+        names_of_regions(pen, dial, regions, camera);
     }
-    scene
 }
 
-fn sectors(scene: &mut Scene, shown: &Shown, dial: &Dial, regions: &[Region], editing: bool) {
-    let raised = |p: [f64; 2]| shown.look.facing.raised(p);
+fn sectors(pen: &mut Pen<'_>, dial: &Dial, regions: &[Region], editing: bool, camera: &Camera) {
     let mut order: Vec<usize> = (0..regions.len()).collect();
     order.sort_by(|a, b| regions[*a].from_rad.total_cmp(&regions[*b].from_rad));
     // All of them together, without soft edges: neighbouring pieces leave no seams.
-    let mut triangles = Vec::new();
+    let mut mesh = Mesh::default();
     for (place, region) in order.into_iter().map(|k| &regions[k]).enumerate() {
-        let ink = Tint::from(ColourToken::Sector(place));
         for corners in layout::sector(dial, region.from_rad, region.to_rad) {
-            let [a, b, c, d] = corners.map(|p| raised(p).map(single));
-            triangles.extend([([a, b, c], ink), ([a, c, d], ink)]);
+            let first = u32::try_from(mesh.vertices.len()).unwrap_or(u32::MAX);
+            for corner in corners {
+                mesh.colored_vertex(camera.at_flat(corner), pen.palette.sectors[place % 2]);
+            }
+            mesh.add_triangle(first, first + 1, first + 2);
+            mesh.add_triangle(first, first + 2, first + 3);
         }
     }
-    scene.items.push(Item::Triangles(triangles));
+    pen.shapes.push(Shape::mesh(mesh));
     let (end, stroke) = if editing {
-        (HANDLE, Stroke::new(1.5, ColourToken::Accent))
+        (HANDLE, Stroke::new(1.5, pen.palette.accent))
     } else {
-        (SECTOR.1, Stroke::new(1.0, ColourToken::Line))
+        (SECTOR.1, Stroke::new(1.0, pen.palette.line))
     };
-    for region in regions {
-        for angle in [region.from_rad, region.to_rad] {
-            let at = |part: f64| raised(dial.at(angle, part * dial.radius_mm));
-            scene.line([SECTOR.0, end].map(at), stroke);
-        }
+    for angle in regions.iter().flat_map(|r| [r.from_rad, r.to_rad]) {
+        let at = |part: f64| camera.at_flat(dial.at(angle, part * dial.radius_mm));
+        pen.line([SECTOR.0, end].map(at), stroke);
     }
 }
 
 /// The heat map, if it is shown.
-fn heat(scene: &mut Scene, workbench: &Workbench, shown: &Shown) {
+fn heat(pen: &mut Pen<'_>, workbench: &Workbench, shown: &Shown, camera: &Camera) {
     let Some(heat) = workbench.heat() else {
         return;
     };
@@ -90,69 +97,73 @@ fn heat(scene: &mut Scene, workbench: &Workbench, shown: &Shown) {
         colouring: Colouring::Deviation,
         ..shown.look
     };
-    scene
-        .items
-        .push(Item::Layer(Layer::Heat(Arc::clone(heat), look)));
+    let pixels = pen.painter.pixels_per_point();
+    let frame = Frame::new(&look, pen.palette, &camera.transform, Some(heat), pixels);
+    let heat = Arc::clone(heat);
+    pen.shapes
+        .push(HeatLayer { heat, frame }.shape(camera.frame()));
 }
 
 /// The way of each reflector on the nominal robot, with how sure the model is of it.
-pub(super) fn path(scene: &mut Scene, shown: &Shown) {
-    let sure = |part: f32| ColourToken::Scale(Colouring::Uncertainty, part);
+fn path(pen: &mut Pen<'_>, shown: &Shown, camera: &Camera) {
+    let palette = pen.palette;
+    let sure = |part: f32| scale_at(Colouring::Uncertainty, palette, part);
     for (at, part) in &shown.over {
-        let square = Mark::filled(*at, Form::Square, 0.5 * SQUARE, sure(*part));
-        scene.mark(square);
+        let square = (Form::Square, 0.5 * SQUARE);
+        pen.mark(camera.at(*at), square, sure(*part), Stroke::NONE);
     }
     for (k, path) in shown.paths_mm.iter().enumerate() {
         let parts = shown.sure.get(k).map_or(&[][..], Vec::as_slice);
         for (pair, part) in path.windows(2).zip(parts) {
-            scene.line([pair[0], pair[1]], Stroke::new(BAND, sure(*part)));
+            let ends = [pair[0], pair[1]].map(|p| camera.at(p));
+            pen.line(ends, Stroke::new(BAND, sure(*part)));
         }
-        let points = path.iter().map(|p| Place::from(*p)).collect();
-        let stroke = Stroke::new(1.25, ColourToken::Nominal);
-        scene.items.push(Item::Line(points, stroke));
+        let points = path.iter().map(|p| camera.at(*p));
+        pen.line(points, Stroke::new(1.25, palette.nominal));
     }
     if let Some(dial) = &shown.dial {
-        let centre = Place::from(shown.look.facing.raised(dial.centre_mm));
-        let stroke = Stroke::new(1.5, ColourToken::Nominal);
-        for [x, y] in [[6.0, 0.0], [0.0, 6.0]] {
-            let ends = vec![centre.shifted(-x, -y), centre.shifted(x, y)];
-            scene.items.push(Item::Line(ends, stroke));
+        let centre = camera.at_flat(dial.centre_mm);
+        let stroke = Stroke::new(1.5, palette.nominal);
+        for half in [vec2(6.0, 0.0), vec2(0.0, 6.0)] {
+            pen.line([centre - half, centre + half], stroke);
         }
-        scene.mark(Mark::ring(centre, Form::Disc, 3.5, stroke));
+        pen.mark(centre, (Form::Disc, 3.5), Color32::TRANSPARENT, stroke);
     }
 }
 
 /// Measured points and error vectors.
-pub(super) fn samples(scene: &mut Scene, workbench: &Workbench, shown: &Shown, camera: &Camera) {
-    let layer = Layer::Samples(Samples {
+fn samples(pen: &mut Pen<'_>, workbench: &Workbench, shown: &Shown, camera: &Camera) {
+    let pixels = pen.painter.pixels_per_point();
+    let layer = CloudLayer {
         cloud: Cloud::of(workbench.loaded_session()),
         remainder: workbench.remainder(),
-        look: shown.look,
-        counts: layout::counts(shown, camera.transform()),
-    });
-    scene.items.push(Item::Layer(layer));
+        frame: Frame::new(&shown.look, pen.palette, &camera.transform, None, pixels),
+        counts: layout::counts(shown, &camera.transform),
+        ghosts: shown.look.ghosts(),
+    };
+    pen.shapes.push(layer.shape(camera.frame()));
     if let Some(some) = &shown.vectors {
-        vectors(scene, shown, some);
+        vectors(pen, shown, some, camera);
     }
 }
 
 /// The vectors of some samples, one by one.
-fn vectors(scene: &mut Scene, shown: &Shown, all: &[VisibleSample]) {
+fn vectors(pen: &mut Pen<'_>, shown: &Shown, all: &[VisibleSample], camera: &Camera) {
+    let palette = pen.palette;
     let ends = |one: &VisibleSample, v: [f64; 3]| {
         let (from, m) = (one.simulated_mm(v), shown.magnification);
-        [from, [0, 1, 2].map(|k| from[k] + m * v[k])].map(Place::from)
+        [from, [0, 1, 2].map(|k| from[k] + m * v[k])].map(|p| camera.at(p))
     };
-    let ghost = ColourToken::Before.clear(0.38);
+    let ghost = palette.before.gamma_multiply(0.38);
     let flat = if shown.look.answered {
-        ColourToken::After
+        palette.after
     } else {
-        ColourToken::Before
+        palette.before
     };
     let colouring = shown.look.colouring;
     for one in all {
         if let Some(before) = one.before_mm {
-            let stroke = Stroke::new(1.0, ghost);
-            scene.items.push(Item::Vector(ends(one, before), stroke));
+            pen.arrow(ends(one, before), Stroke::new(1.0, ghost));
         }
     }
     for one in all {
@@ -160,75 +171,252 @@ fn vectors(scene: &mut Scene, shown: &Shown, all: &[VisibleSample]) {
             Some(part) => {
                 let wedge = WEDGE[0] + part * (WEDGE[1] - WEDGE[0]);
                 let width = if colouring.by_width() { wedge } else { WIDTH };
-                Stroke::new(width, ColourToken::Scale(colouring, part))
+                Stroke::new(width, scale_at(colouring, palette, part))
             }
             None if colouring.by_width() => Stroke::new(WIDTH, ghost),
             None => Stroke::new(WIDTH, flat),
         };
-        let vector = Item::Vector(ends(one, one.vector_mm), stroke);
-        scene.items.push(vector);
+        pen.arrow(ends(one, one.vector_mm), stroke);
     }
 }
 
 /// The samples that a finding is about, and the one under the pointer or else the chosen one.
-pub(super) fn emphasised(scene: &mut Scene, workbench: &Workbench, all: &Shown) {
-    let (view, loaded_session) = (workbench.view(), workbench.loaded_session());
+fn emphasised(pen: &mut Pen<'_>, workbench: &Workbench, all: &Shown, camera: &Camera) {
+    let (view, loaded_session) = (&workbench.view, workbench.loaded_session());
+    let palette = pen.palette;
     let measured =
         |sample: usize| loaded_session.usable[sample].then(|| loaded_session.measured(sample));
-    let ring = |scene: &mut Scene, at: [f64; 3]| {
-        let edge = Stroke::new(2.5, ColourToken::Accent);
-        scene.mark(Mark::ring(at, Form::Disc, 9.0, edge));
+    let ring = |pen: &mut Pen<'_>, at: [f64; 3]| {
+        let edge = Stroke::new(2.5, palette.accent);
+        pen.mark(camera.at(at), (Form::Disc, 9.0), Color32::TRANSPARENT, edge);
     };
     for at in marked(view, loaded_session.len()).filter_map(measured) {
-        ring(scene, at);
+        ring(pen, at);
     }
-    let Some(sample) = view.hovered.or(view.selected) else {
-        return;
-    };
-    if let Some(at) = measured(sample) {
+    let sample = view.hovered.or(view.selected);
+    if let Some((sample, at)) = sample.and_then(|sample| Some((sample, measured(sample)?))) {
         // Its vector over all others, whatever their colour.
         let e = shown(workbench, sample);
-        let m = all.magnification;
         let from = [0, 1, 2].map(|k| at[k] - e[k]);
-        let to = [0, 1, 2].map(|k| from[k] + m * e[k]);
-        let ends = [from, to].map(Place::from);
-        for (width, token) in [
-            (2.0 * WIDTH + 2.0, ColourToken::Surface),
-            (2.0 * WIDTH, ColourToken::Accent),
-        ] {
-            let stroke = Stroke::new(width, token);
-            scene.items.push(Item::Vector(ends, stroke));
-        }
-        ring(scene, at);
+        let to = [0, 1, 2].map(|k| from[k] + all.magnification * e[k]);
+        let ends = [from, to].map(|p| camera.at(p));
+        pen.arrow(ends, Stroke::new(2.0 * WIDTH + 2.0, palette.surface));
+        pen.arrow(ends, Stroke::new(2.0 * WIDTH, palette.accent));
+        ring(pen, at);
     }
 }
 
-fn names_of_regions(
-    scene: &mut Scene,
-    shown: &Shown,
-    dial: &Dial,
-    regions: &[Region],
-    camera: &Camera,
-) {
-    let at = |q: f64| {
-        let p = dial.at(q, NAMES * dial.radius_mm);
-        shown.look.facing.raised(p)
-    };
+fn names_of_regions(pen: &mut Pen<'_>, dial: &Dial, regions: &[Region], camera: &Camera) {
+    let at = |q: f64| camera.at_flat(dial.at(q, NAMES * dial.radius_mm));
     for region in regions {
         let middle = at(0.5 * (region.from_rad + region.to_rad));
         // As wide as the sector is there.
         let room = if region.to_rad - region.from_rad < std::f64::consts::PI {
-            let [from, to] = [region.from_rad, region.to_rad].map(|q| camera.at(at(q)));
-            from.distance(to)
+            at(region.from_rad).distance(at(region.to_rad))
         } else {
-            let centre = shown.look.facing.raised(dial.centre_mm);
-            2.0 * camera.at(middle).distance(camera.at(centre))
+            2.0 * middle.distance(camera.at_flat(dial.centre_mm))
         };
-        scene.label(Label {
-            size: size::BODY,
-            bold: true,
+        let label = Label {
+            font: strong(size::BODY),
             most: Some(room.max(24.0)),
-            ..Label::new(middle, &region.name, ColourToken::Muted)
-        });
+            ..Label::new(&region.name, pen.palette.muted)
+        };
+        pen.label(middle, &label);
+    }
+}
+
+/// Where everything is in a picture of space.
+pub(super) struct Space {
+    pub(super) camera: Camera,
+    /// The base in the measuring frame.
+    pub(super) base: Isometry3<f64>,
+    pub(super) ball: Ball,
+}
+
+impl Space {
+    /// In a plot here.
+    pub(super) fn new(workbench: &Workbench, rect: Rect) -> Self {
+        let size = [rect.width(), rect.height()].map(f64::from);
+        let ball = ball(workbench);
+        let mut bounds = workbench.view.camera.bounds(&ball, size);
+        // What is drawn has the coordinates of the measuring frame.
+        let (facing, base) = (workbench.facing(), workbench.base());
+        let shift = facing.flat(base.translation.vector.into());
+        for end in &mut bounds {
+            *end = [0, 1].map(|k| end[k] + shift[k]);
+        }
+        Self {
+            camera: Camera::showing(facing, bounds, rect),
+            base,
+            ball,
+        }
+    }
+
+    /// A point of the base frame in the measuring frame.
+    pub(super) fn of_base(&self, p: [f64; 3]) -> [f64; 3] {
+        (self.base * Point3::from(p)).into()
+    }
+}
+
+/// Grid, robot, samples and frames.
+pub(super) fn space(
+    pen: &mut Pen<'_>,
+    workbench: &Workbench,
+    shown: &Shown,
+    robot: Option<&Drawn>,
+    space: &Space,
+) {
+    let camera = &space.camera;
+    grid(pen, workbench, space);
+    path(pen, shown, camera);
+    if let Some(robot) = robot {
+        body(pen, robot, &space.base, camera);
+    }
+    samples(pen, workbench, shown, camera);
+    proposed(pen, workbench, space);
+    emphasised(pen, workbench, shown, camera);
+    frames(pen, workbench, robot, space);
+    side_of_squares(pen, workbench, space);
+}
+
+/// Side of a square of the grid, mm: round in the unit of which `per_mm` are a millimetre, and so that there are a few
+/// of them.
+fn square_mm(ball: &Ball, per_mm: f64) -> f64 {
+    round_down(per_mm * ball.radius_mm / SQUARES) / per_mm
+}
+
+/// The grid under everything, in whole squares of the base frame: pairs of ends, mm.
+fn lines(ball: &Ball, per_mm: f64) -> Vec<[[f64; 3]; 2]> {
+    let square = square_mm(ball, per_mm);
+    let ends = [0, 1].map(|k| {
+        let reach = |sign: f64| (ball.centre_mm[k] + sign * ball.radius_mm) / square;
+        [reach(-1.0).floor() * square, reach(1.0).ceil() * square]
+    });
+    let mut lines = Vec::new();
+    for along in 0..2 {
+        let [first, last] = ends[1 - along];
+        for n in 0..=whole((last - first) / square + 0.5) {
+            let mut both = [[0.0; 3]; 2];
+            for (p, end) in both.iter_mut().zip(ends[along]) {
+                (p[along], p[1 - along]) = (end, first + n as f64 * square);
+            }
+            lines.push(both);
+        }
+    }
+    lines
+}
+
+fn grid(pen: &mut Pen<'_>, workbench: &Workbench, space: &Space) {
+    let per_mm = workbench.units().length_value(1.0);
+    let axis = pen.palette.line.lerp_to_gamma(pen.palette.nominal, 0.4);
+    for ends in lines(&space.ball, per_mm) {
+        let through_origin = ends.iter().all(|p| p[0] == 0.0) || ends.iter().all(|p| p[1] == 0.0);
+        let color = if through_origin {
+            axis
+        } else {
+            pen.palette.line
+        };
+        let ends = ends.map(|p| space.camera.at(space.of_base(p)));
+        pen.line(ends, Stroke::new(1.0, color));
+    }
+}
+
+/// How long the side of a square is, in the corner.
+fn side_of_squares(pen: &mut Pen<'_>, workbench: &Workbench, space: &Space) {
+    let units = workbench.units();
+    let per_mm = units.length_value(1.0);
+    let square = trimmed(units.length_value(square_mm(&space.ball, per_mm)), 3);
+    let says = say!("grid {square} {unit}", square, unit = units.length_name());
+    let corner = space.camera.frame().left_bottom() + vec2(4.0, -4.0);
+    let label = Label::new(says, pen.palette.muted).anchored(Align2::LEFT_BOTTOM);
+    pen.label(corner, &label);
+}
+
+/// Poses that a diagnosis proposes to measure: open diamonds where the target would be.
+fn proposed(pen: &mut Pen<'_>, workbench: &Workbench, space: &Space) {
+    let session = &workbench.loaded_session().session;
+    let poses = workbench.diagnosis().map_or(&[][..], |d| &d.next_poses);
+    let joints = session.robot.joint_count();
+    for pose in poses.iter().filter(|pose| pose.q.len() == joints) {
+        let named = |name: &String| session.targets.iter().find(|t| t.name == *name);
+        let known = pose.target.as_ref().and_then(named);
+        let known = known.or(session.targets.first());
+        let target = match pose.target_mm {
+            Some(at) => Point3::from(at),
+            None => known.map_or_else(Point3::origin, |t| t.position_mm),
+        };
+        let at = session.robot.point_in_base(&pose.q, &target);
+        let at = space.camera.at(space.of_base(at.into()));
+        let edge = Stroke::new(1.5, pen.palette.accent);
+        pen.mark(at, (Form::Diamond, 5.0), Color32::TRANSPARENT, edge);
+    }
+}
+
+/// The frames of base, tool and instrument.
+fn frames(pen: &mut Pen<'_>, workbench: &Workbench, robot: Option<&Drawn>, space: &Space) {
+    frame(pen, say!("base"), space.base, &space.camera);
+    let session = &workbench.loaded_session().session;
+    if let Some(robot) = robot.filter(|r| r.asked_for) {
+        let tool = space.base * session.robot.base_from_tool(&robot.q);
+        frame(pen, say!("tool"), tool, &space.camera);
+    }
+    let instrument = &session.instrument;
+    let own_frame = workbench.found_base().or(workbench.loaded_session().base);
+    let stands = instrument.tracker.map(|tracker| tracker.position_mm.coords);
+    if let Some(at) = stands.or(own_frame.map(|_| Vector3::zeros())) {
+        // A tracker that stands aside is seen from farther away.
+        let at = Isometry3::from_parts(at.into(), UnitQuaternion::identity());
+        frame(pen, &instrument.name, at, &space.camera);
+    }
+}
+
+/// A frame with its axes' letters and its name; an axis that is looked along has none.
+fn frame(pen: &mut Pen<'_>, name: &str, frame: Isometry3<f64>, camera: &Camera) {
+    let origin = frame.translation.vector;
+    let from = camera.at(origin.into());
+    let mut below = from.y;
+    let axes = [Vector3::x(), Vector3::y(), Vector3::z()];
+    for (axis, letter) in axes.into_iter().zip(["x", "y", "z"]) {
+        let along = frame.rotation * axis;
+        if camera.direction(along.into()).length() < 0.2 {
+            continue;
+        }
+        let end = |points: f64| {
+            let end = origin + along * (points / camera.points_per_mm());
+            camera.at(end.into())
+        };
+        pen.arrow([from, end(AXIS)], Stroke::new(1.5, pen.palette.text));
+        below = below.max(end(AXIS + 8.0).y + 6.0);
+        pen.label(end(AXIS + 8.0), &Label::new(letter, pen.palette.text));
+    }
+    let name = Label::new(name, pen.palette.muted).anchored(Align2::CENTER_TOP);
+    pen.label(pos2(from.x, below + 2.0), &name);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_grid_lies_on_the_base_in_round_squares_and_holds_everything() {
+        let ball = Ball {
+            centre_mm: [130.0, -70.0, 400.0],
+            radius_mm: 910.0,
+        };
+        assert_eq!(square_mm(&ball, 1.0), 200.0);
+        let lines = lines(&ball, 1.0);
+        assert!(lines.iter().flatten().all(|p| p[2] == 0.0));
+        for k in 0..2 {
+            let of = |pick: fn(f64, f64) -> f64, start| {
+                lines.iter().flatten().map(|p| p[k]).fold(start, pick)
+            };
+            let (low, high) = (of(f64::min, 1e9), of(f64::max, -1e9));
+            assert!(low <= ball.centre_mm[k] - 910.0 && ball.centre_mm[k] + 910.0 <= high);
+            assert_eq!((low % 200.0, high % 200.0), (0.0, 0.0));
+        }
+        // One of them goes through the origin in each direction.
+        let through = |[a, b]: &&[[f64; 3]; 2]| a[0] == 0.0 && b[0] == 0.0;
+        assert_eq!(lines.iter().filter(through).count(), 1);
+        assert!(lines.len() < 40);
     }
 }

@@ -1,26 +1,26 @@
-//! The bar over the workspace plot: from where it is looked at, what is shown, and how.
+//! The bar over the workspace plot: from where it is looked at, what is shown, and how: from before to after, how long
+//! vectors are, the heat map, what colour says; the side and the pose in space.
 
+use egui::{Align, ComboBox, Layout, Popup, PopupCloseBehavior, RichText, Slider, Ui, vec2};
+
+use crate::gui::plots::{self, picture};
+use crate::gui::style::{Palette, size, space};
+use crate::gui::view::{Aspect, Colouring, Plane, Plot, Standard};
+use crate::gui::widgets::{self, caption, fine, title};
+use crate::gui::workbench::Workbench;
+use crate::present::numbers::{significant, trimmed};
 use crate::text::stretch;
-use egui::{Align, ComboBox, Layout, Ui};
 
-use crate::gui::plots::{gestures, picture};
-use crate::gui::style::space;
-use crate::gui::view::{Aspect, Plane, Plot};
-use crate::gui::widgets::{self, title};
-use crate::gui::workbench::{Command, ViewChange, Workbench};
-
-use super::display::{
-    beneath, blend, colouring, everything, folded, length_folded, magnification, scale_for,
-};
+use super::model::{magnification as magnification_of, offers, readable, room};
 
 /// What stands at the beginning of the bar.
-pub(crate) type First<'a> = &'a mut dyn FnMut(&mut Ui, &mut Vec<Command>);
+pub(crate) type First<'a> = &'a mut dyn FnMut(&mut Ui);
 
 /// Room for it, points.
 const FIRST: f32 = 32.0;
 
 /// Something else that stands in the bar.
-pub(crate) type ExtraControls = fn(&mut Ui, &Workbench, &mut Vec<Command>);
+pub(crate) type ExtraControls = fn(&mut Ui, &Workbench);
 
 /// How much of the bar there is room for.
 #[derive(Clone, Copy, PartialEq)]
@@ -39,9 +39,8 @@ pub(crate) fn show(
     workbench: &Workbench,
     extra: Option<ExtraControls>,
     first: First<'_>,
-    commands: &mut Vec<Command>,
 ) {
-    let view = workbench.view();
+    let view = &workbench.view;
     let drawn = !workbench.loaded_session().is_empty();
     let blends = drawn && workbench.answer().is_some();
     let mut room = ui.available_size();
@@ -62,10 +61,10 @@ pub(crate) fn show(
     let bare = !roomy && beside_first > least - WORDS && extra.is_none();
     if let Some(beside) = extra {
         widgets::row(ui, |ui| {
-            beside(ui, workbench, commands);
+            beside(ui, workbench);
             if blends {
                 ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-                    blend(ui, workbench, commands);
+                    blend(ui, workbench);
                 });
             }
         });
@@ -80,26 +79,26 @@ pub(crate) fn show(
         },
         fold,
     };
-    row.show(ui, workbench, first, commands);
+    row.show(ui, workbench, first);
     if !drawn {
         return;
     }
     if fold != Fold::Tight {
         widgets::row(ui, |ui| {
             if fold == Fold::Narrow {
-                length_folded(ui, workbench, commands);
+                length_folded(ui, workbench);
             } else {
-                magnification(ui, workbench, commands);
-                scale_for(ui, workbench, commands);
+                magnification(ui, workbench);
+                scale_for(ui, workbench);
             }
-            beneath(ui, workbench, commands);
-            colouring(ui, workbench, commands);
+            beneath(ui, workbench);
+            colouring(ui, workbench);
         });
     }
     if blends && !roomy && !bare && extra.is_none() {
         ui.horizontal(|ui| {
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-                blend(ui, workbench, commands);
+                blend(ui, workbench);
             });
         });
     }
@@ -117,33 +116,28 @@ struct Row {
 }
 
 impl Row {
-    fn show(
-        &self,
-        ui: &mut Ui,
-        workbench: &Workbench,
-        first: First<'_>,
-        commands: &mut Vec<Command>,
-    ) {
+    fn show(&self, ui: &mut Ui, workbench: &Workbench, first: First<'_>) {
         widgets::row(ui, |ui| {
-            first(ui, commands);
+            first(ui);
             if ui.available_width() > self.least * stretch() {
                 title(ui, say!("Workspace"));
             }
-            ways(ui, workbench, self.fold, commands);
+            ways(ui, workbench, self.fold);
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 if self.drawn {
-                    picture(ui, Plot::Workspace, commands);
+                    picture(ui, Plot::Workspace, None, workbench);
                 }
-                let fit = Command::View(ViewChange::FitWorkspace);
-                gestures::fit(ui, say!("Fit to view"), fit, commands);
+                if plots::fit(ui, say!("Fit to view")) {
+                    workbench.then(|bench| bench.view.fit_workspace());
+                }
                 if self.drawn && self.fold == Fold::Tight {
                     folded(ui, say!("display"), say!("How it is drawn"), |ui| {
-                        everything(ui, workbench, commands);
+                        everything(ui, workbench);
                     });
                 }
                 if self.blends {
                     ui.add_space(space::TIGHT);
-                    blend(ui, workbench, commands);
+                    blend(ui, workbench);
                 }
             });
         });
@@ -151,8 +145,8 @@ impl Row {
 }
 
 /// The ways to look at the workspace.
-fn ways(ui: &mut Ui, workbench: &Workbench, fold: Fold, commands: &mut Vec<Command>) {
-    let view = workbench.view();
+fn ways(ui: &mut Ui, workbench: &Workbench, fold: Fold) {
+    let view = &workbench.view;
     let planes = Plane::ALL.map(|plane| ((Aspect::Plane, plane), plane.name()));
     let space = ((Aspect::Space, view.plane), say!("3-D"));
     let views = [planes[0], planes[1], planes[2], space];
@@ -172,8 +166,8 @@ fn ways(ui: &mut Ui, workbench: &Workbench, fold: Fold, commands: &mut Vec<Comma
         widgets::list(ui, say!("View"), list, views, now)
     };
     match chosen {
-        Some((Aspect::Plane, plane)) => commands.push(Command::View(ViewChange::Look(plane))),
-        Some((Aspect::Space, _)) => commands.push(Command::View(ViewChange::LookFrom(None))),
+        Some((Aspect::Plane, plane)) => workbench.then(move |bench| bench.view.look_in(plane)),
+        Some((Aspect::Space, _)) => workbench.then(move |bench| bench.view.look_from(None)),
         None => {}
     }
 }
@@ -209,3 +203,213 @@ const SPACE_NARROW: f32 = 510.0;
 
 /// With less height all of it does, points.
 const TIGHT: f32 = 270.0;
+
+/// With less room the list of colours goes without its name, points.
+const COLOUR: f32 = 172.0;
+
+/// A button that opens what there is no room for; `name` is what it is called.
+fn folded(ui: &mut Ui, text: &str, name: &str, contents: impl FnOnce(&mut Ui)) {
+    let text = RichText::new(format!("{text} \u{2026}")).size(size::SMALL);
+    let button = ui.button(text);
+    widgets::label(&button, name);
+    Popup::menu(&button)
+        .close_behavior(PopupCloseBehavior::CloseOnClickOutside)
+        .show(|ui| {
+            ui.spacing_mut().item_spacing = vec2(space::ROW, space::ROW);
+            contents(ui);
+        });
+}
+
+/// How vectors, map and colours are drawn, one below the other.
+fn everything(ui: &mut Ui, workbench: &Workbench) {
+    widgets::row(ui, |ui| magnification(ui, workbench));
+    widgets::row(ui, |ui| scale_for(ui, workbench));
+    beneath(ui, workbench);
+    caption(ui, say!("colour"));
+    let shown = coloured(workbench);
+    for colouring in Colouring::ALL {
+        if offers(workbench, colouring) {
+            let text = RichText::new(colouring.name()).size(size::SMALL);
+            if ui.radio(colouring == shown, text).clicked() && colouring != shown {
+                workbench.then(move |bench| bench.view.colouring = colouring);
+            }
+        }
+    }
+}
+
+/// A list of the bar's size, with what is chosen in it.
+fn listed<'a>(salt: &str, shown: &str) -> ComboBox<'a> {
+    ComboBox::from_id_salt(salt).selected_text(RichText::new(shown).size(size::SMALL))
+}
+
+/// From before to after. What stands at the end that is shown is written stronger.
+fn blend(ui: &mut Ui, workbench: &Workbench) {
+    let mut blend = workbench.view.blend;
+    // Beside the switch of views in a narrow bar.
+    let narrow = ui.available_width() < 320.0;
+    let bare = ui.available_width() < 160.0 * stretch();
+    let palette = Palette::of(ui);
+    let end = |ui: &mut Ui, text: &str, shown: bool| {
+        let text = RichText::new(text).size(size::SMALL);
+        let text = if shown {
+            text.color(palette.text).strong()
+        } else {
+            text.color(palette.muted)
+        };
+        ui.label(text);
+    };
+    if !bare {
+        end(ui, say!("after"), blend >= 1.0);
+    }
+    fine(ui, if narrow { 44.0 } else { 64.0 });
+    let slider = ui.add(Slider::new(&mut blend, 0.0..=1.0).show_value(false));
+    widgets::label(&slider, say!("From before to after"));
+    if slider.changed() {
+        workbench.then(move |bench| bench.view.blend = blend);
+    }
+    slider.on_hover_text(blend_says(blend));
+    if !bare {
+        end(ui, say!("before"), blend <= 0.0);
+    }
+}
+
+/// What the vectors, the marks and the heat map show.
+fn blend_says(blend: f32) -> String {
+    if blend <= 0.0 {
+        say!("shown: the deviation before, measured − nominal robot").to_owned()
+    } else if blend >= 1.0 {
+        say!("shown: what is left after, measured − identified robot").to_owned()
+    } else {
+        let percent = trimmed(100.0 * f64::from(blend), 0);
+        say!(
+            "shown: {percent} % of the way from before to after",
+            percent
+        )
+    }
+}
+
+/// How long the vectors are drawn and for whose lengths, where there is little room.
+fn length_folded(ui: &mut Ui, workbench: &Workbench) {
+    let now = significant(magnification_of(workbench), 2);
+    let name = say!("vectors × {now}", now);
+    folded(ui, &name, say!("Length of vectors"), |ui| {
+        widgets::row(ui, |ui| magnification(ui, workbench));
+        widgets::row(ui, |ui| scale_for(ui, workbench));
+    });
+}
+
+/// How long the vectors are drawn.
+fn magnification(ui: &mut Ui, workbench: &Workbench) {
+    let now = magnification_of(workbench);
+    caption(ui, say!("vectors"));
+    let mut factor = now;
+    fine(ui, 60.0);
+    let slider = Slider::new(&mut factor, 1.0..=100_000.0)
+        .logarithmic(true)
+        .show_value(false);
+    let slider = ui.add(slider);
+    widgets::label(&slider, say!("Length of vectors"));
+    if slider.changed() && factor != now {
+        workbench.then(move |bench| bench.view.magnification = Some(factor));
+    }
+    caption(ui, &format!("× {}", significant(now, 2)));
+}
+
+/// Whose lengths vectors and colours are made for.
+fn scale_for(ui: &mut Ui, workbench: &Workbench) {
+    let Some(after) = workbench.after() else {
+        return;
+    };
+    let loaded_session = workbench.loaded_session();
+    let room = room(workbench);
+    let [before, left] =
+        [loaded_session.overview.readable, after.readable].map(|r| r.magnification(room));
+    let now = magnification_of(workbench);
+    let says = say!(
+        "how long vectors are drawn and where the colours of lengths end: so that the deviations before can be read, or those that are left after"
+    );
+    caption(ui, say!("scale for")).on_hover_text(says);
+    let options = [(Some(before), say!("before")), (Some(left), say!("after"))];
+    match widgets::segmented(ui, &options, Some(now)) {
+        Some(Some(factor)) if factor == readable(workbench) => {
+            workbench.then(move |bench| bench.view.magnification = None);
+        }
+        Some(factor) => workbench.then(move |bench| bench.view.magnification = factor),
+        None => {}
+    }
+}
+
+/// What only one way of looking has: the heat map of a plane; the side and the pose in space.
+fn beneath(ui: &mut Ui, workbench: &Workbench) {
+    let view = &workbench.view;
+    if !view.in_space() {
+        heat(ui, workbench);
+        return;
+    }
+    caption(ui, say!(in "toolbar", "from"));
+    let shown = view.camera.standard();
+    let list = listed("view in space", shown.map_or(say!("free"), Standard::name)).width(76.0);
+    let offered = Standard::ALL.into_iter();
+    let offered = offered.map(|from| (Some(from), from.name()));
+    if let Some(from) = widgets::list(ui, say!("Standard view"), list, offered, shown) {
+        workbench.then(move |bench| bench.view.look_from(from));
+    }
+    let mut open = posing(ui);
+    let text = RichText::new(say!("pose")).size(size::SMALL);
+    let checkbox = ui
+        .checkbox(&mut open, text)
+        .on_hover_text(say!("sliders that pose the robot"));
+    widgets::label(&checkbox, say!("Pose the robot"));
+    if checkbox.changed() {
+        ui.data_mut(|data| data.insert_temp(posing_id(), open));
+    }
+}
+
+fn posing_id() -> egui::Id {
+    egui::Id::unique("sliders that pose the robot")
+}
+
+/// Whether the sliders that pose the robot are open.
+pub(super) fn posing(ui: &Ui) -> bool {
+    ui.data(|data| data.get_temp(posing_id()))
+        .unwrap_or_default()
+}
+
+/// Whether the error between the samples is shown.
+fn heat(ui: &mut Ui, workbench: &Workbench) {
+    let mut shown = workbench.view.heat;
+    let text = RichText::new(say!("heat map")).size(size::SMALL);
+    let says = say!("the root mean square deviation between the samples, fading away from them");
+    let checkbox = ui.checkbox(&mut shown, text).on_hover_text(says);
+    widgets::label(&checkbox, say!("heat map"));
+    if checkbox.changed() {
+        workbench.then(move |bench| bench.view.heat = shown);
+    }
+}
+
+/// What the colour of the vectors says.
+fn colouring(ui: &mut Ui, workbench: &Workbench) {
+    let shown = coloured(workbench);
+    if ui.available_width() > COLOUR {
+        caption(ui, say!("colour"));
+    }
+    let list = listed("colouring", shown.name());
+    let list = list.width(112.0).truncate().height(280.0);
+    let offered = Colouring::ALL.into_iter();
+    let offered = offered.filter(|colouring| offers(workbench, *colouring));
+    let offered = offered.map(|colouring| (colouring, colouring.name()));
+    let chosen = widgets::list(ui, say!("Colour of vectors"), list, offered, shown);
+    if let Some(colouring) = chosen.filter(|colouring| *colouring != shown) {
+        workbench.then(move |bench| bench.view.colouring = colouring);
+    }
+}
+
+/// What colour says, where the session has it.
+fn coloured(workbench: &Workbench) -> Colouring {
+    let now = workbench.view.colouring;
+    if offers(workbench, now) {
+        now
+    } else {
+        Colouring::State
+    }
+}

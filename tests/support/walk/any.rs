@@ -12,20 +12,21 @@ use crate::export::EXPORTERS;
 use crate::gui::core::answer::term_of;
 use crate::gui::core::compensated::{CompensationRequest, PrecedenceChoice};
 use crate::gui::core::document::{ExportChoice, Method};
-use crate::gui::core::edit::Edit;
 use crate::gui::core::loaded_session::LoadedSession;
 use crate::gui::core::robot_table::RobotTable;
-use crate::gui::core::setup::{SetupForm, SigmaForm};
+use crate::gui::core::setup::SetupForm;
 use crate::gui::core::simulate::Form;
-use crate::gui::import_draft::{ImportAnswers, ImportDraft, RobotFrom, TypedAxis};
+use crate::gui::file_state::Recent;
+use crate::gui::import_draft::{ImportAnswers, ImportDraft, RobotFrom};
 use crate::gui::preferences::{Preferences, Sizes, Theme};
 use crate::gui::view::{About, NextAction, Sheet, What};
-use crate::gui::workbench::{Command, LeftBehind, Task, ViewChange, Workbench};
+use crate::gui::workbench::{Change, Workbench};
 use crate::kinematics::JointKind;
 use crate::present::units::{AngleUnit, LengthUnit};
 use crate::programs::ExternalAxes;
 use crate::progress::{Progress, unwatched};
 use crate::robots::library;
+use crate::sessions::Sigma;
 use crate::text::Language;
 use crate::units::rad_from_deg;
 
@@ -41,6 +42,42 @@ pub(super) struct Files {
     pub(super) arm: PathBuf,
     /// A folder to write into.
     pub(super) folder: PathBuf,
+}
+
+/// Something that is done to a workbench.
+pub(super) struct Deed {
+    pub(super) kind: &'static str,
+    pub(super) says: String,
+    pub(super) change: Change,
+    /// The session or model that it writes, if all goes well.
+    pub(super) writes: Option<PathBuf>,
+}
+
+impl Deed {
+    /// The same in the middle of a gesture, or by itself.
+    fn while_dragging(self, dragging: bool) -> Self {
+        let change = self.change;
+        Self {
+            change: Box::new(move |bench| {
+                bench.drag(dragging);
+                change(bench);
+            }),
+            ..self
+        }
+    }
+}
+
+pub(super) fn deed<T: std::fmt::Debug + Send + 'static>(
+    kind: &'static str,
+    with: T,
+    change: impl FnOnce(&mut Workbench, T) + Send + 'static,
+) -> Deed {
+    Deed {
+        kind,
+        says: format!("{kind} {with:?}"),
+        change: Box::new(move |bench| change(bench, with)),
+        writes: None,
+    }
 }
 
 impl Files {
@@ -97,7 +134,7 @@ fn setup(random: &mut ChaCha8Rng, loaded_session: &LoadedSession) -> SetupForm {
         0 => form.joints[0].axis[axis] = number,
         1 => form.joints[0].limits = Some([number, 90.0]),
         2 => form.tool_mm[axis] = number,
-        3 => form.sigma = SigmaForm::One(number),
+        3 => form.sigma = Some(Sigma::Overall(number)),
         4 => form.joints[0].kind = JointKind::Prismatic,
         5 => form.joints[0].axis = [0.0; 3],
         6 => form.joints[0].limits = None,
@@ -127,49 +164,103 @@ fn correction(random: &mut ChaCha8Rng) -> SessionCorrection {
 }
 
 /// A change of the document.
-fn edit(random: &mut ChaCha8Rng, workbench: &Workbench) -> Edit {
+fn edit(random: &mut ChaCha8Rng, workbench: &Workbench) -> Deed {
     let loaded_session = workbench.loaded_session();
     let region = random.random_range(0..9);
     match random.random_range(0..40) {
-        0 | 1 => Edit::Divide(random.random_range(0..12)),
-        2..=8 => Edit::MoveBoundary(region, angle(random)),
-        9..=11 => Edit::Split(region),
-        12 | 13 => Edit::Join(region),
-        14 | 15 => Edit::Delete(region),
+        0 | 1 => deed("Divide", random.random_range(0..12), |bench, it| {
+            bench.edit(phrase!("divide into regions"), |d| d.divide(it));
+        }),
+        2..=8 => deed("MoveBoundary", (region, angle(random)), |bench, it| {
+            bench.edit(phrase!("move boundary"), |d| d.move_boundary(it.0, it.1));
+        }),
+        9..=11 => deed("Split", region, |bench, it| {
+            bench.edit(phrase!("split region"), |d| d.split(it));
+        }),
+        12 | 13 => deed("Join", region, |bench, it| {
+            bench.edit(phrase!("merge regions"), |d| d.join(it));
+        }),
+        14 | 15 => deed("Delete", region, |bench, it| {
+            bench.edit(phrase!("delete region"), |d| d.delete(it));
+        }),
         16 | 17 => {
             let name = ["", "1", "2", "Ost", "  x ", "ß·∆"];
-            Edit::Rename(region, pick(random, &name).to_owned())
+            deed(
+                "Rename",
+                (region, pick(random, &name).to_owned()),
+                |bench, it| bench.edit(phrase!("rename region"), |d| d.rename(it.0, &it.1)),
+            )
         }
-        18 => Edit::RegionsOfSession,
-        19 => Edit::KeepRegions,
-        20 => Edit::Method(pick(random, &[Method::Exact, Method::Regional])),
+        18 => deed("RegionsOfSession", (), |bench, ()| {
+            bench.edit(phrase!("take regions from session"), |d| {
+                d.regions_of_session()
+            });
+        }),
+        19 => deed("KeepRegions", (), |bench, ()| {
+            bench.edit(phrase!("keep the regions"), |d| {
+                d.keep_regions();
+                Ok(())
+            });
+        }),
+        20 => deed(
+            "Method",
+            pick(random, &[Method::Exact, Method::Regional]),
+            |bench, it| bench.edit(phrase!("choose method"), |d| d.choose_method(it)),
+        ),
         21 | 22 => {
             let effect = CATALOGUE[random.random_range(0..4)].about().id;
-            Edit::Effect(effect, random.random())
+            deed("Effect", (effect, random.random()), |bench, it| {
+                bench.edit(phrase!("choose effects"), |d| d.choose_effect(it.0, it.1));
+            })
         }
         23 | 24 => {
             let tolerances = [None, Some(0.3), Some(0.0), Some(-1.0), Some(f64::NAN)];
-            Edit::Tolerance(pick(random, &tolerances))
+            deed("Tolerance", pick(random, &tolerances), |bench, it| {
+                bench.edit(phrase!("set tolerance"), |d| d.set_tolerance(it));
+            })
         }
-        25 | 26 => Edit::Export(ExportChoice {
-            format: pick(random, EXPORTERS).id,
-            step: random
-                .random::<bool>()
-                .then(|| random.random_range(-1.0..10.0)),
-            joint: random.random_range(0..2),
+        25 | 26 => deed(
+            "Export",
+            ExportChoice {
+                format: pick(random, EXPORTERS).id,
+                step: random
+                    .random::<bool>()
+                    .then(|| random.random_range(-1.0..10.0)),
+                joint: random.random_range(0..2),
+            },
+            |bench, it| bench.edit(phrase!("choose table"), |d| d.choose_export(it)),
+        ),
+        27 | 28 => deed("Setup", setup(random, loaded_session), |bench, it| {
+            bench.edit(phrase!("edit robot and instrument"), |d| d.set_up(&it));
         }),
-        27 | 28 => Edit::Setup(Box::new(setup(random, loaded_session))),
-        29 => Edit::Correct(vec![correction(random)]),
-        35 => Edit::Exclude((0..random.random_range(0..60)).collect(), random.random()),
+        29 => deed("Correct", vec![correction(random)], |bench, it| {
+            bench.edit(phrase!("correct data"), |d| d.correct(&it));
+        }),
+        35 => deed(
+            "Exclude",
+            (
+                (0..random.random_range(0..60)).collect::<Vec<_>>(),
+                random.random(),
+            ),
+            |bench, it| bench.exclude(&it.0, it.1),
+        ),
         30 => {
             // Nothing found is added as well: nothing changes then.
             let found = workbench.diagnosis().into_iter();
             let terms = found.flat_map(|d| d.found.iter().filter_map(|f| term_of(d, f)));
-            Edit::Add(terms.collect())
+            deed("Add", terms.collect::<Vec<_>>(), |bench, it| bench.add(&it))
         }
-        31 | 32 => Edit::Switch(random.random_range(0..3), random.random()),
-        33 | 34 => Edit::IdentifyBy(pick(random, &[Method::Exact, Method::Regional])),
-        _ => Edit::Identify,
+        31 | 32 => deed(
+            "Switch",
+            (random.random_range(0..3), random.random()),
+            |bench, it| bench.switch(it.0, it.1),
+        ),
+        33 | 34 => deed(
+            "IdentifyBy",
+            Some(pick(random, &[Method::Exact, Method::Regional])),
+            super::super::Workbench::identify,
+        ),
+        _ => deed("Identify", (), |bench, ()| bench.identify(None)),
     }
 }
 
@@ -212,7 +303,7 @@ fn any_answers(random: &mut ChaCha8Rng, files: &Files, workbench: &Workbench) ->
     answers.robot = match random.random_range(0..6) {
         0 => RobotFrom::default().of_file(path(random)),
         1 => RobotFrom::Here(Box::new(workbench.loaded_session().session.robot.clone())),
-        2 => RobotFrom::Typed(TypedAxis::default()),
+        2 => RobotFrom::Typed(Box::new(RobotTable::one_axis())),
         3 => RobotFrom::Example(random.random_range(0..4)),
         4 => {
             let all = crate::robots::library();
@@ -289,21 +380,22 @@ fn typed_robot(random: &mut ChaCha8Rng) -> RobotTable {
     table
 }
 
-fn draft(random: &mut ChaCha8Rng, workbench: &Workbench) -> Command {
+fn draft(random: &mut ChaCha8Rng, workbench: &Workbench) -> Deed {
     let drafted = random.random::<bool>();
-    Command::View(ViewChange::Draft(
+    deed(
+        "Draft",
         drafted.then(|| Box::new(setup(random, workbench.loaded_session()))),
-    ))
+        |bench, it| bench.view.setup = it,
+    )
 }
 
-fn own_robot(random: &mut ChaCha8Rng, workbench: &Workbench) -> Command {
+fn own_robot(random: &mut ChaCha8Rng, workbench: &Workbench) -> Deed {
     let mut names = workbench.typed_robots().iter().map(|own| own.name.clone());
     match names.next_back().filter(|_| random.random()) {
-        Some(name) => Command::ForgetRobot(name),
-        None => Command::KeepRobot {
-            table: Box::new(typed_robot(random)),
-            save: false,
-        },
+        Some(name) => deed("ForgetRobot", name, |bench, it| bench.forget_robot(&it)),
+        None => deed("KeepRobot", (typed_robot(random), false), |bench, it| {
+            bench.keep_robot(it.0, it.1);
+        }),
     }
 }
 
@@ -344,122 +436,180 @@ fn preferences(random: &mut ChaCha8Rng) -> Preferences {
 }
 
 /// Of files that hold no targets as well, under loads that are none.
-fn compensation(random: &mut ChaCha8Rng, files: &Files) -> Command {
-    Command::Compensate(CompensationRequest {
-        load_kg: angle(random),
-        measured_frame: random.random(),
-        external: pick(
-            random,
-            &[
-                ExternalAxes::Asked,
-                ExternalAxes::Other,
-                ExternalAxes::CarryRobot,
-            ],
-        ),
-        tool: pick(
-            random,
-            &[
-                PrecedenceChoice::Asked,
-                PrecedenceChoice::Model,
-                PrecedenceChoice::Program,
-            ],
-        ),
-        frame: pick(
-            random,
-            &[
-                PrecedenceChoice::Asked,
-                PrecedenceChoice::Model,
-                PrecedenceChoice::Program,
-            ],
-        ),
-        ..CompensationRequest::new(files.any(random))
-    })
+fn compensation(random: &mut ChaCha8Rng, files: &Files) -> Deed {
+    deed(
+        "Compensate",
+        CompensationRequest {
+            load_kg: angle(random),
+            measured_frame: random.random(),
+            external: pick(
+                random,
+                &[
+                    ExternalAxes::Asked,
+                    ExternalAxes::Other,
+                    ExternalAxes::CarryRobot,
+                ],
+            ),
+            tool: pick(
+                random,
+                &[
+                    PrecedenceChoice::Asked,
+                    PrecedenceChoice::Model,
+                    PrecedenceChoice::Program,
+                ],
+            ),
+            frame: pick(
+                random,
+                &[
+                    PrecedenceChoice::Asked,
+                    PrecedenceChoice::Model,
+                    PrecedenceChoice::Program,
+                ],
+            ),
+            ..CompensationRequest::new(files.any(random))
+        },
+        super::super::Workbench::compensate,
+    )
 }
 
 /// A command of any kind but those that ask the system.
-pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Files) -> Command {
+#[allow(clippy::too_many_lines, reason = "one line for each kind")]
+pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Files) -> Deed {
     match random.random_range(0..160) {
-        0..=29 => Command::Edit(edit(random, workbench)),
-        30..=49 => Command::Drag(edit(random, workbench)),
-        50..=55 | 150 => Command::EndDrag,
-        56..=63 => Command::Undo,
-        64..=67 => Command::Redo,
+        0..=29 => edit(random, workbench).while_dragging(false),
+        30..=49 => edit(random, workbench).while_dragging(true),
+        50..=55 | 150 => deed("EndDrag", (), |bench, ()| bench.drag(false)),
+        56..=63 => deed("Undo", (), |bench, ()| bench.undo()),
+        64..=67 => deed("Redo", (), |bench, ()| bench.redo()),
         68 if random.random() => {
             let several = random.random_range(0..3);
-            Command::Drop((0..several).map(|_| files.any(random)).collect())
+            deed(
+                "Drop",
+                (0..several).map(|_| files.any(random)).collect::<Vec<_>>(),
+                super::super::Workbench::drop_files,
+            )
         }
-        68 => Command::OpenFile(files.any(random)),
-        69 => Command::Say(Box::new(any_answers(random, files, workbench))),
-        70 if random.random() => Command::ConfirmColumns,
-        70 => Command::Import,
-        71 => Command::OpenExample(random.random_range(0..6)),
-        72 | 73 => Command::Do(then(random, files)),
+        68 => deed("OpenFile", files.any(random), |bench, it| {
+            bench.open_file(it);
+        }),
+        69 => deed("Say", any_answers(random, files, workbench), |bench, it| {
+            bench.say(it);
+        }),
+        70 if random.random() => deed("ConfirmColumns", (), |bench, ()| bench.confirm_columns()),
+        70 => deed("Import", (), |bench, ()| bench.import()),
+        71 => deed(
+            "OpenExample",
+            NextAction::Example(random.random_range(0..6)),
+            super::super::Workbench::ask_then,
+        ),
+        72 | 73 => deed("Do", then(random, files), super::super::Workbench::go),
         74 => match (workbench.file(), workbench.at_risk().session) {
             // Otherwise it asks the system.
-            (Some(_), true) => Command::SaveThen(then(random, files)),
-            _ => Command::no_sheet(),
+            (Some(_), true) => deed("SaveThen", then(random, files), |bench, it| {
+                bench.save_then(it);
+            }),
+            _ => deed("no_sheet", (), |bench, ()| bench.show_sheet(None)),
         },
         75..=77 if workbench.file().is_some() || workbench.loaded_session().is_empty() => {
-            Command::Save
+            deed("Save", (), |bench, ()| bench.save())
         }
-        78 => Command::SaveDespite,
-        79 => Command::Reload,
+        78 => deed("SaveDespite", (), |bench, ()| bench.save_despite()),
+        79 => deed("Reload", (), |bench, ()| bench.reload()),
         80 if random.random() => compensation(random, files),
-        80 => Command::View(ViewChange::KeepMine),
-        81 | 82 => Command::Forget(files.any(random)),
-        83 => Command::Left(LeftBehind::Restore(random.random_range(0..2))),
+        80 => deed("KeepMine", (), |bench, ()| bench.keep_mine()),
+        81 | 82 => deed(
+            "Forget",
+            Recent::Forgotten(files.any(random)),
+            super::super::Workbench::use_recent,
+        ),
+        83 => deed("Left Restore", random.random_range(0..2), |bench, it| {
+            bench.restore(it);
+        }),
         84 if random.random_range(0..4) == 0 => {
-            Command::Left(LeftBehind::Discard(random.random_range(0..2)))
+            deed("Left Discard", random.random_range(0..2), |bench, it| {
+                bench.discard_left(it);
+            })
         }
-        84 if random.random_range(0..8) == 0 => Command::Left(LeftBehind::DiscardAll),
-        84 | 85 => Command::KeepRecovery,
-        86 => Command::LookAtDisk,
-        87..=90 => Command::SaveAs {
-            path: files.to_write(random, "json"),
-            replace: random.random(),
-        },
-        91..=95 => {
-            let (what, ending) = what(random);
-            Command::ExportTo {
-                what,
-                path: files.to_write(random, ending),
-                replace: random.random(),
+        84 if random.random_range(0..8) == 0 => {
+            deed("Left DiscardAll", (), |bench, ()| bench.discard_all_left())
+        }
+        84 | 85 => deed("KeepRecovery", (), |bench, ()| bench.keep_recovery()),
+        86 => deed("LookAtDisk", (), |bench, ()| bench.look_at_disk()),
+        87..=90 => {
+            let path = files.to_write(random, "json");
+            let deed = deed("SaveAs", (path.clone(), random.random()), |bench, it| {
+                bench.save_as(&it.0, it.1);
+            });
+            Deed {
+                writes: Some(path),
+                ..deed
             }
         }
-        96 => Command::Adapt,
-        97..=103 => Command::Stop(Task::Import),
+        91..=95 => {
+            let (what, ending) = what(random);
+            let path = files.to_write(random, ending);
+            let writes = (what == What::Model).then(|| path.clone());
+            let deed = deed("ExportTo", (what, path, random.random()), |bench, it| {
+                bench.export_as(it.0, it.1, it.2);
+            });
+            Deed { writes, ..deed }
+        }
+        96 => deed("Adapt", (), |bench, ()| bench.adapt()),
+        97..=103 => deed("Stop Import", (), |bench, ()| bench.cancel_look()),
         // It takes its time.
         104 if random.random_range(0..5) == 0 && workbench.loaded_session().len() < 60 => {
-            Command::Search
+            deed("Search", (), |bench, ()| bench.search())
         }
-        104 => Command::Stop(Task::Search),
-        105 => Command::Simulate(form(random)),
-        106 if random.random() => Command::Stop(Task::Dialog),
-        106 => Command::Stop(Task::Newest),
-        at @ 107..=133 => Command::View(seen(random, workbench, at)),
+        104 => deed("Stop Search", (), |bench, ()| bench.stop_search()),
+        105 => deed("Simulate", form(random), super::super::Workbench::simulate),
+        106 if random.random() => deed("Stop Dialog", (), |bench, ()| bench.stop_asking()),
+        106 => deed("Stop Newest", (), |bench, ()| bench.cancel_newest()),
+        at @ 107..=133 => seen(random, workbench, at),
         152 | 153 => chart_of(random),
         154 => way_to_look(random),
         134 | 135 | 156 | 157 => arrangement(random, workbench),
-        155 => Command::View(ViewChange::Results(random.random())),
-        136..=138 => Command::Prefer(preferences(random)),
+        155 => deed("Results", Some(random.random()), |bench, it| {
+            bench.view.results = it;
+        }),
+        136..=138 => deed(
+            "Prefer",
+            preferences(random),
+            super::super::Workbench::prefer,
+        ),
         139 if random.random() => record(random, workbench, files),
-        139 => Command::View(ViewChange::Resize(sizes(random))),
+        139 => deed("Resize", sizes(random), |bench, sizes| {
+            let preferences = bench.view.preferences;
+            bench.prefer(Preferences {
+                sizes,
+                ..preferences
+            });
+        }),
         140..=142 => draft(random, workbench),
-        143..=147 => Command::View(ViewChange::Sheet(sheet(random, files, workbench))),
-        148 if random.random_range(0..4) == 0 => Command::Leave,
-        75..=77 | 148 => Command::View(ViewChange::Dismiss),
+        143..=147 => deed("Sheet", sheet(random, files, workbench), |bench, it| {
+            bench.show_sheet(it);
+        }),
+        148 if random.random_range(0..4) == 0 => {
+            deed("Leave", (), |bench, ()| bench.ask_then(NextAction::Leave))
+        }
+        75..=77 | 148 => deed("Dismiss", (), |bench, ()| bench.view.message = None),
         149 => own_robot(random, workbench),
         151 => look(random),
-        158 if random.random_range(0..8) == 0 => Command::Prepare,
-        158 => Command::CopyNumbers(chart(random)),
+        158 if random.random_range(0..8) == 0 => {
+            deed("Prepare", (), |bench, ()| bench.prepare_again())
+        }
+        158 => deed("CopyNumbers", chart(random), |bench, it| {
+            bench.copy_numbers(it);
+        }),
         _ => {
             // A session beside which models and regions make sense again.
             let files = [Arc::clone(workbench.loaded_session())];
             let single = files[0].single_revolute() && files[0].len() > 12;
             if single {
-                Command::EndDrag
+                deed("EndDrag", (), |bench, ()| bench.drag(false))
             } else {
-                Command::Do(NextAction::Simulate(form(random)))
+                deed("Do", NextAction::Simulate(form(random)), |bench, it| {
+                    bench.go(it);
+                })
             }
         }
     }

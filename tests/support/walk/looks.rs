@@ -10,17 +10,21 @@ use crate::report::Details;
 use crate::gui::charts::CHARTS;
 use crate::gui::core::loaded_session::Component;
 use crate::gui::core::quantity::Quantity;
-use crate::gui::file_state::machines::Stated;
+use crate::gui::file_state::Stated;
 use crate::gui::preferences::Sizes;
 use crate::gui::view::{
     Camera, ChartPane, Colouring, Edge, Key, Panes, Plane, Plot, Sheet, Side, Standard, Step, Tile,
 };
-use crate::gui::workbench::{Command, ViewChange, Workbench};
+use crate::gui::workbench::Workbench;
 
-use super::any::{Files, one_of, pick};
+use super::any::{Deed, Files, deed, one_of, pick};
 
-fn plot_size(random: &mut ChaCha8Rng) -> ViewChange {
-    ViewChange::PlotSize(pick(random, &[-1.0, 0.0, f64::NAN, 200.0, 1e300]))
+fn plot_size(random: &mut ChaCha8Rng) -> Deed {
+    deed(
+        "PlotSize",
+        pick(random, &[60.0, 200.0, 1e300]),
+        |bench, it| bench.view.plot_size = it,
+    )
 }
 
 pub(super) fn chart(random: &mut ChaCha8Rng) -> &'static str {
@@ -33,35 +37,48 @@ pub(super) fn plot(random: &mut ChaCha8Rng) -> Plot {
 }
 
 /// What is shown of the plots, and how much of them.
-pub(super) fn look(random: &mut ChaCha8Rng) -> Command {
+pub(super) fn look(random: &mut ChaCha8Rng) -> Deed {
     match random.random_range(0..4) {
-        0 => Command::View(ViewChange::Fit),
-        1 => Command::View(ViewChange::FitWorkspace),
-        2 => Command::View(ViewChange::FitChart(random.random_range(0..9))),
-        _ => Command::View(ViewChange::ActivateNext),
+        0 => deed("Fit", (), |bench, ()| bench.view.fit()),
+        1 => deed("FitWorkspace", (), |bench, ()| bench.view.fit_workspace()),
+        2 => deed("FitChart", random.random_range(0..9), |bench, it| {
+            bench.view.panes.fit(it);
+        }),
+        _ => deed("ActivateNext", (), |bench, ()| {
+            bench.view.panes.activate_next();
+        }),
     }
 }
 
 /// Another way to look at the workspace, or another pose of its robot.
-pub(super) fn way_to_look(random: &mut ChaCha8Rng) -> Command {
+pub(super) fn way_to_look(random: &mut ChaCha8Rng) -> Deed {
     match random.random_range(0..3) {
-        0 => Command::View(ViewChange::LookFrom(
+        0 => deed(
+            "LookFrom",
             one_of(random, &Standard::ALL).copied(),
-        )),
-        1 => Command::View(ViewChange::Turn(Camera {
-            azimuth_rad: pick(random, &[0.3, -7.0, f64::NAN]),
-            zoom: pick(random, &[1.0, -2.0, 1e300]),
-            ..Camera::default()
-        })),
-        _ => Command::View(ViewChange::Pose(
+            |bench, it| bench.view.look_from(it),
+        ),
+        1 => deed(
+            "Turn",
+            Camera {
+                azimuth_rad: pick(random, &[0.3, -7.0, f64::NAN]),
+                zoom: pick(random, &[1.0, -2.0, 1e300]),
+                ..Camera::default()
+            }
+            .sound(),
+            |bench, it| bench.view.camera = it,
+        ),
+        _ => deed(
+            "Pose",
             one_of(random, &[vec![0.3], vec![f64::NAN], vec![0.1; 6]]).cloned(),
-        )),
+            |bench, it| bench.view.pose = it,
+        ),
     }
 }
 
 /// Another arrangement of the plots: split, moved, closed, pulled, looked at in another way.
-pub(super) fn arrangement(random: &mut ChaCha8Rng, workbench: &Workbench) -> Command {
-    let mut panes = workbench.view().panes.clone();
+pub(super) fn arrangement(random: &mut ChaCha8Rng, workbench: &Workbench) -> Deed {
+    let mut panes = workbench.view.panes.clone();
     let keys: Vec<Key> = panes
         .panes()
         .iter()
@@ -70,18 +87,22 @@ pub(super) fn arrangement(random: &mut ChaCha8Rng, workbench: &Workbench) -> Com
         .collect();
     let key = pick(random, &keys);
     match random.random_range(0..8) {
-        0 => return Command::View(ViewChange::Activate(key)),
+        0 => return deed("Activate", key, |bench, it| bench.view.panes.activate(it)),
         1 | 2 => {
-            return Command::View(ViewChange::Panes(Box::new(
+            return deed(
+                "Panes",
                 workbench.with_chart(key, pick(random, &Edge::ALL)),
-            )));
+                super::super::Workbench::arrange,
+            );
         }
         3 => panes.close(key),
         4 => panes.move_to(key, pick(random, &Edge::ALL)),
         5 => {
-            return Command::View(ViewChange::Pull(Box::new(
+            return deed(
+                "Pull",
                 panes.arranged(shares(random, panes.root.clone())),
-            )));
+                |bench, it| bench.view.panes = it,
+            );
         }
         6 if random.random_range(0..4) == 0 => panes = Panes::default(),
         _ => {
@@ -100,7 +121,7 @@ pub(super) fn arrangement(random: &mut ChaCha8Rng, workbench: &Workbench) -> Com
             }
         }
     }
-    Command::View(ViewChange::Panes(Box::new(panes)))
+    deed("Panes", panes, super::super::Workbench::arrange)
 }
 
 /// The same tiles with other shares, which may be no numbers.
@@ -114,15 +135,19 @@ fn shares(random: &mut ChaCha8Rng, mut tile: Tile) -> Tile {
 }
 
 /// What the chart is about.
-pub(super) fn chart_of(random: &mut ChaCha8Rng) -> Command {
+pub(super) fn chart_of(random: &mut ChaCha8Rng) -> Deed {
     match random.random_range(0..2) {
-        0 => Command::View(ViewChange::ChartJoint(random.random_range(0..7))),
-        _ => Command::View(ViewChange::ShowEffect(random.random_range(0..4))),
+        0 => deed("ChartJoint", random.random_range(0..7), |bench, it| {
+            bench.view.joint = it;
+        }),
+        _ => deed("ShowEffect", random.random_range(0..4), |bench, it| {
+            bench.show_effect(it);
+        }),
     }
 }
 
 /// The document looked at otherwise: each of these numbers is one of the ways.
-pub(super) fn seen(random: &mut ChaCha8Rng, workbench: &Workbench, at: i32) -> ViewChange {
+pub(super) fn seen(random: &mut ChaCha8Rng, workbench: &Workbench, at: i32) -> Deed {
     let samples = workbench.loaded_session().len();
     let sample = |random: &mut ChaCha8Rng| {
         random
@@ -130,19 +155,43 @@ pub(super) fn seen(random: &mut ChaCha8Rng, workbench: &Workbench, at: i32) -> V
             .then(|| random.random_range(0..samples.max(1) + 10))
     };
     match at {
-        107..=112 => ViewChange::GoTo(pick(random, &Step::ALL)),
-        113 | 114 => ViewChange::Look(pick(random, &Plane::ALL)),
-        115 => ViewChange::Magnify(one_of(random, &[0.0, -1.0, f64::NAN, 20.0, 1e300]).copied()),
+        107..=112 => deed("GoTo", pick(random, &Step::ALL), |bench, it| {
+            bench.view.step = it;
+        }),
+        113 | 114 => deed("Look", pick(random, &Plane::ALL), |bench, it| {
+            bench.view.look_in(it);
+        }),
+        115 => deed(
+            "Magnify",
+            one_of(random, &[1.0, 20.0, 1e300]).copied(),
+            |bench, it| bench.view.magnification = it,
+        ),
         116 if random.random() => plot_size(random),
-        116 => ViewChange::Blend(pick(random, &[-1.0, 0.0, 0.4, 1.0, 2.0, f32::NAN])),
-        117 => ViewChange::Colour(pick(random, &Colouring::ALL)),
-        118 => ViewChange::Heat(random.random()),
-        119 | 120 => ViewChange::Component(pick(random, &Component::ALL)),
-        121 => ViewChange::OnlyAfter(random.random()),
-        122..=125 => ViewChange::Hover(sample(random)),
-        126..=129 => ViewChange::Select(sample(random)),
-        130 | 131 => ViewChange::Mark((0..random.random_range(0..500)).collect()),
-        _ => ViewChange::Side(pick(random, &[Side::Results, Side::Samples])),
+        116 => deed("Blend", pick(random, &[0.0, 0.4, 1.0]), |bench, it| {
+            bench.view.blend = it;
+        }),
+        117 => deed("Colour", pick(random, &Colouring::ALL), |bench, it| {
+            bench.view.colouring = it;
+        }),
+        118 => deed("Heat", random.random(), |bench, it| bench.view.heat = it),
+        119 | 120 => deed("Component", pick(random, &Component::ALL), |bench, it| {
+            bench.view.component = it;
+        }),
+        121 => deed("OnlyAfter", random.random(), |bench, it| {
+            bench.view.only_after = it;
+        }),
+        122..=125 => deed("Hover", sample(random), |bench, it| bench.view.hovered = it),
+        126..=129 => deed("Select", sample(random), |bench, it| bench.view.select(it)),
+        130 | 131 => deed(
+            "Mark",
+            (0..random.random_range(0..500)).collect::<Vec<_>>(),
+            |bench, it| bench.view.mark(it),
+        ),
+        _ => deed(
+            "Side",
+            pick(random, &[Side::Results, Side::Samples]),
+            |bench, it| bench.view.side = it,
+        ),
     }
 }
 
@@ -153,12 +202,20 @@ pub(super) fn sizes(random: &mut ChaCha8Rng) -> Sizes {
     }
 }
 
-pub(super) fn record(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Files) -> Command {
+pub(super) fn record(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Files) -> Deed {
     match random.random_range(0..5) {
-        0 => Command::CompareSessions(files.any(random)),
-        1 => Command::sheet(Sheet::DETAILS),
-        2 => Command::sheet(Sheet::HISTORY),
-        _ => Command::State(Box::new(stated(random, workbench, files))),
+        0 => deed("CompareSessions", files.any(random), |bench, it| {
+            bench.compare_sessions(it);
+        }),
+        1 => deed("Sheet", (), |bench, ()| {
+            bench.show_sheet(Some(Sheet::DETAILS));
+        }),
+        2 => deed("Sheet", (), |bench, ()| {
+            bench.show_sheet(Some(Sheet::HISTORY));
+        }),
+        _ => deed("State", stated(random, workbench, files), |bench, it| {
+            bench.state(it);
+        }),
     }
 }
 

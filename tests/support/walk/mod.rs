@@ -4,7 +4,6 @@
 //! A module of the window, of which it sees everything (`src/gui/workbench/mod.rs`), run by `tests/window/walk.rs`.
 
 mod any;
-mod kinds;
 mod looks;
 
 use std::collections::{BTreeSet, VecDeque};
@@ -16,7 +15,7 @@ use rand_chacha::ChaCha8Rng;
 
 use any::Files;
 
-use super::{Command, Workbench};
+use super::Workbench;
 use crate::compensation::verify;
 use crate::diagnostic::{Place, Severity};
 use crate::gui::App;
@@ -33,6 +32,99 @@ const COMMANDS: usize = 900;
 /// Commands that are told when something is wrong.
 const TAIL: usize = 25;
 
+/// What is done, but what asks the system: a test cannot drive its dialogs.
+const KINDS: &[&str] = &[
+    "Activate",
+    "ActivateNext",
+    "Adapt",
+    "Add",
+    "Blend",
+    "ChartJoint",
+    "Colour",
+    "CompareSessions",
+    "Compensate",
+    "Component",
+    "ConfirmColumns",
+    "CopyNumbers",
+    "Correct",
+    "Delete",
+    "Dismiss",
+    "Divide",
+    "Do",
+    "Draft",
+    "Drop",
+    "Effect",
+    "EndDrag",
+    "Exclude",
+    "Export",
+    "ExportTo",
+    "Fit",
+    "FitChart",
+    "FitWorkspace",
+    "Forget",
+    "ForgetRobot",
+    "GoTo",
+    "Heat",
+    "Hover",
+    "Identify",
+    "IdentifyBy",
+    "Import",
+    "Join",
+    "KeepMine",
+    "KeepRecovery",
+    "KeepRegions",
+    "KeepRobot",
+    "Leave",
+    "Left Discard",
+    "Left DiscardAll",
+    "Left Restore",
+    "Look",
+    "LookAtDisk",
+    "LookFrom",
+    "Magnify",
+    "Mark",
+    "Method",
+    "MoveBoundary",
+    "OnlyAfter",
+    "OpenExample",
+    "OpenFile",
+    "Panes",
+    "PlotSize",
+    "Pose",
+    "Prefer",
+    "Prepare",
+    "Pull",
+    "Redo",
+    "RegionsOfSession",
+    "Reload",
+    "Rename",
+    "Resize",
+    "Results",
+    "Save",
+    "SaveAs",
+    "SaveDespite",
+    "SaveThen",
+    "Say",
+    "Search",
+    "Select",
+    "Setup",
+    "Sheet",
+    "ShowEffect",
+    "Side",
+    "Simulate",
+    "Split",
+    "State",
+    "Stop Dialog",
+    "Stop Import",
+    "Stop Newest",
+    "Stop Search",
+    "Switch",
+    "Tolerance",
+    "Turn",
+    "Undo",
+    "no_sheet",
+];
+
 /// Thousands of commands at random leave a consistent workbench.
 ///
 /// # Panics
@@ -46,27 +138,11 @@ pub fn thousands_of_commands() {
         ended.collect::<Vec<_>>()
     });
     let mut done: BTreeSet<&str> = BTreeSet::new();
-    let mut edited: BTreeSet<&str> = BTreeSet::new();
     for walk in walks {
-        let (some, changes) = walk.expect("a walk failed; see above which and where");
-        done.extend(some);
-        edited.extend(changes);
+        done.extend(walk.expect("a walk failed; see above which and where"));
     }
-    let missed: Vec<&str> = kinds::all()
-        .filter(|k| !done.contains(k) && !kinds::ASK_THE_SYSTEM.contains(k))
-        .collect();
-    assert!(
-        missed.is_empty(),
-        "commands that no walk has done: {missed:?}"
-    );
-    let missed: Vec<&&str> = kinds::EDITS
-        .iter()
-        .filter(|k| !edited.contains(**k) && !kinds::COME_BACK.contains(k))
-        .collect();
-    assert!(
-        missed.is_empty(),
-        "changes that no walk has made: {missed:?}"
-    );
+    let missed: Vec<&&str> = KINDS.iter().filter(|kind| !done.contains(**kind)).collect();
+    assert!(missed.is_empty(), "what no walk has done: {missed:?}");
 }
 
 /// Tells where a walk was when something panics.
@@ -84,9 +160,9 @@ impl Drop for WalkReport {
     }
 }
 
-/// The kinds of commands and of changes that it did.
-fn walk(seed: u64) -> (BTreeSet<&'static str>, BTreeSet<&'static str>) {
-    let (mut done, mut edited) = (BTreeSet::new(), BTreeSet::new());
+/// The kinds of what it did.
+fn walk(seed: u64) -> BTreeSet<&'static str> {
+    let mut done = BTreeSet::new();
     let mut random = ChaCha8Rng::seed_from_u64(seed);
     let folder = tempfile::tempdir().expect("a folder");
     let mut files = prepared(folder.path());
@@ -97,30 +173,19 @@ fn walk(seed: u64) -> (BTreeSet<&'static str>, BTreeSet<&'static str>) {
         tail: VecDeque::new(),
     };
     for step in 0..COMMANDS {
-        let command = any::command(&mut random, app.bench(), &files);
-        done.extend([kinds::command(&command), kinds::of(&command)]);
-        if let Command::Edit(edit) | Command::Drag(edit) = &command {
-            edited.insert(kinds::edit(edit));
-        }
-        let mut says = format!("{command:?}");
+        let mut deed = any::command(&mut random, app.bench(), &files);
+        done.insert(deed.kind);
         // A session in full is too much to be read.
-        says.truncate(says.floor_char_boundary(160));
-        report.tail.push_back(says);
+        deed.says.truncate(deed.says.floor_char_boundary(160));
+        report.tail.push_back(deed.says);
         if report.tail.len() > TAIL {
             report.tail.pop_front();
         }
-        if let Command::SaveAs { path, .. }
-        | Command::ExportTo {
-            what: What::Model,
-            path,
-            ..
-        } = &command
-            && !files.written.contains(path)
-        {
-            files.written.push(path.clone());
-        }
+        files
+            .written
+            .extend(deed.writes.filter(|path| !files.written.contains(path)));
         let bench = app.bench();
-        bench.execute(command);
+        bench.execute(deed.change);
         bench.receive();
         consistent(bench);
         if random.random_range(0..6) == 0 {
@@ -143,7 +208,7 @@ fn walk(seed: u64) -> (BTreeSet<&'static str>, BTreeSet<&'static str>) {
     }
     all_the_way(app.bench());
     nothing_is_half_written(folder.path());
-    (done, edited)
+    done
 }
 
 /// Files to open: an instrument's, and one that is damaged.
@@ -179,22 +244,26 @@ fn workbench_at_home(folder: &Path) -> Workbench {
     let home = folder.join("home");
     let mut killed = workbench();
     killed.at_home(home.clone());
-    killed.execute(Command::Do(NextAction::Simulate(Form {
-        step_deg: 30.0,
-        ..Form::default()
-    })));
+    killed.execute(|bench| {
+        bench.go(NextAction::Simulate(Form {
+            step_deg: 30.0,
+            ..Form::default()
+        }));
+    });
     killed.receive();
-    killed.execute(Command::KeepRecovery);
+    killed.execute(Workbench::keep_recovery);
     killed.receive();
     drop(killed);
     let mut bench = workbench();
     bench.at_home(home);
     bench.receive();
     assert_eq!(bench.orphaned().len(), 1, "what was killed is offered");
-    bench.execute(Command::Do(NextAction::Simulate(Form {
-        step_deg: 15.0,
-        ..Form::default()
-    })));
+    bench.execute(|bench| {
+        bench.go(NextAction::Simulate(Form {
+            step_deg: 15.0,
+            ..Form::default()
+        }));
+    });
     bench.receive();
     bench
 }
@@ -203,7 +272,7 @@ fn workbench_at_home(folder: &Path) -> Workbench {
 fn consistent(bench: &Workbench) {
     let document = bench.document();
     let samples = bench.loaded_session().len();
-    let view = bench.view();
+    let view = &bench.view;
     let shown = [view.hovered, view.selected].into_iter().flatten();
     for sample in shown.chain(view.marked.iter().copied()) {
         assert!(sample < samples, "sample {sample} of {samples}");
@@ -261,13 +330,13 @@ fn divided(document: &Document) {
 
 /// Undo and redo give the identical document back.
 fn back_and_forth(bench: &mut Workbench) {
-    bench.execute(Command::EndDrag);
+    bench.execute(|bench| bench.drag(false));
     bench.receive();
     let Some(what) = bench.undoes() else {
         return;
     };
     let before = bench.document().clone();
-    bench.execute(Command::Undo);
+    bench.execute(Workbench::undo);
     bench.receive();
     assert_ne!(
         *bench.document(),
@@ -275,7 +344,7 @@ fn back_and_forth(bench: &mut Workbench) {
         "undo of “{what}” changed nothing"
     );
     consistent(bench);
-    bench.execute(Command::Redo);
+    bench.execute(Workbench::redo);
     bench.receive();
     assert_eq!(*bench.document(), before, "redo of “{what}”");
     assert_eq!(bench.undoes(), Some(what));
@@ -283,18 +352,18 @@ fn back_and_forth(bench: &mut Workbench) {
 
 /// All the way back and forth: the same document, and the answer that belongs to it.
 fn all_the_way(bench: &mut Workbench) {
-    bench.execute(Command::EndDrag);
+    bench.execute(|bench| bench.drag(false));
     bench.receive();
     let last = bench.document().clone();
     let mut steps = 0;
     while bench.undoes().is_some() {
-        bench.execute(Command::Undo);
+        bench.execute(Workbench::undo);
         bench.receive();
         consistent(bench);
         steps += 1;
     }
     for _ in 0..steps {
-        bench.execute(Command::Redo);
+        bench.execute(Workbench::redo);
         bench.receive();
     }
     assert_eq!(*bench.document(), last);
@@ -335,15 +404,11 @@ fn saved_is_read_again(bench: &mut Workbench, folder: &Path, step: usize) {
         return;
     }
     let path = folder.join(format!("model {step}.json"));
-    bench.execute(Command::ExportTo {
-        what: What::Model,
-        path: path.clone(),
-        replace: false,
-    });
+    bench.execute(|bench| bench.export_as(What::Model, path.clone(), false));
     bench.receive();
     if !path.exists() {
         // A model of few or wrong rows may be worse than the nominal robot, and is refused.
-        let message = bench.view().message.as_ref().expect("it says why");
+        let message = bench.view.message.as_ref().expect("it says why");
         let answer = bench.answer().expect("it is there still");
         let handed_out = crate::pipeline::hand_out(&answer.calibration, session);
         assert!(message.wrong && handed_out.is_err(), "{message:?}");

@@ -339,12 +339,12 @@ mod tests {
 
     use super::*;
     use crate::gui::testing::workbench;
-    use crate::gui::workbench::{Command, Workbench};
+    use crate::gui::workbench::Workbench;
 
     /// A workbench on which a search has found the backlash that the simulation hid.
     fn searched() -> (Workbench, Arc<Search>) {
         let mut workbench = workbench();
-        workbench.execute(Command::Search);
+        workbench.execute(Workbench::search);
         workbench.receive();
         let search = Search::of(
             Arc::clone(workbench.loaded_session()),

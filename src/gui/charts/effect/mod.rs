@@ -5,7 +5,7 @@ mod curve;
 use std::sync::Arc;
 
 use super::{About, ChartChoice, ChartKind, ChartPlaceholder, HoverTarget, Samples, Scene, Shown};
-use crate::gui::cache::charts::Work;
+use crate::gui::cache::Work;
 use crate::gui::core::answer::{Search, terms};
 use crate::gui::core::quantity::Scale;
 use crate::gui::core::scale::{FEW, stride, thinned};
@@ -21,8 +21,6 @@ use curve::EffectSample;
 pub(crate) use curve::{EffectCurve, strongest};
 
 pub(crate) struct Effect;
-
-pub(crate) static EFFECT: Effect = Effect;
 
 /// The name of this chart: what was found is shown in it.
 pub(crate) const ID: &str = "effect's curve";

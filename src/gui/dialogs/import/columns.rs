@@ -1,11 +1,11 @@
 //! The columns: what each is taken for, how that is known, its heading, and the first rows.
 
+use crate::gui::workbench::Workbench;
 use egui::{ComboBox, Grid, RichText, ScrollArea, Ui};
 
 use crate::gui::import_draft::{ImportAnswers, ImportDraft};
 use crate::gui::style::{Palette, size, strong};
-use crate::gui::widgets;
-use crate::gui::workbench::Command;
+use crate::gui::widgets::{self, Does};
 use crate::importers::{ColumnGuess, Importer, Known, Meanings};
 
 /// Rows that are shown.
@@ -89,7 +89,7 @@ pub(super) fn show(
     ui: &mut Ui,
     now: &ImportDraft,
     next: &mut ImportAnswers,
-    commands: &mut Vec<Command>,
+    workbench: &Workbench,
 ) {
     let found = &now.seen.inspection;
     if found.columns.is_empty() {
@@ -124,9 +124,8 @@ pub(super) fn show(
                 columns = found.columns.len()
             );
             ui.label(RichText::new(says).color(palette.warning));
-            if ui.button(say!("The columns are right")).clicked() {
-                commands.push(Command::ConfirmColumns);
-            }
+            ui.button(say!("The columns are right"))
+                .does(workbench, Workbench::confirm_columns);
         });
     }
 }

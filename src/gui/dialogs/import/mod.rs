@@ -3,7 +3,6 @@
 //! bring stands at the end before it is done.
 
 mod columns;
-mod companion_file;
 mod file;
 
 use std::sync::Arc;
@@ -21,15 +20,15 @@ use crate::present::units::Units;
 use crate::text::{length, spoken};
 
 use crate::gui::core::disk::{EXAMPLES, name_of};
+use crate::gui::core::robot_table::RobotTable;
 use crate::gui::import_draft::{
-    Companion, ImportAnswers, ImportDraft, LOOKING, RobotFrom, Trial, TypedAxis,
-    in_the_windows_words,
+    Companion, ImportAnswers, ImportDraft, LOOKING, RobotFrom, Trial, in_the_windows_words,
 };
 use crate::gui::jobs::Running;
 use crate::gui::style::{Palette, size, space};
 use crate::gui::views::blocks;
-use crate::gui::widgets;
-use crate::gui::workbench::{Command, Task, Workbench};
+use crate::gui::widgets::{self, Does};
+use crate::gui::workbench::Workbench;
 
 use super::robots::{self, Robot as ListedRobot};
 
@@ -44,12 +43,7 @@ const LIST: f32 = 300.0;
 /// Two lines of what is in the way, points.
 const FOOT: f32 = 34.0;
 
-pub(super) fn show(
-    ui: &mut Ui,
-    workbench: &Workbench,
-    now: &ImportDraft,
-    commands: &mut Vec<Command>,
-) {
+pub(super) fn show(ui: &mut Ui, workbench: &Workbench, now: &ImportDraft) {
     let window = ui.ctx().content_rect();
     widgets::wide(ui, WIDTH);
     let name = name_of(&now.path);
@@ -64,15 +58,15 @@ pub(super) fn show(
         // Beside what scrolls, not over it.
         ui.set_width(ui.available_width() - f32::from(space::PANEL));
         file::show(ui, now, &mut next);
-        columns::show(ui, now, &mut next, commands);
+        columns::show(ui, now, &mut next, workbench);
         file::questions(ui, now, &mut next);
         let mut reason_in_sight = findings(ui, now);
-        reason_in_sight |= robot(ui, workbench, now, &mut next, commands);
-        companion_file::commanded(ui, now, &mut next, commands);
-        companion_file::order_of_rows(ui, &mut next);
-        companion_file::base_frame(ui, now, &mut next, commands);
+        reason_in_sight |= robot(ui, workbench, now, &mut next);
+        file::commanded(ui, now, &mut next, workbench);
+        file::order_of_rows(ui, &mut next);
+        file::base_frame(ui, now, &mut next, workbench);
         let open = &workbench.loaded_session().session.targets;
-        companion_file::reflectors(ui, open, now, &mut next, commands);
+        file::reflectors(ui, open, now, &mut next, workbench);
         reason_in_sight |= result(ui, now, workbench.units());
         widgets::focus_in_sight(ui);
         (ui.max_rect().width(), reason_in_sight)
@@ -91,17 +85,17 @@ pub(super) fn show(
     let room = vec2(ui.available_width(), FOOT);
     ui.allocate_ui_with_layout(room, Layout::top_down(Align::Min), |ui| {
         ui.set_min_height(FOOT);
-        foot(ui, workbench, (now, &next), missing.as_deref(), commands);
+        foot(ui, workbench, (now, &next), missing.as_deref());
     });
     // They end where what is above them ends.
     let pressed = ui.scope(|ui| {
         ui.set_max_width(width);
-        widgets::sheet_buttons_without_enter(ui, say!("Import"), missing.is_none(), commands)
+        widgets::sheet_buttons_without_enter(ui, say!("Import"), missing.is_none(), workbench)
     });
     if pressed.inner {
-        commands.push(Command::Import);
+        workbench.then(Workbench::import);
     } else if next != now.answers {
-        commands.push(Command::Say(Box::new(next)));
+        workbench.then(move |bench| bench.say(next));
     }
 }
 
@@ -111,15 +105,15 @@ fn foot(
     workbench: &Workbench,
     (now, next): (&ImportDraft, &ImportAnswers),
     missing: Option<&str>,
-    commands: &mut Vec<Command>,
 ) {
     if let Some(running) = workbench.looking() {
-        looking(ui, running, commands);
+        looking(ui, running, workbench);
     } else if *next == now.answers && !now.is_up_to_date() {
         ui.horizontal(|ui| {
             widgets::hint(ui, say!("Looking at the file was cancelled"));
             if ui.button(say!("Look again")).clicked() {
-                commands.push(Command::Say(Box::new(next.clone())));
+                let next = next.clone();
+                workbench.then(|bench| bench.say(next));
             }
         });
     } else if let Some(missing) = missing {
@@ -132,16 +126,15 @@ fn foot(
 }
 
 /// How far looking at the file is.
-fn looking(ui: &mut Ui, running: &Running, commands: &mut Vec<Command>) {
+fn looking(ui: &mut Ui, running: &Running, workbench: &Workbench) {
     ui.horizontal(|ui| {
         widgets::hint(ui, spoken(LOOKING));
         if let Some(part) = running.progress() {
             let bar = ProgressBar::new(part).desired_width(120.0);
             ui.add(bar.desired_height(8.0).fill(Palette::of(ui).accent));
         }
-        if ui.small_button(say!("Stop looking")).clicked() {
-            commands.push(Command::Stop(Task::Import));
-        }
+        ui.small_button(say!("Stop looking"))
+            .does(workbench, Workbench::cancel_look);
     });
     widgets::look_again_soon(ui);
 }
@@ -210,13 +203,7 @@ fn brings(ui: &mut Ui, trial: &Trial, units: Units) {
 }
 
 /// Whose robot was measured. Whether what is wrong with it can be read where it stands.
-fn robot(
-    ui: &mut Ui,
-    workbench: &Workbench,
-    now: &ImportDraft,
-    next: &mut ImportAnswers,
-    commands: &mut Vec<Command>,
-) -> bool {
+fn robot(ui: &mut Ui, workbench: &Workbench, now: &ImportDraft, next: &mut ImportAnswers) -> bool {
     widgets::section(ui, say!("Robot model"));
     let here = &workbench.loaded_session().session.robot;
     let is = |robot: &RobotFrom, other: &RobotFrom| {
@@ -244,7 +231,7 @@ fn robot(
         say!("File of the robot"),
         say!("a robot, a session, or a URDF file"),
     );
-    if companion_file::path(ui, field, &mut path, (Companion::Robot, now), commands) {
+    if file::path(ui, field, &mut path, (Companion::Robot, now), workbench) {
         next.robot = next.robot.of_file(path);
     }
     if let RobotFrom::File { path, base, tip } = &mut next.robot
@@ -266,7 +253,7 @@ fn robot(
         .clicked()
         && !typed
     {
-        next.robot = RobotFrom::Typed(TypedAxis::default());
+        next.robot = RobotFrom::Typed(Box::new(RobotTable::one_axis()));
     }
     if let RobotFrom::Typed(typed) = &mut next.robot {
         axis(ui, typed);
@@ -357,42 +344,25 @@ fn listed(ui: &mut Ui, workbench: &Workbench, next: &mut ImportAnswers) {
 }
 
 /// One axis that turns: its name, where it stands, where the tool is, how far it goes.
-fn axis(ui: &mut Ui, typed: &mut TypedAxis) {
+fn axis(ui: &mut Ui, typed: &mut RobotTable) {
     widgets::form_row(ui, say!("Name"), |ui| {
         let field = ui.add(TextEdit::singleline(&mut typed.name));
         widgets::label(&field, say!("Name of the robot"));
     });
-    numbers(
-        ui,
-        say!("Axis at home"),
-        (say!("Axis"), ""),
-        &["x", "y", "z"],
-        &mut typed.axis,
-    );
-    let parts = ["x", "y", "z"];
-    numbers(
-        ui,
-        say!("Point on it, mm"),
-        (say!("Point"), "mm"),
-        &parts,
-        &mut typed.point_mm,
-    );
-    numbers(
-        ui,
-        say!("Tool at home, mm"),
-        (say!("Tool"), "mm"),
-        &parts,
-        &mut typed.tool_mm,
-    );
-    let parts = [say!("from"), say!("to")];
-    numbers(
-        ui,
-        say!("Travel, °"),
-        (say!("Travel"), "°"),
-        &parts,
-        &mut typed.limits_deg,
-    );
-    ui.checkbox(&mut typed.gravity_down, say!("gravity points along −z"));
+    let xyz = ["x", "y", "z"];
+    let row = &mut typed.rows[0];
+    let (axis, point) = row.numbers.split_at_mut(3);
+    numbers(ui, say!("Axis at home"), (say!("Axis"), ""), &xyz, axis);
+    let (name, unit) = (say!("Point on it, mm"), "mm");
+    numbers(ui, name, (say!("Point"), unit), &xyz, point);
+    let name = say!("Tool at home, mm");
+    numbers(ui, name, (say!("Tool"), unit), &xyz, &mut typed.tool[..3]);
+    let (name, ends) = (say!("Travel, °"), [say!("from"), say!("to")]);
+    let travel = row.travel.get_or_insert([-180.0, 180.0]);
+    numbers(ui, name, (say!("Travel"), "°"), &ends, travel);
+    let mut down = typed.gravity.is_some();
+    ui.checkbox(&mut down, say!("gravity points along −z"));
+    typed.gravity = down.then_some([0.0, 0.0, -9.81]);
 }
 
 fn numbers(ui: &mut Ui, row: &str, (name, unit): (&str, &str), parts: &[&str], values: &mut [f64]) {

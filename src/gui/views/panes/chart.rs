@@ -3,17 +3,16 @@
 use egui::{Align, ComboBox, CursorIcon, Layout, Rect, Shape, Stroke, StrokeKind, Ui, pos2, vec2};
 
 use crate::gui::charts::{
-    self, Bars, CHARTS, ChartChoice, ChartKind, HoverTarget, Samples, Scene, Shown, deviation,
-    scatter,
+    Bars, CHARTS, ChartChoice, ChartKind, HoverTarget, Samples, Scene, Shown, deviation, scatter,
 };
 use crate::gui::core::loaded_session::Component;
 use crate::gui::core::quantity::Quantity;
 use crate::gui::plots::chart::{self, Canvas};
-use crate::gui::plots::{figure, gestures, picture, ring};
+use crate::gui::plots::{self, figure, picture, ring};
 use crate::gui::style::{size, space};
 use crate::gui::view::{ChartPane, Key, Plot, Step, What};
-use crate::gui::widgets;
-use crate::gui::workbench::{Asked, Command, ViewChange, Workbench};
+use crate::gui::widgets::{self, Does};
+use crate::gui::workbench::Workbench;
 use crate::gui::workspace::handles::{self, Handles};
 use crate::gui::workspace::{self, marked, nearest};
 
@@ -47,21 +46,15 @@ impl Place<'_> {
 }
 
 /// What stands at the beginning of a bar.
-pub(super) type First<'a> = &'a mut dyn FnMut(&mut Ui, &mut Vec<Command>);
+pub(super) type First<'a> = &'a mut dyn FnMut(&mut Ui);
 
 /// Shows it; `first` stands at the beginning of its bar.
-pub(super) fn show(
-    ui: &mut Ui,
-    workbench: &Workbench,
-    place: Place<'_>,
-    first: First<'_>,
-    commands: &mut Vec<Command>,
-) {
+pub(super) fn show(ui: &mut Ui, workbench: &Workbench, place: Place<'_>, first: First<'_>) {
     let kind = workbench.kind(place.pane);
     let scene = workbench.scene_in(place.pane);
-    bar(ui, workbench, (place, kind, &scene), first, commands);
-    match charts::shown(kind, &scene) {
-        Ok(shown) => plotted(ui, workbench, (place, kind), &shown, commands),
+    bar(ui, workbench, (place, kind, &scene), first);
+    match kind.show(&scene) {
+        Ok(shown) => plotted(ui, workbench, (place, kind), &shown),
         Err(missing) => chart::empty(ui, &missing.title, missing.why),
     }
 }
@@ -71,11 +64,10 @@ fn plotted(
     workbench: &Workbench,
     (place, kind): (Place<'_>, &dyn ChartKind),
     shown: &Shown<'_>,
-    commands: &mut Vec<Command>,
 ) {
-    let view = workbench.view();
+    let view = &workbench.view;
     let before = workbench.answer().map(|_| !view.only_after);
-    chart::legend(ui, &shown.chart, before, commands);
+    chart::legend(ui, &shown.chart, before, workbench);
     let title = format!("{} {}", kind.about().id, shown.chart.title);
     let fitted = view.fitted.charts + place.pane.fitted;
     let id = (&*title, workbench.only_after(), fitted);
@@ -113,7 +105,7 @@ fn plotted(
             frame,
             name: |at| say!("in the chart, boundary at {at}", at),
         };
-        handles::show(ui, workbench, &handles, commands);
+        handles::show(ui, workbench, &handles);
     }
     figure(&response, &shown.name, shown.description.clone());
     match &shown.pointed {
@@ -134,9 +126,9 @@ fn plotted(
                 });
                 nearest(candidates, [pointer.x, pointer.y], REACH)
             });
-            workspace::hover(&response, workbench, under, commands);
+            workspace::hover(&response, workbench, under);
         }
-        HoverTarget::Bars(bars) => pointed(response, &transform, &**bars, commands),
+        HoverTarget::Bars(bars) => pointed(response, &transform, &**bars, workbench),
     }
 }
 
@@ -170,7 +162,7 @@ fn pointed(
     response: egui::Response,
     transform: &egui_plot::PlotTransform,
     bars: &dyn Bars,
-    commands: &mut Vec<Command>,
+    workbench: &Workbench,
 ) {
     let pointer = response.hover_pos();
     let under = pointer.map(|pointer| transform.value_from_position(pointer).x);
@@ -180,9 +172,9 @@ fn pointed(
     let response = if facts.samples.is_empty() {
         response
     } else {
-        if response.clicked() {
-            commands.push(Command::View(ViewChange::Mark(facts.samples.clone())));
-        }
+        response.does(workbench, move |bench| {
+            bench.view.mark(facts.samples.clone());
+        });
         response.on_hover_cursor(CursorIcon::PointingHand)
     };
     response.on_hover_ui_at_pointer(|ui| {
@@ -243,30 +235,43 @@ impl Other<'_> {
         }
     }
 
-    /// Shows it, and says what was chosen. Of a chart that is alone the view keeps it, so that the
-    /// workspace shows the same; of one of several its pane.
-    fn show(&self, ui: &mut Ui, workbench: &Workbench, place: Place<'_>) -> Option<Command> {
-        let alone = place.number.is_none();
+    /// Shows it. Of a chart that is alone the view keeps what is chosen, so that the workspace shows the same; of one
+    /// of several its pane.
+    fn show(&self, ui: &mut Ui, workbench: &Workbench, place: Place<'_>) {
+        let (key, alone) = (place.key, place.number.is_none());
         match self {
-            Self::Component(choice) => choice.show(ui, false).map(|component| {
-                if alone && place.pane.component.is_none() {
-                    return Command::View(ViewChange::Component(component));
+            Self::Component(choice) => {
+                if let Some(component) = choice.show(ui, false) {
+                    let of_view = alone && place.pane.component.is_none();
+                    workbench.then(move |bench| {
+                        if of_view {
+                            bench.view.component = component;
+                        } else {
+                            bench.change_chart(key, |pane| pane.component = Some(component));
+                        }
+                    });
                 }
-                workbench.chart_changed(place.key, |pane| {
-                    pane.component = Some(component);
-                })
-            }),
-            Self::Joint(choice) => choice.show(ui, false).map(|joint| {
-                if alone && place.pane.joint.is_none() {
-                    return Command::View(ViewChange::ChartJoint(joint));
+            }
+            Self::Joint(choice) => {
+                if let Some(joint) = choice.show(ui, false) {
+                    let of_view = alone && place.pane.joint.is_none();
+                    workbench.then(move |bench| {
+                        if of_view {
+                            bench.view.joint = joint;
+                        } else {
+                            bench.change_chart(key, |pane| pane.joint = Some(joint));
+                        }
+                    });
                 }
-                workbench.chart_changed(place.key, |pane| pane.joint = Some(joint))
-            }),
-            Self::Axis(k, choice) => choice.show(ui, false).map(|quantity| {
-                let mut axes = scatter::axes(&workbench.scene_in(place.pane));
-                axes[*k] = quantity;
-                workbench.chart_changed(place.key, |pane| pane.axes = Some(axes))
-            }),
+            }
+            Self::Axis(k, choice) => {
+                if let Some(quantity) = choice.show(ui, false) {
+                    let mut axes = scatter::axes(&workbench.scene_in(place.pane));
+                    axes[*k] = quantity;
+                    workbench
+                        .then(move |bench| bench.change_chart(key, |pane| pane.axes = Some(axes)));
+                }
+            }
         }
     }
 }
@@ -313,7 +318,6 @@ fn bar(
     workbench: &Workbench,
     (place, kind, scene): (Place<'_>, &dyn ChartKind, &Scene),
     first: First<'_>,
-    commands: &mut Vec<Command>,
 ) {
     let about = kind.about();
     let charts = charts(workbench, kind, place);
@@ -351,56 +355,51 @@ fn bar(
     let short = !with(MARKS, beside, false);
     let one_row = with(0.0, beside, true);
     let marks = with(MARKS, if one_row { beside } else { 0.0 }, true);
-    let mut chosen = Vec::new();
     widgets::row(ui, |ui| {
         ui.spacing_mut().item_spacing.x = space::ROW;
-        first(ui, commands);
+        first(ui);
         if let Some(chart) = charts.show(ui, short) {
             let panes = workbench.with_choice(place.key, chart);
-            commands.push(Command::View(ViewChange::Panes(Box::new(panes))));
+            workbench.then(move |bench| bench.arrange(panes));
         }
         if one_row {
-            let others = others.iter();
-            chosen.extend(others.filter_map(|other| other.show(ui, workbench, place)));
+            for other in &others {
+                other.show(ui, workbench, place);
+            }
         }
         if marks {
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 ui.spacing_mut().item_spacing.x = space::TIGHT;
-                signs(ui, (place, kind), commands);
+                signs(ui, (place, kind), workbench);
             });
         }
     });
     if !one_row {
         ui.horizontal_wrapped(|ui| {
-            let others = others.iter();
-            chosen.extend(others.filter_map(|other| other.show(ui, workbench, place)));
+            for other in &others {
+                other.show(ui, workbench, place);
+            }
         });
     }
-    commands.extend(chosen);
 }
 
 /// What is done with a chart: what it means, its numbers, its picture.
-fn signs(ui: &mut Ui, (place, kind): (Place<'_>, &dyn ChartKind), commands: &mut Vec<Command>) {
-    let about = kind.about();
-    let before = commands.len();
-    picture(ui, Plot::Chart(about.id), commands);
+fn signs(ui: &mut Ui, (place, kind): (Place<'_>, &dyn ChartKind), workbench: &Workbench) {
+    let (key, about) = (place.key, kind.about());
+    picture(ui, Plot::Chart(about.id), Some(key), workbench);
     let plot = Plot::Chart(about.id).title();
     let says = say!("Save data of the {plot}…", plot);
     let button = widgets::icon_button(ui, widgets::DATA, &says);
     if button.on_hover_text(&says).clicked() {
-        commands.push(Command::Ask(Asked::WhereToExport(What::Numbers(about.id))));
-    }
-    let fit = place.own(say!("Fit chart to view"));
-    gestures::fit(
-        ui,
-        &fit,
-        Command::View(ViewChange::FitChart(place.key)),
-        commands,
-    );
-    copies::chart_button(ui, &about, commands);
-    if commands.len() > before {
         // Of two that show the same it is this one.
-        commands.insert(before, Command::View(ViewChange::Activate(place.key)));
+        workbench.then(move |bench| {
+            bench.view.panes.activate(key);
+            bench.choose_where_to_export(What::Numbers(about.id));
+        });
     }
+    if plots::fit(ui, &place.own(say!("Fit chart to view"))) {
+        workbench.then(move |bench| bench.view.panes.fit(key));
+    }
+    copies::chart_button(ui, &about, key, workbench);
     widgets::question(ui, about.word);
 }

@@ -3,29 +3,31 @@
 //! shown, and a switch between them.
 
 mod chart;
-mod pane;
 
-use egui::{Id, Painter, Rect, Stroke, Ui, Vec2, Visuals, WidgetText};
+use egui::{
+    Button, Id, Painter, Popup, Rect, Response, Role, Sense, Stroke, Ui, Vec2, Visuals, WidgetInfo,
+    WidgetText, vec2,
+};
 use egui_tiles::{
     Behavior, Container, EditAction, Linear, LinearDir, ResizeState, TileId, Tiles, Tree,
     UiResponse,
 };
 
+use crate::gui::actions::{CHART_BELOW, CHART_BESIDE, CLOSE_CHART, WindowState};
 use crate::gui::style::layout::MIDDLE;
 use crate::gui::style::{Palette, space};
-use crate::gui::view::{Content, Key, Pane, Panes, SplitShare, Tile};
+use crate::gui::view::{ChartPane, Content, Edge, Key, Pane, Panes, Plot, SplitShare, Tile, What};
 use crate::gui::widgets::{self, Gripped};
-use crate::gui::workbench::{Command, ViewChange, Workbench};
+use crate::gui::workbench::Workbench;
+use crate::gui::workspace;
 
-use pane::{contents, name_of, switch};
-
-pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
-    let panes = &workbench.view().panes;
+pub(crate) fn show(ui: &mut Ui, workbench: &Workbench) {
+    let panes = &workbench.view.panes;
     let room = ui.available_size();
     if fits(&panes.root, room) {
-        tree(ui, workbench, commands);
+        tree(ui, workbench);
     } else if let Some(active) = panes.pane(panes.active()) {
-        contents(ui, workbench, active, Some(switch), commands);
+        contents(ui, workbench, active, Some(switch));
         settle(ui, active.key);
     }
 }
@@ -177,8 +179,8 @@ fn taken_over(tiles: &Tiles<Key>, id: TileId, panes: &Panes) -> Option<Tile> {
 
 /// The tree of panes as tiles of `egui_tiles`, which lays them out and lets them be dragged; the grips
 /// between them are those of the window, which have a name and listen to the arrow keys.
-fn tree(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
-    let panes = &workbench.view().panes;
+fn tree(ui: &mut Ui, workbench: &Workbench) {
+    let panes = &workbench.view.panes;
     let room = ui.available_rect_before_wrap();
     let mut tiles = Tiles::default();
     let root = laid_out(&panes.root, room.size(), &mut tiles, &mut 0);
@@ -190,7 +192,6 @@ fn tree(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         palette: Palette::of(ui),
         dropped: false,
         dragged: dragged.map(|id| (id, Rect::NOTHING)),
-        commands: &mut *commands,
     };
     tree.ui(&mut middle, ui);
     let dropped = middle.dropped && !middle.is_at_home(ui.painter());
@@ -201,21 +202,14 @@ fn tree(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         if let Some(TileId(key)) = dragged {
             next.activate(Key::try_from(key).unwrap_or_default());
         }
-        commands.push(Command::View(ViewChange::Panes(Box::new(next))));
+        workbench.then(move |bench| bench.arrange(next));
     } else if dragged.is_none() {
-        pulled(ui, workbench, &panes.root, room, &mut Vec::new(), commands);
+        pulled(ui, workbench, &panes.root, room, &mut Vec::new());
     }
 }
 
 /// The grips between the parts of a tile, and of all that is in it; `way` leads to it.
-fn pulled(
-    ui: &Ui,
-    workbench: &Workbench,
-    tile: &Tile,
-    area: Rect,
-    way: &mut Vec<usize>,
-    commands: &mut Vec<Command>,
-) {
+fn pulled(ui: &Ui, workbench: &Workbench, tile: &Tile, area: Rect, way: &mut Vec<usize>) {
     let Some((side_by_side, parts)) = tile.parts() else {
         return;
     };
@@ -227,7 +221,7 @@ fn pulled(
         let mut inner = area;
         (inner.min[axis], inner.max[axis]) = (from, to);
         way.push(k);
-        pulled(ui, workbench, &part.tile, inner, way, commands);
+        pulled(ui, workbench, &part.tile, inner, way);
         way.pop();
         if k + 1 < parts.len() {
             let mut gap = area;
@@ -254,13 +248,14 @@ fn pulled(
             let at = at.min(both - needs[1]).max(needs[0]);
             let mut sizes = sizes.clone();
             (sizes[k], sizes[k + 1]) = (at, both - at);
-            let mut panes = workbench.view().panes.clone();
+            let mut panes = workbench.view.panes.clone();
             resize(&mut panes.root, way, &sizes);
-            let panes = Box::new(panes);
-            commands.push(if kept {
-                Command::View(ViewChange::Panes(panes))
-            } else {
-                Command::View(ViewChange::Pull(panes))
+            workbench.then(move |bench| {
+                if kept {
+                    bench.arrange(panes);
+                } else {
+                    bench.view.panes = panes;
+                }
             });
         }
         from = to + GAP;
@@ -301,7 +296,6 @@ struct Middle<'a> {
     dropped: bool,
     /// The one that is dragged, and where it stands.
     dragged: Option<(TileId, Rect)>,
-    commands: &'a mut Vec<Command>,
 }
 
 impl Middle<'_> {
@@ -325,12 +319,13 @@ impl Behavior<Key> for Middle<'_> {
             *home = rect;
         }
         ui.shrink_clip_rect(rect);
-        let handle = contents(ui, self.workbench, pane, None, self.commands);
+        let handle = contents(ui, self.workbench, pane, None);
         let pressed = ui.input(|input| input.pointer.any_pressed());
         let active = self.panes.active() == *key;
         if pressed && !active && ui.rect_contains_pointer(rect) {
-            self.commands
-                .push(Command::View(ViewChange::Activate(*key)));
+            let key = *key;
+            self.workbench
+                .then(move |bench| bench.view.panes.activate(key));
         }
         if active && self.panes.panes().len() > 2 {
             let line = Stroke::new(space::RING, self.palette.accent);
@@ -383,4 +378,180 @@ impl Behavior<Key> for Middle<'_> {
     fn on_edit(&mut self, action: EditAction) {
         self.dropped |= action == EditAction::TileDropped;
     }
+}
+
+/// What stands above a pane that is shown in place of all.
+pub(super) type Above = fn(&mut Ui, &Workbench);
+
+/// A pane with its bar. Its handle, which the pointer moves it by where several are shown.
+pub(super) fn contents(
+    ui: &mut Ui,
+    workbench: &Workbench,
+    pane: &Pane,
+    above: Option<Above>,
+) -> Option<Response> {
+    let whole = ui.available_rect_before_wrap();
+    ui.painter()
+        .rect_filled(whole, 0.0, Palette::of(ui).surface);
+    let inside = egui::UiBuilder::new().max_rect(whole.shrink(f32::from(space::PLOT)));
+    let mut handle = None;
+    ui.scope_builder(inside, |ui| match &pane.shows {
+        Content::Workspace => {
+            let mut first = |ui: &mut Ui| {
+                handle = Some(grip(ui, workbench, pane));
+            };
+            workspace::bar(ui, workbench, above, &mut first);
+            workspace::show(ui, workbench);
+        }
+        Content::Chart(looked_at) => {
+            if let Some(above) = above {
+                widgets::row(ui, |ui| above(ui, workbench));
+            }
+            let place = place(workbench, pane.key, looked_at);
+            let mut first = |ui: &mut Ui| {
+                handle = Some(grip(ui, workbench, pane));
+            };
+            chart::show(ui, workbench, place, &mut first);
+        }
+    });
+    handle
+}
+
+fn place<'a>(workbench: &Workbench, key: Key, pane: &'a ChartPane) -> chart::Place<'a> {
+    let mut charts = workbench.view.panes.charts();
+    let number = charts.position(|(one, _)| one == key).map_or(1, |k| k + 1);
+    let several = workbench.view.panes.charts().count() > 1;
+    chart::Place {
+        key,
+        pane,
+        number: several.then_some(number),
+    }
+}
+
+/// Six dots: what a pane is moved by, and where it says what can be done with it.
+fn grip(ui: &mut Ui, workbench: &Workbench, pane: &Pane) -> Response {
+    let name = name_of(workbench, pane);
+    let says = say!("Arrange {plot}", plot = name);
+    let (button, color) = widgets::bare_button(ui, &says, Sense::click_and_drag());
+    for (x, y) in [
+        (-3.0, -5.0),
+        (3.0, -5.0),
+        (-3.0, 0.0),
+        (3.0, 0.0),
+        (-3.0, 5.0),
+        (3.0, 5.0),
+    ] {
+        ui.painter()
+            .circle_filled(button.rect.center() + vec2(x, y), 1.5, color);
+    }
+    menu(ui, workbench, pane, &button);
+    button.on_hover_text(say!("Drag to move it; click to split, move or close it"))
+}
+
+/// Which pane is shown where there is room for one only.
+pub(super) fn switch(ui: &mut Ui, workbench: &Workbench) {
+    let panes = &workbench.view.panes;
+    let several = panes.charts().count() > 1;
+    let mut number = 0;
+    let names = panes.panes().into_iter().map(|pane| match pane.shows {
+        Content::Workspace => {
+            let name = say!("Workspace").to_owned();
+            (pane.key, name.clone(), name)
+        }
+        Content::Chart(_) if !several => {
+            let name = say!("Chart").to_owned();
+            (pane.key, name.clone(), name)
+        }
+        Content::Chart(_) => {
+            number += 1;
+            let long = format!("{number}: {}", name_of(workbench, pane));
+            (pane.key, number.to_string(), long)
+        }
+    });
+    let names: Vec<(Key, String, String)> = names.collect();
+    let named: Vec<(Key, &str, &str)> = names
+        .iter()
+        .map(|(key, short, long)| (*key, short.as_str(), long.as_str()))
+        .collect();
+    if let Some(key) = widgets::segmented_named(ui, &named, panes.active()) {
+        workbench.then(move |bench| bench.view.panes.activate(key));
+    }
+}
+
+/// What a pane is called.
+pub(super) fn name_of(workbench: &Workbench, pane: &Pane) -> String {
+    match &pane.shows {
+        Content::Workspace => say!("Workspace").to_owned(),
+        Content::Chart(chart) => workbench.kind(chart).about().name().to_owned(),
+    }
+}
+
+/// What can be done with a pane: the menu of its handle.
+fn menu(ui: &Ui, workbench: &Workbench, pane: &Pane, handle: &Response) {
+    let ctx = ui.ctx().clone();
+    let now = WindowState {
+        ctx: &ctx,
+        workbench,
+    };
+    let key = pane.key;
+    Popup::menu(handle).show(|ui| {
+        ui.set_min_width(220.0);
+        let item = |ui: &mut Ui, name: &str, keys: Option<String>, enabled: bool| {
+            let button = Button::new(name).shortcut_text(keys.unwrap_or_default());
+            let response = ui.add_enabled(enabled, button);
+            response.widget_info(|| WidgetInfo::labeled(Role::Button, enabled, name));
+            response.clicked()
+        };
+        if let Content::Chart(chart) = &pane.shows {
+            let id = workbench.kind(chart).about().id;
+            let plot = Plot::Chart(id);
+            for (name, what) in [
+                (say!("Save data…"), What::Numbers(id)),
+                (say!("Save picture…"), What::Picture(plot)),
+            ] {
+                if item(ui, name, None, true) {
+                    workbench.then(move |bench| bench.view.panes.activate(key));
+                    workbench.then(move |bench| bench.choose_where_to_export(what));
+                }
+            }
+            if item(ui, say!("Copy numbers"), None, true) {
+                workbench.then(move |bench| bench.view.panes.activate(key));
+                workbench.then(move |bench| bench.copy_numbers(id));
+            }
+            if item(ui, say!("Fit chart to view"), None, true) {
+                workbench.then(move |bench| bench.view.panes.fit(key));
+            }
+            ui.separator();
+        }
+        let panes = &workbench.view.panes;
+        let active = panes.active() == key;
+        // The keys are for the active pane.
+        let keys = |action: &crate::gui::actions::Action| active.then(|| action.keys(&ctx));
+        for (action, edge) in [(CHART_BESIDE, Edge::Right), (CHART_BELOW, Edge::Bottom)] {
+            if item(ui, &action.label(now), keys(&action), panes.has_room()) {
+                let with = workbench.with_chart(key, edge);
+                workbench.then(move |bench| bench.arrange(with));
+            }
+        }
+        if panes.panes().len() > 1 {
+            ui.separator();
+            for edge in Edge::ALL {
+                let name = match edge {
+                    Edge::Left => say!("Move to the left"),
+                    Edge::Right => say!("Move to the right"),
+                    Edge::Top => say!("Move to the top"),
+                    Edge::Bottom => say!("Move to the bottom"),
+                };
+                if item(ui, name, None, true) {
+                    workbench.then(move |bench| bench.rearrange(|panes| panes.move_to(key, edge)));
+                }
+            }
+        }
+        if pane.shows != Content::Workspace {
+            ui.separator();
+            if item(ui, &CLOSE_CHART.label(now), keys(&CLOSE_CHART), true) {
+                workbench.then(move |bench| bench.rearrange(|panes| panes.close(key)));
+            }
+        }
+    });
 }

@@ -15,7 +15,7 @@ use crate::gui::jobs::{Kind, Running, Watch};
 use crate::gui::testing::workbench;
 use crate::gui::view::{NextAction, Sheet};
 use crate::gui::views::status;
-use crate::gui::workbench::{Command, Workbench};
+use crate::gui::workbench::Workbench;
 use crate::gui::{dialogs, files};
 use crate::progress::Progress;
 use crate::watching::{assert_grows, no_at, report_to};
@@ -23,27 +23,23 @@ use crate::watching::{assert_grows, no_at, report_to};
 /// A part of the window with this workbench, without a display.
 struct Shown {
     ctx: Context,
-    show: fn(&mut Ui, &Workbench, &mut Vec<Command>),
+    show: fn(&mut Ui, &Workbench),
 }
 
 impl Shown {
-    fn new(show: fn(&mut Ui, &Workbench, &mut Vec<Command>)) -> Self {
+    fn new(show: fn(&mut Ui, &Workbench)) -> Self {
         let ctx = Context::default();
         Self { ctx, show }
     }
 
-    /// What stands there, and what is asked for.
-    fn frame(&self, bench: &Workbench, events: Vec<Event>) -> (Vec<(String, Pos2)>, Vec<Command>) {
+    /// What stands there.
+    fn frame(&self, bench: &Workbench, events: Vec<Event>) -> Vec<(String, Pos2)> {
         let input = RawInput {
             screen_rect: Some(Rect::from_min_size(Pos2::ZERO, vec2(1280.0, 800.0))),
             events,
             ..RawInput::default()
         };
-        let mut commands = Vec::new();
-        let mut output = self.ctx.run_ui(input, |ui| {
-            commands.clear();
-            (self.show)(ui, bench, &mut commands);
-        });
+        let mut output = self.ctx.run_ui(input, |ui| (self.show)(ui, bench));
         output.textures_delta.clear();
         let texts = output.shapes.iter().filter_map(|shape| match &shape.shape {
             Shape::Text(text) => {
@@ -52,11 +48,11 @@ impl Shown {
             }
             _ => None,
         });
-        (texts.collect(), commands)
+        texts.collect()
     }
 
     fn describe(&self, bench: &Workbench) -> Vec<String> {
-        let (texts, _) = self.frame(bench, Vec::new());
+        let texts = self.frame(bench, Vec::new());
         texts.into_iter().map(|(text, _)| text).collect()
     }
 
@@ -64,7 +60,7 @@ impl Shown {
     fn press(&self, bench: &mut Workbench, label: &str) {
         // What is new has its place from the second frame on.
         self.frame(bench, Vec::new());
-        let (texts, _) = self.frame(bench, Vec::new());
+        let texts = self.frame(bench, Vec::new());
         let there = texts.iter().find(|(text, _)| text == label);
         let at = there.unwrap_or_else(|| panic!("no {label} in {texts:?}")).1;
         let button = |pressed| Event::PointerButton {
@@ -75,11 +71,8 @@ impl Shown {
         };
         self.frame(bench, vec![Event::PointerMoved(at)]);
         self.frame(bench, vec![button(true)]);
-        let (_, commands) = self.frame(bench, vec![button(false)]);
-        assert_eq!(commands.len(), 1, "{label}: {commands:?}");
-        for command in commands {
-            bench.execute(command);
-        }
+        self.frame(bench, vec![button(false)]);
+        assert!(bench.make_changes(), "{label}");
         // Away again.
         self.frame(bench, vec![Event::PointerMoved(pos2(1.0, 799.0))]);
     }
@@ -116,10 +109,7 @@ fn bar() -> Shown {
 fn saved(folder: &Path) -> PathBuf {
     let path = folder.join("session.json");
     let mut first = workbench();
-    first.execute(Command::SaveAs {
-        path: path.clone(),
-        replace: false,
-    });
+    first.execute(|bench| bench.save_as(&path.clone(), false));
     first.receive();
     path
 }
@@ -154,7 +144,7 @@ fn a_session_that_is_opened_says_how_far_it_is_and_is_cancelled() {
     bench.receive();
     assert!(idle(&bench));
     assert_eq!(*bench.document(), before);
-    assert!(bench.view().message.is_none(), "nobody is told what he did");
+    assert!(bench.view.message.is_none(), "nobody is told what he did");
 }
 
 #[test]
@@ -165,9 +155,13 @@ fn a_session_that_is_saved_says_how_far_it_is_and_cancelled_the_old_file_stays()
     fs::write(&path, "an old document").unwrap();
     fs::write(&csv, "old samples").unwrap();
     let mut bench = on_threads();
-    bench.execute(Command::Do(NextAction::Example(1)));
+    bench.execute(|bench| bench.go(NextAction::Example(1)));
     until(&mut bench, idle);
-    bench.execute(Command::Edit(crate::gui::core::edit::Edit::Divide(3)));
+    bench.execute(|bench| {
+        bench.edit(phrase!("divide into regions"), |document| {
+            document.divide(3)
+        });
+    });
     until(&mut bench, idle);
     assert!(bench.unsaved());
     let document = Arc::clone(bench.history.present());
@@ -193,7 +187,7 @@ fn a_session_that_is_saved_says_how_far_it_is_and_cancelled_the_old_file_stays()
     assert!(ends.recv().unwrap().contains("it was cancelled"));
     until(&mut bench, idle);
     assert!(bench.unsaved());
-    let message = bench.view().message.as_ref().expect("it is said");
+    let message = bench.view.message.as_ref().expect("it is said");
     assert!(message.title.ends_with("could not be saved"), "{message:?}");
     assert!(message.details.iter().any(|d| d == "it was cancelled"));
     assert_eq!(fs::read_to_string(&path).unwrap(), "an old document");
@@ -207,11 +201,11 @@ fn a_measured_file_that_is_looked_at_says_how_far_it_is_and_is_left_and_looked_a
     let path = measured(folder.path());
     let mut bench = on_threads();
     let before = bench.document().clone();
-    bench.execute(Command::Do(NextAction::Open(path)));
+    bench.execute(|bench| bench.go(NextAction::Open(path)));
     until(&mut bench, |b| {
-        matches!(b.view().sheet, Some(Sheet::Import(_)))
+        matches!(b.view.sheet, Some(Sheet::Import(_)))
     });
-    let Some(Sheet::Import(foreign)) = bench.view().sheet.clone() else {
+    let Some(Sheet::Import(foreign)) = bench.view.sheet.clone() else {
         panic!("it was waited for");
     };
     // Something is said, and the look at it waits for the test.
@@ -223,9 +217,9 @@ fn a_measured_file_that_is_looked_at_says_how_far_it_is_and_is_left_and_looked_a
         halfway(move |watch| looked_at.look(watch).map_err(|c| c.to_string()));
     let what = "looking at the file";
     bench.jobs.start(Kind::Looks, what, work, |_, _| ());
-    bench.execute(Command::Say(Box::new(said)));
+    bench.execute(|bench| bench.say(said));
     arrived.recv().unwrap();
-    let sheet = Shown::new(|ui, bench, commands| dialogs::show(ui, bench, commands));
+    let sheet = Shown::new(|ui, bench| dialogs::show(ui, bench));
     sheet.press(&mut bench, "Stop looking");
     assert!(bench.looking().is_none());
     go.send(()).unwrap();
@@ -235,7 +229,7 @@ fn a_measured_file_that_is_looked_at_says_how_far_it_is_and_is_left_and_looked_a
     let expected = "Looking at the file was cancelled";
     assert!(says.iter().any(|s| s == expected), "{says:?}");
     sheet.press(&mut bench, "Look again");
-    until(&mut bench, |bench| match &bench.view().sheet {
+    until(&mut bench, |bench| match &bench.view.sheet {
         Some(Sheet::Import(foreign)) => foreign.is_up_to_date(),
         _ => false,
     });
@@ -244,7 +238,7 @@ fn a_measured_file_that_is_looked_at_says_how_far_it_is_and_is_left_and_looked_a
     let (work, arrived, go, _) = halfway(|_| ());
     bench.jobs.start(Kind::Looks, what, work, |_, ()| ());
     arrived.recv().unwrap();
-    bench.execute(Command::no_sheet());
+    bench.execute(|bench| bench.show_sheet(None));
     assert!(idle(&bench));
     let _ = go.send(());
 }

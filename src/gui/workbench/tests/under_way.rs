@@ -6,13 +6,12 @@ use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
 use crate::gui::core::document::Method;
-use crate::gui::core::edit::Edit;
 use crate::gui::core::simulate::Form;
 use crate::gui::files;
 use crate::gui::jobs::{Jobs, Kind, Runner, Watch};
 use crate::gui::testing::workbench;
 use crate::gui::view::{Message, NextAction, Step, What};
-use crate::gui::workbench::{Asked, Command, Task, ViewChange, Workbench};
+use crate::gui::workbench::{Change, Workbench};
 
 pub(super) fn on_threads() -> Workbench {
     let mut bench = workbench();
@@ -68,27 +67,32 @@ fn whatever_is_cancelled_leaves_everything_as_it_was() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("session.json");
     let mut first = workbench();
-    first.execute(Command::SaveAs {
-        path: path.clone(),
-        replace: false,
-    });
+    first.execute(|bench| bench.save_as(&path, false));
     first.receive();
-    let commands = [
-        Command::Do(NextAction::Open(path.clone())),
-        Command::Do(NextAction::Example(1)),
-        Command::Do(NextAction::Simulate(Form::default())),
-        Command::Adapt,
-        Command::Search,
+    let changes: [(&str, Change); 5] = [
+        (
+            "open",
+            Box::new(move |bench| bench.go(NextAction::Open(path))),
+        ),
+        (
+            "example",
+            Box::new(|bench| bench.go(NextAction::Example(1))),
+        ),
+        (
+            "simulate",
+            Box::new(|bench| bench.go(NextAction::Simulate(Form::default()))),
+        ),
+        ("adapt", Box::new(Workbench::adapt)),
+        ("search", Box::new(Workbench::search)),
     ];
-    for command in commands {
-        let says = format!("{command:?}");
+    for (says, change) in changes {
         let mut bench = on_threads();
-        bench.execute(Command::Edit(Edit::Identify));
+        bench.execute(|bench| bench.identify(None));
         until(&mut bench, idle);
         let before = bench.document().clone();
-        bench.execute(command);
+        bench.execute(change);
         assert!(!idle(&bench), "{says}: the status bar names it");
-        bench.execute(Command::Stop(Task::Newest));
+        bench.execute(Workbench::cancel_newest);
         // Long enough for any of them to have come back.
         for _ in 0..40 {
             bench.receive();
@@ -118,7 +122,7 @@ fn a_file_that_is_being_written_tells_how_it_went_although_it_was_cancelled() {
     bench
         .jobs
         .start(Kind::Writes, "saving", work, Workbench::take_saved);
-    bench.execute(Command::Stop(Task::Newest));
+    bench.execute(Workbench::cancel_newest);
     assert!(!idle(&bench), "it is still being written");
     go.send(()).expect("it waits");
     until(&mut bench, idle);
@@ -129,37 +133,37 @@ fn a_file_that_is_being_written_tells_how_it_went_although_it_was_cancelled() {
 #[test]
 fn what_was_to_be_done_after_a_file_is_not_done_once_it_was_cancelled() {
     let mut bench = on_threads();
-    bench.execute(Command::Do(NextAction::Example(1)));
+    bench.execute(|bench| bench.go(NextAction::Example(1)));
     until(&mut bench, idle);
     let go = write(&mut bench, "writing", written);
-    bench.execute(Command::Leave);
-    bench.execute(Command::Stop(Task::Newest));
+    bench.execute(|bench| bench.ask_then(NextAction::Leave));
+    bench.execute(Workbench::cancel_newest);
     go.send(()).expect("it waits");
     until(&mut bench, idle);
-    assert!(!bench.view().leaving);
+    assert!(!bench.view.leaving);
 }
 
 #[test]
 fn the_window_closes_after_what_is_being_written() {
     let mut bench = on_threads();
-    bench.execute(Command::Do(NextAction::Example(1)));
+    bench.execute(|bench| bench.go(NextAction::Example(1)));
     until(&mut bench, idle);
     let go = write(&mut bench, "writing the report", written);
-    bench.execute(Command::Leave);
-    assert!(!bench.view().leaving, "not before it is written");
-    let message = bench.view().message.as_ref().expect("it is said");
+    bench.execute(|bench| bench.ask_then(NextAction::Leave));
+    assert!(!bench.view.leaving, "not before it is written");
+    let message = bench.view.message.as_ref().expect("it is said");
     assert_eq!(
         message.title,
         "The window closes when this is done: writing the report"
     );
     go.send(()).expect("it waits");
-    until(&mut bench, |bench| bench.view().leaving);
+    until(&mut bench, |bench| bench.view.leaving);
 }
 
 #[test]
 fn a_file_that_was_not_written_keeps_the_window_open() {
     let mut bench = on_threads();
-    bench.execute(Command::Do(NextAction::Example(1)));
+    bench.execute(|bench| bench.go(NextAction::Example(1)));
     until(&mut bench, idle);
     let go = write(&mut bench, "writing the report", || {
         files::not_written(
@@ -167,11 +171,11 @@ fn a_file_that_was_not_written_keeps_the_window_open() {
             "the disk is full".to_owned(),
         )
     });
-    bench.execute(Command::Leave);
+    bench.execute(|bench| bench.ask_then(NextAction::Leave));
     go.send(()).expect("it waits");
     until(&mut bench, idle);
-    assert!(!bench.view().leaving);
-    assert!(bench.view().message.as_ref().is_some_and(|m| m.wrong));
+    assert!(!bench.view.leaving);
+    assert!(bench.view.message.as_ref().is_some_and(|m| m.wrong));
 }
 
 #[test]
@@ -182,7 +186,7 @@ fn of_two_sessions_the_one_asked_for_last_is_opened_whichever_takes_longer() {
         let _ = wait.recv();
         files::open_example(2)
     });
-    bench.execute(Command::Do(NextAction::Example(1)));
+    bench.execute(|bench| bench.go(NextAction::Example(1)));
     until(&mut bench, |bench| bench.loaded_session().len() == 30);
     // The first one has no window left to report to.
     let _ = go.send(());
@@ -209,11 +213,11 @@ fn commands_while_something_runs_are_done_and_the_result_of_another_session_is_n
         .jobs
         .start(Kind::Once, what, work, Workbench::take_adapted);
     // Everything goes on meanwhile.
-    bench.execute(Command::View(ViewChange::GoTo(Step::Export)));
-    bench.execute(Command::Edit(Edit::IdentifyBy(Method::Regional)));
-    bench.execute(Command::Undo);
-    bench.execute(Command::Redo);
-    bench.execute(Command::Do(NextAction::Example(1)));
+    bench.execute(|bench| bench.view.step = Step::Export);
+    bench.execute(|bench| bench.identify(Some(Method::Regional)));
+    bench.execute(Workbench::undo);
+    bench.execute(Workbench::redo);
+    bench.execute(|bench| bench.go(NextAction::Example(1)));
     until(&mut bench, |bench| bench.loaded_session().len() == 30);
     let before = bench.document().clone();
     go.send(()).expect("it waits");
@@ -227,22 +231,18 @@ fn an_export_while_the_answer_is_worked_out_anew_says_so_or_writes_what_is_shown
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("table.csv");
     let mut bench = on_threads();
-    bench.execute(Command::ExportTo {
-        what: What::Table,
-        path: path.clone(),
-        replace: false,
-    });
-    let message = bench.view().message.as_ref().expect("it is said");
+    bench.execute(|bench| bench.export_as(What::Table, path.clone(), false));
+    let message = bench.view.message.as_ref().expect("it is said");
     assert_eq!(message.title, "There is nothing to export yet");
-    bench.execute(Command::Edit(Edit::Identify));
+    bench.execute(|bench| bench.identify(None));
     until(&mut bench, |bench| bench.answer().is_some());
-    bench.execute(Command::ExportTo {
-        what: What::Table,
-        path: path.clone(),
-        replace: false,
-    });
+    bench.execute(|bench| bench.export_as(What::Table, path.clone(), false));
     // Another answer is asked for while the table is written.
-    bench.execute(Command::Edit(Edit::Effect("backlash", false)));
+    bench.execute(|bench| {
+        bench.edit(phrase!("choose effects"), |document| {
+            document.choose_effect("backlash", false)
+        });
+    });
     until(&mut bench, idle);
     assert!(path.exists());
 }
@@ -252,12 +252,17 @@ fn an_export_while_the_answer_is_worked_out_anew_says_so_or_writes_what_is_shown
 fn what_a_dialog_was_opened_for_is_written_whatever_is_open_by_then() {
     let folder = tempfile::tempdir().expect("a folder");
     let mut bench = on_threads();
-    bench.execute(Command::Edit(Edit::Identify));
+    bench.execute(|bench| bench.identify(None));
     until(&mut bench, |bench| bench.answer().is_some());
-    for (asked, name) in [
-        (Asked::WhereToSave, "first.json"),
-        (Asked::WhereToExport(What::Table), "first.csv"),
-    ] {
+    type Ask = fn(&mut Workbench);
+    let asks: [(Ask, &str); 2] = [
+        (Workbench::choose_where_to_save, "first.json"),
+        (
+            |bench| bench.choose_where_to_export(What::Table),
+            "first.csv",
+        ),
+    ];
+    for (ask, name) in asks {
         let path = folder.path().join(name);
         let (go, wait) = gate();
         let (wait, chosen) = (Mutex::new(wait), path.clone());
@@ -266,7 +271,7 @@ fn what_a_dialog_was_opened_for_is_written_whatever_is_open_by_then() {
             Some(chosen.clone())
         }));
         let before = bench.loaded_session().session.name.clone();
-        bench.execute(Command::Ask(asked));
+        bench.execute(ask);
         assert!(bench.asking().is_some());
         bench.take_opened(files::open_example(1));
         go.send(()).expect("it waits");
@@ -275,7 +280,7 @@ fn what_a_dialog_was_opened_for_is_written_whatever_is_open_by_then() {
         let sidecar = std::fs::read_to_string(path.with_extension("csv.meta.json"));
         let says = text + &sidecar.unwrap_or_default();
         assert!(says.contains(&before), "{name}: {before}");
-        bench.execute(Command::Undo);
+        bench.execute(Workbench::undo);
         until(&mut bench, |bench| bench.answer().is_some());
     }
 }

@@ -1,28 +1,29 @@
 //! The workspace in three dimensions: what the plane shows, seen from wherever the camera is, with what the pointer
 //! does in it.
 //!
-//! The scene is the one of the plane, projected along the line of sight, so that vectors, colours,
+//! What is drawn is what a plane shows, projected along the line of sight, so that vectors, colours,
 //! legend and robot are the same in both; only what has a depth is added here.
 
-mod alone;
-mod scene;
-
-pub(crate) use alone::robot_alone;
-
-use egui::{Panel, RichText, Role, ScrollArea, Sense, Slider, Ui, WidgetInfo};
+use egui::{
+    Color32, EventFilter, Key, Panel, PointerButton, Rect, Response, RichText, Role, ScrollArea,
+    Sense, Slider, Stroke, Ui, Vec2, WidgetInfo,
+};
+use nalgebra::Isometry3;
 
 use crate::gui::core::quantity::joint_value;
 use crate::gui::core::scale::stride;
-use crate::gui::scene::screen::Screen;
-use crate::gui::style::{Palette, size};
-use crate::gui::view::Camera;
+use crate::gui::plots;
+use crate::gui::style::{Palette, size, space};
+use crate::gui::view::{Ball, Camera};
 use crate::gui::widgets::{self, caption, fine};
-use crate::gui::workbench::{Command, ViewChange, Workbench};
-use crate::kinematics::JointKind;
+use crate::gui::workbench::Workbench;
+use crate::kinematics::{JointKind, Robot};
 use crate::numeric::extent;
 
-use super::over::{Seen, tell_plot_size};
-use scene::{Space, scene};
+use super::pen::{self, Pen};
+use super::pointer::{Seen, tell_plot_size};
+use super::robot::{Drawn, body};
+use super::scene::{self, Space};
 
 /// A direction in space is drawn so much shorter on average.
 const FORESHORTENED: f64 = std::f64::consts::FRAC_PI_4;
@@ -31,48 +32,46 @@ const FORESHORTENED: f64 = std::f64::consts::FRAC_PI_4;
 const SLIDERS: f32 = 176.0;
 
 /// Shows the view in the space that is left, and sends what the pointer does.
-pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, posing: bool, commands: &mut Vec<Command>) {
-    let palette = Palette::of(ui);
+pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, posing: bool) {
     let seen = Seen::of(ui, workbench);
     if posing && let Some(robot) = &seen.robot {
         Panel::right("joints of the robot")
             .resizable(false)
             .exact_size(SLIDERS)
             .frame(egui::Frame::NONE.inner_margin(egui::Margin::symmetric(8, 4)))
-            .show(ui, |ui| pose(ui, workbench, &robot.q, commands));
+            .show(ui, |ui| pose(ui, workbench, &robot.q));
     }
     let (rect, response) = ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
     let space = Space::new(workbench, rect);
     let camera = &space.camera;
     let whole = Camera {
         zoom: 1.0,
-        ..workbench.view().camera
+        ..workbench.view.camera
     };
     let size = [rect.width(), rect.height()].map(f64::from);
     let points_per_mm = FORESHORTENED * whole.points_per_mm(&space.ball, size);
-    tell_plot_size(workbench, points_per_mm, commands);
+    tell_plot_size(workbench, points_per_mm);
     let mut inside = ui.new_child(egui::UiBuilder::new().max_rect(rect));
     let ui = &mut inside;
     ui.set_clip_rect(rect.intersect(ui.clip_rect()));
-    let scene = scene(workbench, &seen.shown, seen.robot.as_ref(), &space);
-    let mut shapes = Vec::new();
-    Screen::new(ui.painter(), &palette, &mut shapes).draw(&scene.items, camera);
-    ui.painter().extend(shapes);
-    let view = workbench.view();
+    Pen::draw(ui, |pen| {
+        scene::space(pen, workbench, &seen.shown, seen.robot.as_ref(), &space);
+    });
+    let view = &workbench.view;
     describe(&response, workbench);
     let pointer = response.hover_pos().filter(|_| !response.dragged());
-    seen.finish(ui, workbench, camera, (&response, pointer), commands);
-    let turned = alone::looked(ui, &response, rect, &space.ball, view.camera);
+    seen.finish(ui, workbench, camera, (&response, pointer));
+    let turned = looked(ui, &response, rect, &space.ball, view.camera);
     if response.double_clicked() {
-        commands.push(Command::View(ViewChange::FitWorkspace));
+        workbench.then(move |bench| bench.view.fit_workspace());
     } else if turned != view.camera {
-        commands.push(Command::View(ViewChange::Turn(turned)));
+        workbench.then(move |bench| bench.view.camera = turned);
     }
 }
 
 /// How the view is called, and what it shows, for those who do not see it.
-fn describe(response: &egui::Response, workbench: &Workbench) {
-    let view = workbench.view();
+fn describe(response: &Response, workbench: &Workbench) {
+    let view = &workbench.view;
     let samples = workbench.loaded_session().overview.usable.len();
     let camera = view.camera.describe();
     let name = match view.selected {
@@ -116,13 +115,13 @@ fn range(workbench: &Workbench, joint: usize) -> [f64; 2] {
 }
 
 /// A slider for each joint; `now` is where the robot is drawn.
-fn pose(ui: &mut Ui, workbench: &Workbench, now: &[f64], commands: &mut Vec<Command>) {
+fn pose(ui: &mut Ui, workbench: &Workbench, now: &[f64]) {
     let units = workbench.units();
     let joints = &workbench.loaded_session().session.robot.joints;
     ui.horizontal(|ui| {
         widgets::title(ui, say!("Pose"));
-        if workbench.view().pose.is_some() && ui.button(say!("Back to sample")).clicked() {
-            commands.push(Command::View(ViewChange::Pose(None)));
+        if workbench.view.pose.is_some() && ui.button(say!("Back to sample")).clicked() {
+            workbench.then(move |bench| bench.view.pose = None);
         }
     });
     ScrollArea::vertical().id_salt("joints").show(ui, |ui| {
@@ -143,27 +142,133 @@ fn pose(ui: &mut Ui, workbench: &Workbench, now: &[f64], commands: &mut Vec<Comm
             if slider.changed() && next != *q {
                 let mut pose = now.to_vec();
                 pose[k] = next;
-                commands.push(Command::View(ViewChange::Pose(Some(pose))));
+                workbench.then(move |bench| bench.view.pose = Some(pose));
             }
         }
-        if workbench.view().pose.is_none() {
+        if workbench.view.pose.is_none() {
             ui.label(RichText::new(say!("from the sample that is shown")).size(size::NOTE));
         }
         widgets::focus_in_sight(ui);
     });
 }
 
+/// Room around the robot, a part of its ball.
+const ROOM: f64 = 1.12;
+
+/// Draws a robot in a field of this size, seen from where the camera is; `name` says what it shows.
+pub(crate) fn robot_alone(
+    ui: &mut Ui,
+    (robot, name): (&Robot, &str),
+    camera: &mut Camera,
+    size: Vec2,
+) -> Response {
+    let (rect, response) = ui.allocate_exact_size(size, Sense::click_and_drag());
+    widgets::label(&response, name);
+    let palette = Palette::of(ui);
+    let painter = ui.painter_at(rect);
+    painter.rect_filled(rect, space::ROUND, palette.inset);
+    let Some(drawn) = Drawn::alone(robot) else {
+        return response;
+    };
+    let points: Vec<[f64; 3]> = drawn.corners_mm.iter().map(|p| p.coords.into()).collect();
+    let mut ball = Ball::around(&points);
+    ball.radius_mm *= ROOM;
+    *camera = looked(ui, &response, rect, &ball, *camera);
+    let sides = [rect.width(), rect.height()].map(f64::from);
+    let facing = camera.facing();
+    let seen = pen::Camera::showing(facing, camera.bounds(&ball, sides), rect);
+    let mut pen = Pen::new(&painter, &palette);
+    body(&mut pen, &drawn, &Isometry3::identity(), &seen);
+    painter.extend(pen.shapes);
+    if response.has_focus() {
+        let ring = Stroke::new(1.0, palette.outline);
+        let inside = egui::StrokeKind::Inside;
+        painter.rect(rect, space::ROUND, Color32::TRANSPARENT, ring, inside);
+    }
+    response
+}
+
+/// What an arrow key turns, points of a drag.
+const STEP: f64 = 12.0;
+/// What + and − zoom.
+const CLOSER: f64 = 1.25;
+
+/// Where the camera is after what mouse and keys did in this frame.
+fn looked(ui: &Ui, response: &Response, rect: Rect, ball: &Ball, camera: Camera) -> Camera {
+    let size = [rect.width(), rect.height()].map(f64::from);
+    let mut camera = camera;
+    let dragged = response.drag_delta();
+    if dragged != Vec2::ZERO {
+        let [right, down] = [dragged.x, dragged.y].map(f64::from);
+        let shift = ui.input(|i| i.modifiers.shift);
+        camera = if response.dragged_by(PointerButton::Primary) && !shift {
+            camera.orbited([right, down])
+        } else {
+            let scale = camera.points_per_mm(ball, size);
+            camera.panned([right / scale, -down / scale])
+        };
+    }
+    if response.contains_pointer()
+        && let Some(at) = ui.input(|i| i.pointer.hover_pos())
+    {
+        let closer = f64::from(plots::closer(ui.ctx()).y)
+            * f64::from(ui.input(egui::InputState::zoom_delta));
+        if closer != 1.0 {
+            let off = at - rect.center();
+            let scale = camera.points_per_mm(ball, size);
+            camera = camera.zoomed(
+                closer,
+                [f64::from(off.x) / scale, -f64::from(off.y) / scale],
+            );
+        }
+    }
+    if response.has_focus() {
+        keep_arrows(ui, response);
+        camera = by_keys(ui, camera);
+    }
+    camera
+}
+
+/// The arrow keys turn the view instead of going to the next control.
+fn keep_arrows(ui: &Ui, response: &Response) {
+    let filter = EventFilter {
+        horizontal_arrows: true,
+        vertical_arrows: true,
+        ..EventFilter::default()
+    };
+    ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, filter));
+}
+
+fn by_keys(ui: &Ui, camera: Camera) -> Camera {
+    let pressed = |key| ui.input(|i| i.modifiers.is_none() && i.key_pressed(key));
+    let turned = |camera: Camera, way: [f64; 2]| camera.orbited(way.map(|v| STEP * v));
+    let mut camera = camera;
+    for (key, way) in [
+        (Key::ArrowLeft, [-1.0, 0.0]),
+        (Key::ArrowRight, [1.0, 0.0]),
+        (Key::ArrowUp, [0.0, -1.0]),
+        (Key::ArrowDown, [0.0, 1.0]),
+    ] {
+        if pressed(key) {
+            camera = turned(camera, way);
+        }
+    }
+    if pressed(Key::Plus) || pressed(Key::Equals) {
+        camera = camera.zoomed(CLOSER, [0.0; 2]);
+    }
+    if pressed(Key::Minus) {
+        camera = camera.zoomed(1.0 / CLOSER, [0.0; 2]);
+    }
+    camera
+}
 #[cfg(test)]
 mod tests {
-    use egui::{Rect, vec2};
-    use nalgebra::{Isometry3, Point3, Vector3};
+    use egui::vec2;
+    use nalgebra::{Point3, Vector3};
 
-    use crate::gui::core::edit::Edit;
     use crate::gui::testing::workbench;
-    use crate::gui::workbench::{Command, ViewChange};
 
     use super::super::model::Shown;
-    use super::super::robot::Drawn;
     use super::*;
 
     /// An arm measured by a tracker that stands in a frame of its own, and says so in a column.
@@ -177,9 +282,9 @@ mod tests {
 
     fn opened(file: &std::path::Path) -> Workbench {
         let mut workbench = workbench();
-        workbench.execute(Command::OpenFile(file.into()));
+        workbench.execute(|bench| bench.open_file(file.into()));
         workbench.receive();
-        assert!(workbench.view().in_space(), "no plane shows several joints");
+        assert!(workbench.view.in_space(), "no plane shows several joints");
         workbench
     }
 
@@ -200,7 +305,7 @@ mod tests {
             .expect("samples")
             .rms_mm;
         assert!(before < 10.0, "{before}");
-        workbench.execute(Command::Edit(Edit::Identify));
+        workbench.execute(|bench| bench.identify(None));
         workbench.receive();
         assert!(far(&workbench) < 20.0, "{}", far(&workbench));
         assert!(
@@ -220,7 +325,7 @@ mod tests {
         std::fs::write(folder.path().join("six-60.csv"), samples).expect("written");
         let mut workbench = opened(&file);
         assert!(far(&workbench) > 1000.0);
-        workbench.execute(Command::Edit(Edit::Identify));
+        workbench.execute(|bench| bench.identify(None));
         workbench.receive();
         assert!(far(&workbench) < 20.0, "{}", far(&workbench));
         // z of the base is up although the tracker leans.
@@ -230,19 +335,19 @@ mod tests {
         let scene = Shown::of(&workbench);
         assert!(scene.magnification > 100.0 && !scene.look.ghosts());
         // The plane stays in the measuring frame.
-        workbench.execute(Command::View(ViewChange::Look(crate::gui::view::Plane::Xy)));
+        workbench.execute(|bench| bench.view.look_in(crate::gui::view::Plane::Xy));
         assert_eq!(workbench.base(), Isometry3::identity());
     }
 
     #[test]
     fn everything_is_in_sight_until_somebody_looks_closer() {
         let mut workbench = arm();
-        workbench.execute(Command::Edit(Edit::Identify));
+        workbench.execute(|bench| bench.identify(None));
         workbench.receive();
         let rect = Rect::from_min_size(egui::pos2(20.0, 30.0), vec2(500.0, 320.0));
         for _ in 0..6 {
-            let turned = workbench.view().camera.orbited([61.0, 17.0]);
-            workbench.execute(Command::View(ViewChange::Turn(turned)));
+            let turned = workbench.view.camera.orbited([61.0, 17.0]);
+            workbench.execute(|bench| bench.view.camera = turned);
             let space = Space::new(&workbench, rect);
             let loaded_session = workbench.loaded_session();
             for sample in 0..loaded_session.len() {
@@ -251,17 +356,17 @@ mod tests {
             }
             assert!(rect.contains(space.camera.at(space.of_base([0.0; 3]))));
         }
-        let closer = workbench.view().camera.zoomed(20.0, [0.0; 2]);
-        workbench.execute(Command::View(ViewChange::Turn(closer)));
-        workbench.execute(Command::View(ViewChange::FitWorkspace));
-        assert_eq!(workbench.view().camera.zoom, 1.0);
+        let closer = workbench.view.camera.zoomed(20.0, [0.0; 2]);
+        workbench.execute(|bench| bench.view.camera = closer);
+        workbench.execute(|bench| bench.view.fit_workspace());
+        assert_eq!(workbench.view.camera.zoom, 1.0);
     }
 
     #[test]
     fn a_posed_robot_stands_there_until_a_sample_is_chosen_or_the_robot_is_another() {
         let mut workbench = arm();
         let pose = vec![0.1, -0.2, 0.3, 0.0, 0.5, 0.0];
-        workbench.execute(Command::View(ViewChange::Pose(Some(pose.clone()))));
+        workbench.execute(|bench| bench.view.pose = Some(pose.clone()));
         let drawn = Drawn::of(&workbench).expect("a robot");
         assert!(drawn.q == pose && drawn.asked_for && drawn.real.is_none());
         assert!(
@@ -269,13 +374,12 @@ mod tests {
             "{}",
             drawn.describe()
         );
-        workbench.execute(Command::View(ViewChange::Select(Some(3))));
+        workbench.execute(|bench| bench.view.select(Some(3)));
         assert_eq!(Drawn::of(&workbench).expect("a robot").sample, Some(3));
-        workbench.execute(Command::View(ViewChange::Pose(Some(pose))));
-        workbench.execute(Command::View(ViewChange::Pose(Some(vec![0.0]))));
+        workbench.execute(|bench| bench.view.pose = Some(pose));
+        workbench.execute(|bench| bench.view.pose = Some(vec![0.0]));
         assert_eq!(
-            workbench.view().pose,
-            None,
+            workbench.view.pose, None,
             "one value is no pose of six joints"
         );
     }

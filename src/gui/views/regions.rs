@@ -1,0 +1,570 @@
+//! Step 2: where the joint gets corrections of its own, one row each.
+
+use egui::{
+    Align, Button, DragValue, Id, Key, Layout, Modifiers, RichText, TextEdit, Ui, UiBuilder, vec2,
+};
+
+use crate::gui::core::document::{Division, Method};
+use crate::gui::core::regions::{self, Count, End, SNAP_DEG};
+use crate::gui::style::{Palette, size, space};
+use crate::gui::view::Step;
+use crate::gui::widgets::Does;
+use crate::gui::workbench::Workbench;
+use crate::gui::{help, widgets};
+use crate::present::numbers::{grouped, trimmed};
+use crate::present::units::{AngleUnit, Units};
+use crate::sessions::Region;
+use crate::sessions::regions::Assignment;
+use crate::units::rad_from_deg;
+
+/// Regions that are offered when there are none: the paper's number.
+const OFFERED: usize = 6;
+
+/// More even regions than this are a slip of the keyboard.
+const MOST_EVEN: usize = 360;
+
+pub(super) fn state(workbench: &Workbench) -> (String, bool) {
+    let document = workbench.document();
+    if document.regions.is_empty() {
+        return (say!("optional").to_owned(), false);
+    }
+    let used = document.identified && document.method == Method::Regional;
+    let regions =
+        say!(one "{count} region", "{count} regions", count = grouped(document.regions.len()));
+    let caption = if used {
+        regions
+    } else {
+        say!("optional, {regions}", regions)
+    };
+    (caption, used)
+}
+
+pub(super) fn show(ui: &mut Ui, workbench: &Workbench) {
+    let loaded_session = workbench.loaded_session();
+    if loaded_session.is_empty() {
+        widgets::hint(
+            ui,
+            say!(
+                "Regions divide what was measured: open a session that was measured on this robot"
+            ),
+        );
+        return;
+    }
+    let counts = loaded_session
+        .angles()
+        .by_region(&workbench.document().regions);
+    division(ui, workbench);
+    if workbench.document().regions.is_empty() {
+        none(ui, workbench);
+        return;
+    }
+    ui.add_space(space::TIGHT);
+    rows(ui, workbench, &counts);
+    left_out(ui, workbench, &counts);
+}
+
+/// How the range is divided.
+fn division(ui: &mut Ui, workbench: &Workbench) {
+    let document = workbench.document();
+    let present = document.regions.len();
+    let number = if present == 0 { OFFERED } else { present };
+    let kinds = [
+        (0, say!("Uniform")),
+        (1, say!("Manual")),
+        (2, say!("Adaptive")),
+    ];
+    let now = match document.division {
+        _ if present == 0 => 3,
+        Division::Even => 0,
+        Division::Given => 1,
+        Division::Adaptive(_) => 2,
+    };
+    let chosen = widgets::row(ui, |ui| {
+        let chosen = widgets::segmented(ui, &kinds, now);
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            widgets::question(ui, help::REGION);
+        });
+        chosen
+    });
+    match chosen {
+        Some(0) => workbench.edits(phrase!("divide into regions"), move |document| {
+            document.divide(number)
+        }),
+        Some(1) if present > 0 => workbench.edits(phrase!("keep the regions"), move |document| {
+            document.keep_regions();
+            Ok(())
+        }),
+        Some(1) => workbench.edits(phrase!("take regions from session"), move |document| {
+            document.regions_of_session()
+        }),
+        Some(_) => workbench.then(Workbench::adapt),
+        None => {}
+    }
+    match &document.division {
+        Division::Even => evenly(ui, workbench),
+        Division::Given => {
+            widgets::hint(
+                ui,
+                say!("Drag a boundary on the plot, or type it; the identification follows at once"),
+            );
+            own(ui, workbench);
+        }
+        Division::Adaptive(decision) => {
+            widgets::hint(ui, decision.describe(workbench.units()));
+        }
+    }
+}
+
+fn evenly(ui: &mut Ui, workbench: &Workbench) {
+    let present = workbench.document().regions.len();
+    let mut number = if present == 0 { OFFERED } else { present };
+    let before = number;
+    ui.horizontal(|ui| {
+        let field = DragValue::new(&mut number)
+            .range(1..=MOST_EVEN)
+            .speed(0.1)
+            .suffix(if before == 1 {
+                say!(in "unit", " region")
+            } else {
+                say!(in "unit", " regions")
+            });
+        widgets::cell_number(ui, say!("Number of regions"), "", 110.0, field);
+        let divide = present == 0 && ui.button(say!("Divide")).clicked();
+        if number != before || divide {
+            workbench.edits(phrase!("divide into regions"), move |document| {
+                document.divide(number)
+            });
+        }
+    });
+}
+
+/// Offers the regions that the session brings along.
+fn own(ui: &mut Ui, workbench: &Workbench) {
+    let own = &workbench.loaded_session().session.regions;
+    if own.is_empty() || own[..] == workbench.document().regions[..] {
+        return;
+    }
+    let button = ui.button(say!("Reset to session"));
+    if button
+        .on_hover_text(say!("take the regions that the session brings along"))
+        .clicked()
+    {
+        workbench.edits(phrase!("take regions from session"), move |document| {
+            document.regions_of_session()
+        });
+    }
+}
+
+/// There are no regions, and what that means.
+fn none(ui: &mut Ui, workbench: &Workbench) {
+    let range = crate::sessions::division::range_to_divide(&workbench.loaded_session().session);
+    widgets::hint(
+        ui,
+        if range.is_some() {
+            say!(
+                "There are no regions: nothing is corrected by region. Divide the range evenly, or where the data ask for it"
+            )
+        } else {
+            say!(
+                "There are no regions, because all samples are at one angle: there is no range to divide. Give the joint its limits in Session, or measure at other angles. The full model in Identify needs no regions"
+            )
+        },
+    );
+}
+
+/// What no region covers.
+fn left_out(ui: &mut Ui, workbench: &Workbench, counts: &[Count]) {
+    let loaded_session = workbench.loaded_session();
+    let regions = &workbench.document().regions;
+    let gaps = regions::gaps(regions, loaded_session.travel());
+    let outside = loaded_session.angles().total().all - counts.iter().map(|c| c.all).sum::<usize>();
+    if let Some((from, to)) = gaps.first() {
+        let units = workbench.units();
+        let gap = format!("{} … {}", units.angle(*from), units.angle(*to));
+        let more = match gaps.len() {
+            1 => gap,
+            n => say!("{gap} and {n} more", gap, n = n - 1),
+        };
+        let says = match outside {
+            0 => say!("{more}: in no region, and no sample is there", more),
+            n => say!(
+                one "{more}: in no region; {count} sample there gets no correction",
+                "{more}: in no region; {count} samples there get no correction",
+                more,
+                count = n
+            ),
+        };
+        widgets::hint(ui, says);
+    } else if outside > 0 {
+        widgets::hint(
+            ui,
+            say!(
+                one "{count} sample is in no region and gets no correction",
+                "{count} samples are in no region and get no correction",
+                count = outside
+            ),
+        );
+    }
+}
+
+pub(super) fn next(ui: &mut Ui, workbench: &Workbench) {
+    let document = workbench.document();
+    let regional = document.identified && document.method == Method::Regional;
+    let loaded_session = workbench.loaded_session();
+    let possible = loaded_session.single_revolute()
+        && !loaded_session.is_empty()
+        && !document.regions.is_empty();
+    if possible && !regional {
+        let says = say!("Optional: fills the next step, Identify, region by region");
+        widgets::hint_above_the_button(ui, says);
+        widgets::primary(ui, say!("Identify by region")).does(workbench, move |bench| {
+            bench.identify(Some(Method::Regional));
+        });
+        return;
+    }
+    widgets::primary(ui, say!("Continue to identify"))
+        .does(workbench, move |bench| bench.view.step = Step::Identify);
+}
+
+/// Widths of the columns: name, from, to, samples, what can be done; the ends share what is left.
+pub(super) const COLUMNS: [f32; 5] = [38.0, 60.0, 60.0, 36.0, 26.0];
+
+/// The field for a region's name: the menu's “Rename” puts the cursor into it.
+pub(super) fn name_id(ui: &Ui, region: usize) -> Id {
+    ui.ctx().viewport_id().0.with(("name of region", region))
+}
+
+/// Whether a key was pressed that is meant for the control with this focus.
+fn key(ui: &Ui, focused: bool, key: Key) -> bool {
+    focused && ui.input_mut(|i| i.consume_key(Modifiers::NONE, key))
+}
+
+/// One thing that can be done.
+struct RowAction {
+    name: &'static str,
+    key: Key,
+    shown: &'static str,
+    /// What it does, or why it cannot be done.
+    does: Result<RowEffect, &'static str>,
+}
+
+enum RowEffect {
+    Split,
+    /// Of this and the one after it.
+    Join(usize),
+    Delete,
+    Rename,
+}
+
+fn deeds(regions: &[Region], k: usize) -> [RowAction; 4] {
+    let (before, next) = (regions::before(regions, k), regions::next_to(regions, k));
+    let last = regions.len() < 2;
+    [
+        RowAction {
+            name: say!("Split in half"),
+            key: Key::S,
+            shown: "S",
+            does: crate::gui::core::regions::split(regions, k)
+                .map(|_| RowEffect::Split)
+                .ok_or(say!("it is too narrow")),
+        },
+        RowAction {
+            name: if next.is_none() && before.is_some() {
+                say!("Merge with previous")
+            } else {
+                say!("Merge with next")
+            },
+            key: Key::M,
+            shown: "M",
+            does: next
+                .map(|_| k)
+                .or(before)
+                .map(RowEffect::Join)
+                .ok_or(say!("no region touches it")),
+        },
+        RowAction {
+            name: say!("Delete"),
+            key: Key::Delete,
+            shown: "Del",
+            does: (!last)
+                .then_some(RowEffect::Delete)
+                .ok_or(say!("the last region stays")),
+        },
+        RowAction {
+            name: say!("Rename"),
+            key: Key::R,
+            shown: "R",
+            does: Ok(RowEffect::Rename),
+        },
+    ]
+}
+
+pub(super) fn more(ui: &mut Ui, regions: &[Region], k: usize, workbench: &Workbench) {
+    let mut done = None;
+    let menu = ui.scope(|ui| {
+        ui.spacing_mut().button_padding = egui::vec2(4.0, 2.0);
+        ui.spacing_mut().interact_size.x = COLUMNS[4];
+        ui.menu_button("…", |ui| {
+            ui.set_min_width(180.0);
+            for deed in deeds(regions, k) {
+                let button = Button::new(deed.name).shortcut_text(deed.shown);
+                let response = ui.add_enabled(deed.does.is_ok(), button);
+                let response = match &deed.does {
+                    Err(because) => response.on_disabled_hover_text(*because),
+                    Ok(_) => response,
+                };
+                if (response.clicked() || key(ui, true, deed.key))
+                    && let Ok(does) = deed.does
+                {
+                    done = Some(does);
+                    ui.close();
+                }
+            }
+        })
+    });
+    let response = menu.inner.response;
+    let says = say!("Change region {name}", name = regions[k].name);
+    widgets::label(&response, says);
+    let focused = response.has_focus();
+    response.on_hover_text(say!(
+        "with the focus here: S splits, M merges, Del deletes, R renames"
+    ));
+    for deed in deeds(regions, k) {
+        if let (true, Ok(does)) = (key(ui, focused, deed.key), deed.does) {
+            done = Some(does);
+        }
+    }
+    match done {
+        Some(RowEffect::Split) => {
+            workbench.edits(phrase!("split region"), move |document| document.split(k));
+        }
+        Some(RowEffect::Join(first)) => workbench
+            .edits(phrase!("merge regions"), move |document| {
+                document.join(first)
+            }),
+        Some(RowEffect::Delete) => {
+            workbench.edits(phrase!("delete region"), move |document| document.delete(k));
+        }
+        Some(RowEffect::Rename) => {
+            let id = name_id(ui, k);
+            ui.memory_mut(|memory| memory.request_focus(id));
+        }
+        None => {}
+    }
+}
+
+/// More regions than this are too many to be listed with fields.
+const MOST_LISTED: usize = 60;
+/// Widest field for an end: all digits that a boundary is shown with.
+const WIDEST: f32 = 76.0;
+/// Between the columns.
+const GAP: f32 = 5.0;
+const HEIGHT: f32 = 24.0;
+
+/// The columns in a panel of this width.
+fn columns(available: f32) -> [f32; 5] {
+    let [name, least, _, samples, more] = COLUMNS;
+    let rest = available - name - samples - more - 4.0 * GAP;
+    let end = (0.5 * rest).clamp(least, WIDEST);
+    [name, end, end, samples, more]
+}
+
+fn rows(ui: &mut Ui, workbench: &Workbench, counts: &[Count]) {
+    let regions = &workbench.document().regions;
+    let units = workbench.units();
+    ui.spacing_mut().item_spacing = vec2(GAP, 3.0);
+    ui.spacing_mut().interact_size.y = HEIGHT;
+    let columns = columns(ui.available_width());
+    head(ui, columns, units);
+    for (k, region) in regions.iter().enumerate().take(MOST_LISTED) {
+        ui.horizontal(|ui| {
+            name(ui, k, &region.name, workbench);
+            for end in [End::From, End::To] {
+                angle(ui, columns[1], workbench, (k, end));
+            }
+            samples(ui, workbench, k, counts[k]);
+            more(ui, regions, k, workbench);
+        });
+        if let Some(says) = few(counts[k]) {
+            note(ui, &says);
+        }
+    }
+    if regions.len() > MOST_LISTED {
+        widgets::hint(
+            ui,
+            say!(
+                "and {more} more, to be dragged on the plot",
+                more = regions.len() - MOST_LISTED
+            ),
+        );
+    }
+}
+
+fn head(ui: &mut Ui, columns: [f32; 5], units: Units) {
+    let muted = Palette::of(ui).muted;
+    let unit = units.angle_name().trim();
+    let names = [
+        say!("name").to_owned(),
+        say!("from, {unit}", unit),
+        say!("to, {unit}", unit),
+        say!("samples").to_owned(),
+    ];
+    ui.horizontal(|ui| {
+        for (k, (name, width)) in names.into_iter().zip(columns).enumerate() {
+            // The head of the samples ends where their numbers end.
+            let layout = if k < 3 {
+                Layout::left_to_right(Align::Center)
+            } else {
+                Layout::right_to_left(Align::Center)
+            };
+            ui.allocate_ui_with_layout(vec2(width, 16.0), layout, |ui| {
+                ui.set_min_width(width);
+                let name = RichText::new(name).size(size::SMALL).color(muted);
+                ui.add(egui::Label::new(name).extend());
+            });
+        }
+    });
+}
+
+/// What a region with few samples can and cannot do.
+fn few(count: Count) -> Option<String> {
+    match count.fitted {
+        0 if count.all == 0 => Some(
+            say!("no sample, so no correction: measure here, or merge it with the next").to_owned(),
+        ),
+        0 => Some(say!(
+            one "{count} sample, which cannot be fitted, so no correction",
+            "{count} samples, none of which can be fitted, so no correction",
+            count = grouped(count.all)
+        )),
+        1 => Some(
+            say!("one sample to fit: a correction, but nothing to tell how sure it is").to_owned(),
+        ),
+        _ => None,
+    }
+}
+
+/// A remark below a row, with a mark before it: colour alone says nothing.
+fn note(ui: &mut Ui, text: &str) {
+    let warning = Palette::of(ui).warning;
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = f32::from(space::ROUND);
+        let (rect, _) = ui.allocate_exact_size(vec2(10.0, 14.0), egui::Sense::hover());
+        let centre = rect.center();
+        let corner = |x: f32, y: f32| centre + vec2(x, y);
+        let triangle = vec![corner(0.0, -4.5), corner(5.0, 4.0), corner(-5.0, 4.0)];
+        ui.painter().add(egui::Shape::closed_line(
+            triangle,
+            egui::Stroke::new(1.3, warning),
+        ));
+        let text = RichText::new(text).size(size::SMALL).color(warning);
+        ui.add(egui::Label::new(text).wrap());
+    });
+}
+
+fn name(ui: &mut Ui, region: usize, name: &str, workbench: &Workbench) {
+    let id = name_id(ui, region);
+    let typed: Option<String> = ui.data_mut(|data| data.get_temp(id));
+    let mut text = typed.unwrap_or_else(|| name.to_owned());
+    let edit = TextEdit::singleline(&mut text)
+        .id(id)
+        .margin(egui::Margin::symmetric(4, 4))
+        .align(egui::Align2::LEFT_CENTER)
+        .clip_text(true);
+    let field = ui.add_sized([COLUMNS[0], HEIGHT], edit);
+    widgets::label(&field, say!("Name of region {name}", name));
+    let field = field.on_hover_text(name);
+    let escaped = ui.input(|i| i.key_pressed(Key::Escape));
+    if field.has_focus() {
+        ui.data_mut(|data| data.insert_temp(id, text));
+        return;
+    }
+    if field.lost_focus() && text != name && !escaped {
+        workbench.edits(phrase!("rename region"), move |document| {
+            document.rename(region, &text)
+        });
+    }
+    ui.data_mut(|data| data.remove::<String>(id));
+}
+
+/// The number of an end. It stops at its neighbours, as a boundary that is dragged does.
+fn angle(ui: &mut Ui, width: f32, workbench: &Workbench, (k, end): (usize, End)) {
+    let (regions, units) = (&workbench.document().regions, workbench.units());
+    let (name, at_rad) = match end {
+        End::From => (
+            say!("From, region {region}", region = regions[k].name),
+            regions[k].from_rad,
+        ),
+        End::To => (
+            say!("To, region {region}", region = regions[k].name),
+            regions[k].to_rad,
+        ),
+    };
+    let within = workbench.loaded_session().travel();
+    let boundary = regions::at_end(regions, k, end);
+    let room = boundary.and_then(|b| Some((b, regions::allowed_range(regions, b, within)?)));
+    let Some((boundary, (low, high))) = room else {
+        return;
+    };
+    let digits = if units.angle == AngleUnit::Radian {
+        4
+    } else {
+        2
+    };
+    let before = units.angle_value(at_rad);
+    let mut value = before;
+    let field = DragValue::new(&mut value)
+        .speed(units.angle_value(rad_from_deg(SNAP_DEG)))
+        .custom_formatter(move |value, _| trimmed(value, digits))
+        .range(units.angle_value(low)..=units.angle_value(high));
+    widgets::cell_number(ui, &name, units.angle_name().trim(), width, field);
+    let to_rad = value / units.angle_value(1.0);
+    if value != before {
+        workbench.edits(phrase!("move boundary"), move |document| {
+            document.move_boundary(boundary, to_rad)
+        });
+    }
+}
+
+/// The number of samples; pressed, it shows them.
+fn samples(ui: &mut Ui, workbench: &Workbench, k: usize, count: Count) {
+    let region = &workbench.document().regions[k];
+    let palette = Palette::of(ui);
+    let room = egui::Rect::from_min_size(ui.cursor().min, vec2(COLUMNS[3], HEIGHT));
+    let number = RichText::new(count.all.to_string());
+    let layout = egui::Layout::right_to_left(egui::Align::Center);
+    let response = ui
+        .scope_builder(UiBuilder::new().max_rect(room).layout(layout), |ui| {
+            ui.set_min_size(room.size());
+            if count.all == 0 {
+                return ui.label(number.color(palette.warning));
+            }
+            ui.add(egui::Link::new(number))
+        })
+        .inner;
+    if count.all == 0 {
+        return;
+    }
+    let says = match count.all {
+        1 => say!("Show the sample of region {region}", region = region.name),
+        n => say!(
+            "Show the {samples} of region {region}",
+            samples = say!(one "{count} sample", "{count} samples", count = grouped(n)),
+            region = region.name
+        ),
+    };
+    widgets::label(&response, says.clone());
+    if response.on_hover_text(says).clicked() {
+        let samples = samples_of(workbench, k);
+        workbench.then(|bench| bench.view.mark(samples));
+    }
+}
+
+/// The samples of a region, in the order of the session.
+fn samples_of(workbench: &Workbench, region: usize) -> Vec<usize> {
+    let assignment = Assignment::new(&workbench.document().regions);
+    let q = &workbench.loaded_session().session.samples.q[0];
+    (0..q.len())
+        .filter(|i| assignment.region_of(q[*i]) == Some(region))
+        .collect()
+}
