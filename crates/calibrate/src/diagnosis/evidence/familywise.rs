@@ -71,7 +71,6 @@ impl Regression<'_> {
 #[cfg(test)]
 mod tests {
 
-    use super::*;
     use crate::diagnosis::Options;
     use crate::diagnosis::search::prepare::PreparedSearch;
     use crate::simulation::{parse_scenario, simulate, unwatched};

@@ -12,8 +12,8 @@ use super::significance::{Significance, Tests};
 use crate::diagnosis::candidates::table::Candidate;
 use crate::side_by_side::Threads;
 
-/// Residuals that are simulated: they tell how many candidates are alike to 1/√250, a sixteenth.
-pub(super) const SIMULATED: usize = 250;
+/// Residuals that are simulated: the fifth of them that is largest tells how fast surprises fall to 1/√200, 7 %.
+pub(super) const SIMULATED: usize = 1000;
 
 /// One candidate beside a model.
 struct Trial<'c> {
