@@ -1,6 +1,6 @@
 //! How often the whole search would find as much in noise alone: simulated residuals are sent
 //! through every candidate at once, names and shapes together, and the largest −ln p of each is
-//! kept ([`super::trials`]); how they are distributed is a law of one number ([`super::largest_in_noise`]).
+//! kept ([`super::trials`]); how they are distributed is said by [`super::largest_in_noise`].
 //!
 //! The simulated residuals are the fit's own with their signs flipped at random, so that heavy tails stay
 //! heavy (Winkler et al. 2014).
@@ -13,11 +13,18 @@ use super::fit::Fit;
 use super::largest_in_noise::LargestInNoise;
 use super::regression::Regression;
 use super::score::weight_of;
-use super::trials::{SIMULATED, Trials};
+use super::trials::Trials;
 use crate::diagnosis::candidates::columns::CandidateSubset;
 
 /// The smallest chance that is stated: further out the law is an extrapolation that nothing has checked.
 const SMALLEST: f64 = 1.0 / 2000.0;
+/// Residuals that are simulated …
+const FEW: usize = 250;
+/// … and where a chance is close: the fiftieth of them that is largest, from which on the law is extrapolated, is known
+/// to 1/√20, a fifth of a chance.
+const MANY: usize = 1000;
+/// Chances that are worth more simulations.
+const CLOSE: std::ops::Range<f64> = 4e-4..0.04;
 /// What a product in single precision, of many vectors at once, costs beside others.
 const OF_NOISE: f64 = 0.15;
 
@@ -25,16 +32,26 @@ impl Regression<'_> {
     /// The chance that noise alone reaches `minus_ln_p` in the search. `fit` is a model in which
     /// the candidate is already: its residual is noise if the candidate is right.
     pub(crate) fn family_p(&self, minus_ln_p: f64, fit: &Fit) -> FamilyP {
-        let p = self.in_noise(fit).chance(minus_ln_p);
+        let p = self.chance_in_noise(minus_ln_p, fit);
         FamilyP {
             p: p.clamp(SMALLEST, 1.0),
             bound: p < SMALLEST,
         }
     }
 
-    /// The law of the largest −ln p beside a fit.
+    /// The same as a number: a few simulations say it, and more of them where it is close to what is asked for.
+    pub(crate) fn chance_in_noise(&self, minus_ln_p: f64, fit: &Fit) -> f64 {
+        let few = self.in_noise(fit).chance(minus_ln_p);
+        if !CLOSE.contains(&few) {
+            return few;
+        }
+        let many = || self.simulated(fit, MANY);
+        self.closer_in_noise.of(fit, many).chance(minus_ln_p)
+    }
+
+    /// The law of the largest −ln p beside a fit, by a few simulations.
     pub(crate) fn in_noise(&self, fit: &Fit) -> LargestInNoise {
-        self.largest_in_noise.of(fit, || self.simulated(fit))
+        self.largest_in_noise.of(fit, || self.simulated(fit, FEW))
     }
 
     /// Whether noise alone reaches it with more than this chance, on the way to what is tested at the end: there that of
@@ -44,11 +61,14 @@ impl Regression<'_> {
         let weights = self.table.candidates.iter().map(weight_of);
         let least = weights.fold(f64::INFINITY, f64::min);
         let size = fit.basis.rank();
-        let in_noise = || self.largest_in_noise.of_size(size, || self.simulated(fit));
+        let in_noise = || {
+            self.largest_in_noise
+                .of_size(size, || self.simulated(fit, FEW))
+        };
         (-minus_ln_p - least).exp() > chance || in_noise().chance(minus_ln_p) > chance
     }
 
-    fn simulated(&self, fit: &Fit) -> LargestInNoise {
+    fn simulated(&self, fit: &Fit, count: usize) -> LargestInNoise {
         // A residual is smaller than the noise where the fit follows it. A row that an observation does not have
         // stays zero when it is flipped.
         let noise = |row: usize| {
@@ -63,8 +83,8 @@ impl Regression<'_> {
         let rows = (self.m(), self.threads);
         let trials = Trials::new(&projected, &self.table.candidates, &self.tests, rows);
         let columns = self.table.columns.count() * self.rows.samples.len();
-        self.work.did(OF_NOISE * (columns * SIMULATED) as f64);
-        LargestInNoise::of(&trials.largest(&noise))
+        self.work.did(OF_NOISE * (columns * count) as f64);
+        LargestInNoise::of(trials.largest(&noise, count))
     }
 }
 

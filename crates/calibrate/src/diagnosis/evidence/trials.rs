@@ -12,9 +12,6 @@ use super::significance::{Significance, Tests};
 use crate::diagnosis::candidates::table::Candidate;
 use crate::side_by_side::Threads;
 
-/// Residuals that are simulated: the fifth of them that is largest tells how fast surprises fall to 1/√200, 7 %.
-pub(super) const SIMULATED: usize = 1000;
-
 /// One candidate beside a model.
 struct Trial<'c> {
     candidate: &'c Candidate,
@@ -86,10 +83,10 @@ impl<'p> Trials<'p> {
         }
     }
 
-    /// The largest −ln p of residuals whose signs are flipped at random.
-    pub(super) fn largest(&self, residual: &DVector<f32>) -> Vec<f64> {
+    /// The largest −ln p of so many residuals whose signs are flipped at random.
+    pub(super) fn largest(&self, residual: &DVector<f32>, count: usize) -> Vec<f64> {
         let mut random = ChaCha8Rng::seed_from_u64(0);
-        let z = DMatrix::from_fn(residual.len(), SIMULATED, |row, _| {
+        let z = DMatrix::from_fn(residual.len(), count, |row, _| {
             let sign = random.next_u32() & (1 << 31);
             f64::from(f32::from_bits(residual[row].to_bits() ^ sign))
         });
@@ -106,16 +103,16 @@ impl<'p> Trials<'p> {
             together.push(now);
         }
         // By kind the largest gain of each residual.
-        let none = vec![vec![0.0_f32; SIMULATED]; self.kinds.len()];
+        let none = vec![vec![0.0_f32; count]; self.kinds.len()];
         let of_some = |now: &[Trial]| {
             let mut most = none.clone();
-            let mut gain = vec![0.0_f32; SIMULATED];
+            let mut gain = vec![0.0_f32; count];
             let first = now.first().map_or(0, |t| t.candidate.first);
             let width = now.last().map_or(0, |t| end(t) - first);
             let mut pulls = projected.pulls_of_noise(&noise, first, width);
             for trial in now {
-                let at = (trial.candidate.first - first) * SIMULATED;
-                let own = &mut pulls.as_mut_slice()[at..at + trial.candidate.size * SIMULATED];
+                let at = (trial.candidate.first - first) * count;
+                let own = &mut pulls.as_mut_slice()[at..at + trial.candidate.size * count];
                 trial.gains(own, &mut gain);
                 for (most, gain) in most[trial.kind].iter_mut().zip(&gain) {
                     *most = most.max(*gain);
@@ -136,7 +133,7 @@ impl<'p> Trials<'p> {
                 .map(|(kind, most)| kind.test.of(f64::from(most[k] / totals[k])) - kind.weight)
                 .fold(0.0, f64::max)
         };
-        (0..SIMULATED).map(one).collect()
+        (0..count).map(one).collect()
     }
 }
 

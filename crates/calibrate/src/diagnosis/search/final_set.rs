@@ -53,7 +53,7 @@ pub(crate) fn tested(
             let useful = useful && worth.ln_odds > BEYOND_DOUBT;
             let unlikely = worth.ln_odds < needed(&fit, term).max(0.0);
             let improbable =
-                || regression.in_noise(&fit).chance(worth.minus_ln_p) > CHANCE_OF_A_STEP;
+                || regression.chance_in_noise(worth.minus_ln_p, &fit) > CHANCE_OF_A_STEP;
             let useless = || !useful && prepared.folds.rms(regression, &worth.rest) <= unseen;
             (unlikely || improbable() || useless()).then_some(worth.rest)
         });

@@ -70,7 +70,7 @@ pub(super) fn least_proven(prepared: &PreparedSearch, fit: &Fit) -> Option<Term>
             if together.len() > 1 {
                 minus_ln_p = minus_ln_p.max(of(&places(fit, &together)));
             }
-            let unproven = regression.in_noise(fit).chance(minus_ln_p) > CHANCE_OF_A_STEP;
+            let unproven = regression.chance_in_noise(minus_ln_p, fit) > CHANCE_OF_A_STEP;
             if unproven && least.as_ref().is_none_or(|least| minus_ln_p < least.0) {
                 least = Some((minus_ln_p, term.clone()));
             }
