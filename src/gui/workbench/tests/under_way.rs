@@ -250,11 +250,11 @@ fn an_export_while_the_answer_is_worked_out_anew_says_so_or_writes_what_is_shown
 /// While a dialog is open the window takes no commands; a session that was being read may come all the same.
 #[test]
 fn what_a_dialog_was_opened_for_is_written_whatever_is_open_by_then() {
+    type Ask = fn(&mut Workbench);
     let folder = tempfile::tempdir().expect("a folder");
     let mut bench = on_threads();
     bench.execute(|bench| bench.identify(None));
     until(&mut bench, |bench| bench.answer().is_some());
-    type Ask = fn(&mut Workbench);
     let asks: [(Ask, &str); 2] = [
         (Workbench::choose_where_to_save, "first.json"),
         (
