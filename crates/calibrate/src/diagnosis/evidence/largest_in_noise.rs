@@ -75,7 +75,7 @@ mod tests {
         let in_a_plane = |chance: f64| surprise((-2.0 * chance.ln()).sqrt());
         let of_all = |chance: f64| in_a_plane(-((-chance).ln_1p() / 30.0).exp_m1());
         let mut largest = || of_all(1.0 - random.random::<f64>());
-        let simulated: Vec<f64> = (0..100_000).map(|_| largest()).collect();
+        let simulated: Vec<f64> = (0..1_000_000).map(|_| largest()).collect();
         let law = LargestInNoise::of(simulated);
         for chance in [0.1, 0.01, 0.002, 0.0005_f64] {
             let found = law.chance(of_all(chance));
