@@ -16,8 +16,9 @@ use super::remainder::left_over;
 use super::set_aside;
 use super::verification::{
     Compared, Verification, VerifyError, applied_corrections, counted, held_out_of, measured_minus,
-    model_for, moved, where_the_model_is,
+    model_for, where_the_model_is,
 };
+use super::with_table::moved;
 
 /// The same of a session whose raw values are the model's.
 pub(super) fn verify_as_read(

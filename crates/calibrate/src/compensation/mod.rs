@@ -17,8 +17,8 @@
 //! - `plan`: [`Compensation`], one face for both kinds of model.
 //! - `table`: the correction of one joint over its limits; `interpolation`: reading it fast.
 //! - `remainder`: what stays, and which data of the controller would remove it.
-//! - `verification`: how well all this does on another session; `decision`: whether that is
-//!   within the tolerance.
+//! - `verification`: how well all this does on another session; `with_table`: what a table leaves of it; `decision`:
+//!   whether that is within the tolerance.
 //!
 //! Signs: a correction is what to add to the command, minus the deviation to first order.
 //!
@@ -51,6 +51,8 @@ mod table_error;
 #[doc(hidden)]
 pub mod verification;
 pub(crate) mod verify;
+#[doc(hidden)]
+pub mod with_table;
 
 pub use conditions::{Conditions, Side};
 pub use hand_out::{NotHandedOut, VerifiedCalibration};

@@ -2,7 +2,7 @@
 
 use super::sheet::{Sheet, TURN};
 use crate::compensation::SortedTable;
-use crate::compensation::verification::{gap_to_robot, gap_with_table, gap_without_table};
+use crate::compensation::with_table::{gap_to_robot, gap_with_table, gap_without_table};
 use crate::diagnostic::Place;
 use crate::fit::gap::Spread;
 use crate::kinematics::{JointKind, Robot};

@@ -1,6 +1,6 @@
 //! A session's deviations at the stages of the work, and the plots of them.
 
-use crate::compensation::verification::moved_by_correction;
+use crate::compensation::with_table::moved_by_correction;
 use crate::compensation::{Verification, VerifyError};
 use crate::effects::{Inputs, JointValues};
 use crate::fit::base_model;

@@ -7,7 +7,8 @@
 
 use nalgebra::{Point3, UnitQuaternion};
 
-use crate::compensation::verification::{VerifyError, moved_by_correction};
+use crate::compensation::verification::VerifyError;
+use crate::compensation::with_table::moved_by_correction;
 use crate::effects::{Inputs, JointValues};
 use crate::fit::problem::Problem;
 use crate::kinematics::{JointKind, Robot};

@@ -11,7 +11,7 @@
 
 use nalgebra::{Point3, Vector3};
 
-use crate::compensation::verification::moved_at;
+use crate::compensation::with_table::moved_at;
 use crate::effects::Inputs;
 use crate::fit::uncertainty::NORMAL_95;
 use crate::kinematics::JointKind;

@@ -32,7 +32,7 @@ impl Shown {
         Self { ctx, show }
     }
 
-    /// What stands there.
+    /// The texts of one frame and where they are.
     fn frame(&self, bench: &Workbench, events: Vec<Event>) -> Vec<(String, Pos2)> {
         let input = RawInput {
             screen_rect: Some(Rect::from_min_size(Pos2::ZERO, vec2(1280.0, 800.0))),
@@ -144,7 +144,10 @@ fn a_session_that_is_opened_says_how_far_it_is_and_is_cancelled() {
     bench.receive();
     assert!(idle(&bench));
     assert_eq!(*bench.document(), before);
-    assert!(bench.view.message.is_none(), "nobody is told what he did");
+    assert!(
+        bench.view.message.is_none(),
+        "no message repeats what the user did"
+    );
 }
 
 #[test]

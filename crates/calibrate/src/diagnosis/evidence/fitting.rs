@@ -10,7 +10,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::fit::Fit;
 use super::known_fits::TakenAt;
-use super::memo::start as start_of;
+use super::memo::Key;
 use super::regression::Regression;
 use crate::diagnosis::candidates::Placed;
 use crate::linear::Basis;
@@ -32,7 +32,7 @@ const SMALL: f64 = 1e-5;
 impl Regression<'_> {
     /// Fits a model and shapes, starting from their coefficients.
     pub(crate) fn fit(&self, start: &Model, shapes: &[Placed]) -> Fit {
-        let key = start_of(start, shapes);
+        let key = Key::of_start(start, shapes);
         let (fit, products) = if let Some(mut known) = self.fits.of(&key) {
             if !known.has_basis {
                 let (_, basis) = self.place(&known.at, &known.fit.shapes);

@@ -10,7 +10,7 @@ use std::sync::Arc;
 use nalgebra::DMatrix;
 
 use super::fit::Fit;
-use super::memo::Start;
+use super::memo::Key;
 use crate::linear::Basis;
 use crate::model::Model;
 
@@ -28,7 +28,7 @@ pub(super) struct TakenAt {
 /// A fit that is known.
 #[derive(Clone)]
 pub(crate) struct Known {
-    key: Start,
+    key: Key,
     pub(crate) fit: Fit,
     pub(crate) at: TakenAt,
     /// Whether the fit still has its basis.
@@ -45,7 +45,7 @@ pub(super) struct KnownFits {
     /// change how far a search gets.
     counted: usize,
     known: RefCell<Vec<Known>>,
-    last: RefCell<Vec<Start>>,
+    last: RefCell<Vec<Key>>,
 }
 
 impl KnownFits {
@@ -59,7 +59,7 @@ impl KnownFits {
     }
 
     /// Whether what is asked for counts as work.
-    pub(crate) fn counts(&self, key: &Start) -> bool {
+    pub(crate) fn counts(&self, key: &Key) -> bool {
         let mut last = self.last.borrow_mut();
         if last.iter().any(|own| own == key) {
             return false;
@@ -72,13 +72,13 @@ impl KnownFits {
     }
 
     /// The fit with this key.
-    pub(crate) fn of(&self, key: &Start) -> Option<Known> {
+    pub(crate) fn of(&self, key: &Key) -> Option<Known> {
         let known = self.known.borrow();
         known.iter().rev().find(|known| known.key == *key).cloned()
     }
 
     /// Keeps a fit that is new.
-    pub(crate) fn keep(&self, key: Start, fit: &Fit, at: TakenAt, products: f64) {
+    pub(crate) fn keep(&self, key: Key, fit: &Fit, at: TakenAt, products: f64) {
         let known = Known {
             key,
             fit: fit.clone(),
@@ -96,7 +96,7 @@ impl KnownFits {
     }
 
     /// Keeps the basis of a fit again, as of the last.
-    pub(super) fn keep_again(&self, key: &Start, basis: &Arc<Basis>) {
+    pub(super) fn keep_again(&self, key: &Key, basis: &Arc<Basis>) {
         let mut all = self.known.borrow_mut();
         if let Some(at) = all.iter().position(|known| known.key == *key) {
             let mut known = all.remove(at);
@@ -145,7 +145,6 @@ mod tests {
     use super::*;
     use crate::diagnosis::Options;
     use crate::diagnosis::candidates::table::CandidateKind;
-    use crate::diagnosis::evidence::memo::start;
     use crate::diagnosis::search::prepare::PreparedSearch;
     use crate::diagnosis::tests::eccentric;
 
@@ -173,7 +172,7 @@ mod tests {
         let fits = KnownFits::new(9, 2);
         let start_at = |zero: f64| {
             let coefficients = vec![zero; base.model.coefficient_count()];
-            start(&base.model.with_coefficients(&coefficients), &[])
+            Key::of_start(&base.model.with_coefficients(&coefficients), &[])
         };
         let counts = [1.0, 2.0, 1.0, 3.0, 1.0].map(|zero| fits.counts(&start_at(zero)));
         assert_eq!(counts, [true, true, false, true, true]);

@@ -11,7 +11,7 @@ use crate::model::shapes::Shape;
 /// The last answers, each with the fit that it is for.
 pub(crate) struct Memo<T> {
     most: usize,
-    computed: RefCell<Vec<(Start, T)>>,
+    computed: RefCell<Vec<(Key, T)>>,
 }
 
 impl<T: Clone> Memo<T> {
@@ -25,10 +25,7 @@ impl<T: Clone> Memo<T> {
 
     /// The answer for a fit, worked out unless it is known.
     pub(crate) fn of(&self, fit: &Fit, work: impl FnOnce() -> T) -> T {
-        let mut key = start(&fit.model, &fit.shapes);
-        let end = [fit.rss, fit.residual.sum()];
-        key.numbers.extend(end.map(f64::to_bits));
-        self.of_key(key, work)
+        self.of_key(Key::of(fit), work)
     }
 
     /// Drops all of them.
@@ -36,16 +33,8 @@ impl<T: Clone> Memo<T> {
         self.computed.borrow_mut().clear();
     }
 
-    /// The same for what is alike for all fits of one size.
-    pub(crate) fn of_size(&self, size: usize, work: impl FnOnce() -> T) -> T {
-        let key = Start {
-            numbers: vec![size as u64],
-            shapes: Vec::new(),
-        };
-        self.of_key(key, work)
-    }
-
-    fn of_key(&self, key: Start, work: impl FnOnce() -> T) -> T {
+    /// The answer for what a key tells.
+    pub(crate) fn of_key(&self, key: Key, work: impl FnOnce() -> T) -> T {
         let known = self.computed.borrow().iter().find(|k| k.0 == key).cloned();
         if let Some((_, answer)) = known {
             return answer;
@@ -60,35 +49,52 @@ impl<T: Clone> Memo<T> {
     }
 }
 
-/// What tells one start of a fit from another.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Start {
+/// What tells one fit from another.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(crate) struct Key {
     /// Every bit of the terms, and of what is known of the shapes.
     numbers: Vec<u64>,
     shapes: Vec<Shape>,
 }
 
-pub(crate) fn start(model: &Model, shapes: &[Placed]) -> Start {
-    let mut all = Vec::new();
-    for term in model.terms() {
-        all.push((crate::effects::rank(term.effect) * 64 + term.joint) as u64);
-        all.push(term.setting.to_bits());
-        all.extend(term.coefficients.iter().map(|c| c.to_bits()));
-        let held = |k: usize| u64::from(term.held.contains(k));
-        all.extend((0..term.coefficients.len()).map(held));
-        // What is kept holds its curve, so no other one lies there.
-        let curve = term.curve.as_ref().map_or(0, |c| Arc::as_ptr(c) as usize);
-        all.push(curve as u64);
-        let rest = term.rest.as_ref().map_or(0, |r| Arc::as_ptr(r) as usize);
-        all.push(rest as u64);
+impl Key {
+    /// Of where a fit ended.
+    pub(crate) fn of(fit: &Fit) -> Self {
+        let mut key = Self::of_start(&fit.model, &fit.shapes);
+        let end = [fit.rss, fit.residual.sum()];
+        key.numbers.extend(end.map(f64::to_bits));
+        key
     }
-    for shape in shapes {
-        // No rank of an effect.
-        all.push(u64::MAX);
-        all.extend(shape.coefficients.iter().map(|c| c.to_bits()));
+
+    /// The same, of something that is asked with this number.
+    pub(crate) fn with(mut self, number: usize) -> Self {
+        self.numbers.push(number as u64);
+        self
     }
-    Start {
-        numbers: all,
-        shapes: shapes.iter().map(|placed| placed.shape).collect(),
+
+    /// Of where a fit begins.
+    pub(crate) fn of_start(model: &Model, shapes: &[Placed]) -> Self {
+        let mut all = Vec::new();
+        for term in model.terms() {
+            all.push((crate::effects::rank(term.effect) * 64 + term.joint) as u64);
+            all.push(term.setting.to_bits());
+            all.extend(term.coefficients.iter().map(|c| c.to_bits()));
+            let held = |k: usize| u64::from(term.held.contains(k));
+            all.extend((0..term.coefficients.len()).map(held));
+            // What is kept holds its curve, so no other one lies there.
+            let curve = term.curve.as_ref().map_or(0, |c| Arc::as_ptr(c) as usize);
+            all.push(curve as u64);
+            let rest = term.rest.as_ref().map_or(0, |r| Arc::as_ptr(r) as usize);
+            all.push(rest as u64);
+        }
+        for shape in shapes {
+            // No rank of an effect.
+            all.push(u64::MAX);
+            all.extend(shape.coefficients.iter().map(|c| c.to_bits()));
+        }
+        Self {
+            numbers: all,
+            shapes: shapes.iter().map(|placed| placed.shape).collect(),
+        }
     }
 }

@@ -11,6 +11,7 @@
 
 mod base_basis;
 mod beside_fits;
+mod bisection;
 mod exchanged;
 mod familywise;
 mod fit;
@@ -34,6 +35,7 @@ mod surroundings;
 mod trials;
 mod work;
 
+pub(crate) use bisection::bisected;
 pub(crate) use familywise::FamilyP;
 pub(crate) use fit::Fit;
 pub(crate) use held_out::Folds;

@@ -49,7 +49,6 @@ pub(crate) struct Regression<'a> {
     pub(crate) work: Work,
     /// What noise alone does beside fits.
     pub(super) largest_in_noise: Memo<LargestInNoise>,
-    pub(super) closer_in_noise: Memo<LargestInNoise>,
     pub(super) fits: KnownFits,
     pub(super) scores_of_names: Memo<Vec<Score>>,
     pub(super) scores_of_shapes: Memo<Vec<Score>>,
@@ -139,7 +138,6 @@ impl<'a> Regression<'a> {
             prior_rows: beside,
             threads,
             largest_in_noise: Memo::new(UNSEEN_KEPT),
-            closer_in_noise: Memo::new(UNSEEN_KEPT),
             fits: KnownFits::new(last_fits / 2, last_fits),
             scores_of_names: Memo::new(SCORES_KEPT),
             scores_of_shapes: Memo::new(SCORES_KEPT),
@@ -251,7 +249,6 @@ impl<'a> Regression<'a> {
         self.make_room();
         self.fits.clear();
         self.largest_in_noise.clear();
-        self.closer_in_noise.clear();
     }
 
     pub(crate) fn base_basis(&self) -> &BaseBasis {

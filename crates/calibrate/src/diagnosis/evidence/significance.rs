@@ -12,6 +12,7 @@ use std::rc::Rc;
 
 use statrs::function::beta::ln_beta;
 
+use super::bisection::bisected;
 use crate::distributions::beta_below;
 
 const STEP: f64 = 0.25;
@@ -78,16 +79,7 @@ impl Significance {
 
     /// The share R² that a gain has to reach for a given −ln p.
     pub(crate) fn share_for(&self, minus_ln_p: f64) -> f64 {
-        let (mut low, mut high) = (0.0, 1.0 - 1e-12);
-        for _ in 0..80 {
-            let middle = 0.5 * (low + high);
-            if self.of(middle) < minus_ln_p {
-                low = middle;
-            } else {
-                high = middle;
-            }
-        }
-        high
+        bisected([0.0, 1.0 - 1e-12], |r2| self.of(r2) < minus_ln_p)
     }
 
     fn exact(&self, x: f64) -> f64 {

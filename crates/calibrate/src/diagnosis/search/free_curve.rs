@@ -64,8 +64,14 @@ impl BesideCurve {
         let fit = prepared.regression.fit(model, shapes);
         let across = &prepared.regression.table.space.across;
         let direction = |k: usize| {
-            let across = k.checked_sub(1).and_then(|k| across.get(k));
-            across.map_or(Direction::Tangential(joint), |across| across.0)
+            let own = [
+                [Direction::Radial, Direction::Across(0)],
+                [Direction::Axial, Direction::Across(1)],
+            ];
+            let own = k.checked_sub(1).map(|k| own[k]);
+            let measured = across.iter().map(|across| across.0);
+            let mut measured = measured.filter(|is| own.is_some_and(|own| own.contains(is)));
+            measured.next().unwrap_or(Direction::Tangential(joint))
         };
         let curve = smooth::free_curve(prepared, model, joint).map(|curve| Curve {
             ln_odds: curve.ln_odds,
@@ -187,8 +193,8 @@ fn slow(prepared: &PreparedSearch, names: &[Term], joint: usize) -> Vec<Term> {
 }
 
 /// Holds a free curve over each joint against all names over it, over the only joint against the slow ones too; or
-/// `one_by_one`, over the only joint, against each besides, the curve beside the others. Where the samples are likelier without
-/// them they are taken out: what repeats is in the model with or without a name, and a name has to beat it.
+/// `one_by_one`, over the only joint, against each besides, the curve beside the others. Where the samples are likelier
+/// without them they are taken out: what repeats is in the model with or without a name, and a name has to beat it.
 pub(crate) fn rival(prepared: &PreparedSearch, found: &mut SearchResult, one_by_one: bool) {
     // What wanders is held against the names elsewhere.
     let single = prepared.survey.joints.len() == 1 && prepared.regression.noise.slow.is_none();

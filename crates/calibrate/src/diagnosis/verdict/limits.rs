@@ -12,7 +12,7 @@ use crate::effects::{Form, Setting};
 use crate::diagnosis::candidates::columns::CandidateSubset;
 use crate::diagnosis::evidence::Fit;
 use crate::diagnosis::evidence::Regression;
-use crate::diagnosis::evidence::weight_of;
+use crate::diagnosis::evidence::{bisected, weight_of};
 use crate::diagnosis::search::CHANCE_OF_A_STEP;
 
 /// Limits of every name that was tried and is not in the model.
@@ -20,7 +20,7 @@ pub(crate) fn limits(regression: &Regression, fit: &Fit) -> Vec<Limit> {
     let projected = regression.projected(&fit.basis, CandidateSubset::Names);
     let freedom = regression.m() - fit.basis.rank() as f64;
     let scale = regression.scale(fit).max(1e-300);
-    let threshold = regression.in_noise(fit).quantile(CHANCE_OF_A_STEP);
+    let threshold = regression.minus_ln_p_for(CHANCE_OF_A_STEP, fit);
     let mut groups: Vec<(&'static str, usize, Vec<usize>)> = Vec::new();
     for (index, candidate) in regression.table.candidates.iter().enumerate() {
         let Some(term) = candidate.what.term() else {
@@ -126,16 +126,8 @@ fn noncentrality(critical: f64, k: usize) -> f64 {
         let z = ((critical / s).powf(h) - mean) / deviation;
         0.5 * statrs::function::erf::erfc(-z / std::f64::consts::SQRT_2)
     };
-    let (mut low, mut high) = (0.0, 4.0 * critical + 100.0);
-    for _ in 0..60 {
-        let middle = 0.5 * (low + high);
-        if chance_below(middle) > 0.05 {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
-    high
+    let widest = 4.0 * critical + 100.0;
+    bisected([0.0, widest], |lambda| chance_below(lambda) > 0.05)
 }
 
 #[cfg(test)]

@@ -14,6 +14,7 @@
 
 use statrs::distribution::{Continuous, ContinuousCDF, Normal};
 
+use crate::diagnosis::evidence::bisected;
 use crate::effects::{Form, Term};
 use crate::fit::Estimate;
 
@@ -47,18 +48,8 @@ impl Selection {
         let normal = Normal::new(0.0, 1.0).ok()?;
         // For δ far below b both are tails whose ratio tends to exp((δ − …)): solved by halving.
         let chance = |delta: f64| normal.cdf(delta - a) / normal.cdf(delta - b).max(1e-300);
-        let solve = |wanted: f64| {
-            let (mut low, mut high) = (-30.0, a + 10.0);
-            for _ in 0..80 {
-                let middle = 0.5 * (low + high);
-                if chance(middle) < wanted {
-                    low = middle;
-                } else {
-                    high = middle;
-                }
-            }
-            (0.5 * (low + high)).max(0.0)
-        };
+        let solve =
+            |wanted: f64| bisected([-30.0, a + 10.0], |delta| chance(delta) < wanted).max(0.0);
         // The mean of A is δ + φ(b − δ)/Φ(δ − b): the excess is taken out, estimated from what the
         // step before left (iterated correction of a bias, Hall & Martin 1988).
         let excess = |delta: f64| normal.pdf(b - delta) / normal.cdf(delta - b).max(1e-300);

@@ -455,7 +455,7 @@ pub(crate) fn corrected_for_selection<'a>(
     mut values: Values<'a>,
 ) -> Values<'a> {
     let regression = &prepared.regression;
-    let threshold = regression.in_noise(fit).quantile(CHANCE_OF_A_STEP);
+    let threshold = regression.minus_ln_p_for(CHANCE_OF_A_STEP, fit);
     let before = (regression.base.robot.joints.len() > 1).then(|| values.clone());
     for term in regression.added(fit) {
         let rest = worth(prepared, fit, term).rest;

@@ -1,0 +1,143 @@
+//! What corrected commands and tables leave of a session: positions that are reached with them, beside where the
+//! model is without.
+
+use crate::effects::{Inputs, JointValues};
+use crate::fit::gap::Spread;
+use crate::fit::problem::Problem;
+use crate::lanes::{add_scaled, minus};
+use crate::model::{Calibration, Model, Positions};
+use crate::sessions::Session;
+
+use super::conditions::Conditions;
+use super::plan::Compensation;
+use super::verification::{
+    VerifyError, is_own, measured_minus, model_for, same_robot, where_the_model_is,
+};
+
+/// How far corrected commands would move each of a session's points from where they were measured,
+/// mm: reached − model. `None` for a session that was compensated already.
+///
+/// # Errors
+/// If the session's robot is another one.
+pub fn moved_by_correction(
+    calibration: &Calibration,
+    session: &Session,
+) -> Result<Option<Positions>, VerifyError> {
+    let mut notes = same_robot(calibration, session)?;
+    if session.compensated_by.is_some() {
+        return Ok(None);
+    }
+    let problem = Problem::new(session, JointValues::Commanded);
+    let compensation = Compensation::new(calibration);
+    let full = model_for(calibration, session, &problem, &mut notes);
+    let model = where_the_model_is(&compensation, &full, &problem.inputs, None);
+    Ok(Some(moved(&compensation, &problem.inputs, &model)))
+}
+
+/// Reached with the table for the reference conditions − where the model is, mm.
+pub(super) fn moved(compensation: &Compensation, inputs: &Inputs, model: &Positions) -> Positions {
+    let table = Conditions::default().impose_on(inputs);
+    let corrections = compensation.joint_corrections(&table);
+    let mut reached = compensation.reached(inputs, &corrections);
+    let columns = [
+        (&mut reached.x_mm, &model.x_mm),
+        (&mut reached.y_mm, &model.y_mm),
+        (&mut reached.z_mm, &model.z_mm),
+    ];
+    for (reached, model) in columns {
+        for (reached, model) in reached.iter_mut().zip(model) {
+            *reached -= model;
+        }
+    }
+    reached
+}
+
+/// How far the table moves poses of a calibration's own session, mm: reached − model, as of its samples.
+pub fn moved_at(calibration: &Calibration, inputs: &Inputs) -> Positions {
+    let compensation = Compensation::new(calibration);
+    let model = where_the_model_is(&compensation, &calibration.model, inputs, None);
+    moved(&compensation, inputs, &model)
+}
+
+/// Samples that a question about a whole session is asked of: without excluded ones.
+fn over_all(problem: &Problem) -> impl Fn(usize) -> bool {
+    let usable = problem.usable.clone();
+    move |i| usable[i]
+}
+
+/// The RMS error that a table leaves on a session, `correction` being what the controller adds for a
+/// sample of this command and side of one joint, all as the controller counts them (rad or mm). The other
+/// joints go uncorrected.
+pub fn gap_with_table(
+    calibration: &Calibration,
+    session: &Session,
+    joint: usize,
+    correction: impl Fn(f64, f64) -> f64,
+) -> Option<Spread> {
+    if joint >= session.robot.joints.len() {
+        return None;
+    }
+    let set_up = &calibration.set_up;
+    let session = &*set_up.applied(session, is_own(calibration, session));
+    let robot = &calibration.model.robot;
+    let problem = Problem::new(session, JointValues::Commanded);
+    let inputs = &problem.inputs;
+    let compensation = Compensation::new(calibration);
+    let nominal = compensation.nominal.predict(inputs);
+    let mut ignored = Vec::new();
+    let full = model_for(calibration, session, &problem, &mut ignored);
+    let model = where_the_model_is(&compensation, &full, inputs, None);
+    let mut corrections = vec![vec![0.0; inputs.len()]; inputs.q.len()];
+    let mut sides = vec![0.0; inputs.q.len()];
+    for i in 0..inputs.len() {
+        let of_model: Vec<f64> = inputs.q.iter().map(|q| q[i]).collect();
+        let mut told = of_model.clone();
+        set_up.to_raw(robot, &mut told);
+        for (side, dir) in sides.iter_mut().zip(&inputs.dir) {
+            *side = dir.as_ref().map_or(0.0, |dir| dir[i]);
+        }
+        set_up.signs_to_raw(&mut sides);
+        told[joint] += correction(told[joint], sides[joint]);
+        set_up.to_model(robot, &mut told);
+        for ((all, told), was) in corrections.iter_mut().zip(told).zip(of_model) {
+            all[i] = told - was;
+        }
+    }
+    let reached = compensation.reached(inputs, &corrections);
+    let expected = |i: usize| add_scaled(nominal.get(i), minus(model.get(i), reached.get(i)), 1.0);
+    let left = measured_minus(session, &problem, &compensation, expected);
+    Spread::of(&left.length_mm, over_all(&problem), |_| false)
+}
+
+/// The RMS error of the same session without a table.
+pub fn gap_without_table(calibration: &Calibration, session: &Session) -> Option<Spread> {
+    gap_with_table(calibration, session, 0, |_, _| 0.0)
+}
+
+/// The gap to another description of the robot, the instrument's own effects being left to it.
+pub fn gap_to_robot(
+    calibration: &Calibration,
+    session: &Session,
+    robot: &crate::kinematics::Robot,
+) -> Option<Spread> {
+    let session = &*calibration
+        .set_up
+        .applied(session, is_own(calibration, session));
+    let problem = Problem::new(session, JointValues::Commanded);
+    let inputs = &problem.inputs;
+    let compensation = Compensation::new(calibration);
+    let mut ignored = Vec::new();
+    let full = model_for(calibration, session, &problem, &mut ignored);
+    // What the instrument adds to the model it adds to any robot in the same place.
+    let (full, own) = (full.predict(inputs), compensation.robot.predict(inputs));
+    let mut inputs_there = inputs.clone();
+    let nominal = &calibration.model.robot.base_from_tool;
+    for home in &mut inputs_there.reflectors_at_home {
+        let in_tool = nominal.inverse_transform_point(&(*home).into());
+        *home = (robot.base_from_tool * in_tool).coords.into();
+    }
+    let there = Model::nominal(robot.clone()).predict(&inputs_there);
+    let expected = |i: usize| add_scaled(there.get(i), minus(full.get(i), own.get(i)), 1.0);
+    let left = measured_minus(session, &problem, &compensation, expected);
+    Spread::of(&left.length_mm, over_all(&problem), |_| false)
+}
