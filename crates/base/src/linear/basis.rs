@@ -1,16 +1,60 @@
-//! An orthonormal basis by Gram–Schmidt, done twice ("twice is
-//! enough", Giraud, Langou & Rozložník 2005), which drops columns that the ones before them already
-//! explain.
+//! An orthonormal basis by Cholesky factors of products, done twice (CholeskyQR2, Yamamoto et al. 2015), which drops
+//! columns that the ones before them already explain:
+//!
+//! ```text
+//! AᵀA = L Lᵀ,   Q = A L⁻ᵀ,   QᵀQ = M Mᵀ,   Q ← Q M⁻ᵀ,   R = (L M)ᵀ
+//! ```
 
 use std::sync::Arc;
 
 use nalgebra::{DMatrix, DVector};
 
-use super::products::{along, norm, products};
-use super::subtraction::{Sums, subtract, subtract_with_products};
+use super::products::{along, gram, reject_all};
+use super::triangle::{inverse_of_lower, small_cholesky};
 
 /// A column of which less than this share is left after projection is a copy of the others.
 const DEPENDENT: f64 = 1e-6;
+
+/// `C = Q₀ B + Q R` of columns beside orthonormal ones `Q₀`.
+struct Orthonormal {
+    q: DMatrix<f64>,
+    r: DMatrix<f64>,
+    along: DMatrix<f64>,
+    /// Of which enough is left beside `Q₀` and those before them: where it is not all of them, the others are noise.
+    independent: Vec<usize>,
+}
+
+impl Orthonormal {
+    fn beside(known: &DMatrix<f64>, columns: &DMatrix<f64>) -> Self {
+        let p = columns.ncols();
+        let least: Vec<f64> = columns.column_iter().map(|c| DEPENDENT * c.norm()).collect();
+        let mut q = columns.clone();
+        let mut along = reject_all(known, &mut q);
+        let mut r = DMatrix::identity(p, p);
+        let mut is_copy = vec![false; p];
+        for _ in 0..2 {
+            let mut factor = gram(&q).as_slice().to_vec();
+            small_cholesky(&mut factor, p, &vec![0.0; p]);
+            let mut factor = DMatrix::from_row_slice(p, p, &factor).lower_triangle();
+            for k in 0..p {
+                if factor[(k, k)] == 0.0 {
+                    (factor[(k, k)], is_copy[k]) = (1.0, true);
+                }
+            }
+            q *= inverse_of_lower(&factor).transpose();
+            // What was lost where little was left.
+            r = factor.transpose() * r;
+            along += reject_all(known, &mut q) * &r;
+        }
+        let is_left = |k: &usize| !is_copy[*k] && r[(*k, *k)] > least[*k];
+        Self {
+            independent: (0..p).filter(is_left).collect(),
+            q,
+            r,
+            along,
+        }
+    }
+}
 
 /// `A = Q R` on the columns that are independent.
 #[derive(Debug, Clone)]
@@ -26,105 +70,67 @@ pub struct Basis {
     pub extends: Option<Arc<Self>>,
 }
 
-/// A basis that still grows.
-struct Growing {
-    /// Orthonormal columns, one after the other.
-    q: Vec<f64>,
-    r: DMatrix<f64>,
-    kept: Vec<usize>,
-}
-
-impl Growing {
-    /// Takes some columns of a matrix more. The products of the next column come with the last step of the one
-    /// before it, while the orthonormal columns are near the processor.
-    fn orthogonalize(&mut self, a: &DMatrix<f64>, which: impl Iterator<Item = usize>) {
-        let (m, p) = a.shape();
-        let column = |k: usize| &a.as_slice()[k * m..(k + 1) * m];
-        let (mut parts, mut again) = (vec![0.0; p], vec![0.0; p]);
-        let mut sums = Sums::new(p);
-        let mut which = which.peekable();
-        if let (Some(first), false) = (which.peek(), self.kept.is_empty()) {
-            products(column(*first), &self.q, &mut parts[..self.kept.len()]);
-        }
-        while let Some(own) = which.next() {
-            let rank = self.kept.len();
-            if rank >= m {
-                return;
-            }
-            let next = which.peek().map(|next| column(*next));
-            let before = norm(column(own));
-            self.q.extend_from_slice(column(own));
-            let (q, v) = self.q.split_at_mut(rank * m);
-            subtract_with_products(q, &parts[..rank], v, None, &mut again, &mut sums);
-            for (k, (first, second)) in parts.iter().zip(&again).take(rank).enumerate() {
-                self.r[(k, rank)] = first + second;
-            }
-            if next.is_some() {
-                subtract_with_products(q, &again[..rank], v, next, &mut parts, &mut sums);
-            } else {
-                subtract(q, &again[..rank], v);
-            }
-            let norm = norm(v);
-            if norm > DEPENDENT * before && norm > 0.0 {
-                for value in v.iter_mut() {
-                    *value /= norm;
-                }
-                if let Some(next) = next {
-                    products(next, v, &mut parts[rank..=rank]);
-                }
-                self.r[(rank, rank)] = norm;
-                self.kept.push(own);
-            } else {
-                self.q.truncate(rank * m);
-            }
-        }
-    }
-
-    fn end(mut self, a: &DMatrix<f64>, extends: Option<Arc<Basis>>) -> Basis {
-        let (m, columns) = a.shape();
-        let rank = self.kept.len();
-        self.q.shrink_to_fit();
-        Basis {
-            q: DMatrix::from_vec(m, rank, self.q),
-            r: self.r.view((0, 0), (rank, rank)).into_owned(),
-            kept: self.kept,
-            columns,
-            extends,
-        }
-    }
-}
-
 impl Basis {
     /// Takes a matrix apart.
     pub fn new(a: &DMatrix<f64>) -> Self {
-        let (m, p) = a.shape();
-        let mut growing = Growing {
-            q: Vec::with_capacity(m * p),
-            r: DMatrix::zeros(p, p),
+        let none = Self {
+            q: DMatrix::zeros(a.nrows(), 0),
+            r: DMatrix::zeros(0, 0),
             kept: Vec::new(),
+            columns: a.ncols(),
+            extends: None,
         };
-        growing.orthogonalize(a, 0..p);
-        growing.end(a, None)
+        let all: Vec<usize> = (0..a.ncols()).collect();
+        none.and(&all, a)
     }
 
     /// Takes a matrix apart of which some columns, those of another basis in their order, are known.
     pub fn extending(known: &Arc<Self>, own: &[usize], a: &DMatrix<f64>) -> Self {
-        let (m, p) = a.shape();
-        let rank = known.rank();
-        let mut growing = Growing {
-            q: Vec::with_capacity(m * p.max(rank)),
-            r: DMatrix::zeros(p, p),
+        let others: Vec<usize> = (0..a.ncols()).filter(|k| !own.contains(k)).collect();
+        let first = Self {
+            q: known.q.clone(),
+            r: known.r.clone(),
             kept: known.kept.iter().map(|k| own[*k]).collect(),
+            columns: a.ncols(),
+            extends: Some(Arc::clone(known)),
         };
-        growing.q.extend_from_slice(known.q.as_slice());
-        growing.r.view_mut((0, 0), (rank, rank)).copy_from(&known.r);
-        growing.orthogonalize(a, (0..p).filter(|k| !own.contains(k)));
-        growing.end(a, Some(Arc::clone(known)))
+        first.and(&others, a)
+    }
+
+    /// With these columns of a matrix behind its own, as far as they are independent.
+    fn and(self, places: &[usize], a: &DMatrix<f64>) -> Self {
+        let room = a.nrows().saturating_sub(self.rank());
+        let mut kept = places.to_vec();
+        loop {
+            let own = Orthonormal::beside(&self.q, &a.select_columns(&kept));
+            let independent = own.independent.iter().take(room).copied();
+            let independent: Vec<usize> = independent.map(|k| kept[k]).collect();
+            if independent.len() == kept.len() {
+                return self.and_orthonormal(kept, own);
+            }
+            kept = independent;
+        }
+    }
+
+    fn and_orthonormal(mut self, kept: Vec<usize>, own: Orthonormal) -> Self {
+        let (rank, more) = (self.rank(), kept.len());
+        let both = self.q.as_slice().iter().chain(own.q.as_slice()).copied();
+        let q = DMatrix::from_iterator(own.q.nrows(), rank + more, both);
+        let mut r = self.r.resize(rank + more, rank + more, 0.0);
+        r.view_mut((0, rank), (rank, more)).copy_from(&own.along);
+        r.view_mut((rank, rank), (more, more)).copy_from(&own.r);
+        self.kept.extend(kept);
+        Self { q, r, ..self }
     }
 
     /// Number of independent columns.
     pub fn rank(&self) -> usize {
         self.kept.len()
+    }
+
+    /// How much is left of each kept column beside those that were kept before it.
+    pub fn left(&self) -> impl Iterator<Item = f64> {
+        (0..self.rank()).map(|k| self.r[(k, k)])
     }
 
     /// The coefficients that bring `A x` closest to `y`; zero for columns that were dropped.
@@ -228,9 +234,15 @@ impl Basis {
 mod tests {
     use super::*;
 
+    fn wild(rows: usize, columns: usize) -> DMatrix<f64> {
+        DMatrix::from_fn(rows, columns, |i, j| {
+            ((i * i * 7 + i * j * 13) as f64 * 0.37).sin()
+        })
+    }
+
     #[test]
     fn a_basis_that_extends_another_is_as_good() {
-        let a = DMatrix::from_fn(50, 6, |i, j| ((i * i * 7 + i * j * 13) as f64 * 0.37).sin());
+        let a = wild(50, 6);
         let own = [1, 2, 5];
         let known = Arc::new(Basis::new(&a.select_columns(&own)));
         let (whole, extended) = (Basis::new(&a), Basis::extending(&known, &own, &a));
@@ -245,37 +257,26 @@ mod tests {
         assert_eq!(Basis::extending(&known, &own, &twice).kept, [1, 2, 5, 3, 4]);
     }
 
-    /// One column after the other, each by products with all before it and taking these from it, twice.
+    /// Also where of a column little is left beside those before it, and where rows are few.
     #[test]
-    fn it_has_the_bits_of_gram_schmidt_step_by_step() {
+    fn columns_are_orthonormal_and_give_the_matrix_again() {
         for (m, p) in [(203, 9), (32, 5), (70, 70), (5, 9), (0, 3)] {
-            let mut a = DMatrix::from_fn(m, p, |i, j| ((i * 7 + j * i * 13) as f64 * 0.37).sin());
+            let mut a = wild(m, p);
             if m > 40 {
                 let copy = a.column(1) * 2.0;
                 a.set_column(3, &copy);
+                let near = a.column(2) + 1e-5 * a.column(4);
+                a.set_column(5, &near);
+                let too_near = a.column(0) + 1e-9 * a.column(7);
+                a.set_column(6, &too_near);
             }
             let basis = Basis::new(&a);
-            let mut q: Vec<DVector<f64>> = Vec::new();
-            for (k, column) in a.column_iter().enumerate() {
-                let mut v = column.into_owned();
-                let mut r = vec![0.0; q.len()];
-                for _ in 0..2 {
-                    let parts: Vec<f64> = q.iter().map(|q| q.dot(&v)).collect();
-                    for ((q, part), r) in q.iter().zip(parts).zip(&mut r) {
-                        v.axpy(-part, q, 1.0);
-                        *r += part;
-                    }
-                }
-                if !basis.kept.contains(&k) {
-                    continue;
-                }
-                r.push(v.norm());
-                assert_eq!(r, basis.r.column(q.len()).as_slice()[..=q.len()]);
-                q.push(&v / v.norm());
-            }
-            assert_eq!(q.len(), basis.rank());
             assert_eq!(basis.kept.contains(&3), m <= 40 && m > 0);
-            assert!(q.iter().zip(basis.q.column_iter()).all(|(a, b)| *a == b));
+            assert!(!basis.kept.contains(&6));
+            let one = DMatrix::identity(basis.rank(), basis.rank());
+            assert!((basis.q.tr_mul(&basis.q) - one).norm() < 1e-12);
+            let again = &basis.q * &basis.r;
+            assert!((again - a.select_columns(&basis.kept)).norm() < 1e-11 * a.norm().max(1.0));
         }
     }
 

@@ -2,8 +2,6 @@
 
 use nalgebra::DVector;
 
-use super::products::dot;
-use super::subtraction::reject;
 
 /// Orthonormal columns, added one by one.
 pub struct Kept {
@@ -28,10 +26,10 @@ impl Kept {
         if self.q.len() >= self.rows {
             left.fill(0.0);
         }
-        let mut part = [0.0];
+        
         for _ in 0..2 {
             for q in &self.q {
-                reject(q.as_slice(), left.as_mut_slice(), &mut part);
+                left.axpy(-q.dot(&left), q, 1.0);
             }
         }
         left
@@ -40,13 +38,13 @@ impl Kept {
     pub fn push(&mut self, index: usize, column: &DVector<f64>, free: &DVector<f64>) {
         let q = free / free.norm();
         let mut along = self.along(column);
-        along.push(dot(q.as_slice(), column.as_slice()));
+        along.push(q.dot(column));
         self.q.push(q);
         self.kept.push((index, along));
     }
 
     fn along(&self, column: &DVector<f64>) -> Vec<f64> {
-        let one = |q: &DVector<f64>| dot(q.as_slice(), column.as_slice());
+        let one = |q: &DVector<f64>| q.dot(column);
         self.q.iter().map(one).collect()
     }
 

@@ -17,7 +17,7 @@ use std::sync::Arc;
 
 use nalgebra::{Cholesky, DMatrix, DMatrixView, DVector};
 
-use crate::linear::products;
+use crate::linear::cross;
 
 /// What poses are worth.
 pub(crate) trait Criterion {
@@ -54,9 +54,6 @@ pub(crate) fn choose(criterion: &mut impl Criterion, most: usize) -> Vec<usize> 
 fn best(worths: &[f64]) -> Option<usize> {
     (0..worths.len()).max_by(|a, b| worths[*a].total_cmp(&worths[*b]).then(b.cmp(a)))
 }
-
-/// Rows of candidates that several directions are multiplied with while they are at hand.
-const AT_ONCE: usize = 32;
 
 /// Columns of a model in the rows of all candidates, in units of the noise. They are most of what a planner
 /// holds, and all that look at one model share them.
@@ -186,19 +183,7 @@ impl Information {
     /// column a direction. The candidates are read once.
     fn shown_by_each(&self, directions: &DMatrix<f64>) -> DMatrix<f64> {
         let all = &self.candidates.rows;
-        let p = all.nrows();
-        let directions = directions.transpose();
-        let mut shown = DMatrix::zeros(all.ncols(), directions.ncols());
-        for first in (0..all.ncols()).step_by(AT_ONCE) {
-            let some = AT_ONCE.min(all.ncols() - first);
-            let rows = &all.as_slice()[first * p..(first + some) * p];
-            for (k, direction) in directions.column_iter().enumerate() {
-                let start = k * shown.nrows() + first;
-                let out = &mut shown.as_mut_slice()[start..start + some];
-                products(direction.as_slice(), rows, out);
-            }
-        }
-        shown
+        cross(all, &directions.transpose())
     }
 
     /// What one direction of the parameters shows in the rows of all candidates.

@@ -12,7 +12,6 @@
 
 use crate::fit::noise::Filter;
 use crate::lanes::LANES;
-use crate::linear;
 use crate::side_by_side::Threads;
 use nalgebra::{DMatrix, DVector};
 
@@ -24,9 +23,6 @@ const FEW: usize = 8;
 
 /// A product of matrices on several threads is cut at multiples of so many columns.
 const TOGETHER: usize = 64;
-
-/// So many numbers of columns stay near the processor (128 KiB) while all vectors go over them.
-const NEAR: usize = 1 << 14;
 
 /// Columns with one direction, or row by row.
 #[derive(Debug, Clone)]
@@ -313,19 +309,8 @@ impl Columns {
                 }
                 continue;
             }
-            let by_vector = g.transpose();
-            let near = (NEAR / by_vector.nrows().max(1)).max(1);
-            let mut of_one = vec![0.0; near];
-            for at in (0..count).step_by(near) {
-                let some = near.min(count - at);
-                let block = group.flat(from + at, some);
-                for (k, g) in by_vector.column_iter().enumerate() {
-                    linear::products(g.as_slice(), block, &mut of_one[..some]);
-                    for (j, product) in of_one[..some].iter().enumerate() {
-                        own[(k, at + j)] = *product;
-                    }
-                }
-            }
+            let columns = group.values.columns(from, count);
+            own.copy_from(&columns.tr_mul(&g.transpose()).transpose());
         }
         all
     }
@@ -386,12 +371,6 @@ impl Group {
             CandidateSubset::Shapes => (self.named, all - self.named),
             CandidateSubset::All => (0, all),
         }
-    }
-
-    /// Values of columns from a place in the group on.
-    fn flat(&self, from: usize, count: usize) -> &[f64] {
-        let height = self.values.nrows();
-        &self.values.as_slice()[from * height..(from + count) * height]
     }
 
     /// What products with the group's values need of a row vector.

@@ -9,7 +9,6 @@ use crate::effects::{
 };
 use crate::fit::problem::Problem;
 use crate::fit::scan;
-use crate::linear::some_columns;
 use crate::model::Model;
 
 use super::columns::{ColumnBuilder, Columns};
@@ -237,7 +236,7 @@ fn columns_of(rows: &Rows, base: &Model, names: &[Candidate]) -> Vec<DMatrix<f64
         let is = |term: &&Term| candidate.what.term().is_some_and(|t| t.same_column(term));
         let before = all.terms().iter().take_while(|term| !is(term));
         let first: usize = before.map(|t| t.coefficients.len()).sum();
-        some_columns(&columns, first, candidate.size)
+        columns.columns(first, candidate.size).into_owned()
     };
     names.iter().map(of).collect()
 }

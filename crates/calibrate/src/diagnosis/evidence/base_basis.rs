@@ -12,7 +12,7 @@ use nalgebra::DMatrix;
 
 use crate::diagnosis::candidates::columns::{CandidateSubset, Columns};
 use crate::fit::noise::Filter;
-use crate::linear::{Basis, square_apart};
+use crate::linear::Basis;
 use crate::model::Model;
 use crate::side_by_side::Threads;
 
@@ -120,15 +120,11 @@ fn are_near(
     all: &DMatrix<f64>,
     own: &[usize],
 ) -> bool {
-    let height = before.nrows();
-    let column = |k: usize| k * height..(k + 1) * height;
-    own.iter()
-        .zip(squares)
-        .enumerate()
-        .all(|(k, (at, square))| {
-            let now = &all.as_slice()[column(*at)];
-            square_apart(now, &before.as_slice()[column(k)]) <= NEAR * NEAR * square
-        })
+    let columns = own.iter().zip(before.column_iter()).zip(squares);
+    columns.into_iter().all(|((at, before), square)| {
+        let apart = (all.column(*at) - before).norm_squared();
+        apart <= NEAR * NEAR * square
+    })
 }
 
 /// Where the base's columns stand among those of a model; `None` if it has not all of them.

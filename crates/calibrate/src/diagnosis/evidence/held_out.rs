@@ -5,7 +5,7 @@
 //! time besides; several small ones make one fold, so that no fold lies beyond the others. All rows of a pose are in one,
 //! and of an arm all that were measured where it came back: they show nothing of another pose.
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DVector;
 
 use crate::effects::Term;
 use crate::fit::regression::Rows;
@@ -13,7 +13,6 @@ use crate::model::Model;
 use crate::text::Text;
 
 use super::fit::Fit;
-use super::reduced_basis::ReducedBasis;
 use super::regression::Regression;
 use super::rescanned::{FEW, Rescanned, has_near_rivals, is_scanned};
 use super::surroundings::Without;
@@ -232,20 +231,21 @@ impl Folds {
         if n < FEW {
             return none;
         }
+        let first = |term: &Term| -> usize {
+            let before = fit.model.terms().iter().take_while(|t| !t.same_column(term));
+            before.map(|t| t.coefficients.len()).sum()
+        };
+        let places = terms.iter().map(|t| (first(t), &*t.coefficients));
+        let places: Vec<(usize, &[f64])> = places.collect();
+        let as_it_is = Rescanned::as_it_is(regression, fit);
         let mut with_all = 0.0;
         let mut without = vec![0.0; rests.len()];
         for fold in 0..self.count {
             let unseen: Vec<usize> = (0..rows).filter(|row| self.fold[row % n] == fold).collect();
-            let Some(left_out) = ReducedBasis::new(&fit.basis, &unseen) else {
-                return none;
-            };
-            let left = fit.residual.select_rows(&unseen);
-            let left = DMatrix::from_column_slice(left.len(), 1, left.as_slice());
-            with_all += left_out.unseen(&left).norm_squared();
-            for (sum, rest) in without.iter_mut().zip(rests) {
-                let Some(rest) = rest else { continue };
-                let of = left_out.unseen_without(&left, rest.directions(), rest.explained());
-                *sum += of.map_or(0.0, |of| of.norm_squared());
+            let (all, each) = as_it_is.fitted().squares_without(&unseen, &places);
+            with_all += all;
+            for (sum, own) in without.iter_mut().zip(each) {
+                *sum += own;
             }
         }
         let settled = |term: &Term, rest: &Without| {

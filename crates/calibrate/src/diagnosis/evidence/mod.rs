@@ -5,25 +5,24 @@
 //! - `score`, `scores`, `projected`, `surroundings`, `beside_fits`: what candidates would do beside a fit.
 //! - `likelihood`: how fits are compared; `significance`, `trials`, `largest_in_noise`,
 //!   `familywise`: what noise does.
-//! - `held_out`, `reduced_basis`, `exchanged`, `rescanned`: errors on samples that a fit has not seen.
+//! - `held_out`, `left_out`, `rescanned`: errors on samples that a fit has not seen.
 //! - `rival`: another explanation of the same samples.
 //! - `memo`, `known_fits`, `base_basis`: what was computed before; `work`: how much may be computed.
 
 mod base_basis;
 mod beside_fits;
 mod bisection;
-mod exchanged;
 mod familywise;
 mod fit;
 mod fitting;
 mod held_out;
 mod known_fits;
 mod largest_in_noise;
+mod left_out;
 mod likelihood;
 pub(crate) mod memo;
 mod placement;
 mod projected;
-mod reduced_basis;
 mod refine;
 mod regression;
 mod rescanned;

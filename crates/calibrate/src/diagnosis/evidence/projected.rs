@@ -12,7 +12,7 @@ use nalgebra::{DMatrix, DVector};
 use crate::diagnosis::candidates::columns::{CandidateSubset, Columns};
 use crate::diagnosis::candidates::table::Candidate;
 use crate::fit::noise::Filter;
-use crate::linear::{Basis, along, own_products, reject_all, small_cholesky, subtract};
+use crate::linear::{Basis, along, gram, reject_all, small_cholesky};
 use crate::side_by_side::Threads;
 
 /// How much of a column has to be left beside the model for a candidate to count, squared.
@@ -119,7 +119,7 @@ pub(crate) fn units_beside(
 /// The same span, orthonormal; `None` where less than this is left of a column beside the others.
 fn orthonormal(mut columns: DMatrix<f64>, tolerance: &[f64]) -> Option<DMatrix<f64>> {
     let k = columns.ncols();
-    let mut factor: Vec<f64> = own_products(&columns).as_slice().to_vec();
+    let mut factor: Vec<f64> = gram(&columns).as_slice().to_vec();
     if small_cholesky(&mut factor, k, tolerance) < k {
         return None;
     }
@@ -219,14 +219,7 @@ impl<'r> Projected<'r> {
         let height = self.basis.q.nrows();
         let more = height - self.columns.rows();
         let mut own = self.columns.white(self.filter, first, k, more);
-        for (i, column) in own
-            .as_mut_slice()
-            .chunks_exact_mut(height.max(1))
-            .enumerate()
-        {
-            let along = self.along.column(first + i);
-            subtract(self.basis.q.as_slice(), along.as_slice(), column);
-        }
+        own.gemm(-1.0, &self.basis.q, &self.along.columns(first, k), 1.0);
         own
     }
 

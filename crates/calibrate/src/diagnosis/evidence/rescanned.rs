@@ -1,17 +1,13 @@
 //! What a fit leaves of samples that it has not seen, each of its terms at the setting that the others like best.
 //!
 //! The step of a fit without some rows is taken from where the fit ended, with the columns that it has there; its
-//! shapes are solved for afresh, so that what is to be explained is what the model alone leaves. Where the base's own
-//! columns are near enough they tell whether any setting is another ([`BaseBasis`](super::base_basis::BaseBasis)); a setting is
-//! exchanged beside the fit's own.
+//! shapes are solved for afresh, so that what is to be explained is what the model alone leaves.
 
 use crate::effects::{Setting, Term};
-use crate::linear::Basis;
 use nalgebra::{DMatrix, DVector};
-use std::cell::OnceCell;
 
-use super::exchanged::{Exchanged, FittedColumns, Scanned};
 use super::fit::Fit;
+use super::left_out::{Exchanged, Fitted, Scanned};
 use super::regression::Regression;
 use super::surroundings::Without;
 use crate::diagnosis::candidates::columns::CandidateSubset;
@@ -86,71 +82,63 @@ fn settings(regression: &Regression, term: &Term) -> Vec<usize> {
 /// A fit of all rows, from which every fold is taken in turn.
 pub(super) struct Rescanned<'f, 'a> {
     regression: &'f Regression<'a>,
-    whole: Whole,
-    terms: Vec<Scanned>,
-    fitted: FittedColumns,
-    /// The same where no column is the base's.
-    exact: OnceCell<FittedColumns>,
-}
-
-/// What a fit leaves and its columns, its shapes at the end, whitened and as they are measured.
-struct Whole {
+    fitted: Fitted,
+    /// What the model alone leaves, and the columns with those of the shapes at the end, as they are measured.
     residual: DVector<f64>,
-    white: DMatrix<f64>,
-    raw_residual: DVector<f64>,
-    raw: DMatrix<f64>,
+    columns: DMatrix<f64>,
 }
 
-impl Whole {
-    fn of(regression: &Regression, fit: &Fit) -> Self {
-        let (raw_residual, mut raw) = regression.raw(&fit.model);
-        let (residual, mut white) = regression.whitened(&fit.model, &raw_residual, raw.clone());
+impl<'f, 'a> Rescanned<'f, 'a> {
+    /// A fit, with the settings of its terms that may be likelier in some of the rows.
+    pub(crate) fn new(regression: &'f Regression<'a>, fit: &Fit) -> Self {
+        Self::of(regression, fit, scanned_terms(regression, fit))
+    }
+
+    /// A fit with the settings that it has.
+    pub(crate) fn as_it_is(regression: &'f Regression<'a>, fit: &Fit) -> Self {
+        Self::of(regression, fit, Vec::new())
+    }
+
+    fn of(
+        regression: &'f Regression<'a>,
+        fit: &Fit,
+        terms: Vec<Scanned>,
+    ) -> Self {
+        let (residual, mut columns) = regression.raw(&fit.model);
+        let (left, mut white) = regression.whitened(&fit.model, &residual, columns.clone());
         for shape in &fit.shapes {
-            for (all, own) in [(&mut raw, &*shape.raw), (&mut white, &*shape.white)] {
+            for (all, own) in [(&mut columns, &*shape.raw), (&mut white, &*shape.white)] {
                 let at = all.ncols();
                 let wider = std::mem::take(all).resize_horizontally(at + own.ncols(), 0.0);
                 *all = wider;
                 all.columns_mut(at, own.ncols()).copy_from(own);
             }
         }
-        Self {
-            residual,
-            white,
-            raw_residual,
-            raw,
-        }
-    }
-}
-
-impl<'f, 'a> Rescanned<'f, 'a> {
-    pub(crate) fn new(regression: &'f Regression<'a>, fit: &Fit) -> Self {
-        let whole = Whole::of(regression, fit);
-        let terms = scanned_terms(regression, fit, &whole.white);
-        let (height, width) = whole.white.shape();
+        let (height, width) = white.shape();
         // As many as making a basis without each of the terms would take, which is more than it does.
         let settings: usize = terms.iter().map(|t| 2 + t.candidates.len()).sum();
         let more = width.saturating_sub(regression.base.coefficient_count()) + 1;
         let bases = (1 + terms.len()) * 4 * more + 4 * settings;
         let products = OF_THE_COLUMNS + bases as f64;
         regression.work.did((height * width) as f64 * products);
-        let base_basis = regression.base_basis();
-        let basis = base_basis.extended(&regression.base, &fit.model, &whole.white);
-        let basis = basis.unwrap_or_else(|| Basis::new(&whole.white));
         Self {
-            fitted: FittedColumns::new(basis, &terms),
-            exact: OnceCell::new(),
+            fitted: Fitted::new(&fit.basis, &white, left, terms),
             regression,
-            whole,
-            terms,
+            residual,
+            columns,
         }
+    }
+
+    pub(crate) fn fitted(&self) -> &Fitted {
+        &self.fitted
     }
 
     /// What a fit without each of these sets of rows leaves of them, where its first so many columns predict.
     pub(crate) fn left(&self, folds: &[Vec<usize>], columns: usize) -> Vec<Vec<f64>> {
-        let steps = self.steps(folds).into_iter().zip(folds);
-        steps
-            .map(|(step, rows)| self.left_by(step, rows, columns))
-            .collect()
+        let fitted = &self.fitted;
+        let steps = self.regression.threads.each(folds.len(), |k| fitted.step(&folds[k]));
+        let steps = steps.into_iter().zip(folds);
+        steps.map(|(step, rows)| self.left_by(step, rows, columns)).collect()
     }
 
     fn left_by(
@@ -159,75 +147,28 @@ impl<'f, 'a> Rescanned<'f, 'a> {
         rows: &[usize],
         columns: usize,
     ) -> Vec<f64> {
-        let width = columns.min(self.whole.raw.ncols());
+        let width = columns.min(self.columns.ncols());
         // What terms with another setting do more than with the fit's.
         let more = exchanged.into_iter().map(|(at, setting, own)| {
-            let term = &self.terms[at];
+            let term = &self.fitted.terms()[at];
             let table = &self.regression.table;
             let candidate = &table.candidates[term.candidates[setting]];
             let raw = table.columns.raw(candidate.first, candidate.size);
-            raw * own - self.whole.raw.columns(term.first, term.size) * &term.coefficients
+            raw * own - self.columns.columns(term.first, candidate.size) * &term.coefficients
         });
         let more: Vec<DVector<f64>> = more.collect();
         let left = rows.iter().map(|row| {
-            let own = self.whole.raw.row(*row);
+            let own = self.columns.row(*row);
             let predicted = own.columns(0, width).tr_dot(&step.rows(0, width));
             let more: f64 = more.iter().map(|own| own[*row]).sum();
-            self.whole.raw_residual[*row] - predicted - more
+            self.residual[*row] - predicted - more
         });
         left.collect()
-    }
-
-    /// The steps without each of these sets of rows, and the terms with another setting.
-    fn steps(&self, folds: &[Vec<usize>]) -> Vec<(DVector<f64>, Vec<Exchanged>)> {
-        let (terms, residual) = (&self.terms, &self.whole.residual);
-        let of = |fitted: &FittedColumns, which: &[usize]| {
-            let step = |k: usize| fitted.step(terms, residual, &folds[which[k]]);
-            self.regression.threads.each(which.len(), step)
-        };
-        let all: Vec<usize> = (0..folds.len()).collect();
-        let mut steps = of(&self.fitted, &all);
-        if self.fitted.is_near() {
-            let others = |k: &usize| steps[*k].as_ref().is_none_or(|step| !step.1.is_empty());
-            let anew: Vec<usize> = all.into_iter().filter(others).collect();
-            if !anew.is_empty() {
-                let exact = || FittedColumns::new(Basis::new(&self.whole.white), &self.terms);
-                let exact = of(self.exact.get_or_init(exact), &anew);
-                for (k, step) in anew.into_iter().zip(exact) {
-                    steps[k] = step;
-                }
-            }
-        }
-        let steps = steps.into_iter().zip(folds);
-        steps
-            .map(|(step, rows)| step.unwrap_or_else(|| self.told_by_the_rest(rows)))
-            .collect()
-    }
-
-    /// The same where the rows that stay do not tell all columns: which they do not has to be seen in them.
-    fn told_by_the_rest(&self, rows: &[usize]) -> (DVector<f64>, Vec<Exchanged>) {
-        let mut out = vec![false; self.whole.white.nrows()];
-        for row in rows {
-            out[*row] = true;
-        }
-        let stay: Vec<usize> = (0..out.len()).filter(|row| !out[*row]).collect();
-        let terms = self.terms.iter().map(|term| Scanned {
-            coefficients: term.coefficients.clone(),
-            candidates: term.candidates.clone(),
-            white: term.white.select_rows(&stay),
-            ..*term
-        });
-        let terms: Vec<Scanned> = terms.collect();
-        let white = self.whole.white.select_rows(&stay);
-        let residual = self.whole.residual.select_rows(&stay);
-        let fitted = FittedColumns::new(Basis::new(&white), &terms);
-        let step = fitted.step(&terms, &residual, &[]);
-        step.unwrap_or_else(|| (DVector::zeros(white.ncols()), Vec::new()))
     }
 }
 
 /// The scanned terms of a fit that have rivals among their settings.
-fn scanned_terms(regression: &Regression, fit: &Fit, white: &DMatrix<f64>) -> Vec<Scanned> {
+fn scanned_terms(regression: &Regression, fit: &Fit) -> Vec<Scanned> {
     let mut first = 0;
     let mut all = Vec::new();
     let many = regression.rows.samples.len() >= FEW;
@@ -247,17 +188,11 @@ fn scanned_terms(regression: &Regression, fit: &Fit, white: &DMatrix<f64>) -> Ve
             continue;
         }
         let of_table = candidates.iter().map(|i| &regression.table.candidates[*i]);
-        let others = regression.white_columns(&of_table.collect::<Vec<_>>());
-        let width = others.ncols();
-        let mut both = others.resize_horizontally(width + size, 0.0);
-        both.columns_mut(width, size)
-            .copy_from(&white.columns(at, size));
         all.push(Scanned {
             first: at,
-            size,
             coefficients: DVector::from_column_slice(&term.coefficients),
+            white: regression.white_columns(&of_table.collect::<Vec<_>>()),
             candidates,
-            white: both,
         });
     }
     all
@@ -272,6 +207,7 @@ mod tests {
     use crate::diagnosis::Options;
     use crate::diagnosis::search::prepare::PreparedSearch;
     use crate::diagnosis::tests::eccentric;
+    use crate::linear::Basis;
 
     /// One axis with an eccentric encoder, fitted with nothing and with a shape.
     #[test]
@@ -286,15 +222,23 @@ mod tests {
         assert_eq!(with_shape.shapes.len(), 1);
         for fit in [&base, &with_shape] {
             let rescanned = Rescanned::new(regression, fit);
-            let whole = &rescanned.whole;
-            let rows = 0..whole.raw.nrows();
-            let out: Vec<usize> = rows.filter(|row| row / 7 % 5 == 1).collect();
-            let stay = (0..whole.white.nrows()).filter(|row| !out.contains(row));
+            let (raw, mut columns) = regression.raw(&fit.model);
+            let (residual, mut white) = regression.whitened(&fit.model, &raw, columns.clone());
+            for shape in &fit.shapes {
+                columns = DMatrix::from_columns(
+                    &columns.column_iter().chain(shape.raw.column_iter()).collect::<Vec<_>>(),
+                );
+                white = DMatrix::from_columns(
+                    &white.column_iter().chain(shape.white.column_iter()).collect::<Vec<_>>(),
+                );
+            }
+            let out: Vec<usize> = (0..raw.len()).filter(|row| row / 7 % 5 == 1).collect();
+            let stay = (0..white.nrows()).filter(|row| !out.contains(row));
             let stay: Vec<usize> = stay.collect();
-            let anew = Basis::new(&whole.white.select_rows(&stay));
+            let anew = Basis::new(&white.select_rows(&stay));
             // Shapes are solved for afresh.
-            let step = anew.solve(&whole.residual.select_rows(&stay));
-            let expected = &whole.raw_residual - &whole.raw * step;
+            let step = anew.solve(&residual.select_rows(&stay));
+            let expected = &raw - &columns * step;
             let folds = [out];
             let left = rescanned.left(&folds, usize::MAX).remove(0);
             let [out] = folds;

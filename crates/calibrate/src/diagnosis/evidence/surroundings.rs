@@ -45,18 +45,6 @@ pub(crate) struct Without {
     pub(crate) ln_evidence: f64,
 }
 
-impl Without {
-    /// Of the fit's orthonormal columns, those that the columns that are taken out alone span.
-    pub(crate) fn directions(&self) -> &DMatrix<f64> {
-        &self.directions
-    }
-
-    /// How much of each of them the fit has, a single column.
-    pub(crate) fn explained(&self) -> &DMatrix<f64> {
-        &self.explained
-    }
-}
-
 impl Surroundings {
     /// Cholesky factor of what is left of a candidate's columns where these products of them come back, and
     /// their rank.

@@ -19,7 +19,7 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::fit::problem::Problem;
 use crate::fit::regression::Rows;
-use crate::linear::{Basis, along, cholesky, lower_cross, solve_lower};
+use crate::linear::{Basis, along, cholesky, cross, solve_lower};
 use crate::observations::figures::outlying;
 use crate::observations::outliers::suspected;
 use crate::sessions::poses::ByPose;
@@ -208,7 +208,7 @@ fn weighted(
             }
         }
     }
-    let mut gram = lower_cross(&scaled, q);
+    let mut gram = cross(&scaled, q);
     for k in 0..gram.nrows() {
         gram[(k, k)] += 1e-9;
     }

@@ -7,7 +7,6 @@ use crate::fit::base_model;
 use crate::fit::noise::Noise;
 use crate::fit::problem::Problem;
 use crate::fit::regression::Rows;
-use crate::linear::subtract;
 use crate::model::Model;
 use crate::side_by_side::Threads;
 use crate::text::Text;
@@ -315,8 +314,8 @@ impl<'a> Design<'a> {
         let n = self.folds.samples().max(1);
         let all = self.raw.as_ref().unwrap_or(&self.white);
         let mut left = all.column(all.ncols() - 1).into_owned();
-        let columns = &all.as_slice()[..all.nrows() * coefficients.len()];
-        subtract(columns, coefficients, left.as_mut_slice());
+        let coefficients = DVector::from_column_slice(coefficients);
+        left.gemv(-1.0, &all.columns(0, coefficients.len()), &coefficients, 1.0);
         // Of rows that are independent a whitened one is one in units of its axis's noise.
         let unit = |row: usize| match self.raw {
             Some(_) => 1.0,

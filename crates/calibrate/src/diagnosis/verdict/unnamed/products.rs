@@ -2,7 +2,7 @@
 
 use nalgebra::{Cholesky, DMatrix, DVector};
 
-use crate::linear::{cholesky, cross, own_products, solve_lower};
+use crate::linear::{cholesky, cross, gram, solve_lower};
 
 /// What is added to a geometry's own products, in units of a column: directions that the rows do not
 /// show stay as they are.
@@ -22,7 +22,7 @@ impl Products {
     pub(super) fn of(all: &DMatrix<f64>, geometry: usize, rows: &[usize]) -> Self {
         let own = all.select_rows(rows);
         Self {
-            gram: own_products(&own),
+            gram: gram(&own),
             geometry,
             rows: rows.len() as f64,
         }
@@ -94,7 +94,7 @@ impl Products {
         } else {
             // L⁻¹ of the cross products, once: what the geometry takes is its square.
             let taken = solve_lower(self.factor()?.l_dirty(), cross);
-            inner - own_products(&taken)
+            inner - gram(&taken)
         };
         Some((
             left.view((0, 0), (p, p)).into_owned(),

@@ -12,7 +12,7 @@
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
 use super::products::Products;
-use crate::linear::{cholesky, inverse_of_lower, own_products, some_columns};
+use crate::linear::{cholesky, gram, inverse_of_lower};
 
 /// Strengths are refined so often from the beginning …
 const ROUNDS: usize = 40;
@@ -55,8 +55,8 @@ impl Solved {
     /// Evidence without some of the columns, which lie side by side: the others' block of the inverse is that
     /// of the whole less what these take (Schur).
     fn ln_evidence_without(&self, first: usize, count: usize) -> Option<f64> {
-        let own = some_columns(&self.inverse, first, count);
-        let factor = cholesky(own_products(&own))?;
+        let own = self.inverse.columns(first, count).into_owned();
+        let factor = cholesky(gram(&own))?;
         let unit = self.unit.rows(first, count);
         let left = self.left + unit.dot(&factor.solve(&unit));
         let l = factor.l_dirty();
