@@ -82,19 +82,19 @@ struct Span<'t> {
 
 /// Pairs of names that look alike at some of their settings.
 fn alike(regression: &Regression, fit: &Fit) -> Vec<Alike> {
-    let projected = regression.projected(&fit.basis, CandidateSubset::Names);
+    let around = regression.surroundings(fit, CandidateSubset::Names);
     let mut spans: Vec<Span> = Vec::new();
     for candidate in &regression.table.candidates {
         let Some(term) = candidate.what.term() else {
             continue;
         };
-        let (_, rank) = projected.factor(candidate);
+        let (_, rank) = around.factor(candidate);
         let setting = term.effect.about().setting;
         let high_order = setting.takes_fractions() && term.setting > 12.0;
         if rank == candidate.size && !high_order {
             spans.push(Span {
                 term,
-                unit: Basis::new(&projected.columns(candidate)).q,
+                unit: Basis::new(&regression.columns_beside(&around, candidate)).q,
             });
         }
     }

@@ -50,7 +50,7 @@ pub(crate) fn separate(
     let mut conditions = conditions(prepared, &terms.collect::<Vec<_>>());
     conditions.uneven = rivals.iter().any(|r| !r.other_names());
     let competing = competing(prepared, fit, rivals);
-    prepared.regression.make_room();
+    prepared.regression.forget();
     let (best, ()) = over_reflectors(prepared, |targets| {
         let offer = CandidatePoses::new(prepared, targets, &conditions);
         (attempt(prepared, offer, &competing, most), ())

@@ -223,11 +223,6 @@ impl Columns {
                 .all(|v| v.is_finite())
     }
 
-    /// Number of measured rows.
-    pub(crate) fn rows(&self) -> usize {
-        self.rows
-    }
-
     /// Which group a column is in.
     fn group(&self, column: usize) -> usize {
         let up_to = self.groups.partition_point(|g| g.first <= column);

@@ -3,35 +3,70 @@
 use crate::effects::Term;
 use nalgebra::DMatrix;
 use std::rc::Rc;
+use std::sync::Arc;
 
 use super::fit::Fit;
+use super::grams::Grams;
 use super::likelihood::{EFFECT_PRIOR_PENALTY, price_of};
+use super::memo::Key;
 use super::regression::Regression;
 use super::score::Score;
 use super::surroundings::{Surroundings, Without};
 use crate::diagnosis::candidates::columns::CandidateSubset;
 use crate::diagnosis::candidates::table::Candidate;
+use crate::linear;
+use crate::side_by_side::Threads;
 
 impl Regression<'_> {
     /// The candidates beside a fit.
     pub(crate) fn surroundings(&self, fit: &Fit, among: CandidateSubset) -> Rc<Surroundings> {
+        let key = Key::of(fit).with(among as usize);
         let work = || Rc::new(self.surroundings_anew(fit, among));
-        match among {
-            CandidateSubset::Names => self.surroundings.of(fit, work),
-            CandidateSubset::Shapes | CandidateSubset::All => work(),
-        }
+        self.surroundings.of_key(key, work)
     }
 
     fn surroundings_anew(&self, fit: &Fit, among: CandidateSubset) -> Surroundings {
-        let projected = self.projected(&fit.basis, among);
-        let pulls = projected.pulls(&fit.residual);
+        let (columns, filter) = (&self.table.columns, &self.filter);
+        let candidates = &self.table.candidates;
+        let make = || Grams::new(columns, filter, candidates);
+        let grams = self.grams.get_or_init(make);
+        let base = self.base_basis();
+        let along = base.along((columns, filter), &fit.basis, among, self.threads);
+        let more = fit.basis.rank().saturating_sub(base.basis().rank()) + 8;
+        let products = columns.count() * self.rows.samples.len() * more;
+        self.work.did(products as f64);
+        let residual = DMatrix::from_column_slice(fit.residual.len(), 1, fit.residual.as_slice());
+        let pulls = columns.products(filter, &residual, among, Threads::ONE);
+        let mut pulls = pulls.row(0).transpose();
+        let inside = linear::along(&fit.basis.q, &fit.residual);
+        pulls.gemv_tr(-1.0, &along, &inside, 1.0);
         Surroundings {
             among,
-            left: projected.grams(&self.table.candidates),
-            least: projected.least(&self.table.candidates),
-            along: projected.into_along(),
+            basis: Arc::clone(&fit.basis),
+            left: grams.less(&along, candidates.iter().filter(|c| among.has(c))),
+            least: grams.least(candidates),
+            along,
             pulls,
         }
+    }
+
+    /// What a fit leaves of the columns of a candidate.
+    pub(crate) fn columns_beside(
+        &self,
+        around: &Surroundings,
+        candidate: &Candidate,
+    ) -> DMatrix<f64> {
+        let mut own = self.white_columns(&[candidate]);
+        let along = around.along.columns(candidate.first, candidate.size);
+        own.gemm(-1.0, &around.basis.q, &along, 1.0);
+        own
+    }
+
+    /// Scores candidates beside a fit; those that the fit leaves nothing of are left out.
+    pub(crate) fn scan(&self, fit: &Fit, among: CandidateSubset) -> Vec<Score> {
+        let around = self.surroundings(fit, among);
+        let whole = (fit.basis.rank(), fit.rss);
+        self.scores(whole, among, |c| around.factor(c), around.pulls.as_slice())
     }
 
     /// A fit without a term that was added. The evidence is an upper bound but for rounding: what a vector is
@@ -94,7 +129,7 @@ impl Regression<'_> {
         let along = rest.directions.tr_mul(&around.along);
         let mut pulls = around.pulls.clone();
         pulls.gemv_tr(1.0, &along, &rest.explained.column(0), 1.0);
-        let factor = |c: &Candidate| around.factor(c, along.columns(c.first, c.size));
+        let factor = |c: &Candidate| around.factor_with(c, along.columns(c.first, c.size));
         let reduced = (rest.rank, rest.rss);
         self.scores(reduced, around.among, factor, pulls.as_slice())
     }

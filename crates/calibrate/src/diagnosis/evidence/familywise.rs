@@ -91,9 +91,8 @@ impl Regression<'_> {
         if long || noise.iter().all(|v| *v == 0.0) {
             noise.fill(1.0);
         }
-        let projected = self.projected(&fit.basis, CandidateSubset::All);
-        let rows = (self.m(), self.threads);
-        let trials = Trials::new(&projected, &self.table.candidates, &self.tests, rows);
+        let around = self.surroundings(fit, CandidateSubset::All);
+        let trials = Trials::new(self, &around);
         let columns = self.table.columns.count() * self.rows.samples.len();
         self.work.did(OF_NOISE * (columns * count) as f64);
         LargestInNoise::of(trials.largest(&noise, count))

@@ -9,7 +9,6 @@ use std::sync::Arc;
 use nalgebra::{DMatrix, DVector};
 
 use super::fit::Fit;
-use super::known_fits::TakenAt;
 use super::memo::Key;
 use super::regression::Regression;
 use crate::diagnosis::candidates::Placed;
@@ -33,51 +32,27 @@ impl Regression<'_> {
     /// Fits a model and shapes, starting from their coefficients.
     pub(crate) fn fit(&self, start: &Model, shapes: &[Placed]) -> Fit {
         let key = Key::of_start(start, shapes);
-        let (fit, products) = if let Some(mut known) = self.fits.of(&key) {
-            if !known.has_basis {
-                let (_, basis) = self.place(&known.at, &known.fit.shapes);
-                known.fit.basis = basis;
-                self.fits.keep_again(&key, &known.fit.basis);
-            }
-            (known.fit, known.products)
-        } else {
-            let (fit, at, products) = self.fitted(start.clone(), shapes.to_vec());
-            self.fits.keep(key.clone(), &fit, at, products);
-            (fit, products)
-        };
-        if self.fits.counts(&key) {
-            self.work.did(products);
-        }
-        fit
+        self.fits
+            .of_key(key, || self.fitted(start.clone(), shapes.to_vec()))
     }
 
-    /// The fit, where its basis was taken, and the products that it costs where every step takes all columns anew.
-    fn fitted(&self, mut model: Model, mut shapes: Vec<Placed>) -> (Fit, TakenAt, f64) {
+    fn fitted(&self, mut model: Model, mut shapes: Vec<Placed>) -> Fit {
         let own = model.coefficient_count();
         let more = (own + shapes.len()).saturating_sub(self.base.coefficient_count());
         let of_a_step = (self.height() * own) as f64 * (OF_A_FIT + 4.0 * (1 + more) as f64);
-        let mut products = 0.0;
         let mut place: Option<Arc<Basis>> = None;
-        let mut at = TakenAt {
-            model: model.clone(),
-            with_the_bases_own: true,
-        };
         let mut left = DVector::zeros(self.height());
         let mut rss = 0.0_f64;
         // The square of the last step beside what it left.
         let mut last = f64::INFINITY;
         for round in 0..STEPS {
-            products += of_a_step;
+            self.work.did(of_a_step);
             let here = place.take().filter(|_| last <= SMALL);
             let (residual, here) = if let Some(here) = here {
                 let raw = self.rows.residual(&model);
                 (self.whitened_residual(&model, &raw), here)
             } else {
-                at = TakenAt {
-                    model: model.clone(),
-                    with_the_bases_own: round < WITH_THE_BASES_OWN,
-                };
-                self.place(&at, &shapes)
+                self.place(&model, &shapes, round < WITH_THE_BASES_OWN)
             };
             // The shapes are linear: they are solved for afresh, the model by steps.
             let step = here.solve(&residual);
@@ -105,24 +80,24 @@ impl Regression<'_> {
             place.unwrap_or_else(|| Arc::new(Basis::new(&DMatrix::zeros(self.height(), 0))));
         let ln_evidence = self.ln_evidence(&model, &shapes, rss, basis.rank())
             + self.subset_selection_credit(&model, &basis, rss);
-        let fit = Fit {
+        Fit {
             model,
             shapes,
             residual: left,
             basis,
             rss,
             ln_evidence,
-        };
-        (fit, at, products)
+        }
     }
 
     /// What is left of the rows, with a basis of all columns. Where the base's own are good enough they are not made
     /// again.
-    fn place(&self, at: &TakenAt, shapes: &[Placed]) -> (DVector<f64>, Arc<Basis>) {
-        let TakenAt {
-            model,
-            with_the_bases_own,
-        } = at;
+    fn place(
+        &self,
+        model: &Model,
+        shapes: &[Placed],
+        with_the_bases_own: bool,
+    ) -> (DVector<f64>, Arc<Basis>) {
         let near = with_the_bases_own
             .then(|| self.base_columns_of(model))
             .flatten();
@@ -145,7 +120,7 @@ impl Regression<'_> {
         let base_basis = self.base_basis();
         let basis = match near {
             Some(own) => Some(base_basis.extended_by(&own, &all)),
-            None if *with_the_bases_own => base_basis.extended(&self.base, model, &all),
+            None if with_the_bases_own => base_basis.extended(&self.base, model, &all),
             None => None,
         };
         let basis = basis.unwrap_or_else(|| Basis::new(&all));

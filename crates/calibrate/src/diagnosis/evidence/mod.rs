@@ -2,12 +2,12 @@
 //! noise alone would look like it, and whether it predicts samples that no fit has seen. Nothing here chooses.
 //!
 //! - `regression`: the whitened rows and the table; `fit`, `fitting`, `refine`, `placement`: fits to them.
-//! - `score`, `scores`, `projected`, `surroundings`, `beside_fits`: what candidates would do beside a fit.
+//! - `score`, `scores`, `grams`, `surroundings`, `beside_fits`: what candidates would do beside a fit.
 //! - `likelihood`: how fits are compared; `significance`, `trials`, `largest_in_noise`,
 //!   `familywise`: what noise does.
 //! - `held_out`, `left_out`, `rescanned`: errors on samples that a fit has not seen.
 //! - `rival`: another explanation of the same samples.
-//! - `memo`, `known_fits`, `base_basis`: what was computed before; `work`: how much may be computed.
+//! - `memo`, `base_basis`: what was computed before; `work`: how much may be computed.
 
 mod base_basis;
 mod beside_fits;
@@ -15,14 +15,13 @@ mod bisection;
 mod familywise;
 mod fit;
 mod fitting;
+mod grams;
 mod held_out;
-mod known_fits;
 mod largest_in_noise;
 mod left_out;
 mod likelihood;
 pub(crate) mod memo;
 mod placement;
-mod projected;
 mod refine;
 mod regression;
 mod rescanned;
@@ -37,9 +36,9 @@ mod work;
 pub(crate) use bisection::bisected;
 pub(crate) use familywise::FamilyP;
 pub(crate) use fit::Fit;
+pub(crate) use grams::units_beside;
 pub(crate) use held_out::Folds;
 pub(crate) use likelihood::EFFECT_PRIOR_PENALTY;
-pub(crate) use projected::units_beside;
 pub(crate) use regression::Regression;
 pub(crate) use score::{Score, by_odds, weight_of};
 pub(crate) use significance::Significance;

@@ -13,12 +13,10 @@ use crate::model::Model;
 
 use super::base_basis::BaseBasis;
 use super::fit::Fit;
-use super::known_fits::KnownFits;
+use super::grams::Grams;
 use super::largest_in_noise::LargestInNoise;
 use super::memo::Memo;
-use super::projected::Grams;
 use super::rival::Rival;
-use super::score::Score;
 use super::significance::Tests;
 use super::surroundings::Surroundings;
 use super::work::Work;
@@ -49,9 +47,8 @@ pub(crate) struct Regression<'a> {
     pub(crate) work: Work,
     /// What noise alone does beside fits.
     pub(super) largest_in_noise: Memo<LargestInNoise>,
-    pub(super) fits: KnownFits,
-    pub(super) scores_of_names: Memo<Vec<Score>>,
-    pub(super) scores_of_shapes: Memo<Vec<Score>>,
+    /// The last fits, by where they began.
+    pub(super) fits: Memo<Fit>,
     /// Errors on unseen samples ([`super::held_out`]): in units of the rows, and in mm.
     pub(crate) unseen: Memo<[f64; 2]>,
     /// What candidates would do beside the last fits.
@@ -74,17 +71,16 @@ fn choice_of_axes(rows: &Rows, rms_mm: [f64; 3]) -> f64 {
 
 /// So many samples tell whether the base's columns are what they were.
 const FEW_SAMPLES: usize = 32;
-/// Lists of scores and of rivals that are kept for fits that a search comes to again.
-const SCORES_KEPT: usize = 16;
-/// The last fits, of which one that comes again counts as no work: so many numbers of the base's columns in them, and no
-/// more than these. Every second is kept with its basis (8 MiB).
+/// The last fits are kept, of which one that comes again is no work: so many numbers of the base's columns in them
+/// (16 MiB), and no more than these.
 const LAST_FITS: usize = 1 << 21;
 const MOST_FITS: usize = 64;
+/// Lists of rivals that are kept for fits that a search comes to again.
 const RIVALS_KEPT: usize = 2;
 /// Errors on unseen samples that are kept.
 const UNSEEN_KEPT: usize = 256;
 /// Tables that are kept: each has a column of some tens of numbers for every column of the candidates.
-const SURROUNDINGS_KEPT: usize = 2;
+const SURROUNDINGS_KEPT: usize = 8;
 
 impl<'a> Regression<'a> {
     pub(crate) fn new(
@@ -138,9 +134,7 @@ impl<'a> Regression<'a> {
             prior_rows: beside,
             threads,
             largest_in_noise: Memo::new(UNSEEN_KEPT),
-            fits: KnownFits::new(last_fits / 2, last_fits),
-            scores_of_names: Memo::new(SCORES_KEPT),
-            scores_of_shapes: Memo::new(SCORES_KEPT),
+            fits: Memo::new(last_fits),
             unseen: Memo::new(UNSEEN_KEPT),
             surroundings: Memo::new(SURROUNDINGS_KEPT),
             rivals: Memo::new(RIVALS_KEPT),
@@ -234,20 +228,11 @@ impl<'a> Regression<'a> {
         residual
     }
 
-    /// Frees the bases of the fits so far, and the scores of candidates beside them: most of what is held. They are
-    /// computed again where they are needed; the fits are kept.
-    pub(crate) fn make_room(&self) {
-        self.fits.forget_all_bases();
-        self.scores_of_names.clear();
-        self.scores_of_shapes.clear();
+    /// Frees what was worked out so far, most of what is held: it is worked out again where it is asked for again.
+    pub(crate) fn forget(&self) {
+        self.fits.clear();
         self.surroundings.clear();
         self.rivals.clear();
-    }
-
-    /// What was found for fits so far is worked out again where it is asked for again.
-    pub(crate) fn forget(&self) {
-        self.make_room();
-        self.fits.clear();
         self.largest_in_noise.clear();
     }
 

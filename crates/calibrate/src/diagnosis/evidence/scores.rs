@@ -10,7 +10,6 @@ use crate::model::Model;
 
 use super::fit::Fit;
 use super::likelihood::{EFFECT_PRIOR_PENALTY, choices, price_of, price_of_owner, subsets};
-use super::projected::{Grams, Projected};
 use super::regression::Regression;
 use super::score::{Score, weight_of};
 use super::significance::Significance;
@@ -26,33 +25,6 @@ struct Gain {
 }
 
 impl Regression<'_> {
-    /// Scores candidates beside a fit; those that the fit leaves nothing of are left out.
-    pub(crate) fn scan(&self, fit: &Fit, among: CandidateSubset) -> Vec<Score> {
-        let beside =
-            |among: CandidateSubset| self.scan_beside(&self.projected(&fit.basis, among), fit);
-        match among {
-            CandidateSubset::Names => self
-                .scores_of_names
-                .of(fit, || beside(CandidateSubset::Names)),
-            CandidateSubset::Shapes => self
-                .scores_of_shapes
-                .of(fit, || beside(CandidateSubset::Shapes)),
-            CandidateSubset::All => {
-                let mut all = self.scan(fit, CandidateSubset::Names);
-                all.extend(self.scan(fit, CandidateSubset::Shapes));
-                all
-            }
-        }
-    }
-
-    /// The same with the table projected already.
-    fn scan_beside(&self, projected: &Projected, fit: &Fit) -> Vec<Score> {
-        let pulls = projected.pulls(&fit.residual);
-        let factor = |candidate: &Candidate| projected.factor(candidate);
-        let whole = (fit.basis.rank(), fit.rss);
-        self.scores(whole, projected.among(), factor, pulls.as_slice())
-    }
-
     /// Scores of candidates beside what has a rank and leaves a sum of squares, from the Cholesky factor of what it
     /// leaves of each and their products with its residual.
     pub(crate) fn scores(
@@ -105,27 +77,6 @@ impl Regression<'_> {
             });
         }
         scores
-    }
-
-    /// The table's columns without what a basis explains.
-    pub(crate) fn projected<'r>(
-        &'r self,
-        basis: &'r Basis,
-        among: CandidateSubset,
-    ) -> Projected<'r> {
-        let (columns, filter) = (&self.table.columns, &self.filter);
-        let make = || Grams::new(columns, filter, &self.table.candidates);
-        let table = (columns, filter, self.grams.get_or_init(make));
-        let along = self
-            .base_basis()
-            .along((columns, filter), basis, among, self.threads);
-        let more = basis
-            .rank()
-            .saturating_sub(self.base_basis().basis().rank())
-            + 8;
-        self.work
-            .did((columns.count() * self.rows.samples.len() * more) as f64);
-        Projected::new(table, basis, along, among)
     }
 
     /// The columns of a term that is absent so far, beside a fit.

@@ -1,7 +1,12 @@
-//! What candidates would do beside a fit, and beside the same fit without one of its terms, from one table.
+//! What candidates would do beside a fit, and beside the same fit without one of its terms, from one table: with `Q` the
+//! orthonormal columns of the fit, which leaves `r`,
 //!
-//! With `Q` the orthonormal columns of the fit and `u = Q c` the part of them that only one term spans, the
-//! columns of the rest are those of `Q` without `u`. Everything beside the rest follows by rank:
+//! ```text
+//! P = W − Q A,   A = Qᵀ W,   PᵀP = WᵀW − AᵀA,   Pᵀr = Wᵀr − Aᵀ Qᵀ r
+//! ```
+//!
+//! With `u = Q c` the part of the columns that only one term spans, those of the rest are those of `Q` without `u`, and
+//! everything beside the rest follows by rank:
 //!
 //! ```text
 //! b = cᵀ (Qᵀ W),   PᵀP + bᵀb,   Pᵀr + bᵀβ,   ‖r‖² + ‖β‖²,   β = uᵀ (what the term explains)
@@ -10,16 +15,19 @@
 //! so that a question about each of the terms in turn costs no fit and no sample is looked at again. To first
 //! order: the others' columns stay where the fit has them. What comes close is fitted before it is used.
 
+use std::sync::Arc;
+
 use nalgebra::{DMatrix, DMatrixView, DVector};
 
-use super::projected::Grams;
+use super::grams::Grams;
 use crate::diagnosis::candidates::columns::CandidateSubset;
 use crate::diagnosis::candidates::table::Candidate;
-use crate::linear::{small_cholesky, small_gain};
+use crate::linear::{Basis, small_cholesky, small_gain};
 
 /// The candidates beside a fit.
 pub(crate) struct Surroundings {
     pub(crate) among: CandidateSubset,
+    pub(super) basis: Arc<Basis>,
     /// Products of the fit's orthonormal columns with the candidates'.
     pub(crate) along: DMatrix<f64>,
     /// What the fit leaves of every candidate's own products.
@@ -46,9 +54,16 @@ pub(crate) struct Without {
 }
 
 impl Surroundings {
-    /// Cholesky factor of what is left of a candidate's columns where these products of them come back, and
-    /// their rank.
-    pub(crate) fn factor(
+    /// Cholesky factor of what is left of a candidate's columns (lower, row by row), and their rank.
+    pub(crate) fn factor(&self, candidate: &Candidate) -> (Vec<f64>, usize) {
+        let (first, k) = (candidate.first, candidate.size);
+        let mut gram = self.left.of(candidate).to_vec();
+        let rank = small_cholesky(&mut gram, k, &self.least[first..first + k]);
+        (gram, rank)
+    }
+
+    /// The same where these products of them come back.
+    pub(super) fn factor_with(
         &self,
         candidate: &Candidate,
         back: DMatrixView<f64>,
@@ -68,7 +83,7 @@ impl Surroundings {
     pub(crate) fn gain(&self, rest: &Without, candidate: &Candidate) -> f64 {
         let (first, k) = (candidate.first, candidate.size);
         let back = rest.directions.tr_mul(&self.along.columns(first, k));
-        let (factor, _) = self.factor(candidate, back.as_view());
+        let (factor, _) = self.factor_with(candidate, back.as_view());
         let mut pulls = self.pulls.rows(first, k).into_owned();
         pulls.gemv_tr(1.0, &back, &rest.explained.column(0), 1.0);
         small_gain(&factor, k, pulls.as_mut_slice())

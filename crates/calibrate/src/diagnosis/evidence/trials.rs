@@ -6,11 +6,11 @@ use nalgebra::{DMatrix, DVector};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-use super::projected::Projected;
+use super::regression::Regression;
 use super::score::weight_of;
-use super::significance::{Significance, Tests};
+use super::significance::Significance;
+use super::surroundings::Surroundings;
 use crate::diagnosis::candidates::table::Candidate;
-use crate::side_by_side::Threads;
 
 /// One candidate beside a model.
 struct Trial<'c> {
@@ -29,29 +29,23 @@ struct CandidateClass {
 }
 
 /// Every candidate beside one model, for residuals to be sent through.
-pub(super) struct Trials<'p> {
-    projected: &'p Projected<'p>,
+pub(super) struct Trials<'p, 'a> {
+    regression: &'p Regression<'a>,
+    around: &'p Surroundings,
     all: Vec<Trial<'p>>,
     kinds: Vec<CandidateClass>,
-    threads: Threads,
 }
 
 /// Columns that residuals are sent through at once.
 const AT_ONCE: usize = 512;
 
-impl<'p> Trials<'p> {
-    /// Of candidates in `rows` measured rows.
-    pub(crate) fn new(
-        projected: &'p Projected<'p>,
-        candidates: &'p [Candidate],
-        tests: &Tests,
-        (rows, threads): (f64, Threads),
-    ) -> Self {
-        let freedom = rows - projected.basis().rank() as f64;
+impl<'p, 'a> Trials<'p, 'a> {
+    pub(crate) fn new(regression: &'p Regression<'a>, around: &'p Surroundings) -> Self {
+        let freedom = regression.m() - around.basis.rank() as f64;
         let mut kinds: Vec<CandidateClass> = Vec::new();
         let mut all = Vec::new();
-        for candidate in candidates {
-            let (factor, rank) = projected.factor(candidate);
+        for candidate in &regression.table.candidates {
+            let (factor, rank) = around.factor(candidate);
             if rank == 0 || freedom - (rank as f64) < 2.0 {
                 continue;
             }
@@ -63,7 +57,7 @@ impl<'p> Trials<'p> {
                 kinds.push(CandidateClass {
                     rank,
                     weight,
-                    test: tests.of(rank, freedom - rank as f64),
+                    test: regression.tests.of(rank, freedom - rank as f64),
                 });
                 kinds.len() - 1
             });
@@ -76,10 +70,10 @@ impl<'p> Trials<'p> {
         // In the order of their columns: neighbours go through together.
         all.sort_by_key(|trial| trial.candidate.first);
         Self {
-            projected,
+            regression,
+            around,
             all,
             kinds,
-            threads,
         }
     }
 
@@ -90,13 +84,13 @@ impl<'p> Trials<'p> {
             let sign = random.next_u32() & (1 << 31);
             f64::from(f32::from_bits(residual[row].to_bits() ^ sign))
         });
-        let (noise, totals) = self.projected.of_noise(z);
-        let projected = self.projected;
+        let (noise, totals) = self.beside(z);
+        let columns = &self.regression.table.columns;
         let end = |t: &Trial| t.candidate.first + t.candidate.size;
         let mut together: Vec<&[Trial]> = Vec::new();
         let mut all = self.all.as_slice();
         while let Some(first) = all.first().map(|t| t.candidate.first) {
-            let up_to = first + projected.together(first).min(AT_ONCE);
+            let up_to = first + columns.together(first).min(AT_ONCE);
             let some = all.partition_point(|t| end(t) <= up_to).max(1);
             let (now, rest) = all.split_at(some);
             all = rest;
@@ -109,7 +103,7 @@ impl<'p> Trials<'p> {
             let mut gain = vec![0.0_f32; count];
             let first = now.first().map_or(0, |t| t.candidate.first);
             let width = now.last().map_or(0, |t| end(t) - first);
-            let mut pulls = projected.pulls_of_noise(&noise, first, width);
+            let mut pulls = columns.products_near(&noise, first, width);
             for trial in now {
                 let at = (trial.candidate.first - first) * count;
                 let own = &mut pulls.as_mut_slice()[at..at + trial.candidate.size * count];
@@ -122,7 +116,7 @@ impl<'p> Trials<'p> {
         };
         // The largest is the same in whatever order it is looked for.
         let mut most = none.clone();
-        for own in self.threads.each(together.len(), |k| of_some(together[k])) {
+        for own in self.regression.threads.each(together.len(), |k| of_some(together[k])) {
             for (most, own) in most.iter_mut().flatten().zip(own.into_iter().flatten()) {
                 *most = most.max(own);
             }
@@ -134,6 +128,19 @@ impl<'p> Trials<'p> {
                 .fold(0.0, f64::max)
         };
         (0..count).map(one).collect()
+    }
+
+    /// Vectors without what the model explains, as products with the columns need them, and what is left of the square
+    /// of each.
+    fn beside(&self, mut z: DMatrix<f64>) -> (Vec<DMatrix<f32>>, Vec<f32>) {
+        let q = &self.around.basis.q;
+        let along = q.transpose() * &z;
+        z.gemm(-1.0, q, &along, 1.0);
+        let squares = z.column_iter().map(|c| c.norm_squared() as f32).collect();
+        let table = &self.regression.table;
+        let by_sample = table.columns.of_samples(&self.regression.filter, &z);
+        let by_sample = by_sample.iter().map(|g| g.map(|v| v as f32));
+        (by_sample.collect(), squares)
     }
 }
 

@@ -17,7 +17,7 @@ use crate::diagnosis::search::CHANCE_OF_A_STEP;
 
 /// Limits of every name that was tried and is not in the model.
 pub(crate) fn limits(regression: &Regression, fit: &Fit) -> Vec<Limit> {
-    let projected = regression.projected(&fit.basis, CandidateSubset::Names);
+    let around = regression.surroundings(fit, CandidateSubset::Names);
     let freedom = regression.m() - fit.basis.rank() as f64;
     let scale = regression.scale(fit).max(1e-300);
     let threshold = regression.minus_ln_p_for(CHANCE_OF_A_STEP, fit);
@@ -51,7 +51,7 @@ pub(crate) fn limits(regression: &Regression, fit: &Fit) -> Vec<Limit> {
             };
             let k = candidate.size;
             let nu = freedom - k as f64;
-            let (factor, rank) = projected.factor(candidate);
+            let (factor, rank) = around.factor(candidate);
             if rank < k || nu < 2.0 {
                 continue;
             }

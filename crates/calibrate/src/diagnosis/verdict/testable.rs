@@ -8,14 +8,14 @@ use crate::diagnosis::evidence::Regression;
 /// What the conditions forbid, and names of which nothing is left beside the base.
 pub(crate) fn not_testable(regression: &Regression, base: &Fit) -> Vec<NotTestable> {
     let mut all = regression.table.not_testable.clone();
-    let projected = regression.projected(&base.basis, CandidateSubset::Names);
+    let around = regression.surroundings(base, CandidateSubset::Names);
     let mut seen: Vec<(&'static str, usize, bool, bool)> = Vec::new();
     for candidate in &regression.table.candidates {
         let Some(term) = candidate.what.term() else {
             continue;
         };
         let about = term.effect.about();
-        let visible = projected.factor(candidate).1 > 0;
+        let visible = around.factor(candidate).1 > 0;
         match seen
             .iter_mut()
             .find(|s| s.0 == about.id && s.1 == term.joint)

@@ -1,0 +1,150 @@
+//! Products of every candidate's own columns, and what a basis leaves of them: with `Q` the orthonormal columns of a fit
+//! and `A = QᵀW`, `PᵀP = WᵀW − AᵀA`, so that no column is written out.
+
+use nalgebra::DMatrix;
+
+use crate::diagnosis::candidates::columns::{CandidateSubset, Columns};
+use crate::diagnosis::candidates::table::Candidate;
+use crate::fit::noise::Filter;
+use crate::linear::{Basis, gram, reject_all, small_cholesky};
+
+/// How much of a column has to be left beside the model for a candidate to count, squared.
+const SEEN: f64 = 1e-6;
+
+/// Gram matrices of every candidate's own columns, one after the other.
+#[derive(Debug, Clone)]
+pub(crate) struct Grams {
+    values: Vec<f64>,
+    /// Where each candidate's starts, by its first column.
+    at: Vec<usize>,
+}
+
+/// What has to be left of a column with this square for a candidate to count.
+pub(super) fn least_seen(square: f64) -> f64 {
+    (SEEN * square).max(1e-300)
+}
+
+impl CandidateSubset {
+    /// Whether a candidate is one of them.
+    pub(crate) fn has(self, candidate: &Candidate) -> bool {
+        match self {
+            Self::All => true,
+            Self::Names => candidate.named(),
+            Self::Shapes => !candidate.named(),
+        }
+    }
+}
+
+/// Columns that are whitened at once.
+const AT_ONCE: usize = 64;
+
+impl Grams {
+    pub(crate) fn new(columns: &Columns, filter: &Filter, candidates: &[Candidate]) -> Self {
+        let mut values = Vec::new();
+        let mut at = vec![0; columns.count()];
+        let mut order: Vec<&Candidate> = candidates.iter().collect();
+        order.sort_by_key(|c| c.first);
+        let mut order = order.as_slice();
+        while let Some(from) = order.first().map(|c| c.first) {
+            let some = order
+                .partition_point(|c| c.first + c.size <= from + AT_ONCE)
+                .max(1);
+            let (now, rest) = order.split_at(some);
+            order = rest;
+            let width = now.iter().map(|c| c.size).sum();
+            let white = columns.white(filter, from, width, 0);
+            for candidate in now {
+                let (first, k) = (candidate.first - from, candidate.size);
+                at[candidate.first] = values.len();
+                for i in 0..k {
+                    let a = white.column(first + i);
+                    for j in 0..k {
+                        values.push(if j <= i {
+                            a.dot(&white.column(first + j))
+                        } else {
+                            0.0
+                        });
+                    }
+                }
+            }
+        }
+        Self { values, at }
+    }
+
+    pub(crate) fn of(&self, candidate: &Candidate) -> &[f64] {
+        let at = self.at[candidate.first];
+        &self.values[at..at + candidate.size * candidate.size]
+    }
+
+    /// Those of what orthonormal columns leave of some candidates, whose products with these are known.
+    pub(super) fn less<'c>(
+        &self,
+        along: &DMatrix<f64>,
+        candidates: impl Iterator<Item = &'c Candidate>,
+    ) -> Self {
+        let mut left = self.clone();
+        for candidate in candidates {
+            let (first, k) = (candidate.first, candidate.size);
+            let own = &mut left.values[self.at[first]..][..k * k];
+            for i in 0..k {
+                let a = along.column(first + i);
+                for j in 0..=i {
+                    own[i * k + j] -= a.dot(&along.column(first + j));
+                }
+            }
+        }
+        left
+    }
+
+    /// How much has to be left of every column of the candidates for it to count.
+    pub(super) fn least(&self, candidates: &[Candidate]) -> Vec<f64> {
+        let mut least = vec![1e-300; self.at.len()];
+        for candidate in candidates {
+            let (k, whole) = (candidate.size, self.of(candidate));
+            for i in 0..k {
+                least[candidate.first + i] = least_seen(whole[i * k + i]);
+            }
+        }
+        least
+    }
+}
+
+/// Of candidates with so many columns each, the orthonormal columns of what a basis leaves of them; `None` where
+/// that is not all of them.
+pub(crate) fn units_beside(
+    white: DMatrix<f64>,
+    sizes: impl Iterator<Item = usize>,
+    basis: &Basis,
+) -> Vec<Option<DMatrix<f64>>> {
+    let tolerances: Vec<f64> = white
+        .column_iter()
+        .map(|c| (SEEN * c.norm_squared()).max(1e-300))
+        .collect();
+    let mut free = white;
+    reject_all(&basis.q, &mut free);
+    let mut first = 0;
+    let one = |k: usize| {
+        let own = free.columns(first, k);
+        let tolerance = &tolerances[first..first + k];
+        first += k;
+        orthonormal(own.into_owned(), tolerance)
+    };
+    sizes.map(one).collect()
+}
+
+/// The same span, orthonormal; `None` where less than this is left of a column beside the others.
+fn orthonormal(mut columns: DMatrix<f64>, tolerance: &[f64]) -> Option<DMatrix<f64>> {
+    let k = columns.ncols();
+    let mut factor: Vec<f64> = gram(&columns).as_slice().to_vec();
+    if small_cholesky(&mut factor, k, tolerance) < k {
+        return None;
+    }
+    for i in 0..k {
+        for j in 0..i {
+            let (before, mut own) = columns.columns_range_pair_mut(j, i);
+            own.axpy(-factor[i * k + j], &before, 1.0);
+        }
+        columns.column_mut(i).unscale_mut(factor[i * k + i]);
+    }
+    Some(columns)
+}
