@@ -27,7 +27,10 @@ struct Orthonormal {
 impl Orthonormal {
     fn beside(known: &DMatrix<f64>, columns: &DMatrix<f64>) -> Self {
         let p = columns.ncols();
-        let least: Vec<f64> = columns.column_iter().map(|c| DEPENDENT * c.norm()).collect();
+        let least: Vec<f64> = columns
+            .column_iter()
+            .map(|c| DEPENDENT * c.norm())
+            .collect();
         let mut q = columns.clone();
         let mut along = reject_all(known, &mut q);
         let mut r = DMatrix::identity(p, p);

@@ -2,7 +2,6 @@
 
 use nalgebra::DVector;
 
-
 /// Orthonormal columns, added one by one.
 pub struct Kept {
     rows: usize,
@@ -26,7 +25,7 @@ impl Kept {
         if self.q.len() >= self.rows {
             left.fill(0.0);
         }
-        
+
         for _ in 0..2 {
             for q in &self.q {
                 left.axpy(-q.dot(&left), q, 1.0);

@@ -14,7 +14,6 @@ use super::levers::{Moves, levers, moving_joints};
 use super::noise::Noise;
 use super::priors::Priors;
 use super::problem::Problem;
-use super::spread::places;
 
 /// How well a size that no measurement shows is held, as a ratio: far better than the samples show
 /// it, and no better than a basis can carry.
@@ -97,36 +96,6 @@ impl<'a> Rows<'a> {
             digits_mm: [0.0; 3],
             measured_mm: Vec::new(),
             observed: None,
-        }
-    }
-
-    /// The rows of so many samples, spread evenly over all. What they are in mm is not known.
-    pub(crate) fn spread(&self, samples: usize) -> Self {
-        let own = |k: usize| match &self.observed {
-            Some(rows) => rows.layer().items[k].sample,
-            None => k,
-        };
-        let mut all: Vec<usize> = (0..self.samples.len()).map(own).collect();
-        all.dedup();
-        let few: Vec<usize> = places(all.len(), samples).map(|k| all[k]).collect();
-        let kept = |k: &usize| few.binary_search(&own(*k)).is_ok();
-        let at: Vec<usize> = (0..self.samples.len()).filter(kept).collect();
-        let mut marked = vec![false; self.samples.len()];
-        for k in &at {
-            marked[*k] = true;
-        }
-        Self {
-            samples: at.iter().map(|k| self.samples[*k]).collect(),
-            axes: self.axes.clone(),
-            times: at.iter().map(|k| self.times[*k]).collect(),
-            inputs: self.inputs.select(&at),
-            digits_mm: self.digits_mm,
-            measured_mm: {
-                let of = |axis: &Vec<f64>| at.iter().map(|k| axis[*k]).collect();
-                self.measured_mm.iter().map(of).collect()
-            },
-            levers: None,
-            observed: self.observed.as_ref().map(|rows| rows.only(&marked)),
         }
     }
 

@@ -27,18 +27,15 @@ pub(crate) struct BaseBasis {
     columns: DMatrix<f64>,
     /// The square of each.
     squares: Vec<f64>,
-    /// The same columns in a few samples, as they were measured.
-    in_few: DMatrix<f64>,
     basis: Arc<Basis>,
     /// Products of the candidates' columns with the basis, of names and of the others.
     along: [OnceCell<DMatrix<f64>>; 2],
 }
 
 impl BaseBasis {
-    /// Of whitened columns, and the same in a few samples as they were measured.
-    pub(crate) fn new(columns: DMatrix<f64>, in_few: DMatrix<f64>) -> Self {
+    /// Of whitened columns.
+    pub(crate) fn new(columns: DMatrix<f64>) -> Self {
         Self {
-            in_few,
             basis: Arc::new(Basis::new(&columns)),
             squares: columns.column_iter().map(|c| c.norm_squared()).collect(),
             columns,
@@ -58,26 +55,11 @@ impl BaseBasis {
         all: &DMatrix<f64>,
     ) -> Option<Basis> {
         let own = places(base, model)?;
-        let squares = self.squares.iter().copied();
-        are_near(&self.columns, squares, all, &own).then(|| self.extended_by(&own, all))
-    }
-
-    /// A basis of all columns of a fit, those at the places of the base's as the base has them.
-    pub(crate) fn extended_by(&self, own: &[usize], all: &DMatrix<f64>) -> Basis {
-        Basis::extending(&self.basis, own, all)
-    }
-
-    /// Where the base's columns are among those of a model, if they are near the base's own in the few samples: a
-    /// move of the whole robot, which is what takes them away, is seen in those as in all.
-    pub(crate) fn near(
-        &self,
-        base: &Model,
-        model: &Model,
-        in_few: impl FnOnce() -> DMatrix<f64>,
-    ) -> Option<Vec<usize>> {
-        let own = places(base, model)?;
-        let squares = self.in_few.column_iter().map(|c| c.norm_squared());
-        are_near(&self.in_few, squares, &in_few(), &own).then_some(own)
+        let columns = self.columns.column_iter().zip(&self.squares).zip(&own);
+        let near = columns.into_iter().all(|((before, square), at)| {
+            (all.column(*at) - before).norm_squared() <= NEAR * NEAR * square
+        });
+        near.then(|| Basis::extending(&self.basis, &own, all))
     }
 
     /// Products of the candidates' columns with a basis, a row for each of its columns.
@@ -111,20 +93,6 @@ impl BaseBasis {
         }
         all
     }
-}
-
-/// Whether columns, found at these places among others, are near what they were, of which these are the squares.
-fn are_near(
-    before: &DMatrix<f64>,
-    squares: impl Iterator<Item = f64>,
-    all: &DMatrix<f64>,
-    own: &[usize],
-) -> bool {
-    let columns = own.iter().zip(before.column_iter()).zip(squares);
-    columns.into_iter().all(|((at, before), square)| {
-        let apart = (all.column(*at) - before).norm_squared();
-        apart <= NEAR * NEAR * square
-    })
 }
 
 /// Where the base's columns stand among those of a model; `None` if it has not all of them.
@@ -190,7 +158,6 @@ mod tests {
             regression
                 .whitened(&base.model, &raw, regression.raw(&base.model).1)
                 .1,
-            regression.few.extract(&base.model).1,
         );
         let mut elsewhere = base.model.coefficients();
         for coefficient in &mut elsewhere {
@@ -200,9 +167,5 @@ mod tests {
         let (raw, columns) = regression.raw(&moved);
         let (_, columns) = regression.whitened(&moved, &raw, columns);
         assert!(base_basis.extended(&base.model, &moved, &columns).is_none());
-        let in_few = |model: &Model| regression.few.extract(model).1;
-        let near = |model: &Model| base_basis.near(&base.model, model, || in_few(model));
-        assert!(near(&moved).is_none());
-        assert!(near(&base.model).is_some());
     }
 }

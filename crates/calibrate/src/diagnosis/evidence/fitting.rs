@@ -98,14 +98,7 @@ impl Regression<'_> {
         shapes: &[Placed],
         with_the_bases_own: bool,
     ) -> (DVector<f64>, Arc<Basis>) {
-        let near = with_the_bases_own
-            .then(|| self.base_columns_of(model))
-            .flatten();
-        let (raw, columns) = if near.is_some() {
-            self.raw(&self.holding(model, true))
-        } else {
-            self.raw(model)
-        };
+        let (raw, columns) = self.raw(model);
         let (residual, mut all) = self.whitened(model, &raw, columns);
         if !shapes.is_empty() {
             let own = all.ncols();
@@ -117,12 +110,9 @@ impl Regression<'_> {
             }
             all = DMatrix::from_vec(all.nrows(), width, numbers);
         }
-        let base_basis = self.base_basis();
-        let basis = match near {
-            Some(own) => Some(base_basis.extended_by(&own, &all)),
-            None if with_the_bases_own => base_basis.extended(&self.base, model, &all),
-            None => None,
-        };
+        let base = self.base_basis();
+        let near = with_the_bases_own.then(|| base.extended(&self.base, model, &all));
+        let basis = near.flatten();
         let basis = basis.unwrap_or_else(|| Basis::new(&all));
         (residual, Arc::new(basis))
     }

@@ -232,7 +232,11 @@ impl Folds {
             return none;
         }
         let first = |term: &Term| -> usize {
-            let before = fit.model.terms().iter().take_while(|t| !t.same_column(term));
+            let before = fit
+                .model
+                .terms()
+                .iter()
+                .take_while(|t| !t.same_column(term));
             before.map(|t| t.coefficients.len()).sum()
         };
         let places = terms.iter().map(|t| (first(t), &*t.coefficients));

@@ -81,7 +81,8 @@ impl Sums {
     }
 
     fn less(&self, other: &Self) -> Self {
-        let less = |a: &[DMatrix<f64>], b: &[DMatrix<f64>]| a.iter().zip(b).map(|(a, b)| a - b).collect();
+        let less =
+            |a: &[DMatrix<f64>], b: &[DMatrix<f64>]| a.iter().zip(b).map(|(a, b)| a - b).collect();
         let pulls = self.pulls.iter().zip(&other.pulls);
         Self {
             gram: &self.gram - &other.gram,
@@ -131,7 +132,11 @@ impl Factor {
         for i in (0..k).rev() {
             let known: f64 = (i + 1..k).map(|j| self.lower[j * k + i] * own[j]).sum();
             let pivot = self.lower[i * k + i];
-            own[i] = if pivot > 0.0 { (own[i] - known) / pivot } else { 0.0 };
+            own[i] = if pivot > 0.0 {
+                (own[i] - known) / pivot
+            } else {
+                0.0
+            };
         }
         let mut all = DVector::zeros(along.len());
         for (place, value) in self.places.iter().zip(own) {
@@ -180,7 +185,10 @@ impl Fitted {
         (
             self.columns.select_rows(rows),
             self.residual.select_rows(rows),
-            self.terms.iter().map(|t| t.white.select_rows(rows)).collect(),
+            self.terms
+                .iter()
+                .map(|t| t.white.select_rows(rows))
+                .collect(),
         )
     }
 
@@ -223,7 +231,11 @@ impl Fitted {
         // What there is to explain without the term.
         let of_own = stay.gram.select_columns(&own);
         let along = &stay.along + &of_own * &term.coefficients;
-        let explained = factor.forward(&DMatrix::from_column_slice(along.len(), 1, along.as_slice()));
+        let explained = factor.forward(&DMatrix::from_column_slice(
+            along.len(),
+            1,
+            along.as_slice(),
+        ));
         let gain = |gram: DMatrix<f64>, with: &DMatrix<f64>, pull: DVector<f64>| {
             let least: Vec<f64> = gram.diagonal().iter().map(|g| LEAST_SEEN * g).collect();
             let free = gram - with.tr_mul(with);
@@ -385,7 +397,10 @@ mod tests {
             predicted += a.select_rows(&out) * moved;
             assert!((predicted - expected).amax() < 1e-8);
         }
-        assert!(others >= 5, "the second term's setting is another in every fold");
+        assert!(
+            others >= 5,
+            "the second term's setting is another in every fold"
+        );
     }
 
     #[test]

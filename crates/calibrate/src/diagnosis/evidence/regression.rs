@@ -7,7 +7,7 @@ use std::rc::Rc;
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::effects::{FixedMask, Term};
+use crate::effects::Term;
 use crate::fit::problem::Problem;
 use crate::model::Model;
 
@@ -29,8 +29,6 @@ use crate::side_by_side::Threads;
 pub(crate) struct Regression<'a> {
     pub(crate) problem: Rc<Problem<'a>>,
     pub(crate) rows: Rc<Rows<'a>>,
-    /// A few of the samples, spread over all.
-    pub(super) few: Rc<Rows<'a>>,
     pub(crate) noise: Noise,
     pub(crate) table: Rc<CandidateTable>,
     pub(crate) filter: Filter,
@@ -69,8 +67,6 @@ fn choice_of_axes(rows: &Rows, rms_mm: [f64; 3]) -> f64 {
     }
 }
 
-/// So many samples tell whether the base's columns are what they were.
-const FEW_SAMPLES: usize = 32;
 /// The last fits are kept, of which one that comes again is no work: so many numbers of the base's columns in them
 /// (16 MiB), and no more than these.
 const LAST_FITS: usize = 1 << 21;
@@ -86,18 +82,6 @@ impl<'a> Regression<'a> {
     pub(crate) fn new(
         problem: Rc<Problem<'a>>,
         rows: Rc<Rows<'a>>,
-        noise: Noise,
-        table: Rc<CandidateTable>,
-        base: Model,
-        threads: Threads,
-    ) -> Self {
-        let few = Rc::new(rows.spread(FEW_SAMPLES));
-        Self::of(problem, (rows, few), noise, table, base, threads)
-    }
-
-    fn of(
-        problem: Rc<Problem<'a>>,
-        (rows, few): (Rc<Rows<'a>>, Rc<Rows<'a>>),
         noise: Noise,
         table: Rc<CandidateTable>,
         base: Model,
@@ -122,7 +106,6 @@ impl<'a> Regression<'a> {
             work: Work::new(rows.samples.len()),
             problem,
             rows,
-            few,
             noise,
             table,
             filter,
@@ -143,9 +126,9 @@ impl<'a> Regression<'a> {
 
     /// The same samples and candidates with another noise.
     pub(crate) fn with_noise(&self, noise: Noise) -> Self {
-        let other = Self::of(
+        let other = Self::new(
             Rc::clone(&self.problem),
-            (Rc::clone(&self.rows), Rc::clone(&self.few)),
+            Rc::clone(&self.rows),
             noise,
             Rc::clone(&self.table),
             self.base.clone(),
@@ -240,25 +223,7 @@ impl<'a> Regression<'a> {
         self.base_basis.get_or_init(|| {
             let (raw, columns) = self.raw(&self.base);
             let white = self.whitened(&self.base, &raw, columns).1;
-            BaseBasis::new(white, self.few.extract(&self.base).1)
-        })
-    }
-
-    /// Where the base's columns are among those of a model, if a few samples show that they are nearly what they are at
-    /// the base. Of plain points, whose columns cost little, it is not asked: all samples show it.
-    pub(super) fn base_columns_of(&self, model: &Model) -> Option<Vec<usize>> {
-        self.rows.observed()?;
-        let in_few = || self.few.extract(&self.holding(model, false)).1;
-        self.base_basis().near(&self.base, model, in_few)
-    }
-
-    /// A model of which no column is asked for of the base's terms, or of the others.
-    pub(super) fn holding(&self, model: &Model, of_base: bool) -> Model {
-        let is_base = |term: &Term| self.base.terms().iter().any(|own| own.same_column(term));
-        model.with_each(|_, term| {
-            if is_base(term) == of_base {
-                term.held = FixedMask::ALL;
-            }
+            BaseBasis::new(white)
         })
     }
 

@@ -99,11 +99,7 @@ impl<'f, 'a> Rescanned<'f, 'a> {
         Self::of(regression, fit, Vec::new())
     }
 
-    fn of(
-        regression: &'f Regression<'a>,
-        fit: &Fit,
-        terms: Vec<Scanned>,
-    ) -> Self {
+    fn of(regression: &'f Regression<'a>, fit: &Fit, terms: Vec<Scanned>) -> Self {
         let (residual, mut columns) = regression.raw(&fit.model);
         let (left, mut white) = regression.whitened(&fit.model, &residual, columns.clone());
         for shape in &fit.shapes {
@@ -136,9 +132,14 @@ impl<'f, 'a> Rescanned<'f, 'a> {
     /// What a fit without each of these sets of rows leaves of them, where its first so many columns predict.
     pub(crate) fn left(&self, folds: &[Vec<usize>], columns: usize) -> Vec<Vec<f64>> {
         let fitted = &self.fitted;
-        let steps = self.regression.threads.each(folds.len(), |k| fitted.step(&folds[k]));
+        let steps = self
+            .regression
+            .threads
+            .each(folds.len(), |k| fitted.step(&folds[k]));
         let steps = steps.into_iter().zip(folds);
-        steps.map(|(step, rows)| self.left_by(step, rows, columns)).collect()
+        steps
+            .map(|(step, rows)| self.left_by(step, rows, columns))
+            .collect()
     }
 
     fn left_by(
@@ -226,10 +227,16 @@ mod tests {
             let (residual, mut white) = regression.whitened(&fit.model, &raw, columns.clone());
             for shape in &fit.shapes {
                 columns = DMatrix::from_columns(
-                    &columns.column_iter().chain(shape.raw.column_iter()).collect::<Vec<_>>(),
+                    &columns
+                        .column_iter()
+                        .chain(shape.raw.column_iter())
+                        .collect::<Vec<_>>(),
                 );
                 white = DMatrix::from_columns(
-                    &white.column_iter().chain(shape.white.column_iter()).collect::<Vec<_>>(),
+                    &white
+                        .column_iter()
+                        .chain(shape.white.column_iter())
+                        .collect::<Vec<_>>(),
                 );
             }
             let out: Vec<usize> = (0..raw.len()).filter(|row| row / 7 % 5 == 1).collect();

@@ -116,7 +116,11 @@ impl<'p, 'a> Trials<'p, 'a> {
         };
         // The largest is the same in whatever order it is looked for.
         let mut most = none.clone();
-        for own in self.regression.threads.each(together.len(), |k| of_some(together[k])) {
+        for own in self
+            .regression
+            .threads
+            .each(together.len(), |k| of_some(together[k]))
+        {
             for (most, own) in most.iter_mut().flatten().zip(own.into_iter().flatten()) {
                 *most = most.max(own);
             }

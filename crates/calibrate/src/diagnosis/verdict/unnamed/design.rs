@@ -315,7 +315,12 @@ impl<'a> Design<'a> {
         let all = self.raw.as_ref().unwrap_or(&self.white);
         let mut left = all.column(all.ncols() - 1).into_owned();
         let coefficients = DVector::from_column_slice(coefficients);
-        left.gemv(-1.0, &all.columns(0, coefficients.len()), &coefficients, 1.0);
+        left.gemv(
+            -1.0,
+            &all.columns(0, coefficients.len()),
+            &coefficients,
+            1.0,
+        );
         // Of rows that are independent a whitened one is one in units of its axis's noise.
         let unit = |row: usize| match self.raw {
             Some(_) => 1.0,
