@@ -21,13 +21,14 @@ use super::repeatability::robot_mm;
 use super::testable::not_testable;
 use super::unseen::{self, held_out};
 use super::values::{Values, corrected_for_selection};
-use super::{gross, handed_out, judgement, limits, repeating, unnamed};
-use crate::answers::diagnosis::{Diagnosis, Equivalent, Gaps, HeldOut, Unexplained};
+use super::{equal_steps, gross, handed_out, judgement, limits, repeating, unnamed};
+use crate::answers::diagnosis::{Diagnosis, Equivalent, Gaps, HeldOut, Unexplained, Unnamed};
 use crate::answers::identification::Identification;
 use crate::answers::noise::Noise;
 use crate::answers::pose::{NextPose, to_raw};
 use crate::diagnosis::candidates::table::NotTestable;
 use crate::diagnosis::evidence::Fit;
+use crate::diagnosis::evidence::rival::Rival;
 use crate::diagnosis::search::CHANCE_OF_A_STEP;
 use crate::diagnosis::search::SearchResult as SearchEnd;
 use crate::diagnosis::search::floor;
@@ -42,7 +43,7 @@ use crate::set_up_errors::{CorrectedSession, DataProblem};
 pub struct Undecided<'u, 'a> {
     pub(crate) prepared: &'u PreparedSearch<'a>,
     pub(crate) fit: &'u Fit,
-    pub(crate) rivals: &'u [&'u crate::diagnosis::evidence::rival::Rival],
+    pub(crate) rivals: &'u [&'u Rival],
     pub(crate) not_testable: &'u [NotTestable],
 }
 
@@ -71,10 +72,7 @@ const MOST_HELD_AGAINST: usize = 3;
 /// At most so many rivals are listed.
 const MOST_EQUIVALENT: usize = 6;
 
-#[allow(
-    clippy::too_many_lines,
-    reason = "the parts of an answer, each a call, in the order in which they need each other"
-)]
+/// The answer of the end of a search.
 pub(crate) fn answer(
     mended: &CorrectedSession,
     prepared: &PreparedSearch,
@@ -82,180 +80,238 @@ pub(crate) fn answer(
     planner: Planner,
     watch: Watch,
 ) -> Result<Diagnosis, DiagnoseError> {
-    let regression = &prepared.regression;
-    let fit = &end.fit;
     let go_on = |progress: Progress| {
-        if watch(&progress) {
-            Ok(())
-        } else {
-            Err(DiagnoseError::Cancelled)
-        }
+        watch(&progress)
+            .then_some(())
+            .ok_or(DiagnoseError::Cancelled)
     };
     go_on(Progress::Comparing)?;
-    let session = &mended.session;
-    let problem = &prepared.problem;
-    let base = regression.fit(&regression.base, &[]);
-    // The model carries names only, as near to the samples as names can come; what no name
-    // explains is told apart.
-    let with_shapes = fit;
-    let names = regression.fit(&fit.model, &[]);
-    let fit = if with_shapes.shapes.is_empty() {
-        with_shapes
-    } else {
-        &names
-    };
-    let nominal_mm = lengths_mm(problem, &prepared.nominal);
-    // Unseen samples have done their part: values come from all samples that may be fitted.
-    let problem = &with_unlocked(prepared, with_shapes);
-    let capped = prepared.is_capped(end);
-    let values = values(prepared, problem, [fit, with_shapes], capped);
-    let found_steps = steps(prepared, &base, fit);
-    let order: Vec<Term> = found_steps.iter().map(|step| step.term.clone()).collect();
-    let mut handed_out = handed_out::choose(
-        prepared,
-        problem,
-        [fit, with_shapes],
-        &values,
-        &order,
-        capped,
-    );
-    let mut held_out = held_out(prepared, &nominal_mm, handed_out.held_out_mm);
-    let counted = &handed_out.values.problem;
-    let start = over_fitted(counted, &nominal_mm);
-    let mut gap = Gaps {
-        start_mm: start.map_or(0.0, |s| s.rms_mm),
-        identified_mm: handed_out.identified_mm,
-        end_mm: handed_out.end_mm,
-    };
-    let dropped = handed_out.dropped.clone();
-    let floor = floor(prepared, &without_dropped(prepared, fit, &dropped));
-    let is_dropped = |term: &Term| dropped.iter().any(|d| d.same_column(term));
-    let mut steps = found_steps;
-    steps.retain(|step| !is_dropped(&step.term));
-    meet(&mut steps, &gap);
-    let (rivals, equal_steps) = open_questions(prepared, end);
-    let equivalent: Vec<_> = rivals.iter().collect();
+    let (session, regression) = (&mended.session, &prepared.regression);
+    let named = Named::of(prepared, end);
+    let floor = floor(prepared, &named.handed_out);
+    let figures = &named.figures;
+    let open = OpenQuestions::of(prepared, end);
     go_on(Progress::Planning)?;
-    let not_testable = not_testable(regression, &base);
-    let undecided = Undecided {
-        prepared,
-        fit: with_shapes,
-        rivals: &equivalent,
-        not_testable: &not_testable,
-    };
-    let proposal = if regression.work.was_stopped() {
-        Proposal::not_looked_for(equivalent.len())
-    } else {
-        planner(&undecided)
-    };
-    let own = &handed_out.values;
+    let proposal = open.proposal(prepared, &end.fit, planner);
     let set_up = set_up(session, prepared.options().joint_values);
     let mut next_poses = proposal.poses.clone();
     to_raw(&mut next_poses, &set_up, &session.robot);
-    let found = found(prepared, with_shapes, &steps, &floor, own);
-    let mut unexplained = unexplained(prepared, end, session);
-    let mut verdict = judgement::judge(prepared, end, &values, &floor, &held_out, &mut unexplained);
-    if tell_what_is_open(prepared, &dropped, &mut unexplained) {
-        verdict = judgement::of(found.is_empty(), unexplained.present);
-    }
+    let found = found(prepared, &end.fit, &named.steps, &floor, &named.values);
+    let mut left = unexplained(prepared, end, session);
+    judgement::judge(
+        prepared,
+        end,
+        &named.judged,
+        &floor,
+        &figures.held_out,
+        &mut left,
+    );
+    tell_what_is_open(prepared, &named.dropped, &mut left);
     // What predicts without a name joins the model once everything is said of the names, whose fits need no room
     // any more.
     regression.forget();
-    if let Some(completed) = completed(prepared, &handed_out.values, found.len(), &mut held_out) {
-        handed_out.values = completed;
-    }
-    let (names_gap, mut names_held_out) = (gap, held_out.clone());
-    let unnamed = unnamed::add(prepared, &mut handed_out, &mut gap, &mut held_out);
-    let repeating = repeating::add(
+    let with = Predicting::with(prepared, &named, found.len(), &left);
+    let identification = identification(prepared, &named.alone, &with.values);
+    let with = with.unless_little_is_shown(prepared, &identification);
+    let gross = gross::beyond_noise(
         prepared,
-        &handed_out.values,
-        &unexplained,
-        &mut gap,
-        &mut held_out,
+        &floor,
+        &with.figures.gap,
+        &identification,
+        &mended.problems,
     );
-    let (repeating, noise_beside) = repeating.unzip();
-    if let Some(curve) = repeating.as_ref().and_then(|own| own.curve.as_ref()) {
-        // On the samples that the curve is judged by.
-        names_held_out = held_out.clone();
-        if let Some(gaps) = &mut names_held_out.gaps {
-            gaps.end_mm = curve.held_out_mm[0].min(gaps.identified_mm);
-        }
-    }
-    let own = &handed_out.values;
-    let identification = identification(prepared, fit, own);
-    if let Some(expected) = &identification.expected
-        && own.is_completed()
-        && session.has_plain_points()
-        && expected.rms_mm > gap.start_mm
-        && unseen::is_cross_fitted(prepared)
-    {
-        held_out = HeldOut::none(text!(
-            "the poses predict each other, and say so little of others that the model is expected to be off by more there than the nominal robot was here"
-        ));
-        names_held_out.gaps = None;
-    }
-    let mut history = history(session, &names_gap, &names_held_out, &steps);
-    history.extend(unnamed.as_ref().map(|_| ResidualStep {
-        what: "with what predicts without a name".to_owned(),
-        gap_mm: gap.end_mm,
-        held_out_mm: held_out.gaps.map(|g| g.end_mm),
-        runs_held_out_mm: None,
-    }));
-    history.extend(
-        repeating
-            .iter()
-            .flat_map(|own| &own.curve)
-            .map(|curve| ResidualStep {
-                what: format!("with {}", crate::effects::UNEXPLAINED),
-                gap_mm: gap.end_mm,
-                held_out_mm: held_out.gaps.map(|g| g.end_mm),
-                runs_held_out_mm: curve.runs_held_out_mm,
-            }),
-    );
-    if let Some(why) =
-        gross::beyond_noise(prepared, &floor, &gap, &identification, &mended.problems)
-    {
-        if !unexplained.present {
-            unexplained.present = true;
-            unexplained.place = None;
-            unexplained.rms_mm = gap.end_mm;
-        }
-        unexplained.description = behind(why, std::mem::take(&mut unexplained.description));
-        verdict = judgement::of(found.is_empty(), true);
+    if let Some(why) = gross {
+        tell_gross(why, with.figures.gap.end_mm, &mut left);
     }
     Ok(Diagnosis {
         session: session.name.clone(),
         samples: session.samples.len(),
-        verdict,
+        verdict: judgement::of(found.is_empty(), left.present),
         data_problems: [
             &*mended.problems,
             prepared.incomplete.as_slice(),
-            equal_steps.as_slice(),
+            open.equal_steps.as_slice(),
             identification.many_set_aside().as_slice(),
             identification.far_tool().as_slice(),
         ]
         .concat(),
         stopped: regression.work.ended(),
         floor,
-        gap,
-        held_out,
-        identified: own.identified(),
-        found,
-        equivalent: equivalents(&equivalent, with_shapes, &proposal, is_dropped),
-        unexplained,
-        unnamed: unnamed.or(repeating),
-        not_testable,
-        not_found: limits::limits(regression, with_shapes),
+        equivalent: equivalents(&open.rivals, &end.fit, &proposal, |t| named.is_dropped(t)),
+        unexplained: left,
+        not_testable: open.not_testable,
+        not_found: limits::limits(regression, &end.fit),
         outliers: identification.outliers.clone(),
-        identification,
         next_poses,
-        noise: noise_beside
-            .flatten()
-            .unwrap_or_else(|| noise_of(prepared, own)),
-        model: own.model.settled(),
-        history,
+        noise: with
+            .noise
+            .clone()
+            .unwrap_or_else(|| noise_of(prepared, &with.values)),
+        history: history(session, &named.steps, &with),
+        identified: with.values.identified(),
+        model: with.values.model.settled(),
+        gap: with.figures.gap,
+        held_out: with.figures.held_out,
+        unnamed: with.unnamed,
+        identification,
+        found,
         set_up,
     })
+}
+
+/// The errors of a model: over the samples that were fitted, and over those that no fit has seen.
+#[derive(Clone)]
+pub(super) struct Figures {
+    pub(super) gap: Gaps,
+    pub(super) held_out: HeldOut,
+}
+
+/// The names that a search ends with, on all samples that may be fitted.
+struct Named<'a> {
+    /// The fit of the names alone, and of those that are handed out.
+    alone: Fit,
+    handed_out: Fit,
+    /// The values that the verdict is about, and those that are handed out.
+    judged: Values<'a>,
+    values: Values<'a>,
+    figures: Figures,
+    steps: Vec<Step>,
+    /// Names that were found and are not handed out.
+    dropped: Vec<Term>,
+}
+
+impl<'a> Named<'a> {
+    fn of(prepared: &PreparedSearch<'a>, end: &SearchEnd) -> Self {
+        let regression = &prepared.regression;
+        let with_shapes = &end.fit;
+        let base = regression.fit(&regression.base, &[]);
+        // The model carries names only, as near to the samples as names can come; what no name
+        // explains is told apart.
+        let alone = if with_shapes.shapes.is_empty() {
+            with_shapes.clone()
+        } else {
+            regression.fit(&with_shapes.model, &[])
+        };
+        let nominal_mm = lengths_mm(&prepared.problem, &prepared.nominal);
+        // Unseen samples have done their part: values come from all samples that may be fitted.
+        let problem = with_unlocked(prepared, with_shapes);
+        let capped = prepared.is_capped(end);
+        let fits = [&alone, with_shapes];
+        let judged = values(prepared, &problem, fits, capped);
+        let mut steps = steps(prepared, &base, &alone);
+        let order: Vec<Term> = steps.iter().map(|step| step.term.clone()).collect();
+        let own = handed_out::choose(prepared, &problem, fits, &judged, &order, capped);
+        let start = over_fitted(&own.values.problem, &nominal_mm);
+        let gap = Gaps {
+            start_mm: start.map_or(0.0, |s| s.rms_mm),
+            identified_mm: own.identified_mm,
+            end_mm: own.end_mm,
+        };
+        steps.retain(|step| !own.dropped.iter().any(|d| d.same_column(&step.term)));
+        meet(&mut steps, &gap);
+        Self {
+            handed_out: without_dropped(prepared, &alone, &own.dropped),
+            figures: Figures {
+                held_out: held_out(prepared, &nominal_mm, own.held_out_mm),
+                gap,
+            },
+            values: own.values,
+            dropped: own.dropped,
+            alone,
+            judged,
+            steps,
+        }
+    }
+
+    fn is_dropped(&self, term: &Term) -> bool {
+        self.dropped.iter().any(|d| d.same_column(term))
+    }
+}
+
+/// The model with everything that predicts: what no sample shows where it is expected, and what repeats without a name.
+struct Predicting<'a> {
+    values: Values<'a>,
+    /// With it, and of the names alone, on the samples that both are judged by.
+    figures: Figures,
+    names: Figures,
+    unnamed: Option<Unnamed>,
+    /// The noise beside it, where that is known better with it.
+    noise: Option<Noise>,
+}
+
+impl<'a> Predicting<'a> {
+    fn with(
+        prepared: &PreparedSearch<'a>,
+        named: &Named<'a>,
+        names: usize,
+        left: &Unexplained,
+    ) -> Self {
+        let completed = completed(prepared, &named.values, names, &named.figures);
+        let (values, figures) =
+            completed.unwrap_or_else(|| (named.values.clone(), named.figures.clone()));
+        if let Some((with, after, unnamed)) = unnamed::beside(prepared, &values, &figures) {
+            return Self {
+                values: with,
+                names: figures,
+                figures: after,
+                unnamed: Some(unnamed),
+                noise: None,
+            };
+        }
+        let Some(own) = repeating::beside(prepared, &values, left, &figures) else {
+            return Self {
+                values,
+                names: figures.clone(),
+                figures,
+                unnamed: None,
+                noise: None,
+            };
+        };
+        let mut names = Figures {
+            held_out: own.figures.held_out.clone(),
+            ..figures
+        };
+        if let Some(gaps) = &mut names.held_out.gaps {
+            gaps.end_mm = own.curve.held_out_mm[0].min(gaps.identified_mm);
+        }
+        Self {
+            values,
+            names,
+            figures: own.figures,
+            unnamed: Some(own.unnamed),
+            noise: own.noise,
+        }
+    }
+
+    /// No figure of unseen poses where those that were measured say little of others.
+    fn unless_little_is_shown(
+        mut self,
+        prepared: &PreparedSearch,
+        identification: &Identification,
+    ) -> Self {
+        let expected_mm = identification.expected.as_ref().map(|e| e.rms_mm);
+        if expected_mm.is_some_and(|mm| mm > self.figures.gap.start_mm)
+            && self.values.is_completed()
+            && self.values.problem.session.has_plain_points()
+            && unseen::is_cross_fitted(prepared)
+        {
+            self.figures.held_out = HeldOut::none(text!(
+                "the poses predict each other, and say so little of others that the model is expected to be off by more there than the nominal robot was here"
+            ));
+            self.names.held_out.gaps = None;
+        }
+        self
+    }
+}
+
+/// An error that no noise is so large as is unexplained, whatever the floor says.
+fn tell_gross(why: Text, end_mm: f64, left: &mut Unexplained) {
+    if !left.present {
+        left.present = true;
+        left.place = None;
+        left.rms_mm = end_mm;
+    }
+    left.description = behind(why, std::mem::take(&mut left.description));
 }
 
 /// One figure, one name: the first name starts from the model of `identify`, whose noise may be another than that of
@@ -270,12 +326,11 @@ fn meet(steps: &mut [Step], gap: &Gaps) {
 }
 
 /// The fit of the names that are handed out.
-fn without_dropped<'f>(prepared: &PreparedSearch, fit: &'f Fit, dropped: &[Term]) -> Cow<'f, Fit> {
+fn without_dropped(prepared: &PreparedSearch, fit: &Fit, dropped: &[Term]) -> Fit {
     if dropped.is_empty() {
-        Cow::Borrowed(fit)
-    } else {
-        Cow::Owned(handed_out::without(prepared, fit, dropped))
+        return fit.clone();
     }
+    handed_out::without(prepared, fit, dropped)
 }
 
 /// The noise as it is said. Of several kinds of measurement the search knows one number, which stands for σ of
@@ -292,55 +347,66 @@ fn noise_of(prepared: &PreparedSearch, values: &Values) -> Noise {
     noise.scaled(found_mm / searched_mm.max(f64::MIN_POSITIVE))
 }
 
-/// Rivals that the samples cannot rule out, and what equal steps of the commands have to do with it.
-fn open_questions(
-    prepared: &PreparedSearch,
-    end: &SearchEnd,
-) -> (
-    Vec<crate::diagnosis::evidence::rival::Rival>,
-    Option<DataProblem>,
-) {
-    let (regression, fit) = (&prepared.regression, &end.fit);
-    let mut rivals = aliases::open_rivals(regression, fit);
-    // What is likelier and carries itself has taken the place already; what does not is no rival.
-    let mut held = 0;
-    rivals.retain(|r| {
-        if !is_above(&r.fit, fit) {
-            return true;
-        }
-        held += 1;
-        held <= MOST_HELD_AGAINST && stands_above(prepared, &r.fit, fit)
-    });
-    rivals.extend(aliases::under_another_noise(
-        regression,
-        fit,
-        &end.other_ends,
-    ));
-    let settings = other_settings::open_settings(regression, fit);
-    let equal_steps = super::equal_steps::equal_steps(prepared, &settings);
-    let equal_steps =
-        equal_steps.or_else(|| super::equal_steps::of_withdrawn(prepared, &end.withdrawn));
-    rivals.extend(settings);
-    (rivals, equal_steps)
+/// What the samples leave open.
+struct OpenQuestions {
+    /// Rivals that the samples cannot rule out.
+    rivals: Vec<Rival>,
+    /// What equal steps of the commands have to do with it.
+    equal_steps: Option<DataProblem>,
+    not_testable: Vec<NotTestable>,
 }
 
-/// Says which names were found and are not handed out, and that the search was stopped; whether there is anything of
-/// the kind.
-fn tell_what_is_open(
-    prepared: &PreparedSearch,
-    dropped: &[Term],
-    unexplained: &mut Unexplained,
-) -> bool {
+impl OpenQuestions {
+    fn of(prepared: &PreparedSearch, end: &SearchEnd) -> Self {
+        let (regression, fit) = (&prepared.regression, &end.fit);
+        let mut rivals = aliases::open_rivals(regression, fit);
+        // What is likelier and carries itself has taken the place already; what does not is no rival.
+        let mut held = 0;
+        rivals.retain(|r| {
+            if !is_above(&r.fit, fit) {
+                return true;
+            }
+            held += 1;
+            held <= MOST_HELD_AGAINST && stands_above(prepared, &r.fit, fit)
+        });
+        let others = &end.other_ends;
+        rivals.extend(aliases::under_another_noise(regression, fit, others));
+        let settings = other_settings::open_settings(regression, fit);
+        let equal_steps = equal_steps::equal_steps(prepared, &settings)
+            .or_else(|| equal_steps::of_withdrawn(prepared, &end.withdrawn));
+        rivals.extend(settings);
+        let base = regression.fit(&regression.base, &[]);
+        Self {
+            rivals,
+            equal_steps,
+            not_testable: not_testable(regression, &base),
+        }
+    }
+
+    /// Poses that would decide.
+    fn proposal(&self, prepared: &PreparedSearch, fit: &Fit, planner: Planner) -> Proposal {
+        if prepared.regression.work.was_stopped() {
+            return Proposal::not_looked_for(self.rivals.len());
+        }
+        planner(&Undecided {
+            prepared,
+            fit,
+            rivals: &self.rivals.iter().collect::<Vec<_>>(),
+            not_testable: &self.not_testable,
+        })
+    }
+}
+
+/// Says which names were found and are not handed out, and that the search was stopped.
+fn tell_what_is_open(prepared: &PreparedSearch, dropped: &[Term], unexplained: &mut Unexplained) {
     if !dropped.is_empty() {
         tell_dropped(unexplained, dropped, prepared.problem.session);
     }
-    let ended = prepared.regression.work.ended();
-    if let Some(why) = &ended {
+    if let Some(why) = prepared.regression.work.ended() {
         unexplained.present = true;
         let before = std::mem::take(&mut unexplained.description);
         unexplained.description = behind(why.describe().into(), before);
     }
-    !dropped.is_empty() || ended.is_some()
 }
 
 /// The values with what no sample shows where it is expected; samples that are held out are predicted with it, and
@@ -349,11 +415,12 @@ fn completed<'a>(
     prepared: &PreparedSearch,
     values: &Values<'a>,
     names: usize,
-    held_out: &mut HeldOut,
-) -> Option<Values<'a>> {
+    figures: &Figures,
+) -> Option<(Values<'a>, Figures)> {
     let completed = values.clone().completed();
+    let mut figures = figures.clone();
     let apart = unseen::of_model(prepared, &completed.model);
-    if let (Some(end_mm), Some(gaps)) = (apart, &mut held_out.gaps) {
+    if let (Some(end_mm), Some(gaps)) = (apart, &mut figures.held_out.gaps) {
         if names == 0 {
             gaps.identified_mm = end_mm;
         } else if end_mm > gaps.identified_mm {
@@ -361,7 +428,7 @@ fn completed<'a>(
         }
         gaps.end_mm = end_mm;
     }
-    Some(completed)
+    Some((completed, figures))
 }
 
 /// What is handed out, as `identify` would say it.
@@ -393,30 +460,46 @@ fn values<'a>(
     corrected_for_selection(prepared, with_shapes, values)
 }
 
-fn history(session: &Session, gap: &Gaps, held_out: &HeldOut, steps: &[Step]) -> Vec<ResidualStep> {
-    let mut history = vec![ResidualStep {
-        what: "nominal robot".to_owned(),
-        gap_mm: gap.start_mm,
-        held_out_mm: held_out.gaps.map(|g| g.start_mm),
+fn history(session: &Session, steps: &[Step], with: &Predicting) -> Vec<ResidualStep> {
+    let Figures { gap, held_out } = &with.names;
+    let seen = held_out.gaps.as_ref();
+    let one = |what: String, gap_mm: f64, held_out_mm: Option<f64>| ResidualStep {
+        what,
+        gap_mm,
+        held_out_mm,
         runs_held_out_mm: None,
-    }];
-    history.push(ResidualStep {
-        what: base_in_words(&session.robot).to_owned(),
-        gap_mm: gap.identified_mm,
-        held_out_mm: held_out.gaps.map(|g| g.identified_mm),
-        runs_held_out_mm: None,
-    });
-    history.extend(steps.iter().map(|step| ResidualStep {
-        what: format!("with {}", step.term.name_on(&session.robot)),
-        gap_mm: step.gap_mm[1],
-        held_out_mm: step.held_out_mm.map(|h| h[1]),
-        runs_held_out_mm: None,
+    };
+    let base = base_in_words(&session.robot).to_owned();
+    let mut history = vec![
+        one(
+            "nominal robot".to_owned(),
+            gap.start_mm,
+            seen.map(|g| g.start_mm),
+        ),
+        one(base, gap.identified_mm, seen.map(|g| g.identified_mm)),
+    ];
+    history.extend(steps.iter().map(|step| {
+        let what = format!("with {}", step.term.name_on(&session.robot));
+        one(what, step.gap_mm[1], step.held_out_mm.map(|h| h[1]))
     }));
     if let (Some(last), false) = (history.last_mut(), steps.is_empty()) {
         // The steps are those of the search; the last is what is handed out.
         last.gap_mm = gap.end_mm;
-        last.held_out_mm = held_out.gaps.map(|g| g.end_mm);
+        last.held_out_mm = seen.map(|g| g.end_mm);
     }
+    let curve = |unnamed: &Unnamed| unnamed.curve.as_ref().map(|c| c.runs_held_out_mm);
+    history.extend(with.unnamed.as_ref().map(|unnamed| {
+        let runs = curve(unnamed);
+        let what = match runs {
+            Some(_) => format!("with {}", crate::effects::UNEXPLAINED),
+            None => "with what predicts without a name".to_owned(),
+        };
+        let seen = with.figures.held_out.gaps.map(|g| g.end_mm);
+        ResidualStep {
+            runs_held_out_mm: runs.flatten(),
+            ..one(what, with.figures.gap.end_mm, seen)
+        }
+    }));
     history
 }
 
@@ -497,7 +580,7 @@ fn behind(clause: Text, before: Text) -> Text {
 }
 
 fn equivalents(
-    rivals: &[&crate::diagnosis::evidence::rival::Rival],
+    rivals: &[Rival],
     fit: &Fit,
     proposal: &Proposal,
     is_dropped: impl Fn(&Term) -> bool,

@@ -34,7 +34,7 @@ use crate::diagnosis::search::free_curve;
 use crate::diagnosis::search::prepare::PreparedSearch;
 use crate::diagnosis::search::{PureError, pure_error};
 
-/// Adds to what is unexplained what speaks for more than noise; answers the verdict.
+/// Adds to what is unexplained what speaks for more than noise.
 pub(crate) fn judge(
     prepared: &PreparedSearch,
     found: &SearchResult,
@@ -42,7 +42,7 @@ pub(crate) fn judge(
     floor: &Floor,
     held_out: &HeldOut,
     unexplained: &mut Unexplained,
-) -> Verdict {
+) {
     let names = prepared.regression.added(&found.fit).len();
     if !unexplained.present {
         let excess = match floor.from {
@@ -113,7 +113,6 @@ pub(crate) fn judge(
     if unexplained.noise.is_none() {
         unexplained.noise = against_stated(prepared, values).filter(StatedNoise::differs);
     }
-    of(names == 0, unexplained.present)
 }
 
 /// What is said of names beside a frame that wanders: an error above the floor is not explained by them.

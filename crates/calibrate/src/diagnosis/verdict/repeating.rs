@@ -12,21 +12,33 @@ use crate::text::Text;
 use crate::text::{length, lengths};
 use crate::units::deg_from_rad;
 
+use super::conclude::Figures;
 use super::unseen;
 use super::values::Values;
-use crate::answers::diagnosis::{Correction, Gaps, HeldOut, Unexplained, Unnamed};
+use crate::answers::diagnosis::{Correction, Unexplained, Unnamed};
 use crate::answers::noise::Noise;
 use crate::diagnosis::search::prepare::PreparedSearch;
 use crate::diagnosis::search::smooth::{Repeating, repeating};
 
-/// What repeats, and the noise beside it where that is known better with it; the gaps with it take the place of those of the names alone.
-pub(super) fn add(
+/// What repeats beside the values of the names.
+pub(super) struct Beside {
+    pub(super) unnamed: Unnamed,
+    pub(super) curve: Correction,
+    /// The figures with it.
+    pub(super) figures: Figures,
+    /// The noise beside it, where that is known better with it.
+    pub(super) noise: Option<Noise>,
+}
+
+/// What repeats, where it predicts.
+pub(super) fn beside(
     prepared: &PreparedSearch,
     values: &Values,
     unexplained: &Unexplained,
-    gap: &mut Gaps,
-    held_out: &mut HeldOut,
-) -> Option<(Unnamed, Option<Noise>)> {
+    figures: &Figures,
+) -> Option<Beside> {
+    let mut now = figures.clone();
+    let Figures { gap, held_out } = &mut now;
     let model = values.model.settled();
     let joint = 0;
     let stopped = prepared.regression.work.was_stopped();
@@ -91,9 +103,14 @@ pub(super) fn add(
         rms_mm: (before * before - after * after).sqrt(),
         held_out_mm,
         over: vec![Text::verbatim(format!("q{}_{}", joint + 1, kind.unit()))],
-        curve: Some(curve),
+        curve: Some(curve.clone()),
     };
-    Some((unnamed, found.noise))
+    Some(Beside {
+        unnamed,
+        curve,
+        figures: now,
+        noise: found.noise,
+    })
 }
 
 /// The median deviation of all samples that may be fitted, mm.

@@ -19,10 +19,10 @@ use crate::fit::problem::Problem;
 use crate::model::Model;
 use crate::text::Text;
 
-use super::handed_out::HandedOut;
+use super::conclude::Figures;
 use super::unseen;
 use super::values::Values;
-use crate::answers::diagnosis::{Gaps, HeldOut, Unnamed};
+use crate::answers::diagnosis::Unnamed;
 use crate::diagnosis::search::prepare::PreparedSearch;
 use design::Design;
 /// The gain on unseen samples has to be so many times its own standard deviation …
@@ -36,40 +36,38 @@ const WORTH: f64 = 0.005;
 /// No family: the samples have to be so much likelier with all of them, as a logarithm.
 const LIKELIER: f64 = 6.0;
 
-/// Adds what predicts without a name to what is handed out; the gaps with it take the place of those of the
-/// names alone.
-pub(super) fn add(
+/// Values with what predicts without a name, where it does, and their figures.
+pub(super) fn beside<'a>(
     prepared: &PreparedSearch,
-    handed_out: &mut HandedOut,
-    gap: &mut Gaps,
-    held_out: &mut HeldOut,
-) -> Option<Unnamed> {
-    let values = &handed_out.values;
+    values: &Values<'a>,
+    figures: &Figures,
+) -> Option<(Values<'a>, Figures, Unnamed)> {
     let arm = base_model::is_arm(values.problem.session);
     let options = prepared.options();
     if options.without_unnamed || options.names_one_by_one || !arm {
         return None;
     }
-    let gaps = held_out.gaps.as_mut()?;
+    let mut now = figures.clone();
+    let gaps = now.held_out.gaps.as_mut()?;
     let found = fitted(prepared, &values.problem, &values.model)?;
     let share = share_unseen(prepared, values, &found)?;
     let held_out_mm = [gaps.end_mm, gaps.end_mm * share];
     let with = values.with_unnamed(&found.terms);
     let [before, after] = [values.rms_mm(), with.rms_mm()];
-    let end_mm = gap.end_mm - before + after;
-    let better = after < before && end_mm <= gap.identified_mm;
+    let end_mm = now.gap.end_mm - before + after;
+    let better = after < before && end_mm <= now.gap.identified_mm;
     if !better || share >= 1.0 || held_out_mm[1] > gaps.identified_mm {
         return None;
     }
-    handed_out.values = with;
-    gap.end_mm = end_mm;
+    now.gap.end_mm = end_mm;
     gaps.end_mm = held_out_mm[1];
-    Some(Unnamed {
+    let unnamed = Unnamed {
         rms_mm: (before * before - after * after).max(0.0).sqrt(),
         held_out_mm,
         over: found.over,
         curve: None,
-    })
+    };
+    Some((with, now, unnamed))
 }
 
 /// The error on unseen samples with it as a share of that without it; `None` where there is none to add
