@@ -1,7 +1,8 @@
 //! What the user is told: values with intervals on all samples, each name with its evidence, whether what is left is
 //! noise, what could not have been seen, and what predicts without a name. Nothing here changes which names were found.
 //!
-//! - `conclude`: the answer put together; `values`, `selection`: parameters and their intervals.
+//! - `conclude`: the answer put together of `named` (the names on all samples), `open_questions`, what is left, and
+//!   `predicting` (the model with what has no name); `history`; `values`, `selection`: parameters and their intervals.
 //! - `named_effects`, `step_time`: the names; `equal_steps`: orders that equal steps cannot part.
 //! - `judgement`, `excess`, `group_excess`, `remainder`, `unpredicted`, `withheld`: what is left, and whether noise explains it.
 //! - `gross`: what no noise is so large as.
@@ -15,9 +16,13 @@ mod excess;
 mod gross;
 mod group_excess;
 mod handed_out;
+mod history;
 mod judgement;
 pub(crate) mod limits;
+mod named;
 mod named_effects;
+mod open_questions;
+mod predicting;
 mod remainder;
 mod repeatability;
 mod repeating;
@@ -30,5 +35,6 @@ mod unseen;
 mod values;
 mod withheld;
 
-pub(crate) use conclude::{Planner, Proposal, Undecided, answer};
+pub(crate) use conclude::answer;
+pub(crate) use open_questions::{Planner, Proposal, Undecided};
 pub(crate) use testable::not_testable;

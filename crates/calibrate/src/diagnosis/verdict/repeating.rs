@@ -12,7 +12,7 @@ use crate::text::Text;
 use crate::text::{length, lengths};
 use crate::units::deg_from_rad;
 
-use super::conclude::Figures;
+use super::named::Figures;
 use super::unseen;
 use super::values::Values;
 use crate::answers::diagnosis::{Correction, Unexplained, Unnamed};

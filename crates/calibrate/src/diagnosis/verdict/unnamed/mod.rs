@@ -19,7 +19,7 @@ use crate::fit::problem::Problem;
 use crate::model::Model;
 use crate::text::Text;
 
-use super::conclude::Figures;
+use super::named::Figures;
 use super::unseen;
 use super::values::Values;
 use crate::answers::diagnosis::Unnamed;

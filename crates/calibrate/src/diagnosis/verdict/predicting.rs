@@ -1,0 +1,107 @@
+//! The model with everything that predicts, named or not.
+
+use super::named::{Figures, Named};
+use super::values::Values;
+use super::{repeating, unnamed, unseen};
+use crate::answers::diagnosis::{HeldOut, Unexplained, Unnamed};
+use crate::answers::identification::Identification;
+use crate::answers::noise::Noise;
+use crate::diagnosis::search::prepare::PreparedSearch;
+
+/// The model with everything that predicts: what no sample shows where it is expected, and what repeats without a name.
+pub(super) struct Predicting<'a> {
+    pub(super) values: Values<'a>,
+    /// With it, and of the names alone, on the samples that both are judged by.
+    pub(super) figures: Figures,
+    pub(super) names: Figures,
+    pub(super) unnamed: Option<Unnamed>,
+    /// The noise beside it, where that is known better with it.
+    pub(super) noise: Option<Noise>,
+}
+
+impl<'a> Predicting<'a> {
+    pub(super) fn with(
+        prepared: &PreparedSearch<'a>,
+        named: &Named<'a>,
+        names: usize,
+        left: &Unexplained,
+    ) -> Self {
+        let completed = completed(prepared, &named.values, names, &named.figures);
+        let (values, figures) =
+            completed.unwrap_or_else(|| (named.values.clone(), named.figures.clone()));
+        if let Some((with, after, unnamed)) = unnamed::beside(prepared, &values, &figures) {
+            return Self {
+                values: with,
+                names: figures,
+                figures: after,
+                unnamed: Some(unnamed),
+                noise: None,
+            };
+        }
+        let Some(own) = repeating::beside(prepared, &values, left, &figures) else {
+            return Self {
+                values,
+                names: figures.clone(),
+                figures,
+                unnamed: None,
+                noise: None,
+            };
+        };
+        let mut names = Figures {
+            held_out: own.figures.held_out.clone(),
+            ..figures
+        };
+        if let Some(gaps) = &mut names.held_out.gaps {
+            gaps.end_mm = own.curve.held_out_mm[0].min(gaps.identified_mm);
+        }
+        Self {
+            values,
+            names,
+            figures: own.figures,
+            unnamed: Some(own.unnamed),
+            noise: own.noise,
+        }
+    }
+
+    /// No figure of unseen poses where those that were measured say little of others.
+    pub(super) fn unless_little_is_shown(
+        mut self,
+        prepared: &PreparedSearch,
+        identification: &Identification,
+    ) -> Self {
+        let expected_mm = identification.expected.as_ref().map(|e| e.rms_mm);
+        if expected_mm.is_some_and(|mm| mm > self.figures.gap.start_mm)
+            && self.values.is_completed()
+            && self.values.problem.session.has_plain_points()
+            && unseen::is_cross_fitted(prepared)
+        {
+            self.figures.held_out = HeldOut::none(text!(
+                "the poses predict each other, and say so little of others that the model is expected to be off by more there than the nominal robot was here"
+            ));
+            self.names.held_out.gaps = None;
+        }
+        self
+    }
+}
+
+/// The values with what no sample shows where it is expected; samples that are held out are predicted with it, and
+/// where names stand in the model no worse than `identify` does.
+fn completed<'a>(
+    prepared: &PreparedSearch,
+    values: &Values<'a>,
+    names: usize,
+    figures: &Figures,
+) -> Option<(Values<'a>, Figures)> {
+    let completed = values.clone().completed();
+    let mut figures = figures.clone();
+    let apart = unseen::of_model(prepared, &completed.model);
+    if let (Some(end_mm), Some(gaps)) = (apart, &mut figures.held_out.gaps) {
+        if names == 0 {
+            gaps.identified_mm = end_mm;
+        } else if end_mm > gaps.identified_mm {
+            return None;
+        }
+        gaps.end_mm = end_mm;
+    }
+    Some((completed, figures))
+}
