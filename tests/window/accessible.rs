@@ -227,8 +227,11 @@ fn the_whole_work_can_be_done_with_the_keyboard() {
     keys(&mut window, Modifiers::COMMAND, Key::Num2);
     window.get_by_label("Change region 1").focus();
     window.run_steps(2);
-    keys(&mut window, Modifiers::NONE, Key::S);
-    assert!(there(&window, "From, region 7"), "split by a key");
+    keys(&mut window, Modifiers::NONE, Key::Enter);
+    window.get_by_label("Split in half").focus();
+    window.run_steps(2);
+    keys(&mut window, Modifiers::NONE, Key::Enter);
+    assert!(there(&window, "From, region 7"), "split by keys");
     keys(&mut window, Modifiers::COMMAND, Key::I);
     keys(&mut window, Modifiers::COMMAND, Key::Num5);
     window

@@ -14,7 +14,7 @@ use crate::gui::cache::heat::Heat;
 use crate::gui::cache::identified::{
     AnswerSummary, ExportPreview, IdentifiedAnswer, PreviewRequest,
 };
-use crate::gui::cache::{PlotCache, PlotInputs};
+use crate::gui::cache::{PlotCache, PlotInputs, Work};
 use crate::gui::core::answer::term_of;
 use crate::gui::core::answer::{Answer, LoadedModel, Search};
 use crate::gui::core::document::{Method, Question};
@@ -129,19 +129,18 @@ impl Workbench {
     /// The heat map, if it is shown. While a newer one is being made it is the one before.
     pub(crate) fn heat(&self) -> Option<&Arc<Heat>> {
         let wanted = self.view.heat && !self.view.in_space();
-        let seen = |cache: &&PlotCache| wanted && cache.inputs.plane == self.view.plane;
-        self.plot_cache().filter(seen)?.heat.as_ref()
+        let cache = self.plot_cache().filter(|_| wanted)?;
+        let made = cache.made(&Work::heat(self.view.plane))?;
+        made.downcast_ref::<Option<Arc<Heat>>>()?.as_ref()
     }
 
     /// How sure the newest answer is at each sample, where colour says it; `None` until it is worked out.
     pub(crate) fn uncertain(&self) -> Option<&Arc<Uncertain>> {
         let wanted = self.view.colouring == Colouring::Uncertainty;
-        let backdrop = self.plot_cache().filter(|_| wanted)?;
-        let of = backdrop.inputs.identified.as_deref();
-        backdrop
-            .uncertain
-            .as_ref()
-            .filter(|_| of == self.identified())
+        let of_this = |cache: &&PlotCache| cache.inputs.identified.as_deref() == self.identified();
+        let cache = self.plot_cache().filter(|_| wanted).filter(of_this)?;
+        let made = cache.made(&Work::uncertain())?;
+        made.downcast_ref::<Option<Arc<Uncertain>>>()?.as_ref()
     }
 
     /// What is left of the deviations, as it is uploaded.
@@ -310,17 +309,13 @@ impl Workbench {
         let scenery = PlotInputs {
             loaded_session: Arc::clone(self.loaded_session()),
             identified: outcome,
-            plane: self.view.plane,
-            heat: self.view.heat && !self.view.in_space(),
-            uncertain: self.view.colouring == Colouring::Uncertainty
-                && self.answer().is_some_and(Uncertain::is_known),
-            charts: self.works(),
+            works: self.works(),
         };
         let there = self
             .plot_cache
             .as_ref()
             .is_some_and(|b| b.inputs == scenery);
-        if scenery.any()
+        if !scenery.works.is_empty()
             && !there
             && let Some(scenery) = self.asked.plots.want(scenery)
         {
