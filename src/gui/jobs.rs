@@ -284,8 +284,6 @@ pub(crate) enum Kind {
     Searches,
     /// Looks at a foreign file.
     Looks,
-    /// What is only drawn: it passes without a word.
-    Draws,
     /// Not shown.
     Quiet,
 }
@@ -293,7 +291,7 @@ pub(crate) enum Kind {
 impl Kind {
     /// Whether the status bar names it, and can cancel it.
     pub(crate) fn has_a_name(self) -> bool {
-        !matches!(self, Self::Draws | Self::Quiet)
+        self != Self::Quiet
     }
 }
 

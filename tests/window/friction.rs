@@ -178,16 +178,16 @@ fn text_that_is_no_number_is_refused_beside_its_field_and_the_value_kept() {
         ("8 furlongs", "'furlongs' is not a unit here"),
         ("8 deg", "'deg' is not a unit here"),
     ] {
-        type_into(&mut window, "nominal radius", text);
+        type_into(&mut window, "noise", text);
         assert!(says(&window, because), "{text}");
-        assert_eq!(number(&window, "nominal radius"), Some(250.0), "{text}");
+        assert_eq!(number(&window, "noise"), Some(0.03), "{text}");
     }
     // A unit that is known is converted, and the refusal goes.
-    type_into(&mut window, "nominal radius", "10 in");
+    type_into(&mut window, "noise", "0.01 in");
     assert!(!says(&window, "is no unit here"));
+    assert_eq!(number(&window, "noise"), Some(0.254));
     press(&mut window, "Simulate");
-    press(&mut window, "Tool and gravity");
-    assert_eq!(number(&window, "Tool x"), Some(254.0));
+    assert!(says(&window, "0.254 mm"), "what is simulated has it");
 }
 
 #[test]

@@ -13,53 +13,67 @@ use std::sync::Arc;
 
 use cloud::Uncertain;
 use heat::Heat;
-use identified::IdentifiedAnswer;
+use identified::{IdentifiedAnswer, figures};
 
+use crate::compensation::decision::FittedErrors;
 use crate::gui::core::answer::Answer;
 use crate::gui::core::loaded_session::{Component, LoadedSession};
 use crate::gui::core::quantity::Quantity;
 use crate::gui::view::Plane;
 
-/// What is worked out for one session and one answer.
+/// The session and the answer that something is worked out for.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct PlotInputs {
     pub(crate) loaded_session: Arc<LoadedSession>,
     pub(crate) identified: Option<Arc<IdentifiedAnswer>>,
-    pub(crate) works: Vec<Work>,
 }
 
+/// Something that was worked out.
 #[derive(Debug, Clone)]
-pub(crate) struct PlotCache {
-    /// What it was made of.
+pub(crate) struct Made {
     pub(crate) inputs: PlotInputs,
-    /// What came of each work, in their order.
-    pub(crate) made: Vec<ChartResult>,
+    key: WorkKey,
+    pub(crate) result: ChartResult,
+}
+
+/// What was worked out, the newest of each key, and what is under way.
+#[derive(Debug, Default)]
+pub(crate) struct PlotCache {
+    pub(crate) made: Vec<Made>,
+    under_way: Vec<WorkKey>,
 }
 
 impl PlotCache {
-    /// What came of a work.
-    pub(crate) fn made(&self, of: &Work) -> Option<&ChartResult> {
-        let here = self.inputs.works.iter().position(|one| one == of)?;
-        self.made.get(here)
+    /// What came of a work, for the newest answer that it was worked out for.
+    pub(crate) fn made(&self, work: &Work) -> Option<&Made> {
+        self.made.iter().find(|made| made.key == work.key)
     }
 
-    /// Works it out; what the last one has already is taken from there.
-    pub(crate) fn of(inputs: PlotInputs, last: Option<&Self>) -> Self {
-        let last = last.filter(|last| {
-            let before = &last.inputs;
-            before.loaded_session == inputs.loaded_session && before.identified == inputs.identified
+    /// Keeps what is wanted; what is to be begun now. What is under way for other inputs is begun again once it is there.
+    pub(crate) fn begin(&mut self, inputs: &PlotInputs, mut wanted: Vec<Work>) -> Vec<Work> {
+        self.made.retain(|made| {
+            let of_this = made.inputs.loaded_session == inputs.loaded_session;
+            of_this && wanted.iter().any(|work| work.key == made.key)
         });
-        let answer = inputs.identified.as_ref();
-        let given = ChartInputs {
-            loaded_session: &inputs.loaded_session,
-            answer: answer.and_then(|identified| identified.answer.as_ref().ok()),
-        };
-        let made = inputs.works.iter().map(|work| {
-            let known = last.and_then(|last| last.made(work)).cloned();
-            known.unwrap_or_else(|| (work.make)(given))
+        wanted.retain(|work| {
+            let there = self.made(work).is_some_and(|made| made.inputs == *inputs);
+            !there && !self.under_way.contains(&work.key)
         });
-        let made = made.collect();
-        Self { inputs, made }
+        self.under_way
+            .extend(wanted.iter().map(|work| work.key.clone()));
+        wanted
+    }
+
+    /// Takes what came of a work; what there was of it before.
+    pub(crate) fn take(&mut self, made: Made) -> Option<Made> {
+        self.under_way.retain(|key| *key != made.key);
+        match self.made.iter_mut().find(|before| before.key == made.key) {
+            Some(before) => Some(std::mem::replace(before, made)),
+            None => {
+                self.made.push(made);
+                None
+            }
+        }
     }
 }
 
@@ -99,6 +113,8 @@ pub(crate) enum WorkKey {
     Heat(Plane),
     /// How sure the model is at each sample.
     Uncertain,
+    /// The standards' figures.
+    Figures(Option<FittedErrors>),
     /// Where samples are over two quantities.
     Places([Quantity; 2]),
     /// What a chart of this name has of a component, and of what else tells it from others.
@@ -119,6 +135,26 @@ impl Work {
     ) -> Self {
         let make = Arc::new(move |given: ChartInputs<'_>| Arc::new(make(given)) as ChartResult);
         Self { key, make }
+    }
+
+    /// Works it out. Takes its time with many samples.
+    pub(crate) fn made(&self, inputs: PlotInputs) -> Made {
+        let answer = inputs.identified.as_ref();
+        let given = ChartInputs {
+            loaded_session: &inputs.loaded_session,
+            answer: answer.and_then(|identified| identified.answer.as_ref().ok()),
+        };
+        Made {
+            result: (self.make)(given),
+            key: self.key.clone(),
+            inputs,
+        }
+    }
+
+    /// The standards' figures, by the errors of a diagnosis where there is one.
+    pub(crate) fn figures(diagnosed: Option<FittedErrors>) -> Self {
+        let make = move |given: ChartInputs<'_>| figures(given, diagnosed);
+        Self::new(WorkKey::Figures(diagnosed), make)
     }
 
     /// The heat map of a plane.

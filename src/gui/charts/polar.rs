@@ -339,8 +339,7 @@ impl Samples for Drawn<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gui::core::simulate::Form as Simulated;
-    use crate::gui::testing::workbench;
+    use crate::gui::testing::{lamp, workbench, workbench_on};
     use crate::gui::workbench::Workbench;
 
     #[test]
@@ -424,14 +423,7 @@ mod tests {
 
     #[test]
     fn what_is_pointed_at_is_found_among_many_samples() {
-        let mut workbench = workbench();
-        workbench.execute(|bench| {
-            bench.simulate(Simulated {
-                step_deg: 0.05,
-                ..Simulated::default()
-            });
-        });
-        workbench.receive();
+        let mut workbench = workbench_on(lamp(0.05, &[]));
         let key = workbench.view.panes.active_chart().map(|(key, _)| key);
         workbench.execute(|bench| bench.choose_chart(key.expect("a chart"), "polar"));
         workbench.receive();

@@ -160,6 +160,17 @@ impl RobotTable {
         table
     }
 
+    /// A lamp on one axis that turns.
+    pub(crate) fn lamp() -> Self {
+        let mut table = Self::one_axis();
+        table.name = "lamp".to_owned();
+        table.tool = [250.0, 0.0, 300.0, 0.0, 0.0, 0.0];
+        table.gravity = Some([0.0, 0.0, -9.81]);
+        table.rows[0].travel = Some([-90.0, 90.0]);
+        table.rows[0].link = Some((4.0, [125.0, 0.0, 0.0]));
+        table
+    }
+
     fn in_form(robot: &Robot, form: TableForm) -> Self {
         let mut base = Pose::identity();
         let mut tool = robot.base_from_tool;

@@ -301,7 +301,8 @@ impl Sheet {
     /// The sheet that it was opened from: what one comes back to without an answer.
     pub(crate) fn before(&self) -> Option<Self> {
         match self {
-            Self::Simulate(form) => form.robot.is_some().then_some(Self::ROBOTS),
+            Self::Simulate(form) if form.robot == Form::default().robot => None,
+            Self::Simulate(_) => Some(Self::ROBOTS),
             Self::RobotTable { .. } => Some(Self::ROBOTS),
             Self::Discard(typed) => Some((**typed).clone()),
             _ => None,

@@ -2,7 +2,6 @@
 
 use std::sync::Arc;
 
-use crate::gui::cache::PlotCache;
 use crate::gui::cache::cloud::Uncertain;
 use crate::gui::cache::{ChartResult, Work};
 use crate::gui::charts::effect::{EffectCurve, Sketches};
@@ -92,9 +91,9 @@ impl Workbench {
 
     /// What was worked out for the chart in a pane.
     fn worked_out(&self, pane: &ChartPane, scene: &Scene) -> Option<&ChartResult> {
-        let seen = |b: &&PlotCache| b.inputs.identified.is_some() == self.identified().is_some();
-        let work = self.kind(pane).work(scene)?;
-        self.plot_cache().filter(seen)?.made(&work)
+        let made = self.made(&self.kind(pane).work(scene)?)?;
+        let seen = made.inputs.identified.is_some() == self.identified().is_some();
+        seen.then_some(&made.result)
     }
 
     /// What a chart is made of, in the pane where it is shown.
@@ -152,7 +151,7 @@ impl Workbench {
     /// The curve of an effect that was found, as its card shows it.
     pub(crate) fn sketch(&self, index: usize) -> Option<&EffectCurve> {
         let work = effect::sketches(self.search_of_this()?);
-        let curves: &Sketches = self.plot_cache()?.made(&work)?.downcast_ref()?;
+        let curves: &Sketches = self.made(&work)?.result.downcast_ref()?;
         curves.get(index)?.as_ref()
     }
 
@@ -164,6 +163,7 @@ impl Workbench {
         let known = self.answer().is_some_and(Uncertain::is_known);
         let uncertain = view.colouring == Colouring::Uncertainty && known;
         all.extend(uncertain.then(Work::uncertain));
+        all.extend(self.wanted_figures());
         let searched = self
             .search_of_this()
             .filter(|_| self.view.step == Step::Gap);
@@ -358,8 +358,8 @@ mod tests {
         let mut workbench = workbench();
         choose(&mut workbench, HISTOGRAM);
         let made = |workbench: &Workbench| {
-            let backdrop = workbench.plot_cache().expect("it is made");
-            Arc::clone(backdrop.made.first().expect("it is charted"))
+            let made = workbench.plot_cache.made.first();
+            Arc::clone(&made.expect("it is charted").result)
         };
         let first = made(&workbench);
         workbench.execute(|bench| bench.view.hovered = Some(3));
@@ -388,7 +388,11 @@ mod tests {
     fn several_charts_are_worked_out_together_and_none_of_them_again_for_another() {
         let mut workbench = workbench();
         choose(&mut workbench, HISTOGRAM);
-        let made = |workbench: &Workbench| workbench.plot_cache().expect("made").made.clone();
+        let made = |workbench: &Workbench| {
+            let made = workbench.plot_cache.made.iter();
+            made.map(|made| Arc::clone(&made.result))
+                .collect::<Vec<_>>()
+        };
         let add = |workbench: &mut Workbench, chart: &str| {
             workbench.execute(|bench| bench.add_chart(bench.view.panes.active(), Edge::Right));
             let key = workbench.view.panes.active();

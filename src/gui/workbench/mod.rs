@@ -28,8 +28,8 @@ use egui::ColorImage;
 
 use crate::effects::Term;
 use crate::explain::Section;
-use crate::gui::cache::identified::{Figures, IdentifiedAnswer, Preview, PreviewRequest};
-use crate::gui::cache::{PlotCache, PlotInputs};
+use crate::gui::cache::PlotCache;
+use crate::gui::cache::identified::{IdentifiedAnswer, Preview, PreviewRequest};
 use crate::gui::core::answer::Search;
 use crate::gui::core::compensated::{Compensated, CompensationRequest};
 use crate::gui::core::disk::Fingerprint;
@@ -83,13 +83,12 @@ pub(crate) struct Workbench {
     /// What a search that was stopped had found until then, and in which session.
     pub(super) stopped: Option<(Arc<LoadedSession>, Vec<String>)>,
     pub(super) preview: Option<Arc<Preview>>,
-    pub(super) plot_cache: Option<Arc<PlotCache>>,
+    pub(super) plot_cache: PlotCache,
     pub(super) compensated: Option<Arc<Compensated>>,
     /// Files that were exported from this session, the newest last, each with what its model answers.
     pub(super) exported: Vec<(PathBuf, Option<Question>)>,
     /// The name under which this export was saved last.
     pub(super) saved_as: Option<(ExportChoice, String)>,
-    pub(super) figures: Option<Figures>,
     /// What waits for a picture of the workspace, and whether one was asked for; the picture as soon as it is there.
     pub(super) waiting: Option<(Change, bool)>,
     pub(super) picture: Option<ColorImage>,
@@ -118,11 +117,10 @@ impl Workbench {
             counted: RefCell::default(),
             stopped: None,
             preview: None,
-            plot_cache: None,
+            plot_cache: PlotCache::default(),
             compensated: None,
             exported: Vec::new(),
             saved_as: None,
-            figures: None,
             waiting: None,
             picture: None,
             chooser: None,
@@ -186,7 +184,6 @@ pub(super) struct FileState {
 pub(super) struct PendingQueries {
     pub(super) questions: Slot<Question>,
     pub(super) previews: Slot<PreviewRequest>,
-    pub(super) plots: Slot<PlotInputs>,
     /// The session that is being searched: only that one can be given its answer.
     pub(super) searched: Option<Arc<LoadedSession>>,
 }

@@ -170,8 +170,7 @@ fn side_mm(transform: &PlotTransform) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gui::core::simulate::Form;
-    use crate::gui::testing::workbench;
+    use crate::gui::testing::{lamp, workbench, workbench_on};
     use egui_plot::PlotBounds;
 
     #[test]
@@ -246,14 +245,7 @@ mod tests {
 
     #[test]
     fn of_many_vectors_one_is_drawn_for_every_cell() {
-        let mut workbench = workbench();
-        workbench.execute(|bench| {
-            bench.simulate(Form {
-                step_deg: 0.05,
-                ..Form::default()
-            });
-        });
-        workbench.receive();
+        let workbench = workbench_on(lamp(0.05, &[]));
         let shown = Shown::of(&workbench);
         let [points, vectors] = super::counts(&shown, &transform(1.0));
         assert!(

@@ -275,8 +275,7 @@ fn then(random: &mut ChaCha8Rng, files: &Files) -> NextAction {
 
 fn form(random: &mut ChaCha8Rng) -> Form {
     Form {
-        step_deg: random.random_range(10.0..60.0),
-        both_ways: random.random(),
+        poses: random.random_range(0..12),
         noise_mm: pick(random, &[0.0, 0.03, -1.0]),
         ..Form::default()
     }

@@ -249,7 +249,7 @@ fn workbench_at_home(folder: &Path) -> Workbench {
     killed.at_home(home.clone());
     killed.execute(|bench| {
         bench.go(NextAction::Simulate(Form {
-            step_deg: 30.0,
+            poses: 8,
             ..Form::default()
         }));
     });
@@ -263,7 +263,7 @@ fn workbench_at_home(folder: &Path) -> Workbench {
     assert!(bench.left_behind().is_some(), "what was killed is offered");
     bench.execute(|bench| {
         bench.go(NextAction::Simulate(Form {
-            step_deg: 15.0,
+            poses: 8,
             ..Form::default()
         }));
     });

@@ -30,7 +30,7 @@ use super::robots::{self, Robot as ListedRobot};
 /// Width of the sheet, points.
 const WIDTH: f32 = 780.0;
 /// What stands around the part that scrolls, points.
-const AROUND: f32 = 228.0;
+const AROUND: f32 = 244.0;
 /// The least height of that, points.
 const LEAST: f32 = 150.0;
 /// Width of the field in which a robot is looked for, points.
