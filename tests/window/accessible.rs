@@ -95,7 +95,11 @@ fn every_input_of_every_menu_and_sheet_has_a_name() {
     }
     let shifted = Modifiers::COMMAND.plus(Modifiers::SHIFT);
     for (heading, modifiers, key) in [
-        ("A lamp on one turning axis", Modifiers::COMMAND, Key::N),
+        (
+            "Random poses within the joint limits",
+            Modifiers::COMMAND,
+            Key::N,
+        ),
         ("Save session", shifted, Key::P),
         ("Preferences", Modifiers::COMMAND, Key::Comma),
         ("Keyboard and mouse", shifted, Key::K),

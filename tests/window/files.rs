@@ -93,7 +93,7 @@ fn a_simulated_session_is_asked_about_and_one_that_was_saved_is_not() {
     let mut window = window_at(None, None);
     keys(&mut window, Modifiers::COMMAND, Key::N);
     press(&mut window, "Simulate");
-    assert!(says(&window, "122 samples · RMS error"));
+    assert!(says(&window, "360 samples · RMS error"));
     assert!(says(&window, "not saved"));
     keys(&mut window, Modifiers::NONE, Key::F3);
     assert!(says(&window, "has not been saved"));
@@ -105,7 +105,7 @@ fn a_simulated_session_is_asked_about_and_one_that_was_saved_is_not() {
     assert!(says(&window, "30 samples · RMS error"));
     // And the way back: the session that was left is in its file still.
     keys(&mut window, Modifiers::COMMAND, Key::Z);
-    assert!(says(&window, "122 samples · RMS error") && !says(&window, "not saved"));
+    assert!(says(&window, "360 samples · RMS error") && !says(&window, "not saved"));
 }
 
 #[test]

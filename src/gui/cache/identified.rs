@@ -20,9 +20,9 @@ use crate::numeric::Ascending;
 use crate::pipeline;
 use crate::present::standards::{Group, groups};
 use crate::present::table::{Cell, Table};
+use crate::sessions::Session;
 use crate::text::Text;
 
-use super::ChartInputs;
 use super::cloud::{Cloud, Remainder};
 
 /// An answer to a question.
@@ -184,10 +184,10 @@ pub(crate) struct StandardsFigures {
 /// # Errors
 /// Why there are none.
 pub(super) fn figures(
-    given: ChartInputs<'_>,
+    session: &Session,
+    answer: Option<&Answer>,
     diagnosed: Option<FittedErrors>,
 ) -> Result<StandardsFigures, String> {
-    let (session, answer) = (&given.loaded_session.session, given.answer);
     let answer = answer.ok_or(say!("Identify the robot first"))?;
     let figures = pipeline::standards(session, Some(&answer.calibration))
         .map_err(|e| spoken(e.describe()))?;

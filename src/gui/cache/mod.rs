@@ -53,7 +53,9 @@ impl PlotCache {
     pub(crate) fn begin(&mut self, inputs: &PlotInputs, mut wanted: Vec<Work>) -> Vec<Work> {
         self.made.retain(|made| {
             let of_this = made.inputs.loaded_session == inputs.loaded_session;
-            of_this && wanted.iter().any(|work| work.key == made.key)
+            // Other steps say the figures of the export step as well, of the same answer.
+            let figures = matches!(made.key, WorkKey::Figures(_)) && made.inputs == *inputs;
+            of_this && (figures || wanted.iter().any(|work| work.key == made.key))
         });
         wanted.retain(|work| {
             let there = self.made(work).is_some_and(|made| made.inputs == *inputs);
@@ -153,7 +155,9 @@ impl Work {
 
     /// The standards' figures, by the errors of a diagnosis where there is one.
     pub(crate) fn figures(diagnosed: Option<FittedErrors>) -> Self {
-        let make = move |given: ChartInputs<'_>| figures(given, diagnosed);
+        let make = move |given: ChartInputs<'_>| {
+            figures(&given.loaded_session.session, given.answer, diagnosed)
+        };
         Self::new(WorkKey::Figures(diagnosed), make)
     }
 

@@ -15,6 +15,7 @@ use crate::sessions::Session;
 use crate::simulation::{HiddenEffect, SimulateError, SimulationRequest, parse_scenario};
 use crate::text::Text;
 
+use super::document::as_saved;
 use super::robot_table::RobotTable;
 
 /// Poses where nothing else is filled in.
@@ -106,6 +107,16 @@ impl SimulatedRobot {
             payload_kg: robot.payload_kg,
         })
     }
+
+    /// One that was typed; `None` while it is no robot.
+    pub(crate) fn typed(table: &RobotTable) -> Option<Arc<Self>> {
+        let robot = table.robot().ok()?;
+        Some(Arc::new(Self {
+            title: robot.name.clone(),
+            robot,
+            payload_kg: None,
+        }))
+    }
 }
 
 /// What is simulated, as it is filled in.
@@ -125,11 +136,7 @@ pub(crate) struct Form {
 impl Default for Form {
     /// A lamp on one axis that turns.
     fn default() -> Self {
-        Self::of(
-            RobotTable::lamp()
-                .simulated()
-                .expect("a test makes it a robot"),
-        )
+        Self::of(SimulatedRobot::typed(&RobotTable::lamp()).expect("a test makes it a robot"))
     }
 }
 
@@ -149,6 +156,11 @@ impl Form {
         let hidden = OF_A_FIRST_SIMULATION.map(|id| Chosen::on(id, (joint, kind)));
         form.effects.extend(hidden.into_iter().flatten());
         form
+    }
+
+    /// Whether it is of the robot that it begins with where none was chosen.
+    pub(crate) fn is_of_the_lamp(&self) -> bool {
+        self.robot == Self::default().robot
     }
 
     /// The same as it was opened.
@@ -262,7 +274,10 @@ impl Form {
         let scenario = parse_scenario(document.as_bytes()).map_err(SimulateError::Rejected);
         let made = scenario.and_then(|one| pipeline::simulate(&one.scenario, self.seed, watch));
         match made {
-            Ok((session, truth)) => Ok((session, truth.effects)),
+            Ok((mut session, truth)) => {
+                as_saved(&mut session);
+                Ok((session, truth.effects))
+            }
             Err(SimulateError::Rejected(rejected)) => {
                 let problems = rejected.diagnostics.iter();
                 Err(problems.map(|d| d.found.clone()).collect())

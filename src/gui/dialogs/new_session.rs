@@ -29,9 +29,11 @@ pub(super) fn simulation(ui: &mut Ui, form: &Form, workbench: &Workbench) {
             "Random poses within the joint limits, three reflectors at the tool, speeds, loads and a warm-up mixed. The effects below are hidden in the robot: identification and diagnosis should find them"
         ),
     );
-    widgets::secondary(ui, say!("Another robot…")).does(workbench, move |bench| {
-        bench.show_sheet(Some(Sheet::ROBOTS));
-    });
+    if form.is_of_the_lamp() {
+        widgets::secondary(ui, say!("Another robot…")).does(workbench, move |bench| {
+            bench.show_sheet(Some(Sheet::ROBOTS));
+        });
+    }
     let mut filled = form.clone();
     let wrong = form.problems();
     widgets::section(ui, say!("Measurement"));

@@ -301,7 +301,7 @@ impl Sheet {
     /// The sheet that it was opened from: what one comes back to without an answer.
     pub(crate) fn before(&self) -> Option<Self> {
         match self {
-            Self::Simulate(form) if form.robot == Form::default().robot => None,
+            Self::Simulate(form) if form.is_of_the_lamp() => None,
             Self::Simulate(_) => Some(Self::ROBOTS),
             Self::RobotTable { .. } => Some(Self::ROBOTS),
             Self::Discard(typed) => Some((**typed).clone()),

@@ -246,10 +246,19 @@ fn rows(ui: &mut Ui, workbench: &Workbench, counts: &[Count]) {
         say!("samples").to_owned(),
     ];
     ui.horizontal(|ui| {
-        for (head, width) in heads.into_iter().zip(columns) {
+        for (k, (head, width)) in heads.into_iter().zip(columns).enumerate() {
             let muted = Palette::of(ui).muted;
             let head = RichText::new(head).size(size::SMALL).color(muted);
-            ui.add_sized([width, 16.0], egui::Label::new(head).extend());
+            // The head of the samples ends where their numbers end.
+            let layout = if k < 3 {
+                Layout::left_to_right(Align::Center)
+            } else {
+                Layout::right_to_left(Align::Center)
+            };
+            ui.allocate_ui_with_layout(vec2(width, 16.0), layout, |ui| {
+                ui.set_min_width(width);
+                ui.add(egui::Label::new(head).extend());
+            });
         }
     });
     for (k, region) in regions.iter().enumerate().take(MOST_LISTED) {

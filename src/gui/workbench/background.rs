@@ -36,16 +36,8 @@ impl Workbench {
             any = true;
             for (kind, outcome) in arrived {
                 match kind {
-                    Kind::Identifies => {
-                        if let Some(next) = self.asked.questions.answered() {
-                            self.answer_question(next);
-                        }
-                    }
-                    Kind::Prepares => {
-                        if let Some(next) = self.asked.previews.answered() {
-                            self.prepare(next);
-                        }
-                    }
+                    Kind::Identifies => self.asked.questions.answered(),
+                    Kind::Prepares => self.asked.previews.answered(),
                     Kind::Searches => self.asked.searched = None,
                     _ => {}
                 }

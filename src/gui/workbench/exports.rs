@@ -282,10 +282,8 @@ impl Workbench {
     /// The standards' figures of what is shown, or why there are none; while newer ones are worked out, the ones before.
     pub(crate) fn figures(&self) -> Option<&Result<StandardsFigures, String>> {
         self.answer()?;
-        self.plot_cache
-            .made(&self.wanted_figures()?)?
-            .result
-            .downcast_ref()
+        let work = Work::figures(self.diagnosis().map(FittedErrors::from));
+        self.made(&work)?.result.downcast_ref()
     }
 
     /// The figures that are shown: in the export step, and where a decision rests on them in every step.

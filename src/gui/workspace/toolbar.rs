@@ -34,7 +34,12 @@ pub(crate) fn show(
     let blends = drawn && workbench.answer().is_some();
     let mut room = ui.available_size();
     room.x /= stretch();
-    let tight = room.y < TIGHT || room.x - FIRST < if view.in_space() { SPACE } else { PLANE };
+    let least = match (view.in_space(), blends) {
+        (true, _) => SPACE,
+        (false, true) => ANSWERED,
+        (false, false) => PLANE,
+    };
+    let tight = room.y < TIGHT || room.x - FIRST < least;
     let roomy = room.x - FIRST > if tight { ROOMY_FOLDED } else { ROOMY };
     // Beside what stands above the bar, in the bar, or below it.
     let below = blends && extra.is_none() && !roomy;
@@ -60,7 +65,7 @@ pub(crate) fn show(
     };
     row.show(ui, workbench, first);
     if drawn && !tight {
-        widgets::row(ui, |ui| {
+        ui.horizontal_wrapped(|ui| {
             magnification(ui, workbench);
             scale_for(ui, workbench);
             beneath(ui, workbench);
@@ -130,9 +135,10 @@ fn ways(ui: &mut Ui, workbench: &Workbench, tight: bool) {
         widgets::segmented(ui, &views, now)
     } else {
         let named = views.iter().find(|(one, _)| *one == now);
+        let view = named.map_or("", |(_, name)| *name);
         let list = ComboBox::from_id_salt("ways to look").width(NARROW_LIST);
-        let list = list.selected_text(named.map_or("", |(_, name)| *name));
-        widgets::list(ui, say!("View"), list, views, now)
+        let list = list.selected_text(view);
+        widgets::list(ui, say!("{view} view", view), list, views, now)
     };
     match chosen {
         Some((Aspect::Plane, plane)) => workbench.then(move |bench| bench.view.look_in(plane)),
@@ -159,10 +165,13 @@ const ROOMY: f32 = 420.0;
 /// The same with a button for how anything is drawn.
 const ROOMY_FOLDED: f32 = 570.0;
 
-/// With less room how anything is drawn stands behind a button, in a plane and in space, points.
-const PLANE: f32 = 560.0;
+/// With less room how anything is drawn stands behind a button: in space, in a plane, and where there is an answer,
+/// points.
+const SPACE: f32 = 500.0;
 
-const SPACE: f32 = 730.0;
+const PLANE: f32 = 350.0;
+
+const ANSWERED: f32 = 560.0;
 
 /// With less height it does as well, points.
 const TIGHT: f32 = 270.0;
