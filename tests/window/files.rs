@@ -352,7 +352,7 @@ fn a_damaged_recovery_file_is_said_and_kept() {
     let whole = fs::read(&path).expect("it can be read");
     fs::write(&path, &whole[..whole.len() / 2]).expect("written");
 
-    let mut window = window_at(None, Some(&home));
+    let window = window_at(None, Some(&home));
     assert!(says(&window, "is damaged and cannot be restored"));
     assert!(says(&window, "It is kept as"));
     let aside = path.with_extension("damaged");

@@ -215,15 +215,23 @@ fn the_card_never_covers_what_it_is_about() {
     }
 }
 
+/// Presses what says how it is drawn; with little room that stands behind a button.
+fn drawn(window: &mut Window, label: &str) {
+    if !there(window, label) {
+        press(window, "How it is drawn");
+    }
+    window.get_by_label(label).click();
+    window.run_steps(4);
+}
+
 #[test]
 fn the_legend_never_covers_the_plot() {
     for (width, height) in [(1280.0, 800.0), (1024.0, 700.0)] {
         let mut window = sized(None, width, height);
         keys(&mut window, Modifiers::COMMAND, Key::I);
-        press(&mut window, "heat map");
+        drawn(&mut window, "heat map");
         for colour in ["direction", "load", "deviation", "before and after"] {
-            window.get_by_label("Colour of vectors").click();
-            window.run_steps(4);
+            drawn(&mut window, "Colour of vectors");
             window
                 .get_all_by_label(colour)
                 .last()

@@ -69,13 +69,10 @@ impl PlotCache {
     /// Takes what came of a work; what there was of it before.
     pub(crate) fn take(&mut self, made: Made) -> Option<Made> {
         self.under_way.retain(|key| *key != made.key);
-        match self.made.iter_mut().find(|before| before.key == made.key) {
-            Some(before) => Some(std::mem::replace(before, made)),
-            None => {
-                self.made.push(made);
-                None
-            }
-        }
+        let there = self.made.iter().position(|before| before.key == made.key);
+        let before = there.map(|place| self.made.swap_remove(place));
+        self.made.push(made);
+        before
     }
 }
 

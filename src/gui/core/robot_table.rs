@@ -160,7 +160,7 @@ impl RobotTable {
     /// A lamp on one axis that turns.
     pub(crate) fn lamp() -> Self {
         let mut table = Self::one_axis();
-        table.name = "lamp".to_owned();
+        "lamp".clone_into(&mut table.name);
         table.tool = [250.0, 0.0, 300.0, 0.0, 0.0, 0.0];
         table.gravity = Some([0.0, 0.0, -9.81]);
         table.rows[0].travel = Some([-90.0, 90.0]);

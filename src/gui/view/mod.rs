@@ -302,8 +302,7 @@ impl Sheet {
     pub(crate) fn before(&self) -> Option<Self> {
         match self {
             Self::Simulate(form) if form.is_of_the_lamp() => None,
-            Self::Simulate(_) => Some(Self::ROBOTS),
-            Self::RobotTable { .. } => Some(Self::ROBOTS),
+            Self::Simulate(_) | Self::RobotTable { .. } => Some(Self::ROBOTS),
             Self::Discard(typed) => Some((**typed).clone()),
             _ => None,
         }

@@ -3,8 +3,6 @@
 //! The tiles are kept beside the preferences, so what is read is looked through before it is shown: one workspace, not
 //! too many charts, each tile in one place.
 
-use std::collections::HashSet;
-
 use egui::Id;
 use egui_tiles::{Container, Linear, LinearDir, SimplificationOptions, Tile, TileId, Tiles, Tree};
 use serde::{Deserialize, Serialize};
@@ -116,14 +114,19 @@ impl Panes {
     /// Whether there is one workspace, not too many charts, and each tile in one place.
     fn can_be_shown(&self) -> bool {
         let tiles = &self.tree.tiles;
-        let mut seen: HashSet<Key> = self.tree.root.into_iter().collect();
+        let mut seen: Vec<Key> = self.tree.root.into_iter().collect();
+        let mut is_new = |key: Key| {
+            let new = !seen.contains(&key);
+            seen.push(key);
+            new
+        };
         let each_once = tiles.iter().all(|(key, tile)| match tile {
             Tile::Pane(_) => key.0 < 1 << 32,
             Tile::Container(Container::Linear(linear)) => {
                 let mut shares = linear.shares.iter();
                 key.0 < 1 << 32
                     && shares.all(|(_, share)| (1e-3..1e3).contains(share))
-                    && linear.children.iter().all(|child| seen.insert(*child))
+                    && linear.children.iter().all(|child| is_new(*child))
             }
             Tile::Container(Container::Tabs(_) | Container::Grid(_)) => false,
         });

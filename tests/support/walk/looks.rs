@@ -96,7 +96,7 @@ pub(super) fn arrangement(random: &mut ChaCha8Rng, workbench: &Workbench) -> Dee
             bench.rearrange(|panes| panes.move_to(key, edge));
         }),
         5 => deed("Pull", pulled(random, panes.tree.clone()), |bench, it| {
-            bench.view.panes.take(it)
+            bench.view.panes.take(it);
         }),
         _ if random.random_range(0..8) == 0 => deed("Usual", (), |bench, ()| {
             bench.rearrange(|panes| *panes = Panes::default());

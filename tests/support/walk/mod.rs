@@ -406,6 +406,8 @@ fn saved_is_read_again(bench: &mut Workbench, folder: &Path, step: usize) {
     if bench.answer().is_none() {
         return;
     }
+    // What waits for a model to be saved would open another session then.
+    bench.execute(Workbench::cancel_pending_action);
     let path = folder.join(format!("model {step}.json"));
     bench.execute(|bench| bench.export_as(What::Model, path.clone(), false));
     bench.receive();

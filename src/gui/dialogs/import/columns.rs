@@ -31,7 +31,9 @@ fn meanings(kind: Option<&Importer>, joints: usize) -> Vec<Meaning> {
     };
     add("-", say!("not imported"));
     if let Some(Meanings::Own(words)) = kind.map(|importer| importer.asks.columns) {
-        words.iter().for_each(|(word, text)| add(word, text));
+        for (word, text) in words {
+            add(word, text);
+        }
         return all;
     }
     add("name", say!("point name"));

@@ -180,6 +180,8 @@ fn pointed(
     });
 }
 
+type Choosing = Box<dyn Fn(&mut Workbench, usize) + Send>;
+
 /// A list in the bar.
 struct Listed {
     /// What it is called.
@@ -190,7 +192,7 @@ struct Listed {
     /// How what is chosen is written.
     shown: String,
     /// What a choice does.
-    does: Box<dyn Fn(&mut Workbench, usize) + Send>,
+    does: Choosing,
 }
 
 impl Listed {

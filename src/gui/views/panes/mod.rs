@@ -122,7 +122,9 @@ fn tree(ui: &mut Ui, workbench: &Workbench) {
             workbench.then(move |bench| {
                 bench.rearrange(|panes| {
                     panes.take(tree);
-                    dragged.into_iter().for_each(|key| panes.activate(key));
+                    if let Some(key) = dragged {
+                        panes.activate(key);
+                    }
                 });
             });
         }
