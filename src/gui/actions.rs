@@ -228,11 +228,11 @@ actions! {
         |now| results_says(layout(now.ctx, now.workbench).results()).into(),
         |bench, ctx| bench.view.results = Some(!layout(ctx, bench).results());
     CHART_BELOW: SHIFTED, E, phrase!("another chart below this plot"), |_| say!("Add chart below").into(),
-        |bench, _| bench.add_chart(Edge::Bottom), [when(ROOM)];
+        |bench, _| bench.add_chart(bench.view.panes.active(), Edge::Bottom), [when(ROOM)];
     CHART_BESIDE: COMMAND, E, phrase!("another chart beside this plot"), |_| say!("Add chart beside").into(),
-        |bench, _| bench.add_chart(Edge::Right), [when(ROOM)];
+        |bench, _| bench.add_chart(bench.view.panes.active(), Edge::Right), [when(ROOM)];
     USUAL_PLOTS: SHIFTED, W, phrase!("plots as they usually are"), |_| say!("Usual arrangement").into(),
-        |bench, _| bench.arrange(Panes::default()),
+        |bench, _| bench.rearrange(|panes| *panes = Panes::default()),
         [when(need(|now| !now.workbench.view.panes.are_usual(), phrase!("The plots are as they usually are")))];
     CLOSE_CHART: COMMAND, W, phrase!("close this chart"), |_| say!("Close chart").into(), |bench, _| bench.close_chart(),
         [when(need(|now| now.workbench.view.panes.active_chart().is_some(), phrase!("There is no chart")))];

@@ -10,7 +10,7 @@ use egui::style::NumberFormatter;
 use egui::{CentralPanel, ColorImage, Context, Frame, Margin, Panel, Ui, ViewportCommand};
 
 use super::preferences::{Preferences, largest_zoom};
-use super::view::{Arrangement, NextAction, Sheet};
+use super::view::{NextAction, Sheet};
 use super::{actions, dialogs, files, layers, widgets, workspace};
 use crate::gui::core::compensated::CompensationRequest;
 use crate::gui::jobs::{Jobs, Runner};
@@ -23,21 +23,17 @@ use crate::text::Language;
 /// So long after a change what is not saved is kept: a gesture is over by then.
 const RECOVERY_AFTER_S: f64 = 2.0;
 
-/// Layout passes of one frame at most: those that are not shown, twice over, as what was asked for may
-/// arrive between them.
-const PASSES: NonZeroUsize = NonZeroUsize::MIN.saturating_add(6);
-/// Passes that are not shown after a change of the arrangement: the one in which it changed, one in
-/// which a plot finds its bounds, and one in which it measures its axes.
+/// Passes that are not shown after a change that was asked for: the one in which it was made, one in which a plot finds
+/// its bounds, and one in which it measures its axes.
 const UNSEEN: u8 = 3;
 
 /// The window's contents.
 pub struct App {
     workbench: Workbench,
+    /// So many passes from now on are not to be seen.
+    unseen: u8,
     /// What is opened in the first frame: by then it is known which language the window speaks.
     first: Option<PathBuf>,
-    /// As it was laid out last, and how many passes from now on are not to be seen.
-    arranged: Option<Arrangement>,
-    unseen: u8,
     shown: Preferences,
     /// The size of text as it was set last: that which is wanted, or what the window has room for.
     zoom: f32,
@@ -67,7 +63,8 @@ impl App {
     pub fn new(ctx: &Context, path: Option<PathBuf>, runner: Runner) -> Self {
         keep_memory_between_frames();
         style::apply(ctx);
-        ctx.options_mut(|options| options.max_passes = PASSES);
+        let passes = NonZeroUsize::MIN.saturating_add(usize::from(UNSEEN));
+        ctx.options_mut(|options| options.max_passes = passes);
         write_fields(ctx, false);
         let wake = ctx.clone();
         let jobs = Jobs::new(runner, Arc::new(move || wake.request_repaint()));
@@ -82,9 +79,8 @@ impl App {
     pub(crate) fn on(workbench: Workbench) -> Self {
         Self {
             workbench,
-            first: None,
-            arranged: None,
             unseen: 0,
+            first: None,
             shown: Preferences::default(),
             zoom: 1.0,
             comma: false,
@@ -152,6 +148,19 @@ impl App {
         self.lay_out(ui);
         self.workbench.drag(ui.ctx().dragged_id().is_some());
         let any = self.workbench.make_changes();
+        // What a press or a key has changed is laid out before anybody sees the frame.
+        let asked = ui.input(|input| {
+            let released = input.pointer.any_released();
+            let is_key = |event: &egui::Event| matches!(event, egui::Event::Key { .. });
+            released || input.events.iter().any(is_key)
+        });
+        if any && asked {
+            self.unseen = UNSEEN;
+        }
+        if self.unseen > 0 {
+            self.unseen -= 1;
+            ui.ctx().request_discard("another state");
+        }
         self.keep_title(ui.ctx());
         self.ask_before_leaving(ui.ctx());
         if self.workbench.receive() || any {
@@ -159,7 +168,6 @@ impl App {
         }
         views::copies::chart(ui, &mut self.workbench);
         self.keep_picture(ui.ctx());
-        self.keep_arranged(ui.ctx());
     }
 
     /// Chooses the language for this frame.
@@ -167,19 +175,6 @@ impl App {
         let preferred = self.workbench.view.preferences.language;
         crate::text::choose(preferred.unwrap_or(self.language));
         crate::text::name_by_titles(true);
-    }
-
-    /// Where the arrangement has changed, the layout is done again before anybody sees it.
-    fn keep_arranged(&mut self, ctx: &Context) {
-        let now = Some(self.workbench.arrangement());
-        if self.arranged != now {
-            self.arranged = now;
-            self.unseen = UNSEEN;
-        }
-        if self.unseen > 0 {
-            self.unseen -= 1;
-            ctx.request_discard("another arrangement");
-        }
     }
 
     /// Compares the sessions of a folder, as if it had been chosen.

@@ -284,8 +284,6 @@ pub(crate) enum Kind {
     Searches,
     /// Looks at a foreign file.
     Looks,
-    /// What is only drawn: it passes without a word.
-    Draws,
     /// Not shown.
     Quiet,
 }
@@ -293,24 +291,26 @@ pub(crate) enum Kind {
 impl Kind {
     /// Whether the status bar names it, and can cancel it.
     pub(crate) fn has_a_name(self) -> bool {
-        !matches!(self, Self::Draws | Self::Quiet)
+        self != Self::Quiet
     }
 }
 
-/// What is asked faster than it is answered: one question at a time, and the latest one after it. One that was
-/// cancelled is not begun again by itself.
+/// What is asked faster than it is answered: one question at a time, and what is wanted once that is answered. One that
+/// was cancelled is not begun again by itself.
 #[derive(Debug)]
 pub(crate) struct Slot<Q> {
-    asked: Option<Q>,
-    waiting: Option<Q>,
+    /// Whether a question is being answered.
+    busy: bool,
+    /// What was wanted last.
+    wanted: Option<Q>,
     declined: Option<Q>,
 }
 
 impl<Q> Default for Slot<Q> {
     fn default() -> Self {
         Self {
-            asked: None,
-            waiting: None,
+            busy: false,
+            wanted: None,
             declined: None,
         }
     }
@@ -323,23 +323,14 @@ impl<Q: PartialEq + Clone> Slot<Q> {
             return None;
         }
         self.declined = None;
-        if self.asked.as_ref() == Some(&question) {
-            self.waiting = None;
-            None
-        } else if self.asked.is_some() {
-            self.waiting = Some(question);
-            None
-        } else {
-            self.asked = Some(question.clone());
-            Some(question)
-        }
+        self.wanted = Some(question.clone());
+        (!std::mem::replace(&mut self.busy, true)).then_some(question)
     }
 
-    /// What was asked last is cancelled.
+    /// What was wanted last is cancelled.
     pub(crate) fn decline(&mut self) {
-        let asked = self.asked.take();
-        let last = self.waiting.take().or(asked);
-        self.declined = last.or(self.declined.take());
+        self.busy = false;
+        self.declined = self.wanted.take().or(self.declined.take());
     }
 
     /// What was cancelled.
@@ -352,10 +343,8 @@ impl<Q: PartialEq + Clone> Slot<Q> {
         self.declined = None;
     }
 
-    /// The question is answered; the one that is next.
-    pub(crate) fn answered(&mut self) -> Option<Q> {
-        self.asked = None;
-        let next = self.waiting.take()?;
-        self.want(next)
+    /// The question is answered: what is wanted by now is asked next.
+    pub(crate) fn answered(&mut self) {
+        self.busy = false;
     }
 }

@@ -95,7 +95,11 @@ fn every_input_of_every_menu_and_sheet_has_a_name() {
     }
     let shifted = Modifiers::COMMAND.plus(Modifiers::SHIFT);
     for (heading, modifiers, key) in [
-        ("A lamp on one turning axis", Modifiers::COMMAND, Key::N),
+        (
+            "Random poses within the joint limits",
+            Modifiers::COMMAND,
+            Key::N,
+        ),
         ("Save session", shifted, Key::P),
         ("Preferences", Modifiers::COMMAND, Key::Comma),
         ("Keyboard and mouse", shifted, Key::K),
@@ -227,8 +231,11 @@ fn the_whole_work_can_be_done_with_the_keyboard() {
     keys(&mut window, Modifiers::COMMAND, Key::Num2);
     window.get_by_label("Change region 1").focus();
     window.run_steps(2);
-    keys(&mut window, Modifiers::NONE, Key::S);
-    assert!(there(&window, "From, region 7"), "split by a key");
+    keys(&mut window, Modifiers::NONE, Key::Enter);
+    window.get_by_label("Split in half").focus();
+    window.run_steps(2);
+    keys(&mut window, Modifiers::NONE, Key::Enter);
+    assert!(there(&window, "From, region 7"), "split by keys");
     keys(&mut window, Modifiers::COMMAND, Key::I);
     keys(&mut window, Modifiers::COMMAND, Key::Num5);
     window

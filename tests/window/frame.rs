@@ -155,14 +155,17 @@ fn a_session_made_by_simulation_gives_back_what_went_in() {
     press(&mut window, "Simulate session…");
     press(&mut window, "Simulate");
     assert!(
-        status(&window).starts_with("122 samples"),
+        status(&window).starts_with("360 samples"),
         "{}",
         status(&window)
     );
     press(&mut window, "3 Identify");
     press(&mut window, "Identify");
     let (before, after) = gaps(&window);
-    assert!(before > 10.0 && after.expect("identified") < 0.1);
+    assert!(
+        after.expect("identified") < 0.5 * before,
+        "{before} {after:?}"
+    );
 }
 
 #[test]

@@ -242,13 +242,9 @@ fn two_logs_are_matched_by_their_clocks() {
     );
     press(&mut window, "by time");
     press(&mut window, "y points up: turn it so that z does");
-    assert!(says(&window, "s to agree with the commands"));
     assert!(says(&window, "What the import brings"));
+    assert!(says(&window, "clock offset") && says(&window, "± 0.00"));
     press(&mut window, "typed");
-    assert!(
-        says(&window, "s added"),
-        "the offset that was found stands there"
-    );
     type_into(&mut window, "Seconds to add to a measured time", "1000");
     assert!(says(
         &window,
@@ -395,13 +391,9 @@ fn a_robot_of_the_library_is_found_by_typing() {
     assert!(says(&window, "Choose the robot that was measured"));
     type_into(&mut window, "Find a robot", "ur5e");
     assert!(says(&window, "UR5e: 6 joints, 6 of which turn"));
-    // The reason of a refusal stands in the foot as long as it cannot be read where it stands.
+    // The reason of a refusal stands in its place, and in the foot.
     let reason = "the commanded value of joint 2 is not stated";
     assert_eq!(window.query_all_by_label_contains(reason).count(), 2);
-    let above = window.get_all_by_label_contains(reason).next();
-    above.expect("it stands in its place").scroll_to_me();
-    window.run_steps(6);
-    assert_eq!(window.query_all_by_label_contains(reason).count(), 1);
     press(&mut window, "Find a robot");
     window.get_by_label("Find a robot").type_text("kr 6");
     window.run_steps(4);

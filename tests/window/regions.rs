@@ -31,7 +31,6 @@ fn pair(from: &str, to: &str) -> (String, String) {
 /// Uses a region's menu.
 fn with_region(window: &mut Window, region: &str, what: &str) {
     press(window, &format!("Change region {region}"));
-    // Behind it stands the key that does the same.
     window.get_by_label_contains(what).click();
     window.run_steps(4);
 }
@@ -114,7 +113,7 @@ fn a_region_that_is_deleted_leaves_a_gap_into_which_nothing_may_overlap() {
 }
 
 #[test]
-fn regions_are_split_merged_and_renamed_from_the_menu_and_by_keys() {
+fn regions_are_split_merged_and_renamed() {
     let mut window = regions();
     with_region(&mut window, "2", "Split in half");
     assert_eq!(ends(&window, "7"), pair("−75", "−50"));
@@ -122,29 +121,16 @@ fn regions_are_split_merged_and_renamed_from_the_menu_and_by_keys() {
     assert_eq!(ends(&window, "2"), pair("−100", "−50"));
     assert!(!there(&window, "From, region 7"));
 
-    let menu = |window: &mut Window, region: &str, key: Key| {
-        window
-            .get_by_label(&format!("Change region {region}"))
-            .focus();
-        window.run_steps(2);
-        keys(window, Modifiers::NONE, key);
-    };
-    menu(&mut window, "2", Key::S);
-    assert_eq!(ends(&window, "7"), pair("−75", "−50"));
-    menu(&mut window, "2", Key::M);
-    assert!(!there(&window, "From, region 7"));
-    menu(&mut window, "6", Key::M);
+    with_region(&mut window, "6", "Merge with previous");
     assert_eq!(
         ends(&window, "5"),
         pair("50", "150"),
         "the last goes to the one before"
     );
-    menu(&mut window, "5", Key::Delete);
+    with_region(&mut window, "5", "Delete");
     assert!(!there(&window, "From, region 5"));
-    menu(&mut window, "1", Key::R);
+    window.get_by_label("Name of region 1").focus();
     window.run_steps(2);
-    let field = window.get_by_label("Name of region 1");
-    assert!(field.is_focused(), "the cursor is in the name");
     keys(&mut window, Modifiers::COMMAND, Key::A);
     window.get_by_label("Name of region 1").type_text("parking");
     window.run_steps(2);

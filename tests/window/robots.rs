@@ -123,7 +123,7 @@ fn numbers_in_a_form_are_as_short_as_they_are() {
     window.get_by_label("Encoder eccentricity").click();
     window.run_steps(4);
     let all = values(&window);
-    for value in ["−90°", "90°", "3°", "250 mm", "−5 mm", "0.03 mm", "30°"] {
+    for value in ["120", "0.03 mm", "0.05°", "30°"] {
         assert!(all.iter().any(|one| one == value), "{value}: {all:?}");
     }
     let long = |value: &&String| {

@@ -188,7 +188,7 @@ fn normalised([bb, ba, aa, weight, largest]: [f64; 5]) -> [f32; 4] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gui::testing::workbench;
+    use crate::gui::testing::{lamp, workbench, workbench_on};
 
     impl Heat {
         /// The mean products and the opacity at a point of the plane, mm, between the middles of the
@@ -247,13 +247,7 @@ mod tests {
 
     #[test]
     fn places_some_way_apart_run_into_one_another() {
-        let mut workbench = workbench();
-        let form = crate::gui::core::simulate::Form {
-            step_deg: 12.0,
-            ..crate::gui::core::simulate::Form::default()
-        };
-        workbench.execute(|bench| bench.simulate(form));
-        workbench.receive();
+        let workbench = workbench_on(lamp(12.0, &[]));
         let loaded_session = workbench.loaded_session();
         let heat = Heat::of(loaded_session, None, Plane::Xy).expect("there are samples");
         let [a, b] = [4, 5].map(|sample| loaded_session.measured(sample));
@@ -266,15 +260,10 @@ mod tests {
 
     #[test]
     fn a_place_measured_often_counts_as_one_measured_once() {
-        let mut workbench = workbench();
+        let workbench = workbench();
         let once =
             Heat::of(workbench.loaded_session(), None, Plane::Xy).expect("there are samples");
-        let form = crate::gui::core::simulate::Form {
-            step_deg: 0.05,
-            ..crate::gui::core::simulate::Form::default()
-        };
-        workbench.execute(|bench| bench.simulate(form));
-        workbench.receive();
+        let workbench = workbench_on(lamp(0.05, &[]));
         let often =
             Heat::of(workbench.loaded_session(), None, Plane::Xy).expect("there are samples");
         let at = workbench.loaded_session().measured(40);

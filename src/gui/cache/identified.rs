@@ -20,6 +20,7 @@ use crate::numeric::Ascending;
 use crate::pipeline;
 use crate::present::standards::{Group, groups};
 use crate::present::table::{Cell, Table};
+use crate::sessions::Session;
 use crate::text::Text;
 
 use super::cloud::{Cloud, Remainder};
@@ -167,17 +168,6 @@ fn preview(wanted: &PreviewRequest) -> Result<ExportPreview, String> {
     })
 }
 
-/// The standards' figures of the session, as the window shows them: once for each identification.
-#[derive(Debug, Clone)]
-pub(crate) struct Figures {
-    /// The identification behind the corrected commands.
-    pub(crate) identified: Arc<IdentifiedAnswer>,
-    /// The errors of a diagnosis, where there is one: the decision rests on those, in the report as well.
-    pub(crate) diagnosed: Option<FittedErrors>,
-    /// The figures, or why there are none; `None` while they are worked out.
-    pub(crate) made: Option<Result<StandardsFigures, String>>,
-}
-
 /// What the standards say.
 #[derive(Debug, Clone)]
 pub(crate) struct StandardsFigures {
@@ -189,24 +179,16 @@ pub(crate) struct StandardsFigures {
     pub(crate) notes: Vec<Text>,
 }
 
-impl Figures {
-    /// Works them out. Takes its time with many samples.
-    pub(crate) fn of(outcome: Arc<IdentifiedAnswer>, diagnosed: Option<FittedErrors>) -> Self {
-        let made = figures(&outcome, diagnosed);
-        Self {
-            identified: outcome,
-            diagnosed,
-            made: Some(made),
-        }
-    }
-}
-
-fn figures(
-    outcome: &IdentifiedAnswer,
+/// The standards' figures of a session, as the window shows them. Takes its time with many samples.
+///
+/// # Errors
+/// Why there are none.
+pub(super) fn figures(
+    session: &Session,
+    answer: Option<&Answer>,
     diagnosed: Option<FittedErrors>,
 ) -> Result<StandardsFigures, String> {
-    let answer = outcome.answer.as_ref().map_err(Clone::clone)?;
-    let session = &outcome.question.loaded_session.session;
+    let answer = answer.ok_or(say!("Identify the robot first"))?;
     let figures = pipeline::standards(session, Some(&answer.calibration))
         .map_err(|e| spoken(e.describe()))?;
     let found = &answer.identification;

@@ -2,7 +2,7 @@
 //! the table corrects and what is left as predicted with it; the figures of ISO 230-2 are next to it.
 
 use super::{About, ChartChoice, ChartKind, ChartPlaceholder, HoverTarget, Scene, Shown};
-use crate::gui::cache::Work;
+use crate::gui::cache::{Work, WorkKey};
 use crate::gui::core::quantity::{Over, Variable};
 use crate::gui::help::Word;
 use crate::gui::view::Step;
@@ -54,7 +54,8 @@ impl ChartKind for OfAxis {
 
     fn work(&self, scene: &Scene) -> Option<Work> {
         let joint = scene.joint();
-        Some(Work::new(ID, vec![joint], move |given| {
+        let key = WorkKey::Chart(ID, scene.component, vec![joint]);
+        Some(Work::new(key, move |given| {
             let calibration = given.answer.map(|answer| &answer.calibration);
             axis_test(&given.loaded_session.session, calibration, joint)
                 .map_err(|error| spoken(error.describe()))

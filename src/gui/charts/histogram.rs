@@ -3,7 +3,7 @@
 use super::{
     About, Bars, ChartChoice, ChartKind, ChartPlaceholder, Facts, HoverTarget, Scene, Shown,
 };
-use crate::gui::cache::Work;
+use crate::gui::cache::{Work, WorkKey};
 use crate::gui::core::loaded_session::Component;
 use crate::gui::help;
 use crate::present::bins::{Bins, Counted, Distribution, NoiseCurve};
@@ -33,16 +33,18 @@ impl ChartKind for Histogram {
         }
     }
 
-    fn work(&self, _: &Scene) -> Option<Work> {
-        Some(Work::new(self.about().id, Vec::new(), |given| {
+    fn work(&self, scene: &Scene) -> Option<Work> {
+        let component = scene.component;
+        let key = WorkKey::Chart(self.about().id, component, Vec::new());
+        Some(Work::new(key, move |given| {
             let usable = given
                 .loaded_session
                 .overview
                 .usable
                 .iter()
                 .map(|i| *i as usize);
-            let (before, after) = given.values(&usable.collect::<Vec<_>>());
-            let length = given.component == Component::Length;
+            let (before, after) = given.values(&usable.collect::<Vec<_>>(), component);
+            let length = component == Component::Length;
             Distribution::new(&before, after.as_deref(), length)
         }))
     }

@@ -4,19 +4,23 @@
 //! show. Nothing here draws.
 
 use std::any::Any;
+use std::borrow::Cow;
 use std::sync::Arc;
 
 use crate::diagnosis::Diagnosis;
 use crate::gui::cache::identified::{ExportPreview, IdentifiedAnswer, Preview};
-use crate::gui::cache::{ChartResult, Work};
+use crate::gui::cache::points::{Cloud, Points, When, at};
+use crate::gui::cache::{ChartInputs, ChartResult, Work, WorkKey};
 use crate::gui::core::answer::Answer;
 use crate::gui::core::answer::Search;
 use crate::gui::core::document::Document;
 use crate::gui::core::loaded_session::{Component, LoadedSession};
-use crate::gui::core::quantity::Quantity;
+use crate::gui::core::quantity::{Over, Quantity, Scale};
+use crate::gui::core::scale::FEW;
 use crate::gui::help::Word;
 use crate::gui::view::{Plane, Step};
-use crate::present::chart::{Chart, Item, Lengths};
+use crate::present::chart::{Chart, ColourRole, Form, Item, Lengths, Mark};
+use crate::present::numbers::grouped;
 use crate::present::table::Table;
 use crate::present::units::Units;
 use crate::text::{Template, spoken};
@@ -158,9 +162,8 @@ pub(crate) trait Samples {
     /// Those whose marks may be between two places along the chart and upwards.
     fn near(&self, x: [f64; 2], y: [f64; 2]) -> Vec<usize>;
 
-    /// What is drawn between two places along the chart on so many points of the screen, beside what
-    /// is drawn in any case.
-    fn in_sight(&self, _: [f64; 2], _points: f64) -> Vec<Item> {
+    /// What is drawn between two places along the chart, beside what is drawn in any case.
+    fn in_sight(&self, _: [f64; 2]) -> Vec<Item> {
         Vec::new()
     }
 }
@@ -259,6 +262,166 @@ impl Scene {
             per_mm: self.units.length_value(1.0),
             number,
         }
+    }
+}
+
+/// Samples as a chart shows them: two quantities over each other, before and after.
+pub(crate) struct Seen<'a> {
+    pub(crate) scene: &'a Scene,
+    pub(crate) axes: [Quantity; 2],
+    pub(crate) scales: [Scale; 2],
+    pub(crate) cloud: Cow<'a, Cloud>,
+    /// What their marks point along, where they say from which side a joint came.
+    pub(crate) sides: Option<Over>,
+    /// Whether a point is elsewhere after the identification.
+    pub(crate) changes: bool,
+}
+
+impl<'a> Seen<'a> {
+    /// What the background works out for it; a few samples are looked at in every frame.
+    pub(crate) fn work(scene: &Scene, axes: [Quantity; 2]) -> Option<Work> {
+        let work = || Work::new(WorkKey::Places(axes), move |given| Cloud::of(given, axes));
+        (scene.usable().len() > FEW).then(work)
+    }
+
+    /// `None`: the background is at it.
+    pub(crate) fn of(scene: &'a Scene, axes: [Quantity; 2], sides: Option<Over>) -> Option<Self> {
+        let loaded_session = &*scene.loaded_session;
+        let cloud = match scene.found() {
+            Some(cloud) => Cow::Borrowed(cloud),
+            None if scene.usable().len() > FEW => return None,
+            None => {
+                let answer = scene.answer();
+                let inputs = ChartInputs {
+                    loaded_session,
+                    answer,
+                };
+                Cow::Owned(Cloud::of(inputs, axes))
+            }
+        };
+        let mut seen = Self {
+            scene,
+            axes,
+            scales: axes.map(|axis| axis.scale(loaded_session, scene.units, 0.0)),
+            cloud,
+            sides,
+            changes: axes.iter().any(|axis| axis.changes()),
+        };
+        let extent = seen.extent();
+        seen.scales = [0, 1].map(|k| {
+            let span = extent.map_or(0.0, |extent| extent[k][1] - extent[k][0]);
+            axes[k].scale(loaded_session, scene.units, span)
+        });
+        Some(seen)
+    }
+
+    /// What is drawn: before, after, or both.
+    pub(crate) fn whens(&self) -> impl Iterator<Item = When> + use<> {
+        let after = self.changes && self.scene.answer().is_some();
+        let before = !(after && self.scene.only_after());
+        [(0, before), (1, after)]
+            .into_iter()
+            .filter_map(|(when, seen)| seen.then_some(when))
+    }
+
+    pub(crate) fn points(&self, when: When) -> &Points {
+        &self.cloud.0[when]
+    }
+
+    /// Smallest and largest value across and upwards of what is drawn, inner units.
+    pub(crate) fn extent(&self) -> Option<[[f64; 2]; 2]> {
+        let all = self.whens().filter_map(|when| self.points(when).extent);
+        all.reduce(|a, b| [0, 1].map(|k| [a[k][0].min(b[k][0]), a[k][1].max(b[k][1])]))
+    }
+
+    /// Where a sample is, inner units.
+    pub(crate) fn place(&self, when: When, sample: usize) -> [f64; 2] {
+        let (session, answer) = (&self.scene.loaded_session, self.scene.answer());
+        at(session, answer, self.axes, when, sample)
+    }
+
+    pub(crate) fn form(&self, sample: usize) -> Form {
+        let side = self
+            .sides
+            .map(|over| over.side(&self.scene.loaded_session, sample));
+        side.map_or(Form::Disc, Form::of_side)
+    }
+
+    /// Whether any mark points to a side.
+    pub(crate) fn has_sides(&self) -> bool {
+        let drawn = &self.points(0).drawn;
+        drawn
+            .iter()
+            .any(|sample| self.form(*sample as usize) != Form::Disc)
+    }
+
+    pub(crate) fn role(&self, when: When) -> (ColourRole, bool) {
+        match when {
+            0 if !self.changes => (ColourRole::Curve, true),
+            0 => (ColourRole::Before, false),
+            _ => (ColourRole::After, true),
+        }
+    }
+
+    /// What is not drawn.
+    pub(crate) fn notes(&self) -> Vec<String> {
+        let mut notes = Vec::new();
+        let points = self.points(self.whens().last().unwrap_or(0));
+        let (drawn, all) = (points.drawn.len(), points.samples.len());
+        if drawn < all {
+            notes.push(say!(
+                "{drawn} of {all} points shown: zoom in for more",
+                drawn = grouped(drawn),
+                all = grouped(all)
+            ));
+        }
+        let unplaced = self.scene.usable().len() - all;
+        if unplaced > 0 {
+            notes.push(say!(
+                one "{count} sample has no value and is not shown",
+                "{count} samples have no value and are not shown",
+                count = unplaced
+            ));
+        }
+        notes
+    }
+
+    /// Those that are drawn between two places along the chart.
+    fn between(&self, when: When, x: [f64; 2]) -> &[u32] {
+        let x = x.map(|x| self.scales[0].value_at(x));
+        let across = |sample: u32| self.place(when, sample as usize)[0];
+        self.points(when).between(x, across)
+    }
+}
+
+impl Samples for Seen<'_> {
+    fn marks(&self, sample: usize) -> Vec<[f64; 2]> {
+        let places = self.whens().map(|when| self.place(when, sample));
+        let known = places.filter(|at| at.iter().all(|v| v.is_finite()));
+        known
+            .map(|at| [0, 1].map(|k| self.scales[k].shown(at[k])))
+            .collect()
+    }
+
+    fn near(&self, x: [f64; 2], _: [f64; 2]) -> Vec<usize> {
+        let near = self.whens().flat_map(|when| self.between(when, x));
+        near.map(|sample| *sample as usize).collect()
+    }
+
+    fn in_sight(&self, x: [f64; 2]) -> Vec<Item> {
+        let marks = |when: When| {
+            let here = self.between(when, x).iter().map(|sample| *sample as usize);
+            let mark = |sample: usize| {
+                let at = self.place(when, sample);
+                Mark {
+                    at: [0, 1].map(|k| self.scales[k].shown(at[k])),
+                    form: self.form(sample),
+                }
+            };
+            let (stands, filled) = self.role(when);
+            Item::Marks(here.map(mark).collect(), stands, filled)
+        };
+        self.whens().map(marks).collect()
     }
 }
 

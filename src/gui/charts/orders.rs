@@ -3,7 +3,7 @@
 use super::{
     About, Bars, ChartChoice, ChartKind, ChartPlaceholder, Facts, HoverTarget, Scene, Shown,
 };
-use crate::gui::cache::{ChartInputs, Work};
+use crate::gui::cache::{ChartInputs, Work, WorkKey};
 use crate::gui::core::answer::terms;
 use crate::gui::core::quantity::{Over, Variable};
 use crate::gui::help;
@@ -38,7 +38,9 @@ impl ChartKind for Orders {
 
     fn work(&self, scene: &Scene) -> Option<Work> {
         let (joint, gears) = (scene.joint(), gears(scene));
+        let component = scene.component;
         let key = std::iter::once(joint).chain(gears.clone()).collect();
+        let key = WorkKey::Chart(self.about().id, component, key);
         let make = move |inputs: ChartInputs<'_>| {
             let over = Over {
                 variable: Variable::Joint,
@@ -53,10 +55,10 @@ impl ChartKind for Orders {
             let angle = |i: &usize| over.of(inputs.loaded_session, *i);
             let samples: Vec<usize> = usable.filter(|i| angle(i).is_finite()).collect();
             let angles: Vec<f64> = samples.iter().map(angle).collect();
-            let (before, after) = inputs.values(&samples);
+            let (before, after) = inputs.values(&samples, component);
             Spectrum::new(&angles, &before, after.as_deref(), &gears)
         };
-        Some(Work::new(self.about().id, key, make))
+        Some(Work::new(key, make))
     }
 
     fn show<'a>(&self, scene: &'a Scene) -> Result<Shown<'a>, ChartPlaceholder> {

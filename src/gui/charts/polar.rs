@@ -9,10 +9,14 @@
 
 use std::f64::consts::TAU;
 
-use super::deviation::{ANGLE, DrawnDeviations, MOST_NEAR};
-use super::{About, ChartChoice, ChartKind, ChartPlaceholder, HoverTarget, Samples, Scene, Shown};
-use crate::gui::cache::{Column, Work};
+use super::deviation::{ANGLE, axes, describe, note};
+use super::{
+    About, ChartChoice, ChartKind, ChartPlaceholder, HoverTarget, Samples, Scene, Seen, Shown,
+};
+use crate::gui::cache::Work;
+use crate::gui::cache::points::When;
 use crate::gui::core::loaded_session::{Component, LoadedSession};
+use crate::gui::core::quantity::Over;
 use crate::gui::core::scale::round_down;
 use crate::gui::help;
 use crate::gui::view::Plane;
@@ -35,8 +39,6 @@ const ROOM: f64 = 1.9;
 /// Spokes and chords of circles are so many parts of a turn.
 const SPOKES: u32 = 12;
 const CHORDS: u32 = 180;
-/// Columns of extremes around, of many samples.
-const COLUMNS: usize = 720;
 /// Angles this close are one, rad: the line goes through the mean of their deviations.
 const SAME_RAD: f64 = 0.005;
 /// Over a wider gap there is no line, rad.
@@ -56,14 +58,15 @@ impl ChartKind for Polar {
     }
 
     fn work(&self, scene: &Scene) -> Option<Work> {
-        ANGLE.work(&of_first(scene))
+        Seen::work(scene, axes(scene, over(scene)))
     }
 
     fn show<'a>(&self, scene: &'a Scene) -> Result<Shown<'a>, ChartPlaceholder> {
         if let Some(why) = absent(&scene.loaded_session) {
             return Err(ChartPlaceholder::new(say!("No polar view"), why));
         }
-        let drawn = Drawn::of(scene);
+        let seen = Seen::of(scene, axes(scene, over(scene)), Some(over(scene)));
+        let drawn = Drawn::of(seen.ok_or_else(ChartPlaceholder::yet)?);
         let component = scene.component.name();
         let samples = scene.usable().len();
         let division = drawn.scale();
@@ -74,7 +77,7 @@ impl ChartKind for Polar {
                 samples,
                 polar = division
             ),
-            description: drawn.of.describe(drawn.all),
+            description: describe(&drawn.of, over(scene)),
             chart: drawn.chart(division),
             pointed: HoverTarget::Samples(Box::new(drawn)),
         })
@@ -91,6 +94,10 @@ fn of_first(scene: &Scene) -> Scene {
         joint: 0,
         ..scene.clone()
     }
+}
+
+fn over(scene: &Scene) -> Over {
+    ANGLE.over(&of_first(scene))
 }
 
 /// Why a session has no polar view, and what shows the same.
@@ -120,8 +127,7 @@ fn directions(loaded_session: &LoadedSession, plane: Plane) -> [[f64; 2]; 2] {
 }
 
 struct Drawn<'a> {
-    of: DrawnDeviations<'a>,
-    all: Option<Column>,
+    of: Seen<'a>,
     directions: [[f64; 2]; 2],
     division_mm: f64,
     /// So many divisions inside the nominal circle and outside.
@@ -129,16 +135,10 @@ struct Drawn<'a> {
 }
 
 impl<'a> Drawn<'a> {
-    fn of(scene: &'a Scene) -> Self {
-        let of = DrawnDeviations::of(scene, ANGLE.over(&of_first(scene)));
-        let all = of.extent();
-        let shown = all.map_or([None; 2], |all| {
-            [all.before_mm.filter(|_| !scene.only_after()), all.after_mm]
-        });
-        let [low, high] = shown
-            .into_iter()
-            .flatten()
-            .fold([0.0_f64; 2], |[a, b], mm| [a.min(mm[0]), b.max(mm[1])]);
+    fn of(of: Seen<'a>) -> Self {
+        let scene = of.scene;
+        let [low, high] = of.extent().map_or([0.0; 2], |[_, mm]| mm);
+        let [low, high] = [low.min(0.0), high.max(0.0)];
         // Round in the unit in which it is written.
         let per_mm = scene.units.length_value(1.0);
         let division_mm = round_up(high.max(-low) * per_mm / MOST_DIVISIONS) / per_mm;
@@ -148,7 +148,6 @@ impl<'a> Drawn<'a> {
             directions: directions(&scene.loaded_session, scene.plane),
             divisions: [-low, high].map(|mm| most(mm).clamp(1.0, MOST_DIVISIONS)),
             of,
-            all,
             division_mm,
         }
     }
@@ -202,14 +201,10 @@ impl<'a> Drawn<'a> {
         let ring = Entry::new(division, LegendSymbol::Line, ColourRole::Reference, true);
         let mut legend = vec![ring, Entry::before(sign)];
         legend.extend(scene.answer().map(|_| Entry::after(sign)));
-        let stages = [
-            (ColourRole::Before, !scene.only_after()),
-            (ColourRole::After, scene.answer().is_some()),
-        ];
-        for (role, _) in stages.into_iter().filter(|(_, shown)| *shown) {
-            items.extend(self.stage(role));
+        for when in self.of.whens() {
+            items.extend(self.stage(when));
         }
-        if self.of.dots.iter().any(|dot| dot.side != 0.0) {
+        if self.of.has_sides() {
             let way = |name: &str, form| {
                 Entry::new(name, LegendSymbol::Mark(form), ColourRole::Noise, false)
             };
@@ -228,11 +223,7 @@ impl<'a> Drawn<'a> {
             bounds: [[-out; 2], [out; 2]],
             items,
             legend,
-            note: if self.of.envelope.is_some() {
-                say!("min–max at each angle").to_owned()
-            } else {
-                self.of.note(false)
-            },
+            note: note(&self.of, over(scene)),
         }
     }
 
@@ -263,45 +254,33 @@ impl<'a> Drawn<'a> {
         items
     }
 
-    /// The deviations before or after: each sample with the mean at each angle; of many what lies between the
-    /// smallest and the largest at each angle.
-    fn stage(&self, role: ColourRole) -> Vec<Item> {
-        let is_after = role == ColourRole::After;
-        if let (Some(envelope), Some(all)) = (self.of.envelope, self.all) {
-            let columns = envelope.columns([all.x[0], all.x[1] + 1e-9], COLUMNS);
-            let ends = |column: &Column| {
-                let [low, high] = (if is_after {
-                    column.after_mm
-                } else {
-                    column.before_mm
-                })?;
-                let q = f64::midpoint(column.x[0], column.x[1]);
-                Some(vec![self.at(q, low), self.at(q, high)])
-            };
-            let line = |ends| Item::Line(ends, role, 1.5, false);
-            return columns.iter().filter_map(ends).map(line).collect();
-        }
-        let dots = self.of.dots.iter().filter_map(|dot| {
-            let mm = if is_after {
-                dot.after_mm?
-            } else {
-                dot.before_mm
-            };
-            (dot.x.is_finite() && mm.is_finite()).then_some((dot.side, dot.x, mm))
-        });
-        let dots: Vec<(f64, f64, f64)> = dots.collect();
-        let mark = |(side, q, mm): &(f64, f64, f64)| Mark {
-            at: self.at(*q, *mm),
-            form: Form::of_side(*side),
+    /// The deviations before or after: each sample, and where all are drawn the mean at each angle.
+    fn stage(&self, when: When) -> Vec<Item> {
+        let (role, filled) = self.of.role(when);
+        let points = self.of.points(when);
+        let drawn = points.drawn.iter().map(|sample| *sample as usize);
+        let mark = |sample: usize| {
+            let [q, mm] = self.of.place(when, sample);
+            Mark {
+                at: self.at(q, mm),
+                form: self.of.form(sample),
+            }
         };
-        let marks = Item::Marks(dots.iter().map(mark).collect(), role, is_after);
+        let marks = Item::Marks(drawn.clone().map(mark).collect(), role, filled);
+        if points.drawn.len() < points.samples.len() {
+            return vec![marks];
+        }
+        let session = &self.of.scene.loaded_session;
+        let dot = |sample: usize| {
+            let [q, mm] = self.of.place(when, sample);
+            (over(self.of.scene).side(session, sample), q, mm)
+        };
         let line = |piece: Vec<[f64; 2]>| {
             let points = piece.iter().map(|[q, mm]| self.at(*q, *mm));
-            Item::Line(points.collect(), role, 1.25, !is_after)
+            Item::Line(points.collect(), role, 1.25, !filled)
         };
-        let mut items: Vec<Item> = means(dots).into_iter().map(line).collect();
-        items.push(marks);
-        items
+        let means = means(drawn.map(dot).collect()).into_iter();
+        means.map(line).chain([marks]).collect()
     }
 }
 
@@ -346,36 +325,21 @@ fn means(mut values: Vec<(f64, f64, f64)>) -> Vec<Vec<[f64; 2]>> {
 
 impl Samples for Drawn<'_> {
     fn marks(&self, sample: usize) -> Vec<[f64; 2]> {
-        let dot = self.of.dot(sample);
-        let before = (!self.of.scene.only_after()).then_some(dot.before_mm);
-        let both = before.into_iter().chain(dot.after_mm);
-        let both = both.map(|mm| self.at(dot.x, mm));
-        both.filter(|at| at.iter().all(|v| v.is_finite())).collect()
+        let places = self.of.whens().map(|when| self.of.place(when, sample));
+        let known = places.filter(|at| at.iter().all(|v| v.is_finite()));
+        known.map(|[q, mm]| self.at(q, mm)).collect()
     }
 
-    /// Of many those at the angles around the place, on every turn.
-    fn near(&self, x: [f64; 2], y: [f64; 2]) -> Vec<usize> {
-        let (Some(envelope), Some(all)) = (self.of.envelope, self.all) else {
-            return self.of.near(x, y);
-        };
-        let [x, y] = [x, y].map(|ends| (f64::midpoint(ends[0], ends[1]), ends[1] - ends[0]));
-        let along = |d: [f64; 2]| x.0 * d[0] + y.0 * d[1];
-        let [radial, tangential] = self.directions.map(along);
-        let half = (0.5 * x.1.abs() / radial.hypot(tangential).max(1e-6)).min(0.5);
-        let angle = tangential.atan2(radial);
-        let first = angle + TAU * ((all.x[0] - half - angle) / TAU).ceil();
-        let turns = (0..8_u8).map(|k| first + TAU * f64::from(k));
-        let angles = turns.take_while(|q| *q <= all.x[1] + half);
-        let near = |q: f64| envelope.samples([q - half, q + half], MOST_NEAR);
-        angles.flat_map(near).collect()
+    fn near(&self, _: [f64; 2], _: [f64; 2]) -> Vec<usize> {
+        let all = self.of.whens().flat_map(|when| &self.of.points(when).drawn);
+        all.map(|sample| *sample as usize).collect()
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gui::core::simulate::Form as Simulated;
-    use crate::gui::testing::workbench;
+    use crate::gui::testing::{lamp, workbench, workbench_on};
     use crate::gui::workbench::Workbench;
 
     #[test]
@@ -404,7 +368,9 @@ mod tests {
     }
 
     fn of<T>(workbench: &Workbench, look: impl FnOnce(&Drawn<'_>) -> T) -> T {
-        look(&Drawn::of(&workbench.scene_of(&Polar)))
+        let scene = workbench.scene_of(&Polar);
+        let seen = Seen::of(&scene, axes(&scene, over(&scene)), Some(over(&scene)));
+        look(&Drawn::of(seen.expect("it is worked out")))
     }
 
     #[test]
@@ -456,30 +422,22 @@ mod tests {
     }
 
     #[test]
-    fn what_is_pointed_at_is_found_at_its_angle_on_every_turn_of_many_samples() {
-        let mut workbench = workbench();
-        workbench.execute(|bench| {
-            bench.simulate(Simulated {
-                step_deg: 0.05,
-                ..Simulated::default()
-            });
-        });
-        workbench.receive();
+    fn what_is_pointed_at_is_found_among_many_samples() {
+        let mut workbench = workbench_on(lamp(0.05, &[]));
         let key = workbench.view.panes.active_chart().map(|(key, _)| key);
-        let panes = workbench.with_choice(key.expect("a chart"), "polar");
-        workbench.execute(|bench| bench.arrange(panes));
+        workbench.execute(|bench| bench.choose_chart(key.expect("a chart"), "polar"));
         workbench.receive();
         of(&workbench, |drawn| {
-            assert!(drawn.of.envelope.is_some());
+            let points = drawn.of.points(0);
+            assert!(points.drawn.len() < points.samples.len());
             for sample in [0, 17, 4_000] {
                 let [x, y] = drawn.marks(sample)[0];
-                let near = drawn.near([x - 0.1, x + 0.1], [y - 0.1, y + 0.1]);
-                let q = drawn.of.dot(sample).x;
-                let far = |s: &usize| (drawn.of.dot(*s).x - q).abs();
-                assert!(
-                    !near.is_empty() && near.iter().all(|s| far(s) < 0.1),
-                    "{sample}"
-                );
+                let is_near = |other: &usize| {
+                    let at = drawn.marks(*other)[0];
+                    (at[0] - x).hypot(at[1] - y) < 0.5
+                };
+                let near = drawn.near([x - 0.5, x + 0.5], [y - 0.5, y + 0.5]);
+                assert!(near.iter().any(is_near), "{sample}");
             }
         });
     }

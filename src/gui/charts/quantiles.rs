@@ -8,7 +8,7 @@
 use statrs::function::erf::erf_inv;
 
 use super::{About, ChartChoice, ChartKind, ChartPlaceholder, HoverTarget, Samples, Scene, Shown};
-use crate::gui::cache::Work;
+use crate::gui::cache::{Work, WorkKey};
 use crate::gui::core::loaded_session::Component;
 use crate::gui::help::Word;
 use crate::present::chart::{
@@ -47,8 +47,10 @@ impl ChartKind for Quantiles {
         scene.answer().is_some() && !scene.loaded_session.is_empty()
     }
 
-    fn work(&self, _: &Scene) -> Option<Work> {
-        Some(Work::new(self.about().id, Vec::new(), |given| {
+    fn work(&self, scene: &Scene) -> Option<Work> {
+        let component = scene.component;
+        let key = WorkKey::Chart(self.about().id, component, Vec::new());
+        Some(Work::new(key, move |given| {
             let usable = given
                 .loaded_session
                 .overview
@@ -56,7 +58,7 @@ impl ChartKind for Quantiles {
                 .iter()
                 .map(|i| *i as usize);
             let usable: Vec<usize> = usable.collect();
-            let left = given.values(&usable).1.unwrap_or_default();
+            let left = given.values(&usable, component).1.unwrap_or_default();
             Ranked::of(usable.into_iter().zip(left))
         }))
     }

@@ -674,7 +674,7 @@ impl Document {
 
 /// Angles that were computed become those that a file will have: what is saved is read again to
 /// the last bit.
-fn as_saved(session: &mut Session) {
+pub(super) fn as_saved(session: &mut Session) {
     let turns = |k: usize| session.robot.joints[k].kind == JointKind::Revolute;
     let turning: Vec<usize> = (0..session.robot.joints.len())
         .filter(|k| turns(*k))

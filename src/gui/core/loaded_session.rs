@@ -2,8 +2,8 @@
 
 use std::convert::Infallible;
 use std::path::PathBuf;
+use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
-use std::sync::{Arc, OnceLock};
 
 use nalgebra::Isometry3;
 use serde::{Deserialize, Serialize};
@@ -18,11 +18,11 @@ use crate::kinematics::{JointKind, Range};
 use crate::lanes::{add_scaled, cross, dot, minus};
 use crate::model::Positions;
 use crate::progress::{Cancelled, ProgressSpan};
-use crate::sessions::Session;
+use crate::sessions::{Region, Session};
 
 use super::overview::{Attached, Coverage, Overview, measuring_from_base};
 use crate::gui::core::disk::Fingerprint;
-use crate::gui::core::regions::Angles;
+use crate::gui::core::regions::{Count, counted};
 
 /// Where a session came from.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -104,8 +104,6 @@ pub(crate) struct LoadedSession {
     pub(crate) usable: Vec<bool>,
     /// What every frame needs to know of it.
     pub(crate) overview: Overview,
-    /// How many samples lie where along joint 1, once it was asked for.
-    angles: OnceLock<Angles>,
     /// What its samples cover.
     pub(crate) coverage: Coverage,
     /// What is drawn of its samples, once it was asked for.
@@ -191,7 +189,6 @@ impl LoadedSession {
             joint,
             arm_mm,
             overview,
-            angles: OnceLock::new(),
             coverage,
             drawn: Attached::default(),
             base,
@@ -249,13 +246,11 @@ impl LoadedSession {
         self.session.samples.len()
     }
 
-    /// How many samples lie where along joint 1. The first call sorts them.
-    pub(crate) fn angles(&self) -> &Angles {
-        self.angles.get_or_init(|| {
-            let held_out = self.session.samples.held_out.as_deref();
-            let is_fitted = |i: usize| self.usable[i] && !held_out.is_some_and(|h| h[i]);
-            Angles::new(&self.session.samples.q[0], is_fitted)
-        })
+    /// The samples of each region along joint 1, and those in none.
+    pub(crate) fn counted(&self, regions: &[Region]) -> (Vec<Count>, usize) {
+        let held_out = self.session.samples.held_out.as_deref();
+        let is_fitted = |i: usize| self.usable[i] && !held_out.is_some_and(|h| h[i]);
+        counted(regions, &self.session.samples.q[0], is_fitted)
     }
 
     /// Whether nothing was measured: a model stands by itself.

@@ -8,12 +8,9 @@
 //! Base and tool are x, y, z in mm and turns about z, the new y and the new x in degrees. A robot of either form is
 //! made into the other: masses of links and couplings of joints, which the table does not show, go along.
 
-use std::sync::Arc;
-
 use nalgebra::{Point3, UnitQuaternion, Vector3};
 use serde::{Deserialize, Serialize};
 
-use super::simulate::SimulatedRobot;
 use crate::export::nominal_rows;
 use crate::kinematics::{
     Axis, DhConvention, DhRow, Follows, Joint, JointKind, LinkMass, Pose, Range, Robot,
@@ -157,6 +154,17 @@ impl RobotTable {
             gravity: None,
         };
         table.add();
+        table
+    }
+
+    /// A lamp on one axis that turns.
+    pub(crate) fn lamp() -> Self {
+        let mut table = Self::one_axis();
+        "lamp".clone_into(&mut table.name);
+        table.tool = [250.0, 0.0, 300.0, 0.0, 0.0, 0.0];
+        table.gravity = Some([0.0, 0.0, -9.81]);
+        table.rows[0].travel = Some([-90.0, 90.0]);
+        table.rows[0].link = Some((4.0, [125.0, 0.0, 0.0]));
         table
     }
 
@@ -336,16 +344,6 @@ impl RobotTable {
             joint.gear_ratio = row.gear_ratio;
         }
         Ok(robot)
-    }
-
-    /// As a robot that can be simulated.
-    pub(crate) fn simulated(&self) -> Option<Arc<SimulatedRobot>> {
-        let robot = self.robot().ok()?;
-        Some(Arc::new(SimulatedRobot {
-            title: robot.name.clone(),
-            robot,
-            payload_kg: None,
-        }))
     }
 }
 

@@ -70,10 +70,7 @@ pub(crate) fn show(ui: &Ui, workbench: &Workbench) {
                     path,
                     replace,
                 } => unsaved::export(ui, workbench, *what, (path, *replace)),
-                Sheet::Simulate(form) => match &form.robot {
-                    Some(robot) => new_session::of_robot(ui, robot, form, workbench),
-                    None => new_session::simulation(ui, form, workbench),
-                },
+                Sheet::Simulate(form) => new_session::simulation(ui, form, workbench),
                 Sheet::RobotTable { table, opened } => {
                     robots::typed(ui, table, opened, workbench);
                 }

@@ -1,15 +1,18 @@
-//! A session that is made here by simulation, of an example of a robot or of one of the library or that was typed.
+//! A session that is made here by simulation, of a robot of the library or one that was typed.
 
 use crate::gui::workbench::Workbench;
-use egui::{Align, Button, Checkbox, ComboBox, DragValue, Layout, RichText, ScrollArea, Ui, vec2};
+use egui::{Align, Button, ComboBox, DragValue, Layout, RichText, ScrollArea, Ui, vec2};
 
 use crate::kinematics::JointKind;
 use crate::text::{Template, spoken};
 
-use crate::gui::core::simulate::{Chosen, Form, SimulatedRobot, field};
+use crate::gui::core::simulate::{Chosen, Form, field};
 use crate::gui::style::{Palette, size, space};
 use crate::gui::view::Sheet;
 use crate::gui::widgets::{self, Does};
+
+/// Wide enough for an effect with a joint and three numbers in one row, points.
+const WIDTH: f32 = 640.0;
 
 /// Width of the names of effects, points.
 const NAMES: f32 = 168.0;
@@ -18,29 +21,31 @@ const LIST: [f32; 2] = [190.0, 420.0];
 const OTHER: f32 = 610.0;
 
 pub(super) fn simulation(ui: &mut Ui, form: &Form, workbench: &Workbench) {
-    widgets::wide(ui, 520.0);
-    widgets::heading(ui, say!("Simulate session"));
+    widgets::wide(ui, WIDTH);
+    widgets::heading(ui, &form.robot.title);
     widgets::hint(
         ui,
         say!(
-            "A lamp on one turning axis, measured by a tracker. What is filled in here is what identification should find"
+            "Random poses within the joint limits, three reflectors at the tool, speeds, loads and a warm-up mixed. The effects below are hidden in the robot: identification and diagnosis should find them"
         ),
     );
-    widgets::secondary(ui, say!("Another robot…")).does(workbench, move |bench| {
-        bench.show_sheet(Some(Sheet::ROBOTS));
-    });
+    if form.is_of_the_lamp() {
+        widgets::secondary(ui, say!("Another robot…")).does(workbench, move |bench| {
+            bench.show_sheet(Some(Sheet::ROBOTS));
+        });
+    }
     let mut filled = form.clone();
     let wrong = form.problems();
-    ui.spacing_mut().item_spacing.x = f32::from(space::PANEL) * 1.5;
-    ui.columns(2, |columns| {
-        for column in columns.iter_mut() {
-            column.spacing_mut().item_spacing.x = space::ROW;
-        }
-        robot(&mut columns[0], &mut filled, &wrong);
-        measurement(&mut columns[1], &mut filled, &wrong);
-    });
-    ui.spacing_mut().item_spacing.x = space::ROW;
-    widgets::section(ui, say!("Other effects"));
+    widgets::section(ui, say!("Measurement"));
+    let poses = DragValue::new(&mut filled.poses).speed(1.0);
+    number(ui, &wrong, (field::POSES, ""), poses);
+    let noise = DragValue::new(&mut filled.noise_mm)
+        .speed(0.002)
+        .max_decimals(4);
+    number(ui, &wrong, (field::NOISE, "mm"), noise.suffix(" mm"));
+    let seed = DragValue::new(&mut filled.seed);
+    widgets::number(ui, say!("random seed"), "", seed);
+    widgets::section(ui, say!("Hidden effects"));
     effects(ui, &mut filled, &wrong);
     ends(ui, filled, form, workbench);
 }
@@ -75,58 +80,6 @@ fn fault(ui: &mut Ui, wrong: &Wrong, name: &str) {
 fn number(ui: &mut Ui, wrong: &Wrong, (name, unit): (Template, &str), value: DragValue<'_>) {
     widgets::number(ui, spoken(name), unit, value);
     fault(ui, wrong, name.english());
-}
-
-fn robot(ui: &mut Ui, form: &mut Form, wrong: &Wrong) {
-    widgets::section(ui, say!("Robot"));
-    let mm = |value| {
-        DragValue::new(value)
-            .speed(0.1)
-            .max_decimals(4)
-            .suffix(" mm")
-    };
-    let deg = |value| {
-        DragValue::new(value)
-            .speed(0.05)
-            .max_decimals(4)
-            .suffix("°")
-    };
-    number(ui, wrong, (field::RADIUS, "mm"), mm(&mut form.radius_mm));
-    number(ui, wrong, (field::OFFSET, "°"), deg(&mut form.offset_deg));
-    number(
-        ui,
-        wrong,
-        (field::LENGTH, "mm"),
-        mm(&mut form.length_error_mm),
-    );
-    widgets::section(ui, say!("Tolerance"));
-    number(
-        ui,
-        wrong,
-        (field::TOLERANCE, "mm"),
-        mm(&mut form.tolerance_mm),
-    );
-}
-
-fn measurement(ui: &mut Ui, form: &mut Form, wrong: &Wrong) {
-    widgets::section(ui, say!("Sweep"));
-    let deg = |value| DragValue::new(value).speed(0.5).max_decimals(3).suffix("°");
-    number(ui, wrong, (field::FROM, "°"), deg(&mut form.from_deg));
-    number(ui, wrong, (field::TO, "°"), deg(&mut form.to_deg));
-    number(ui, wrong, (field::STEP, "°"), deg(&mut form.step_deg));
-    ui.add(Checkbox::new(&mut form.both_ways, say!("there and back")));
-    widgets::section(ui, say!("Instrument"));
-    noise(ui, form, wrong);
-}
-
-/// How large the noise of a measurement is, and the seed of all that is random.
-fn noise(ui: &mut Ui, form: &mut Form, wrong: &Wrong) {
-    let noise = DragValue::new(&mut form.noise_mm)
-        .speed(0.002)
-        .max_decimals(4);
-    number(ui, wrong, (field::NOISE, "mm"), noise.suffix(" mm"));
-    let seed = DragValue::new(&mut form.seed);
-    widgets::number(ui, say!("random seed"), "", seed);
 }
 
 fn effects(ui: &mut Ui, form: &mut Form, wrong: &Wrong) {
@@ -210,28 +163,4 @@ fn effect(ui: &mut Ui, chosen: &mut Chosen, kinds: &[JointKind]) -> bool {
         });
         remove.inner
     })
-}
-
-/// Wide enough for an effect with a joint and three numbers in one row, points.
-const WIDTH: f32 = 640.0;
-
-/// The form for a robot of the library or one that was typed.
-pub(super) fn of_robot(ui: &mut Ui, robot: &SimulatedRobot, form: &Form, workbench: &Workbench) {
-    widgets::wide(ui, WIDTH);
-    widgets::heading(ui, &robot.title);
-    widgets::hint(
-        ui,
-        say!(
-            "Random poses within the joint limits, three reflectors at the tool, speeds, loads and a warm-up mixed. The effects below are hidden in the robot: identification and diagnosis should find them"
-        ),
-    );
-    let mut filled = form.clone();
-    let wrong = form.problems();
-    widgets::section(ui, say!("Measurement"));
-    let poses = DragValue::new(&mut filled.poses).speed(1.0);
-    number(ui, &wrong, (field::POSES, ""), poses);
-    noise(ui, &mut filled, &wrong);
-    widgets::section(ui, say!("Hidden effects"));
-    effects(ui, &mut filled, &wrong);
-    ends(ui, filled, form, workbench);
 }

@@ -95,7 +95,7 @@ pub(super) fn preferences(ui: &mut Ui, workbench: &Workbench) {
     let changed = now != Preferences::default() || arranged;
     if widgets::done_beside(ui, say!("Reset all"), changed, workbench) {
         next = Preferences::default();
-        workbench.then(move |bench| bench.arrange(Panes::default()));
+        workbench.then(move |bench| bench.rearrange(|panes| *panes = Panes::default()));
     }
     if next != now {
         workbench.then(move |bench| bench.prefer(next));

@@ -116,7 +116,7 @@ impl<'w> Robot<'w> {
 
     fn form(self) -> Option<Form> {
         let robot = match self {
-            Self::Own(table) => table.simulated()?,
+            Self::Own(table) => SimulatedRobot::typed(table)?,
             Self::Library(robot) => SimulatedRobot::of(robot),
         };
         Some(Form::of(robot))
@@ -626,7 +626,7 @@ fn typed_ends(ui: &mut Ui, typed: &RobotTable, sound: bool, workbench: &Workbenc
             let (table, save) = (typed.clone(), save.clicked());
             workbench.then(move |bench| bench.keep_robot(table, save));
         }
-        if let (true, Some(robot)) = (simulate.clicked(), typed.simulated()) {
+        if let (true, Some(robot)) = (simulate.clicked(), SimulatedRobot::typed(typed)) {
             let form = simulate::Form::of(robot);
             workbench.then(move |bench| bench.show_sheet(Some(Sheet::Simulate(form))));
         }

@@ -1,16 +1,13 @@
 //! What is not saved: a path to save to, as it is typed; what would be lost, before it is; a file that changed,
 //! before it is replaced; and what windows that are gone have left behind.
 
-use std::fmt::Debug;
-use std::hash::Hash;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime};
 
-use egui::{Id, Key, ScrollArea, TextEdit, Ui};
+use egui::{Id, Key, TextEdit, Ui};
 
 use crate::export::find;
 
-use crate::gui::core::disk::name_of;
 use crate::gui::style::space;
 use crate::gui::view::{NextAction, Sheet, What};
 use crate::gui::widgets::{self, Does};
@@ -116,8 +113,11 @@ pub(super) fn overwrite(ui: &mut Ui, path: &Path, workbench: &Workbench) {
     }
 }
 
-/// What windows that are gone have left behind: what, from when, and whether to bring it back.
+/// What a window that is gone has left behind: what, from when, and whether to bring it back.
 pub(super) fn recovery(ui: &mut Ui, workbench: &Workbench) {
+    let Some(left) = workbench.left_behind() else {
+        return;
+    };
     widgets::wide(ui, 460.0);
     widgets::heading(ui, say!("Recover unsaved work"));
     widgets::hint(
@@ -126,88 +126,36 @@ pub(super) fn recovery(ui: &mut Ui, workbench: &Workbench) {
             "The last time the program ended without warning. Nothing is lost unless it is discarded here: what is not restored now is offered again"
         ),
     );
-    ScrollArea::vertical().max_height(360.0).show(ui, |ui| {
-        for (index, left) in workbench.orphaned().iter().enumerate() {
-            widgets::card(ui, |ui| {
-                let title = match &left.kept {
-                    Ok(kept) => kept.session.name.clone(),
-                    Err(_) => say!("A file that is damaged").to_owned(),
-                };
-                widgets::bold(ui, title);
-                if let Some(ago) = left.when.and_then(ago) {
-                    widgets::fact_of(ui, phrase!("last saved"), ago);
-                }
-                match &left.kept {
-                    Ok(kept) => {
-                        widgets::fact_of(
-                            ui,
-                            phrase!("samples"),
-                            kept.session.samples.len().to_string(),
-                        );
-                        let file = kept.about.file.as_ref().and_then(|f| f.file_name());
-                        let file = file.map_or(say!("no file").into(), |f| f.to_string_lossy());
-                        widgets::fact_of(ui, phrase!("file"), file);
-                    }
-                    Err(because) => {
-                        widgets::wrong(ui, because);
-                        widgets::hint(ui, name_of(left.path()));
-                    }
-                }
-                ui.add_space(space::TIGHT);
-                ui.columns(2, |columns| {
-                    let restore = if left.kept.is_ok() {
-                        discard(&mut columns[0], index, left.path(), workbench);
-                        say!("Restore")
-                    } else {
-                        say!("Put it aside")
-                    };
-                    // The newest is first, and what is meant by most.
-                    let button = if index == 0 {
-                        widgets::primary(&mut columns[1], restore)
-                    } else {
-                        widgets::other(&mut columns[1], restore)
-                    };
-                    button.does(workbench, move |bench| bench.restore(index));
-                });
-            });
+    widgets::card(ui, |ui| {
+        widgets::bold(ui, &left.kept.session.name);
+        if let Some(ago) = left.when.and_then(ago) {
+            widgets::fact_of(ui, phrase!("last saved"), ago);
         }
+        let samples = left.kept.session.samples.len().to_string();
+        widgets::fact_of(ui, phrase!("samples"), samples);
+        let file = left.kept.about.file.as_ref().and_then(|f| f.file_name());
+        let file = file.map_or(say!("no file").into(), |f| f.to_string_lossy());
+        widgets::fact_of(ui, phrase!("file"), file);
     });
-    ui.columns(2, |columns| {
-        // A single one has its own button.
-        let count = workbench.orphaned().len();
-        if count > 1 {
-            discard_all(&mut columns[0], count, workbench);
+    // What is discarded cannot be brought back: it takes a second press.
+    let id = Id::unique(("discard of the recovery", left.when));
+    let sure = ui.data(|data| data.get_temp(id).unwrap_or(false));
+    ui.columns(3, |columns| {
+        let says = if sure {
+            say!("Discard for good")
+        } else {
+            say!("Discard")
+        };
+        if widgets::other(&mut columns[0], says).clicked() {
+            columns[0].data_mut(|data| data.insert_temp(id, !sure));
+            if sure {
+                workbench.then(Workbench::discard_left_behind);
+            }
         }
-        if widgets::other(&mut columns[1], say!("Not now")).clicked() {
-            workbench.then(move |bench| bench.show_sheet(None));
-        }
+        widgets::other(&mut columns[1], say!("Not now"))
+            .does(workbench, |bench| bench.show_sheet(None));
+        widgets::primary(&mut columns[2], say!("Restore")).does(workbench, Workbench::restore);
     });
-}
-
-/// Discards one on the second press.
-fn discard(ui: &mut Ui, index: usize, path: &Path, workbench: &Workbench) {
-    if pressed_twice(ui, path, say!("Discard"), say!("Discard for good")) {
-        workbench.then(move |bench| bench.discard_left(index));
-    }
-}
-
-/// Discards everything on the second press.
-fn discard_all(ui: &mut Ui, count: usize, workbench: &Workbench) {
-    let sure = say!("Discard all {count} for good", count);
-    if pressed_twice(ui, "all", say!("Discard all"), &sure) {
-        workbench.then(Workbench::discard_all_left);
-    }
-}
-
-/// A button that asks in its own words, and acts on the second press: what is discarded cannot be brought back.
-fn pressed_twice(ui: &mut Ui, what: impl Debug + Hash, asks: &str, sure: &str) -> bool {
-    let id = Id::unique(("discard of the recovery", what));
-    let is_sure = ui.data(|data| data.get_temp(id).unwrap_or(false));
-    let clicked = widgets::other(ui, if is_sure { sure } else { asks }).clicked();
-    if clicked {
-        ui.data_mut(|data| data.insert_temp(id, !is_sure));
-    }
-    clicked && is_sure
 }
 
 /// How long ago, in words.

@@ -409,25 +409,21 @@ mod tests {
             assert_eq!(settings.preferences.decimals, Some(2), "{panes}");
             settings.panes.sound(|_| true)
         };
+        let usual = serde_json::to_string(&Panes::default()).unwrap();
+        assert!(kept(&usual).are_usual());
         for damaged in [
-            "null",
-            "7",
-            r#"{"root":{"beside":[]}}"#,
-            r#"{"root":"pane"}"#,
+            "null".to_owned(),
+            "7".to_owned(),
+            r#"{"tree":{"root":null}}"#.to_owned(),
+            usual.replace("0.68", "null"),
+            usual.replace("0.68", "-1"),
+            usual.replace("\"workspace\"", "{\"chart\":{}}"),
         ] {
-            assert_eq!(kept(damaged), Panes::default(), "{damaged}");
+            assert!(kept(&damaged).are_usual(), "{damaged}");
         }
-        let chart = r#"{"pane":{"shows":{"chart":{"chart":"histogram"}}}}"#;
-        let workspace = r#"{"pane":{"shows":"workspace"}}"#;
-        let panes = kept(&format!(
-            r#"{{"root":{{"beside":[{{"share":null,"tile":{chart}}},{{"share":-1,"tile":{workspace}}}]}}}}"#
-        ));
-        assert_eq!(panes, Panes::default(), "a share is a number");
-        let panes = kept(&format!(
-            r#"{{"root":{{"beside":[{{"share":2,"tile":{chart}}},{{"share":-1,"tile":{workspace}}}]}}}}"#
-        ));
-        assert_eq!(panes.charts().count(), 1);
-        assert!(panes.outline().starts_with('['), "side by side");
+        let histogram = usual.replace("\"chart\":null", "\"chart\":\"histogram\"");
+        assert_eq!(kept(&histogram).charts().count(), 1);
+        assert!(!kept(&histogram).are_usual(), "{histogram}");
     }
 
     #[test]

@@ -4,7 +4,7 @@
 //! folder: one line that says what follows, with its hash, then the session as a
 //! document. A window holds a lock on its file for as long as it lives; the system gives the lock
 //! back when the program ends, however it ends. A file whose lock is free was left behind, and
-//! the next window offers it. Two windows never touch the same file.
+//! the next window offers the newest. Two windows never touch the same file.
 
 use std::fs::{self, File, TryLockError};
 use std::io;
@@ -136,15 +136,14 @@ impl SavedDocument {
     }
 }
 
-/// A file that a window left behind, with its lock: no other window offers it.
+/// A document that a window left behind, with the lock of its file: no other window offers it.
 #[derive(Debug)]
-pub(crate) struct OrphanedRecovery {
+pub(crate) struct LeftBehind {
     path: PathBuf,
     lock: (PathBuf, File),
     /// When it was written.
     pub(crate) when: Option<SystemTime>,
-    /// What it holds, or what is wrong with it.
-    pub(crate) kept: Result<SavedDocument, String>,
+    pub(crate) kept: SavedDocument,
 }
 
 impl RecoveryFile {
@@ -221,60 +220,51 @@ fn read(path: &Path) -> Result<SavedDocument, String> {
     })
 }
 
-/// What windows that are gone have left behind, newest first. Locks without anything beside them
-/// are cleared away.
-pub(crate) fn orphaned(folder: &Path) -> Vec<OrphanedRecovery> {
-    let folder = folder.join("recovery");
-    let Ok(entries) = fs::read_dir(&folder) else {
-        return Vec::new();
-    };
-    let mut paths: Vec<PathBuf> = entries.flatten().map(|entry| entry.path()).collect();
-    paths.sort();
-    let locks = paths
-        .iter()
-        .filter(|p| p.extension().is_some_and(|e| e == "lock"));
-    let mut left = Vec::new();
+/// The newest document that a window left behind that is gone. What cannot be read is put aside, so that it is not
+/// offered again: where it is then, and what is wrong with it. Locks without anything beside them are cleared away.
+pub(crate) fn left_behind(folder: &Path) -> Option<Result<LeftBehind, (PathBuf, String)>> {
+    let entries = fs::read_dir(folder.join("recovery")).ok()?;
+    let paths = entries.flatten().map(|entry| entry.path());
+    let locks = paths.filter(|path| path.extension().is_some_and(|ending| ending == "lock"));
+    let mut free = Vec::new();
     for lock in locks {
-        let Ok(file) = File::options().write(true).open(lock) else {
+        let Ok(file) = File::options().write(true).open(&lock) else {
             continue;
         };
         // Its window is still open.
         if file.try_lock().is_err() {
             continue;
         }
-        let path = lock.with_extension(ENDING);
-        let Ok(metadata) = fs::metadata(&path) else {
-            let _ = fs::remove_file(lock);
-            continue;
-        };
-        left.push(OrphanedRecovery {
-            kept: read(&path),
-            when: metadata.modified().ok(),
-            lock: (lock.clone(), file),
-            path,
-        });
+        match fs::metadata(lock.with_extension(ENDING)) {
+            Ok(about) => free.push((about.modified().ok(), lock, file)),
+            Err(_) => {
+                let _ = fs::remove_file(lock);
+            }
+        }
     }
-    left.sort_by_key(|l| std::cmp::Reverse(l.when));
-    left
+    let (when, lock, file) = free.into_iter().max_by_key(|(when, ..)| *when)?;
+    let path = lock.with_extension(ENDING);
+    Some(match read(&path) {
+        Ok(kept) => Ok(LeftBehind {
+            path,
+            lock: (lock, file),
+            when,
+            kept,
+        }),
+        Err(because) => {
+            let aside = path.with_extension("damaged");
+            let moved = fs::rename(&path, &aside);
+            let _ = fs::remove_file(lock);
+            Err((if moved.is_ok() { aside } else { path }, because))
+        }
+    })
 }
 
-impl OrphanedRecovery {
-    pub(crate) fn path(&self) -> &Path {
-        &self.path
-    }
-
+impl LeftBehind {
     /// Removes it: it was restored and is kept elsewhere, or was discarded.
     pub(crate) fn remove(self) {
         let _ = fs::remove_file(&self.path);
         let _ = fs::remove_file(&self.lock.0);
-    }
-
-    /// Puts a damaged file aside, so that it is not offered again, and says where it is.
-    pub(crate) fn put_aside(self) -> PathBuf {
-        let aside = self.path.with_extension("damaged");
-        let moved = fs::rename(&self.path, &aside);
-        let _ = fs::remove_file(&self.lock.0);
-        if moved.is_ok() { aside } else { self.path }
     }
 }
 
@@ -299,19 +289,15 @@ mod tests {
     fn what_a_killed_window_kept_is_there_to_the_last_bit() {
         let folder = tempfile::tempdir().unwrap();
         killed(folder.path());
-        let mut left = orphaned(folder.path());
-        assert_eq!(left.len(), 1);
-        let left = left.remove(0);
-        let found = left.kept.as_ref().unwrap();
+        let left = left_behind(folder.path()).unwrap().unwrap();
+        let found = &left.kept;
         assert_eq!(found.session.samples.x_mm, kept().session.samples.x_mm);
         assert_eq!(found.session.regions, kept().session.regions);
         assert_eq!(found.about.file, Some("a b.json".into()));
-        assert!(
-            orphaned(folder.path()).is_empty(),
-            "offered to one window only"
-        );
+        let again = left_behind(folder.path());
+        assert!(again.is_none(), "offered to one window only");
         left.remove();
-        assert!(orphaned(folder.path()).is_empty());
+        assert!(left_behind(folder.path()).is_none());
         let entries = fs::read_dir(folder.path().join("recovery")).unwrap();
         assert_eq!(entries.count(), 0);
     }
@@ -326,9 +312,9 @@ mod tests {
         assert_ne!(one.path(), two.path());
         write(one.path(), &kept()).unwrap();
         write(two.path(), &kept()).unwrap();
-        assert!(orphaned(folder.path()).is_empty());
+        assert!(left_behind(folder.path()).is_none());
         drop(one);
-        assert_eq!(orphaned(folder.path()).len(), 1);
+        assert!(left_behind(folder.path()).is_some());
         two.tidy();
         assert!(!two.path().exists());
     }
@@ -338,6 +324,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = killed(folder.path());
         let whole = fs::read(&path).unwrap();
+        left_behind(folder.path()).unwrap().unwrap().remove();
         let first_line = memchr::memchr(b'\n', &whole).unwrap();
         let cuts = [
             0,
@@ -351,12 +338,11 @@ mod tests {
         flipped[whole.len() / 2] ^= 1;
         let damaged = cuts.map(|cut| whole[..cut].to_vec());
         for bytes in damaged.into_iter().chain([flipped]) {
+            let path = killed(folder.path());
             fs::write(&path, &bytes).unwrap();
-            let mut left = orphaned(folder.path());
-            assert!(left.remove(0).kept.is_err(), "{} bytes", bytes.len());
-            assert_eq!(fs::read(&path).unwrap(), bytes);
+            let (aside, _) = left_behind(folder.path()).unwrap().unwrap_err();
+            assert_eq!(fs::read(&aside).unwrap(), bytes);
+            assert!(left_behind(folder.path()).is_none(), "said once");
         }
-        let aside = orphaned(folder.path()).remove(0).put_aside();
-        assert!(aside.exists() && orphaned(folder.path()).is_empty());
     }
 }

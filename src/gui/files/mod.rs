@@ -113,10 +113,6 @@ fn looked_through(
     loaded_session.samples_file = samples_file.filter(|_| !loaded_session.files.is_empty());
     // Made here, so that the window never waits for it.
     Cloud::of(&loaded_session);
-    part.reached(0.8)?;
-    if loaded_session.single_revolute() {
-        loaded_session.angles();
-    }
     part.reached(1.0)?;
     Ok(Arc::new(loaded_session))
 }

@@ -122,6 +122,14 @@ impl RobotFrom {
         Self::File { path, base, tip }
     }
 
+    /// Whether both are of one kind, and of examples the same.
+    pub(crate) fn is_like(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Example(one), Self::Example(other)) => one == other,
+            _ => std::mem::discriminant(self) == std::mem::discriminant(other),
+        }
+    }
+
     /// Whether this is a file of links: URDF or MJCF.
     pub(crate) fn is_urdf(path: &str) -> bool {
         let ending = Path::new(path.trim()).extension();

@@ -61,6 +61,8 @@ pub(crate) struct ImportDraft {
     pub(crate) taken: Vec<(Companion, PathBuf)>,
     /// What a person said.
     pub(crate) answers: ImportAnswers,
+    /// What was typed to find a robot.
+    pub(crate) robot_search: String,
     /// What was seen last.
     pub(crate) seen: Arc<InspectedDraft>,
     /// The answers as the file was opened, before the user changed any.
@@ -74,6 +76,7 @@ impl PartialEq for ImportDraft {
         Arc::ptr_eq(&self.bytes, &other.bytes)
             && Arc::ptr_eq(&self.seen, &other.seen)
             && self.answers == other.answers
+            && self.robot_search == other.robot_search
             && self.confirmed == other.confirmed
     }
 }
@@ -152,6 +155,7 @@ impl ImportDraft {
             neighbours: Arc::new(neighbours),
             taken,
             answers,
+            robot_search: String::new(),
             first: Box::new(seen.answers.clone()),
             seen: Arc::new(seen),
             confirmed: None,
@@ -171,6 +175,7 @@ impl ImportDraft {
     /// Takes over the answers of an earlier draft of the same file.
     pub(crate) fn resume(&mut self, before: Self) {
         self.answers = before.answers;
+        self.robot_search = before.robot_search;
         self.confirmed = before.confirmed;
     }
 
@@ -213,44 +218,44 @@ impl ImportDraft {
         columns.map(|column| column.meaning.clone()).collect()
     }
 
-    /// Why the import is not possible yet, in words, and the first reason that was found; `None`: it is possible.
-    pub(crate) fn hindrance(&self) -> Option<(&'static str, Option<String>)> {
+    /// Why the import is not possible yet, in words, with the first reason that was found; `None`: it is possible.
+    pub(crate) fn hindrance(&self) -> Option<String> {
         let inspection = &self.seen.inspection;
-        let is_wrong = |finding: &Diagnostic| finding.severity == Severity::Error;
-        let so = |says: &'static str| Some((says, None));
-        if !self.is_up_to_date() {
-            return so(spoken(LOOKING));
-        }
-        if !inspection.questions.is_empty() {
-            return so(say!("Answer what is asked above first"));
-        }
-        if let Some(wrong) = inspection.findings.iter().find(|finding| is_wrong(finding)) {
+        let is_wrong = |finding: &&Diagnostic| finding.severity == Severity::Error;
+        let with = |says: &str, reason: Option<&String>| match reason {
+            Some(reason) => format!("{says}: {reason}"),
+            None => says.to_owned(),
+        };
+        let says = if !self.is_up_to_date() {
+            spoken(LOOKING)
+        } else if !inspection.questions.is_empty() {
+            say!("Answer what is asked above first")
+        } else if let Some(wrong) = inspection.findings.iter().find(is_wrong) {
             let reason = in_the_sheets_words(&wrong.to_string());
-            return Some((say!("The file cannot be read like this"), Some(reason)));
-        }
-        if self.asks_for_confirmation() {
-            return so(say!("Look at the columns above, and confirm them"));
-        }
-        if self.answers.name.trim().is_empty() {
-            return so(say!("Give the session a name"));
-        }
-        match (&self.answers.robot, &self.seen.robot) {
-            (RobotFrom::Open, _) => return so(say!("Choose the robot that was measured")),
-            (_, None) => return so(say!("Say which file the robot is in")),
-            (_, Some(Err(because))) => {
-                let reason = because.first().cloned();
-                return Some((say!("The robot cannot be read like this"), reason));
+            let says = say!("The file cannot be read like this");
+            return Some(with(says, Some(&reason)));
+        } else if self.asks_for_confirmation() {
+            say!("Look at the columns above, and confirm them")
+        } else if self.answers.name.trim().is_empty() {
+            say!("Give the session a name")
+        } else if self.answers.robot == RobotFrom::Open {
+            say!("Choose the robot that was measured")
+        } else {
+            match (&self.seen.robot, &self.seen.trial) {
+                (None, _) => say!("Say which file the robot is in"),
+                (Some(Err(because)), _) => {
+                    let says = say!("The robot cannot be read like this");
+                    return Some(with(says, because.first()));
+                }
+                (_, Some(Ok(_))) => return None,
+                (_, Some(Err(because))) => return Some(with(say!("To fix"), because.first())),
+                (_, None) if self.seen.lacks_commands => {
+                    say!("Choose the file of the commanded positions: this one has none")
+                }
+                (_, None) => spoken(LOOKING),
             }
-            (_, Some(Ok(_))) => {}
-        }
-        match &self.seen.trial {
-            Some(Ok(_)) => None,
-            Some(Err(because)) => Some((say!("To fix"), because.first().cloned())),
-            None if self.seen.lacks_commands => so(say!(
-                "Choose the file of the commanded positions: this one has none"
-            )),
-            None => so(spoken(LOOKING)),
-        }
+        };
+        Some(says.to_owned())
     }
 
     /// What it makes of the file, where that went well.

@@ -8,7 +8,7 @@ use egui::{
 };
 use egui_plot::{Axis, Plot, PlotPoint, PlotTransform};
 
-use crate::present::chart::{Bar, Chart, ColourRole, Entry, Item, LegendSymbol, Ticks};
+use crate::present::chart::{Chart, ColourRole, Entry, Item, LegendSymbol, Ticks};
 use crate::present::drawing::Anchor;
 
 use crate::gui::style::{Palette, size, space};
@@ -116,9 +116,6 @@ pub(crate) struct Canvas<'a> {
 /// A dash and the gap after it, points.
 const DASH: [f32; 2] = [5.0, 3.5];
 
-/// The lowest that a column gets, points.
-const LEAST: f32 = 1.5;
-
 impl Canvas<'_> {
     pub(crate) fn at(&self, [x, y]: [f64; 2]) -> Pos2 {
         self.transform.position_from_point(&PlotPoint::new(x, y))
@@ -149,7 +146,6 @@ impl Canvas<'_> {
                     }
                 }
             }
-            Item::Columns(bars, _, filled) => shapes.push(self.columns(bars, color, *filled)),
             Item::Ribbon(places, _) => shapes.push(self.ribbon(places, color.gamma_multiply(0.28))),
             Item::Line(points, _, width, dashed) => {
                 let points: Vec<_> = points.iter().map(|p| self.at(*p)).collect();
@@ -205,26 +201,6 @@ impl Canvas<'_> {
                 let [a, b, c, d] = [2 * k - 2, 2 * k - 1, 2 * k, 2 * k + 1];
                 mesh.add_triangle(a, b, c);
                 mesh.add_triangle(c, b, d);
-            }
-        }
-        Shape::mesh(mesh)
-    }
-
-    /// All columns as one mesh: solid, or as a pale band with edges.
-    fn columns(&self, bars: &[Bar], color: Color32, filled: bool) -> Shape {
-        let mut mesh = Mesh::default();
-        for [from, to] in bars {
-            let rect = Rect::from_two_pos(self.at(*from), self.at(*to));
-            let rect = rect.expand2(vec2(0.0, (0.5 * (LEAST - rect.height())).max(0.0)));
-            if filled {
-                mesh.add_colored_rect(rect, color.gamma_multiply(0.85));
-                continue;
-            }
-            mesh.add_colored_rect(rect, color.gamma_multiply(0.3));
-            for top in [rect.top(), rect.bottom() - LEAST] {
-                let size = vec2(rect.width(), LEAST);
-                let edge = Rect::from_min_size(pos2(rect.left(), top), size);
-                mesh.add_colored_rect(edge, color);
             }
         }
         Shape::mesh(mesh)

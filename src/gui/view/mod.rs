@@ -5,9 +5,8 @@ mod camera;
 mod panes;
 
 pub(crate) use camera::{Aspect, Ball, Camera, Colouring, Facing, Plane, Standard};
-pub(crate) use panes::{ChartPane, Content, Edge, Key, Pane, Panes, SplitShare, Tile};
+pub(crate) use panes::{ChartPane, Edge, Key, Pane, Panes};
 
-use std::mem::Discriminant;
 use std::path::{Path, PathBuf};
 
 use crate::gui::core::disk::{FileChange, name_of};
@@ -20,7 +19,6 @@ use crate::gui::core::simulate::Form;
 use crate::gui::import_draft::ImportDraft;
 use crate::gui::preferences::Preferences;
 use crate::language::known_words;
-use crate::text::Language;
 
 named! {
     /// The steps of the work, in order.
@@ -69,22 +67,6 @@ pub(crate) struct OnDisk {
     pub(crate) path: PathBuf,
     /// What became of it.
     pub(crate) change: FileChange,
-}
-
-/// What decides which panels there are and how high: egui lays a panel out with the size that it
-/// had in the pass before.
-#[derive(Clone, PartialEq)]
-pub(crate) struct Arrangement {
-    pub(crate) view: (Step, Side, Aspect, Option<bool>),
-    pub(crate) language: Option<Language>,
-    /// The panes, and which chart stands in which of them.
-    pub(crate) panes: (String, Vec<&'static str>),
-    pub(crate) sheet: Option<Discriminant<Sheet>>,
-    pub(crate) message: Option<Message>,
-    /// Whether the file changed on the disk, there is an answer, a search runs, there is a diagnosis,
-    /// there is a table.
-    pub(crate) has: [bool; 5],
-    pub(crate) session: u64,
 }
 
 /// Counts up when a plot is to fit the view.
@@ -319,8 +301,8 @@ impl Sheet {
     /// The sheet that it was opened from: what one comes back to without an answer.
     pub(crate) fn before(&self) -> Option<Self> {
         match self {
-            Self::Simulate(form) => form.robot.is_some().then_some(Self::ROBOTS),
-            Self::RobotTable { .. } => Some(Self::ROBOTS),
+            Self::Simulate(form) if form.is_of_the_lamp() => None,
+            Self::Simulate(_) | Self::RobotTable { .. } => Some(Self::ROBOTS),
             Self::Discard(typed) => Some((**typed).clone()),
             _ => None,
         }

@@ -356,12 +356,12 @@ fn targets(ui: &mut Ui, workbench: &Workbench) {
 
 /// Accuracy and repeatability as the standards state them, before and after, where there is something measured.
 fn standards(ui: &mut Ui, workbench: &Workbench) {
-    let Some(figures) = workbench.figures() else {
+    if workbench.answer().is_none() || workbench.loaded_session().is_empty() {
         return;
-    };
+    }
     widgets::card(ui, |ui| {
         widgets::bold(ui, say!("Accuracy and repeatability"));
-        match &figures.made {
+        match workbench.figures() {
             None => widgets::hint(ui, say!("The figures are being computed")),
             Some(Err(because)) => widgets::hint(ui, because),
             Some(Ok(made)) => tables(ui, made),

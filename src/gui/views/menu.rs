@@ -72,23 +72,33 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench) {
                 || say!("Nothing to redo").into(),
                 |w| say!("Redo {edit}", edit = w),
             );
-            if widgets::history_button(ui, true, redo.is_some(), &says).clicked() {
-                workbench.then(Workbench::redo);
-            }
+            history(ui, widgets::REDO, redo.is_some(), &says).does(workbench, Workbench::redo);
             let undo = workbench.undoes();
             let says = undo.map_or_else(
                 || say!("Nothing to undo").into(),
                 |w| say!("Undo {edit}", edit = w),
             );
-            if widgets::history_button(ui, false, undo.is_some(), &says).clicked() {
-                workbench.then(Workbench::undo);
-            }
+            history(ui, widgets::UNDO, undo.is_some(), &says).does(workbench, Workbench::undo);
             ui.add_space(space::ROW);
             let open = actions::layout(ui.ctx(), workbench).results();
-            widgets::side_button(ui, open, actions::results_says(open))
+            let says = actions::results_says(open);
+            let sign = if open {
+                widgets::SIDE.to_owned()
+            } else {
+                format!("{} {}", say!("Results"), widgets::SIDE)
+            };
+            widgets::icon_button(ui, &sign, says)
+                .on_hover_text(says)
                 .does(workbench, move |bench| bench.view.results = Some(!open));
         });
     });
+}
+
+/// Back, or forth.
+fn history(ui: &mut Ui, sign: &str, enabled: bool, says: &str) -> Response {
+    let button = ui.add_enabled_ui(enabled, |ui| widgets::icon_button(ui, sign, says));
+    let button = button.inner.on_hover_text(says);
+    button.on_disabled_hover_text(says)
 }
 
 fn name(ui: &mut Ui, workbench: &Workbench) {

@@ -1,8 +1,6 @@
 //! Step 2: where the joint gets corrections of its own, one row each.
 
-use egui::{
-    Align, Button, DragValue, Id, Key, Layout, Modifiers, RichText, TextEdit, Ui, UiBuilder, vec2,
-};
+use egui::{Align, Button, DragValue, Layout, RichText, Ui, vec2};
 
 use crate::gui::core::document::{Division, Method};
 use crate::gui::core::regions::{self, Count, End, SNAP_DEG};
@@ -12,7 +10,7 @@ use crate::gui::widgets::Does;
 use crate::gui::workbench::Workbench;
 use crate::gui::{help, widgets};
 use crate::present::numbers::{grouped, trimmed};
-use crate::present::units::{AngleUnit, Units};
+use crate::present::units::AngleUnit;
 use crate::sessions::Region;
 use crate::sessions::regions::Assignment;
 use crate::units::rad_from_deg;
@@ -50,17 +48,15 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench) {
         );
         return;
     }
-    let counts = loaded_session
-        .angles()
-        .by_region(&workbench.document().regions);
     division(ui, workbench);
     if workbench.document().regions.is_empty() {
         none(ui, workbench);
         return;
     }
     ui.add_space(space::TIGHT);
-    rows(ui, workbench, &counts);
-    left_out(ui, workbench, &counts);
+    let counted = workbench.counted();
+    rows(ui, workbench, &counted.0);
+    left_out(ui, workbench, counted.1);
 }
 
 /// How the range is divided.
@@ -173,11 +169,9 @@ fn none(ui: &mut Ui, workbench: &Workbench) {
 }
 
 /// What no region covers.
-fn left_out(ui: &mut Ui, workbench: &Workbench, counts: &[Count]) {
-    let loaded_session = workbench.loaded_session();
+fn left_out(ui: &mut Ui, workbench: &Workbench, outside: usize) {
     let regions = &workbench.document().regions;
-    let gaps = regions::gaps(regions, loaded_session.travel());
-    let outside = loaded_session.angles().total().all - counts.iter().map(|c| c.all).sum::<usize>();
+    let gaps = regions::gaps(regions, workbench.loaded_session().travel());
     if let Some((from, to)) = gaps.first() {
         let units = workbench.units();
         let gap = format!("{} … {}", units.angle(*from), units.angle(*to));
@@ -227,155 +221,46 @@ pub(super) fn next(ui: &mut Ui, workbench: &Workbench) {
 }
 
 /// Widths of the columns: name, from, to, samples, what can be done; the ends share what is left.
-pub(super) const COLUMNS: [f32; 5] = [38.0, 60.0, 60.0, 36.0, 26.0];
-
-/// The field for a region's name: the menu's “Rename” puts the cursor into it.
-pub(super) fn name_id(ui: &Ui, region: usize) -> Id {
-    ui.ctx().viewport_id().0.with(("name of region", region))
-}
-
-/// Whether a key was pressed that is meant for the control with this focus.
-fn key(ui: &Ui, focused: bool, key: Key) -> bool {
-    focused && ui.input_mut(|i| i.consume_key(Modifiers::NONE, key))
-}
-
-/// One thing that can be done.
-struct RowAction {
-    name: &'static str,
-    key: Key,
-    shown: &'static str,
-    /// What it does, or why it cannot be done.
-    does: Result<RowEffect, &'static str>,
-}
-
-enum RowEffect {
-    Split,
-    /// Of this and the one after it.
-    Join(usize),
-    Delete,
-    Rename,
-}
-
-fn deeds(regions: &[Region], k: usize) -> [RowAction; 4] {
-    let (before, next) = (regions::before(regions, k), regions::next_to(regions, k));
-    let last = regions.len() < 2;
-    [
-        RowAction {
-            name: say!("Split in half"),
-            key: Key::S,
-            shown: "S",
-            does: crate::gui::core::regions::split(regions, k)
-                .map(|_| RowEffect::Split)
-                .ok_or(say!("it is too narrow")),
-        },
-        RowAction {
-            name: if next.is_none() && before.is_some() {
-                say!("Merge with previous")
-            } else {
-                say!("Merge with next")
-            },
-            key: Key::M,
-            shown: "M",
-            does: next
-                .map(|_| k)
-                .or(before)
-                .map(RowEffect::Join)
-                .ok_or(say!("no region touches it")),
-        },
-        RowAction {
-            name: say!("Delete"),
-            key: Key::Delete,
-            shown: "Del",
-            does: (!last)
-                .then_some(RowEffect::Delete)
-                .ok_or(say!("the last region stays")),
-        },
-        RowAction {
-            name: say!("Rename"),
-            key: Key::R,
-            shown: "R",
-            does: Ok(RowEffect::Rename),
-        },
-    ]
-}
-
-pub(super) fn more(ui: &mut Ui, regions: &[Region], k: usize, workbench: &Workbench) {
-    let mut done = None;
-    let menu = ui.scope(|ui| {
-        ui.spacing_mut().button_padding = egui::vec2(4.0, 2.0);
-        ui.spacing_mut().interact_size.x = COLUMNS[4];
-        ui.menu_button("…", |ui| {
-            ui.set_min_width(180.0);
-            for deed in deeds(regions, k) {
-                let button = Button::new(deed.name).shortcut_text(deed.shown);
-                let response = ui.add_enabled(deed.does.is_ok(), button);
-                let response = match &deed.does {
-                    Err(because) => response.on_disabled_hover_text(*because),
-                    Ok(_) => response,
-                };
-                if (response.clicked() || key(ui, true, deed.key))
-                    && let Ok(does) = deed.does
-                {
-                    done = Some(does);
-                    ui.close();
-                }
-            }
-        })
-    });
-    let response = menu.inner.response;
-    let says = say!("Change region {name}", name = regions[k].name);
-    widgets::label(&response, says);
-    let focused = response.has_focus();
-    response.on_hover_text(say!(
-        "with the focus here: S splits, M merges, Del deletes, R renames"
-    ));
-    for deed in deeds(regions, k) {
-        if let (true, Ok(does)) = (key(ui, focused, deed.key), deed.does) {
-            done = Some(does);
-        }
-    }
-    match done {
-        Some(RowEffect::Split) => {
-            workbench.edits(phrase!("split region"), move |document| document.split(k));
-        }
-        Some(RowEffect::Join(first)) => workbench
-            .edits(phrase!("merge regions"), move |document| {
-                document.join(first)
-            }),
-        Some(RowEffect::Delete) => {
-            workbench.edits(phrase!("delete region"), move |document| document.delete(k));
-        }
-        Some(RowEffect::Rename) => {
-            let id = name_id(ui, k);
-            ui.memory_mut(|memory| memory.request_focus(id));
-        }
-        None => {}
-    }
-}
-
-/// More regions than this are too many to be listed with fields.
-const MOST_LISTED: usize = 60;
+const COLUMNS: [f32; 5] = [38.0, 60.0, 60.0, 36.0, 26.0];
 /// Widest field for an end: all digits that a boundary is shown with.
 const WIDEST: f32 = 76.0;
 /// Between the columns.
 const GAP: f32 = 5.0;
 const HEIGHT: f32 = 24.0;
-
-/// The columns in a panel of this width.
-fn columns(available: f32) -> [f32; 5] {
-    let [name, least, _, samples, more] = COLUMNS;
-    let rest = available - name - samples - more - 4.0 * GAP;
-    let end = (0.5 * rest).clamp(least, WIDEST);
-    [name, end, end, samples, more]
-}
+/// More regions than this are too many to be listed with fields.
+const MOST_LISTED: usize = 60;
 
 fn rows(ui: &mut Ui, workbench: &Workbench, counts: &[Count]) {
     let regions = &workbench.document().regions;
-    let units = workbench.units();
+    let unit = workbench.units().angle_name().trim();
     ui.spacing_mut().item_spacing = vec2(GAP, 3.0);
     ui.spacing_mut().interact_size.y = HEIGHT;
-    let columns = columns(ui.available_width());
-    head(ui, columns, units);
+    let mut columns = COLUMNS;
+    let rest = ui.available_width() - COLUMNS.iter().sum::<f32>() - 4.0 * GAP;
+    columns[1] = (COLUMNS[1] + 0.5 * rest).clamp(COLUMNS[1], WIDEST);
+    columns[2] = columns[1];
+    let heads = [
+        say!("name").to_owned(),
+        say!("from, {unit}", unit),
+        say!("to, {unit}", unit),
+        say!("samples").to_owned(),
+    ];
+    ui.horizontal(|ui| {
+        for (k, (head, width)) in heads.into_iter().zip(columns).enumerate() {
+            let muted = Palette::of(ui).muted;
+            let head = RichText::new(head).size(size::SMALL).color(muted);
+            // The head of the samples ends where their numbers end.
+            let layout = if k < 3 {
+                Layout::left_to_right(Align::Center)
+            } else {
+                Layout::right_to_left(Align::Center)
+            };
+            ui.allocate_ui_with_layout(vec2(width, 16.0), layout, |ui| {
+                ui.set_min_width(width);
+                ui.add(egui::Label::new(head).extend());
+            });
+        }
+    });
     for (k, region) in regions.iter().enumerate().take(MOST_LISTED) {
         ui.horizontal(|ui| {
             name(ui, k, &region.name, workbench);
@@ -386,7 +271,9 @@ fn rows(ui: &mut Ui, workbench: &Workbench, counts: &[Count]) {
             more(ui, regions, k, workbench);
         });
         if let Some(says) = few(counts[k]) {
-            note(ui, &says);
+            let warning = Palette::of(ui).warning;
+            let says = RichText::new(say!("Warning: {says}", says)).size(size::SMALL);
+            ui.add(egui::Label::new(says.color(warning)).wrap());
         }
     }
     if regions.len() > MOST_LISTED {
@@ -400,30 +287,41 @@ fn rows(ui: &mut Ui, workbench: &Workbench, counts: &[Count]) {
     }
 }
 
-fn head(ui: &mut Ui, columns: [f32; 5], units: Units) {
-    let muted = Palette::of(ui).muted;
-    let unit = units.angle_name().trim();
-    let names = [
-        say!("name").to_owned(),
-        say!("from, {unit}", unit),
-        say!("to, {unit}", unit),
-        say!("samples").to_owned(),
-    ];
-    ui.horizontal(|ui| {
-        for (k, (name, width)) in names.into_iter().zip(columns).enumerate() {
-            // The head of the samples ends where their numbers end.
-            let layout = if k < 3 {
-                Layout::left_to_right(Align::Center)
-            } else {
-                Layout::right_to_left(Align::Center)
-            };
-            ui.allocate_ui_with_layout(vec2(width, 16.0), layout, |ui| {
-                ui.set_min_width(width);
-                let name = RichText::new(name).size(size::SMALL).color(muted);
-                ui.add(egui::Label::new(name).extend());
-            });
-        }
+/// What can be done with a region.
+fn more(ui: &mut Ui, regions: &[Region], k: usize, workbench: &Workbench) {
+    let next = regions::next_to(regions, k);
+    let before = regions::before(regions, k);
+    let merge = match (next, before) {
+        (None, Some(_)) => say!("Merge with previous"),
+        _ => say!("Merge with next"),
+    };
+    let item = |ui: &mut Ui, name: &str, possible: bool, otherwise: &str| {
+        let response = ui.add_enabled(possible, Button::new(name));
+        response.on_disabled_hover_text(otherwise).clicked()
+    };
+    let menu = ui.scope(|ui| {
+        ui.spacing_mut().button_padding = vec2(4.0, 2.0);
+        ui.spacing_mut().interact_size.x = COLUMNS[4];
+        ui.menu_button("…", |ui| {
+            ui.set_min_width(180.0);
+            let wide = regions::split(regions, k).is_some();
+            if item(ui, say!("Split in half"), wide, say!("it is too narrow")) {
+                workbench.edits(phrase!("split region"), move |document| document.split(k));
+            }
+            let first = next.map(|_| k).or(before);
+            if item(ui, merge, first.is_some(), say!("no region touches it")) {
+                workbench.edits(phrase!("merge regions"), move |document| {
+                    document.join(first.unwrap_or(k))
+                });
+            }
+            let others = regions.len() > 1;
+            if item(ui, say!("Delete"), others, say!("the last region stays")) {
+                workbench.edits(phrase!("delete region"), move |document| document.delete(k));
+            }
+        })
     });
+    let says = say!("Change region {name}", name = regions[k].name);
+    widgets::label(&menu.inner.response, says);
 }
 
 /// What a region with few samples can and cannot do.
@@ -444,47 +342,15 @@ fn few(count: Count) -> Option<String> {
     }
 }
 
-/// A remark below a row, with a mark before it: colour alone says nothing.
-fn note(ui: &mut Ui, text: &str) {
-    let warning = Palette::of(ui).warning;
-    ui.horizontal(|ui| {
-        ui.spacing_mut().item_spacing.x = f32::from(space::ROUND);
-        let (rect, _) = ui.allocate_exact_size(vec2(10.0, 14.0), egui::Sense::hover());
-        let centre = rect.center();
-        let corner = |x: f32, y: f32| centre + vec2(x, y);
-        let triangle = vec![corner(0.0, -4.5), corner(5.0, 4.0), corner(-5.0, 4.0)];
-        ui.painter().add(egui::Shape::closed_line(
-            triangle,
-            egui::Stroke::new(1.3, warning),
-        ));
-        let text = RichText::new(text).size(size::SMALL).color(warning);
-        ui.add(egui::Label::new(text).wrap());
-    });
-}
-
 fn name(ui: &mut Ui, region: usize, name: &str, workbench: &Workbench) {
-    let id = name_id(ui, region);
-    let typed: Option<String> = ui.data_mut(|data| data.get_temp(id));
-    let mut text = typed.unwrap_or_else(|| name.to_owned());
-    let edit = TextEdit::singleline(&mut text)
-        .id(id)
-        .margin(egui::Margin::symmetric(4, 4))
-        .align(egui::Align2::LEFT_CENTER)
-        .clip_text(true);
-    let field = ui.add_sized([COLUMNS[0], HEIGHT], edit);
-    widgets::label(&field, say!("Name of region {name}", name));
-    let field = field.on_hover_text(name);
-    let escaped = ui.input(|i| i.key_pressed(Key::Escape));
-    if field.has_focus() {
-        ui.data_mut(|data| data.insert_temp(id, text));
-        return;
-    }
-    if field.lost_focus() && text != name && !escaped {
+    let says = say!("Name of region {name}", name);
+    let size = vec2(COLUMNS[0], HEIGHT);
+    let typed = widgets::text_when_complete(ui, &says, name, size);
+    if let Some(text) = typed {
         workbench.edits(phrase!("rename region"), move |document| {
             document.rename(region, &text)
         });
     }
-    ui.data_mut(|data| data.remove::<String>(id));
 }
 
 /// The number of an end. It stops at its neighbours, as a boundary that is dragged does.
@@ -529,22 +395,14 @@ fn angle(ui: &mut Ui, width: f32, workbench: &Workbench, (k, end): (usize, End))
 /// The number of samples; pressed, it shows them.
 fn samples(ui: &mut Ui, workbench: &Workbench, k: usize, count: Count) {
     let region = &workbench.document().regions[k];
-    let palette = Palette::of(ui);
-    let room = egui::Rect::from_min_size(ui.cursor().min, vec2(COLUMNS[3], HEIGHT));
     let number = RichText::new(count.all.to_string());
-    let layout = egui::Layout::right_to_left(egui::Align::Center);
-    let response = ui
-        .scope_builder(UiBuilder::new().max_rect(room).layout(layout), |ui| {
-            ui.set_min_size(room.size());
-            if count.all == 0 {
-                return ui.label(number.color(palette.warning));
-            }
-            ui.add(egui::Link::new(number))
-        })
-        .inner;
+    let room = [COLUMNS[3], HEIGHT];
     if count.all == 0 {
+        let warning = Palette::of(ui).warning;
+        ui.add_sized(room, egui::Label::new(number.color(warning)));
         return;
     }
+    let response = ui.add_sized(room, egui::Link::new(number));
     let says = match count.all {
         1 => say!("Show the sample of region {region}", region = region.name),
         n => say!(

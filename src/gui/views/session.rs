@@ -3,7 +3,7 @@
 
 use std::path::PathBuf;
 
-use egui::{CollapsingHeader, DragValue, Response, RichText, TextEdit, Ui};
+use egui::{Align, CollapsingHeader, DragValue, Layout, Response, RichText, TextEdit, Ui};
 use nalgebra::Point3;
 
 use crate::diagnostic::{Diagnostic, Severity};
@@ -244,32 +244,18 @@ fn finding_line(ui: &mut Ui, finding: &Diagnostic, workbench: &Workbench) {
 fn path_field(ui: &mut Ui, workbench: &Workbench) {
     let id = ui.scope_id().with("typed path");
     let mut typed: String = ui.data_mut(|data| data.get_temp(id)).unwrap_or_default();
-    ui.horizontal(|ui| {
-        let open = say!("Open");
-        let font = egui::TextStyle::Button.resolve(ui.style());
-        let open_width = widgets::width_of(ui, open, font);
-        let spacing = ui.spacing();
-        let around = 2.0 * spacing.button_padding.x + spacing.item_spacing.x;
-        let beside = ui.available_width() - (open_width + around).max(64.0);
-        let hint = say!("type a path, or drop a file");
-        let body = egui::TextStyle::Body.resolve(ui.style());
-        let of_hint = widgets::width_of(ui, hint, body) + 2.0 * around;
-        // Where there is no room for both, the button comes with the first letter: without one it does nothing.
-        let alone = typed.is_empty() && of_hint > beside;
-        let width = if alone { ui.available_width() } else { beside };
+    let room = egui::vec2(ui.available_width(), space::CONTROL);
+    let from_the_right = Layout::right_to_left(Align::Center);
+    ui.allocate_ui_with_layout(room, from_the_right, |ui| {
+        let button = egui::Button::new(say!("Open"));
+        let pressed = ui.add_enabled(!typed.trim().is_empty(), button).clicked();
         let field = TextEdit::singleline(&mut typed)
-            .hint_text(hint)
-            .desired_width(width)
-            .min_size(egui::vec2(width, space::CONTROL))
+            .hint_text(say!("type a path, or drop a file"))
             .align(egui::Align2::LEFT_CENTER);
-        let field = ui.add(field);
+        let field = ui.add_sized(ui.available_size(), field);
         widgets::label(&field, say!("Path of a session or model"));
         let entered = field.lost_focus() && ui.input(|i| i.key_pressed(egui::Key::Enter));
         let path = typed.trim();
-        let pressed = !alone && {
-            let button = egui::Button::new(open);
-            ui.add_enabled(!path.is_empty(), button).clicked()
-        };
         if (entered || pressed) && !path.is_empty() {
             let path = PathBuf::from(path);
             workbench.then(move |bench| bench.open_file(path));
@@ -419,19 +405,9 @@ fn folded(
 }
 
 fn text(ui: &mut Ui, label: &str, text: &mut String) {
-    let id = ui.scope_id().with(("text", label));
-    // A name is taken over when it is complete: one step back takes the whole of it back.
-    let mut typed: String = ui.data(|d| d.get_temp(id)).unwrap_or_else(|| text.clone());
-    let field = TextEdit::singleline(&mut typed).desired_width(f32::INFINITY);
-    let field = ui.add(field.min_size(egui::vec2(0.0, 24.0)));
-    widgets::label(&field, label);
-    if field.has_focus() {
-        ui.data_mut(|d| d.insert_temp(id, typed));
-    } else {
-        if field.lost_focus() {
-            *text = typed;
-        }
-        ui.data_mut(|d| d.remove_temp::<String>(id));
+    let size = egui::vec2(ui.available_width(), 24.0);
+    if let Some(typed) = widgets::text_when_complete(ui, label, text, size) {
+        *text = typed;
     }
 }
 

@@ -3,7 +3,7 @@
 use egui::response::Flags;
 use egui::{
     Button, Color32, Context, CornerRadius, Frame, Id, Key, KeyboardShortcut, Margin, Modifiers,
-    Response, RichText, Role, Sense, Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2,
+    Response, RichText, Role, Sense, Stroke, Ui, WidgetInfo, vec2,
 };
 
 use crate::gui::style::{Palette, size, space, strong};
@@ -236,156 +236,22 @@ fn segment(ui: &mut Ui, palette: Palette, name: &str, meant: &str, on: bool) -> 
     response
 }
 
-/// A window with its right-hand side: opens it or shuts it. Where it is shut its name stands beside
-/// the sign.
-pub(crate) fn side_button(ui: &mut Ui, open: bool, says: &str) -> Response {
-    let palette = Palette::of(ui);
-    let name = (!open).then(|| {
-        let text = say!("Results").to_owned();
-        ui.painter()
-            .layout_no_wrap(text, strong(size::SMALL), palette.accent)
-    });
-    let width = name.as_ref().map_or(0.0, |name| name.size().x + 8.0);
-    let (rect, response) = ui.allocate_exact_size(vec2(30.0 + width, 28.0), Sense::click());
-    let enabled = ui.is_enabled();
-    response.widget_info(|| WidgetInfo::labeled(Role::Button, enabled, says));
-    let painter = ui.painter();
-    let lit = response.hovered() || response.has_focus();
-    if lit {
-        painter.rect_filled(rect, CornerRadius::same(space::ROUND), palette.inset);
-    }
-    let color = if open { palette.text } else { palette.accent };
-    let centre = pos2(rect.right() - 15.0, rect.center().y);
-    let frame = egui::Rect::from_center_size(centre, vec2(16.0, 13.0));
-    let edge = Stroke::new(1.5, color);
-    painter.rect_stroke(frame, CornerRadius::same(2), edge, StrokeKind::Middle);
-    let mut side = frame;
-    side.set_left(frame.right() - 5.5);
-    if open {
-        painter.rect_filled(side, CornerRadius::ZERO, color);
-    } else {
-        painter.vline(side.left(), frame.y_range(), edge);
-    }
-    if let Some(name) = name {
-        let at = pos2(rect.left() + 6.0, rect.center().y - 0.5 * name.size().y);
-        painter.galley(at, name, color);
-    }
-    response.on_hover_text(says)
-}
-
-/// A curved arrow: back (undo) or forth (redo).
-pub(crate) fn history_button(ui: &mut Ui, forth: bool, enabled: bool, says: &str) -> Response {
-    let palette = Palette::of(ui);
-    let sense = if enabled {
-        Sense::click()
-    } else {
-        Sense::hover()
-    };
-    let (rect, response) = ui.allocate_exact_size(vec2(30.0, 28.0), sense);
-    response.widget_info(|| WidgetInfo::labeled(Role::Button, enabled, says));
-    let painter = ui.painter();
-    if enabled && (response.hovered() || response.has_focus()) {
-        painter.rect_filled(rect, CornerRadius::same(space::ROUND), palette.inset);
-    }
-    let color = if enabled {
-        palette.text
-    } else {
-        palette.nominal.gamma_multiply(0.6)
-    };
-    let flip = if forth { -1.0 } else { 1.0 };
-    let at = |x: f32, y: f32| rect.center() + vec2(flip * x, y);
-    let arc = (0..=14).map(|k| {
-        let angle = std::f32::consts::PI * (1.0 - k as f32 / 14.0);
-        at(5.0 * angle.cos(), 1.0 - 5.0 * angle.sin())
-    });
-    let mut line: Vec<_> = arc.collect();
-    line.push(at(5.0, 5.0));
-    painter.line(line, Stroke::new(1.6, color));
-    let head = vec![at(-5.0, 5.0), at(-8.6, 0.2), at(-1.4, 0.2)];
-    painter.add(egui::Shape::convex_polygon(head, color, Stroke::NONE));
-    response.on_hover_text(says)
-}
-
-/// A sign: lines through points about the middle of its button.
-type Sign = &'static [&'static [(f32, f32)]];
-
-/// An arrow into a tray.
-pub(crate) const SAVE: Sign = &[
-    &[(0.0, -6.5), (0.0, 2.0)],
-    &[(-3.5, -1.5), (0.0, 2.0), (3.5, -1.5)],
-    &[(-6.5, 2.5), (-6.5, 6.0), (6.5, 6.0), (6.5, 2.5)],
-];
-
-/// A small table.
-pub(crate) const DATA: Sign = &[
-    &[
-        (-6.5, -6.0),
-        (6.5, -6.0),
-        (6.5, 6.0),
-        (-6.5, 6.0),
-        (-6.5, -6.0),
-    ],
-    &[(-6.5, -2.0), (6.5, -2.0)],
-    &[(-6.5, 2.0), (6.5, 2.0)],
-    &[(0.0, -6.0), (0.0, 6.0)],
-];
-
-/// Two sheets, one before the other.
-pub(crate) const COPY: Sign = &[
-    &[
-        (-2.0, -3.0),
-        (-2.0, -6.5),
-        (6.5, -6.5),
-        (6.5, 3.0),
-        (2.0, 3.0),
-    ],
-    &[
-        (-6.5, -3.0),
-        (2.0, -3.0),
-        (2.0, 6.5),
-        (-6.5, 6.5),
-        (-6.5, -3.0),
-    ],
-];
-
-/// Four corners about a point.
-pub(crate) const FIT: Sign = &[
-    &[(-6.5, -2.5), (-6.5, -6.5), (-2.5, -6.5)],
-    &[(6.5, -2.5), (6.5, -6.5), (2.5, -6.5)],
-    &[(6.5, 2.5), (6.5, 6.5), (2.5, 6.5)],
-    &[(-6.5, 2.5), (-6.5, 6.5), (-2.5, 6.5)],
-    &[
-        (-1.0, -1.0),
-        (1.0, -1.0),
-        (1.0, 1.0),
-        (-1.0, 1.0),
-        (-1.0, -1.0),
-    ],
-];
+/// Signs, of a font that is always there.
+pub(crate) const UNDO: &str = "↶";
+pub(crate) const REDO: &str = "↷";
+pub(crate) const SAVE: &str = "⬇";
+pub(crate) const DATA: &str = "▦";
+pub(crate) const COPY: &str = "◱";
+pub(crate) const FIT: &str = "⊡";
+pub(crate) const SIDE: &str = "◨";
+pub(crate) const GRIP: &str = "∷";
 
 /// A square button with a sign, called by its name.
-pub(crate) fn icon_button(ui: &mut Ui, sign: Sign, name: &str) -> Response {
-    let (response, color) = bare_button(ui, name, Sense::click());
-    for line in sign {
-        let points = line
-            .iter()
-            .map(|(x, y)| response.rect.center() + vec2(*x, *y));
-        ui.painter().line(points.collect(), Stroke::new(1.5, color));
-    }
-    response
-}
-
-/// Room for a sign, called by its name, and its colour.
-pub(crate) fn bare_button(ui: &mut Ui, name: &str, sense: Sense) -> (Response, Color32) {
-    let palette = Palette::of(ui);
-    let (rect, response) = ui.allocate_exact_size(vec2(24.0, 24.0), sense);
+pub(crate) fn icon_button(ui: &mut Ui, sign: &str, name: &str) -> Response {
+    let button = Button::new(RichText::new(sign).size(size::HEADING));
+    let button = button.frame_when_inactive(false).min_size(vec2(24.0, 24.0));
+    let response = ui.add(button.sense(Sense::click_and_drag()));
     let enabled = ui.is_enabled();
     response.widget_info(|| WidgetInfo::labeled(Role::Button, enabled, name));
-    let lit = response.hovered() || response.has_focus();
-    if lit {
-        let round = CornerRadius::same(space::ROUND);
-        ui.painter().rect_filled(rect, round, palette.inset);
-    }
-    let color = if lit { palette.text } else { palette.muted };
-    (response, color)
+    response
 }

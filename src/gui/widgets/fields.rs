@@ -9,7 +9,8 @@ use super::text::{label, wrong};
 use egui::text::{CCursor, CCursorRange};
 use egui::text_edit::TextEditState;
 use egui::{
-    Align, ComboBox, DragValue, Id, Key, Layout, Response, RichText, Tooltip, Ui, Vec2, vec2,
+    Align, Align2, ComboBox, DragValue, Id, Key, Layout, Response, RichText, TextEdit, Tooltip, Ui,
+    Vec2, vec2,
 };
 
 use crate::present::units::typed_in;
@@ -84,6 +85,26 @@ pub(crate) fn select_all(ui: &Ui, field: Id, text: &str) {
     let all = CCursorRange::two(CCursor::new(0), CCursor::new(text.chars().count()));
     state.cursor.set_char_range(Some(all));
     state.store(ui.ctx(), field);
+}
+
+/// A line of text by this name. What was typed, once it is complete and another: one step back takes the whole of it
+/// back. Escape leaves it as it was.
+pub(crate) fn text_when_complete(ui: &mut Ui, name: &str, now: &str, size: Vec2) -> Option<String> {
+    let id = ui.scope_id().with(("text", name));
+    let mut typed: String = ui
+        .data(|data| data.get_temp(id))
+        .unwrap_or_else(|| now.to_owned());
+    let field = TextEdit::singleline(&mut typed).id(id);
+    let field = field.align(Align2::LEFT_CENTER).clip_text(true);
+    let field = ui.add_sized(size, field);
+    label(&field, name);
+    if field.has_focus() {
+        ui.data_mut(|data| data.insert_temp(id, typed));
+        return None;
+    }
+    ui.data_mut(|data| data.remove_temp::<String>(id));
+    let escaped = ui.input(|input| input.key_pressed(Key::Escape));
+    (field.lost_focus() && typed != now && !escaped).then_some(typed)
 }
 
 /// A number with its name before it, in this unit; another of its quantity may be typed.

@@ -6,13 +6,13 @@ mod fields;
 mod text;
 
 pub(crate) use buttons::{
-    COPY, DATA, FIT, NEXT, SAVE, bare_button, has_stood, history_button, icon_button, other,
-    primary, read_next, secondary, segmented, segmented_named, side_button, width_of_segments,
+    COPY, DATA, FIT, GRIP, NEXT, REDO, SAVE, SIDE, UNDO, has_stood, icon_button, other, primary,
+    read_next, secondary, segmented, segmented_named, width_of_segments,
 };
 pub(crate) use fields::{
     buttons_or_back, cell_number, choice, choice_row, done, done_beside, entered, form_row, list,
     number, number_in_a_grid, or_none, room_of_a_sheet, row, select_all, sheet_buttons,
-    sheet_buttons_without_enter, wide,
+    sheet_buttons_without_enter, text_when_complete, wide,
 };
 pub(crate) use text::{
     bold, caption, cell_right, cut, dense, explained, explained_effect, fact, fact_of, facts, fine,
@@ -178,41 +178,9 @@ pub(crate) fn grip(ui: &Ui, name: &str, panel: Rect, x: f32) -> Option<Gripped> 
     let rect = Rect::from_x_y_ranges(middle - REACH..=middle + REACH, panel.y_range());
     let says = say!("width of {name}", name);
     let id = Id::unique("grip").with(name);
-    let gripped = pulled(ui, id, &says, rect, true)?;
-    Some(match gripped {
-        Gripped::To(at) => Gripped::To(at - inwards * REACH),
-        Gripped::LetGo(at) => Gripped::LetGo(at - inwards * REACH),
-        Gripped::Usual => Gripped::Usual,
-    })
-}
-
-/// A grip in the gap between two panes, which stands upright or lies.
-pub(crate) fn grip_between(
-    ui: &Ui,
-    id: Id,
-    label: &str,
-    gap: Rect,
-    upright: bool,
-) -> Option<Gripped> {
-    let wider = if upright {
-        vec2(REACH - 0.5 * gap.width(), 0.0)
-    } else {
-        vec2(0.0, REACH - 0.5 * gap.height())
-    };
-    pulled(ui, id, label, gap.expand2(wider), upright)
-}
-
-/// A grip in this place: where its middle is to be.
-fn pulled(ui: &Ui, id: Id, says: &str, rect: Rect, upright: bool) -> Option<Gripped> {
-    let axis = usize::from(!upright);
-    let at = rect.center()[axis];
     let response = ui.interact(rect, id, Sense::click_and_drag());
-    response.widget_info(|| WidgetInfo::labeled(Role::Slider, true, says));
-    let response = response.on_hover_cursor(if upright {
-        CursorIcon::ResizeHorizontal
-    } else {
-        CursorIcon::ResizeVertical
-    });
+    response.widget_info(|| WidgetInfo::labeled(Role::Slider, true, &says));
+    let response = response.on_hover_cursor(CursorIcon::ResizeHorizontal);
     let palette = Palette::of(ui);
     let busy = response.hovered() || response.dragged() || response.has_focus();
     let color = if busy {
@@ -220,44 +188,46 @@ fn pulled(ui: &Ui, id: Id, says: &str, rect: Rect, upright: bool) -> Option<Grip
     } else {
         palette.nominal
     };
-    let painter = ui.painter();
     for k in [-1.0, 0.0, 1.0] {
-        let along = if upright {
-            vec2(0.0, 6.0 * k)
-        } else {
-            vec2(6.0 * k, 0.0)
-        };
-        painter.circle_filled(rect.center() + along, 1.5, color);
+        let dot = rect.center() + vec2(0.0, 6.0 * k);
+        ui.painter().circle_filled(dot, 1.5, color);
     }
     if response.double_clicked() {
         return Some(Gripped::Usual);
     }
-    let pointer = response.interact_pointer_pos().map(|at| at[axis]);
+    let pointer = response.interact_pointer_pos().map_or(middle, |at| at.x);
+    let at = pointer - inwards * REACH;
     if response.drag_stopped() {
-        return Some(Gripped::LetGo(pointer.unwrap_or(at)));
+        return Some(Gripped::LetGo(at));
     }
     if response.dragged() {
-        return pointer.map(Gripped::To);
+        return Some(Gripped::To(at));
     }
-    if !response.has_focus() {
-        return None;
+    let by = moved_by_keys(ui, response.id, true);
+    (by != 0.0).then_some(Gripped::LetGo(x + by))
+}
+
+/// How far arrow keys move what stands upright or lies, if it has the focus, points.
+pub(crate) fn moved_by_keys(ui: &Ui, id: Id, upright: bool) -> f32 {
+    if !ui.memory(|memory| memory.has_focus(id)) {
+        return 0.0;
     }
     let filter = EventFilter {
         horizontal_arrows: upright,
         vertical_arrows: !upright,
         ..EventFilter::default()
     };
-    ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, filter));
-    let steps = ui.input(|input| {
-        let asked = |action| input.num_accesskit_action_requests(response.id, action) as f32;
+    ui.memory_mut(|memory| memory.set_focus_lock_filter(id, filter));
+    ui.input(|input| {
+        let asked = |action| input.num_accesskit_action_requests(id, action) as f32;
         let presses = |key| input.num_presses(key) as f32;
         let [more, less] = if upright {
             [Key::ArrowRight, Key::ArrowLeft]
         } else {
             [Key::ArrowDown, Key::ArrowUp]
         };
-        presses(more) - presses(less) + asked(accesskit::Action::Increment)
-            - asked(accesskit::Action::Decrement)
-    });
-    (steps != 0.0).then_some(Gripped::LetGo(at + steps * BY_KEY))
+        let steps = presses(more) - presses(less) + asked(accesskit::Action::Increment)
+            - asked(accesskit::Action::Decrement);
+        steps * BY_KEY
+    })
 }

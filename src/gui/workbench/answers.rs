@@ -14,7 +14,7 @@ use crate::gui::cache::heat::Heat;
 use crate::gui::cache::identified::{
     AnswerSummary, ExportPreview, IdentifiedAnswer, PreviewRequest,
 };
-use crate::gui::cache::{PlotCache, PlotInputs};
+use crate::gui::cache::{Made, PlotInputs, Work};
 use crate::gui::core::answer::term_of;
 use crate::gui::core::answer::{Answer, LoadedModel, Search};
 use crate::gui::core::document::{Method, Question};
@@ -86,9 +86,10 @@ impl Workbench {
         self.identified().and_then(|o| o.after.as_ref())
     }
 
-    pub(super) fn plot_cache(&self) -> Option<&PlotCache> {
-        let backdrop = self.plot_cache.as_deref()?;
-        Arc::ptr_eq(&backdrop.inputs.loaded_session, self.loaded_session()).then_some(backdrop)
+    /// What came of a work, for the newest answer that it was worked out for.
+    pub(super) fn made(&self, work: &Work) -> Option<&Made> {
+        let made = self.plot_cache.made(work)?;
+        Arc::ptr_eq(&made.inputs.loaded_session, self.loaded_session()).then_some(made)
     }
 
     /// The identified pose of the base in the measuring frame, where the instrument stands in a frame
@@ -129,19 +130,18 @@ impl Workbench {
     /// The heat map, if it is shown. While a newer one is being made it is the one before.
     pub(crate) fn heat(&self) -> Option<&Arc<Heat>> {
         let wanted = self.view.heat && !self.view.in_space();
-        let seen = |cache: &&PlotCache| wanted && cache.inputs.plane == self.view.plane;
-        self.plot_cache().filter(seen)?.heat.as_ref()
+        let work = wanted.then(|| Work::heat(self.view.plane))?;
+        let made: &Option<Arc<Heat>> = self.made(&work)?.result.downcast_ref()?;
+        made.as_ref()
     }
 
     /// How sure the newest answer is at each sample, where colour says it; `None` until it is worked out.
     pub(crate) fn uncertain(&self) -> Option<&Arc<Uncertain>> {
         let wanted = self.view.colouring == Colouring::Uncertainty;
-        let backdrop = self.plot_cache().filter(|_| wanted)?;
-        let of = backdrop.inputs.identified.as_deref();
-        backdrop
-            .uncertain
-            .as_ref()
-            .filter(|_| of == self.identified())
+        let made = self.made(&wanted.then(Work::uncertain)?)?;
+        let of_this = made.inputs.identified.as_deref() == self.identified();
+        let made: &Option<Arc<Uncertain>> = made.result.downcast_ref()?;
+        made.as_ref().filter(|_| of_this)
     }
 
     /// What is left of the deviations, as it is uploaded.
@@ -277,7 +277,6 @@ impl Workbench {
 
     /// Asks for the preview that the export step shows.
     pub(super) fn keep_preparing(&mut self) {
-        self.keep_figuring();
         // A model by itself has nothing to show but its table.
         let shown = self.view.step == Step::Export || self.loaded_session().is_empty();
         let Some(outcome) = self.shown_outcome().filter(|_| shown) else {
@@ -307,24 +306,19 @@ impl Workbench {
             .identified
             .clone()
             .filter(|_| self.identified().is_some());
-        let scenery = PlotInputs {
+        let inputs = PlotInputs {
             loaded_session: Arc::clone(self.loaded_session()),
             identified: outcome,
-            plane: self.view.plane,
-            heat: self.view.heat && !self.view.in_space(),
-            uncertain: self.view.colouring == Colouring::Uncertainty
-                && self.answer().is_some_and(Uncertain::is_known),
-            charts: self.works(),
         };
-        let there = self
-            .plot_cache
-            .as_ref()
-            .is_some_and(|b| b.inputs == scenery);
-        if scenery.any()
-            && !there
-            && let Some(scenery) = self.asked.plots.want(scenery)
-        {
-            self.draw_backdrop(scenery);
+        for work in self.plot_cache.begin(&inputs, self.works()) {
+            let inputs = inputs.clone();
+            self.jobs.quietly(
+                move || work.made(inputs),
+                |bench: &mut Self, made| {
+                    let before = bench.plot_cache.take(made);
+                    bench.let_go(before);
+                },
+            );
         }
     }
 

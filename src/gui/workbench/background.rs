@@ -4,7 +4,6 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use crate::gui::cache::identified::{IdentifiedAnswer, Preview, PreviewRequest};
-use crate::gui::cache::{PlotCache, PlotInputs};
 use crate::gui::core::answer::Search;
 use crate::gui::core::document::{ExportChoice, Question};
 use crate::gui::core::loaded_session::LoadedSession;
@@ -37,16 +36,8 @@ impl Workbench {
             any = true;
             for (kind, outcome) in arrived {
                 match kind {
-                    Kind::Identifies => {
-                        if let Some(next) = self.asked.questions.answered() {
-                            self.answer_question(next);
-                        }
-                    }
-                    Kind::Prepares => {
-                        if let Some(next) = self.asked.previews.answered() {
-                            self.prepare(next);
-                        }
-                    }
+                    Kind::Identifies => self.asked.questions.answered(),
+                    Kind::Prepares => self.asked.previews.answered(),
                     Kind::Searches => self.asked.searched = None,
                     _ => {}
                 }
@@ -54,11 +45,6 @@ impl Workbench {
                     Some(take) => take(bench),
                     None => bench.broke_off(),
                 });
-                if kind == Kind::Draws
-                    && let Some(next) = self.asked.plots.answered()
-                {
-                    self.draw_backdrop(next);
-                }
             }
         }
     }
@@ -84,20 +70,6 @@ impl Workbench {
             say!("preparing the table"),
             move |_| Preview::of(wanted),
             |bench: &mut Self, preview| bench.preview = Some(Arc::new(preview)),
-        );
-    }
-
-    /// Works out what plots stand on.
-    pub(super) fn draw_backdrop(&mut self, scenery: PlotInputs) {
-        let last = self.plot_cache.clone();
-        self.jobs.start(
-            Kind::Draws,
-            say!("drawing"),
-            move |_| PlotCache::of(scenery, last.as_deref()),
-            |bench: &mut Self, backdrop| {
-                let before = bench.plot_cache.replace(Arc::new(backdrop));
-                bench.let_go(before);
-            },
         );
     }
 
@@ -161,7 +133,7 @@ impl Workbench {
 
     /// Gives the memory of what was worked out before back elsewhere: with many samples that takes
     /// longer than a frame may.
-    fn let_go(&mut self, before: Option<impl Send + 'static>) {
+    pub(super) fn let_go(&mut self, before: Option<impl Send + 'static>) {
         const MANY: usize = 100_000;
         if before.is_some() && self.loaded_session().len() > MANY {
             self.jobs.quietly(move || drop(before), |_, ()| ());
@@ -254,7 +226,6 @@ impl Workbench {
     }
 
     fn broke_off(&mut self) {
-        self.stop_figuring();
         self.complain(
             say!("Something went wrong inside the program"),
             [say!(

@@ -1,17 +1,13 @@
-//! Which panels and charts there are, and what charts are made of.
+//! Which charts there are, and what they are made of.
 
-use std::mem::discriminant;
 use std::sync::Arc;
 
-use crate::gui::cache::PlotCache;
+use crate::gui::cache::cloud::Uncertain;
 use crate::gui::cache::{ChartResult, Work};
 use crate::gui::charts::effect::{EffectCurve, Sketches};
 use crate::gui::charts::{CHARTS, ChartKind, HoverTarget, Scene, effect, find};
-use crate::gui::core::answer::Search;
-use crate::gui::core::loaded_session::Component;
 use crate::gui::jobs::{Kind as JobKind, Watch};
-use crate::gui::view::{Arrangement, ChartPane, Edge, Key, Panes, Step};
-use crate::present::chart::FULL_WIDTH;
+use crate::gui::view::{ChartPane, Colouring, Edge, Key, Panes, Step};
 use crate::present::drawing::Drawing;
 use crate::present::numbers::{notation, write_numbers};
 use crate::present::table::Table;
@@ -95,10 +91,9 @@ impl Workbench {
 
     /// What was worked out for the chart in a pane.
     fn worked_out(&self, pane: &ChartPane, scene: &Scene) -> Option<&ChartResult> {
-        let seen = |b: &&PlotCache| b.inputs.identified.is_some() == self.identified().is_some();
-        let work = self.kind(pane).work(scene)?;
-        let backdrop = self.plot_cache().filter(seen)?;
-        backdrop.charted_for(&(scene.component, work))
+        let made = self.made(&self.kind(pane).work(scene)?)?;
+        let seen = made.inputs.identified.is_some() == self.identified().is_some();
+        seen.then_some(&made.result)
     }
 
     /// What a chart is made of, in the pane where it is shown.
@@ -127,7 +122,7 @@ impl Workbench {
         let mut chart = shown.chart;
         if let HoverTarget::Samples(samples) = &shown.pointed {
             let [[from, _], [to, _]] = chart.bounds;
-            chart.items.extend(samples.in_sight([from, to], FULL_WIDTH));
+            chart.items.extend(samples.in_sight([from, to]));
         }
         let session = crate::report::document::clean(&self.loaded_session().session.name);
         let says = format!("{session}: {}", chart.title);
@@ -153,30 +148,30 @@ impl Workbench {
         self.copied.take()
     }
 
-    fn sketches(search: &Arc<Search>) -> (Component, Work) {
-        (Component::Length, effect::sketches(search))
-    }
-
     /// The curve of an effect that was found, as its card shows it.
     pub(crate) fn sketch(&self, index: usize) -> Option<&EffectCurve> {
-        let made = self.plot_cache()?;
-        let made = made.charted_for(&Self::sketches(self.search_of_this()?))?;
-        let curves: &Sketches = (**made).downcast_ref()?;
+        let work = effect::sketches(self.search_of_this()?);
+        let curves: &Sketches = self.made(&work)?.result.downcast_ref()?;
         curves.get(index)?.as_ref()
     }
 
-    /// What all charts have worked out in the background.
-    pub(super) fn works(&self) -> Vec<(Component, Work)> {
+    /// What all plots have worked out in the background.
+    pub(super) fn works(&self) -> Vec<Work> {
+        let view = &self.view;
         let mut all = Vec::new();
+        all.extend((view.heat && !view.in_space()).then(|| Work::heat(view.plane)));
+        let known = self.answer().is_some_and(Uncertain::is_known);
+        let uncertain = view.colouring == Colouring::Uncertainty && known;
+        all.extend(uncertain.then(Work::uncertain));
+        all.extend(self.wanted_figures());
         let searched = self
             .search_of_this()
             .filter(|_| self.view.step == Step::Gap);
-        all.extend(searched.map(Self::sketches));
+        all.extend(searched.map(effect::sketches));
         for (_, pane) in self.view.panes.charts() {
             let scene = self.scene_at(pane);
             let work = self.kind(pane).work(&scene);
-            let wanted = work.map(|work| (scene.component, work));
-            all.extend(wanted.filter(|wanted| !all.contains(wanted)));
+            all.extend(work.filter(|work| !all.contains(work)));
         }
         all
     }
@@ -194,33 +189,16 @@ impl Workbench {
         }
     }
 
-    /// The panes with another chart at an edge of one of them.
-    pub(crate) fn with_chart(&self, key: Key, edge: Edge) -> Panes {
-        let mut panes = self.view.panes.clone();
-        panes.split(key, edge, self.next_chart(key));
-        panes
+    /// Another chart at an edge of a pane.
+    pub(crate) fn add_chart(&mut self, key: Key, edge: Edge) {
+        let chart = self.next_chart(key);
+        self.rearrange(|panes| panes.split(key, edge, chart));
     }
 
-    /// Shows this chart in the pane that was active last.
+    /// Shows this chart, in the pane that has it or that was active last.
     pub(crate) fn show_chart(&mut self, chart: &str) {
-        let active = self.view.panes.active_chart().map(|(key, _)| key);
-        let panes = if let Some(key) = active {
-            self.with_choice(key, chart)
-        } else {
-            let mut panes = self.view.panes.clone();
-            let pane = ChartPane {
-                chart: Some(chart.to_owned()),
-                ..ChartPane::default()
-            };
-            panes.split(panes.workspace(), Edge::Bottom, pane);
-            panes
-        };
-        self.arrange(panes);
-    }
-
-    /// Another chart at an edge of the active plot.
-    pub(crate) fn add_chart(&mut self, edge: Edge) {
-        self.arrange(self.with_chart(self.view.panes.active(), edge));
+        let key = self.next_pane(chart);
+        self.choose_chart(key, chart);
     }
 
     /// Closes the chart that is active, or was so last.
@@ -230,25 +208,18 @@ impl Workbench {
         }
     }
 
-    /// The panes with another chart in one of them.
-    pub(crate) fn with_choice(&self, key: Key, chart: &str) -> Panes {
-        let mut panes = self.view.panes.clone();
-        // Choosing what suits the step means: follow the steps.
-        let suits = chart == self.suiting().about().id;
-        let others = |(one, pane): (Key, &ChartPane)| one != key && pane.chart.is_none();
-        let suits = suits && !panes.charts().any(others);
-        if let Some(pane) = panes.chart_mut(key) {
-            pane.chart = (!suits).then(|| chart.to_owned());
-        }
-        panes.activate(key);
-        panes
+    /// Another chart in a pane.
+    pub(crate) fn choose_chart(&mut self, key: Key, chart: &str) {
+        let chosen = self.chosen(key, chart);
+        self.change_chart(key, |pane| pane.chart = chosen);
     }
 
-    /// Arranges the panes like this, tomorrow as well.
-    pub(crate) fn arrange(&mut self, panes: Panes) {
-        self.view.panes = panes.sound(|chart| find(chart).is_some());
-        let panes = self.view.panes.clone();
-        self.keep(move |kept| kept.panes = panes);
+    /// This chart as a choice in a pane. Choosing what suits the step means: follow the steps.
+    fn chosen(&self, key: Key, chart: &str) -> Option<String> {
+        let others = |(one, pane): (Key, &ChartPane)| one != key && pane.chart.is_none();
+        let suits = chart == self.suiting().about().id;
+        let suits = suits && !self.view.panes.charts().any(others);
+        (!suits).then(|| chart.to_owned())
     }
 
     /// The pane in which a chart is shown next; there is one then.
@@ -257,8 +228,10 @@ impl Workbench {
         if panes.charts().next().is_none() {
             panes.split(panes.workspace(), Edge::Bottom, ChartPane::default());
         }
-        let active = self.view.panes.active_chart().map_or(0, |(key, _)| key);
-        self.pane_of(id).map_or(active, |(key, _)| key)
+        let active = panes.active_chart().map(|(key, _)| key);
+        let here = self.pane_of(id).map(|(key, _)| key);
+        here.or(active)
+            .unwrap_or_else(|| self.view.panes.workspace())
     }
 
     pub(crate) fn show_effect(&mut self, index: usize) {
@@ -272,16 +245,17 @@ impl Workbench {
         self.view.effect = index;
         self.view.step = Step::Gap;
         let key = self.next_pane(effect::ID);
-        let mut panes = self.with_choice(key, effect::ID);
-        let alone = panes.charts().count() < 2;
-        if let Some(pane) = panes.chart_mut(key) {
+        let chosen = self.chosen(key, effect::ID);
+        let alone = self.view.panes.charts().count() < 2;
+        // It is looked at once: tomorrow, and in another session, charts follow the steps again.
+        if let Some(pane) = self.view.panes.chart_mut(key) {
+            pane.chart = chosen;
             pane.component = (!alone).then_some(component);
         }
+        self.view.panes.activate(key);
         if alone {
             self.view.component = component;
         }
-        // It is looked at once: tomorrow, and in another session, charts follow the steps again.
-        self.view.panes = panes;
     }
 
     /// No chart stays on an effect that a session had: of another one there is none yet.
@@ -299,11 +273,11 @@ impl Workbench {
         }
     }
 
-    /// Arranges the panes otherwise.
+    /// Arranges the panes otherwise, tomorrow as well.
     pub(crate) fn rearrange(&mut self, change: impl FnOnce(&mut Panes)) {
-        let mut panes = self.view.panes.clone();
-        change(&mut panes);
-        self.arrange(panes);
+        change(&mut self.view.panes);
+        let panes = self.view.panes.clone();
+        self.keep(move |kept| kept.panes = panes);
     }
 
     /// Changes the chart in a pane.
@@ -314,28 +288,6 @@ impl Workbench {
             }
             panes.activate(key);
         });
-    }
-
-    /// Which panels there are now.
-    pub(crate) fn arrangement(&self) -> Arrangement {
-        let view = &self.view;
-        let shown = view.panes.charts();
-        let shown = shown.map(|(_, pane)| self.kind(pane).about().id);
-        Arrangement {
-            view: (view.step, view.side, view.aspect, view.results),
-            language: view.preferences.language,
-            panes: (view.panes.outline(), shown.collect()),
-            sheet: view.sheet.as_ref().map(discriminant),
-            message: view.message.clone(),
-            has: [
-                view.on_disk.is_some(),
-                self.answer().is_some(),
-                self.searching().is_some(),
-                self.searched().is_some(),
-                self.export().is_some(),
-            ],
-            session: self.loaded_session().lineage,
-        }
     }
 }
 
@@ -366,8 +318,7 @@ mod tests {
 
     fn choose(workbench: &mut Workbench, chart: &'static str) {
         let key = workbench.view.panes.active_chart().map(|(key, _)| key);
-        let panes = workbench.with_choice(key.expect("a chart"), chart);
-        workbench.execute(|bench| bench.arrange(panes));
+        workbench.execute(|bench| bench.choose_chart(key.expect("a chart"), chart));
         workbench.receive();
         assert_eq!(workbench.chart().about().id, chart);
     }
@@ -407,8 +358,8 @@ mod tests {
         let mut workbench = workbench();
         choose(&mut workbench, HISTOGRAM);
         let made = |workbench: &Workbench| {
-            let backdrop = workbench.plot_cache().expect("it is made");
-            Arc::clone(backdrop.charted.first().expect("it is charted"))
+            let made = workbench.plot_cache.made.first();
+            Arc::clone(&made.expect("it is charted").result)
         };
         let first = made(&workbench);
         workbench.execute(|bench| bench.view.hovered = Some(3));
@@ -437,14 +388,17 @@ mod tests {
     fn several_charts_are_worked_out_together_and_none_of_them_again_for_another() {
         let mut workbench = workbench();
         choose(&mut workbench, HISTOGRAM);
-        let made = |workbench: &Workbench| workbench.plot_cache().expect("made").charted.clone();
+        let made = |workbench: &Workbench| {
+            let made = workbench.plot_cache.made.iter();
+            made.map(|made| Arc::clone(&made.result))
+                .collect::<Vec<_>>()
+        };
         let add = |workbench: &mut Workbench, chart: &str| {
+            workbench.execute(|bench| bench.add_chart(bench.view.panes.active(), Edge::Right));
             let key = workbench.view.panes.active();
-            let panes = workbench.with_chart(key, Edge::Right);
-            let mut panes = panes.clone();
-            let key = panes.active();
-            panes.chart_mut(key).expect("it is new").chart = Some(chart.to_owned());
-            workbench.execute(|bench| bench.arrange(panes));
+            workbench.execute(|bench| {
+                bench.change_chart(key, |pane| pane.chart = Some(chart.to_owned()));
+            });
             workbench.receive();
         };
         let first = made(&workbench);
@@ -456,9 +410,9 @@ mod tests {
         add(&mut workbench, ORDERS);
         assert_eq!(made(&workbench).len(), 2);
         let key = workbench.view.panes.active();
-        let mut panes = workbench.view.panes.clone();
-        panes.chart_mut(key).expect("a chart").component = Some(Component::Radial);
-        workbench.execute(|bench| bench.arrange(panes));
+        workbench.execute(|bench| {
+            bench.change_chart(key, |pane| pane.component = Some(Component::Radial));
+        });
         workbench.receive();
         let three = made(&workbench);
         assert_eq!(three.len(), 3);

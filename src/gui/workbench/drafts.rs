@@ -10,8 +10,9 @@ use crate::gui::cache::cloud::Cloud;
 use crate::gui::core::disk::name_of;
 use crate::gui::core::document::{Decision, adapt};
 use crate::gui::core::loaded_session::LoadedSession;
+use crate::gui::core::regions::Count;
 use crate::gui::files;
-use crate::gui::import_draft::{Companion, ImportAnswers, ImportDraft, InspectedDraft};
+use crate::gui::import_draft::{Companion, ImportDraft, InspectedDraft};
 use crate::gui::jobs::{Kind, Running, Watch};
 use crate::gui::view::{Message, Sheet};
 
@@ -51,10 +52,10 @@ impl Workbench {
         self.left_draft = Some(left);
     }
 
-    /// Takes what was said, and looks at the file with it.
-    pub(crate) fn say(&mut self, answers: ImportAnswers) {
+    /// Changes what is said, and looks at the file with it.
+    pub(crate) fn change_draft(&mut self, change: impl FnOnce(&mut ImportDraft)) {
         if let Some(foreign) = self.import_draft() {
-            foreign.answers = answers;
+            change(foreign);
         }
         self.keep_looking();
     }
@@ -134,12 +135,6 @@ impl Workbench {
         self.keep_looking();
     }
 
-    pub(crate) fn confirm_columns(&mut self) {
-        if let Some(foreign) = self.import_draft() {
-            foreign.confirm();
-        }
-    }
-
     /// Opens the session that the sheet shows.
     pub(crate) fn import(&mut self) {
         let result = self.import_draft().and_then(|foreign| {
@@ -164,6 +159,22 @@ pub(super) fn adapted(loaded_session: Arc<LoadedSession>) -> Adapted {
 }
 
 impl Workbench {
+    /// The samples of each region, and those in none.
+    pub(crate) fn counted(&self) -> Arc<(Vec<Count>, usize)> {
+        let (loaded_session, regions) = (self.loaded_session(), &self.document().regions);
+        let mut last = self.counted.borrow_mut();
+        if let Some((session, of, counts)) = &*last
+            && session == loaded_session
+            && of == regions
+        {
+            return Arc::clone(counts);
+        }
+        let counts = Arc::new(loaded_session.counted(regions));
+        let of = (Arc::clone(loaded_session), Arc::clone(regions));
+        *last = Some((of.0, of.1, Arc::clone(&counts)));
+        counts
+    }
+
     /// Looks where the samples ask for regions.
     pub(crate) fn adapt(&mut self) {
         let loaded_session = Arc::clone(self.loaded_session());

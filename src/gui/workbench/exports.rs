@@ -8,7 +8,8 @@ use egui::ColorImage;
 
 use crate::compensation::decision::FittedErrors;
 use crate::export::find;
-use crate::gui::cache::identified::{Figures, IdentifiedAnswer, PreviewRequest};
+use crate::gui::cache::Work;
+use crate::gui::cache::identified::{IdentifiedAnswer, PreviewRequest, StandardsFigures};
 use crate::gui::charts;
 use crate::gui::core::answer::Search;
 use crate::gui::core::compensated::{Compensated, CompensationRequest, MOST_KG};
@@ -278,54 +279,19 @@ impl Workbench {
         self.picture = None;
     }
 
-    /// The standards' figures of what is shown; while newer ones are worked out, the ones before.
-    pub(crate) fn figures(&self) -> Option<&Figures> {
+    /// The standards' figures of what is shown, or why there are none; while newer ones are worked out, the ones before.
+    pub(crate) fn figures(&self) -> Option<&Result<StandardsFigures, String>> {
         self.answer()?;
-        let figures = self.figures.as_ref()?;
-        let same = Arc::ptr_eq(
-            &figures.identified.question.loaded_session,
-            self.loaded_session(),
-        );
-        same.then_some(figures)
+        let work = Work::figures(self.diagnosis().map(FittedErrors::from));
+        self.made(&work)?.result.downcast_ref()
     }
 
-    /// Asks for the figures that the export step shows; one at a time, in the background.
-    pub(super) fn keep_figuring(&mut self) {
-        // A decision stands in the results of every step.
+    /// The figures that are shown: in the export step, and where a decision rests on them in every step.
+    pub(super) fn wanted_figures(&self) -> Option<Work> {
         let wanted = self.view.step == Step::Export || self.rule_and_tolerance().is_some();
-        if !wanted || self.loaded_session().is_empty() {
-            return;
-        }
-        let Some(outcome) = self.shown_outcome() else {
-            return;
-        };
-        let diagnosed = self.diagnosis().map(FittedErrors::from);
-        let there = self.figures.as_ref().is_some_and(|f| {
-            f.made.is_none() || f.diagnosed == diagnosed && Arc::ptr_eq(&f.identified, &outcome)
-        });
-        if there {
-            return;
-        }
-        self.figures = Some(Figures {
-            identified: Arc::clone(&outcome),
-            diagnosed,
-            made: None,
-        });
-        self.jobs.quietly(
-            move || Figures::of(outcome, diagnosed),
-            |bench: &mut Self, figures| {
-                bench.figures = Some(figures);
-                // What is shown may be another answer by now.
-                bench.keep_figuring();
-            },
-        );
-    }
-
-    /// A task broke off: it may have been the one that everybody waits for.
-    pub(super) fn stop_figuring(&mut self) {
-        if let Some(figures) = self.figures.as_mut().filter(|f| f.made.is_none()) {
-            figures.made = Some(Err(say!("The figures could not be computed").to_owned()));
-        }
+        let measured = !self.loaded_session().is_empty();
+        (wanted && measured && self.answer().is_some())
+            .then(|| Work::figures(self.diagnosis().map(FittedErrors::from)))
     }
 
     /// The file of targets that was corrected last.

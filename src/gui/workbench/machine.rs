@@ -95,8 +95,7 @@ impl Workbench {
     /// `None` where no rule is chosen, no tolerance stated, or it is being worked out.
     pub(crate) fn decision(&self) -> Option<Result<(Outcome, String), String>> {
         let (rule, tolerance) = self.rule_and_tolerance()?;
-        let made = self.figures()?.made.as_ref()?;
-        let measured = match made {
+        let measured = match self.figures()? {
             Ok(made) => made.measured.clone().map_err(spoken),
             Err(because) => Err(because.clone()),
         };
@@ -105,7 +104,7 @@ impl Workbench {
 
     /// How many samples are within the tolerance with corrected commands, where that was worked out.
     pub(crate) fn corrected_within(&self) -> Option<usize> {
-        let made = self.figures()?.made.as_ref()?.as_ref().ok()?;
+        let made = self.figures()?.as_ref().ok()?;
         made.measured.as_ref().ok()?.within?.corrected
     }
 

@@ -28,17 +28,18 @@ use egui::ColorImage;
 
 use crate::effects::Term;
 use crate::explain::Section;
-use crate::gui::cache::identified::{Figures, IdentifiedAnswer, Preview, PreviewRequest};
-use crate::gui::cache::{PlotCache, PlotInputs};
+use crate::gui::cache::PlotCache;
+use crate::gui::cache::identified::{IdentifiedAnswer, Preview, PreviewRequest};
 use crate::gui::core::answer::Search;
 use crate::gui::core::compensated::{Compensated, CompensationRequest};
 use crate::gui::core::disk::Fingerprint;
 use crate::gui::core::document::{Document, ExportChoice, Method, Question};
 use crate::gui::core::history::History;
 use crate::gui::core::loaded_session::LoadedSession;
+use crate::gui::core::regions::Count;
 use crate::gui::core::robot_table::RobotTable;
 use crate::gui::core::simulate::Form;
-use crate::gui::file_state::recovery::{OrphanedRecovery, RecoveryFile};
+use crate::gui::file_state::recovery::{LeftBehind, RecoveryFile};
 use crate::gui::file_state::{Machine, Stated};
 use crate::gui::files;
 use crate::gui::import_draft::ImportDraft;
@@ -50,6 +51,7 @@ use crate::gui::view::{
 use crate::history;
 use crate::present::numbers::Notation;
 use crate::present::units::Units;
+use crate::sessions::Region;
 use crate::text::{Language, Template, spoken};
 
 /// What answers in place of the system's dialogs: for tests, which cannot press anything in one.
@@ -76,16 +78,17 @@ pub(crate) struct Workbench {
     /// A chart and its numbers, ready to be copied.
     pub(super) copied: Option<(&'static str, String)>,
     pub(super) spoken_sections: SpokenSections,
+    /// The samples of each region, as they were counted last.
+    pub(super) counted: RefCell<Option<Counted>>,
     /// What a search that was stopped had found until then, and in which session.
     pub(super) stopped: Option<(Arc<LoadedSession>, Vec<String>)>,
     pub(super) preview: Option<Arc<Preview>>,
-    pub(super) plot_cache: Option<Arc<PlotCache>>,
+    pub(super) plot_cache: PlotCache,
     pub(super) compensated: Option<Arc<Compensated>>,
     /// Files that were exported from this session, the newest last, each with what its model answers.
     pub(super) exported: Vec<(PathBuf, Option<Question>)>,
     /// The name under which this export was saved last.
     pub(super) saved_as: Option<(ExportChoice, String)>,
-    pub(super) figures: Option<Figures>,
     /// What waits for a picture of the workspace, and whether one was asked for; the picture as soon as it is there.
     pub(super) waiting: Option<(Change, bool)>,
     pub(super) picture: Option<ColorImage>,
@@ -111,13 +114,13 @@ impl Workbench {
             searched: None,
             copied: None,
             spoken_sections: SpokenSections::default(),
+            counted: RefCell::default(),
             stopped: None,
             preview: None,
-            plot_cache: None,
+            plot_cache: PlotCache::default(),
             compensated: None,
             exported: Vec::new(),
             saved_as: None,
-            figures: None,
             waiting: None,
             picture: None,
             chooser: None,
@@ -144,9 +147,10 @@ pub(super) struct Place {
 pub(super) struct FileState {
     pub(super) home: Option<PathBuf>,
     pub(super) recovery_file: Option<RecoveryFile>,
-    pub(super) orphaned: Vec<OrphanedRecovery>,
+    /// What a window that is gone has left behind.
+    pub(super) left_behind: Option<LeftBehind>,
     /// Restored, and to be removed as soon as this window keeps it itself.
-    pub(super) restored: Vec<OrphanedRecovery>,
+    pub(super) restored: Vec<LeftBehind>,
     pub(super) recent: Vec<PathBuf>,
     /// The date that is proposed for reports.
     pub(super) today: Option<String>,
@@ -180,7 +184,6 @@ pub(super) struct FileState {
 pub(super) struct PendingQueries {
     pub(super) questions: Slot<Question>,
     pub(super) previews: Slot<PreviewRequest>,
-    pub(super) plots: Slot<PlotInputs>,
     /// The session that is being searched: only that one can be given its answer.
     pub(super) searched: Option<Arc<LoadedSession>>,
 }
@@ -191,6 +194,8 @@ pub(super) struct SpokenSections(pub(super) RefCell<Option<CachedSections>>);
 
 /// Of which diagnosis, how it is said, and the sections.
 pub(super) type CachedSections = (Arc<Search>, Voice, Arc<[Section]>);
+/// Of which session and regions; the samples of each, and those in none.
+pub(super) type Counted = (Arc<LoadedSession>, Arc<[Region]>, Arc<(Vec<Count>, usize)>);
 /// How it is said.
 pub(super) type Voice = (Units, Language, Notation);
 

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use crate::gui::charts::find;
 use crate::gui::core::disk::{FileChange, Fingerprint};
 use crate::gui::core::loaded_session::Origin;
-use crate::gui::file_state::recovery::{self, OrphanedRecovery, RecoveryFile};
+use crate::gui::file_state::recovery::{LeftBehind, RecoveryFile};
 use crate::gui::file_state::{self, Recent, Settings};
 use crate::gui::files;
 use crate::gui::jobs::{Kind, Watch};
@@ -43,10 +43,8 @@ impl Workbench {
             self.complain(say!("Not everything could be set up"), details);
         }
         self.look_at_disk();
-        let folder = home.clone();
-        self.jobs
-            .quietly(move || recovery::orphaned(&folder), Self::take_left_behind);
         self.file_state.home = Some(home);
+        self.look_for_left_behind();
     }
 
     /// Leaves nothing behind: the window closes as it should.
@@ -63,9 +61,9 @@ impl Workbench {
         recent.map(move |path| (path.as_path(), !missing(path)))
     }
 
-    /// What windows that are gone have left behind.
-    pub(crate) fn orphaned(&self) -> &[OrphanedRecovery] {
-        &self.file_state.orphaned
+    /// What a window that is gone has left behind.
+    pub(crate) fn left_behind(&self) -> Option<&LeftBehind> {
+        self.file_state.left_behind.as_ref()
     }
 
     /// The file that the session stands in.

@@ -11,9 +11,10 @@ use super::on_disk::Looked;
 use crate::gui::core::disk::FileChange;
 use crate::gui::core::regions::boundaries;
 
+use crate::export::EXPORTERS;
 use crate::fit::Estimate;
 use crate::gui::core::answer;
-use crate::gui::core::document::Method;
+use crate::gui::core::document::{ExportChoice, Method};
 use crate::gui::core::loaded_session::{LoadedSession, Origin};
 use crate::gui::core::setup::SetupForm;
 use crate::gui::jobs::{Jobs, Runner};
@@ -433,4 +434,21 @@ fn a_preparation_that_was_cancelled_is_not_begun_again_by_itself() {
     );
     workbench.execute(Workbench::prepare_again);
     assert!(!workbench.is_unprepared() && workbench.jobs.newest().is_some());
+}
+
+#[test]
+fn the_figures_of_one_format_do_not_stand_under_the_name_of_another() {
+    let mut workbench = workbench();
+    workbench.execute(|bench| bench.identify(None));
+    workbench.execute(|bench| bench.view.step = Step::Export);
+    workbench.receive();
+    assert!(workbench.export().is_some_and(|made| made.is_ok()));
+    workbench.jobs = Jobs::new(Runner::Threads, Arc::new(|| {}));
+    let choice = workbench.document().export;
+    let mut others = EXPORTERS.iter().filter(|other| other.id != choice.format);
+    let format = others.next().expect("there are several").id;
+    workbench.execute(|bench| bench.choose_export(ExportChoice { format, ..choice }));
+    assert!(workbench.export().is_none(), "it is being prepared");
+    workbench.execute(Workbench::cancel_newest);
+    assert!(workbench.export().is_none() && workbench.is_unprepared());
 }

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use crate::gui::core::document::Document;
 use crate::gui::core::loaded_session::{LoadedSession, Origin};
 use crate::gui::file_state::Recent;
-use crate::gui::file_state::recovery::{self, OrphanedRecovery, SavedDocument};
+use crate::gui::file_state::recovery::{self, LeftBehind, SavedDocument};
 use crate::gui::files::{self, NotSaved, Opened, Replace, Saved};
 use crate::gui::jobs::{Kind, Running, Watch};
 use crate::gui::view::{Message, NextAction, Sheet, What};
@@ -325,7 +325,7 @@ impl Workbench {
             let work = move || {
                 // What was restored is saved: both can go.
                 let _ = std::fs::remove_file(&path);
-                restored.into_iter().for_each(OrphanedRecovery::remove);
+                restored.into_iter().for_each(LeftBehind::remove);
             };
             self.jobs.quietly(work, |_, ()| ());
             return;
@@ -337,81 +337,71 @@ impl Workbench {
         let work = move || {
             let written = recovery::write(&path, &SavedDocument::of(&document, file));
             if written.is_ok() {
-                restored.into_iter().for_each(OrphanedRecovery::remove);
+                restored.into_iter().for_each(LeftBehind::remove);
             }
             written.map_err(|e| e.to_string())
         };
         self.jobs.quietly(work, Self::take_kept);
     }
 
-    pub(super) fn take_left_behind(&mut self, left: Vec<OrphanedRecovery>) {
-        self.file_state.orphaned = left;
-        if !self.file_state.orphaned.is_empty() && self.view.sheet.is_none() {
-            self.view.sheet = Some(Sheet::RECOVERY);
-        }
+    /// Looks for what windows that are gone have left behind, and offers it.
+    pub(super) fn look_for_left_behind(&mut self) {
+        let Some(home) = self.file_state.home.clone() else {
+            return;
+        };
+        let work = move || recovery::left_behind(&home);
+        self.jobs
+            .quietly(work, |bench: &mut Self, left| match left {
+                None => {}
+                Some(Ok(left)) => {
+                    bench.file_state.left_behind = Some(left);
+                    if bench.view.sheet.is_none() {
+                        bench.view.sheet = Some(Sheet::RECOVERY);
+                    }
+                }
+                Some(Err((aside, because))) => {
+                    bench.complain(
+                        say!("What was left behind is damaged and cannot be restored"),
+                        vec![
+                            because,
+                            say!("It is kept as {aside}", aside = aside.display()),
+                        ],
+                    );
+                    bench.look_for_left_behind();
+                }
+            });
     }
 
     /// Brings back what was left behind.
-    pub(crate) fn restore(&mut self, index: usize) {
-        if index >= self.file_state.orphaned.len() {
+    pub(crate) fn restore(&mut self) {
+        self.view.sheet = None;
+        let Some(left) = self.file_state.left_behind.take() else {
             return;
-        }
-        let left = self.file_state.orphaned.remove(index);
-        self.close_recovery();
-        match &left.kept {
-            Ok(kept) => {
-                let mut session = kept.session.clone();
-                session.path.clone_from(&kept.about.file);
-                let origin = Origin::Recovered(kept.about.file.clone());
-                let loaded_session = Arc::new(LoadedSession::new(session, Vec::new(), origin));
-                let choices = kept.choices();
-                self.edit(phrase!("restore"), |document| {
-                    document.recover(loaded_session, choices);
-                    Ok(())
-                });
-                self.file_state.restored.push(left);
-                self.keep_recovery();
-                self.view.message = Some(Message::done(
-                    say!("Restored; it is not saved yet").to_owned(),
-                    Vec::new(),
-                ));
-            }
-            Err(because) => {
-                let because = because.clone();
-                let aside = left.put_aside();
-                self.complain(
-                    say!("What was left behind is damaged and cannot be restored"),
-                    vec![
-                        because,
-                        say!("It is kept as {aside}", aside = aside.display()),
-                    ],
-                );
-            }
-        }
+        };
+        let mut session = left.kept.session.clone();
+        let file = left.kept.about.file.clone();
+        session.path.clone_from(&file);
+        let origin = Origin::Recovered(file);
+        let loaded_session = Arc::new(LoadedSession::new(session, Vec::new(), origin));
+        let choices = left.kept.choices();
+        self.edit(phrase!("restore"), |document| {
+            document.recover(loaded_session, choices);
+            Ok(())
+        });
+        self.file_state.restored.push(left);
+        self.keep_recovery();
+        self.view.message = Some(Message::done(
+            say!("Restored; it is not saved yet").to_owned(),
+            Vec::new(),
+        ));
     }
 
-    /// Discards what was left behind.
-    pub(crate) fn discard_left(&mut self, index: usize) {
-        if index < self.file_state.orphaned.len() {
-            let left = self.file_state.orphaned.remove(index);
-            if left.kept.is_ok() {
-                left.remove();
-            } else {
-                left.put_aside();
-            }
+    /// Discards what was left behind, and offers what is next.
+    pub(crate) fn discard_left_behind(&mut self) {
+        self.view.sheet = None;
+        if let Some(left) = self.file_state.left_behind.take() {
+            left.remove();
         }
-        self.close_recovery();
-    }
-
-    pub(crate) fn discard_all_left(&mut self) {
-        while !self.file_state.orphaned.is_empty() {
-            self.discard_left(0);
-        }
-    }
-
-    fn close_recovery(&mut self) {
-        if self.file_state.orphaned.is_empty() && self.view.sheet == Some(Sheet::RECOVERY) {
-            self.view.sheet = None;
-        }
+        self.look_for_left_behind();
     }
 }

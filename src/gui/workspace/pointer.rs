@@ -1,25 +1,26 @@
 //! What lies over a plot of samples: the one under the pointer and the card beside it, with what matters of it, and
-//! everything once it is chosen; the robot's values on a card beside its tool, away from the crowd; and over how many
-//! points the workspace is drawn.
+//! everything once it is chosen; the robot's values on a card beside its tool; and over how many points the workspace
+//! is drawn.
 
 use egui::text::{LayoutJob, TextFormat};
 use egui::{
-    Area, Button, CursorIcon, FontId, Frame, Id, Label, Order, Pos2, Rect, Response, Role, Stroke,
-    Ui, Vec2, WidgetInfo, vec2,
+    Button, CursorIcon, FontId, Id, PopupAnchor, Pos2, Rect, Response, Role, Stroke, Tooltip, Ui,
+    Vec2, WidgetInfo, vec2,
 };
 
 use crate::gui::actions::{EXCLUDE, WindowState};
 use crate::gui::cache::cloud::Cloud;
 use crate::gui::core::loaded_session::Component;
 use crate::gui::core::quantity::joint_value;
-use crate::gui::style::{DARK, LIGHT, Palette, size, strong};
+use crate::gui::style::{Palette, size};
 use crate::gui::view::{Colouring, ViewState};
+use crate::gui::widgets;
 use crate::gui::workbench::Workbench;
 use crate::present::numbers::trimmed;
 
 use super::layout;
 use super::legend::{self, Notes};
-use super::model::{self, Shown, judged};
+use super::model::{Shown, judged};
 use super::pen::Camera;
 use super::robot::Drawn;
 
@@ -115,11 +116,9 @@ pub(crate) fn hover(response: &egui::Response, workbench: &Workbench, under: Opt
     if workbench.view.selected.is_some() {
         response.context_menu(|ui| sample_menu(ui, workbench));
     }
-    if let Some(sample) = under
-        && let Some(pointer) = response.hover_pos()
-    {
+    if let Some(sample) = under.filter(|_| response.hovered()) {
         response.ctx.set_cursor_icon(CursorIcon::PointingHand);
-        card(response, workbench, sample, pointer);
+        card(response, workbench, sample);
     }
 }
 
@@ -161,48 +160,28 @@ fn left(response: &egui::Response, ctx: &egui::Context) -> bool {
 /// From the pointer to the card, points: a mark under the pointer is at most 14 away, and its ring
 /// has a radius of 9.
 const GAP: f32 = 26.0;
-const MARGIN: f32 = 8.0;
 
 /// What is said of a sample, beside the pointer.
-fn card(response: &Response, workbench: &Workbench, sample: usize, pointer: Pos2) {
-    let ctx = &response.ctx;
-    let dark = ctx.global_style().visuals.dark_mode;
-    let palette = if dark { DARK } else { LIGHT };
+fn card(response: &Response, workbench: &Workbench, sample: usize) {
     let chosen = workbench.view.selected == Some(sample);
-    let (title, lines) = if chosen {
+    let said = if chosen {
         about(workbench, sample)
     } else {
         brief(workbench, sample)
     };
-    let small = FontId::proportional(size::SMALL);
-    let mut text = LayoutJob::default();
-    let mut write = |part: &str, apart: f32, font: &FontId, color| {
-        text.append(part, apart, TextFormat::simple(font.clone(), color));
-    };
-    write(&title, 0.0, &strong(size::BODY), palette.text);
-    if !chosen {
-        write(say!("click for more"), 2.0 * MARGIN, &small, palette.muted);
-    }
-    for (name, value) in &lines {
-        write("\n", 0.0, &small, palette.muted);
-        write(name, 0.0, &small, palette.muted);
-        write(value, MARGIN, &small, palette.text);
-    }
-    let text = ctx.fonts_mut(|fonts| fonts.layout_job(text));
-    let size = text.size() + Vec2::splat(2.0 * MARGIN);
-    let window = ctx.content_rect().shrink(4.0);
-    let place = layout::card(pointer, size, GAP, response.rect, window);
-    let area = Area::new(Id::unique("sample card"))
-        .order(Order::Tooltip)
-        .fixed_pos(place.min)
-        .constrain(false)
-        .interactable(false);
-    area.show(ctx, |ui| {
-        let frame = Frame::popup(ui.style()).inner_margin(MARGIN);
-        let card = frame.show(ui, |ui| ui.add(Label::new(text).selectable(false)));
-        let says = spoken(&title, &lines);
+    let id = Id::unique("sample card");
+    let ctx = response.ctx.clone();
+    let tip = Tooltip::always_open(ctx, response.layer_id, id, PopupAnchor::Pointer);
+    tip.gap(GAP).show(|ui| {
+        let card = ui.scope(|ui| {
+            widgets::facts(ui, &said);
+            if !chosen {
+                widgets::caption(ui, say!("click for more"));
+            }
+        });
+        let says = spoken(&said.0, &said.1);
         let info = || WidgetInfo::labeled(Role::Tooltip, true, says.clone());
-        card.inner.widget_info(info);
+        card.response.widget_info(info);
     });
 }
 
@@ -336,9 +315,6 @@ fn about(workbench: &Workbench, sample: usize) -> (String, Vec<Line>) {
     (title, lines)
 }
 
-/// Samples that are looked at: the cloud's order shows the whole in every beginning.
-const LOOKED_AT: usize = 500;
-
 /// What a plane and space show alike: samples and robot, what is said of them, and where there is room for the scale.
 pub(super) struct Seen {
     pub(super) shown: Shown,
@@ -387,54 +363,17 @@ fn over(ui: &mut Ui, workbench: &Workbench, seen: &Seen, camera: &Camera) {
     let Some(robot) = &seen.robot else {
         return;
     };
-    let view = &workbench.view;
-    // Only needed where something is written.
-    let crowd = if view.selected.is_some() && view.hovered.is_none() {
-        vector_points(workbench, all, camera)
-    } else {
-        Vec::new()
-    };
-    let written = robot.asked_for && view.hovered.is_none();
-    values(ui, camera, robot, written, &crowd, &Palette::of(ui));
+    let written = robot.asked_for && workbench.view.hovered.is_none();
+    values(ui, camera, robot, written, &Palette::of(ui));
 }
 
-/// Points on the vectors of some samples, so many that a crowd is seen.
-fn vector_points(workbench: &Workbench, all: &Shown, camera: &Camera) -> Vec<Pos2> {
-    let loaded_session = workbench.loaded_session();
-    let cloud = Cloud::of(loaded_session);
-    let samples = cloud.samples.iter().take(LOOKED_AT);
-    let points = samples.flat_map(|sample| {
-        let sample = *sample as usize;
-        let (at, e) = (
-            loaded_session.measured(sample),
-            model::shown(workbench, sample),
-        );
-        [0.0, 0.5, 1.0].map(|part| {
-            let more = part * (all.magnification - 1.0);
-            camera.at([0, 1, 2].map(|k| at[k] + more * e[k]))
-        })
-    });
-    points
-        .filter(|p| p.x.is_finite() && p.y.is_finite())
-        .collect()
-}
-
-/// The joint values beside the tool, where they are least in the way; only said, not `written`,
-/// where the card at the pointer has them.
-fn values(
-    ui: &mut Ui,
-    camera: &Camera,
-    drawn: &Drawn,
-    written: bool,
-    obstacles: &[Pos2],
-    palette: &Palette,
-) {
+/// The joint values beside the tool; only said, not `written`, where the card at the pointer has them.
+fn values(ui: &mut Ui, camera: &Camera, drawn: &Drawn, written: bool, palette: &Palette) {
     const MOST: usize = 8;
     let says = drawn.describe();
     let frame = camera.frame();
-    let chain = drawn.corners_mm.iter();
-    let chain: Vec<Pos2> = chain.map(|p| camera.at(p.coords.into())).collect();
-    let tool = chain.last().copied();
+    let tool = drawn.corners_mm.last();
+    let tool = tool.map(|p| camera.at(p.coords.into()));
     let Some(tool) = tool.filter(|t| written && frame.contains(*t)) else {
         label(
             ui,
@@ -476,16 +415,8 @@ fn values(
     }
     let text = ui.painter().layout_job(text);
     let card = text.size() + vec2(12.0, 6.0);
-    let places = layout::everywhere(tool, card, 16.0, frame);
-    let along = |pair: &[Pos2]| {
-        let (from, to) = (pair[0], pair[1]);
-        (0..=8_u8).map(move |k| from.lerp(to, f32::from(k) / 8.0))
-    };
-    let chain: Vec<Pos2> = chain.windows(2).flat_map(along).collect();
-    let Some(place) = layout::freest(&places, frame, &[obstacles, &chain, &chain, &chain]) else {
-        label(ui, Rect::from_center_size(tool, Vec2::splat(1.0)), &says);
-        return;
-    };
+    let most = (frame.max - card).max(frame.min);
+    let place = Rect::from_min_size((tool + Vec2::splat(16.0)).clamp(frame.min, most), card);
     let painter = ui.painter().with_clip_rect(frame);
     painter.rect(
         place,

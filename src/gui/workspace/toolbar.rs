@@ -22,18 +22,7 @@ const FIRST: f32 = 32.0;
 /// Something else that stands in the bar.
 pub(crate) type ExtraControls = fn(&mut Ui, &Workbench);
 
-/// How much of the bar there is room for.
-#[derive(Clone, Copy, PartialEq)]
-enum Fold {
-    /// All of it side by side.
-    Open,
-    /// The length of vectors is behind a button.
-    Narrow,
-    /// So is how anything is drawn.
-    Tight,
-}
-
-/// Shows the bar; `beside` stands above it, `first` at its beginning.
+/// Shows the bar; `extra` stands above it, `first` at its beginning.
 pub(crate) fn show(
     ui: &mut Ui,
     workbench: &Workbench,
@@ -45,23 +34,18 @@ pub(crate) fn show(
     let blends = drawn && workbench.answer().is_some();
     let mut room = ui.available_size();
     room.x /= stretch();
-    let beside_first = room.x - FIRST;
-    let fold = match room {
-        _ if room.y < TIGHT || view.in_space() && beside_first < SPACE_NARROW => Fold::Tight,
-        _ if room.x < if view.in_space() { SPACE_WIDE } else { WIDE } => Fold::Narrow,
-        _ => Fold::Open,
+    let least = match (view.in_space(), blends) {
+        (true, _) => SPACE,
+        (false, true) => ANSWERED,
+        (false, false) => PLANE,
     };
-    let least = if fold == Fold::Tight {
-        ROOMY_FOLDED
-    } else {
-        ROOMY
-    };
-    let roomy = beside_first > least && extra.is_none();
-    // A row of its own would take a sixth of a low plot: before that the slider stands without its words.
-    let bare = !roomy && beside_first > least - WORDS && extra.is_none();
-    if let Some(beside) = extra {
+    let tight = room.y < TIGHT || room.x - FIRST < least;
+    let roomy = room.x - FIRST > if tight { ROOMY_FOLDED } else { ROOMY };
+    // Beside what stands above the bar, in the bar, or below it.
+    let below = blends && extra.is_none() && !roomy;
+    if let Some(extra) = extra {
         widgets::row(ui, |ui| {
-            beside(ui, workbench);
+            extra(ui, workbench);
             if blends {
                 ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                     blend(ui, workbench);
@@ -71,31 +55,24 @@ pub(crate) fn show(
     }
     let row = Row {
         drawn,
-        blends: blends && (roomy || bare),
+        blends: blends && roomy && extra.is_none(),
         least: match blends {
             _ if extra.is_some() => f32::INFINITY,
             true => WITH_BLEND,
             false => TITLED,
         },
-        fold,
+        tight,
     };
     row.show(ui, workbench, first);
-    if !drawn {
-        return;
-    }
-    if fold != Fold::Tight {
-        widgets::row(ui, |ui| {
-            if fold == Fold::Narrow {
-                length_folded(ui, workbench);
-            } else {
-                magnification(ui, workbench);
-                scale_for(ui, workbench);
-            }
+    if drawn && !tight {
+        ui.horizontal_wrapped(|ui| {
+            magnification(ui, workbench);
+            scale_for(ui, workbench);
             beneath(ui, workbench);
             colouring(ui, workbench);
         });
     }
-    if blends && !roomy && !bare && extra.is_none() {
+    if below {
         ui.horizontal(|ui| {
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 blend(ui, workbench);
@@ -112,7 +89,8 @@ struct Row {
     blends: bool,
     /// The room above which the plot has a title, points.
     least: f32,
-    fold: Fold,
+    /// Whether how anything is drawn stands behind a button.
+    tight: bool,
 }
 
 impl Row {
@@ -122,7 +100,7 @@ impl Row {
             if ui.available_width() > self.least * stretch() {
                 title(ui, say!("Workspace"));
             }
-            ways(ui, workbench, self.fold);
+            ways(ui, workbench, self.tight);
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 if self.drawn {
                     picture(ui, Plot::Workspace, None, workbench);
@@ -130,7 +108,7 @@ impl Row {
                 if plots::fit(ui, say!("Fit to view")) {
                     workbench.then(|bench| bench.view.fit_workspace());
                 }
-                if self.drawn && self.fold == Fold::Tight {
+                if self.drawn && self.tight {
                     folded(ui, say!("display"), say!("How it is drawn"), |ui| {
                         everything(ui, workbench);
                     });
@@ -145,25 +123,22 @@ impl Row {
 }
 
 /// The ways to look at the workspace.
-fn ways(ui: &mut Ui, workbench: &Workbench, fold: Fold) {
+fn ways(ui: &mut Ui, workbench: &Workbench, tight: bool) {
     let view = &workbench.view;
     let planes = Plane::ALL.map(|plane| ((Aspect::Plane, plane), plane.name()));
     let space = ((Aspect::Space, view.plane), say!("3-D"));
     let views = [planes[0], planes[1], planes[2], space];
     let now = (view.aspect, view.plane);
-    let beside = if fold == Fold::Tight {
-        ICONS + DISPLAY
-    } else {
-        ICONS
-    };
+    let beside = if tight { ICONS + DISPLAY } else { ICONS };
     let room = ui.available_width() - beside * stretch();
     let chosen = if widgets::width_of_segments(ui, &views) <= room {
         widgets::segmented(ui, &views, now)
     } else {
         let named = views.iter().find(|(one, _)| *one == now);
+        let view = named.map_or("", |(_, name)| *name);
         let list = ComboBox::from_id_salt("ways to look").width(NARROW_LIST);
-        let list = list.selected_text(named.map_or("", |(_, name)| *name));
-        widgets::list(ui, say!("View"), list, views, now)
+        let list = list.selected_text(view);
+        widgets::list(ui, say!("{view} view", view), list, views, now)
     };
     match chosen {
         Some((Aspect::Plane, plane)) => workbench.then(move |bench| bench.view.look_in(plane)),
@@ -187,21 +162,18 @@ const WITH_BLEND: f32 = 590.0;
 
 const ROOMY: f32 = 420.0;
 
-/// The words at the ends of the slider from before to after, points.
-const WORDS: f32 = 80.0;
-
 /// The same with a button for how anything is drawn.
 const ROOMY_FOLDED: f32 = 570.0;
 
-/// With less room what is seldom changed stands behind a button, points.
-const WIDE: f32 = 590.0;
+/// With less room how anything is drawn stands behind a button: in space, in a plane, and where there is an answer,
+/// points.
+const SPACE: f32 = 500.0;
 
-/// The same in space, where there is more of it, and below which all of it does.
-const SPACE_WIDE: f32 = 760.0;
+const PLANE: f32 = 350.0;
 
-const SPACE_NARROW: f32 = 510.0;
+const ANSWERED: f32 = 560.0;
 
-/// With less height all of it does, points.
+/// With less height it does as well, points.
 const TIGHT: f32 = 270.0;
 
 /// With less room the list of colours goes without its name, points.
@@ -286,16 +258,6 @@ fn blend_says(blend: f32) -> String {
             percent
         )
     }
-}
-
-/// How long the vectors are drawn and for whose lengths, where there is little room.
-fn length_folded(ui: &mut Ui, workbench: &Workbench) {
-    let now = significant(magnification_of(workbench), 2);
-    let name = say!("vectors × {now}", now);
-    folded(ui, &name, say!("Length of vectors"), |ui| {
-        widgets::row(ui, |ui| magnification(ui, workbench));
-        widgets::row(ui, |ui| scale_for(ui, workbench));
-    });
 }
 
 /// How long the vectors are drawn.

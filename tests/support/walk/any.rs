@@ -275,8 +275,7 @@ fn then(random: &mut ChaCha8Rng, files: &Files) -> NextAction {
 
 fn form(random: &mut ChaCha8Rng) -> Form {
     Form {
-        step_deg: random.random_range(10.0..60.0),
-        both_ways: random.random(),
+        poses: random.random_range(0..12),
         noise_mm: pick(random, &[0.0, 0.03, -1.0]),
         ..Form::default()
     }
@@ -493,9 +492,11 @@ pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Fi
             bench.open_file(it);
         }),
         69 => deed("Say", any_answers(random, files, workbench), |bench, it| {
-            bench.say(it);
+            bench.change_draft(|draft| draft.answers = it);
         }),
-        70 if random.random() => deed("ConfirmColumns", (), |bench, ()| bench.confirm_columns()),
+        70 if random.random() => deed("ConfirmColumns", (), |bench, ()| {
+            bench.change_draft(ImportDraft::confirm);
+        }),
         70 => deed("Import", (), |bench, ()| bench.import()),
         71 => deed(
             "OpenExample",
@@ -522,16 +523,9 @@ pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Fi
             Recent::Forgotten(files.any(random)),
             super::super::Workbench::use_recent,
         ),
-        83 => deed("Left Restore", random.random_range(0..2), |bench, it| {
-            bench.restore(it);
-        }),
+        83 => deed("Left Restore", (), |bench, ()| bench.restore()),
         84 if random.random_range(0..4) == 0 => {
-            deed("Left Discard", random.random_range(0..2), |bench, it| {
-                bench.discard_left(it);
-            })
-        }
-        84 if random.random_range(0..8) == 0 => {
-            deed("Left DiscardAll", (), |bench, ()| bench.discard_all_left())
+            deed("Left Discard", (), |bench, ()| bench.discard_left_behind())
         }
         84 | 85 => deed("KeepRecovery", (), |bench, ()| bench.keep_recovery()),
         86 => deed("LookAtDisk", (), |bench, ()| bench.look_at_disk()),

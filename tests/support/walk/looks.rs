@@ -1,6 +1,7 @@
 //! Commands at random about how the document is looked at (planes and 3-D, charts and how they are arranged), and
 //! about the record of a machine, sensible or not.
 
+use egui_tiles::{Container, Tile, TileId, Tree};
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 
@@ -13,7 +14,7 @@ use crate::gui::core::quantity::Quantity;
 use crate::gui::file_state::Stated;
 use crate::gui::preferences::Sizes;
 use crate::gui::view::{
-    Camera, ChartPane, Colouring, Edge, Key, Panes, Plane, Plot, Sheet, Side, Standard, Step, Tile,
+    Camera, ChartPane, Colouring, Edge, Key, Pane, Panes, Plane, Plot, Sheet, Side, Standard, Step,
 };
 use crate::gui::workbench::Workbench;
 
@@ -42,7 +43,7 @@ pub(super) fn look(random: &mut ChaCha8Rng) -> Deed {
         0 => deed("Fit", (), |bench, ()| bench.view.fit()),
         1 => deed("FitWorkspace", (), |bench, ()| bench.view.fit_workspace()),
         2 => deed("FitChart", random.random_range(0..9), |bench, it| {
-            bench.view.panes.fit(it);
+            bench.view.panes.fit(TileId::from_u64(it));
         }),
         _ => deed("ActivateNext", (), |bench, ()| {
             bench.view.panes.activate_next();
@@ -78,60 +79,57 @@ pub(super) fn way_to_look(random: &mut ChaCha8Rng) -> Deed {
 
 /// Another arrangement of the plots: split, moved, closed, pulled, looked at in another way.
 pub(super) fn arrangement(random: &mut ChaCha8Rng, workbench: &Workbench) -> Deed {
-    let mut panes = workbench.view.panes.clone();
-    let keys: Vec<Key> = panes
-        .panes()
-        .iter()
-        .map(|pane| pane.key)
-        .chain([99])
-        .collect();
+    let panes = &workbench.view.panes;
+    let keys = panes.panes().into_iter().map(|(key, _)| key);
+    let keys: Vec<Key> = keys.chain([TileId::from_u64(99)]).collect();
     let key = pick(random, &keys);
+    let edge = pick(random, &Edge::ALL);
     match random.random_range(0..8) {
-        0 => return deed("Activate", key, |bench, it| bench.view.panes.activate(it)),
-        1 | 2 => {
-            return deed(
-                "Panes",
-                workbench.with_chart(key, pick(random, &Edge::ALL)),
-                super::super::Workbench::arrange,
-            );
-        }
-        3 => panes.close(key),
-        4 => panes.move_to(key, pick(random, &Edge::ALL)),
-        5 => {
-            return deed(
-                "Pull",
-                panes.arranged(shares(random, panes.root.clone())),
-                |bench, it| bench.view.panes = it,
-            );
-        }
-        6 if random.random_range(0..4) == 0 => panes = Panes::default(),
+        0 => deed("Activate", key, |bench, it| bench.view.panes.activate(it)),
+        1 | 2 => deed("AddChart", (key, edge), |bench, (key, edge)| {
+            bench.add_chart(key, edge);
+        }),
+        3 => deed("Close", key, |bench, key| {
+            bench.rearrange(|panes| panes.close(key));
+        }),
+        4 => deed("Move", (key, edge), |bench, (key, edge)| {
+            bench.rearrange(|panes| panes.move_to(key, edge));
+        }),
+        5 => deed("Pull", pulled(random, panes.tree.clone()), |bench, it| {
+            bench.view.panes.take(it);
+        }),
+        _ if random.random_range(0..8) == 0 => deed("Usual", (), |bench, ()| {
+            bench.rearrange(|panes| *panes = Panes::default());
+        }),
         _ => {
             let quantities = Quantity::offered(workbench.loaded_session());
             let [across, upwards] = [0, 1].map(|_| one_of(random, &quantities).copied());
-            if let Some(pane) = panes.chart_mut(key) {
-                *pane = ChartPane {
-                    chart: Some(chart(random).to_owned()),
-                    component: one_of(random, &Component::ALL).copied(),
-                    joint: Some(random.random_range(0..9)),
-                    axes: across
-                        .zip(upwards)
-                        .map(|(across, upwards)| [across, upwards]),
-                    fitted: 0,
-                };
-            }
+            let changed = ChartPane {
+                chart: Some(chart(random).to_owned()),
+                component: one_of(random, &Component::ALL).copied(),
+                joint: Some(random.random_range(0..9)),
+                axes: across
+                    .zip(upwards)
+                    .map(|(across, upwards)| [across, upwards]),
+                fitted: 0,
+            };
+            deed("ChangeChart", (key, changed), |bench, (key, changed)| {
+                bench.change_chart(key, |pane| *pane = changed);
+            })
         }
     }
-    deed("Panes", panes, super::super::Workbench::arrange)
 }
 
 /// The same tiles with other shares, which may be no numbers.
-fn shares(random: &mut ChaCha8Rng, mut tile: Tile) -> Tile {
-    if let Tile::Beside(parts) | Tile::Below(parts) = &mut tile {
-        for part in parts {
-            part.share = pick(random, &[0.0, -1.0, f32::NAN, 1e30, 0.2, 3.0]);
+fn pulled(random: &mut ChaCha8Rng, mut tree: Tree<Pane>) -> Tree<Pane> {
+    let root = tree.root.and_then(|root| tree.tiles.get_mut(root));
+    if let Some(Tile::Container(Container::Linear(linear))) = root {
+        for child in &linear.children {
+            let share = pick(random, &[0.0, -1.0, f32::NAN, 1e30, 0.2, 3.0]);
+            linear.shares.set_share(*child, share);
         }
     }
-    tile
+    tree
 }
 
 /// What the chart is about.

@@ -5,8 +5,9 @@ mod curve;
 use std::sync::Arc;
 
 use super::{About, ChartChoice, ChartKind, ChartPlaceholder, HoverTarget, Samples, Scene, Shown};
-use crate::gui::cache::Work;
+use crate::gui::cache::{Work, WorkKey};
 use crate::gui::core::answer::{Search, terms};
+use crate::gui::core::loaded_session::Component;
 use crate::gui::core::quantity::Scale;
 use crate::gui::core::scale::{FEW, stride, thinned};
 use crate::gui::help;
@@ -35,7 +36,8 @@ pub(crate) type Sketches = Vec<Option<EffectCurve>>;
 pub(crate) fn sketches(search: &Arc<Search>) -> Work {
     let search = Arc::clone(search);
     let key = vec![Arc::as_ptr(&search).addr()];
-    Work::new("effects on cards", key, move |given| -> Sketches {
+    let key = WorkKey::Chart("effects on cards", Component::Length, key);
+    Work::new(key, move |given| -> Sketches {
         let session = given.loaded_session;
         let found = search.answer.as_ref().ok();
         let found = found.filter(|_| session.overview.usable.len() <= FOR_SKETCHES);
@@ -69,9 +71,11 @@ impl ChartKind for Effect {
         let (search, index) = (Arc::clone(scene.search.as_ref()?), scene.effect);
         // The closure keeps the search: no other one stands where it does.
         let key = vec![Arc::as_ptr(&search).addr(), index];
-        Some(Work::new(ID, key, move |given| {
-            EffectCurve::of(given.loaded_session, &search, index, given.component)
-        }))
+        let component = scene.component;
+        Some(Work::new(
+            WorkKey::Chart(ID, component, key),
+            move |given| EffectCurve::of(given.loaded_session, &search, index, component),
+        ))
     }
 
     fn show<'a>(&self, scene: &'a Scene) -> Result<Shown<'a>, ChartPlaceholder> {

@@ -1,11 +1,12 @@
 //! The columns: what each is taken for, how that is known, its heading, and the first rows.
 
-use crate::gui::workbench::Workbench;
+use std::sync::Arc;
+
 use egui::{ComboBox, Grid, RichText, ScrollArea, Ui};
 
-use crate::gui::import_draft::{ImportAnswers, ImportDraft};
+use crate::gui::import_draft::ImportDraft;
 use crate::gui::style::{Palette, size, strong};
-use crate::gui::widgets::{self, Does};
+use crate::gui::widgets;
 use crate::importers::{ColumnGuess, Importer, Known, Meanings};
 
 /// Rows that are shown.
@@ -21,53 +22,50 @@ struct Meaning {
 
 /// Every meaning that a column of such a file can have.
 fn meanings(kind: Option<&Importer>, joints: usize) -> Vec<Meaning> {
-    let one = |word: &str, text: &str| Meaning {
-        word: word.to_owned(),
-        text: text.to_owned(),
+    let mut all = Vec::new();
+    let mut add = |word: &str, text: &str| {
+        all.push(Meaning {
+            word: word.to_owned(),
+            text: text.to_owned(),
+        });
     };
-    let mut all = vec![one("-", say!("not imported"))];
+    add("-", say!("not imported"));
     if let Some(Meanings::Own(words)) = kind.map(|importer| importer.asks.columns) {
-        all.extend(words.iter().map(|(word, text)| one(word, text)));
+        for (word, text) in words {
+            add(word, text);
+        }
         return all;
     }
-    all.extend([
-        one("name", say!("point name")),
-        one("group", say!("group of points")),
-        one("target", say!("reflector")),
-    ]);
+    add("name", say!("point name"));
+    add("group", say!("group of points"));
+    add("target", say!("reflector"));
     for axis in ["x", "y", "z"] {
-        all.push(one(axis, &say!("{axis}, unit as chosen", axis)));
+        add(axis, &say!("{axis}, unit as chosen", axis));
         for unit in ["mm", "m", "in"] {
-            all.push(one(&format!("{axis}_{unit}"), &format!("{axis}, {unit}")));
+            add(&format!("{axis}_{unit}"), &format!("{axis}, {unit}"));
         }
     }
+    let units = [("deg", "°"), ("rad", "rad"), ("mm", "mm")];
     for n in 1..=joints {
-        for (unit, sign) in [("deg", "°"), ("rad", "rad"), ("mm", "mm")] {
-            let word = format!("q{n}_{unit}");
-            all.push(one(&word, &say!("joint {n} commanded, {sign}", n, sign)));
+        for (unit, sign) in units {
+            let text = say!("joint {n} commanded, {sign}", n, sign);
+            add(&format!("q{n}_{unit}"), &text);
         }
-    }
-    for n in 1..=joints {
-        for (unit, sign) in [("deg", "°"), ("rad", "rad"), ("mm", "mm")] {
-            let word = format!("q{n}_read_{unit}");
-            all.push(one(&word, &say!("joint {n} read back, {sign}", n, sign)));
+        for (unit, sign) in units {
+            let text = say!("joint {n} read back, {sign}", n, sign);
+            add(&format!("q{n}_read_{unit}"), &text);
         }
+        add(&format!("dir{n}"), &say!("side joint {n} came from", n));
+        let text = say!("speed of joint {n}, °/s", n);
+        add(&format!("speed{n}_deg_s"), &text);
     }
-    for n in 1..=joints {
-        let word = format!("dir{n}");
-        all.push(one(&word, &say!("side joint {n} came from", n)));
-        let word = format!("speed{n}_deg_s");
-        all.push(one(&word, &say!("speed of joint {n}, °/s", n)));
-    }
-    all.extend([
-        one("load_kg", say!("load, kg")),
-        one("temperature_c", say!("temperature, °C")),
-        one("time_s", say!("time, s")),
-        one("setup", say!("setup of the instrument")),
-        one("use", say!("fit, held-out or excluded")),
-    ]);
+    add("load_kg", say!("load, kg"));
+    add("temperature_c", say!("temperature, °C"));
+    add("time_s", say!("time, s"));
+    add("setup", say!("setup of the instrument"));
+    add("use", say!("fit, held-out or excluded"));
     for part in ["w", "x", "y", "z"] {
-        all.push(one(&format!("q{part}"), &say!("orientation {part}", part)));
+        add(&format!("q{part}"), &say!("orientation {part}", part));
     }
     all
 }
@@ -85,13 +83,9 @@ fn how(guess: &ColumnGuess) -> &'static str {
     }
 }
 
-pub(super) fn show(
-    ui: &mut Ui,
-    now: &ImportDraft,
-    next: &mut ImportAnswers,
-    workbench: &Workbench,
-) {
-    let found = &now.seen.inspection;
+pub(super) fn show(ui: &mut Ui, draft: &mut ImportDraft) {
+    let seen = Arc::clone(&draft.seen);
+    let found = &seen.inspection;
     if found.columns.is_empty() {
         return;
     }
@@ -99,13 +93,13 @@ pub(super) fn show(
         ui,
         say!("Columns: what each is, how that is known, its heading, first rows"),
     );
-    let robot = now.seen.robot.as_ref().and_then(|r| r.as_ref().ok());
+    let robot = seen.robot.as_ref().and_then(|r| r.as_ref().ok());
     let joints = robot.map_or(JOINTS, crate::kinematics::Robot::joint_count);
     let offered = meanings(found.kind, joints);
-    let changed = table(ui, now, &offered);
-    if let Some((k, word)) = changed {
-        next.reading.columns = in_words(found.kind, &found.columns, &now.answers.reading.columns);
-        next.reading.columns[k] = word;
+    if let Some((k, word)) = table(ui, draft, &offered) {
+        let reading = &mut draft.answers.reading;
+        reading.columns = in_words(found.kind, &found.columns, &reading.columns);
+        reading.columns[k] = word;
     }
     if !found.preamble.is_empty() {
         let lines: Vec<&str> = found.preamble.iter().map(String::as_str).take(3).collect();
@@ -114,7 +108,7 @@ pub(super) fn show(
             say!("Before the table: {lines}", lines = lines.join(" / ")),
         );
     }
-    if found.questions.is_empty() && now.asks_for_confirmation() {
+    if found.questions.is_empty() && draft.asks_for_confirmation() {
         let palette = Palette::of(ui);
         widgets::card(ui, |ui| {
             let guesses = found.columns.iter().filter(|c| c.is_guess()).count();
@@ -124,8 +118,9 @@ pub(super) fn show(
                 columns = found.columns.len()
             );
             ui.label(RichText::new(says).color(palette.warning));
-            ui.button(say!("The columns are right"))
-                .does(workbench, Workbench::confirm_columns);
+            if ui.button(say!("The columns are right")).clicked() {
+                draft.confirm();
+            }
         });
     }
 }

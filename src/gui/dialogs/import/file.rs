@@ -4,11 +4,13 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use egui::{ComboBox, DragValue, Grid, RichText, TextEdit, Ui};
+use egui::{ComboBox, DragValue, RichText, TextEdit, Ui};
 
+use crate::explain::Block;
 use crate::gui::core::disk::name_of;
 use crate::gui::import_draft::{Companion, ImportAnswers, ImportDraft, in_the_sheets_words};
-use crate::gui::style::{Palette, size, space, strong};
+use crate::gui::style::{Palette, size, space};
+use crate::gui::views::blocks;
 use crate::gui::widgets::{self, Does};
 use crate::gui::workbench::Workbench;
 use crate::importers::{
@@ -16,8 +18,9 @@ use crate::importers::{
     OwnOption, Question, Questions, Reading, Separator, TimeUnit,
 };
 use crate::language::{self, spoken};
+use crate::present::table::{Cell, Column, Table};
 use crate::sessions::Target;
-use crate::text::{length, stretch};
+use crate::text::length;
 
 /// The file in a line: rows, separator, encoding, unit.
 pub(super) fn found_out(now: &ImportDraft) -> String {
@@ -40,39 +43,20 @@ pub(super) fn found_out(now: &ImportDraft) -> String {
     parts.join(" · ")
 }
 
-/// With less room what stands in one row stands in two, points.
-const ONE_ROW: f32 = 660.0;
-
-/// Two answers with their names, side by side where there is room.
-fn two_in_a_row(
-    ui: &mut Ui,
-    (name, first): (&str, impl FnOnce(&mut Ui)),
-    (caption, second): (&str, impl FnOnce(&mut Ui)),
-) {
-    if ui.available_width() >= ONE_ROW * stretch() {
-        widgets::form_row(ui, name, |ui| {
-            first(ui);
-            widgets::caption(ui, caption);
-            second(ui);
-        });
-    } else {
-        widgets::form_row(ui, name, first);
-        widgets::form_row(ui, caption, second);
-    }
-}
-
-/// Width of the list of formats, points.
+/// Width of the list of formats, and of the field of an option, points.
 const SOURCE: f32 = 430.0;
+const OPTION: f32 = 300.0;
 
 /// The rows of the form.
-pub(super) fn show(ui: &mut Ui, now: &ImportDraft, next: &mut ImportAnswers) {
-    let found = &now.seen.inspection;
+pub(super) fn show(ui: &mut Ui, draft: &mut ImportDraft) {
+    let ImportDraft { answers, seen, .. } = draft;
+    let found = &seen.inspection;
     widgets::form_row(ui, say!("Session"), |ui| {
-        let field = TextEdit::singleline(&mut next.name).desired_width(300.0);
+        let field = TextEdit::singleline(&mut answers.name).desired_width(OPTION);
         let field = ui.add(field);
         widgets::label(&field, say!("Name of the session"));
     });
-    let reading = &mut next.reading;
+    let reading = &mut answers.reading;
     let kind = reading.kind.or(found.kind);
     let asks = kind.map_or(Questions::TABLE, |importer| importer.asks);
     widgets::form_row(ui, say!("Source"), |ui| {
@@ -94,26 +78,24 @@ pub(super) fn show(ui: &mut Ui, now: &ImportDraft, next: &mut ImportAnswers) {
             (Some(Separator::Tab), say!("tabs")),
             (Some(Separator::Spaces), say!("spaces")),
         ];
-        let separator = reading.separator.or(found.separator);
-        let Reading {
-            separator: said,
-            header: line,
-            ..
-        } = &mut *reading;
-        two_in_a_row(
+        let found_separator = found.separator;
+        one_of(
             ui,
-            (say!("Separated by"), |ui: &mut Ui| {
-                if let Some(chosen) = widgets::segmented(ui, &separators, separator) {
-                    *said = chosen;
-                }
-            }),
-            (say!("header"), |ui: &mut Ui| {
-                header(ui, found.header_line, line);
-            }),
+            say!("Separated by"),
+            &separators,
+            &mut reading.separator,
+            found_separator,
         );
+        header(ui, found.header_line, &mut reading.header);
     }
-    let decimal = reading.decimal.or(found.decimal);
     let signs = [(Some(Decimal::Point), "1.5"), (Some(Decimal::Comma), "1,5")];
+    one_of(
+        ui,
+        say!("Decimal sign"),
+        &signs,
+        &mut reading.decimal,
+        found.decimal,
+    );
     let units = [
         (None, say!("as the headings say")),
         (Some(AngleUnit::Degrees), say!("degrees")),
@@ -121,22 +103,7 @@ pub(super) fn show(ui: &mut Ui, now: &ImportDraft, next: &mut ImportAnswers) {
         (Some(AngleUnit::Gradians), "gon"),
         (Some(AngleUnit::Revolutions), say!("revolutions")),
     ];
-    let Reading {
-        decimal: said,
-        angle_unit,
-        ..
-    } = &mut *reading;
-    two_in_a_row(
-        ui,
-        (say!("Decimal sign"), |ui: &mut Ui| {
-            if let Some(chosen) = widgets::segmented(ui, &signs, decimal) {
-                *said = chosen;
-            }
-        }),
-        (say!("angles in"), |ui: &mut Ui| {
-            widgets::choice(ui, &units, angle_unit);
-        }),
-    );
+    widgets::choice_row(ui, say!("Angles in"), &units, &mut reading.angle_unit);
     let units = [
         (None, say!("as the file says")),
         (Some(LengthUnit::Millimetres), "mm"),
@@ -163,6 +130,21 @@ pub(super) fn show(ui: &mut Ui, now: &ImportDraft, next: &mut ImportAnswers) {
     own_options(ui, kind, reading);
 }
 
+/// One of some values, which is as it was found until a person says another.
+fn one_of<T: Copy + PartialEq>(
+    ui: &mut Ui,
+    name: &str,
+    offered: &[(Option<T>, &str)],
+    said: &mut Option<T>,
+    found: Option<T>,
+) {
+    widgets::form_row(ui, name, |ui| {
+        if let Some(chosen) = widgets::segmented(ui, offered, said.or(found)) {
+            *said = chosen;
+        }
+    });
+}
+
 /// So many options of a format are shown at once.
 const FEW_OPTIONS: usize = 2;
 
@@ -172,65 +154,45 @@ fn own_options(ui: &mut Ui, kind: Option<&Importer>, reading: &mut Reading) {
     // Where there are such angles they are asked about.
     let own = own.filter(|option| option.name != EULER || reading.options.contains_key(EULER));
     let own: Vec<&OwnOption> = own.collect();
-    // Of several few are needed: below them the columns, which always are, would be out of sight.
-    if own.len() > FEW_OPTIONS {
-        widgets::folded(
-            ui,
-            say!("More options of this kind of file"),
-            size::SMALL,
-            |ui| {
-                for option in own {
-                    own_option(ui, option, &mut reading.options);
-                }
-            },
-        );
-    } else {
-        for option in own {
+    let mut all = |ui: &mut Ui| {
+        for option in &own {
             own_option(ui, option, &mut reading.options);
         }
+    };
+    // Of several few are needed: below them the columns, which always are, would be out of sight.
+    if own.len() > FEW_OPTIONS {
+        let title = say!("More options of this kind of file");
+        widgets::folded(ui, title, size::SMALL, all);
+    } else {
+        all(ui);
     }
 }
 
 /// An option that only this format has.
 fn own_option(ui: &mut Ui, option: &OwnOption, given: &mut BTreeMap<&'static str, String>) {
-    let (title, help) = (spoken(option.title), spoken(option.help));
+    let title = spoken(option.title);
+    let mut value = given.get(option.name).cloned().unwrap_or_default();
     widgets::form_row(ui, &title, |ui| {
-        let mut value = given.get(option.name).cloned().unwrap_or_default();
-        let before = value.clone();
         if option.values.is_empty() {
             let field = TextEdit::singleline(&mut value).desired_width(OPTION);
-            let field = ui.add(if help_fits(ui, &help) {
-                field.hint_text(help.as_str())
-            } else {
-                field
-            });
+            let field = ui.add(field);
             widgets::label(&field, title.as_str());
-        } else {
-            let ways: Vec<(&str, &str)> = option.values.iter().map(|v| (*v, *v)).collect();
-            let said = option.values.iter().copied().find(|v| *v == value);
-            if let Some(chosen) = widgets::segmented(ui, &ways, said.unwrap_or_default()) {
-                chosen.clone_into(&mut value);
-            }
+            return;
         }
-        if value.trim().is_empty() {
-            given.remove(option.name);
-        } else if value != before {
-            given.insert(option.name, value);
+        let ways: Vec<(&str, &str)> = option.values.iter().map(|v| (*v, *v)).collect();
+        let said = option.values.iter().copied().find(|v| *v == value);
+        if let Some(chosen) = widgets::segmented(ui, &ways, said.unwrap_or_default()) {
+            chosen.clone_into(&mut value);
         }
     });
-    // What has no room in the field stands below it.
-    if option.values.is_empty() && !help_fits(ui, &help) {
-        widgets::hint(ui, help);
+    if option.values.is_empty() {
+        widgets::hint(ui, spoken(option.help));
     }
-}
-
-/// Width of the field of an option, points.
-const OPTION: f32 = 300.0;
-
-/// Whether what an option takes can be said within its field.
-fn help_fits(ui: &Ui, help: &str) -> bool {
-    let body = egui::TextStyle::Body.resolve(ui.style());
-    widgets::width_of(ui, help, body) + 2.0 * space::ROW <= OPTION
+    if value.trim().is_empty() {
+        given.remove(option.name);
+    } else {
+        given.insert(option.name, value);
+    }
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -252,17 +214,19 @@ fn header(ui: &mut Ui, found: Option<u64>, header: &mut Option<u64>) {
         (Header::None, say!("none")),
         (Header::Line, say!("in line")),
     ];
-    if let Some(chosen) = widgets::segmented(ui, &ways, now) {
-        *header = match chosen {
-            Header::Found => None,
-            Header::None => Some(0),
-            Header::Line => Some(found.unwrap_or(1)),
-        };
-    }
-    if let Some(line @ 1..) = header {
-        let field = DragValue::new(line).range(1..=1_000_000);
-        widgets::cell_number(ui, say!("Line of the header"), "", 64.0, field);
-    }
+    widgets::form_row(ui, say!("Header"), |ui| {
+        if let Some(chosen) = widgets::segmented(ui, &ways, now) {
+            *header = match chosen {
+                Header::Found => None,
+                Header::None => Some(0),
+                Header::Line => Some(found.unwrap_or(1)),
+            };
+        }
+        if let Some(line @ 1..) = header {
+            let field = DragValue::new(line).range(1..=1_000_000);
+            widgets::cell_number(ui, say!("Line of the header"), "", 64.0, field);
+        }
+    });
 }
 
 /// Rigid bodies or markers to take.
@@ -283,13 +247,13 @@ fn names(ui: &mut Ui, offered: &[String], taken: &mut Vec<String>) {
 }
 
 /// What only a person can say, with the possible answers as buttons.
-pub(super) fn questions(ui: &mut Ui, now: &ImportDraft, next: &mut ImportAnswers) {
-    for question in &now.seen.inspection.questions {
-        widgets::card(ui, |ui| ask(ui, question, next));
+pub(super) fn questions(ui: &mut Ui, draft: &mut ImportDraft) {
+    for question in &draft.seen.inspection.questions {
+        widgets::card(ui, |ui| ask(ui, question, &mut draft.answers.reading));
     }
 }
 
-fn ask(ui: &mut Ui, question: &Question, next: &mut ImportAnswers) {
+fn ask(ui: &mut Ui, question: &Question, reading: &mut Reading) {
     let palette = Palette::of(ui);
     let says = RichText::new(in_the_sheets_words(&spoken(&question.text))).color(palette.warning);
     ui.add(egui::Label::new(says).wrap());
@@ -300,14 +264,13 @@ fn ask(ui: &mut Ui, question: &Question, next: &mut ImportAnswers) {
     ui.horizontal_wrapped(|ui| {
         for answer in &question.answers {
             if ui.button(say!("It is {answer}", answer)).clicked() {
-                answered(next, question.about, answer);
+                answered(reading, question.about, answer);
             }
         }
     });
 }
 
-fn answered(next: &mut ImportAnswers, about: About, answer: &str) {
-    let reading = &mut next.reading;
+fn answered(reading: &mut Reading, about: About, answer: &str) {
     match about {
         About::Unit => reading.unit = LengthUnit::of(answer),
         About::AngleUnit => reading.angle_unit = AngleUnit::of(answer),
@@ -330,21 +293,25 @@ fn answered(next: &mut ImportAnswers, about: About, answer: &str) {
 }
 
 /// Where the robot was sent.
-pub(super) fn commanded(
-    ui: &mut Ui,
-    now: &ImportDraft,
-    next: &mut ImportAnswers,
-    workbench: &Workbench,
-) {
-    let title = say!("Commanded positions, if the table does not have them");
+pub(super) fn commanded(ui: &mut Ui, draft: &mut ImportDraft, workbench: &Workbench) {
+    widgets::section(
+        ui,
+        say!("Commanded positions, if the table does not have them"),
+    );
     let field = (
         say!("File of the commands"),
         say!("a table with q1_deg, … and perhaps name, time_s, dir1, load_kg"),
     );
-    widgets::section(ui, title);
-    let which = (Companion::Commands, now);
-    path(ui, field, &mut next.commands, which, workbench);
-    if next.commands.trim().is_empty() {
+    let mut typed = draft.answers.commands.clone();
+    path(
+        ui,
+        field,
+        &mut typed,
+        (Companion::Commands, draft),
+        workbench,
+    );
+    draft.answers.commands = typed;
+    if draft.answers.commands.trim().is_empty() {
         return;
     }
     let ways = [
@@ -353,65 +320,37 @@ pub(super) fn commanded(
         (Some(Matching::Time), say!("by time")),
     ];
     // By default as the import has found it, once it could be tried.
-    let tried = now.trial().and_then(|trial| trial.matched.as_ref());
-    let found = tried.map(|matched| matched.by);
-    let matching = next.matching.or(found);
-    widgets::form_row(ui, say!("Matched"), |ui| {
-        if let Some(chosen) = widgets::segmented(ui, &ways, matching) {
-            next.matching = chosen;
-        }
-    });
-    if next.matching != Some(Matching::Time) {
+    let matched = draft.trial().and_then(|trial| trial.matched.as_ref());
+    let found = matched.map(|matched| matched.by);
+    let offset = matched.and_then(|matched| matched.clock);
+    let offset = offset.map_or(0.0, |clock| clock.offset_s);
+    let answers = &mut draft.answers;
+    one_of(ui, say!("Matched"), &ways, &mut answers.matching, found);
+    if answers.matching != Some(Matching::Time) {
         return;
     }
-    let trial = now.trial();
-    let clock = trial.and_then(|t| t.matched.as_ref()?.clock);
     widgets::form_row(ui, say!("Clocks apart by"), |ui| {
-        let found = next.clock_offset_s.is_none();
         let ways = [
             (true, say!("found from the motion")),
             (false, say!("typed")),
         ];
+        let found = answers.clock_offset_s.is_none();
         if let Some(found) = widgets::segmented(ui, &ways, found) {
-            next.clock_offset_s = (!found).then(|| clock.map_or(0.0, |clock| clock.offset_s));
+            answers.clock_offset_s = (!found).then_some(offset);
         }
-        if let Some(offset) = &mut next.clock_offset_s {
-            let field = DragValue::new(offset)
-                .speed(0.01)
-                .max_decimals(6)
-                .suffix(" s");
-            widgets::cell_number(
-                ui,
-                say!("Seconds to add to a measured time"),
-                "s",
-                110.0,
-                field,
-            );
+        if let Some(offset) = &mut answers.clock_offset_s {
+            let name = say!("Seconds to add to a measured time");
+            let field = DragValue::new(offset).speed(0.01).max_decimals(6);
+            widgets::cell_number(ui, name, "s", 110.0, field.suffix(" s"));
         }
     });
-    if let Some(clock) = clock {
-        let says = match clock.sigma_s {
-            Some(sigma) => say!(
-                "The measured clock needs {offset_s} s to agree with the commands, ± {sigma} s (95 %); {rms} are left",
-                offset_s = format!("{:+.4}", clock.offset_s),
-                sigma = format!("{:.4}", 1.96 * sigma),
-                rms = language::spoken(length(clock.rms_mm, 3))
-            ),
-            None => say!(
-                "With {offset_s} s added, {rms} are left between path and measurements",
-                offset_s = format!("{:+.4}", clock.offset_s),
-                rms = language::spoken(length(clock.rms_mm, 3))
-            ),
-        };
-        widgets::hint(ui, says);
-    }
 }
 
 /// Whether the rows say from where each joint came.
-pub(super) fn order_of_rows(ui: &mut Ui, next: &mut ImportAnswers) {
-    if next.matching != Some(Matching::Time) {
+pub(super) fn order_of_rows(ui: &mut Ui, answers: &mut ImportAnswers) {
+    if answers.matching != Some(Matching::Time) {
         ui.checkbox(
-            &mut next.in_measuring_order,
+            &mut answers.in_measuring_order,
             say!("the rows are in the order in which they were measured"),
         )
         .on_hover_text(say!(
@@ -421,25 +360,29 @@ pub(super) fn order_of_rows(ui: &mut Ui, next: &mut ImportAnswers) {
 }
 
 /// Points that bring the instrument's frame into the base frame.
-pub(super) fn base_frame(
-    ui: &mut Ui,
-    now: &ImportDraft,
-    next: &mut ImportAnswers,
-    workbench: &Workbench,
-) {
-    let title = say!("Reference points (base frame), if the instrument has a frame of its own");
+pub(super) fn base_frame(ui: &mut Ui, draft: &mut ImportDraft, workbench: &Workbench) {
+    widgets::section(
+        ui,
+        say!("Reference points (base frame), if the instrument has a frame of its own"),
+    );
     let field = (
         say!("File of the known points"),
         say!("a table with name, x_mm, y_mm, z_mm; the same names as in the measured file"),
     );
-    widgets::section(ui, title);
-    let which = (Companion::Reference, now);
-    path(ui, field, &mut next.reference, which, workbench);
-    if next.reference.trim().is_empty() {
+    let mut typed = draft.answers.reference.clone();
+    path(
+        ui,
+        field,
+        &mut typed,
+        (Companion::Reference, draft),
+        workbench,
+    );
+    draft.answers.reference = typed;
+    if draft.answers.reference.trim().is_empty() {
         return;
     }
-    ui.checkbox(&mut next.scale, say!("fit a scale too"));
-    let trial = now.trial();
+    ui.checkbox(&mut draft.answers.scale, say!("fit a scale too"));
+    let trial = draft.trial();
     if let Some(alignment) = trial.and_then(|trial| trial.alignment.as_ref()) {
         residuals(ui, alignment);
     }
@@ -447,7 +390,7 @@ pub(super) fn base_frame(
 
 /// How far each point is off after the alignment.
 fn residuals(ui: &mut Ui, alignment: &Alignment) {
-    let palette = Palette::of(ui);
+    const MOST: usize = 60;
     let left_out = alignment.outliers().count();
     let used = alignment.residuals.len() - left_out;
     let rms = language::spoken(length(alignment.rms_mm, 4));
@@ -473,74 +416,71 @@ fn residuals(ui: &mut Ui, alignment: &Alignment) {
             ),
         );
     }
-    ui.scope(|ui| {
-        widgets::dense(ui);
-        let grid = Grid::new("residuals of the alignment").striped(true);
-        grid.spacing([18.0, 2.0]).show(ui, |ui| {
-            for heading in [
-                say!("point"),
-                say!("residual, mm"),
-                say!("in x"),
-                say!("in y"),
-                say!("in z"),
-                "",
-            ] {
-                ui.label(RichText::new(heading).font(strong(size::SMALL)));
-            }
-            ui.end_row();
-            for residual in alignment.residuals.iter().take(60) {
-                let color = if residual.is_outlier {
-                    palette.outside
-                } else {
-                    palette.text
-                };
-                let v = residual.vector_mm;
-                let cell = |text: String| RichText::new(text).size(size::SMALL).color(color);
-                ui.label(cell(residual.name.clone()));
-                ui.label(cell(format!("{:.4}", v.norm())));
-                for part in [v.x, v.y, v.z] {
-                    ui.label(cell(format!("{part:+.4}")));
-                }
-                let word = if residual.is_outlier {
-                    say!("excluded")
-                } else {
-                    ""
-                };
-                ui.label(cell(word.to_owned()));
-                ui.end_row();
-            }
-        });
-    });
+    let mut table = Table::of([
+        Column::words(say!("point")),
+        Column::numbers(say!("residual, mm")),
+        Column::numbers(say!("in x")),
+        Column::numbers(say!("in y")),
+        Column::numbers(say!("in z")),
+        Column::words(""),
+    ]);
+    for residual in alignment.residuals.iter().take(MOST) {
+        let v = residual.vector_mm;
+        let number = |mm: f64| Cell::number(Some(mm), |mm| format!("{mm:.4}"));
+        let word = if residual.is_outlier {
+            say!("excluded")
+        } else {
+            ""
+        };
+        table.row([
+            residual.name.as_str().into(),
+            number(v.norm()),
+            number(v.x),
+            number(v.y),
+            number(v.z),
+            word.into(),
+        ]);
+    }
+    blocks::show(ui, &[Block::Table(table)]);
 }
 
 /// Where the reflectors sit.
 pub(super) fn reflectors(
     ui: &mut Ui,
     open: &[Target],
-    now: &ImportDraft,
-    next: &mut ImportAnswers,
+    draft: &mut ImportDraft,
     workbench: &Workbench,
 ) {
-    let title = say!("Reflectors in the tool frame, if there are several");
+    widgets::section(
+        ui,
+        say!("Reflectors in the tool frame, if there are several"),
+    );
     let field = (
         say!("File of the reflectors"),
         say!("a table with name, x_mm, y_mm, z_mm; without it one sits at the tool's origin"),
     );
-    widgets::section(ui, title);
-    let which = (Companion::Targets, now);
-    path(ui, field, &mut next.targets, which, workbench);
-    if open.len() > 1 && next.targets.trim().is_empty() {
+    let mut typed = draft.answers.targets.clone();
+    path(
+        ui,
+        field,
+        &mut typed,
+        (Companion::Targets, draft),
+        workbench,
+    );
+    draft.answers.targets = typed;
+    let answers = &mut draft.answers;
+    if open.len() > 1 && answers.targets.trim().is_empty() {
         let names: Vec<&str> = open.iter().map(|target| &*target.name).collect();
         let text = say!(
             "those of the open session: {names}",
             names = names.join(", ")
         );
-        let mut taken = next.own_targets.is_some();
+        let mut taken = answers.own_targets.is_some();
         if ui.checkbox(&mut taken, text).changed() {
-            next.own_targets = taken.then(|| open.to_vec());
+            answers.own_targets = taken.then(|| open.to_vec());
         }
     } else {
-        next.own_targets = None;
+        answers.own_targets = None;
     }
 }
 
@@ -553,24 +493,25 @@ pub(super) fn path(
     workbench: &Workbench,
 ) -> bool {
     let mut changed = false;
-    ui.horizontal(|ui| {
-        let text = egui::WidgetText::from(say!("Choose…"));
-        let text = text.into_galley(ui, None, f32::INFINITY, egui::TextStyle::Button);
-        let button = text.size().x + 2.0 * ui.spacing().button_padding.x;
-        let room = ui.available_width() - button - ui.spacing().item_spacing.x;
-        let field = TextEdit::singleline(typed).hint_text(hint);
-        let field = ui.add_sized([room.max(80.0), space::CONTROL], field);
-        widgets::label(&field, label);
-        changed = field.changed();
-        let button = ui.button(say!("Choose…"));
-        widgets::label(&button, say!("Choose: {label}", label));
-        button.does(workbench, move |bench| bench.choose_beside(which));
-    });
+    let row = egui::Layout::right_to_left(egui::Align::Center);
+    ui.allocate_ui_with_layout(
+        egui::vec2(ui.available_width(), space::CONTROL),
+        row,
+        |ui| {
+            let button = ui.button(say!("Choose…"));
+            widgets::label(&button, say!("Choose: {label}", label));
+            button.does(workbench, move |bench| bench.choose_beside(which));
+            let field = TextEdit::singleline(typed).hint_text(hint);
+            let field = ui.add_sized([ui.available_width(), space::CONTROL], field);
+            widgets::label(&field, label);
+            changed = field.changed();
+        },
+    );
     if !typed.trim().is_empty() {
-        let is_this = |(of, path): &&(Companion, PathBuf)| {
+        let is_this = |(of, path): &(Companion, PathBuf)| {
             *of == which && path.as_path() == Path::new(typed.as_str())
         };
-        if now.taken.iter().any(|one| is_this(&one)) {
+        if now.taken.iter().any(is_this) {
             let says = say!("Taken because its name is that of the file");
             widgets::hint(ui, says);
         }

@@ -5,12 +5,8 @@
 mod columns;
 mod file;
 
-use std::sync::Arc;
-
-use egui::text::LayoutJob;
 use egui::{
-    Align, DragValue, FontId, Key, Layout, ProgressBar, RadioButton, Response, RichText,
-    ScrollArea, TextEdit, Ui, vec2,
+    DragValue, Key, Label, ProgressBar, RadioButton, Response, RichText, ScrollArea, TextEdit, Ui,
 };
 
 use crate::diagnostic::Severity;
@@ -22,9 +18,8 @@ use crate::text::{length, spoken};
 use crate::gui::core::disk::{EXAMPLES, name_of};
 use crate::gui::core::robot_table::RobotTable;
 use crate::gui::import_draft::{
-    Companion, ImportAnswers, ImportDraft, LOOKING, RobotFrom, Trial, in_the_windows_words,
+    Companion, ImportDraft, LOOKING, RobotFrom, Trial, in_the_windows_words,
 };
-use crate::gui::jobs::Running;
 use crate::gui::style::{Palette, size, space};
 use crate::gui::views::blocks;
 use crate::gui::widgets::{self, Does};
@@ -35,13 +30,11 @@ use super::robots::{self, Robot as ListedRobot};
 /// Width of the sheet, points.
 const WIDTH: f32 = 780.0;
 /// What stands around the part that scrolls, points.
-const AROUND: f32 = 228.0;
+const AROUND: f32 = 244.0;
 /// The least height of that, points.
 const LEAST: f32 = 150.0;
 /// Width of the field in which a robot is looked for, points.
 const LIST: f32 = 300.0;
-/// Two lines of what is in the way, points.
-const FOOT: f32 = 34.0;
 
 pub(super) fn show(ui: &mut Ui, workbench: &Workbench, now: &ImportDraft) {
     let window = ui.ctx().content_rect();
@@ -49,53 +42,35 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, now: &ImportDraft) {
     let name = name_of(&now.path);
     widgets::heading(ui, &say!("Import {name}", name));
     widgets::hint(ui, file::found_out(now));
-    let mut next = now.answers.clone();
+    let mut draft = now.clone();
     let height = (window.height() - AROUND).max(LEAST);
     // Another file begins at its head.
-    let of_this = Arc::as_ptr(&now.neighbours).addr();
-    let area = ScrollArea::vertical().id_salt(of_this).max_height(height);
-    let scrolled = area.show(ui, |ui| {
+    let area = ScrollArea::vertical().id_salt(&now.path);
+    area.max_height(height).show(ui, |ui| {
         // Beside what scrolls, not over it.
         ui.set_width(ui.available_width() - f32::from(space::PANEL));
-        file::show(ui, now, &mut next);
-        columns::show(ui, now, &mut next, workbench);
-        file::questions(ui, now, &mut next);
-        let mut reason_in_sight = findings(ui, now);
-        reason_in_sight |= robot(ui, workbench, now, &mut next);
-        file::commanded(ui, now, &mut next, workbench);
-        file::order_of_rows(ui, &mut next);
-        file::base_frame(ui, now, &mut next, workbench);
+        file::show(ui, &mut draft);
+        columns::show(ui, &mut draft);
+        file::questions(ui, &mut draft);
+        for finding in now.seen.inspection.findings.iter().take(MOST) {
+            line(ui, finding.severity, &in_the_windows_words(finding));
+        }
+        robot(ui, workbench, &mut draft);
+        file::commanded(ui, &mut draft, workbench);
+        file::order_of_rows(ui, &mut draft.answers);
+        file::base_frame(ui, &mut draft, workbench);
         let open = &workbench.loaded_session().session.targets;
-        file::reflectors(ui, open, now, &mut next, workbench);
-        reason_in_sight |= result(ui, now, workbench.units());
+        file::reflectors(ui, open, &mut draft, workbench);
+        result(ui, now, workbench.units());
         widgets::focus_in_sight(ui);
-        (ui.max_rect().width(), reason_in_sight)
     });
-    let (width, reason_in_sight) = scrolled.inner;
-    let missing = if next == now.answers {
-        // The reason too, unless it can be read above.
-        now.hindrance().map(|(says, reason)| match reason {
-            Some(reason) if !reason_in_sight => format!("{says}: {reason}"),
-            _ => says.to_owned(),
-        })
-    } else {
-        Some(spoken(LOOKING).to_owned())
-    };
-    // Always as high: what is above keeps its place.
-    let room = vec2(ui.available_width(), FOOT);
-    ui.allocate_ui_with_layout(room, Layout::top_down(Align::Min), |ui| {
-        ui.set_min_height(FOOT);
-        foot(ui, workbench, (now, &next), missing.as_deref());
-    });
-    // They end where what is above them ends.
-    let pressed = ui.scope(|ui| {
-        ui.set_max_width(width);
-        widgets::sheet_buttons_without_enter(ui, say!("Import"), missing.is_none(), workbench)
-    });
-    if pressed.inner {
+    let missing = draft.hindrance();
+    foot(ui, workbench, (now, &draft), missing.as_deref());
+    let ready = missing.is_none();
+    if widgets::sheet_buttons_without_enter(ui, say!("Import"), ready, workbench) {
         workbench.then(Workbench::import);
-    } else if next != now.answers {
-        workbench.then(move |bench| bench.say(next));
+    } else if draft != *now {
+        workbench.then(move |bench| bench.change_draft(|now| *now = draft));
     }
 }
 
@@ -103,97 +78,53 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, now: &ImportDraft) {
 fn foot(
     ui: &mut Ui,
     workbench: &Workbench,
-    (now, next): (&ImportDraft, &ImportAnswers),
+    (now, draft): (&ImportDraft, &ImportDraft),
     missing: Option<&str>,
 ) {
-    if let Some(running) = workbench.looking() {
-        looking(ui, running, workbench);
-    } else if *next == now.answers && !now.is_up_to_date() {
-        ui.horizontal(|ui| {
+    ui.horizontal(|ui| {
+        if let Some(running) = workbench.looking() {
+            widgets::hint(ui, spoken(LOOKING));
+            if let Some(part) = running.progress() {
+                let bar = ProgressBar::new(part).desired_width(120.0);
+                ui.add(bar.desired_height(8.0).fill(Palette::of(ui).accent));
+            }
+            ui.small_button(say!("Stop looking"))
+                .does(workbench, Workbench::cancel_look);
+            widgets::look_again_soon(ui);
+        } else if draft == now && !now.is_up_to_date() {
             widgets::hint(ui, say!("Looking at the file was cancelled"));
             if ui.button(say!("Look again")).clicked() {
-                let next = next.clone();
-                workbench.then(|bench| bench.say(next));
+                let draft = draft.clone();
+                workbench.then(move |bench| bench.change_draft(|now| *now = draft));
             }
-        });
-    } else if let Some(missing) = missing {
-        let font = FontId::proportional(size::NOTE);
-        let muted = Palette::of(ui).muted;
-        let mut job = LayoutJob::simple(missing.to_owned(), font, muted, ui.available_width());
-        job.wrap.max_rows = 2;
-        ui.label(job).on_hover_text(missing);
-    }
-}
-
-/// How far looking at the file is.
-fn looking(ui: &mut Ui, running: &Running, workbench: &Workbench) {
-    ui.horizontal(|ui| {
-        widgets::hint(ui, spoken(LOOKING));
-        if let Some(part) = running.progress() {
-            let bar = ProgressBar::new(part).desired_width(120.0);
-            ui.add(bar.desired_height(8.0).fill(Palette::of(ui).accent));
+        } else if let Some(missing) = missing {
+            let text = RichText::new(missing).size(size::NOTE);
+            let text = text.color(Palette::of(ui).muted);
+            ui.add(Label::new(text).truncate()).on_hover_text(missing);
         }
-        ui.small_button(say!("Stop looking"))
-            .does(workbench, Workbench::cancel_look);
     });
-    widgets::look_again_soon(ui);
 }
 
-/// What is wrong with the file, and what to know about it. Whether an error can be read where it stands.
-fn findings(ui: &mut Ui, now: &ImportDraft) -> bool {
-    let mut error_in_sight = false;
-    for finding in now.seen.inspection.findings.iter().take(8) {
-        let says = in_the_windows_words(finding);
-        let shown = line(ui, finding.severity, &says);
-        error_in_sight |= finding.severity == Severity::Error && in_sight(ui, &shown);
-    }
-    error_in_sight
-}
-
-/// Whether all of it is within what scrolls.
-fn in_sight(ui: &Ui, shown: &Response) -> bool {
-    ui.clip_rect().contains_rect(shown.rect)
-}
-
-/// Lines of the result that are shown.
+/// Lines of findings, of reasons and of notes that are shown.
 const MOST: usize = 8;
 
-/// What the import would bring or why it is refused, once there is nothing left to ask. Whether the reason of a refusal
-/// can be read where it stands.
-fn result(ui: &mut Ui, now: &ImportDraft, units: Units) -> bool {
-    // As high as it ever was for this file: the fields above keep their place while it changes.
-    let id = ui.scope_id().with(("highest result", &now.path));
-    let highest: f32 = ui.data_mut(|data| data.get_temp(id)).unwrap_or_default();
-    let shown = ui.scope(|ui| {
-        ui.set_min_height(highest);
-        contents(ui, now, units)
-    });
-    let height = shown.response.rect.height().max(highest);
-    ui.data_mut(|data| data.insert_temp(id, height));
-    shown.inner
-}
-
-fn contents(ui: &mut Ui, now: &ImportDraft, units: Units) -> bool {
-    let mut reason_in_sight = false;
+/// What the import would bring or why it is refused, once there is nothing left to ask.
+fn result(ui: &mut Ui, now: &ImportDraft, units: Units) {
     match &now.seen.trial {
         None => {}
-        Some(Ok(trial)) => {
-            widgets::section(ui, &trial.brings(units).title);
-            brings(ui, trial, units);
-        }
+        Some(Ok(trial)) => brings(ui, trial, units),
         Some(Err(because)) => {
             widgets::section(ui, say!("To fix"));
             for says in because {
-                let shown = line(ui, Severity::Error, says);
-                reason_in_sight |= in_sight(ui, &shown);
+                line(ui, Severity::Error, says);
             }
         }
     }
-    reason_in_sight
 }
 
 fn brings(ui: &mut Ui, trial: &Trial, units: Units) {
     let section = trial.brings(units);
+    widgets::section(ui, &section.title);
     blocks::show(ui, &section.blocks);
     let mut notes: Vec<_> = trial.notes.iter().collect();
     notes.sort_by_key(|(severity, _)| std::cmp::Reverse(*severity == Severity::Warning));
@@ -202,28 +133,23 @@ fn brings(ui: &mut Ui, trial: &Trial, units: Units) {
     }
 }
 
-/// Whose robot was measured. Whether what is wrong with it can be read where it stands.
-fn robot(ui: &mut Ui, workbench: &Workbench, now: &ImportDraft, next: &mut ImportAnswers) -> bool {
+/// Whose robot was measured.
+fn robot(ui: &mut Ui, workbench: &Workbench, draft: &mut ImportDraft) {
     widgets::section(ui, say!("Robot model"));
-    let here = &workbench.loaded_session().session.robot;
-    let is = |robot: &RobotFrom, other: &RobotFrom| {
-        std::mem::discriminant(robot) == std::mem::discriminant(other)
+    let choose = |ui: &mut Ui, draft: &mut ImportDraft, one: RobotFrom, text: &str| {
+        let chosen = draft.answers.robot.is_like(&one);
+        if ui.radio(chosen, text).clicked() && !chosen {
+            draft.answers.robot = one;
+        }
     };
-    let open = RobotFrom::Here(Box::new(here.clone()));
+    let here = &workbench.loaded_session().session.robot;
     let text = say!("that of the open session, {here}", here = here.name);
-    if ui.radio(is(&next.robot, &open), text).clicked() {
-        next.robot = open;
-    }
-    listed(ui, workbench, next);
+    let here = RobotFrom::Here(Box::new(here.clone()));
+    choose(ui, draft, here, &text);
+    listed(ui, workbench, draft);
     let file = RobotFrom::Open.of_file(String::new());
-    if ui
-        .radio(is(&next.robot, &file), say!("from this file"))
-        .clicked()
-        && !is(&next.robot, &file)
-    {
-        next.robot = file;
-    }
-    let mut path = match &next.robot {
+    choose(ui, draft, file, say!("from this file"));
+    let mut path = match &draft.answers.robot {
         RobotFrom::File { path, .. } => path.clone(),
         _ => String::new(),
     };
@@ -231,10 +157,10 @@ fn robot(ui: &mut Ui, workbench: &Workbench, now: &ImportDraft, next: &mut Impor
         say!("File of the robot"),
         say!("a robot, a session, or a URDF file"),
     );
-    if file::path(ui, field, &mut path, (Companion::Robot, now), workbench) {
-        next.robot = next.robot.of_file(path);
+    if file::path(ui, field, &mut path, (Companion::Robot, draft), workbench) {
+        draft.answers.robot = draft.answers.robot.of_file(path);
     }
-    if let RobotFrom::File { path, base, tip } = &mut next.robot
+    if let RobotFrom::File { path, base, tip } = &mut draft.answers.robot
         && RobotFrom::is_urdf(path)
     {
         for (row, label, link) in [
@@ -247,100 +173,78 @@ fn robot(ui: &mut Ui, workbench: &Workbench, now: &ImportDraft, next: &mut Impor
             });
         }
     }
-    let typed = matches!(next.robot, RobotFrom::Typed(_));
-    if ui
-        .radio(typed, say!("one axis that turns, typed here"))
-        .clicked()
-        && !typed
-    {
-        next.robot = RobotFrom::Typed(Box::new(RobotTable::one_axis()));
-    }
-    if let RobotFrom::Typed(typed) = &mut next.robot {
+    let typed = RobotFrom::Typed(Box::new(RobotTable::one_axis()));
+    choose(ui, draft, typed, say!("one axis that turns, typed here"));
+    if let RobotFrom::Typed(typed) = &mut draft.answers.robot {
         axis(ui, typed);
     }
     for (k, example) in EXAMPLES.iter().enumerate() {
-        let one = RobotFrom::Example(k);
         let text = say!("that of the example {example}", example = example.name());
-        if ui.radio(next.robot == one, text).clicked() {
-            next.robot = one;
-        }
+        choose(ui, draft, RobotFrom::Example(k), &text);
     }
-    let mut error_in_sight = false;
-    match &now.seen.robot {
+    match &draft.seen.robot {
         None => {}
         Some(Ok(robot)) => widgets::hint(ui, in_words(robot)),
         Some(Err(because)) => {
             for says in because {
-                let shown = line(ui, Severity::Error, says);
-                error_in_sight |= in_sight(ui, &shown);
+                line(ui, Severity::Error, says);
             }
         }
     }
-    error_in_sight
 }
 
 /// So many robots are offered for what was typed.
 const OFFERED: usize = 8;
 
-/// What was typed to find a robot, and which one had been chosen by it.
-#[derive(Clone, Default)]
-struct RobotSearch {
-    text: String,
-    chosen: Option<String>,
-}
-
 /// One of the library, or one's own, found by typing.
-fn listed(ui: &mut Ui, workbench: &Workbench, next: &mut ImportAnswers) {
-    let mut chosen = match &next.robot {
-        RobotFrom::Listed(title, _) => Some(title.clone()),
-        _ => None,
-    };
-    let id = ui.scope_id().with("robot that was looked for");
-    let mut search: RobotSearch = ui.data(|data| data.get_temp(id)).unwrap_or_default();
-    if chosen != search.chosen {
-        search.text = chosen.clone().unwrap_or_default();
-        search.chosen.clone_from(&chosen);
+fn listed(ui: &mut Ui, workbench: &Workbench, draft: &mut ImportDraft) {
+    let robot = &mut draft.answers.robot;
+    let chosen = matches!(robot, RobotFrom::Listed(..));
+    let search = &mut draft.robot_search;
+    if !chosen && *robot != RobotFrom::Open {
+        search.clear();
     }
     let field = ui.horizontal(|ui| {
         // Which one is chosen by typing: a press here would have to guess it.
-        let radio = RadioButton::new(chosen.is_some(), say!("one of the library"));
-        ui.add_enabled(chosen.is_some(), radio);
-        let field = TextEdit::singleline(&mut search.text).hint_text(robots::examples());
+        let radio = RadioButton::new(chosen, say!("one of the library"));
+        ui.add_enabled(chosen, radio);
+        let field = TextEdit::singleline(search).hint_text(robots::examples());
         let field = ui.add(field.desired_width(LIST));
         widgets::label(&field, say!("Find a robot"));
         field
     });
     let field = field.inner;
     if field.gained_focus() {
-        widgets::select_all(ui, field.id, &search.text);
+        widgets::select_all(ui, field.id, search);
     }
-    if field.changed() && chosen.is_some() {
+    if field.changed() {
         // Another is looked for.
-        next.robot = RobotFrom::Open;
-        (chosen, search.chosen) = (None, None);
+        *robot = RobotFrom::Open;
+    } else if chosen {
+        return;
     }
-    if !search.text.trim().is_empty() && chosen.as_ref() != Some(&search.text) {
-        let found = ListedRobot::found(workbench.typed_robots(), &search.text);
-        let entered = field.lost_focus() && ui.input(|i| i.key_pressed(Key::Enter));
-        let mut taken = found.first().copied().filter(|_| entered);
-        ui.horizontal_wrapped(|ui| {
-            for robot in found.iter().take(OFFERED) {
-                if ui.small_button(robot.title()).clicked() {
-                    taken = Some(*robot);
-                }
+    if search.trim().is_empty() {
+        return;
+    }
+    let found = ListedRobot::found(workbench.typed_robots(), search);
+    let entered = field.lost_focus() && ui.input(|i| i.key_pressed(Key::Enter));
+    let mut taken = found.first().copied().filter(|_| entered);
+    ui.horizontal_wrapped(|ui| {
+        for robot in found.iter().take(OFFERED) {
+            if ui.small_button(robot.title()).clicked() {
+                taken = Some(*robot);
             }
-            match found.len().checked_sub(OFFERED) {
-                _ if found.is_empty() => widgets::hint(ui, say!("No robot has this name")),
-                Some(more @ 1..) => widgets::hint(ui, say!("and {more} more", more)),
-                _ => {}
-            }
-        });
-        if let Some((robot, title)) = taken.and_then(|taken| Some((taken.robot()?, taken.title())))
-        {
-            next.robot = RobotFrom::Listed(title, Box::new(robot));
         }
+        match found.len().checked_sub(OFFERED) {
+            _ if found.is_empty() => widgets::hint(ui, say!("No robot has this name")),
+            Some(more @ 1..) => widgets::hint(ui, say!("and {more} more", more)),
+            _ => {}
+        }
+    });
+    if let Some((made, title)) = taken.and_then(|taken| Some((taken.robot()?, taken.title()))) {
+        search.clone_from(&title);
+        *robot = RobotFrom::Listed(title, Box::new(made));
     }
-    ui.data_mut(|data| data.insert_temp(id, search));
 }
 
 /// One axis that turns: its name, where it stands, where the tool is, how far it goes.
@@ -401,5 +305,5 @@ fn line(ui: &mut Ui, severity: Severity, says: &str) -> Response {
         Severity::Error => (say!("Error: {says}", says), palette.outside),
     };
     let text = RichText::new(text);
-    ui.add(egui::Label::new(text.size(size::SMALL).color(color)).wrap())
+    ui.add(Label::new(text.size(size::SMALL).color(color)).wrap())
 }

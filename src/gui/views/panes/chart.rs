@@ -6,7 +6,6 @@ use crate::gui::charts::{
     Bars, CHARTS, ChartChoice, ChartKind, HoverTarget, Samples, Scene, Shown, deviation, scatter,
 };
 use crate::gui::core::loaded_session::Component;
-use crate::gui::core::quantity::Quantity;
 use crate::gui::plots::chart::{self, Canvas};
 use crate::gui::plots::{self, figure, picture, ring};
 use crate::gui::style::{size, space};
@@ -140,8 +139,7 @@ fn drawn_samples(
     shapes: &mut Vec<Shape>,
 ) {
     let bounds = canvas.transform.bounds();
-    let width = f64::from(canvas.transform.frame().width());
-    for item in samples.in_sight([bounds.min()[0], bounds.max()[0]], width) {
+    for item in samples.in_sight([bounds.min()[0], bounds.max()[0]]) {
         canvas.draw(&item, shapes);
     }
     let stroke = Stroke::new(2.5, canvas.palette.accent);
@@ -182,135 +180,139 @@ fn pointed(
     });
 }
 
-/// What is chosen in a list.
-struct Choice<'a, T> {
-    /// What the list is called.
+type Choosing = Box<dyn Fn(&mut Workbench, usize) + Send>;
+
+/// A list in the bar.
+struct Listed {
+    /// What it is called.
     of: String,
-    /// What can be chosen: itself, its name where there is little room, its name.
-    offered: Vec<(T, &'a str, &'a str)>,
-    current: T,
+    /// What can be chosen.
+    names: Vec<String>,
+    current: Option<usize>,
+    /// How what is chosen is written.
+    shown: String,
+    /// What a choice does.
+    does: Choosing,
 }
 
-impl<T: Copy + PartialEq> Choice<'_, T> {
-    fn names(&self) -> (&str, &str) {
-        let current = self.offered.iter().find(|(one, ..)| *one == self.current);
-        current.map_or(("", ""), |(_, short, name)| (*short, *name))
+impl Listed {
+    fn new<T: Copy + PartialEq + Send + 'static>(
+        of: String,
+        offered: Vec<(T, String)>,
+        current: T,
+        does: impl Fn(&mut Workbench, T) + Send + 'static,
+    ) -> Self {
+        let (offered, names): (Vec<T>, Vec<String>) = offered.into_iter().unzip();
+        let current = offered.iter().position(|one| *one == current);
+        Self {
+            of,
+            shown: current.map_or(String::new(), |k| names[k].clone()),
+            names,
+            current,
+            does: Box::new(move |bench, k| does(bench, offered[k])),
+        }
     }
 
     /// How wide it is, points.
-    fn width(&self, ui: &Ui, short: bool) -> f32 {
-        let (small, name) = self.names();
-        let name = if short { small } else { name };
+    fn width(&self, ui: &Ui) -> f32 {
         let font = egui::FontId::proportional(size::SMALL);
-        widgets::width_of(ui, name, font) + ARROW
+        widgets::width_of(ui, &self.shown, font) + ARROW
     }
 
-    fn show(&self, ui: &mut Ui, short: bool) -> Option<T> {
-        let (small, name) = self.names();
-        let shown = if short { small } else { name };
+    fn show(self, ui: &mut Ui, workbench: &Workbench) {
         let list = ComboBox::from_id_salt(&self.of)
-            .selected_text(egui::RichText::new(shown).size(size::SMALL))
+            .selected_text(egui::RichText::new(&self.shown).size(size::SMALL))
             .width(0.0)
             .height(360.0);
-        let offered = self.offered.iter().map(|(one, _, name)| (*one, *name));
-        let chosen = widgets::list(ui, self.of.as_str(), list, offered, self.current);
-        chosen.filter(|one| *one != self.current)
-    }
-}
-
-/// What is chosen in the bar beside the chart itself.
-enum Other<'a> {
-    Component(Choice<'a, Component>),
-    Joint(Choice<'a, usize>),
-    /// What a scatter has across, 0, or upwards, 1.
-    Axis(usize, Choice<'a, Quantity>),
-}
-
-impl Other<'_> {
-    fn width(&self, ui: &Ui) -> f32 {
-        match self {
-            Self::Component(choice) => choice.width(ui, false),
-            Self::Joint(choice) => choice.width(ui, false),
-            Self::Axis(_, choice) => choice.width(ui, false),
-        }
-    }
-
-    /// Shows it. Of a chart that is alone the view keeps what is chosen, so that the workspace shows the same; of one
-    /// of several its pane.
-    fn show(&self, ui: &mut Ui, workbench: &Workbench, place: Place<'_>) {
-        let (key, alone) = (place.key, place.number.is_none());
-        match self {
-            Self::Component(choice) => {
-                if let Some(component) = choice.show(ui, false) {
-                    let of_view = alone && place.pane.component.is_none();
-                    workbench.then(move |bench| {
-                        if of_view {
-                            bench.view.component = component;
-                        } else {
-                            bench.change_chart(key, |pane| pane.component = Some(component));
-                        }
-                    });
-                }
-            }
-            Self::Joint(choice) => {
-                if let Some(joint) = choice.show(ui, false) {
-                    let of_view = alone && place.pane.joint.is_none();
-                    workbench.then(move |bench| {
-                        if of_view {
-                            bench.view.joint = joint;
-                        } else {
-                            bench.change_chart(key, |pane| pane.joint = Some(joint));
-                        }
-                    });
-                }
-            }
-            Self::Axis(k, choice) => {
-                if let Some(quantity) = choice.show(ui, false) {
-                    let mut axes = scatter::axes(&workbench.scene_in(place.pane));
-                    axes[*k] = quantity;
-                    workbench
-                        .then(move |bench| bench.change_chart(key, |pane| pane.axes = Some(axes)));
-                }
-            }
+        let offered = self.names.iter().enumerate();
+        let offered = offered.map(|(k, name)| (Some(k), name));
+        let chosen = widgets::list(ui, self.of, list, offered, self.current).flatten();
+        if let Some(k) = chosen.filter(|_| chosen != self.current) {
+            let does = self.does;
+            workbench.then(move |bench| does(bench, k));
         }
     }
 }
 
-fn charts<'a>(
-    workbench: &Workbench,
-    current: &dyn ChartKind,
-    place: Place<'_>,
-) -> Choice<'a, &'static str> {
-    let scene = workbench.scene();
+fn charts(workbench: &Workbench, current: &dyn ChartKind, place: Place<'_>) -> Listed {
+    let (scene, key) = (workbench.scene(), place.key);
     let offered = CHARTS.iter().filter(|chart| chart.is_offered(&scene));
-    let offered = offered.map(|chart| chart.about());
-    Choice {
-        of: place.own(say!("Choose chart")),
-        offered: offered.map(|a| (a.id, a.short(), a.name())).collect(),
-        current: current.about().id,
+    let offered = offered.map(|chart| (chart.about().id, chart.about().name().to_owned()));
+    let of = place.own(say!("Choose chart"));
+    Listed {
+        shown: current.about().short().to_owned(),
+        ..Listed::new(
+            of,
+            offered.collect(),
+            current.about().id,
+            move |bench, chart| bench.choose_chart(key, chart),
+        )
     }
 }
 
-fn components<'a>(scene: &Scene, place: Place<'_>) -> Choice<'a, Component> {
-    let planar = scene.loaded_session.session.samples.z_mm.is_none();
-    let offered = Component::ALL.into_iter();
-    let offered = offered.filter(|c| !(planar && c.out_of_plane()));
-    Choice {
-        of: place.own(say!("Component")),
-        offered: offered.map(|c| (c, c.name(), c.name())).collect(),
-        current: scene.component,
+/// What is chosen for a chart beside itself. Of one that is alone the view keeps component and joint, so that the
+/// workspace shows the same; of one of several its pane.
+fn others(scene: &Scene, kind: &dyn ChartKind, place: Place<'_>) -> Vec<Listed> {
+    let of = kind.about().of;
+    let (key, alone) = (place.key, place.number.is_none());
+    let session = &scene.loaded_session.session;
+    let mut all = Vec::new();
+    if matches!(of, ChartChoice::Component | ChartChoice::Joint) {
+        let of_view = alone && place.pane.component.is_none();
+        let planar = session.samples.z_mm.is_none();
+        let offered = Component::ALL.into_iter();
+        let offered = offered.filter(|c| !(planar && c.out_of_plane()));
+        let offered = offered.map(|c| (c, c.name().to_owned())).collect();
+        let name = place.own(say!("Component"));
+        all.push(Listed::new(
+            name,
+            offered,
+            scene.component,
+            move |bench, c| {
+                if of_view {
+                    bench.view.component = c;
+                } else {
+                    bench.change_chart(key, |pane| pane.component = Some(c));
+                }
+            },
+        ));
     }
-}
-
-/// The joints, where there are several.
-fn joints<'a>(scene: &'a Scene, place: Place<'_>) -> Option<Choice<'a, usize>> {
-    let joints = &scene.loaded_session.session.robot.joints;
-    let offered = joints.iter().enumerate();
-    (joints.len() > 1).then(|| Choice {
-        of: place.own(say!("Joint of the chart")),
-        offered: offered.map(|(k, j)| (k, &*j.name, &*j.name)).collect(),
-        current: scene.joint(),
-    })
+    let joints = &session.robot.joints;
+    if of == ChartChoice::Joint && joints.len() > 1 {
+        let of_view = alone && place.pane.joint.is_none();
+        let offered = joints.iter().enumerate();
+        let offered = offered.map(|(k, joint)| (k, joint.name.clone())).collect();
+        let name = place.own(say!("Joint of the chart"));
+        all.push(Listed::new(
+            name,
+            offered,
+            scene.joint(),
+            move |bench, joint| {
+                if of_view {
+                    bench.view.joint = joint;
+                } else {
+                    bench.change_chart(key, |pane| pane.joint = Some(joint));
+                }
+            },
+        ));
+    }
+    if of == ChartChoice::Quantities {
+        let (axes, offered) = (scatter::axes(scene), scatter::named(scene));
+        for (k, name) in [say!("Across"), say!("Upwards")].into_iter().enumerate() {
+            let name = place.own(name);
+            all.push(Listed::new(
+                name,
+                offered.clone(),
+                axes[k],
+                move |bench, quantity| {
+                    let mut axes = axes;
+                    axes[k] = quantity;
+                    bench.change_chart(key, |pane| pane.axes = Some(axes));
+                },
+            ));
+        }
+    }
+    all
 }
 
 fn bar(
@@ -319,52 +321,20 @@ fn bar(
     (place, kind, scene): (Place<'_>, &dyn ChartKind, &Scene),
     first: First<'_>,
 ) {
-    let about = kind.about();
     let charts = charts(workbench, kind, place);
-    let quantities = match about.of {
-        ChartChoice::Quantities => scatter::named(scene),
-        ChartChoice::Component | ChartChoice::Joint | ChartChoice::All => Vec::new(),
-    };
-    let mut others = Vec::new();
-    match about.of {
-        ChartChoice::All => {}
-        ChartChoice::Component => others.push(Other::Component(components(scene, place))),
-        ChartChoice::Joint => {
-            others.push(Other::Component(components(scene, place)));
-            others.extend(joints(scene, place).map(Other::Joint));
-        }
-        ChartChoice::Quantities => {
-            let axes = scatter::axes(scene);
-            for (k, of) in [say!("Across"), say!("Upwards")].into_iter().enumerate() {
-                let offered = quantities.iter();
-                let choice = Choice {
-                    of: place.own(of),
-                    offered: offered.map(|(q, name)| (*q, &**name, &**name)).collect(),
-                    current: axes[k],
-                };
-                others.push(Other::Axis(k, choice));
-            }
-        }
-    }
-    let beside = others.iter().map(|other| other.width(ui) + space::ROW);
-    let beside: f32 = beside.sum();
+    let others = others(scene, kind, place);
     // What there is no room for stands below, and the marks are in the menu of the handle as well.
-    let room = ui.available_width() - HANDLE;
-    let with =
-        |marks: f32, beside: f32, short: bool| charts.width(ui, short) + beside + marks <= room;
-    let short = !with(MARKS, beside, false);
-    let one_row = with(0.0, beside, true);
-    let marks = with(MARKS, if one_row { beside } else { 0.0 }, true);
+    let beside = others.iter().map(|other| other.width(ui) + space::ROW);
+    let room = ui.available_width() - HANDLE - charts.width(ui) - beside.sum::<f32>();
+    let (one_row, marks) = (room >= 0.0, room >= MARKS);
+    let mut others = Some(others).filter(|others| !others.is_empty());
     widgets::row(ui, |ui| {
         ui.spacing_mut().item_spacing.x = space::ROW;
         first(ui);
-        if let Some(chart) = charts.show(ui, short) {
-            let panes = workbench.with_choice(place.key, chart);
-            workbench.then(move |bench| bench.arrange(panes));
-        }
+        charts.show(ui, workbench);
         if one_row {
-            for other in &others {
-                other.show(ui, workbench, place);
+            for other in others.take().into_iter().flatten() {
+                other.show(ui, workbench);
             }
         }
         if marks {
@@ -374,10 +344,10 @@ fn bar(
             });
         }
     });
-    if !one_row {
+    if let Some(others) = others {
         ui.horizontal_wrapped(|ui| {
-            for other in &others {
-                other.show(ui, workbench, place);
+            for other in others {
+                other.show(ui, workbench);
             }
         });
     }

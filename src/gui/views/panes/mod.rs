@@ -1,301 +1,205 @@
 //! The middle: workspace and charts, beside and below each other. They are split, moved by their
-//! handles and pulled by the grips between them; where there is no room for all of them one is
+//! handles and pulled at the lines between them; where there is no room for all of them one is
 //! shown, and a switch between them.
 
 mod chart;
 
 use egui::{
-    Button, Id, Painter, Popup, Rect, Response, Role, Sense, Stroke, Ui, Vec2, Visuals, WidgetInfo,
-    WidgetText, vec2,
+    Button, Id, IdSalt, Painter, Popup, Rect, Response, Role, Stroke, Ui, Vec2, Visuals,
+    WidgetInfo, WidgetText, accesskit, vec2,
 };
 use egui_tiles::{
-    Behavior, Container, EditAction, Linear, LinearDir, ResizeState, TileId, Tiles, Tree,
+    Behavior, Container, EditAction, Linear, LinearDir, ResizeState, Tile, TileId, Tiles,
     UiResponse,
 };
 
 use crate::gui::actions::{CHART_BELOW, CHART_BESIDE, CLOSE_CHART, WindowState};
 use crate::gui::style::layout::MIDDLE;
 use crate::gui::style::{Palette, space};
-use crate::gui::view::{ChartPane, Content, Edge, Key, Pane, Panes, Plot, SplitShare, Tile, What};
-use crate::gui::widgets::{self, Gripped};
+use crate::gui::view::{ChartPane, Edge, Key, Pane, Plot, What};
+use crate::gui::widgets;
 use crate::gui::workbench::Workbench;
 use crate::gui::workspace;
-
-pub(crate) fn show(ui: &mut Ui, workbench: &Workbench) {
-    let panes = &workbench.view.panes;
-    let room = ui.available_size();
-    if fits(&panes.root, room) {
-        tree(ui, workbench);
-    } else if let Some(active) = panes.pane(panes.active()) {
-        contents(ui, workbench, active, Some(switch));
-        settle(ui, active.key);
-    }
-}
-
-/// Another plot in the place of all is laid out before anybody sees it: in one pass it finds its
-/// bounds, in the next it measures its axes.
-fn settle(ui: &Ui, key: Key) {
-    const UNSEEN: u8 = 2;
-    let id = ui.scope_id().with("alone");
-    let (before, left) = ui.data(|data| data.get_temp(id)).unwrap_or((key, 0));
-    let left: u8 = if before == key { left } else { UNSEEN };
-    if left > 0 {
-        ui.ctx().request_discard("another plot");
-    }
-    ui.data_mut(|data| data.insert_temp(id, (key, left.saturating_sub(1))));
-}
 
 /// Between panes, points.
 const GAP: f32 = 4.0;
 /// The least width and height of the workspace and of a chart with their bars, points: so much can be
 /// read.
-const WORKSPACE: [f32; 2] = [MIDDLE, 336.0];
-const CHART: [f32; 2] = [244.0, 252.0];
-/// No pane has such a number.
-const SPLITS: u64 = 1 << 32;
+const WORKSPACE: Vec2 = vec2(MIDDLE, 336.0);
+const CHART: Vec2 = vec2(244.0, 252.0);
 
-/// The least that a tile needs along an axis, points: 0 across, 1 down.
-fn least(tile: &Tile, axis: usize) -> f32 {
-    match (tile, tile.parts()) {
-        (Tile::Pane(pane), _) if pane.shows == Content::Workspace => WORKSPACE[axis],
-        (_, Some((side_by_side, parts))) => {
-            let each = parts.iter().map(|part| least(&part.tile, axis));
-            if side_by_side == (axis == 0) {
-                each.sum::<f32>() + GAP * (parts.len() as f32 - 1.0)
-            } else {
-                each.fold(0.0, f32::max)
-            }
-        }
-        _ => CHART[axis],
+pub(crate) fn show(ui: &mut Ui, workbench: &Workbench) {
+    let panes = &workbench.view.panes;
+    let room = ui.available_size();
+    let least = panes.tree.root.map(|root| least(&panes.tree.tiles, root));
+    if least.is_none_or(|least| least.x <= room.x && least.y <= room.y) {
+        tree(ui, workbench);
+    } else if let Some(active) = panes.pane(panes.active()) {
+        contents(ui, workbench, (panes.active(), active), Some(switch));
     }
 }
 
-/// Whether there is room for all panes.
-fn fits(root: &Tile, room: Vec2) -> bool {
-    least(root, 0) <= room.x && least(root, 1) <= room.y
+/// The axis along which the parts of a split stand: 0 across, 1 down.
+fn axis(linear: &Linear) -> usize {
+    usize::from(linear.dir == LinearDir::Vertical)
 }
 
-/// The room of each part: as its share says, but no less than it needs.
-fn divided(parts: &[SplitShare], axis: usize, room: f32) -> Vec<f32> {
-    let room = room - GAP * (parts.len() as f32 - 1.0);
-    let needs: Vec<f32> = parts.iter().map(|part| least(&part.tile, axis)).collect();
-    let mut tight = vec![false; parts.len()];
-    loop {
-        let taken: f32 = (0..parts.len())
-            .filter(|k| tight[*k])
-            .map(|k| needs[k])
-            .sum();
-        let shares: f32 = (0..parts.len())
-            .filter(|k| !tight[*k])
-            .map(|k| parts[k].share)
-            .sum();
-        let of = |k: usize| {
-            if tight[k] {
-                needs[k]
-            } else {
-                (room - taken) * parts[k].share / shares
+/// The least that a tile needs, points.
+fn least(tiles: &Tiles<Pane>, key: Key) -> Vec2 {
+    match tiles.get(key) {
+        Some(Tile::Pane(Pane::Workspace)) => WORKSPACE,
+        Some(Tile::Container(Container::Linear(linear))) => {
+            let along = axis(linear);
+            let mut all = Vec2::ZERO;
+            all[along] -= GAP;
+            for child in &linear.children {
+                let least = least(tiles, *child);
+                all[along] += least[along] + GAP;
+                all[1 - along] = all[1 - along].max(least[1 - along]);
             }
-        };
-        let short: Vec<usize> = (0..parts.len())
-            .filter(|k| !tight[*k] && of(*k) < needs[*k])
-            .collect();
-        if short.is_empty() {
-            return (0..parts.len()).map(of).collect();
+            all
         }
-        for k in short {
-            tight[k] = true;
-        }
+        _ => CHART,
     }
 }
 
-/// A tile and what is in it, with shares as they are shown in so much room.
-fn laid_out(tile: &Tile, room: Vec2, tiles: &mut Tiles<Key>, splits: &mut u64) -> TileId {
-    let Some((side_by_side, parts)) = tile.parts() else {
-        let key = if let Tile::Pane(pane) = tile {
-            pane.key
-        } else {
-            0
-        };
-        let id = TileId::from_u64(u64::from(key));
-        tiles.insert(id, egui_tiles::Tile::Pane(key));
-        return id;
+/// Gives each part of a tile what it needs at least; those pay for it that have more, in proportion.
+fn give_the_least(tiles: &mut Tiles<Pane>, key: Key, room: Vec2) {
+    let Some(Tile::Container(Container::Linear(linear))) = tiles.get(key) else {
+        return;
     };
-    let id = TileId::from_u64(SPLITS + *splits);
-    *splits += 1;
-    let axis = usize::from(!side_by_side);
-    let along = if side_by_side { room.x } else { room.y };
-    let dir = if side_by_side {
-        LinearDir::Horizontal
+    let mut linear = linear.clone();
+    let along = axis(&linear);
+    let whole = room[along] - GAP * (linear.children.len() as f32 - 1.0);
+    let sizes = linear.shares.split(&linear.children, whole);
+    let needs = linear
+        .children
+        .iter()
+        .map(|child| least(tiles, *child)[along]);
+    let needs: Vec<f32> = needs.collect();
+    let more = |(size, need): (&f32, &f32)| (size - need).max(0.0);
+    let all_more: f32 = sizes.iter().zip(&needs).map(more).sum();
+    let spare = whole - needs.iter().sum::<f32>();
+    let part = if all_more > 0.0 {
+        spare / all_more
     } else {
-        LinearDir::Vertical
+        0.0
     };
-    let mut linear = Linear::new(dir, Vec::new());
-    for (part, size) in parts.iter().zip(divided(parts, axis, along)) {
-        let inner = if side_by_side {
-            Vec2::new(size, room.y)
-        } else {
-            Vec2::new(room.x, size)
-        };
-        let child = laid_out(&part.tile, inner, tiles, splits);
-        linear.add_child(child);
+    for (k, child) in linear.children.iter().enumerate() {
+        let mut inner = room;
+        inner[along] = needs[k] + more((&sizes[k], &needs[k])) * part;
         // One on average: a pane that is dropped beside them gets as much.
         linear
             .shares
-            .set_share(child, size / along * parts.len() as f32);
+            .set_share(*child, inner[along] / whole * needs.len() as f32);
+        give_the_least(tiles, *child, inner);
     }
-    tiles.insert(id, egui_tiles::Tile::Container(Container::Linear(linear)));
-    id
+    tiles.insert(key, Tile::Container(Container::Linear(linear)));
 }
 
-/// The tiles as they are after they were dragged.
-fn taken_over(tiles: &Tiles<Key>, id: TileId, panes: &Panes) -> Option<Tile> {
-    let container = match tiles.get(id)? {
-        egui_tiles::Tile::Pane(key) => return Some(Tile::Pane(panes.pane(*key)?.clone())),
-        egui_tiles::Tile::Container(container) => container,
-    };
-    let (side_by_side, share): (bool, Box<dyn Fn(TileId) -> f32>) = match container {
-        Container::Linear(linear) => {
-            let shares = linear.shares.clone();
-            let side_by_side = linear.dir == LinearDir::Horizontal;
-            (side_by_side, Box::new(move |id| shares[id]))
-        }
-        // None can come about.
-        Container::Tabs(_) | Container::Grid(_) => (true, Box::new(|_| 1.0)),
-    };
-    let parts = container.children().filter_map(|child| {
-        let tile = taken_over(tiles, *child, panes)?;
-        Some(SplitShare {
-            share: share(*child),
-            tile,
-        })
-    });
-    let parts = parts.collect();
-    Some(if side_by_side {
-        Tile::Beside(parts)
-    } else {
-        Tile::Below(parts)
-    })
-}
-
-/// The tree of panes as tiles of `egui_tiles`, which lays them out and lets them be dragged; the grips
-/// between them are those of the window, which have a name and listen to the arrow keys.
+/// All panes. They are changed in a copy, which is taken where something was dragged.
 fn tree(ui: &mut Ui, workbench: &Workbench) {
     let panes = &workbench.view.panes;
-    let room = ui.available_rect_before_wrap();
-    let mut tiles = Tiles::default();
-    let root = laid_out(&panes.root, room.size(), &mut tiles, &mut 0);
-    let mut tree = Tree::new(Id::unique("panes"), root, tiles);
+    let mut tree = panes.tree.clone();
+    if let Some(root) = tree.root {
+        give_the_least(&mut tree.tiles, root, ui.available_size());
+    }
     let dragged = tree.dragged_id(ui.ctx());
     let mut middle = Middle {
         workbench,
-        panes,
         palette: Palette::of(ui),
-        dropped: false,
-        dragged: dragged.map(|id| (id, Rect::NOTHING)),
+        edited: None,
+        dragged: dragged.map(|key| (key, Rect::NOTHING)),
     };
     tree.ui(&mut middle, ui);
-    let dropped = middle.dropped && !middle.is_at_home(ui.painter());
-    if let Some(root) = tree.root.filter(|_| dropped)
-        && let Some(root) = taken_over(&tree.tiles, root, panes)
+    if let Some(root) = tree.root
+        && lines(ui, workbench, &mut tree.tiles, root, ui.scope_id())
     {
-        let mut next = panes.arranged(root);
-        if let Some(TileId(key)) = dragged {
-            next.activate(Key::try_from(key).unwrap_or_default());
+        middle.edited = Some(EditAction::TileResized);
+    }
+    match middle.edited {
+        Some(EditAction::TileDropped) if !middle.is_at_home(ui.painter()) => {
+            workbench.then(move |bench| {
+                bench.rearrange(|panes| {
+                    panes.take(tree);
+                    if let Some(key) = dragged {
+                        panes.activate(key);
+                    }
+                });
+            });
         }
-        workbench.then(move |bench| bench.arrange(next));
-    } else if dragged.is_none() {
-        pulled(ui, workbench, &panes.root, room, &mut Vec::new());
+        Some(EditAction::TileResized) => workbench.then(move |bench| {
+            bench.view.panes.take(tree);
+            bench.view.panes.pulled = true;
+        }),
+        // It is kept for tomorrow once it is let go.
+        _ if panes.pulled && !ui.input(|input| input.pointer.any_down()) => {
+            workbench.then(|bench| bench.rearrange(|panes| panes.pulled = false));
+        }
+        _ => {}
     }
 }
 
-/// The grips between the parts of a tile, and of all that is in it; `way` leads to it.
-fn pulled(ui: &Ui, workbench: &Workbench, tile: &Tile, area: Rect, way: &mut Vec<usize>) {
-    let Some((side_by_side, parts)) = tile.parts() else {
-        return;
+/// Names the lines between the parts of a tile, and of all that is in it, and has them listen to the arrow keys, which
+/// `egui_tiles` does not. Whether one was moved.
+fn lines(ui: &Ui, workbench: &Workbench, tiles: &mut Tiles<Pane>, key: Key, around: Id) -> bool {
+    let Some(Tile::Container(Container::Linear(linear))) = tiles.get(key) else {
+        return false;
     };
-    let axis = usize::from(!side_by_side);
-    let sizes = divided(parts, axis, area.size()[axis]);
-    let mut from = area.min[axis];
-    for (k, part) in parts.iter().enumerate() {
-        let to = from + sizes[k];
-        let mut inner = area;
-        (inner.min[axis], inner.max[axis]) = (from, to);
-        way.push(k);
-        pulled(ui, workbench, &part.tile, inner, way);
-        way.pop();
-        if k + 1 < parts.len() {
-            let mut gap = area;
-            (gap.min[axis], gap.max[axis]) = (to, to + GAP);
-            let name = first(&part.tile).map(|pane| name_of(workbench, pane));
-            let name = name.unwrap_or_default();
-            let says = if side_by_side {
-                say!("width of {name}", name)
-            } else {
-                say!("height of {name}", name)
-            };
-            let id = Id::unique("between panes").with((&*way, k));
-            let Some(gripped) = widgets::grip_between(ui, id, &says, gap, side_by_side) else {
-                from = to + GAP;
-                continue;
-            };
-            let both = sizes[k] + sizes[k + 1];
-            let needs = [k, k + 1].map(|k| least(&parts[k].tile, axis));
-            let (at, kept) = match gripped {
-                Gripped::To(at) => (at - 0.5 * GAP - from, false),
-                Gripped::LetGo(at) => (at - 0.5 * GAP - from, true),
-                Gripped::Usual => (0.5 * both, true),
-            };
-            let at = at.min(both - needs[1]).max(needs[0]);
-            let mut sizes = sizes.clone();
-            (sizes[k], sizes[k + 1]) = (at, both - at);
-            let mut panes = workbench.view.panes.clone();
-            resize(&mut panes.root, way, &sizes);
-            workbench.then(move |bench| {
-                if kept {
-                    bench.arrange(panes);
-                } else {
-                    bench.view.panes = panes;
-                }
-            });
+    let mut linear = linear.clone();
+    let along = axis(&linear);
+    let id = around.with(key).with(IdSalt::new("child"));
+    let mut moved = false;
+    for k in 1..linear.children.len() {
+        let [before, after] = [k - 1, k].map(|k| linear.children[k]);
+        let line = id.with((key, "resize", k - 1));
+        let name = first(tiles, before).map(|pane| name_of(workbench, pane));
+        let name = name.unwrap_or_default();
+        let says = if along == 0 {
+            say!("width of {name}", name)
+        } else {
+            say!("height of {name}", name)
+        };
+        ui.ctx().accesskit_node_builder(line, |node| {
+            node.set_role(accesskit::Role::Slider);
+            node.set_label(says);
+        });
+        let by = widgets::moved_by_keys(ui, line, along == 0);
+        let both = [before, after].map(|key| tiles.rect(key).map_or(0.0, |r| r.size()[along]));
+        if by != 0.0 && both[0] + both[1] > 0.0 {
+            let shares = &mut linear.shares;
+            let by = by * (shares[before] + shares[after]) / (both[0] + both[1]);
+            shares[before] += by;
+            shares[after] -= by;
+            moved = true;
         }
-        from = to + GAP;
     }
+    let children = linear.children.clone();
+    if moved {
+        tiles.insert(key, Tile::Container(Container::Linear(linear)));
+    }
+    for child in children {
+        moved |= lines(ui, workbench, tiles, child, id);
+    }
+    moved
 }
 
 /// The first pane in a tile.
-fn first(tile: &Tile) -> Option<&Pane> {
-    match tile {
+fn first(tiles: &Tiles<Pane>, key: Key) -> Option<&Pane> {
+    match tiles.get(key)? {
         Tile::Pane(pane) => Some(pane),
-        Tile::Beside(parts) | Tile::Below(parts) => first(&parts.first()?.tile),
-    }
-}
-
-/// Gives the parts of the split that a way leads to these sizes.
-fn resize(tile: &mut Tile, way: &[usize], sizes: &[f32]) {
-    let (Tile::Beside(parts) | Tile::Below(parts)) = tile else {
-        return;
-    };
-    if let [next, rest @ ..] = way {
-        if let Some(part) = parts.get_mut(*next) {
-            resize(&mut part.tile, rest, sizes);
-        }
-        return;
-    }
-    let all: f32 = sizes.iter().sum();
-    for (part, size) in parts.iter_mut().zip(sizes) {
-        part.share = size / all;
+        Tile::Container(container) => first(tiles, *container.children().next()?),
     }
 }
 
 /// How tiles are shown.
 struct Middle<'a> {
     workbench: &'a Workbench,
-    panes: &'a Panes,
     palette: Palette,
-    /// Whether one was dropped.
-    dropped: bool,
+    /// What was done to them.
+    edited: Option<EditAction>,
     /// The one that is dragged, and where it stands.
-    dragged: Option<(TileId, Rect)>,
+    dragged: Option<(Key, Rect)>,
 }
 
 impl Middle<'_> {
@@ -307,27 +211,24 @@ impl Middle<'_> {
     }
 }
 
-impl Behavior<Key> for Middle<'_> {
-    fn pane_ui(&mut self, ui: &mut Ui, id: TileId, key: &mut Key) -> UiResponse {
-        let Some(pane) = self.panes.pane(*key) else {
-            return UiResponse::None;
-        };
+impl Behavior<Pane> for Middle<'_> {
+    fn pane_ui(&mut self, ui: &mut Ui, key: TileId, pane: &mut Pane) -> UiResponse {
         let rect = ui.max_rect();
         if let Some((dragged, home)) = &mut self.dragged
-            && *dragged == id
+            && *dragged == key
         {
             *home = rect;
         }
         ui.shrink_clip_rect(rect);
-        let handle = contents(ui, self.workbench, pane, None);
+        let handle = contents(ui, self.workbench, (key, pane), None);
+        let panes = &self.workbench.view.panes;
         let pressed = ui.input(|input| input.pointer.any_pressed());
-        let active = self.panes.active() == *key;
+        let active = panes.active() == key;
         if pressed && !active && ui.rect_contains_pointer(rect) {
-            let key = *key;
             self.workbench
                 .then(move |bench| bench.view.panes.activate(key));
         }
-        if active && self.panes.panes().len() > 2 {
+        if active && panes.panes().len() > 2 {
             let line = Stroke::new(space::RING, self.palette.accent);
             ui.painter().hline(rect.x_range(), rect.top() + 1.0, line);
         }
@@ -338,10 +239,8 @@ impl Behavior<Key> for Middle<'_> {
         }
     }
 
-    fn tab_title_for_pane(&mut self, key: &Key) -> WidgetText {
-        let pane = self.panes.pane(*key);
-        let name = pane.map(|pane| name_of(self.workbench, pane));
-        name.unwrap_or_default().into()
+    fn tab_title_for_pane(&mut self, pane: &Pane) -> WidgetText {
+        name_of(self.workbench, pane).into()
     }
 
     /// There are no tabs, and with a bar as high as this no place to drop one is the nearest.
@@ -353,13 +252,17 @@ impl Behavior<Key> for Middle<'_> {
         GAP
     }
 
-    /// The grips do it.
-    fn is_container_resizable(&self, _: &Tiles<Key>, _: TileId) -> bool {
-        false
+    fn min_size(&self) -> f32 {
+        CHART.x
     }
 
-    fn resize_stroke(&self, _: &egui::Style, _: ResizeState) -> Stroke {
-        Stroke::NONE
+    fn resize_stroke(&self, _: &egui::Style, state: ResizeState) -> Stroke {
+        match state {
+            ResizeState::Idle => Stroke::NONE,
+            ResizeState::Hovering | ResizeState::Dragging => {
+                Stroke::new(space::RING, self.palette.accent)
+            }
+        }
     }
 
     fn dragged_overlay_color(&self, _: &Visuals) -> egui::Color32 {
@@ -376,7 +279,7 @@ impl Behavior<Key> for Middle<'_> {
     }
 
     fn on_edit(&mut self, action: EditAction) {
-        self.dropped |= action == EditAction::TileDropped;
+        self.edited = Some(action);
     }
 }
 
@@ -387,7 +290,7 @@ pub(super) type Above = fn(&mut Ui, &Workbench);
 pub(super) fn contents(
     ui: &mut Ui,
     workbench: &Workbench,
-    pane: &Pane,
+    (key, pane): (Key, &Pane),
     above: Option<Above>,
 ) -> Option<Response> {
     let whole = ui.available_rect_before_wrap();
@@ -395,21 +298,21 @@ pub(super) fn contents(
         .rect_filled(whole, 0.0, Palette::of(ui).surface);
     let inside = egui::UiBuilder::new().max_rect(whole.shrink(f32::from(space::PLOT)));
     let mut handle = None;
-    ui.scope_builder(inside, |ui| match &pane.shows {
-        Content::Workspace => {
+    ui.scope_builder(inside, |ui| match pane {
+        Pane::Workspace => {
             let mut first = |ui: &mut Ui| {
-                handle = Some(grip(ui, workbench, pane));
+                handle = Some(grip(ui, workbench, (key, pane)));
             };
             workspace::bar(ui, workbench, above, &mut first);
             workspace::show(ui, workbench);
         }
-        Content::Chart(looked_at) => {
+        Pane::Chart(looked_at) => {
             if let Some(above) = above {
                 widgets::row(ui, |ui| above(ui, workbench));
             }
-            let place = place(workbench, pane.key, looked_at);
+            let place = place(workbench, key, looked_at);
             let mut first = |ui: &mut Ui| {
-                handle = Some(grip(ui, workbench, pane));
+                handle = Some(grip(ui, workbench, (key, pane)));
             };
             chart::show(ui, workbench, place, &mut first);
         }
@@ -428,23 +331,12 @@ fn place<'a>(workbench: &Workbench, key: Key, pane: &'a ChartPane) -> chart::Pla
     }
 }
 
-/// Six dots: what a pane is moved by, and where it says what can be done with it.
-fn grip(ui: &mut Ui, workbench: &Workbench, pane: &Pane) -> Response {
+/// What a pane is moved by, and where it says what can be done with it.
+fn grip(ui: &mut Ui, workbench: &Workbench, (key, pane): (Key, &Pane)) -> Response {
     let name = name_of(workbench, pane);
     let says = say!("Arrange {plot}", plot = name);
-    let (button, color) = widgets::bare_button(ui, &says, Sense::click_and_drag());
-    for (x, y) in [
-        (-3.0, -5.0),
-        (3.0, -5.0),
-        (-3.0, 0.0),
-        (3.0, 0.0),
-        (-3.0, 5.0),
-        (3.0, 5.0),
-    ] {
-        ui.painter()
-            .circle_filled(button.rect.center() + vec2(x, y), 1.5, color);
-    }
-    menu(ui, workbench, pane, &button);
+    let button = widgets::icon_button(ui, widgets::GRIP, &says);
+    menu(ui, workbench, (key, pane), &button);
     button.on_hover_text(say!("Drag to move it; click to split, move or close it"))
 }
 
@@ -453,19 +345,19 @@ pub(super) fn switch(ui: &mut Ui, workbench: &Workbench) {
     let panes = &workbench.view.panes;
     let several = panes.charts().count() > 1;
     let mut number = 0;
-    let names = panes.panes().into_iter().map(|pane| match pane.shows {
-        Content::Workspace => {
+    let names = panes.panes().into_iter().map(|(key, pane)| match pane {
+        Pane::Workspace => {
             let name = say!("Workspace").to_owned();
-            (pane.key, name.clone(), name)
+            (key, name.clone(), name)
         }
-        Content::Chart(_) if !several => {
+        Pane::Chart(_) if !several => {
             let name = say!("Chart").to_owned();
-            (pane.key, name.clone(), name)
+            (key, name.clone(), name)
         }
-        Content::Chart(_) => {
+        Pane::Chart(_) => {
             number += 1;
             let long = format!("{number}: {}", name_of(workbench, pane));
-            (pane.key, number.to_string(), long)
+            (key, number.to_string(), long)
         }
     });
     let names: Vec<(Key, String, String)> = names.collect();
@@ -480,20 +372,19 @@ pub(super) fn switch(ui: &mut Ui, workbench: &Workbench) {
 
 /// What a pane is called.
 pub(super) fn name_of(workbench: &Workbench, pane: &Pane) -> String {
-    match &pane.shows {
-        Content::Workspace => say!("Workspace").to_owned(),
-        Content::Chart(chart) => workbench.kind(chart).about().name().to_owned(),
+    match pane {
+        Pane::Workspace => say!("Workspace").to_owned(),
+        Pane::Chart(chart) => workbench.kind(chart).about().name().to_owned(),
     }
 }
 
 /// What can be done with a pane: the menu of its handle.
-fn menu(ui: &Ui, workbench: &Workbench, pane: &Pane, handle: &Response) {
+fn menu(ui: &Ui, workbench: &Workbench, (key, pane): (Key, &Pane), handle: &Response) {
     let ctx = ui.ctx().clone();
     let now = WindowState {
         ctx: &ctx,
         workbench,
     };
-    let key = pane.key;
     Popup::menu(handle).show(|ui| {
         ui.set_min_width(220.0);
         let item = |ui: &mut Ui, name: &str, keys: Option<String>, enabled: bool| {
@@ -502,7 +393,7 @@ fn menu(ui: &Ui, workbench: &Workbench, pane: &Pane, handle: &Response) {
             response.widget_info(|| WidgetInfo::labeled(Role::Button, enabled, name));
             response.clicked()
         };
-        if let Content::Chart(chart) = &pane.shows {
+        if let Pane::Chart(chart) = pane {
             let id = workbench.kind(chart).about().id;
             let plot = Plot::Chart(id);
             for (name, what) in [
@@ -529,8 +420,7 @@ fn menu(ui: &Ui, workbench: &Workbench, pane: &Pane, handle: &Response) {
         let keys = |action: &crate::gui::actions::Action| active.then(|| action.keys(&ctx));
         for (action, edge) in [(CHART_BESIDE, Edge::Right), (CHART_BELOW, Edge::Bottom)] {
             if item(ui, &action.label(now), keys(&action), panes.has_room()) {
-                let with = workbench.with_chart(key, edge);
-                workbench.then(move |bench| bench.arrange(with));
+                workbench.then(move |bench| bench.add_chart(key, edge));
             }
         }
         if panes.panes().len() > 1 {
@@ -547,7 +437,7 @@ fn menu(ui: &Ui, workbench: &Workbench, pane: &Pane, handle: &Response) {
                 }
             }
         }
-        if pane.shows != Content::Workspace {
+        if *pane != Pane::Workspace {
             ui.separator();
             if item(ui, &CLOSE_CHART.label(now), keys(&CLOSE_CHART), true) {
                 workbench.then(move |bench| bench.rearrange(|panes| panes.close(key)));

@@ -220,7 +220,7 @@ fn a_measured_file_that_is_looked_at_says_how_far_it_is_and_is_left_and_looked_a
         halfway(move |watch| looked_at.look(watch).map_err(|c| c.to_string()));
     let what = "looking at the file";
     bench.jobs.start(Kind::Looks, what, work, |_, _| ());
-    bench.execute(|bench| bench.say(said));
+    bench.execute(|bench| bench.change_draft(|draft| draft.answers = said));
     arrived.recv().unwrap();
     let sheet = Shown::new(|ui, bench| dialogs::show(ui, bench));
     sheet.press(&mut bench, "Stop looking");

@@ -143,7 +143,7 @@ impl Chart {
         let at = |p: [f64; 2]| panel.at(p[0].clamp(low[0], high[0]), p[1].clamp(low[1], high[1]));
         match item {
             Item::Band(..) | Item::Ribbon(..) => {}
-            Item::Bars(bars, stands, filled) | Item::Columns(bars, stands, filled) => {
+            Item::Bars(bars, stands, filled) => {
                 for [from, to] in bars {
                     let ([a, b], [c, d]) = (at(*from), at(*to));
                     let [x, y] = [a.min(c), b.min(d)];

@@ -64,8 +64,6 @@ pub enum Item {
     Band([f64; 2], ColourRole),
     /// Bars, filled or outlined.
     Bars(Vec<Bar>, ColourRole, bool),
-    /// Bars from the smallest to the largest of many samples, filled or pale.
-    Columns(Vec<Bar>, ColourRole, bool),
     /// Between two lines: places across, and from where to where upwards.
     Ribbon(Vec<[f64; 3]>, ColourRole),
     /// Through its points; width in points of the screen, dashed or whole.
@@ -82,7 +80,6 @@ impl Item {
         match self {
             Self::Band(_, stands)
             | Self::Bars(_, stands, _)
-            | Self::Columns(_, stands, _)
             | Self::Ribbon(_, stands)
             | Self::Line(_, stands, ..)
             | Self::Marks(_, stands, _) => Some(*stands),
