@@ -396,7 +396,7 @@ fn a_robot_of_the_library_is_found_by_typing() {
     type_into(&mut window, "Find a robot", "ur5e");
     assert!(says(&window, "UR5e: 6 joints, 6 of which turn"));
     // The reason of a refusal stands in the foot as long as it cannot be read where it stands.
-    let reason = "the commanded value of joint 2 is not stated";
+    let reason = "no column 'q2'";
     assert_eq!(window.query_all_by_label_contains(reason).count(), 2);
     let above = window.get_all_by_label_contains(reason).next();
     above.expect("it stands in its place").scroll_to_me();
