@@ -138,7 +138,7 @@ fn what_a_fit_has_parameters_for_is_counted() {
         refused(
             &ran,
             &format!(
-                "{field}: {} of them; expected at most {most} in one session",
+                "{field}: {}; expected at most {most} in one session",
                 most + 1
             ),
         );

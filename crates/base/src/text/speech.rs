@@ -125,7 +125,10 @@ fn in_language(language: Language, template: Template, one: bool) -> &'static st
 /// The languages of the tests: marked, and longer.
 fn shaped(language: Language, said: String) -> String {
     match language {
-        Language::Marked => format!("⟦{said}⟧"),
+        // The headings of a table are one sentence, and stand apart.
+        Language::Marked => {
+            format!("⟦{}⟧", said.replace(" | ", "⟧ | ⟦").replace("⟦>", ">⟦"))
+        }
         Language::Long => format!("{said}{}", longer(&said)),
         _ => said,
     }

@@ -4,9 +4,36 @@
 use crate::diagnostic::{Diagnostic, Place};
 use crate::sessions::columns::{Heading, Quantity};
 use crate::sessions::domain::{Session, has_missing};
-use crate::sessions::files::assemble::{MOST_COMPLAINTS, PlacedColumn};
 use crate::sessions::references::{ObservedColumns, References};
+use crate::tables::more_like_these;
 use crate::text::Text;
+
+/// Complaints about one column that are worth printing.
+const MOST_COMPLAINTS: usize = 10;
+
+/// One column and where to complain about it.
+pub(crate) struct PlacedColumn<'a> {
+    pub(crate) index: usize,
+    pub(crate) locate: Locate<'a>,
+    pub(crate) findings: &'a mut Vec<Diagnostic>,
+}
+
+impl PlacedColumn<'_> {
+    pub(crate) fn complain(self, rows: &[usize], found: &dyn Fn(usize) -> Text, expected: &Text) {
+        for &row in rows.iter().take(MOST_COMPLAINTS) {
+            let place = (self.locate)(self.index, row);
+            self.findings
+                .push(Diagnostic::error(place, found(row), expected));
+        }
+        if let Some(&row) = rows.get(MOST_COMPLAINTS) {
+            let place = (self.locate)(self.index, row);
+            let more = rows.len() - MOST_COMPLAINTS;
+            let found = more_like_these(more);
+            self.findings
+                .push(Diagnostic::error(place, found, expected));
+        }
+    }
+}
 
 /// The names that a cell may have; the first few of them.
 pub(crate) fn one_of(declared: &[&str]) -> Text {

@@ -15,13 +15,10 @@ use crate::sessions::columns::{Heading, Quantity, ValueRange};
 use crate::sessions::domain::{Samples, Setups, Target, UnknownColumn};
 use crate::sessions::layout::Layout;
 use crate::sessions::observed;
-use crate::sessions::observed::Locate;
+use crate::sessions::observed::{Locate, PlacedColumn};
 use crate::sessions::references::References;
 use crate::sessions::table::Table;
-use crate::tables::{Cells, Names, SampleTable, more_like_these};
-
-/// Complaints about one column that are worth printing.
-pub(crate) const MOST_COMPLAINTS: usize = 10;
+use crate::tables::{Cells, Names, SampleTable};
 
 /// What the session declares and samples name.
 #[derive(Clone, Copy)]
@@ -267,29 +264,7 @@ impl Samples {
     }
 }
 
-/// One column and where to complain about it.
-pub(crate) struct PlacedColumn<'a> {
-    pub(crate) index: usize,
-    pub(crate) locate: Locate<'a>,
-    pub(crate) findings: &'a mut Vec<Diagnostic>,
-}
-
 impl PlacedColumn<'_> {
-    pub(crate) fn complain(self, rows: &[usize], found: &dyn Fn(usize) -> Text, expected: &Text) {
-        for &row in rows.iter().take(MOST_COMPLAINTS) {
-            let place = (self.locate)(self.index, row);
-            self.findings
-                .push(Diagnostic::error(place, found(row), expected));
-        }
-        if let Some(&row) = rows.get(MOST_COMPLAINTS) {
-            let place = (self.locate)(self.index, row);
-            let more = rows.len() - MOST_COMPLAINTS;
-            let found = more_like_these(more);
-            self.findings
-                .push(Diagnostic::error(place, found, expected));
-        }
-    }
-
     /// In inner units.
     fn scaled(&mut self, mut values: Vec<f64>, factor: f64) -> Vec<f64> {
         // Numbers as they are read are finite, but 1e308 m is not a finite number of mm.
