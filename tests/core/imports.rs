@@ -266,10 +266,7 @@ fn several_things_in_a_recording_are_asked_for() {
     assert_eq!(question.answers, ["Lamp", "Lamp:Marker1", "Unlabeled 7"]);
     let mut settings = Settings::new(reading("optitrack"), &robot);
     settings.reading.names = vec!["Lump".to_owned()];
-    assert!(
-        refusal(two.as_bytes(), &settings)
-            .contains("'Lump'; expected one of 'Lamp'")
-    );
+    assert!(refusal(two.as_bytes(), &settings).contains("'Lump'; expected one of 'Lamp'"));
     settings.reading.names = vec!["Lamp".to_owned(), "Unlabeled 7".to_owned()];
     let message = refusal(two.as_bytes(), &settings);
     assert!(
