@@ -301,7 +301,7 @@ fn pose(option: &str, numbers: &[f64], turns: Orientation) -> Result<Pose, Failu
         }
     };
     let turn = turns.read(turn);
-    let turn = turn.ok_or_else(|| wrong(text!("a quaternion of zero length")))?;
+    let turn = turn.ok_or_else(|| wrong(text!("zero length")))?;
     Ok(Pose::from_parts(at.into(), turn))
 }
 

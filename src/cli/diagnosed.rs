@@ -7,7 +7,7 @@ use crate::paper::RegionalStart;
 use crate::present::table::Table;
 
 use super::blocks;
-use super::words::line;
+use super::words::headed;
 
 /// The regional model that a diagnosis was begun with.
 pub(super) fn start_in_words(start: &RegionalStart) -> String {
@@ -32,13 +32,7 @@ pub(super) fn start_in_words(start: &RegionalStart) -> String {
 
 /// The answer: its sections, and behind the verdict what was identified.
 pub(super) fn in_words(d: &Diagnosis) -> String {
-    let mut text = String::new();
-    let samples = say!(
-        one "{session}: {count} sample", "{session}: {count} samples",
-        session = d.session,
-        count = d.samples
-    );
-    line(&mut text, samples);
+    let mut text = headed(&d.session, d.samples);
     for section in explain::diagnosis(d, Detail::TERMINAL) {
         text += &blocks::section(&section);
         if section.topic == Topic::Answer {

@@ -15,7 +15,7 @@ use crate::set_up_errors::DataProblem;
 use crate::units::rad_from_deg;
 
 use super::failure::Failure;
-use super::words::line;
+use super::words::headed;
 use super::{blocks, output};
 
 /// Identify a session's robot: the full model, or the paper's method by regions
@@ -146,13 +146,7 @@ fn parse_regions(text: &str) -> Result<RegionChoice, Failure> {
 }
 
 fn in_words(answer: &Identification, session: &Session, data_problems: &[DataProblem]) -> String {
-    let mut text = String::new();
-    let samples = say!(
-        one "{session}: {count} sample", "{session}: {count} samples",
-        session = answer.session,
-        count = answer.samples
-    );
-    line(&mut text, samples);
+    let text = headed(&answer.session, answer.samples);
     let sections = explain::identification(answer, session, data_problems, Detail::TERMINAL);
     text + &blocks::sections(&sections)
 }

@@ -2,7 +2,6 @@
 
 use std::fs::{File, OpenOptions};
 use std::io::{self, Write};
-use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
 use anyhow::Context;
@@ -10,9 +9,9 @@ use clap::Args;
 use serde_json::json;
 
 use crate::language::spoken;
-use crate::recorder::live::{End, Standing, State, connected, record};
 use crate::recorder::source::{Address, Connection};
-use crate::recorder::{RecordError, Recorder};
+use crate::recorder::{RecordError, Recorder, record};
+use crate::text::Text;
 
 use super::failure::Failure;
 use super::output;
@@ -31,9 +30,6 @@ pub(crate) struct Record {
     /// Stop after so many lines
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     lines: Option<u64>,
-    /// Connect again where the connection ends or breaks, until Ctrl-C
-    #[arg(long)]
-    reconnect: bool,
     /// Replace a file that exists
     #[arg(long)]
     force: bool,
@@ -50,8 +46,7 @@ impl Record {
             output::can_be_written(&self.out, self.force)?;
         }
         let address = Address::parse(&self.source).map_err(Failure::WrongInput)?;
-        let once = !self.reconnect;
-        let connection = once.then(|| self.connect(&address)).transpose()?;
+        let connection = self.connect(&address)?;
         output::messages(&[say!(
             "recording {source} to {file}; Ctrl-C ends it, and every line that is complete is in the file",
             source = self.source,
@@ -61,9 +56,11 @@ impl Record {
         let columns = self.columns.iter().map(|name| name.trim().to_owned());
         let mut recorder = Recorder::new(move || open(&out, force), columns.collect());
         let most = self.lines.unwrap_or(u64::MAX);
-        let done = Self::listen(&address, connection, &mut recorder, most);
-        let complaints = recorder.complaints();
-        output::messages(&complaints.iter().map(spoken).collect::<Vec<_>>());
+        let say = |excluded: Vec<Text>| {
+            output::messages(&excluded.iter().map(spoken).collect::<Vec<_>>());
+        };
+        let done = record(connection, &mut recorder, most, &mut say.clone());
+        say(recorder.complaints());
         if let (Err(_), Some(Out::File(file))) = (&done, recorder.out()) {
             // Where the disk is full the start of a line stands behind the last whole one. What
             // cannot be cut off either is left as it is.
@@ -115,41 +112,6 @@ impl Record {
             output::messages(&[say!("listening on {address}", address = here)]);
         }
         Ok(connection)
-    }
-
-    /// Records until the stream ends or has brought enough; with `--reconnect`, until it has.
-    fn listen<F: FnOnce() -> io::Result<Out>>(
-        address: &Address,
-        connection: Option<Connection>,
-        recorder: &mut Recorder<F, Out>,
-        most: u64,
-    ) -> Result<(), Failure> {
-        let mut before = State::Connecting;
-        let mut hear = |standing: &Standing| {
-            output::messages(&standing.left_out.iter().map(spoken).collect::<Vec<_>>());
-            if let (State::Waiting(why), true) = (&standing.state, standing.state != before) {
-                output::messages(&[say!("not connected, tries again: {why}", why = spoken(why))]);
-            }
-            before.clone_from(&standing.state);
-            ControlFlow::Continue(())
-        };
-        let Some(connection) = connection else {
-            record(address, recorder, most, &mut hear)?;
-            return Ok(());
-        };
-        match connected(
-            connection,
-            recorder,
-            most,
-            &mut Standing::default(),
-            &mut hear,
-        )? {
-            End::Broken(error) => {
-                let error = anyhow::Error::new(error).context(text!("the stream was interrupted"));
-                Err(Failure::Failed(error))
-            }
-            End::Unwanted | End::Closed => Ok(()),
-        }
     }
 }
 

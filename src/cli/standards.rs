@@ -10,7 +10,7 @@ use crate::present::standards_v1::document;
 use crate::standards::Standards as Figures;
 
 use super::failure::Failure;
-use super::words::line;
+use super::words::headed;
 use super::{blocks, output};
 
 /// Series of an axis that the text shows; --json has more.
@@ -43,12 +43,6 @@ impl Standards {
 }
 
 fn in_words(s: &Figures) -> String {
-    let mut text = String::new();
-    let samples = say!(
-        one "{session}: {count} sample", "{session}: {count} samples",
-        session = s.session,
-        count = s.samples
-    );
-    line(&mut text, samples);
+    let text = headed(&s.session, s.samples);
     text + &blocks::sections(&standards(s, SHOWN))
 }

@@ -10,7 +10,7 @@ use crate::pipeline::{load_model, verify};
 use crate::present::verification_v1::document;
 
 use super::failure::Failure;
-use super::words::line;
+use super::words::headed;
 use super::{blocks, output};
 
 /// Check a model on another session
@@ -39,13 +39,7 @@ impl Verify {
 }
 
 fn in_words(v: &Verification) -> String {
-    let mut text = String::new();
-    let samples = say!(
-        one "{session}: {count} sample", "{session}: {count} samples",
-        session = v.session,
-        count = v.samples
-    );
-    line(&mut text, samples);
+    let text = headed(&v.session, v.samples);
     text + &blocks::sections(&verification(v, Detail::TERMINAL))
 }
 

@@ -45,6 +45,16 @@ pub(super) fn parameter(name: &str) -> Cow<'_, str> {
     }
 }
 
+/// The line above an answer: whose it is, and of how many samples.
+pub(super) fn headed(session: &str, samples: usize) -> String {
+    let head = say!(
+        one "{session}: {count} sample", "{session}: {count} samples",
+        session,
+        count = samples
+    );
+    format!("{head}\n")
+}
+
 /// Adds a line.
 pub(super) fn line(text: &mut String, sentence: impl AsRef<str>) {
     text.push_str(sentence.as_ref());

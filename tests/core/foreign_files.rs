@@ -208,7 +208,7 @@ fn what_others_write_is_refused_for_its_true_cause() {
         ),
         (
             "time-days.csv --as csv",
-            &["as spreadsheets count", "--time-unit d"],
+            &["as d since 1900", "--time-unit d"],
         ),
         (
             "time-unknown.csv --as csv",
@@ -230,11 +230,11 @@ fn what_others_write_is_refused_for_its_true_cause() {
         ),
         (
             "spherical.txt --as tracker --unit mm",
-            &["'name, R, Theta, Phi' does not say which columns are x, y and z"],
+            &["no column is x, y, z for certain among 'name', 'R', 'Theta', 'Phi'"],
         ),
         (
             "comment-units.csv --as csv --unit mm --columns auto,-,-,-",
-            &["no column is x or y"],
+            &["no column is x, y, z"],
         ),
         (
             "ros1.csv --as csv",
@@ -254,7 +254,7 @@ fn what_others_write_is_refused_for_its_true_cause() {
         ),
         (
             "workbook.xlsx --as csv",
-            &["a workbook of a spreadsheet program", "saved as CSV"],
+            &["XLSX, ODS, ZIP, not a table", "saved as CSV"],
         ),
         (
             "matrices.txt --as csv",

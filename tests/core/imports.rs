@@ -266,10 +266,7 @@ fn several_things_in_a_recording_are_asked_for() {
     assert_eq!(question.answers, ["Lamp", "Lamp:Marker1", "Unlabeled 7"]);
     let mut settings = Settings::new(reading("optitrack"), &robot);
     settings.reading.names = vec!["Lump".to_owned()];
-    assert!(
-        refusal(two.as_bytes(), &settings)
-            .contains("nothing called 'Lump'; expected one of 'Lamp'")
-    );
+    assert!(refusal(two.as_bytes(), &settings).contains("'Lump'; expected one of 'Lamp'"));
     settings.reading.names = vec!["Lamp".to_owned(), "Unlabeled 7".to_owned()];
     let message = refusal(two.as_bytes(), &settings);
     assert!(
@@ -313,7 +310,7 @@ fn a_unit_is_asked_for_with_what_the_numbers_suggest() {
     let message = refusal(text, &Settings::new(reading("csv"), &robot));
     for part in [
         "spread over 0.5",
-        "metres would suit, compared with a robot of 391 mm reach",
+        "metres would suit",
         "--unit mm or m or in",
     ] {
         assert!(message.contains(part), "{message}");
@@ -388,16 +385,13 @@ fn what_is_wrong_is_named_by_line_and_column() {
             "q1_deg,x_mm,x_m,y_mm\n1,2,3,4\n",
             "columns 2 'x_mm' and 3 'x_m' could both be x",
         ),
-        ("q1_deg,a,b\n1,2,3\n", "no column is x or y for certain"),
-        (
-            "q2_deg,x_mm,y_mm\n1,2,3\n",
-            "the commanded value of joint 1 is not stated",
-        ),
+        ("q1_deg,a,b\n1,2,3\n", "no column is x, y, z for certain"),
+        ("q2_deg,x_mm,y_mm\n1,2,3\n", "no column 'q1'"),
         (
             "q1_deg,q2_deg,x_mm,y_mm\n1,2,3,4\n",
             "joint 2 does not exist",
         ),
-        ("q1_mm,x_mm,y_mm\n1,2,3\n", "joint 1, which is revolute"),
+        ("q1_mm,x_mm,y_mm\n1,2,3\n", "not one of joint 1"),
         (
             "q1_deg,x_mm,y_mm,dir1\n1,2,3,left\n",
             "'left'; expected 1, -1 or 0",
@@ -409,7 +403,7 @@ fn what_is_wrong_is_named_by_line_and_column() {
         assert!(message.contains(part), "{part}: {message}");
     }
     let tum = |text: &str| refusal(text.as_bytes(), &Settings::new(reading("tum"), &robot));
-    assert!(tum("1 2 3 4 5 6 7\n").contains("7 columns; expected 8"));
+    assert!(tum("1 2 3 4 5 6 7\n").contains("7 columns; expected timestamp tx ty"));
     assert!(
         tum("1 2 3 4 0 0 0 1\n2 2 3 x 0 0 0 1\n")
             .contains("line 2, column 4: 'x'; expected a number")
@@ -420,13 +414,13 @@ fn what_is_wrong_is_named_by_line_and_column() {
             &Settings::new(reading("optitrack"), &robot),
         )
     };
-    assert!(motive("a,b\n1,2\n").contains("line 1: 'a'; expected Format Version"));
+    assert!(motive("a,b\n1,2\n").contains("line 1: 'a'; expected an export of Motive"));
     let bad = String::from_utf8(bytes("motive.csv"))
         .unwrap()
         .replace("0.300000", "0.3oo000");
     assert!(motive(&bad).contains("line 9, column 8: '0.3oo000'; expected a number"));
     let iso = |text: &str| refusal(text.as_bytes(), &Settings::new(reading("iso230"), &robot));
-    assert!(iso("Target [mm],Run 1 +\n0,0\n1,1\n").contains("a length for a joint that turns"));
+    assert!(iso("Target [mm],Run 1 +\n0,0\n1,1\n").contains("not one of joint 1"));
     assert!(iso("Target,Run 1 +\n0,0\n1,1\n").contains("--angle-unit deg or rad"));
     assert!(iso("Target [deg],Run 1 + [deg]\n0,5\n90,1\n").contains("of the travel away"));
     // All on a line: the axis has another scale, unless a unit has it.
@@ -605,8 +599,8 @@ fn the_program_imports_into_a_session_that_it_can_read() {
     for said in [
         "commands matched: name",
         "reference point 'R3' has a residual of 10.160 mm: excluded from the alignment",
-        "excluded 1 measurement without a command: 'stray' (line 24)",
-        "excluded 1 command without a measurement: 'A+80' (line 16)",
+        "measurements without a command: 'stray' (line 24)",
+        "commands without a measurement: 'A+80' (line 16)",
     ] {
         assert!(
             lines.iter().any(|line| line.contains(said)),

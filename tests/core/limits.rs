@@ -156,7 +156,7 @@ fn names_cost_in_proportion() {
     assert!(
         run(2000)
             .stderr
-            .contains("2000 of them; expected at most 300 in one session")
+            .contains("2000; expected at most 300 in one session")
     );
 }
 
@@ -511,7 +511,7 @@ fn numbers_beyond_any_robots_range_are_refused_with_their_place() {
         document["samples"]["file"] = "s.csv".into();
     });
     let says =
-        "s.csv, line 3, column 3, y_mm: 100000000; expected a length of at most 10 000 000 mm";
+        "s.csv, line 3, column 3, y_mm: 100000000; expected a number of at most 10 000 000 mm";
     assert!(
         ran.code == Some(2) && ran.stderr.contains(says),
         "{}",

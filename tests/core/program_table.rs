@@ -134,13 +134,13 @@ const TABLE: &[Row] = &[
     ("two scopes", "urscript", "def a():\n q=@ULI\n movej(q)\nend\ndef b():\n q=[1,2,3]\n x=q\nend\n", &["q"], &[], &[]),
     ("two scopes", "rapid", "PROC go(robtarget p)\nMoveL p,v9,fine,t;\nENDPROC\nPROC main()\nCONST robtarget p:=@ROB;\ngo p;\nENDPROC\n", &[], &[("p", "unused", "go uses it")], &["p is a parameter"]),
     // What is worked out at run time.
-    ("expression", "rapid", "CONST jointtarget j:=[[106,65+1,-25,-63,-53,-18],[9E9,9E9,9E9,9E9,9E9,9E9]];\nMoveAbsJ j,v9,fine,t;\n", &[], &[], &["computed at run time", "j gets its value at run time"]),
+    ("expression", "rapid", "CONST jointtarget j:=[[106,65+1,-25,-63,-53,-18],[9E9,9E9,9E9,9E9,9E9,9E9]];\nMoveAbsJ j,v9,fine,t;\n", &[], &[], &["computed at run time", "j is computed"]),
     ("expression", "krl", "PTP {A1 106+2,A2 65,A3 -25,A4 -63,A5 -53,A6 -18}\nPTP {A1 5}\n", &[], &[], &["from where the robot is", "from where the robot is"]),
     ("expression", "urscript", "def m():\n movej([d2r(9),1,1,1,1,1])\nend\n", &[], &[], &["computed at run time"]),
     ("offset", "rapid", "CONST robtarget p:=@ROB;\nMoveL Offs(p,0,0,9),v9,fine,t;\nMoveL RelTool(p,0,0,9),v9,fine,t;\n", &[], &[("p", "unused", "Offs uses it")], &["Offs(p,0,0,9)", "RelTool"]),
-    ("offset", "krl", "DECL FRAME off\noff={X 0,Y 0,Z 9,A 0,B 0,C 0}\nDECL E6POS XP={@XYZ,@ST}\nLIN off:XP\n", &[], &[("XP", "unused", "")], &["LIN goes to off:XP, which is computed"]),
+    ("offset", "krl", "DECL FRAME off\noff={X 0,Y 0,Z 9,A 0,B 0,C 0}\nDECL E6POS XP={@XYZ,@ST}\nLIN off:XP\n", &[], &[("XP", "unused", "")], &["off:XP is computed"]),
     ("offset", "urscript", "def m():\n w=@UPO\n movel(pose_trans(w,p[0,0,0.1,0,0,0]))\nend\n", &[], &[], &["pose_trans", "no move of this file uses"]),
-    ("offset", "fanuc-ls", "/MN\n 1:L P[1] 9mm/sec FINE Tool_Offset,PR[15] ;\n 2:L P[2] 9mm/sec FINE\n  :  Offset,PR[1] ;\n 3:L PR[1] 9mm/sec FINE ;\n/POS\nP[1]{ GP1: UF : 0, UT : 1, @FXY };\nP[2]{ GP1: UF : 0, UT : 1, @FXY };\n", &[], &[("P[1]", "unused", "TOOL_OFFSET"), ("P[2]", "unused", "OFFSET")], &["TOOL_OFFSET", "(OFFSET)", "position register"]),
+    ("offset", "fanuc-ls", "/MN\n 1:L P[1] 9mm/sec FINE Tool_Offset,PR[15] ;\n 2:L P[2] 9mm/sec FINE\n  :  Offset,PR[1] ;\n 3:L PR[1] 9mm/sec FINE ;\n/POS\nP[1]{ GP1: UF : 0, UT : 1, @FXY };\nP[2]{ GP1: UF : 0, UT : 1, @FXY };\n", &[], &[("P[1]", "unused", "TOOL_OFFSET"), ("P[2]", "unused", "OFFSET")], &["TOOL_OFFSET", "(OFFSET)", "PR[…]"]),
     ("computed target", "rapid", "VAR robtarget p:=@ROB;\np:=CRobT();\nMoveL p,v9,fine,t;\n", &[], &[("p", "changed", "run time")], &[]),
     ("computed target", "rapid", "VAR robtarget p:=@ROB;\np.trans.z:=p.trans.z+9;\nMoveL p,v9,fine,t;\n", &[], &[("p", "changed", "run time")], &[]),
     ("computed target", "krl", "DECL E6POS XP={@XYZ,@ST}\nXP.Z=XP.Z+9\nLIN XP\nPTP $AXIS_ACT\n", &[], &[("XP", "changed", "run time")], &["$AXIS_ACT"]),
@@ -165,13 +165,13 @@ const TABLE: &[Row] = &[
     ("interrupt", "urscript", "def m():\n thread w():\n  set_tcp(p[0,0,0.1,0,0,0])\n end\n h=run w()\n movel(@UPO)\nend\n", &[], &[("target of movel", "frame", "interrupt")], &[]),
     // A header before the module, arrays of names, a path that a sensor corrects, routines by their names.
     ("header", "rapid", "%%%\n  VERSION:1\n  LANGUAGE:ENGLISH\n%%%\nMODULE m\nCONST robtarget p:=@ROB;\nPROC main()\nMoveL p,v9,fine,t;\n%\"r\"+s%;\nENDPROC\nENDMODULE\n", &["p"], &[], &["%\"r\"+s% is another"]),
-    ("array of names", "rapid", "VAR robtarget q{9};\nMoveL q{i},v9,fine,t;\n", &[], &[], &["q gets its value at run time"]),
-    ("array of names", "krl", "DEF m()\nPTP XP[I]\nEND\n", &[], &[], &["xp has its values elsewhere"]),
-    ("array of names", "rapid", "CONST robtarget p:=@ROB;\nCONST robtarget q{2}:=[p,@ROB];\nMoveL q{2},v9,fine,t;\n", &["q{2}"], &[("p", "unused", "q{1} uses it")], &["q{1} has values"]),
+    ("array of names", "rapid", "VAR robtarget q{9};\nMoveL q{i},v9,fine,t;\n", &[], &[], &["q is computed"]),
+    ("array of names", "krl", "DEF m()\nPTP XP[I]\nEND\n", &[], &[], &["xp is computed"]),
+    ("array of names", "rapid", "CONST robtarget p:=@ROB;\nCONST robtarget q{2}:=[p,@ROB];\nMoveL q{2},v9,fine,t;\n", &["q{2}"], &[("p", "unused", "q{1} uses it")], &["q{1} is computed"]),
     ("sensor", "rapid", "MoveL @ROB,v9,fine,t\\WObj:=wobj0\\Corr;\nMoveL @ROB,v9,fine,t;\n", &["target of MoveL"], &[("target of MoveL", "frame", "Corr")], &[]),
     ("sensor", "fanuc-ls", "/MN\n 1:Touch Offset PR[1] ;\n 2:L P[1] 9mm/sec FINE ;\n 3:Touch Offset End ;\n 4:L P[2] 9mm/sec FINE ;\n/POS\nP[1]{ GP1: UF : 0, UT : 1, @FXY };\nP[2]{ GP1: UF : 0, UT : 1, @FXY };\n", &["P[2]"], &[("P[1]", "frame", "Touch shifts")], &["Touch shifts"]),
     ("stationary tool", "fanuc-ls", "/MN\n 1:L P[1] 9mm/sec FINE RTCP ;\n/POS\nP[1]{ GP1: UF : 0, UT : 1, @FXY };\n", &[], &[("P[1]", "frame", "RTCP")], &[]),
-    ("computed target", "fanuc-ls", "/MN\n 1:PR[1]=P[1] ;\n 2:L PR[1] 9mm/sec FINE ;\n/POS\nP[1]{ GP1: UF : 0, UT : 1, @FXY };\n", &[], &[("P[1]", "unused", "PR[1] uses it")], &["position register"]),
+    ("computed target", "fanuc-ls", "/MN\n 1:PR[1]=P[1] ;\n 2:L PR[1] 9mm/sec FINE ;\n/POS\nP[1]{ GP1: UF : 0, UT : 1, @FXY };\n", &[], &[("P[1]", "unused", "PR[1] uses it")], &["PR[…]"]),
     ("computed target", "urscript", "def m():\n q=@ULI\n q[5]=q[5]+0.1\n movej(q)\nend\n", &[], &[("q", "changed", "run time")], &[]),
     ("other moves", "urscript", "def m():\n optimovej(@ULI)\n movel(a=1.2, pose=@UPO)\nend\n", &["target of optimovej", "target of movel"], &[], &[]),
     ("numbered frame", "krl", "FDAT_ACT.IPO_FRAME=#TCP\nLIN {@XYZ,@ST}\n", &[], &[("target of LIN", "frame", "FDAT_ACT.IPO_FRAME is set")], &[]),
@@ -181,7 +181,7 @@ const TABLE: &[Row] = &[
     // Other ways to write a target.
     ("frame as a target", "krl", "DEF m()\nDECL FRAME XP1\nXP1={@XYZ}\nPTP {@AXS}\nSLIN XP1\nEND\n", &["XP1", "target of PTP"], &[], &[]),
     ("external constant", "rapid", "CONST extjoint ext0:=[9E9,9E9,9E9,9E9,9E9,9E9];\nCONST robtarget p:=[@AT,ext0];\nMoveL p,v9,fine,t;\n", &["p"], &[], &[]),
-    ("external constant", "rapid", "CONST robtarget p:=[@AT,ext0];\nMoveL p,v9,fine,t;\n", &[], &[], &["ext0, are declared elsewhere", "p gets its value"]),
+    ("external constant", "rapid", "CONST robtarget p:=[@AT,ext0];\nMoveL p,v9,fine,t;\n", &[], &[], &["ext0 is computed", "p is computed"]),
     ("base as a target", "krl", "DECL E6POS XP={@XYZ,@ST}\n$BASE=XP\nLIN XP\n", &[], &[("XP", "frame", "a base or a tool as well")], &[]),
 ];
 
@@ -293,7 +293,7 @@ fn a_quaternion_that_is_no_unit_is_a_typing_error() {
     };
     let says = rejected.to_string();
     assert!(
-        says.contains("length 1.30") && says.contains("line 1"),
+        says.contains("a length of 1.30") && says.contains("line 1"),
         "{says}"
     );
     // Rounded to three digits it is one.

@@ -523,13 +523,13 @@ const BROKEN: [(&str, &[u8], u64, u64, &str); 43] = [
     ("rapid", b"CONST jointtarget j:=[[1,2 3,4,5,6],[9E9,9E9,9E9,9E9,9E9,9E9]];", 1, 28, "]"),
     ("rapid", b"CONST jointtarget j:=[[1,,3,4,5,6],[9E9,9E9,9E9,9E9,9E9,9E9]];", 1, 26, "number"),
     ("rapid", b"CONST jointtarget j:=[[1,2,3,4,5,1E999],[9E9,9E9,9E9,9E9,9E9,9E9]];", 1, 34, "larger"),
-    ("rapid", b"CONST jointtarget j:=[[1,2,3,4,5,6],[9E9,9E9,9E9,9E9,9E9,9E9]]\nMoveJ j;", 2, 1, "a semicolon"),
+    ("rapid", b"CONST jointtarget j:=[[1,2,3,4,5,6],[9E9,9E9,9E9,9E9,9E9,9E9]]\nMoveJ j;", 2, 1, "';'"),
     ("rapid", b"CONST robtarget p:=[[1,2,3],[1,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];", 1, 29, "4"),
     ("rapid", b"CONST robtarget p:=[[1,2,3],[0,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];", 1, 30, "a length of 1"),
     ("rapid", b"CONST robtarget p:=[[1,2,3],[1,0,0,0],[0.5,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];", 1, 40, "whole"),
     ("rapid", b"CONST robtarget p:=[1,2,3,4];", 1, 21, "robtarget"),
     ("rapid", b"MoveJ [[1,2,3],[1,0,0,0]],v1,fine,tool0;", 1, 8, "6"),
-    ("rapid", b"MoveJ p1,v1,fine,tool0\nMoveJ p2,v1,fine,tool0;", 2, 1, "a semicolon"),
+    ("rapid", b"MoveJ p1,v1,fine,tool0\nMoveJ p2,v1,fine,tool0;", 2, 1, "';'"),
     ("rapid", b"TPWrite \"never closed;\n", 1, 9, "\""),
     ("krl", b"PTP {A1 1,A2 2,A3 3,A4 4,A5 5,A6 6", 1, 35, "}"),
     ("krl", b"PTP {A1 1,A2 2,A3 3,A4 4,A5 5 A6 6}", 1, 31, "}"),
@@ -862,10 +862,10 @@ fn rapid_poses_are_corrected_in_their_work_objects_and_of_their_tools() {
     // What is changed at run time is not known, nor is what two moves go to differently.
     for (change, word) in [
         ("fix.oframe.trans.x:=3;", "fix is changed at run time"),
-        ("MoveL p0,v9,fine,tGun;", "frames fix and none"),
+        ("MoveL p0,v9,fine,tGun;", "with fix and none"),
         (
             "MoveL Offs(p0,0,0,9),v9,fine,tPen\\WObj:=fix;",
-            "tools tGun and tPen",
+            "with tGun and tPen",
         ),
     ] {
         let changed = program.replace("ENDPROC", &format!("{change}\nENDPROC"));

@@ -222,21 +222,21 @@ fn topics_and_joints_are_chosen_by_name_and_wrong_names_are_answered() {
     ]);
     assert_eq!(same.unwrap().session.samples.len(), 14);
     for (name, value, says) in [
-        (
-            "topic-measured",
-            "/lost",
-            "--topic-measured: no topic '/lost'",
-        ),
+        ("topic-measured", "/lost", "--topic-measured: '/lost'"),
         ("topic-measured", "/lost", "one of '/tracker/pose'"),
         ("topic-joints", "/rosout", "one of '/joint_states'"),
-        ("joint-names", "a,b,c", "no joint 'a' in '/joint_states'"),
+        ("joint-names", "a,b,c", "--joint-names: 'a,b,c'"),
         (
             "joint-names",
             "upper,upper,elbow",
-            "a joint that comes twice",
+            "as many names as the robot has joints",
         ),
-        ("joint-names", "upper", "1 joints for a robot that has 3"),
-        ("frame-child", "tool", "a topic with transforms"),
+        (
+            "joint-names",
+            "upper",
+            "as many names as the robot has joints",
+        ),
+        ("frame-child", "tool", "--frame-child: 'tool'"),
     ] {
         let wrong = with(&[(name, value)]).unwrap_err().to_string();
         assert!(wrong.contains(says), "{wrong}");
@@ -295,22 +295,25 @@ fn broken_recordings_are_refused_with_the_byte_and_what_was_expected() {
         (whole[..150].to_vec(), "the recording is cut off"),
         (
             changed(joints, b"sensor_msgs/msg/JointStave"),
-            "the commanded value of joint 1 is not stated",
+            "no column 'q1'",
         ),
         (
             changed(tf, b"tf2_msgs/msg/TXMessage"),
-            "no frame 'tool' in '/tf_static'",
+            "--frame-child: 'tool'",
         ),
-        (changed(cdr, b"cdx"), "encoded as 'cdx', not as cdr or json"),
+        (changed(cdr, b"cdx"), "'cdx'; expected a "),
         (
             changed(shoulder - 4, &[255; 4]),
-            "message 1 of '/joint_states': fields that are not those of its type",
+            "'/joint_states' 1: fields that are not those of its type",
         ),
         (
             changed(shoulder - 28, &[0, 9]),
-            "the representation 00 09, which is not plain CDR",
+            "'/joint_states' 1: fields that are not",
         ),
-        (packed(name, b'x'), "a chunk with the compression 'xstd'"),
+        (
+            packed(name, b'x'),
+            "a chunk that cannot be unpacked ('xstd')",
+        ),
         (packed(name + 100, zstd[name + 100] ^ 255), "chunk"),
         (
             packed(name - 8, zstd[name - 8] ^ 1),
@@ -418,9 +421,9 @@ fn board_files_that_lack_something_are_refused() {
     for (text, says) in [
         (
             "image,rvec_x,rvec_y,rvec_z\na,0,0,0\n",
-            "no header with tvec_x",
+            "no column is tvec_x",
         ),
-        ("1,0,0,0,1,2,3\n", "no header with tvec_x"),
+        ("1,0,0,0,1,2,3\n", "7 columns and no header"),
         (
             "rvec_x,rvec_y,rvec_z,tvec_x_m,tvec_y_m,tvec_z_m\n0,0,0,1,2,x\n",
             "line 2, column 6",
@@ -524,7 +527,7 @@ fn distances_that_lack_something_are_refused_or_asked_about() {
         (
             format!("{q},x\n0,0,0,5\n"),
             &[][..],
-            "no column is the distance for certain",
+            "no column is distance for certain",
         ),
         (
             format!("{q},distance\n0,0,0,5\n"),
@@ -551,11 +554,7 @@ fn distances_that_lack_something_are_refused_or_asked_about() {
             &[],
             "line 2, column 4",
         ),
-        (
-            "distance_mm\n5\n".to_owned(),
-            &[],
-            "the commanded value of joint 1 is not stated",
-        ),
+        ("distance_mm\n5\n".to_owned(), &[], "no column 'q1'"),
     ] {
         let wrong = with(&text, options).unwrap_err().to_string();
         assert!(wrong.contains(says), "{says}: {wrong}");

@@ -253,7 +253,7 @@ fn a_report_is_of_the_model_that_is_in_use_and_says_in_what_it_is_another() {
     let page = of(Some(&less));
     for said in [
         "the model in use is another one: without Backlash",
-        "with the model in use (without Backlash)",
+        "RMS error, model in use (without Backlash)",
         "RMS error, model in use",
         &model_hash(&less),
     ] {

@@ -76,7 +76,9 @@ fn texts(report: &Report) -> Vec<String> {
                     );
                 }
                 Block::Table(table) => {
-                    all.extend(table.columns.iter().map(|column| column.heading.clone()));
+                    // They may be one sentence.
+                    let heads = table.columns.iter().map(|column| column.heading.as_str());
+                    all.push(heads.collect::<Vec<_>>().join(" | "));
                     all.extend(table.rows.iter().flatten().map(|cell| cell.shown.clone()));
                 }
                 Block::Plot(drawing, caption) => {

@@ -158,7 +158,7 @@ fn what_cannot_be_recorded_is_refused_and_leaves_no_file() {
             "expected tcp://HOST:PORT or udp://:PORT",
         ),
         ("localhost", "expected tcp://HOST:PORT or udp://:PORT"),
-        ("tcp://localhost:99999", "is not a port"),
+        ("tcp://localhost:99999", "with PORT from 0 to 65535"),
         ("tcp://localhost", "expected tcp://HOST:PORT"),
     ] {
         let output = run(source, &out);
@@ -196,31 +196,6 @@ fn what_cannot_be_recorded_is_refused_and_leaves_no_file() {
     let output = run(&source, &out);
     assert_eq!(output.status.code(), Some(2));
     assert_eq!(std::fs::read_to_string(&out).unwrap(), "kept");
-}
-
-#[test]
-fn a_connection_that_ends_is_made_again_where_that_is_wanted() {
-    let folder = Folder::new("again");
-    let out = folder.file("stream.csv");
-    let server = TcpListener::bind("127.0.0.1:0").unwrap();
-    let source = format!("tcp://{}", server.local_addr().unwrap());
-    let child = record(&source, &out, &["--reconnect", "--lines", "3"]);
-    for bytes in [&b"x_mm,y_mm\n1,2\n3,"[..], b"x_mm,y_mm\nboo\n5,6\n7,8\n"] {
-        server.accept().unwrap().0.write_all(bytes).unwrap();
-    }
-    let output = child.wait_with_output().unwrap();
-    let said = messages(&output);
-    assert_eq!(output.status.code(), Some(0), "{said}");
-    let text = std::fs::read_to_string(&out).unwrap();
-    assert_eq!(text, "x_mm,y_mm\n1,2\n5,6\n7,8\n");
-    for part in [
-        "no line end",
-        "1 cell below 2 headings",
-        "tries again",
-        "3 lines recorded",
-    ] {
-        assert!(said.contains(part), "{part}: {said}");
-    }
 }
 
 /// Points of an axis with this zero offset and radius, seen with some noise that repeats.

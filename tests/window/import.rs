@@ -392,7 +392,7 @@ fn a_robot_of_the_library_is_found_by_typing() {
     type_into(&mut window, "Find a robot", "ur5e");
     assert!(says(&window, "UR5e: 6 joints, 6 of which turn"));
     // The reason of a refusal stands in its place, and in the foot.
-    let reason = "the commanded value of joint 2 is not stated";
+    let reason = "no column 'q2'";
     assert_eq!(window.query_all_by_label_contains(reason).count(), 2);
     press(&mut window, "Find a robot");
     window.get_by_label("Find a robot").type_text("kr 6");

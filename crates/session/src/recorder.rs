@@ -4,9 +4,8 @@
 //! complete goes to the file before the next bytes are waited for, so that a reader of the growing file
 //! (the window is one) and one after a power cut find whole lines only. The file begins with headings:
 //! the stream's own first line, or those that a person gives. Cells between semicolons, tabs or
-//! spaces come out between commas, with a decimal point. [`source`] connects, [`live`] keeps at it.
+//! spaces come out between commas, with a decimal point. [`source`] connects, [`record`] listens.
 
-pub mod live;
 pub mod source;
 
 use crate::tables::as_cell;
@@ -14,6 +13,7 @@ use crate::text::Text;
 use std::io::{self, Write};
 
 use crate::document::number::quoted;
+use source::{Connection, Received};
 
 /// A line is shorter, bytes.
 const LONGEST_LINE: usize = 1 << 20;
@@ -44,6 +44,8 @@ pub enum RecordError {
     },
     /// The file cannot be written.
     Io(io::Error),
+    /// The connection broke.
+    Broken(io::Error),
 }
 
 impl RecordError {
@@ -72,6 +74,7 @@ impl RecordError {
                 "cannot write the recording: {error}",
                 error = error.to_string()
             ),
+            Self::Broken(_) => text!("the stream was interrupted"),
         }
     }
 }
@@ -81,7 +84,7 @@ displays_what_it_says!(RecordError);
 impl std::error::Error for RecordError {
     fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
         match self {
-            Self::Io(error) => Some(error),
+            Self::Io(error) | Self::Broken(error) => Some(error),
             _ => None,
         }
     }
@@ -96,7 +99,7 @@ impl From<io::Error> for RecordError {
 impl RecordError {
     /// Whether the stream or the arguments are wrong (rather than the disk, say).
     pub fn is_refusal(&self) -> bool {
-        !matches!(self, Self::Io(_))
+        !matches!(self, Self::Io(_) | Self::Broken(_))
     }
 }
 
@@ -119,10 +122,6 @@ pub struct Recorder<F, W> {
     whole_bytes: u64,
     complaints: Vec<Text>,
     refused: u64,
-    /// Whether a line that is none is left out where it would else be an error.
-    tolerant: bool,
-    /// Whether a line that is too long goes on.
-    skipping: bool,
 }
 
 /// What the lines of a stream are like.
@@ -160,6 +159,40 @@ impl Separator {
     }
 }
 
+/// No datagram is longer, bytes.
+const BLOCK: usize = 1 << 16;
+
+/// Records from a connection until it ends or as many lines as are wanted are in the file; `hear` is told what was left
+/// out, several times a second.
+///
+/// # Errors
+/// [`RecordError`]; what was recorded before stays.
+pub fn record<F: FnOnce() -> io::Result<W>, W: Write>(
+    mut connection: Connection,
+    recorder: &mut Recorder<F, W>,
+    most: u64,
+    hear: &mut dyn FnMut(Vec<Text>),
+) -> Result<(), RecordError> {
+    let mut bytes = vec![0; BLOCK];
+    while recorder.recorded() < most {
+        let came = connection.read(&mut bytes);
+        match came {
+            Ok(Received::Nothing) => {}
+            Ok(Received::Bytes(count)) => recorder.take(&bytes[..count], most)?,
+            Ok(Received::Message(count)) => {
+                recorder.take(&bytes[..count], most)?;
+                recorder.end_of_message(most)?;
+            }
+            Ok(Received::End) | Err(_) => {
+                recorder.end_of_stream();
+                return came.map(|_| ()).map_err(RecordError::Broken);
+            }
+        }
+        hear(recorder.complaints());
+    }
+    Ok(())
+}
+
 /// A number with a decimal comma gets a point; anything else stays.
 fn with_point(cell: &str) -> String {
     let with_point = cell.replacen(',', ".", 1);
@@ -186,15 +219,7 @@ impl<F: FnOnce() -> io::Result<W>, W: Write> Recorder<F, W> {
             whole_bytes: 0,
             complaints: Vec::new(),
             refused: 0,
-            tolerant: false,
-            skipping: false,
         }
-    }
-
-    /// Leaves out lines that are too long, and first lines that do not have the headings that were
-    /// given, rather than to end at them.
-    pub fn tolerate(&mut self) {
-        self.tolerant = true;
     }
 
     /// Lines that are in the file, without the headings.
@@ -241,24 +266,11 @@ impl<F: FnOnce() -> io::Result<W>, W: Write> Recorder<F, W> {
             }
             let own = &rest[..end];
             rest = &rest[end + 1..];
-            if std::mem::take(&mut self.skipping) {
-                continue;
-            }
             self.pending.extend_from_slice(own);
             let line = std::mem::take(&mut self.pending);
-            taken = match self.line(&line, &mut text, &mut planned) {
-                Err(RecordError::Width {
-                    line,
-                    cells,
-                    headings,
-                }) if self.tolerant => {
-                    self.leave_out(line, other_width(cells, headings));
-                    Ok(())
-                }
-                taken => taken,
-            };
+            taken = self.line(&line, &mut text, &mut planned);
         }
-        if planned < most && taken.is_ok() && !self.skipping {
+        if planned < most && taken.is_ok() {
             self.pending.extend_from_slice(rest);
         }
         // What was sound before something wrong is put down too.
@@ -266,17 +278,7 @@ impl<F: FnOnce() -> io::Result<W>, W: Write> Recorder<F, W> {
         taken?;
         if self.pending.len() > LONGEST_LINE {
             let line = self.lines + 1;
-            if !self.tolerant {
-                return Err(RecordError::LongLine { line });
-            }
-            self.lines = line;
-            let longest_line = LONGEST_LINE;
-            self.leave_out(
-                line,
-                text!("a line of more than {longest_line} bytes", longest_line),
-            );
-            self.pending = Vec::new();
-            self.skipping = true;
+            return Err(RecordError::LongLine { line });
         }
         Ok(())
     }
@@ -299,7 +301,6 @@ impl<F: FnOnce() -> io::Result<W>, W: Write> Recorder<F, W> {
             self.leave_out(self.lines + 1, text!("{found}: no line end", found = cut));
         }
         self.pending.clear();
-        self.skipping = false;
     }
 
     fn write(&mut self, text: &str) -> Result<(), RecordError> {
@@ -355,7 +356,10 @@ impl<F: FnOnce() -> io::Result<W>, W: Write> Recorder<F, W> {
             _ => bytes,
         };
         let Ok(line) = std::str::from_utf8(bytes) else {
-            self.leave_out(number, text!("bytes that are not UTF-8"));
+            self.leave_out(
+                number,
+                text!("bytes that are not {encoding}", encoding = "UTF-8"),
+            );
             return Ok(());
         };
         let line = line.trim();

@@ -55,6 +55,14 @@ pub fn name_by_titles(titles: bool) {
     BY_TITLES.set(titles);
 }
 
+/// With a capital letter, as a heading or a label begins.
+#[doc(hidden)]
+pub fn capital(said: &str) -> String {
+    let mut characters = said.chars();
+    let first = characters.next().into_iter().flat_map(char::to_uppercase);
+    first.chain(characters).collect()
+}
+
 /// The language of this thread.
 #[doc(hidden)]
 pub fn current() -> Language {
@@ -117,7 +125,10 @@ fn in_language(language: Language, template: Template, one: bool) -> &'static st
 /// The languages of the tests: marked, and longer.
 fn shaped(language: Language, said: String) -> String {
     match language {
-        Language::Marked => format!("⟦{said}⟧"),
+        // The headings of a table are one sentence, and stand apart.
+        Language::Marked => {
+            format!("⟦{}⟧", said.replace(" | ", "⟧ | ⟦").replace("⟦>", ">⟦"))
+        }
         Language::Long => format!("{said}{}", longer(&said)),
         _ => said,
     }

@@ -1,10 +1,10 @@
 //! How much of an answer is shown, by where.
 
-use crate::present::numbers::{mm, plain};
+use crate::present::numbers::{grouped, mm, plain};
 use crate::present::units::Units;
 use crate::text::{ByTitles, InUnits};
 
-use super::section::{Block, Fact};
+use super::section::{Block, Fact, fact};
 
 /// How much of an answer is asked for.
 #[derive(Debug, Clone, Copy)]
@@ -90,4 +90,24 @@ pub(super) fn to_the_nanometre(length_mm: f64, detail: Detail) -> String {
         None => format!("{length_mm:.6} mm"),
         Some(units) => units.length(length_mm),
     }
+}
+
+/// A root mean square with the largest, to the nanometre.
+pub(super) fn with_largest(rms_mm: f64, largest_mm: f64, detail: Detail) -> String {
+    say!(
+        "{rms} (largest {largest})",
+        rms = to_the_nanometre(rms_mm, detail),
+        largest = to_the_nanometre(largest_mm, detail)
+    )
+}
+
+/// What a model leaves on samples that no fit has seen.
+pub(super) fn held_out(nominal_mm: f64, model_mm: f64, samples: usize, detail: Detail) -> Fact {
+    let says = say!(
+        "{nominal} nominal, {model} with the model, of {samples} samples apart",
+        nominal = to_the_nanometre(nominal_mm, detail),
+        model = to_the_nanometre(model_mm, detail),
+        samples = grouped(samples)
+    );
+    fact(say!("held-out samples"), says)
 }

@@ -2,7 +2,7 @@
 
 use super::{Block, Detail, Fact, Section, Topic, cleaned, fact, found, open, sight};
 use crate::diagnosis::{Diagnosis, FloorFrom, Stopped, Verdict};
-use crate::fit::{Estimate, Identification};
+use crate::fit::{Estimate, Identification, Noise};
 use crate::language::spoken;
 use crate::present::identification_v1::worst_pose;
 use crate::present::kinds;
@@ -136,12 +136,28 @@ fn figures(d: &Diagnosis, detail: Detail) -> Vec<Fact> {
 /// What there is to say of the noise.
 pub(crate) fn noise(d: &Diagnosis) -> Vec<Fact> {
     let stated = d.unexplained.noise.as_ref();
-    let stated = stated.map(|noise| fact(say!("Measurement noise"), spoken(noise.describe())));
-    let robot = d.noise.describe_robot();
-    let robot = robot.map(|robot| fact(say!("Repeatability of the robot"), spoken(robot)));
-    let slow = d.noise.slow.as_ref();
-    let slow = slow.map(|slow| fact(say!("Slow noise"), spoken(slow.describe())));
-    stated.into_iter().chain(robot).chain(slow).collect()
+    let stated = stated.map(|noise| spoken(noise.describe()));
+    let slow = d.noise.slow.as_ref().map(|slow| spoken(slow.describe()));
+    noise_facts(stated, &d.noise, slow)
+}
+
+/// What there is to say of the noise against the stated one, of the robot and of what drifts.
+pub(super) fn noise_facts(
+    stated: Option<String>,
+    noise: &Noise,
+    slow: Option<String>,
+) -> Vec<Fact> {
+    let all = [
+        (say!("Measurement noise"), stated),
+        (
+            say!("Repeatability of the robot"),
+            noise.describe_robot().map(spoken),
+        ),
+        (say!("Slow noise"), slow),
+    ];
+    let all = all.into_iter();
+    all.filter_map(|(name, says)| Some(fact(name, says?)))
+        .collect()
 }
 
 /// The error that the model is expected to make over the joint ranges, where that is known; and where the
@@ -162,17 +178,10 @@ pub(crate) fn expected(answer: &Identification, detail: Detail) -> Vec<Block> {
         let q = worst_pose(e, &answer.model.robot);
         let q: Vec<String> = q.iter().map(|v| format!("{v:.0}")).collect();
         let q = q.join(", ");
-        blocks.push(Block::Warning(if detail.brief {
-            say!(
-                "poorly observed: the measured poses show little of the joint ranges; measure near {q} as well (`truepose plan` proposes poses)",
-                q
-            )
-        } else {
-            say!(
-                "Poorly observed: the measured poses show little of the joint ranges; measure near {q} as well",
-                q
-            )
-        }));
+        blocks.push(Block::Warning(say!(
+            "Poorly observed: the measured poses show little of the joint ranges; measure near {q} as well",
+            q
+        )));
     }
     blocks
 }

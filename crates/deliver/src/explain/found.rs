@@ -7,7 +7,7 @@ use crate::fit::Estimate;
 use crate::language::spoken as spoken_text;
 use crate::present::names::{figure, parameter, title_of, title_on, usual_size};
 use crate::present::numbers::significant;
-use crate::text::{spoken, within};
+use crate::text::{capital, spoken, within};
 
 /// Odds beyond these are said to be more, as the models behind them are no better than that.
 const MOST_ODDS: f64 = 1000.0;
@@ -29,7 +29,7 @@ pub(super) fn effect(d: &Diagnosis, detail: Detail, index: usize, sizes: &[Estim
     };
     let check = fact(say!("Check on the machine"), spoken(found.check));
     let notes = found.notes.iter();
-    let notes = notes.map(|note| fact(say!(in "finding", "Note"), spoken_text(note)));
+    let notes = notes.map(|note| fact(capital(say!("note")), spoken_text(note)));
     let implausible = sizes.iter().filter_map(implausible);
     let figures = found.figures.iter().map(|one| Block::Text(figure(*one)));
     let sizes = sizes.iter().map(|one| size(detail, one));
@@ -51,7 +51,10 @@ pub(super) fn effect(d: &Diagnosis, detail: Detail, index: usize, sizes: &[Estim
         let share = format!("{:.1} %", found.share * 100.0);
         facts.push(fact(say!("Share of what was explained"), share));
         if let Some(effect) = effects::find(found.effect) {
-            facts.push(fact(say!("Usual cause"), spoken(effect.about().cause)));
+            facts.push(fact(
+                capital(say!("usual cause")),
+                spoken(effect.about().cause),
+            ));
         }
         facts.extend(notes);
         let more = Block::Facts(facts);

@@ -1,8 +1,8 @@
 //! An identification: its errors, the geometry, what each level of correction brings, parameters, regions, and what
 //! it is to be read with.
 
-use super::detail::to_the_nanometre;
-use super::diagnosis::expected;
+use super::detail::{held_out, with_largest};
+use super::diagnosis::{expected, noise_facts};
 use super::values;
 use super::{Block, Detail, Fact, Section, Topic, cleaned, fact, open};
 use crate::answers::noise::StatedNoise;
@@ -11,7 +11,6 @@ use crate::fit::{RegionResult, gap::Spread};
 use crate::language::spoken;
 use crate::present::identification_v1::degrees;
 use crate::present::kinds;
-use crate::present::numbers::grouped;
 use crate::present::table::Table;
 use crate::sessions::Session;
 use crate::set_up_errors::DataProblem;
@@ -52,26 +51,15 @@ pub fn identification(
 }
 
 fn errors(answer: &Identification, detail: Detail) -> Vec<Fact> {
-    let error = |error: &Spread| {
-        say!(
-            "{rms} (largest {largest})",
-            rms = to_the_nanometre(error.rms_mm, detail),
-            largest = to_the_nanometre(error.max_mm, detail)
-        )
-    };
+    let error = |error: &Spread| with_largest(error.rms_mm, error.max_mm, detail);
     let gap = &answer.gap;
     let mut facts = vec![
         fact(say!("RMS error, nominal robot"), error(&gap.before)),
         fact(say!("RMS error, identified"), error(&gap.after)),
     ];
     if let Some(unseen) = &answer.held_out {
-        let sentence = say!(
-            "{nominal} nominal, {model} with the model, of {samples} samples apart",
-            nominal = to_the_nanometre(unseen.before.rms_mm, detail),
-            model = to_the_nanometre(unseen.after.rms_mm, detail),
-            samples = grouped(unseen.samples)
-        );
-        facts.push(fact(say!("held-out samples"), sentence));
+        let (before, after) = (unseen.before.rms_mm, unseen.after.rms_mm);
+        facts.push(held_out(before, after, unseen.samples, detail));
     }
     facts
 }
@@ -179,14 +167,12 @@ fn noise(answer: &Identification, session: &Session) -> Vec<Fact> {
         return Vec::new();
     };
     let stated = noise.against_stated(session).filter(StatedNoise::differs);
-    let stated = stated.map(|stated| fact(say!("Measurement noise"), spoken(stated.describe())));
+    let stated = stated.map(|stated| spoken(stated.describe()));
     let slow = noise.slow.as_ref().map(|slow| {
         let says = slow.says_of_remaining_error(answer.gap.after.rms_mm);
-        fact(say!("Slow noise"), spoken(&says))
+        spoken(&says)
     });
-    let robot = noise.describe_robot();
-    let robot = robot.map(|robot| fact(say!("Repeatability of the robot"), spoken(robot)));
-    stated.into_iter().chain(robot).chain(slow).collect()
+    noise_facts(stated, noise, slow)
 }
 
 /// Samples that could not be used, each with the reason.

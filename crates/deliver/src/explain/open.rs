@@ -178,7 +178,7 @@ pub(super) fn next_poses(d: &Diagnosis, detail: Detail) -> Option<Section> {
 pub(super) fn outliers(answer: &Identification, detail: Detail) -> Option<Section> {
     let outliers = answer.outliers.iter().map(|outlier| {
         fact(
-            &say!("sample {sample}", sample = outlier.sample + 1),
+            say!("sample {sample}", sample = outlier.sample + 1),
             if outlier.deviation_mm.is_finite() {
                 detail.length(outlier.deviation_mm)
             } else {

@@ -7,7 +7,7 @@ use crate::kinematics::Robot;
 use crate::language::spoken;
 use crate::present::names::{parameter, title_on, usual_size};
 use crate::present::numbers::{short, with_interval, with_minus_signs};
-use crate::present::table::{Column, Table};
+use crate::present::table::Table;
 use crate::present::units::Units;
 
 /// All of them: of an arm the geometry as a table of its joints, then the others, then sizes that no machine has.
@@ -32,13 +32,7 @@ pub fn values(estimates: &[Estimate], robot: &Robot, detail: Detail) -> Vec<Bloc
 
 /// Parameters with their intervals.
 fn parameters<'a>(estimates: impl Iterator<Item = &'a Estimate>, robot: &Robot) -> Block {
-    let mut table = Table::of([
-        Column::words(say!("Effect")),
-        Column::words(say!("Parameter")),
-        Column::numbers(say!("Value")),
-        Column::words(say!("Unit")),
-        Column::numbers(say!("95 % interval")),
-    ]);
+    let mut table = Table::headed(say!("Effect | Parameter | >Value | Unit | >95 % interval"));
     let mut last = String::new();
     for estimate in estimates {
         let (name, parameter, unit) = named(estimate, robot);

@@ -223,9 +223,9 @@ fn geometry(geometry: &Geometry, plan: &Plan, detail: Detail) -> Section {
         )
     });
     let each = each.collect::<Vec<_>>().join(", ");
-    blocks.push(Block::Text(say!(
-        "Expected error at 95 % of the places: {errors}",
-        errors = each
+    blocks.push(Block::Text(format!(
+        "{}: {each}",
+        say!("Expected error at 95 % of the places")
     )));
     let surroundings = say!(
         "Only the joint limits are known of the surroundings: check where the way between the poses leads"

@@ -6,7 +6,7 @@ use crate::language;
 use crate::present::compensation_v1::{SAID_RAD, Summary};
 use crate::present::names::word;
 use crate::programs::{Answer, Outcome, SkippedTarget, Written};
-use crate::text::{Text, small_angle};
+use crate::text::{Text, capital, small_angle};
 
 /// Where something is in the file: line and column, from 1.
 type LineColumn = (u64, u64);
@@ -85,10 +85,7 @@ fn first(lines: impl Iterator<Item = String>, most: usize) -> Option<Vec<Block>>
     let mut blocks = vec![Block::List(shown)];
     let more = lines.count();
     if more > 0 {
-        blocks.push(Block::Text(say!(
-            "and {more} more: all of them are in the file beside the corrected one",
-            more
-        )));
+        blocks.push(Block::Text(say!("and {more} more", more)));
     }
     Some(blocks)
 }
@@ -101,7 +98,7 @@ fn errors(summary: &Summary, detail: Detail) -> Vec<Fact> {
     let largest = detail.lengths([summary.max_before_mm, summary.max_after_mm]);
     vec![
         fact(say!("RMS position error, predicted"), rms),
-        fact(say!("Largest position error"), largest),
+        fact(capital(say!("largest position error")), largest),
     ]
 }
 

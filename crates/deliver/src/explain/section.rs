@@ -109,10 +109,17 @@ pub enum Block {
     Sign(Vec<Fact>),
 }
 
+impl Block {
+    /// A paragraph.
+    pub(crate) fn text(says: impl Into<String>) -> Self {
+        Self::Text(says.into())
+    }
+}
+
 /// A name and what belongs to it.
 pub type Fact = (String, String);
 
 /// A name with what belongs to it.
-pub(crate) fn fact(name: &str, value: impl Into<String>) -> Fact {
-    (name.to_owned(), value.into())
+pub(crate) fn fact(name: impl Into<String>, value: impl Into<String>) -> Fact {
+    (name.into(), value.into())
 }

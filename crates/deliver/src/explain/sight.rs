@@ -3,20 +3,12 @@
 use super::{Block, Detail, Fact, Section, Topic};
 use crate::diagnosis::Diagnosis;
 use crate::present::limits;
-use crate::present::limits::detection_limit;
 use crate::present::names::title;
 
 /// Every effect that was looked for and not found, with the size from which it would have been seen.
 pub(super) fn limits(d: &Diagnosis, detail: Detail) -> Option<Section> {
-    let facts: Vec<Fact> = if d.model.robot.joints.len() > 1 {
-        let lines = limits::limits(d, name).into_iter();
-        lines.map(|line| (line.names, line.text)).collect()
-    } else {
-        let limits = d.not_found.iter();
-        limits
-            .map(|limit| (name(limit.effect), detection_limit(limit)))
-            .collect()
-    };
+    let lines = limits::limits(d, name).into_iter();
+    let facts = lines.map(|line| (line.names, line.text)).collect();
     let heading = say!("Not found; detection limits (95 %)");
     listed(Topic::Limits, heading, facts, detail)
 }

@@ -1,6 +1,6 @@
 //! A model held against a session: what it leaves there, and what its corrected commands would.
 
-use super::detail::to_the_nanometre as length;
+use super::detail::{held_out, to_the_nanometre as length, with_largest};
 use super::{Block, Detail, Fact, Section, Topic, cleaned, fact, open};
 use crate::compensation::Verification;
 use crate::present::numbers::grouped;
@@ -29,13 +29,7 @@ pub fn verification(v: &Verification, detail: Detail) -> Vec<Section> {
 
 fn errors(v: &Verification, detail: Detail) -> Vec<Fact> {
     let length = |length_mm: f64| length(length_mm, detail);
-    let error = |rms_mm: f64, largest_mm: f64| {
-        say!(
-            "{rms} (largest {largest})",
-            rms = length(rms_mm),
-            largest = length(largest_mm)
-        )
-    };
+    let error = |rms_mm: f64, largest_mm: f64| with_largest(rms_mm, largest_mm, detail);
     let (nominal, model) = (&v.nominal, &v.model);
     let mut facts = vec![
         fact(
@@ -54,13 +48,8 @@ fn errors(v: &Verification, detail: Detail) -> Vec<Fact> {
         facts.push(fact(say!("without suspected ones"), sentence));
     }
     if let Some(unseen) = &v.held_out {
-        let sentence = say!(
-            "{nominal} nominal, {model} with the model, of {samples} samples apart",
-            nominal = length(unseen.nominal_mm),
-            model = length(unseen.model_mm),
-            samples = grouped(unseen.samples)
-        );
-        facts.push(fact(say!("held-out samples"), sentence));
+        let (nominal, model) = (unseen.nominal_mm, unseen.model_mm);
+        facts.push(held_out(nominal, model, unseen.samples, detail));
     }
     facts
 }

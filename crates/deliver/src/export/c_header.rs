@@ -37,19 +37,9 @@ const PER_ROW: usize = 4;
 
 /// `truepose_pan` for a joint called "Pan".
 fn prefix(table: &Sheet) -> String {
-    let safe = |c: char| {
-        if c.is_ascii_alphanumeric() {
-            c.to_ascii_lowercase()
-        } else {
-            '_'
-        }
-    };
-    let name: String = table.name.chars().map(safe).collect();
-    if name.chars().any(|c| c != '_') {
-        format!("truepose_{name}")
-    } else {
-        format!("truepose_joint_{}", table.joint + 1)
-    }
+    let name = table.word();
+    let name = name.unwrap_or_else(|| format!("joint_{}", table.joint + 1));
+    format!("truepose_{name}")
 }
 
 fn write(job: &Job, table: &Sheet, notes: &[Text]) -> String {

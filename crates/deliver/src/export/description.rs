@@ -238,9 +238,9 @@ fn zeros(nominal: &Robot, chain: &Chain, in_words: Option<Text>) -> (Text, Value
         .map(|(k, (joint, value))| {
             let outer = joint.kind.to_display(*value);
             text!(
-                "joint {joint} by {offset}",
-                joint = k + 1,
-                offset = format!("{outer:+.6}{}", joint.kind.sign())
+                "{found}: {name}",
+                found = text!("joint {joint}", joint = k + 1),
+                name = format!("{outer:+.6}{}", joint.kind.sign())
             )
         })
         .collect();

@@ -75,27 +75,16 @@ impl ExportError {
             Self::Refused(says) => says.clone(),
             Self::MakesWorse {
                 session,
-                is_table: true,
                 before_mm,
                 after_mm,
+                ..
             } => text!(
-                "with this table the RMS error of '{session}' would rise from {before_mm} to {after_mm}: nothing is written",
+                "with this the RMS error of '{session}' would rise from {before_mm} to {after_mm}: nothing is written",
                 session,
                 before_mm = length(before_mm, 6),
                 after_mm = length(after_mm, 6)
             ),
-            Self::MakesWorse {
-                session,
-                is_table: false,
-                before_mm,
-                after_mm,
-            } => text!(
-                "with this description of the robot, seen from the frame of the model, the RMS error of '{session}' would rise from {before_mm} to {after_mm}: nothing is written",
-                session,
-                before_mm = length(before_mm, 6),
-                after_mm = length(after_mm, 6)
-            ),
-            Self::ReadBack(what) => text!("the file does not read back as it should: {what}", what),
+            Self::ReadBack(what) => text!("what was written reads back differently: {what}", what),
         }
     }
 }

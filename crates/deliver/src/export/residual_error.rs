@@ -21,8 +21,7 @@ use crate::compensation::{Compensation, JointTable, Side};
 use crate::kinematics::JointKind;
 use crate::lanes::{dot, minus};
 use crate::model::Calibration;
-use crate::text::Text;
-use crate::text::length;
+use crate::text::{Argument, Text, length};
 
 /// What a table may add.
 const SHARE: f64 = 0.01;
@@ -53,7 +52,7 @@ impl Allowance {
         if let Some(tolerance) = calibration.tolerance_mm {
             return Self {
                 mm: SHARE * tolerance,
-                is: text!("1 % of the tolerance"),
+                is: share(SHARE, text!("the tolerance")),
             };
         }
         let gap = calibration.history.last().map_or(0.0, |step| step.gap_mm);
@@ -61,12 +60,9 @@ impl Allowance {
         Self {
             mm: SHARE * if known { gap } else { LEAST_STAND_IN_MM },
             is: if known {
-                text!("1 % of the model's RMS error, as there is no tolerance")
+                share(SHARE, text!("the model's RMS error"))
             } else {
-                text!(
-                    "1 % of {least}, as there is no tolerance",
-                    least = length(LEAST_STAND_IN_MM, 2)
-                )
+                share(SHARE, length(LEAST_STAND_IN_MM, 2))
             },
         }
     }
@@ -80,7 +76,7 @@ impl Allowance {
         }
         Self {
             mm,
-            is: text!("3 % of the model's RMS error, with entries at the measured targets"),
+            is: share(AT_THE_TARGETS, text!("the model's RMS error")),
         }
     }
 
@@ -88,6 +84,15 @@ impl Allowance {
     pub(super) fn without_independent(&self, mm: f64) -> f64 {
         (self.mm * self.mm - mm * mm).max(0.0).sqrt()
     }
+}
+
+fn share(of_one: f64, what: impl Into<Argument>) -> Text {
+    let what: Argument = what.into();
+    text!(
+        "{share} % of {length}",
+        share = 100.0 * of_one,
+        length = what
+    )
 }
 
 /// The exact correction at closely spaced places.
@@ -299,35 +304,27 @@ impl ResidualError {
         let (entries, allowed) = (sheet.places.len(), &self.allowance.is);
         let added = length(self.added_rms_mm, 5);
         let limit = length(self.allowance.mm, 5);
-        let adds = if self.met() {
-            text!(
-                "its {entries} entries add {added}, less than {allowed} ({limit})",
-                entries,
-                added,
-                allowed,
-                limit
-            )
-        } else if asked {
-            text!(
-                "its {entries} entries add {added}, more than {allowed} ({limit}): the step is wide",
-                entries,
-                added,
-                allowed,
-                limit
-            )
-        } else {
-            let step = rules.resolution.unwrap_or(0.0);
-            text!(
-                "its {entries} entries add {added}, more than {allowed} ({limit}): {format} takes at most {most} entries in steps of {step}",
-                entries,
-                added,
-                allowed,
-                limit,
-                format = rules.title(),
-                most = rules.most_entries,
-                step = format!("{step}{}", sheet.kind.sign())
-            )
-        };
+        let mut adds = text!(
+            "its {entries} entries add {added}; {allowed} is {limit}",
+            entries,
+            added,
+            allowed,
+            limit
+        );
+        if !self.met() {
+            let why = if asked {
+                text!("the step is wide")
+            } else {
+                let step = rules.resolution.unwrap_or(0.0);
+                text!(
+                    "{format} takes at most {most} entries in steps of {step}",
+                    format = rules.title(),
+                    most = rules.most_entries,
+                    step = format!("{step}{}", sheet.kind.sign())
+                )
+            };
+            adds = text!("{found}: {name}", found = adds, name = why);
+        }
         let Some(leaves) = self.leaves else {
             // A model whose samples are not known.
             return match self.gap_mm {
@@ -344,20 +341,20 @@ impl ResidualError {
             length(leaves.leaves_mm, 4),
             length(leaves.between_targets_mm, 4),
         );
+        let leaves_so = text!(
+            "with this table the controller leaves {at}, and {between} between the measured positions, by samples that the fit has not seen; {adds}",
+            at,
+            between,
+            adds
+        );
         if leaves.are_targets_too_far_apart() {
             text!(
-                "with this table the controller leaves {at} at the measured positions and {between} between them, by samples that the fit has not seen: neighbours do not predict a position, measure in smaller steps; {adds}",
-                at,
-                between,
-                adds
+                "{first}; {next}",
+                first = leaves_so,
+                next = text!("neighbours do not predict a position, measure in smaller steps")
             )
         } else {
-            text!(
-                "with this table the controller leaves {at}, and {between} between the measured positions, by samples that the fit has not seen; {adds}",
-                at,
-                between,
-                adds
-            )
+            leaves_so
         }
     }
 }

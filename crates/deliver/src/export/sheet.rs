@@ -39,6 +39,19 @@ pub(super) const TURN: f64 = 360.0;
 const NEARLY: f64 = 1e-6;
 
 impl Sheet {
+    /// The joint's name in small letters, digits and underscores; `None` where it has no other.
+    pub(super) fn word(&self) -> Option<String> {
+        let kept = |c: char| {
+            if c.is_ascii_alphanumeric() {
+                c.to_ascii_lowercase()
+            } else {
+                '_'
+            }
+        };
+        let name: String = self.name.chars().map(kept).collect();
+        name.chars().any(|c| c != '_').then_some(name)
+    }
+
     /// The whole of a table, as the format rounds it.
     pub(super) fn new(table: &JointTable, rules: &Rules) -> Self {
         let outer = |values: &[f64]| -> Vec<f64> {

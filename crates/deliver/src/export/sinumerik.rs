@@ -31,7 +31,7 @@ const RULES: Rules = Rules {
     limit_because: phrase!("MD38000 MM_ENC_COMP_MAX_POINTS"),
     directions: Directions::One {
         instead: phrase!(
-            "enter the backlash in MD32450 BACKLASH and export a model without it, or choose a format with two columns (LinuxCNC, TwinCAT CNC, CSV)"
+            "use the axis' own backlash compensation and export a model without backlash, or choose a format with two columns (LinuxCNC, TwinCAT CNC, CSV)"
         ),
     },
     repeats: true,

@@ -61,19 +61,8 @@ fn whole(value: f64) -> String {
 
 /// A name of letters, digits and underscores.
 fn axis_name(sheet: &Sheet) -> String {
-    let kept = |c: char| {
-        if c.is_ascii_alphanumeric() {
-            c.to_ascii_uppercase()
-        } else {
-            '_'
-        }
-    };
-    let name: String = sheet.name.chars().map(kept).collect();
-    if name.chars().any(|c| c != '_') {
-        name
-    } else {
-        format!("AXIS_{}", sheet.joint + 1)
-    }
+    let name = sheet.word().map(|name| name.to_ascii_uppercase());
+    name.unwrap_or_else(|| format!("AXIS_{}", sheet.joint + 1))
 }
 
 fn write(_: &Job, sheet: &Sheet, _: &[Text]) -> String {

@@ -78,8 +78,8 @@ fn name(one: &Estimate, joints: usize) -> String {
 /// What an entry comes from, in words.
 pub fn source(entry: &Entry) -> &'static str {
     match entry.source {
-        Source::Session => say!(in "history-cell", "session"),
-        Source::Model => say!(in "history-cell", "model"),
+        Source::Session => say!("Session"),
+        Source::Model => say!("Model"),
     }
 }
 
@@ -94,15 +94,9 @@ pub fn short_name(entry: &Entry) -> String {
 
 /// Sessions and models with their errors, the earliest first.
 pub fn entries(robot: &RobotHistory) -> Table {
-    let mut table = Table::of([
-        Column::words(say!(in "history-heading", "Session")),
-        Column::words(say!(in "history-heading", "From")),
-        Column::numbers(say!(in "history-heading", "Samples")),
-        Column::numbers(say!(in "history-heading", "RMS error nominal, mm")),
-        Column::numbers(say!(in "history-heading", "Model, mm")),
-        Column::numbers(say!(in "history-heading", "With the earliest, mm")),
-        Column::numbers(say!(in "history-heading", "Changed")),
-    ]);
+    let mut table = Table::headed(say!(
+        "Session | From | >Samples | >RMS error nominal, mm | >Model, mm | >With the earliest, mm | >Changed"
+    ));
     let dash = || "–".to_owned();
     for entry in &robot.entries {
         let changed = entry.changes.iter().filter(|c| c.is_significant()).count();
@@ -131,11 +125,8 @@ pub fn entries(robot: &RobotHistory) -> Table {
 pub fn parameters(robot: &RobotHistory, shown: &[usize]) -> Table {
     let heads = shown.iter().filter_map(|k| robot.entries.get(*k));
     let heads = heads.map(|entry| Column::numbers(shortened(&short_name(entry), 24)));
-    let fixed = [
-        Column::words(say!(in "history-heading", "Parameter")),
-        Column::words(say!(in "history-heading", "Unit")),
-    ];
-    let mut table = Table::of(fixed.into_iter().chain(heads));
+    let mut table = Table::headed(say!("Parameter | Unit"));
+    table.columns.extend(heads);
     for row in rows(robot) {
         let cells = shown.iter().map(|k| row.values.get(*k).copied().flatten());
         let cells = cells.map(|value| Cell::number(value.map(|v| v.value), |_| describe(value)));

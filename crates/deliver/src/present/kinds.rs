@@ -2,7 +2,7 @@
 
 use super::json::{Json, list, object};
 use super::numbers::plain;
-use super::table::{Cell, Column, Table};
+use super::table::{Cell, Table};
 use crate::observations::figures::{Errors, KindFigures};
 use crate::observations::kind_in_words;
 use crate::text::{by_titles, current};
@@ -38,17 +38,9 @@ fn name_of(own: &KindFigures) -> String {
 
 /// Errors by kind, root mean square, of what was fitted and of what is held out.
 pub(crate) fn table(kinds: &[KindFigures]) -> Table {
-    let mut table = Table::of([
-        Column::words(say!("Kind")),
-        Column::numbers(say!("Number")),
-        Column::words(say!("Unit")),
-        Column::numbers(say!("Nominal")),
-        Column::numbers(say!("Model")),
-        Column::numbers(say!("Cross-validated")),
-        Column::numbers(say!("Largest")),
-        Column::numbers(say!("σ stated")),
-        Column::numbers(say!("σ found")),
-    ]);
+    let mut table = Table::headed(say!(
+        "Kind | >Number | Unit | >Nominal | >Model | >Cross-validated | >Largest | >σ stated | >σ found"
+    ));
     let number = |value| Cell::number(value, plain);
     for own in kinds {
         let fitted = own

@@ -239,30 +239,6 @@ impl Sizes {
     }
 }
 
-/// From which size (95 %) an effect would have been seen, parameter by parameter.
-pub(crate) fn detection_limit(limit: &Limit) -> String {
-    let seen = |(full, size): &(&str, f64)| sight(limit.effect, full, *size);
-    let all = |one: Detectability| limit.sizes.iter().all(|size| seen(size) == one);
-    if all(Detectability::AtAnySize) {
-        return say!("any size, there is no noise").to_owned();
-    }
-    if all(Detectability::AtNoSize) {
-        return say!("not observable with these poses").to_owned();
-    }
-    let sizes = limit.sizes.iter().map(|(full, size)| {
-        let (name, unit) = parameter(full);
-        match sight(limit.effect, full, *size) {
-            Detectability::Above(size) => {
-                let (factor, unit) = Units::spoken().of_unit(unit);
-                format!("{name} {} {unit}", significant(factor * size, 3)).replace(" °", "°")
-            }
-            Detectability::AtAnySize => say!("{name}: any size, there is no noise", name),
-            Detectability::AtNoSize => say!("{name}: not observable with these poses", name),
-        }
-    });
-    sizes.collect::<Vec<_>>().join(", ")
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

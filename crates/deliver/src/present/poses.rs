@@ -6,16 +6,14 @@ use crate::diagnosis::NextPose;
 use crate::kinematics::Robot;
 use crate::text::{by_titles, current};
 
+fn headed() -> Table {
+    Table::headed(say!("pose | from | reflector | conditions | why"))
+}
+
 /// The poses in order: joint values, the side from which each joint comes (+ from below, − from above),
 /// the reflector, what else is to be seen to, and why.
 pub fn table(poses: &[NextPose], robot: &Robot) -> Table {
-    let mut table = Table::of([
-        Column::words(say!("pose")),
-        Column::words(say!(in "table", "from")),
-        Column::words(say!("reflector")),
-        Column::words(say!("conditions")),
-        Column::words(say!("why")),
-    ]);
+    let mut table = headed();
     for k in 0..poses.len() {
         let pose = values_of(&poses[k].q, robot, "").join(" ");
         let rest = [sides(&poses[k].dir)]
@@ -31,11 +29,8 @@ pub fn table(poses: &[NextPose], robot: &Robot) -> Table {
 pub(crate) fn table_by_joint(poses: &[NextPose], robot: &Robot) -> Table {
     let joints = (1..=robot.joints.len()).map(|joint| say!("joint {joint}", joint));
     let columns = [Column::numbers("")].into_iter();
-    let columns = columns.chain(joints.map(Column::numbers)).chain([
-        Column::words(say!("reflector")),
-        Column::words(say!("conditions")),
-        Column::words(say!("why")),
-    ]);
+    let columns = columns.chain(joints.map(Column::numbers));
+    let columns = columns.chain(headed().columns.split_off(2));
     let mut table = Table::of(columns);
     for (k, pose) in poses.iter().enumerate() {
         let values = values_of(&pose.q, robot, "").into_iter().zip(&pose.dir);
@@ -94,7 +89,7 @@ fn side(dir: f64) -> &'static str {
     match dir {
         d if d > 0.0 => "+",
         d if d < 0.0 => "−",
-        _ => say!(in "side", "any"),
+        _ => say!("any"),
     }
 }
 

@@ -1,7 +1,7 @@
 //! The figures of the standards, as terminal, window and report show them.
 
 use super::numbers::fixed;
-use super::table::{Cell, Column, Table};
+use super::table::{Cell, Table};
 use crate::standards::axis::{AxisTest, Series};
 use crate::standards::pose::PoseTest;
 use crate::standards::{Positioning, Standards, at_least};
@@ -45,12 +45,10 @@ impl Group {
 
     /// The figures as a table.
     pub(crate) fn table(&self) -> Table {
-        let mut table = Table::of([
-            Column::words(say!("Symbol")),
-            Column::words(say!("Figure")),
-            Column::numbers(say!("As measured, {unit}", unit = self.unit)),
-            Column::numbers(say!("Corrected commands")),
-        ]);
+        let mut table = Table::headed(say!(
+            "Symbol | Figure | >As measured, {unit} | >Corrected commands",
+            unit = self.unit
+        ));
         for row in &self.rows {
             let number = |value| Cell::number(value, |v| self.shown(v));
             table.row([

@@ -111,11 +111,7 @@ fn header_columns(text: &Text, header: &Row, axes: &Axes) -> Result<Columns, Pro
         };
         if columns.iter().any(same) {
             let found = text!("{name} a second time", name = &name);
-            return Err(Problem::new(
-                cell.start,
-                found,
-                text!("every quantity once"),
-            ));
+            return Err(Problem::new(cell.start, found, text!("each once")));
         }
         columns.push(column);
     }
@@ -331,7 +327,7 @@ impl Table<'_> {
         };
         if frame.goal().is_none() {
             let at = frame.turn.first().map_or(row.start, |n| n.range().start);
-            let found = text!("a quaternion of zero length");
+            let found = text!("zero length");
             return Err(Problem::new(at, found, text!("an orientation")));
         }
         Ok(frame)
@@ -345,7 +341,7 @@ impl Table<'_> {
             let found = if shown.is_empty() {
                 text!("an empty cell")
             } else {
-                text!("'{range}'", range = shown)
+                crate::text::Text::verbatim(format!("'{shown}'"))
             };
             Problem::new(range.start, found, reason.expected())
         };

@@ -16,6 +16,7 @@
 
 mod positions;
 
+use super::program::not_in_numbers;
 use std::ops::Range;
 
 use super::axes::Axes;
@@ -158,7 +159,7 @@ fn motion(walk: &mut Walk, words: &Words) -> Result<(), Problem> {
     for (j, name) in own.iter().filter(|(j, _)| words.is_sign(j + 1, b'[')) {
         let j = *j;
         if name == "pr" && !words.is_sign(j.saturating_sub(1), b',') {
-            let says = text!("a move to a position register, whose value is set at run time");
+            let says = not_in_numbers("PR[…]");
             walk.left(at, says);
         }
         if !(name == "p" || touching && j == k) {
@@ -244,7 +245,7 @@ fn instruction(walk: &mut Walk, words: &Words, k: usize) {
     match first.as_str() {
         "utool" | "uframe" if indexed => {
             let name = first.to_uppercase();
-            let says = text!("{name}[{n}] is set at run time", name, n = &number);
+            let says = not_in_numbers(format!("{name}[{number}]"));
             walk.program.declare(part, &named, at, Err(says.clone()));
             walk.left(at, says);
         }

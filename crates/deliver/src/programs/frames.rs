@@ -11,6 +11,7 @@
 //! the only such frame and the caller states one. What holds of a program's tools and frames is settled
 //! before ([`super::program_frames`]).
 
+use super::program::not_in_numbers;
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::kinematics::Pose;
@@ -109,11 +110,7 @@ impl<'a> Known<'a> {
         if let (true, Some(one), Some(other)) = (pose, one, other) {
             let differ = if one[BASE] == other[BASE] { TOOL } else { BASE };
             let (a, b) = (one[differ].to_string(), other[differ].to_string());
-            return Err(if differ == TOOL {
-                text!("motions go to it with the tools {a} and {b}", a, b)
-            } else {
-                text!("motions go to it with the frames {a} and {b}", a, b)
-            });
+            return Err(text!("motions go to it with {a} and {b}", a, b));
         }
         // Whatever it goes to, a tool that stands is not the model's.
         for way in [one, other].into_iter().flatten() {
@@ -144,7 +141,11 @@ impl<'a> Known<'a> {
         let stated = self.reading.stated.unwrap_or_else(Pose::identity);
         match (referred, self.program.declaration(BASE, referred)) {
             (Referred::Unsaid, _) => Ok(stated),
-            (Referred::Unknown(says), _) => Err(text!("its frame is not known: {says}", says)),
+            (Referred::Unknown(says), _) => Err(text!(
+                "{name} is not known: {says}",
+                name = text!("the frame"),
+                says
+            )),
             (_, Some(Declared { pose: Ok(pose), .. })) => {
                 Ok(self.reading.all_frames.unwrap_or(*pose))
             }
@@ -161,7 +162,7 @@ impl<'a> Known<'a> {
     fn on_flange(&self, name: &str) -> Result<Pose, Text> {
         match self.program.declared[TOOL].get(&name.to_lowercase()) {
             Some(declared) => declared.pose.clone(),
-            None => Err(text!("its tool {name} is declared elsewhere", name)),
+            None => Err(not_in_numbers(name)),
         }
     }
 
@@ -171,7 +172,11 @@ impl<'a> Known<'a> {
         let model = match (&self.reading.tool, referred) {
             (ToolReading::Given(tool_from_model), _) => return Ok(*tool_from_model),
             (_, Referred::Unknown(says)) => {
-                return Err(text!("its tool is not known: {says}", says));
+                return Err(text!(
+                    "{name} is not known: {says}",
+                    name = text!("the tool"),
+                    says
+                ));
             }
             (ToolReading::OnlyOne, _) if one => return Ok(Pose::identity()),
             (ToolReading::OnlyOne, _) => {

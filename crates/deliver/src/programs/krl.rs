@@ -12,6 +12,7 @@
 
 mod frames;
 
+use super::program::not_in_numbers;
 use std::collections::BTreeSet;
 use std::ops::Range;
 
@@ -70,7 +71,7 @@ pub(super) fn read(text: &Text, axes: &Axes) -> Result<Program, Vec<Problem>> {
             walk.program.declare_no_tool("$nullframe");
             walk.has_modules(data_lists(text));
         },
-        |spelled| text!("{spelled} has its values elsewhere", spelled),
+        |spelled| not_in_numbers(spelled),
     )
 }
 
@@ -249,7 +250,10 @@ fn motion(walk: &mut Walk, words: &Words, name: &str) -> Result<(), Problem> {
     for goal in 0..goals {
         if goal > 0 {
             if !words.is_sign(k, b',') {
-                let says = text!("a comma and the end point of {command}", command = &command);
+                let says = text!(
+                    "a comma and the next point of {command}",
+                    command = &command
+                );
                 return Err(words.problem(k, says));
             }
             k += 1;
@@ -296,7 +300,7 @@ fn target(
     // The first by its name, wherever it stands.
     if let Some(part) = foreign.min_by_key(|part| &part.key) {
         let component = part.key.to_uppercase();
-        let found = text!("component {component} in {name}", component, name);
+        let found = text!("{component} in {name}", component, name);
         let expected = text!("one of {names}", names = keys.join(", ").to_uppercase());
         return Err(Problem::new(part.value.at(words), found, expected));
     }
@@ -363,8 +367,8 @@ fn whole(
         Some(Value::Number(number)) => {
             let value = number.value;
             if !(0.0..=255.0).contains(&value) || value.fract() != 0.0 {
-                let component = key.to_uppercase();
-                let found = text!("{component} {value} in {name}", component, value, name);
+                let component = format!("{} {value}", key.to_uppercase());
+                let found = text!("{component} in {name}", component, name);
                 let expected = text!("a whole number from 0 to 255");
                 return Err(Problem::new(number.range().start, found, expected));
             }

@@ -1,5 +1,6 @@
 //! What a reader finds in a file as a whole: its targets, and the frames, tools and loads that hold for them.
 
+use crate::text::Argument;
 use std::collections::btree_map::Entry;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -109,4 +110,13 @@ impl Program {
         all.filter(|k| !std::mem::replace(&mut seen[*k], true))
             .collect()
     }
+}
+
+/// What is said of a value that the file does not write out in numbers.
+pub(super) fn not_in_numbers(spelled: impl Into<Argument>) -> crate::text::Text {
+    let spelled: Argument = spelled.into();
+    text!(
+        "{spelled} is computed at run time, or has its values elsewhere",
+        spelled
+    )
 }

@@ -18,6 +18,7 @@ mod targets;
 
 use super::axes::Axes;
 use super::program::Program;
+use super::program::not_in_numbers;
 use super::referred::{BASE, MODE, Referred, Set, TOOL};
 use super::target::Problem;
 use super::text::Text;
@@ -86,7 +87,7 @@ pub(super) fn read(text: &Text, axes: &Axes) -> Result<Program, Vec<Problem>> {
         axes,
         &pieces,
         |walk| walk.program.declare_no_tool("tool0"),
-        |spelled| text!("{spelled} is declared elsewhere", spelled),
+        |spelled| not_in_numbers(spelled),
     )
 }
 
@@ -155,7 +156,7 @@ fn declaration(walk: &mut Walk, words: &Words, k: usize, local: bool) -> Result<
     let valued = words.is_sign(equals, b':') && words.is_sign(equals + 1, b'=');
     if !valued || !words.is_sign(equals + 2, b'[') {
         if let Some(part) = held_part {
-            let says = text!("{spelled} has no value in this file", spelled = &spelled);
+            let says = not_in_numbers(&spelled);
             walk.program.declare(part, &spelled, at, Err(says));
         } else if valued && target {
             walk.changed(&name, words, k + 1);
@@ -194,7 +195,7 @@ fn declaration(walk: &mut Walk, words: &Words, k: usize, local: bool) -> Result<
     if words.is_sign(end, b';') {
         return Ok(());
     }
-    Err(words.problem(end, text!("a semicolon behind {spelled}", spelled)))
+    Err(words.problem(end, crate::text::Text::verbatim("';'")))
 }
 
 /// A target, or each of an array of them.
@@ -303,7 +304,7 @@ fn motion(walk: &mut Walk, words: &Words, from: usize, name: &str) -> Result<(),
     while k < words.len() && !words.is_sign(k, b';') {
         let end = words.until(k, b",;");
         if let Some(j) = (k..end).find(|j| is_move(&words.name(*j))) {
-            let expected = text!("a semicolon at the end of the {command} before it", command);
+            let expected = crate::text::Text::verbatim("';'");
             return Err(words.problem(j, expected));
         }
         // A switch at the beginning is no argument: `\Conc, p1, …`.
@@ -348,7 +349,7 @@ fn held_in(words: &Words, name: &str, arguments: &[(usize, usize)], goals: usize
             return Referred::named(words.spelled(k));
         }
         let name = words.shown(k, end);
-        Referred::Unknown(text!("{name} is computed at run time", name))
+        Referred::Unknown(not_in_numbers(name))
     };
     let is_frame = |j: &usize| words.is_sign(*j, b'\\') && words.name(*j + 1) == "wobj";
     // The switch may stand behind a later argument as well.
@@ -375,7 +376,7 @@ fn goal(
     } else if words.is_sign(k, b'[') {
         let (list, behind) = words.list(k)?;
         if behind < end && !words.is_sign(behind, b'\\') {
-            return Err(words.problem(behind, text!("a comma or a semicolon")));
+            return Err(words.problem(behind, crate::text::Text::verbatim("',' ';'")));
         }
         match target(walk, words, &list, &format!("target of {command}"), None)? {
             Ok(target) => walk.go_to(target, changes),

@@ -8,6 +8,7 @@
 //!
 //! A pose has no configuration; `get_inverse_kin(p[…], [near])` says one.
 
+use super::program::not_in_numbers;
 use crate::kinematics::{JointKind, Pose};
 
 use super::axes::Axes;
@@ -64,12 +65,7 @@ pub(super) fn read(text: &Text, axes: &Axes) -> Result<Program, Vec<Problem>> {
         axes,
         &pieces,
         |_| {},
-        |spelled| {
-            text!(
-                "{spelled} is computed at run time, or has its values elsewhere",
-                spelled
-            )
-        },
+        |spelled| not_in_numbers(spelled),
     )
 }
 
@@ -183,8 +179,7 @@ fn tool_at(walk: &mut Walk, words: &Words, k: usize) -> Referred {
     let shown = words.shown(k, words.until(k, b",)"));
     let values = values(walk, words, k, (true, &shown)).unwrap_or_default();
     let pose = pose_of(&values);
-    let pose =
-        pose.ok_or_else(|| text!("{spelled} is not written out in numbers", spelled = &shown));
+    let pose = pose.ok_or_else(|| not_in_numbers(&shown));
     walk.program.declare(TOOL, &shown, words.at(k), pose);
     Referred::named(shown)
 }
@@ -250,7 +245,7 @@ fn motion(
             return Err(words.problem(k, expected));
         }
         if !comma && !words.is_sign(k, b')') {
-            return Err(words.problem(k, text!("a comma or )")));
+            return Err(words.problem(k, crate::text::Text::verbatim("',' ')'")));
         }
         k += usize::from(left > 0);
     }
@@ -273,7 +268,7 @@ fn goal(walk: &mut Walk, words: &Words, k: usize, command: &str) -> Result<usize
         None => end,
     };
     if end >= words.len() && here.is_none() {
-        return Err(words.problem(end, text!("a closing ) at the end of the move")));
+        return Err(words.problem(end, crate::text::Text::verbatim("')'")));
     }
     let mut near = None;
     if inverse && words.is_sign(behind, b',') {
@@ -296,8 +291,8 @@ fn goal(walk: &mut Walk, words: &Words, k: usize, command: &str) -> Result<usize
             walk.go_to(target, &[]);
         }
         Some(_) => {
-            let says = text!("the target of {command} is computed at run time", command);
-            walk.left(words.at(k), says);
+            let spelled = words.shown(k, end);
+            walk.left(words.at(k), not_in_numbers(spelled));
         }
         None => {
             let name = words.is_name(from) && behind == from + 1;
@@ -340,7 +335,11 @@ fn target(
         })),
         _ if pose => {
             let found = text!(one "a list of {count} number", "a list of {count} numbers", count);
-            return Err(Problem::new(at, found, text!("p[x, y, z, rx, ry, rz]")));
+            return Err(Problem::new(
+                at,
+                found,
+                crate::text::Text::verbatim("p[x, y, z, rx, ry, rz]"),
+            ));
         }
         _ if count == joints => Shape::Joints {
             numbers: numbers.to_vec(),

@@ -370,7 +370,8 @@ impl<'t> Words<'t, '_> {
         let range = self.at(k)..self.range(digits).end;
         let read = Number::read(self.text.bytes, range.clone(), false);
         let wrong = |reason: NoNumber| {
-            let found = text!("'{range}'", range = self.text.shown(range.clone()));
+            let found =
+                crate::text::Text::verbatim(format!("'{}'", self.text.shown(range.clone())));
             Problem::new(range.start, found, reason.expected())
         };
         Some(read.map(|number| (number, digits + 1)).map_err(wrong))
@@ -474,7 +475,7 @@ impl<'t> Words<'t, '_> {
             parts: Vec::new(),
         };
         if depth > DEEPEST {
-            let found = text!("brackets in brackets");
+            let found = text!("blocks in blocks");
             return Err(Problem::new(
                 list.at,
                 found,
@@ -499,7 +500,7 @@ impl<'t> Words<'t, '_> {
                 if list.parts.iter().rev().take(64).any(|part| part.key == key) {
                     let component = key.to_uppercase();
                     let found = text!("{name} a second time", name = component);
-                    let expected = text!("every component once");
+                    let expected = text!("each once");
                     return Err(Problem::new(self.at(k), found, expected));
                 }
                 k += 1;
@@ -511,10 +512,10 @@ impl<'t> Words<'t, '_> {
             }
             if !self.is_sign(end, b',') {
                 let expected = match close {
-                    b']' => text!("a comma or ]"),
-                    _ => text!("a comma or }"),
+                    b']' => "',' ']'",
+                    _ => "',' '}'",
                 };
-                return Err(self.problem(end, expected));
+                return Err(self.problem(end, crate::text::Text::verbatim(expected)));
             }
             k = end + 1;
         }

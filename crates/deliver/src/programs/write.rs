@@ -58,7 +58,11 @@ impl WriteError {
                 language
             ),
             Self::Slide => {
-                text!("a sliding joint; expected turning joints, which URScript gives in rad")
+                text!(
+                    "{found}; expected {expected}",
+                    found = text!("a model with a sliding joint"),
+                    expected = text!("turning joints, which URScript gives in rad")
+                )
             }
             Self::Pose { pose, joints } => text!(
                 "pose {pose}: expected {joints} joint values within a robot's range, one for each joint",

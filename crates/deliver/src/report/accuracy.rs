@@ -6,8 +6,9 @@ use crate::present::drawing::Drawing;
 use crate::present::poses::sides;
 use crate::standards::Standards;
 use crate::standards::pose::PoseTest;
+use crate::text::capital;
 
-use super::document::{Block, Column, Section, Table, clean};
+use super::document::{Block, Section, Table, clean};
 use crate::explain;
 use crate::present::numbers::{plain, short};
 
@@ -19,12 +20,9 @@ const MOST_PLOTS: usize = 7;
 const HEIGHT: f64 = 120.0;
 
 pub(super) fn section(standards: &Standards) -> Section {
-    let mut blocks = vec![Block::Text(
-        say!(
-            "As measured, and as the same approaches would have come out with corrected commands; the definitions are those of ISO 230-2:2014 and ISO 9283:1998"
-        )
-        .to_owned(),
-    )];
+    let mut blocks = vec![Block::text(say!(
+        "As measured, and as the same approaches would have come out with corrected commands; the definitions are those of ISO 230-2:2014 and ISO 9283:1998"
+    ))];
     blocks.extend(plots(standards));
     for section in explain::standards(standards, 1) {
         blocks.push(Block::Heading(section.title));
@@ -67,7 +65,7 @@ fn plots(standards: &Standards) -> impl Iterator<Item = Block> {
             sheet.place(drawing, [0.0, sheet.height]);
             sheet.height += drawing.height;
         };
-        place(&chart(AxisStage::Measured, say!(in "chart-word", "As measured")));
+        place(&chart(AxisStage::Measured, &capital(say!("as measured"))));
         let caption = if series.corrected.is_some() {
             place(&chart(AxisStage::Predicted, say!("As predicted with the table")));
             say!(
@@ -101,16 +99,9 @@ fn pose_blocks(test: &PoseTest, blocks: &mut Vec<Block>) {
             all = test.poses.len()
         )));
     }
-    let mut table = Table::of([
-        Column::words(say!("Pose")),
-        Column::words(say!("Side")),
-        Column::words(say!("Reflector")),
-        Column::numbers("n"),
-        Column::numbers("AP, mm"),
-        Column::numbers("RP, mm"),
-        Column::numbers(say!("AP corrected")),
-        Column::numbers(say!("RP corrected")),
-    ]);
+    let mut table = Table::headed(say!(
+        "Pose | Side | Reflector | >n | >AP, mm | >RP, mm | >AP corrected | >RP corrected"
+    ));
     for k in worst.into_iter().take(shown) {
         let pose = &test.poses[k];
         let after =

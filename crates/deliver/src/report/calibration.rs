@@ -10,14 +10,14 @@ use crate::present::decision;
 use crate::units::deg_from_rad;
 
 use super::Extras;
-use super::document::{Block, Column, Figure, Report, Section, Table, clean};
+use super::document::{Block, Figure, Report, Section, Table, clean};
 use super::parts::{
     details, foot, gap, of_machine, or_unnamed, robot_facts, signatures, tables, tolerance,
 };
 use super::plots::gap as gap_plot;
 use crate::present::chart::in_words;
 use crate::present::numbers::{mm, plain};
-use crate::text::current;
+use crate::text::{capital, current};
 
 impl Report {
     /// The report of a model file.
@@ -89,7 +89,7 @@ fn origin(c: &Calibration, tolerance_mm: Option<f64>, hash: &str) -> Section {
     if let Some(by) = &c.compensated_by {
         facts.push(fact(
             say!("Measured with a correction table active"),
-            say!("of model {model}", model = clean(by)),
+            clean(by),
         ));
     }
     facts.push(fact(
@@ -112,11 +112,9 @@ fn origin(c: &Calibration, tolerance_mm: Option<f64>, hash: &str) -> Section {
 }
 
 fn history(c: &Calibration, tolerance_mm: Option<f64>) -> Section {
-    let mut table = Table::of([
-        Column::words(say!("Step")),
-        Column::numbers(say!("RMS error on the fit, mm")),
-        Column::numbers(say!("Cross-validated, mm")),
-    ]);
+    let mut table = Table::headed(say!(
+        "Step | >RMS error on the fit, mm | >Cross-validated, mm"
+    ));
     let mut steps = c.history.clone();
     for step in &mut steps {
         step.what = clean(&step.what);
@@ -127,7 +125,7 @@ fn history(c: &Calibration, tolerance_mm: Option<f64>) -> Section {
         ]);
     }
     Section::new(
-        say!("The gap step by step"),
+        capital(say!("the gap step by step")),
         vec![
             Block::Table(table),
             Block::Plot(
@@ -142,23 +140,15 @@ pub(super) fn values(c: &Calibration) -> Section {
     let mut blocks = Vec::new();
     let all = all_estimates(c, NORMAL_95);
     if !all.is_empty() {
-        blocks.push(Block::Text(
-            say!(
+        blocks.push(Block::text(say!(
                 "Deviations of the real robot from the nominal model: a length of −1 mm is 1 mm short. Intervals are from the model's covariance, for many samples"
-            )
-            .to_owned(),
-        ));
+            )));
         blocks.extend(explain::values(&all, &c.model.robot, Detail::REPORT));
     }
     if !c.regions.is_empty() {
-        let mut table = Table::of([
-            Column::words(say!("Region")),
-            Column::numbers(say!("From, °")),
-            Column::numbers(say!("To, °")),
-            Column::numbers(say!("Samples")),
-            Column::numbers("Δθ, °"),
-            Column::numbers("Δl1, mm"),
-        ]);
+        let mut table = Table::headed(say!(
+            "Region | >From, ° | >To, ° | >Samples | >Δθ, ° | >Δl1, mm"
+        ));
         for region in &c.regions {
             table.row([
                 clean(&region.name),
@@ -169,18 +159,15 @@ pub(super) fn values(c: &Calibration) -> Section {
                 plain(region.l1_mm),
             ]);
         }
-        blocks.push(Block::Text(
-            say!(
-                "Corrections by region: what to add to the joint's command and along the radius at home"
-            )
-            .to_owned(),
-        ));
+        blocks.push(Block::text(say!(
+            "Corrections by region: what to add to the joint's command and along the radius at home"
+        )));
         blocks.push(Block::Table(table));
     }
     if blocks.is_empty() {
-        blocks.push(Block::Text(
-            say!("The model is the nominal robot: no effect is in it").to_owned(),
-        ));
+        blocks.push(Block::text(say!(
+            "The model is the nominal robot: no effect is in it"
+        )));
     }
     Section::new(say!("Parameters of the real robot"), blocks)
 }
@@ -188,17 +175,8 @@ pub(super) fn values(c: &Calibration) -> Section {
 fn missing() -> Section {
     Section::new(
         say!("What only a session can show"),
-        vec![Block::List(
-            [
-                say!(
-                    "the evidence for each name: the chance that noise alone looks like it, the odds over other names, what stays unexplained, what could not be tested"
-                ),
-                say!("deviations in the workspace and over the joints"),
-                say!("accuracy and repeatability after ISO 230-2 and ISO 9283"),
-                say!("what corrected commands leave on measured samples"),
-            ]
-            .map(str::to_owned)
-            .to_vec(),
-        )],
+        vec![Block::text(say!(
+            "The evidence for each name: the chance that noise alone looks like it, the odds over other names, what stays unexplained, what could not be tested; deviations in the workspace and over the joints; accuracy and repeatability after ISO 230-2 and ISO 9283; what corrected commands leave on measured samples"
+        ))],
     )
 }

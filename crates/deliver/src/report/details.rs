@@ -48,7 +48,7 @@ macro_rules! details {
             /// The lines of text in their order.
             pub const LINES: &'static [Line] = &[$(Line {
                 key: stringify!($key),
-                name: phrase!(in "details-field", $name),
+                name: phrase!($name),
                 of: |details| &mut details.$key,
             }),*];
         }
@@ -136,7 +136,7 @@ fn declare(o: &mut Object<'_, '_>, own: &mut Details) {
         o.usual_if(says, line.key, (line.of)(own), &TEXT);
     }
     let [logo, tolerance, rule] = OTHER_KEYS;
-    let above_0 = positive(phrase!("a length above 0 mm"));
+    let above_0 = positive(phrase!("a number above 0"));
     o.optional(logo, &mut own.logo, &LOGO);
     o.optional(tolerance, &mut own.tolerance_mm, &above_0);
     o.optional(rule, &mut own.rule, &RULE);

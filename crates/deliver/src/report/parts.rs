@@ -2,6 +2,7 @@
 
 use crate::kinematics::{JointKind, Range, Robot};
 use crate::sessions::{Instrument, Sigma};
+use crate::text::capital;
 
 use super::document::{Block, Section, clean};
 use super::{Details, Extras};
@@ -32,7 +33,7 @@ pub(super) fn robot_facts(robot: &Robot, measured: &[Range]) -> Vec<(String, Str
             let measured = say!("measured {range}", range = range(measured));
             about += &format!(", {measured}");
         }
-        facts.push((say!("Joint {joint}", joint = k + 1), about));
+        facts.push((capital(&say!("joint {joint}", joint = k + 1)), about));
     }
     facts
 }
@@ -95,7 +96,7 @@ pub(super) fn tables(extras: &Extras, samples_hash: &str, model_hash: &str) -> O
         blocks.push(Block::Heading(clean(&table.name)));
         blocks.push(Block::Facts(vec![
             fact(say!("Format"), format_in_words(&table.format)),
-            fact(say!("Joint"), clean(&table.joint)),
+            fact(capital(say!("joint")), clean(&table.joint)),
             fact(say!("Origin"), belongs),
             fact(say!("SHA-256 of the file"), table.hash.clone()),
             fact(say!("Model"), clean(&table.model_hash)),
@@ -129,13 +130,12 @@ pub(super) fn details(own: &Details) -> Option<Section> {
 pub(super) fn signatures(extras: &Extras) -> Section {
     let own = &extras.details;
     let line = |name: &str| (name.to_owned(), String::new());
-    Section::new(say!("Signatures"), vec![
-            Block::Text(
-                say!(
-                    "The figures above were produced by the program from the samples whose hash is stated; they hold for the measured range and conditions"
-                )
-                .to_owned(),
-            ),
+    Section::new(
+        say!("Signatures"),
+        vec![
+            Block::text(say!(
+                "The figures above were produced by the program from the samples whose hash is stated; they hold for the measured range and conditions"
+            )),
             Block::Sign(vec![
                 fact(say!("Calibrated by (name)"), clean(&own.operator)),
                 line(say!("Accepted by (name)")),
@@ -144,7 +144,8 @@ pub(super) fn signatures(extras: &Extras) -> Section {
                 line(say!("Signature")),
                 line(say!("Signature")),
             ]),
-    ])
+        ],
+    )
 }
 
 /// What stands at the foot of every page.

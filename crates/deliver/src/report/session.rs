@@ -20,10 +20,10 @@ use crate::present::kinds;
 use crate::present::names::title;
 use crate::sessions::{Session, hash_of_samples};
 use crate::standards::Standards;
-use crate::text::current;
+use crate::text::{capital, current};
 
 use super::calibration::values;
-use super::document::{Block, Column, Figure, Report, Section, Table, clean, clean_note};
+use super::document::{Block, Figure, Report, Section, Table, clean, clean_note};
 use super::parts::{
     details, foot, gap, instrument, of_machine, or_unnamed, robot_facts, signatures, tables,
     tolerance,
@@ -208,9 +208,10 @@ impl ReportContext<'_> {
                 say!("largest {size}", size = mm(v.nominal.max_mm)),
             ),
             if self.other.is_some() {
-                let all = say!(
-                    "{size} with everything that was found",
-                    size = mm(d.gap.end_mm)
+                let all = format!(
+                    "{} {}",
+                    mm(d.gap.end_mm),
+                    say!("with everything that was found")
                 );
                 figure(say!("RMS error, model in use"), mm(v.model.rms_mm), all)
             } else {
@@ -267,13 +268,8 @@ impl ReportContext<'_> {
             .take(MOST_ROWS)
             .map(|t| {
                 let p = t.position_mm;
-                say!(
-                    "{reflector} at ({x}, {y}, {z}) mm",
-                    reflector = clean(&t.name),
-                    x = short(p.x),
-                    y = short(p.y),
-                    z = short(p.z)
-                )
+                let at = [p.x, p.y, p.z].map(short).join(", ");
+                format!("{} ({at}) mm", clean(&t.name))
             })
             .collect();
         facts.push(fact(say!("Reflectors in the tool"), targets.join("; ")));
@@ -281,12 +277,12 @@ impl ReportContext<'_> {
         if let Some(measured) = s.kinds_in_words().map(spoken) {
             facts.push(fact(say!("Measured"), measured));
         }
-        facts.push(fact(say!("Conditions"), self.conditions()));
+        facts.push(fact(capital(say!("conditions")), self.conditions()));
         facts.push(tolerance(s.tolerance_mm));
         if let Some(by) = &s.compensated_by {
             facts.push(fact(
                 say!("Measured with a correction table active"),
-                say!("of model {model}", model = clean(by)),
+                clean(by),
             ));
         }
         facts.push(fact(
@@ -346,28 +342,19 @@ impl ReportContext<'_> {
             column.map_or_else(|| say!("not recorded").to_owned(), |c| range(c, unit))
         };
         [
-            say!(
-                "load {value}",
-                value = value(samples.load_kg.as_ref(), "kg")
-            ),
-            say!(
-                "temperature {value}",
-                value = value(samples.temperature_c.as_ref(), "°C")
-            ),
-            say!("time {value}", value = value(samples.time_s.as_ref(), "s")),
+            (say!("load"), &samples.load_kg, "kg"),
+            (say!("temperature"), &samples.temperature_c, "°C"),
+            (say!("time"), &samples.time_s, "s"),
         ]
+        .map(|(name, column, unit)| format!("{name} {}", value(column.as_ref(), unit)))
         .join("; ")
     }
 
     fn result(&self) -> Section {
         let (d, v) = (self.found, self.verification);
-        let mut table = Table::of([
-            Column::words(say!("RMS error, mm")),
-            Column::numbers(say!("Fit")),
-            Column::numbers(say!("Cross-validated")),
-            Column::numbers(say!("Largest")),
-            Column::numbers(say!("Over the floor")),
-        ]);
+        let mut table = Table::headed(say!(
+            "RMS error, mm | >Fit | >Cross-validated | >Largest | >Over the floor"
+        ));
         let times = |mm: f64| {
             if d.floor.mm > 1e-9 {
                 format!("× {}", short((mm / d.floor.mm * 10.0).round() / 10.0))
@@ -386,7 +373,7 @@ impl ReportContext<'_> {
             ]);
         };
         row(
-            say!("nominal robot, as measured"),
+            say!("nominal robot"),
             d.gap.start_mm,
             held.map(|g| g.start_mm),
             Some(v.nominal.max_mm),
@@ -408,7 +395,7 @@ impl ReportContext<'_> {
         if let Some(other) = &self.other {
             let (rms, max) = (v.model.rms_mm, v.model.max_mm);
             row(
-                &say!("with the model in use ({other})", other),
+                &format!("{} ({other})", say!("RMS error, model in use")),
                 rms,
                 None,
                 Some(max),
@@ -416,14 +403,16 @@ impl ReportContext<'_> {
         }
         if let Some(c) = v.compensated {
             row(
-                say!("with corrected commands only"),
+                say!("with corrected commands"),
                 c.gap.rms_mm,
                 None,
                 Some(c.gap.max_mm),
             );
         }
         let mut blocks = vec![
-            Block::Text(self.what_the_gap_is().to_owned()),
+            Block::text(say!(
+                "RMS error is the root mean square of the residuals, as lengths. Noise alone leaves the floor"
+            )),
             Block::Table(table),
         ];
         blocks.extend(self.by_kind());
@@ -431,8 +420,7 @@ impl ReportContext<'_> {
         blocks.push(Block::List(self.remarks()));
         blocks.push(Block::Plot(
             gap_plot(&d.history, Some(d.floor.mm), self.session.tolerance_mm),
-            say!("The gap step by step; each step keeps what the ones before it brought")
-                .to_owned(),
+            capital(say!("the gap step by step")),
         ));
         Section::new(say!("Result"), blocks)
     }
@@ -460,18 +448,6 @@ impl ReportContext<'_> {
         remarks
     }
 
-    fn what_the_gap_is(&self) -> &'static str {
-        if self.session.samples.observed.is_empty() {
-            say!(
-                "RMS error is the root mean square of the distance between measured and simulated points. Noise alone leaves the floor"
-            )
-        } else {
-            say!(
-                "RMS error is the root mean square of the residuals, as lengths. Noise alone leaves the floor"
-            )
-        }
-    }
-
     /// Errors by kind of measurement, where there are other kinds than points.
     fn by_kind(&self) -> Vec<Block> {
         let kinds = &self.found.identification.kinds;
@@ -479,12 +455,9 @@ impl ReportContext<'_> {
             return Vec::new();
         }
         vec![
-            Block::Text(
-                say!(
-                    "By kind of measurement, root mean square; an angle counts in the RMS error as the length across which it is seen"
-                )
-                .to_owned(),
-            ),
+            Block::text(say!(
+                "By kind of measurement, root mean square; an angle counts in the RMS error as the length across which it is seen"
+            )),
             Block::Table(kinds::table(kinds)),
         ]
     }
@@ -497,12 +470,9 @@ impl ReportContext<'_> {
         let found = d.found.iter().flat_map(|f| &f.parameters);
         let all = d.identified.iter().chain(found);
         let all: Vec<Estimate> = all.cloned().collect();
-        let mut blocks = vec![Block::Text(
-            say!(
-                "Deviations of the real robot from the nominal model: a length of −1 mm is 1 mm short. Commands are corrected by the opposite"
-            )
-            .to_owned(),
-        )];
+        let mut blocks = vec![Block::text(say!(
+            "Deviations of the real robot from the nominal model: a length of −1 mm is 1 mm short. Commands are corrected by the opposite"
+        ))];
         blocks.extend(explain::values(&all, self.robot(), Detail::REPORT));
         Section::new(say!("Parameters of the real robot"), blocks)
     }

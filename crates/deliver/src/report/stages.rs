@@ -10,6 +10,7 @@ use crate::model::{Calibration, Model};
 use crate::numeric::extent;
 use crate::present::chart::{ColourRole, shortened};
 use crate::sessions::Session;
+use crate::text::capital;
 
 use super::ReportError;
 use super::document::{Block, Section};
@@ -106,7 +107,7 @@ pub fn as_measured(session: &Session, floor_mm: Option<f64>) -> Stages {
             .map(|i| dir.map_or(0.0, |d| if d[i].is_nan() { 0.0 } else { d[i] }))
             .collect(),
         stages: vec![Stage {
-            name: say!(in "chart-word", "As measured").to_owned(),
+            name: capital(say!("as measured")),
             role: ColourRole::Before,
             deviations: deviations(&problem, &nominal),
         }],
@@ -123,7 +124,7 @@ fn without_samples(session: &Session, floor_mm: Option<f64>) -> Stages {
         in_degrees: false,
         side: Vec::new(),
         stages: vec![Stage {
-            name: say!(in "chart-word", "As measured").to_owned(),
+            name: capital(say!("as measured")),
             role: ColourRole::Before,
             deviations: Deviations::default(),
         }],

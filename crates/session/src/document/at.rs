@@ -22,7 +22,7 @@ impl<'a> Fields<'a> {
     ) -> Option<Cursor<'o, 'a>> {
         let mut at = self.at(root, &Path::Root, expected);
         let members = at.members()?;
-        let tag = text!("\"{format}\"", format);
+        let tag = Text::verbatim(format!("\"{format}\""));
         let name = format.trim_end_matches(char::is_numeric);
         at.under(members, "format", &tag, |at| match &at.node.value {
             Value::Text(own) if own == format => Some(()),
@@ -136,8 +136,12 @@ impl<'o> Cursor<'o, '_> {
         let Value::Text(text) = &self.node.value else {
             return self.wrong();
         };
-        let found = all.iter().find(|one| name(**one) == text);
-        found.copied().or_else(|| self.wrong())
+        let found = all.iter().copied().find(|one| name(*one) == text);
+        found.or_else(|| {
+            let names: Vec<String> = all.iter().map(|one| quoted(name(*one))).collect();
+            self.expected = text!("one of {names}", names = names.join(", "));
+            self.wrong()
+        })
     }
 
     /// The members of an object.

@@ -53,19 +53,18 @@ impl Value {
             Self::Whole(value) => Text::verbatim(value.to_string()),
             Self::Text(text) => Text::verbatim(number::quoted(text)),
             Self::Numbers(values) if values.iter().any(|value| value.is_infinite()) => {
-                text!("an array with a number that overflows")
+                text!("a number that overflows")
             }
             Self::Numbers(values) if values.iter().any(|value| value.is_nan()) => {
                 text!("an array with null in it")
             }
-            Self::Numbers(values) => {
-                text!(one "an array of {count} number", "an array of {count} numbers", count = values.len())
-            }
-            Self::List(list) if list.is_empty() => text!("an empty array"),
-            Self::List(list) => {
-                text!(one "an array of {count} value", "an array of {count} values", count = list.len())
-            }
+            Self::Numbers(values) => array_of(values.len()),
+            Self::List(list) => array_of(list.len()),
             Self::Object(_) => text!("an object"),
         }
     }
+}
+
+fn array_of(count: usize) -> Text {
+    text!(one "an array of {count} value", "an array of {count} values", count)
 }

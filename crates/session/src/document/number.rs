@@ -47,6 +47,9 @@ fn is_decimal_comma(text: &str) -> bool {
     text.matches(',').count() == 1 && text.replacen(',', ".", 1).parse::<f64>().is_ok()
 }
 
+/// What is expected in place of a second one.
+pub(crate) const ONCE: Template = phrase!("each once");
+
 /// Bytes such as a hash's: two digits each.
 pub fn hexadecimal(bytes: &[u8]) -> String {
     let digit = |half: u8| char::from(b"0123456789abcdef"[usize::from(half)]);

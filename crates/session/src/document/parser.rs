@@ -7,7 +7,7 @@ use serde::de::{Deserialize, IgnoredAny};
 
 use super::{Member, Node, Source, Value};
 use crate::diagnostic::{Diagnostic, Rejected};
-use crate::document::number::quoted;
+use crate::document::number::{ONCE, quoted};
 use crate::progress::{Cancelled, Progress, ProgressSpan, ReadError, unwatched};
 use crate::text::{Template, Text};
 
@@ -137,8 +137,7 @@ impl<'s> Walk<'s> {
         let key = self.text()?;
         if !keys.insert(key.clone()) {
             let found = text!("{name} a second time", name = quoted(&key));
-            let expected = phrase!("every key once");
-            return Err(self.source.wrong(key_at, found, expected));
+            return Err(self.source.wrong(key_at, found, ONCE));
         }
         let node = self.node()?;
         Ok(Member { key, key_at, node })

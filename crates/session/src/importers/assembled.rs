@@ -3,7 +3,7 @@
 use nalgebra::Point3;
 
 use crate::diagnostic::{Diagnostic, Rejected, Severity};
-use crate::importers::columns::{Column, Columns};
+use crate::importers::columns::{COORDINATES, Column, Columns};
 use crate::importers::job::Job;
 use crate::importers::role::Role;
 use crate::kinematics::JointKind;
@@ -37,17 +37,13 @@ impl Job<'_> {
             );
         }
         let mut q = vec![0.0; robot.joint_count()];
-        let mut points = [Vec::new(), Vec::new(), Vec::new()];
+        let mut points: Vec<Point3<f64>> = Vec::new();
         let mut moved: f64 = 0.0;
-        let mut first = None;
         for value in &values {
             q[joint] = *value;
             let point = robot.point_in_base(&q, &Point3::origin());
-            let start: Point3<f64> = *first.get_or_insert(point);
-            moved = moved.max((point - start).norm());
-            for (list, coordinate) in points.iter_mut().zip(point.coords.iter()) {
-                list.push(*coordinate);
-            }
+            points.push(point);
+            moved = moved.max((point - points[0]).norm());
         }
         if values.len() > 1 && moved < 1e-9 {
             return self.refuse(
@@ -59,12 +55,7 @@ impl Job<'_> {
                 text!("a tool off the axis, in the robot"),
             );
         }
-        for (quantity, list) in [Quantity::X, Quantity::Y, Quantity::Z]
-            .into_iter()
-            .zip(points)
-        {
-            columns.put(Column::made(quantity, Unit::Length(1.0), list));
-        }
+        columns.put_places(&points);
         let rows = columns.rows();
         for other in (0..robot.joint_count()).filter(|other| *other != joint) {
             let unit = match robot.joints[other].kind {
@@ -171,7 +162,7 @@ impl Job<'_> {
 /// A session with some coordinates only has empty columns for the others; x and y without z are a
 /// planar session.
 fn complete_coordinates(columns: &mut Columns) {
-    let all = [Quantity::X, Quantity::Y, Quantity::Z];
+    let all = COORDINATES;
     let has = all.map(|quantity| columns.find(quantity).is_some());
     if matches!(has, [true, true, _] | [false, false, false]) {
         return;

@@ -3,6 +3,7 @@
 use crate::importers::columns::{Column, Columns};
 use crate::numeric::median;
 use crate::sessions::columns::{Quantity, Unit};
+use nalgebra::Quaternion;
 
 /// A point in a stop that is this many median deviations from the median strays.
 const STRAY: f64 = 6.0;
@@ -42,7 +43,10 @@ pub(super) const AVERAGED: [Quantity; 4] =
     [Quantity::X, Quantity::Y, Quantity::Z, Quantity::Distance];
 
 /// Means of what was measured, one for each group.
-pub(crate) struct Means(Vec<Column>);
+pub(crate) struct Means {
+    columns: Vec<Column>,
+    turns: Option<Vec<Quaternion<f64>>>,
+}
 
 impl Means {
     pub(crate) fn of(measured: &Columns, groups: &[Group]) -> Self {
@@ -62,50 +66,30 @@ impl Means {
                 columns.push(Column::made(quantity, unit, means));
             }
         }
-        let parts: Vec<Vec<f64>> = (0..4)
-            .filter_map(|part| measured.numbers(Quantity::Orientation(part)))
-            .collect();
-        if parts.len() == 4 {
-            let means: Vec<[f64; 4]> = groups
-                .iter()
-                .map(|group| mean_orientation(&parts, group))
-                .collect();
-            for part in 0..4 {
-                let values = means.iter().map(|mean| mean[part]).collect();
-                columns.push(Column::made(
-                    Quantity::Orientation(part),
-                    Unit::Fixed,
-                    values,
-                ));
-            }
-        }
-        Self(columns)
+        let turns = measured.orientations().map(|all| {
+            let means = groups.iter().map(|group| mean_orientation(&all, group));
+            means.collect()
+        });
+        Self { columns, turns }
     }
 
     pub(crate) fn put_into(self, columns: &mut Columns) {
-        for column in self.0 {
+        for column in self.columns {
             columns.put(column);
+        }
+        if let Some(turns) = self.turns {
+            columns.put_orientations(&turns);
         }
     }
 }
 
 /// The normalised mean of quaternions, which may have either sign.
-fn mean_orientation(parts: &[Vec<f64>], group: &Group) -> [f64; 4] {
-    let of = |row: usize| [0, 1, 2, 3].map(|part| parts[part][row]);
-    let first = of(group.rows[0]);
-    let mut sum = [0.0; 4];
-    for &row in &group.rows {
-        let q = of(row);
-        let dot: f64 = q.iter().zip(&first).map(|(a, b)| a * b).sum();
-        let sign = if dot < 0.0 { -1.0 } else { 1.0 };
-        for (sum, part) in sum.iter_mut().zip(q) {
-            *sum += sign * part;
-        }
-    }
-    let norm = sum.iter().map(|part| part * part).sum::<f64>().sqrt();
-    if norm > 0.0 {
-        sum.map(|part| part / norm)
-    } else {
-        first
-    }
+fn mean_orientation(all: &[Quaternion<f64>], group: &Group) -> Quaternion<f64> {
+    let first = all[group.rows[0]];
+    let sum = group.rows.iter().fold(Quaternion::default(), |sum, &row| {
+        let q = all[row];
+        sum + q * if q.dot(&first) < 0.0 { -1.0 } else { 1.0 }
+    });
+    let norm = sum.norm();
+    if norm > 0.0 { sum / norm } else { first }
 }

@@ -1,24 +1,23 @@
 //! Brings measured points into the base frame, and says how well.
 
-use crate::text::length;
+use crate::text::{Text, length};
 use std::collections::{BTreeMap, BTreeSet};
 
-use nalgebra::{Point3, Quaternion, UnitQuaternion};
+use nalgebra::Point3;
 
 use crate::diagnostic::{Diagnostic, Place, Rejected};
 use crate::document::number::quoted;
-use crate::importers::columns::{Column, Columns};
-use crate::importers::companion_file::points_of;
+use crate::importers::columns::{COORDINATES, Columns};
+use crate::importers::companion_file::POINTS;
 use crate::importers::job::Job;
 use crate::importers::matching::{self, Matching, listed_names};
 use crate::importers::reference::{Alignment, Landmark, align};
-use crate::sessions::columns::{Quantity, Unit};
 
 impl Job<'_> {
     /// Where the instrument had lost its reflector it says (0, 0, 0), or one number thrice (-9999) in several rows. Of
     /// zeros a session tells that itself, unless its points are `moved` or averaged.
     pub(crate) fn lost_become_missing(&mut self, columns: &mut Columns, moved: bool) {
-        let Some(points) = points_of(columns) else {
+        let Some(points) = columns.places() else {
             return;
         };
         let mut alike: BTreeMap<u64, Vec<usize>> = BTreeMap::new();
@@ -36,14 +35,11 @@ impl Job<'_> {
         };
         let mut lost: Vec<usize> = alike.into_values().flatten().collect();
         lost.sort_unstable();
-        for quantity in [Quantity::X, Quantity::Y, Quantity::Z] {
-            if let Some(mut values) = columns.numbers(quantity) {
-                for &row in &lost {
-                    values[row] = f64::NAN;
-                }
-                columns.put(Column::made(quantity, Unit::Length(1.0), values));
-            }
+        let mut points = points;
+        for &row in &lost {
+            points[row] = [f64::NAN; 3].into();
         }
+        columns.put_places(&points);
         let found = text!(
             one "the instrument lost the reflector ({point}) in {count} measurement: {which}",
             "the instrument lost the reflector ({point}) in {count} measurements: {which}",
@@ -62,8 +58,7 @@ impl Job<'_> {
         let Some(companion) = &self.settings.reference else {
             return Ok((columns, None));
         };
-        let coordinates = [Quantity::X, Quantity::Y, Quantity::Z];
-        if coordinates
+        if COORDINATES
             .into_iter()
             .all(|quantity| columns.find(quantity).is_none())
         {
@@ -72,11 +67,11 @@ impl Job<'_> {
         }
         let known = self.named_points(companion, "reference")?;
         let place = companion.place();
-        let (Some(names), Some(points)) = (columns.points(), points_of(&columns)) else {
+        let (Some(names), Some(points)) = (columns.points(), columns.places()) else {
             return self.refuse(
                 self.place.clone(),
                 text!("no names, or not all of x, y and z"),
-                text!("names and points in space to align by"),
+                Text::verbatim(POINTS),
             );
         };
         let is_there = |point: &Point3<f64>| point.coords.iter().all(|v| v.is_finite());
@@ -233,34 +228,12 @@ impl Job<'_> {
 
 /// The columns with points and orientations in the base frame.
 fn aligned(mut columns: Columns, points: &[Point3<f64>], alignment: &Alignment) -> Columns {
-    let points: Vec<Point3<f64>> = points
-        .iter()
-        .map(|point| alignment.to_base(point))
-        .collect();
-    for (axis, quantity) in [Quantity::X, Quantity::Y, Quantity::Z]
-        .into_iter()
-        .enumerate()
-    {
-        let values = points.iter().map(|point| point[axis]).collect();
-        columns.put(Column::made(quantity, Unit::Length(1.0), values));
-    }
-    let parts: Vec<Vec<f64>> = (0..4)
-        .filter_map(|part| columns.numbers(Quantity::Orientation(part)))
-        .collect();
-    if let [w, x, y, z] = &parts[..] {
-        let rotation: UnitQuaternion<f64> = alignment.base_from_instrument.rotation;
-        let turned: Vec<Quaternion<f64>> = (0..w.len())
-            .map(|row| rotation.into_inner() * Quaternion::new(w[row], x[row], y[row], z[row]))
-            .collect();
-        let part = |of: fn(&Quaternion<f64>) -> f64| turned.iter().map(of).collect();
-        let parts: [Vec<f64>; 4] = [part(|q| q.w), part(|q| q.i), part(|q| q.j), part(|q| q.k)];
-        for (part, values) in parts.into_iter().enumerate() {
-            columns.put(Column::made(
-                Quantity::Orientation(part),
-                Unit::Fixed,
-                values,
-            ));
-        }
+    let to_base = |point| alignment.to_base(point);
+    columns.put_places(&points.iter().map(to_base).collect::<Vec<_>>());
+    if let Some(all) = columns.orientations() {
+        let rotation = alignment.base_from_instrument.rotation.into_inner();
+        let turned = all.into_iter().map(|own| rotation * own);
+        columns.put_orientations(&turned.collect::<Vec<_>>());
     }
     columns
 }

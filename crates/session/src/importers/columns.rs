@@ -4,6 +4,10 @@ use crate::importers::role::Role;
 use crate::sessions::columns::{Quantity, Unit};
 use crate::sessions::{Azimuth, Lines};
 use crate::tables::{Cells, Names};
+use nalgebra::{Point3, Quaternion};
+
+/// The coordinates of a measured point.
+pub(crate) const COORDINATES: [Quantity; 3] = [Quantity::X, Quantity::Y, Quantity::Z];
 
 #[derive(Debug, Clone)]
 pub(crate) struct Column {
@@ -23,6 +27,16 @@ impl Column {
             number: 0,
             role: Role::Known(quantity, Some(unit)),
             cells: Cells::Numbers(values),
+        }
+    }
+
+    /// A column of names that a reader made itself.
+    pub(crate) fn named(quantity: Quantity, names: Names) -> Self {
+        Self {
+            name: quantity.heading(None),
+            number: 0,
+            role: Role::Known(quantity, Some(Unit::Fixed)),
+            cells: Cells::Names(names),
         }
     }
 
@@ -124,6 +138,50 @@ impl Columns {
             lines,
             commands: self.commands,
             directions: self.directions,
+        }
+    }
+
+    /// The measured coordinates of each row, mm; NaN where one is missing, `None` without one of the columns.
+    pub(crate) fn places(&self) -> Option<Vec<Point3<f64>>> {
+        let [x, y, z] = COORDINATES.map(|quantity| self.numbers(quantity));
+        let (x, y, z) = (x?, y?, z?);
+        let points = x.iter().zip(&y).zip(&z);
+        Some(points.map(|((x, y), z)| Point3::new(*x, *y, *z)).collect())
+    }
+
+    /// Puts coordinates, mm, in the place of those that there are.
+    pub(crate) fn put_places(&mut self, places: &[Point3<f64>]) {
+        for (axis, quantity) in COORDINATES.into_iter().enumerate() {
+            let values = places.iter().map(|place| place[axis]).collect();
+            self.put(Column::made(quantity, Unit::Length(1.0), values));
+        }
+    }
+
+    /// The measured orientation of each row; NaN where one is missing, `None` without one of the columns.
+    pub(crate) fn orientations(&self) -> Option<Vec<Quaternion<f64>>> {
+        let [w, x, y, z] = [0, 1, 2, 3].map(|part| self.numbers(Quantity::Orientation(part)));
+        let (w, x, y, z) = (w?, x?, y?, z?);
+        let of = |row: usize| Quaternion::new(w[row], x[row], y[row], z[row]);
+        Some((0..w.len()).map(of).collect())
+    }
+
+    /// Puts orientations in the place of those that there are.
+    pub(crate) fn put_orientations(&mut self, all: &[Quaternion<f64>]) {
+        let parts: [fn(&Quaternion<f64>) -> f64; 4] = [|q| q.w, |q| q.i, |q| q.j, |q| q.k];
+        for (part, of) in parts.into_iter().enumerate() {
+            let (quantity, values) = (Quantity::Orientation(part), all.iter().map(of).collect());
+            self.put(Column::made(quantity, Unit::Fixed, values));
+        }
+    }
+
+    /// Gives all rows one name, where no column has one.
+    pub(crate) fn name_all(&mut self, quantity: Quantity, name: &str) {
+        if self.find(quantity).is_none() {
+            let mut names = Names::default();
+            for _ in 0..self.rows() {
+                names.push(name);
+            }
+            self.list.push(Column::named(quantity, names));
         }
     }
 

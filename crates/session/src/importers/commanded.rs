@@ -14,8 +14,8 @@ use crate::importers::role::Role;
 use crate::kinematics::JointKind;
 use crate::sessions::Target;
 use crate::sessions::columns::{Quantity, Unit};
-use crate::sessions::layout::check_joint;
-use crate::text::length;
+use crate::sessions::layout::{check_joint, no_column};
+use crate::text::{Text, length};
 
 /// Headings that a message lists.
 const SHOWN: usize = 12;
@@ -77,10 +77,7 @@ impl Job<'_> {
             .collect();
         let Some(companion) = &self.settings.commands else {
             if let Some(&joint) = leading.iter().find(|joint| !own.contains(joint)) {
-                let found = text!(
-                    "the commanded value of joint {joint} is not stated",
-                    joint = joint + 1
-                );
+                let found = no_column(&format!("q{}", joint + 1));
                 let expected = text!(
                     "--commands with a column q{joint}_deg, or such a column in the measured file; --columns says which it is under another heading",
                     joint = joint + 1
@@ -101,13 +98,9 @@ impl Job<'_> {
         let place = companion.place();
         let lacking = |joint: &&usize| commands.find(Quantity::Commanded(**joint)).is_none();
         if let Some(joint) = leading.iter().find(lacking) {
-            let found = text!(
-                "no column for the commanded value of joint {joint}",
-                joint = joint + 1
-            );
             return self.refuse(
                 place,
-                found,
+                no_column(&format!("q{}", joint + 1)),
                 text!("a header such as {header}", header = header.join(",")),
             );
         }
@@ -162,7 +155,7 @@ impl Job<'_> {
         if (by, suggested) == (Matching::Order, Matching::Name) {
             self.warn(
                 text!("measurements and commands have the same names in another order"),
-                text!("--match name, which pairs them by their names"),
+                Text::verbatim("--match name"),
             );
         }
         by
@@ -185,7 +178,7 @@ impl Job<'_> {
             own[*joint].follows.is_none() && recorded.find(Quantity::Commanded(*joint)).is_none()
         };
         if let Some(joint) = (0..joints).find(lacks) {
-            let found = text!("no joint {joint} in the recording", joint = joint + 1);
+            let found = no_column(&format!("q{}", joint + 1));
             return self.refuse(place, found, text!("as many joints as the robot has"));
         }
         self.sentences.push(text!(
@@ -204,21 +197,13 @@ impl Job<'_> {
 
     pub(crate) fn say_lonely(&mut self, pairs: &Pairs, commands: &Place) {
         if !pairs.lonely_measured.is_empty() {
-            let found = text!(
-                one "excluded {count} measurement without a command: {which}",
-                "excluded {count} measurements without a command: {which}",
-                count = pairs.lonely_measured.len(),
-                which = listed(&pairs.lonely_measured)
-            );
+            let which = listed(&pairs.lonely_measured);
+            let found = text!("measurements without a command: {which}", which);
             self.left_out(self.place.clone(), found);
         }
         if !pairs.lonely_commands.is_empty() {
-            let found = text!(
-                one "excluded {count} command without a measurement: {which}",
-                "excluded {count} commands without a measurement: {which}",
-                count = pairs.lonely_commands.len(),
-                which = listed(&pairs.lonely_commands)
-            );
+            let which = listed(&pairs.lonely_commands);
+            let found = text!("commands without a measurement: {which}", which);
             self.left_out(commands.clone(), found);
         }
     }

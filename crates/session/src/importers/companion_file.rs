@@ -7,7 +7,7 @@ use nalgebra::Point3;
 use sha2::{Digest, Sha256};
 
 use crate::diagnostic::Rejected;
-use crate::document::number::{hexadecimal, quoted};
+use crate::document::number::{ONCE, hexadecimal, quoted};
 use crate::importers::columns::Columns;
 use crate::importers::formats::{csv, tracker};
 use crate::importers::job::{Companion, Job};
@@ -22,6 +22,9 @@ use crate::text::Text;
 
 /// The option that names the file of the commands.
 const COMMANDS: &str = "commands";
+
+/// The heading of points with names.
+pub(crate) const POINTS: &str = "name,x_mm,y_mm,z_mm";
 
 impl Job<'_> {
     /// Reads a file beside the measured one, which this option names.
@@ -102,7 +105,7 @@ impl Job<'_> {
         self.sentences.push(text!(
             "{found}: {name}",
             found = file,
-            name = encoding.in_words()
+            name = encoding.to_string()
         ));
         Ok(columns)
     }
@@ -122,13 +125,13 @@ impl Job<'_> {
         companion: &Companion<'_>,
         option: &str,
     ) -> Result<BTreeMap<String, Point3<f64>>, Rejected> {
-        let columns = self.companion(companion, option, "name,x_mm,y_mm,z_mm", tracker::read)?;
+        let columns = self.companion(companion, option, POINTS, tracker::read)?;
         let place = companion.place();
-        let (Some(names), Some(points)) = (columns.points(), points_of(&columns)) else {
+        let (Some(names), Some(points)) = (columns.points(), columns.places()) else {
             return self.refuse(
                 place,
                 text!("no names, or not all of x, y and z"),
-                text!("name,x_mm,y_mm,z_mm"),
+                Text::verbatim(POINTS),
             );
         };
         let mut named = BTreeMap::new();
@@ -141,14 +144,14 @@ impl Job<'_> {
                 return self.refuse(
                     place,
                     text!("a point without a name or a coordinate"),
-                    text!("name, x, y and z"),
+                    Text::verbatim(POINTS),
                 );
             }
             if named.insert((*name).to_owned(), point).is_some() {
                 return self.refuse(
                     place,
                     text!("{name} a second time", name = quoted(name)),
-                    text!("each name once"),
+                    ONCE,
                 );
             }
         }
@@ -210,13 +213,4 @@ pub(crate) fn file_in_words(file: Option<&PathBuf>, bytes: &[u8]) -> Text {
         Some(name) => Text::verbatim(format!("{} (sha256 {hash})", name.to_string_lossy())),
         None => text!("a file (sha256 {hash})", hash),
     }
-}
-
-/// Points in mm, if all three coordinates are there.
-pub(crate) fn points_of(columns: &Columns) -> Option<Vec<Point3<f64>>> {
-    let x = columns.numbers(Quantity::X)?;
-    let y = columns.numbers(Quantity::Y)?;
-    let z = columns.numbers(Quantity::Z)?;
-    let points = x.iter().zip(&y).zip(&z);
-    Some(points.map(|((x, y), z)| Point3::new(*x, *y, *z)).collect())
 }

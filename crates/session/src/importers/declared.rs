@@ -1,8 +1,8 @@
 //! What an imported session declares beside its samples: anchors, sockets, planes and stations.
 //!
-//! Columns of the measured file or of the commands name them; where all samples belong to one socket
-//! or touch one plane, an option names it. Their places come from the reference points of the same
-//! name, and are unknown, so that they are fitted, where there are none.
+//! Columns of the measured file or of the commands name them; where all samples belong to one, an option names it.
+//! Their places come from the reference points of the same name, and are unknown, so that they are fitted, where there
+//! are none; so is the constant offset of an instrument for distances, unless a person says it.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -12,49 +12,77 @@ use super::options::{PLANE, SOCKET, SOCKET_DISTANCES};
 use crate::diagnostic::Rejected;
 use crate::document::number::quoted;
 use crate::importers::columns::{Column, Columns};
-use crate::importers::distances::with_unknown;
 use crate::importers::job::Job;
+use crate::importers::matching::{listed, listed_names};
 use crate::importers::role::Role;
 use crate::sessions::columns::{Quantity, Unit};
-use crate::sessions::{Azimuth, Plane, Pointing, References, Socket, SocketDistance, Station};
+use crate::sessions::{
+    Anchor, Azimuth, Group, Plane, Pointing, References, Socket, SocketDistance, Station,
+};
 use crate::tables::{Cells, Names};
+use crate::text::Text;
+
+/// Option: the anchor of all distances.
+pub(crate) const ANCHOR: &str = "anchor";
+/// Option: what the instrument shows beyond the distance, mm.
+pub(crate) const ANCHOR_OFFSET: &str = "anchor-offset";
+
+type Points = BTreeMap<String, Point3<f64>>;
 
 impl Job<'_> {
     /// Declares what the samples name, and completes the columns that name it.
     pub(crate) fn references(&mut self, columns: &mut Columns) -> Result<References, Rejected> {
         self.one_for_all(columns, SOCKET, Quantity::Socket);
         self.one_for_all(columns, PLANE, Quantity::Plane);
-        for (name, quantity) in [
-            ("socket", Quantity::Socket),
-            ("plane", Quantity::Plane),
-            ("station", Quantity::Station),
-        ] {
-            taken_from_commands(columns, name, quantity);
+        let has = |columns: &Columns, quantity| columns.find(quantity).is_some();
+        // Beside points a column of the commands that is called `socket` is no more than text.
+        let coordinates = [Quantity::X, Quantity::Y, Quantity::Z];
+        if !coordinates.into_iter().any(|axis| has(columns, axis)) {
+            for quantity in [Quantity::Socket, Quantity::Plane, Quantity::Station] {
+                taken_from_commands(columns, quantity);
+            }
+        }
+        if has(columns, Quantity::Distance) {
+            taken_from_commands(columns, Quantity::Anchor);
+            let said = self.reading.options.get(ANCHOR).map(|name| name.trim());
+            let name = said.filter(|name| !name.is_empty()).unwrap_or("A");
+            columns.name_all(Quantity::Anchor, name);
+        }
+        if has(columns, Quantity::Azimuth) {
+            columns.name_all(Quantity::Station, "S");
         }
         let named = [Quantity::Distance, Quantity::Socket, Quantity::Azimuth];
-        let asks = named
-            .into_iter()
-            .any(|quantity| columns.find(quantity).is_some());
+        let asks = named.into_iter().any(|quantity| has(columns, quantity));
         let known = match &self.settings.reference {
             Some(companion) if asks => self.named_points(companion, "reference")?,
-            _ => BTreeMap::new(),
+            _ => Points::new(),
         };
-        let anchors = self.anchors(columns, &known)?;
         let position_mm = |name: &String| known.get(name).copied();
-        let sockets: Vec<Socket> = self
-            .declared(columns, Quantity::Socket, &known)
-            .into_iter()
+        let anchors = self.anchors(columns, &known)?;
+        let sockets = self.declared(columns, Quantity::Socket, &known);
+        let sockets: Vec<Socket> = sockets
             .map(|name| Socket {
                 position_mm: position_mm(&name),
                 name,
             })
             .collect();
-        let planes = self
-            .declared(columns, Quantity::Plane, &BTreeMap::new())
-            .into_iter()
-            .map(|name| Plane { name, stated: None })
-            .collect();
-        let stations = self.stations(columns, &known);
+        let planes = self.declared(columns, Quantity::Plane, &Points::new());
+        let planes = planes.map(|name| Plane { name, stated: None }).collect();
+        let azimuth = columns
+            .directions
+            .map_or(Azimuth::Counterclockwise, |directions| directions.azimuth);
+        let stations = if has(columns, Quantity::Azimuth) {
+            let stations = self.declared(columns, Quantity::Station, &known);
+            let station = |name: String| Station {
+                position_mm: position_mm(&name),
+                name,
+                attitude: None,
+                azimuth,
+            };
+            stations.map(station).collect()
+        } else {
+            Vec::new()
+        };
         let socket_distances = self.socket_distances(&sockets)?;
         Ok(References {
             anchors,
@@ -71,93 +99,70 @@ impl Job<'_> {
 
     /// The column that an option makes: the same name in all rows.
     fn one_for_all(&mut self, columns: &mut Columns, option: &str, quantity: Quantity) {
-        let said = self
-            .reading
-            .options
-            .get(option)
-            .map(|name| name.trim().to_owned());
+        let said = self.reading.options.get(option).map(|name| name.trim());
         let Some(name) = said.filter(|name| !name.is_empty()) else {
             return;
         };
         if columns.find(quantity).is_some() {
             self.note(text!("--{option} is not used: a column states it", option));
-            return;
+        } else {
+            columns.name_all(quantity, name);
         }
-        let mut names = Names::default();
-        for _ in 0..columns.rows() {
-            names.push(&name);
-        }
-        columns.list.push(Column {
-            name: option.to_owned(),
-            number: 0,
-            role: Role::Known(quantity, Some(Unit::Fixed)),
-            cells: Cells::Names(names),
-        });
     }
 
-    /// The names in a column, in order, and says which of them are not known.
+    /// The names in a column, in order; says which they are, and which of the places are not known.
     fn declared(
         &mut self,
         columns: &Columns,
         quantity: Quantity,
-        points: &BTreeMap<String, Point3<f64>>,
-    ) -> BTreeSet<String> {
+        points: &Points,
+    ) -> impl Iterator<Item = String> + use<> {
         let names = names_in(columns, quantity);
-        if names.is_empty() {
-            return names;
+        if let Some(said) = said(&names, quantity, points) {
+            self.note(said.clone());
+            self.sentences.push(said);
         }
-        let unknown = names.iter().filter(|name| !points.contains_key(*name));
-        let unknown: Vec<String> = unknown.map(|name| quoted(name)).collect();
-        let count = names.len();
-        let said = match quantity {
-            Quantity::Socket => {
-                text!(one "{count} socket is named", "{count} sockets are named", count)
-            }
-            Quantity::Plane => {
-                text!(one "{count} plane is named", "{count} planes are named", count)
-            }
-            _ => {
-                text!(one "{count} station is named", "{count} stations are named", count)
-            }
-        };
-        let said = with_unknown(said, &unknown);
-        self.note(said.clone());
-        self.sentences.push(said);
-        names
+        names.into_iter()
     }
 
-    /// Stations of directions; without a column there is one.
-    fn stations(
-        &mut self,
-        columns: &mut Columns,
-        points: &BTreeMap<String, Point3<f64>>,
-    ) -> Vec<Station> {
-        if columns.find(Quantity::Azimuth).is_none() {
-            return Vec::new();
+    fn anchors(&mut self, columns: &Columns, points: &Points) -> Result<Vec<Anchor>, Rejected> {
+        if columns.find(Quantity::Distance).is_none() {
+            return Ok(Vec::new());
         }
-        if columns.find(Quantity::Station).is_none() {
-            let mut names = Names::default();
-            for _ in 0..columns.rows() {
-                names.push("S");
-            }
-            columns.list.push(Column {
-                name: "station".to_owned(),
-                number: 0,
-                role: Role::Known(Quantity::Station, Some(Unit::Fixed)),
-                cells: Cells::Names(names),
-            });
+        let offset_mm = self.anchor_offset()?;
+        let names = names_in(columns, Quantity::Anchor);
+        let mut said = said(&names, Quantity::Anchor, points).unwrap_or_default();
+        if offset_mm.is_none() {
+            said = text!(
+                "{said}; a constant offset of the distances is to be fitted",
+                said
+            );
         }
-        let azimuth = columns
-            .directions
-            .map_or(Azimuth::Counterclockwise, |directions| directions.azimuth);
-        let names = self.declared(columns, Quantity::Station, points);
-        let stations = names.into_iter().map(|name| Station {
+        self.note(said.clone());
+        self.sentences.push(said);
+        let anchor = |name: String| Anchor {
             position_mm: points.get(&name).copied(),
             name,
-            attitude: None,
-            azimuth,
-        });
-        stations.collect()
+            offset_mm,
+        };
+        Ok(names.into_iter().map(anchor).collect())
+    }
+
+    fn anchor_offset(&self) -> Result<Option<f64>, Rejected> {
+        let Some(said) = self.reading.options.get(ANCHOR_OFFSET) else {
+            return Ok(None);
+        };
+        match said.trim().parse::<f64>() {
+            Ok(value) if value.is_finite() => Ok(Some(value)),
+            _ => {
+                let found = text!(
+                    "--{option}: {found}",
+                    option = ANCHOR_OFFSET,
+                    found = quoted(said)
+                );
+                self.refuse(self.place.clone(), found, text!("a length in mm"))
+            }
+        }
     }
 
     fn socket_distances(&mut self, sockets: &[Socket]) -> Result<Vec<SocketDistance>, Rejected> {
@@ -199,6 +204,24 @@ impl Job<'_> {
     }
 }
 
+/// What is named, and which of the places are not known; `None` where nothing is named.
+fn said(names: &BTreeSet<String>, quantity: Quantity, points: &Points) -> Option<Text> {
+    let group = Group::of_name(&quantity.heading(None))?;
+    let called: Vec<Text> = names.iter().map(|name| group.called(name)).collect();
+    let said = (!called.is_empty()).then(|| listed(&called))?;
+    let unknown = names.iter().filter(|name| !points.contains_key(*name));
+    let unknown: Vec<String> = unknown.map(|name| quoted(name)).collect();
+    Some(if unknown.is_empty() {
+        said
+    } else {
+        text!(
+            "{said}; not known where, and to be fitted: {unknown}",
+            said,
+            unknown = listed_names(&unknown)
+        )
+    })
+}
+
 /// The names in a column; none where there is no such column.
 fn names_in(columns: &Columns, quantity: Quantity) -> BTreeSet<String> {
     let names = columns
@@ -208,20 +231,14 @@ fn names_in(columns: &Columns, quantity: Quantity) -> BTreeSet<String> {
     named.map(str::to_owned).collect()
 }
 
-/// Commands are a table of any columns: a column `socket` of theirs is no more than text, unless the
-/// samples need it.
-fn taken_from_commands(columns: &mut Columns, name: &str, quantity: Quantity) {
-    let measured = [Quantity::X, Quantity::Y, Quantity::Z];
-    let has_points = measured
-        .into_iter()
-        .any(|quantity| columns.find(quantity).is_some());
-    if has_points || columns.find(quantity).is_some() {
-        return;
-    }
+/// Commands are a table of any columns: what they name is taken where the samples need it.
+fn taken_from_commands(columns: &mut Columns, quantity: Quantity) {
+    let name = quantity.heading(None);
     let is_named = |column: &&mut Column| {
-        column.role == Role::Kept && column.name.trim().eq_ignore_ascii_case(name)
+        column.role == Role::Kept && column.name.trim().eq_ignore_ascii_case(&name)
     };
-    if let Some(column) = columns.list.iter_mut().find(is_named)
+    if columns.find(quantity).is_none()
+        && let Some(column) = columns.list.iter_mut().find(is_named)
         && let Cells::Text(cells) = &column.cells
     {
         let mut names = Names::default();

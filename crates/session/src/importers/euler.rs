@@ -14,17 +14,16 @@
 //! first of the order). Where an axis recurs (`zyz`) only the turn names a column, so that `rx, ry, rz`
 //! are then taken as the first, second and third.
 
-use crate::text::Text;
-use nalgebra::{Unit as Direction, UnitQuaternion, Vector3};
+use crate::text::{Template, Text};
+use nalgebra::{Quaternion, Unit as Direction, UnitQuaternion, Vector3};
 
 use super::options::EULER;
 use super::turns::Turn;
 use crate::document::number::quoted;
-use crate::importers::columns::{Column, Columns};
+use crate::importers::columns::Columns;
 use crate::importers::role::Role;
 use crate::importers::settings::{About, ReadContext};
-use crate::sessions::columns::{Quantity, Unit};
-use crate::tables::Cells;
+use crate::sessions::columns::Quantity;
 
 /// How three numbers make an orientation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -132,21 +131,8 @@ impl Convention {
                 if !moving {
                     factors.reverse();
                 }
-                let order = letters.join(", ");
                 let product = factors.join(" · ");
-                if moving {
-                    text!(
-                        "the orientation is three angles about moving axes in the order {order}: R = {product}",
-                        order,
-                        product
-                    )
-                } else {
-                    text!(
-                        "the orientation is three angles about fixed axes in the order {order}: R = {product}",
-                        order,
-                        product
-                    )
-                }
+                text!("the orientation is three angles: R = {product}", product)
             }
         }
     }
@@ -170,8 +156,9 @@ pub(crate) fn columns_of(roles: &[Role]) -> Option<Result<([usize; 3], bool), Te
     let [Some(a), Some(b), Some(c)] = found else {
         let count = found.iter().flatten().count();
         return Some(Err(text!(
-            "{count} of the 3 numbers of an orientation",
-            count
+            "{count} of the {all} numbers of an orientation",
+            count,
+            all = 3
         )));
     };
     if by_turn && by_axis {
@@ -179,6 +166,10 @@ pub(crate) fn columns_of(roles: &[Role]) -> Option<Result<([usize; 3], bool), Te
     }
     Some(Ok(([a, b, c], by_axis)))
 }
+
+const OPEN: Template = phrase!(
+    "three angles of an orientation, and the order of their axes, or whether these move, is not stated"
+);
 
 impl ReadContext<'_> {
     /// Angles of an orientation: how they are to be read is asked where the format can be told, and
@@ -216,25 +207,18 @@ impl ReadContext<'_> {
             Some(Answer::Known(convention)) => return Some(convention),
             Some(Answer::Axes(order)) => {
                 let [fixed, moving] = ["fixed", "moving"].map(|axes| format!("{order}-{axes}"));
-                let says = text!(
-                    "the angles turn in the order {order}, and whether about fixed axes (of the measuring frame) or about moving ones (carried along) is not stated",
-                    order
-                );
-                self.ask(About::Own(EULER), says, &[&fixed, &moving]);
+                self.ask(About::Own(EULER), OPEN, &[&fixed, &moving]);
             }
             Some(Answer::Wrong) => {
                 self.refuse(
-                    text!("--{euler} {options}", euler = EULER, options = quoted(&self.reading.options[EULER])),
+                    text!("--{option}: {found}", option = EULER, found = quoted(&self.reading.options[EULER])),
                     text!("an order of axes and whether they move, such as zyx-moving or xyz-fixed, or rotvec"),
                 );
             }
             None => {
-                let says = text!(
-                    "three angles of an orientation, and neither the order of their axes nor whether these move is said"
-                );
                 self.ask(
                     About::Own(EULER),
-                    says,
+                    OPEN,
                     &[
                         "xyz-fixed",
                         "zyx-moving",
@@ -257,30 +241,21 @@ pub(crate) fn to_quaternions(columns: &mut Columns, convention: Convention) {
         return;
     };
     let angles = at.map(|index| columns.list[index].in_base_units().unwrap_or_default());
-    let rows = columns.rows();
-    let mut parts = [const { Vec::new() }; 4];
-    for row in 0..rows {
+    let turned = (0..columns.rows()).map(|row| {
         let three = angles
             .each_ref()
             .map(|values| values.get(row).copied().unwrap_or(f64::NAN));
-        let q = if three.iter().all(|angle| angle.is_finite()) {
-            let q = convention.orientation(three, by_axis);
-            [q.w, q.i, q.j, q.k]
+        if three.iter().all(|angle| angle.is_finite()) {
+            convention.orientation(three, by_axis).into_inner()
         } else {
-            [f64::NAN; 4]
-        };
-        for (part, value) in parts.iter_mut().zip(q) {
-            part.push(value);
+            [f64::NAN; 4].into()
         }
-    }
+    });
+    let turned: Vec<Quaternion<f64>> = turned.collect();
     columns
         .list
         .retain(|column| !matches!(column.role, Role::Turn(..)));
-    for (part, values) in parts.into_iter().enumerate() {
-        let mut made = Column::made(Quantity::Orientation(part), Unit::Fixed, Vec::new());
-        made.cells = Cells::Numbers(values);
-        columns.put(made);
-    }
+    columns.put_orientations(&turned);
 }
 
 #[cfg(test)]

@@ -41,6 +41,7 @@ pub(crate) struct JoinedByTime {
 
 /// At least this share of the points has to lie in stops for stops to be preferred.
 const MOSTLY: f64 = 0.4;
+const TIMES: Template = phrase!("time_s, or --match order or name");
 /// Parts of a stop that are not used, at its start and at its end.
 const SETTLING: f64 = 1.0 / 3.0;
 const LEAVING: f64 = 0.1;
@@ -66,11 +67,7 @@ pub(crate) fn by_time(
     };
     let Some(time_s) = measured.numbers(Quantity::Time) else {
         let found = text!("no column of times");
-        return refused(
-            measured_place,
-            found,
-            phrase!("time_s, or --match order or name"),
-        );
+        return refused(measured_place, found, TIMES);
     };
     let path = path_of(&commands, robot, commands_place)?;
     let points = timed(&measured, &time_s, targets.1);
@@ -145,17 +142,13 @@ pub(crate) fn by_time(
 fn path_of(commands: &Columns, robot: &Robot, place: &Place) -> Result<Path, Box<Diagnostic>> {
     Path::new(commands, robot).map_err(|wrong| {
         let (place, found, expected) = match wrong {
-            None => (
-                place.clone(),
-                text!("no column of times, or not all joints"),
-                text!("time_s and the commanded value of every joint"),
-            ),
+            None => (place.clone(), text!("no column of times"), TIMES),
             Some(row) => (
                 place
                     .clone()
                     .at_line(commands.lines.get(row).unwrap_or(row as u64 + 1)),
                 text!("a time that is not later than the one before"),
-                text!("rows in the order of time"),
+                phrase!("rows in the order of time"),
             ),
         };
         Box::new(Diagnostic::error(place, found, expected))

@@ -120,12 +120,14 @@ pub(crate) fn by_order(measured: &Columns, commands: &Columns) -> Result<Pairs, 
     ))
 }
 
+const BOTH: Template = phrase!("names on both sides, or --match order");
+
 /// Pairs by name. Without names on both sides, or without a common one, the error says so.
 pub(crate) fn by_name(measured: &Columns, commands: &Columns) -> Result<Pairs, (Text, Template)> {
-    let lacks = |found: Text| (found, phrase!("names on both sides, or --match order"));
+    let lacks = |found: Text| (found, BOTH);
     let names = measured
         .points()
-        .ok_or_else(|| lacks(text!("the measurements have no column of names")))?;
+        .ok_or_else(|| lacks(text!("measurements or commands without a column of names")))?;
     let wanted = commands
         .points()
         .or_else(|| {
@@ -135,7 +137,7 @@ pub(crate) fn by_name(measured: &Columns, commands: &Columns) -> Result<Pairs, (
             let column = commands.list.iter().find(target)?;
             commands.texts(column.role)
         })
-        .ok_or_else(|| lacks(text!("the commands have no column of names")))?;
+        .ok_or_else(|| lacks(text!("measurements or commands without a column of names")))?;
     // Rows of each name that are still free, the next one last.
     let mut free: BTreeMap<&str, Vec<usize>> = BTreeMap::new();
     for (row, name) in wanted.iter().enumerate().rev() {
@@ -168,7 +170,7 @@ pub(crate) fn by_name(measured: &Columns, commands: &Columns) -> Result<Pairs, (
             lonely_measured = listed(&pairs.lonely_measured),
             lonely_commands = listed(&pairs.lonely_commands)
         );
-        return Err((found, phrase!("the same names on both sides")));
+        return Err((found, BOTH));
     }
     Ok(pairs)
 }

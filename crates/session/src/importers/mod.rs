@@ -22,7 +22,6 @@ mod companion_file;
 mod decimal_sign;
 mod declared;
 mod directions;
-mod distances;
 mod euler;
 mod families;
 mod formats;

@@ -5,6 +5,7 @@ use super::settings::ReadContext;
 use crate::diagnostic::{Diagnostic, Place, Severity};
 use crate::document::number::{NotANumber, quoted};
 use crate::importers::columns::{Column, Columns};
+use crate::importers::matching::listed_names_up_to;
 use crate::importers::options::{PLANE, SOCKET};
 use crate::importers::role::Role;
 use crate::importers::settings::{About, ColumnGuess, Known, Question};
@@ -22,19 +23,19 @@ use crate::text::{Template, Text};
 const SHOWN_ROWS: usize = 8;
 /// The word for a column that is what its heading says.
 const AUTO: &str = "auto";
+/// Headings that a message lists.
+const SHOWN_HEADINGS: usize = 12;
 /// Names that are kept to be shown.
 const SHOWN_NAMES: usize = 100;
+/// What `--columns` takes.
+const COLUMNS: Template =
+    phrase!("name, group, -, auto, or a session's columns such as x, x_mm, q1_deg, time_s");
 
 /// The words that tell the header of a table.
 const WORDS: Words = Words {
     is_heading: |cell| !matches!(headings::understand(cell), Role::Kept),
     is_unit: |cell| units::word(cell).is_some(),
 };
-
-/// What is said of complaints beyond the first ones.
-pub(crate) fn others_like_these(more: usize) -> Text {
-    text!(one "{count} more cell or row like these", "{count} more cells or rows like these", count = more)
-}
 
 impl<'a> ReadContext<'a> {
     pub(crate) fn ask(&mut self, about: About, says: impl Into<Text>, answers: &[&str]) {
@@ -105,10 +106,7 @@ impl<'a> ReadContext<'a> {
             .iter()
             .all(|word| Role::from_word(word.trim()) == Some(Role::Left))
         {
-            self.refuse(
-                text!("--columns leaves every column out"),
-                text!("what at least one column is"),
-            );
+            self.refuse(text!("--columns leaves every column out"), COLUMNS);
         }
         let open = words
             .iter()
@@ -130,7 +128,7 @@ impl<'a> ReadContext<'a> {
             let Some(role) = role else {
                 self.refuse(
                     text!("{word} among the columns given", word = quoted(word)),
-                    text!("name, group, -, auto, or a session's columns such as x, x_mm, q1_deg, time_s"),
+                    COLUMNS,
                 );
                 return None;
             };
@@ -180,7 +178,7 @@ impl<'a> ReadContext<'a> {
         }
         // While the sign is asked for, what does not fit the one that is tried says nothing.
         if decimal.is_some() {
-            complaints.into(&self.place, &mut self.found.findings, others_like_these);
+            complaints.into(&self.place, &mut self.found.findings);
         }
         let (mut cells, lines, times) = (reader.cells, reader.lines, reader.times);
         self.found.rows = lines.len();
@@ -209,7 +207,7 @@ impl<'a> ReadContext<'a> {
             })
             .collect();
         if self.found.rows == 0 && !self.is_open() {
-            self.refuse(text!("no row that can be read"), text!("at least one"));
+            self.refuse(text!("no sample"), text!("at least one"));
         }
         if self.is_open() {
             return None;
@@ -324,11 +322,7 @@ impl<'a> ReadContext<'a> {
                 if let Some((text, other)) = named
                     && *other != unit
                 {
-                    let found = text!(
-                        "the lines before the table name another unit: {unit}",
-                        unit = text
-                    );
-                    self.warn(found, text!("the same unit as the file, or none in the file; {unit} is used, as stated", unit = symbol));
+                    self.another_unit(text, symbol);
                 }
                 self.found.unit = text!("{unit}, as stated", unit = symbol);
                 Some(unit)
@@ -343,8 +337,7 @@ impl<'a> ReadContext<'a> {
             && !lacks_length
         {
             if unit != heading {
-                let found = text!("the headings name another unit than {symbol}", symbol);
-                self.warn(found, text!("the same unit as the file, which is used"));
+                self.another_unit(symbol, heading.suffix().unwrap_or_default());
             }
             self.found.unit = text!("from the headings");
         } else if says_length.is_some() {
@@ -371,10 +364,7 @@ impl<'a> ReadContext<'a> {
         let angle = self.reading.angle_unit.map(AngleUnit::unit);
         let angle = angle.or(by_file.map(|(_, unit)| unit));
         if lacks_angle && angle.is_none() {
-            let says = match euler::columns_of(roles) {
-                Some(_) => text!("the unit of the angles is not stated"),
-                None => text!("the unit of the joint values is not stated"),
-            };
+            let says = text!("the unit of the angles is not stated");
             self.ask(About::AngleUnit, says, &["deg", "rad"]);
         }
         for role in roles {
@@ -387,9 +377,20 @@ impl<'a> ReadContext<'a> {
         }
     }
 
+    /// Warns that one of two units is used.
+    pub(crate) fn another_unit(&mut self, other: &str, used: &str) {
+        self.warn(
+            text!("another unit is named: {unit}", unit = other),
+            text!(
+                "the same unit in the file and as stated; {unit} is used",
+                unit = used
+            ),
+        );
+    }
+
     /// Something measured has to be there: a coordinate, an orientation, or what another kind of
     /// measurement needs.
-    pub(crate) fn require_position(&mut self, roles: &[Role], headings: &str) -> bool {
+    pub(crate) fn require_position(&mut self, grid: &Grid<'_>, roles: &[Role]) -> bool {
         let has = |wanted| roles.iter().any(|role| role.quantity() == Some(wanted));
         let coordinates = [Quantity::X, Quantity::Y, Quantity::Z];
         let mut any = coordinates.into_iter().chain(BESIDE_POINTS);
@@ -398,19 +399,29 @@ impl<'a> ReadContext<'a> {
         let named = [SOCKET, PLANE]
             .iter()
             .any(|name| self.reading.options.contains_key(name));
-        if turns || named || any.any(has) {
-            return true;
+        let is_there = turns || named || any.any(has);
+        if !is_there {
+            self.ask_for(grid, "x, y, z");
         }
-        let says = if headings.is_empty() {
-            text!("no column is x or y for certain")
-        } else {
-            text!(
-                "no column is x or y for certain among {names}",
-                names = headings
-            )
+        is_there
+    }
+
+    /// Asks which column is this.
+    pub(crate) fn ask_for(&mut self, grid: &Grid<'_>, quantity: &str) {
+        let says = match &grid.header {
+            None => {
+                text!(one "{count} column and no header", "{count} columns and no header", count = grid.width)
+            }
+            Some((_, names)) => {
+                let names: Vec<String> = names.iter().map(|name| quoted(name)).collect();
+                text!(
+                    "no column is {quantity} for certain among {names}",
+                    quantity,
+                    names = listed_names_up_to(&names, SHOWN_HEADINGS)
+                )
+            }
         };
         self.ask(About::Columns, says, &[]);
-        false
     }
 }
 
@@ -488,16 +499,7 @@ impl<'a> CellReader<'a> {
         let empty = |role: &Role| match role {
             Role::Left => None,
             Role::Point | Role::Group | Role::Kept => Some(Cells::Text(Vec::new())),
-            Role::Known(
-                Quantity::Target
-                | Quantity::Setup
-                | Quantity::Use
-                | Quantity::Anchor
-                | Quantity::Station
-                | Quantity::Plane
-                | Quantity::Socket,
-                _,
-            ) => Some(Cells::Names(Names::default())),
+            Role::Known(quantity, _) if quantity.is_named() => Some(Cells::Names(Names::default())),
             Role::Known(..) | Role::Time(_) | Role::Axis(_) | Role::Turn(..) => {
                 Some(Cells::Numbers(Vec::new()))
             }

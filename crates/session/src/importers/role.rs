@@ -33,17 +33,9 @@ impl Role {
     /// Whether its cells are numbers.
     pub(crate) fn is_number(self) -> bool {
         match self {
-            Self::Known(quantity, _) => !matches!(
-                quantity,
-                Quantity::Target
-                    | Quantity::Setup
-                    | Quantity::Use
-                    | Quantity::Anchor
-                    | Quantity::Station
-                    | Quantity::Plane
-                    | Quantity::Socket
-                    | Quantity::Direction(_)
-            ),
+            Self::Known(quantity, _) => {
+                !quantity.is_named() && !matches!(quantity, Quantity::Direction(_))
+            }
             Self::Time(_) | Self::Turn(..) => true,
             _ => false,
         }

@@ -106,8 +106,8 @@ fn suited(reading: &Reading, robot: &Robot) -> Result<Reading, Rejected> {
     let Some(joint) = robot.joints.get(reading.joint) else {
         let found = text!("joint {joint} does not exist", joint = reading.joint + 1);
         let expected = text!(
-            "--joint from 1 to {joint_count}",
-            joint_count = robot.joint_count()
+            "a joint of the robot, from 1 to {kinds}",
+            kinds = robot.joint_count()
         );
         return Err(Rejected::because(Diagnostic::error(
             Place::default(),
@@ -132,7 +132,7 @@ fn suited(reading: &Reading, robot: &Robot) -> Result<Reading, Rejected> {
 impl Job<'_> {
     pub(super) fn say_source(&mut self, bytes: &[u8], inspection: &Inspection) {
         let kind = inspection.kind.map_or("", |kind| kind.id);
-        let mut read = vec![inspection.encoding.in_words()];
+        let mut read = vec![Text::verbatim(inspection.encoding.to_string())];
         read.extend(inspection.separator.map(|s| s.name().into()));
         read.extend(inspection.decimal.map(|d| d.name().into()));
         if !inspection.unit.is_empty() {

@@ -167,14 +167,17 @@ impl ReadContext<'_> {
         let first = known.clone().next().unwrap_or(0.0);
         let (hint, answers) = if let Some(unit) = epoch {
             let since = text!(
-                "as {unit} since 1970 they are of {year}",
+                "as {unit} since {start} they are of {year}",
                 unit = unit.symbol(),
+                start = "1970",
                 year = year(first * unit.in_s() / 86_400.0)
             );
             (since, vec![unit])
         } else if spreadsheet && !two_parts {
             let since = text!(
-                "as days since 1900, as spreadsheets count, they are of {year}",
+                "as {unit} since {start} they are of {year}",
+                unit = TimeUnit::Days.symbol(),
+                start = "1900",
                 year = year(first - 25_569.0)
             );
             (since, vec![TimeUnit::Days])
@@ -194,13 +197,8 @@ impl ReadContext<'_> {
             )
         };
         if answers.is_empty() {
-            self.refuse_times(
-                heading,
-                text!(
-                    "times that span {span} of no unit",
-                    span = format!("{span}")
-                ),
-            );
+            let span = span.to_string();
+            self.refuse_times(heading, text!("the times span {span}", span));
             return None;
         }
         let answers: Vec<&str> = answers.into_iter().map(TimeUnit::symbol).collect();

@@ -242,20 +242,9 @@ pub(crate) fn hint(spread: f64, reach_mm: Option<f64>) -> Text {
     if spread <= 0.0 {
         return would_be;
     }
-    let (wanted, whose) = match reach_mm {
-        // Points of a robot spread over its reach, up to twice as far.
-        Some(reach) if reach > 0.0 => (
-            1.4 * reach,
-            text!(
-                "compared with a robot of {reach} mm reach",
-                reach = format!("{reach:.0}")
-            ),
-        ),
-        _ => (
-            1000.0,
-            text!("as most robots are about the size of a person"),
-        ),
-    };
+    // Points of a robot spread over its reach, up to twice as far; most robots are about the size of a person.
+    let reach = reach_mm.filter(|reach| *reach > 0.0);
+    let wanted = reach.map_or(1000.0, |reach| 1.4 * reach);
     let off = |unit: &LengthUnit| (mm(*unit) / wanted).ln().abs();
     let likeliest = LengthUnit::ALL
         .into_iter()
@@ -266,12 +255,7 @@ pub(crate) fn hint(spread: f64, reach_mm: Option<f64>) -> Text {
         LengthUnit::Millimetres => phrase!("millimetres"),
         LengthUnit::Inches => phrase!("inches"),
     };
-    text!(
-        "{would_be}; {unit} would suit, {whose}",
-        would_be,
-        unit = name,
-        whose
-    )
+    text!("{would_be}; {unit} would suit", would_be, unit = name)
 }
 
 #[cfg(test)]

@@ -27,18 +27,14 @@ impl Address {
     pub fn parse(text: &str) -> Result<Self, Text> {
         let wrong = || {
             text!(
-                "{source}: no such source; expected tcp://HOST:PORT or udp://:PORT",
+                "{source}: expected tcp://HOST:PORT or udp://:PORT, with PORT from 0 to 65535",
                 source = text
             )
         };
         let (kind, address) = text.split_once("://").ok_or_else(wrong)?;
         let port = address.rsplit_once(':').ok_or_else(wrong)?.1;
         if port.parse::<u16>().is_err() {
-            return Err(text!(
-                "{source}: {port} is not a port; expected tcp://HOST:PORT or udp://:PORT, with PORT from 0 to 65535",
-                source = text,
-                port = format!("{port:?}")
-            ));
+            return Err(wrong());
         }
         match kind {
             "tcp" => Ok(Self::Tcp(address.to_owned())),

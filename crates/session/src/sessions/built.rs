@@ -65,7 +65,11 @@ impl Session {
         let mut wrong = Vec::new();
         if let Some(sample) = q.iter().position(|row| row.as_ref().len() != joints) {
             let row = q[sample].as_ref().len();
-            let found = text!("sample {sample}: {row} values", sample = sample + 1, row);
+            let found = text!(
+                "sample {row}: {value}",
+                row = sample + 1,
+                value = text!(one "{count} value", "{count} values", count = row)
+            );
             let expected = text!("{joints}, one for each joint", joints);
             wrong.push(error("q", found, expected));
         }

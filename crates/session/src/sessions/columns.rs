@@ -6,7 +6,7 @@
 
 use crate::kinematics::{Joint, JointKind};
 use crate::tables::CellKind;
-use crate::text::Template;
+use crate::text::Text;
 use crate::units::{
     LARGEST_JOINT_VALUE, LARGEST_LENGTH_MM, LARGEST_MASS_KG, LARGEST_TIME_S, rad_from_deg,
 };
@@ -142,11 +142,18 @@ impl ColumnDeclaration {
     }
 }
 
-/// The largest size of a quantity's numbers, and what to expect instead of a larger one.
+/// The largest size of a quantity's numbers, and how a person says it.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct ValueRange {
     pub(crate) largest: f64,
-    pub(crate) expected: Template,
+    said: &'static str,
+}
+
+impl ValueRange {
+    /// What to expect instead of a larger one.
+    pub(crate) fn expected(self) -> Text {
+        text!("a number of at most {most}", most = self.said)
+    }
 }
 
 impl Quantity {
@@ -170,34 +177,27 @@ impl Quantity {
     /// The range of its numbers, in inner units: what is beyond it is no measurement.
     pub(crate) fn range(self, unit: Unit) -> ValueRange {
         let angle = matches!(unit, Unit::Angle(_));
-        let (largest, expected) = match self {
-            Self::Commanded(_) | Self::ReadBack(_) if angle => (
-                rad_from_deg(LARGEST_JOINT_VALUE),
-                phrase!("an angle of at most 1 000 000°"),
-            ),
-            Self::Commanded(_) | Self::ReadBack(_) => (
-                LARGEST_JOINT_VALUE,
-                phrase!("a joint value of at most 1 000 000 mm"),
-            ),
-            Self::X | Self::Y | Self::Z | Self::Distance => (
-                LARGEST_LENGTH_MM,
-                phrase!("a length of at most 10 000 000 mm"),
-            ),
-            Self::Azimuth | Self::Elevation => (
-                rad_from_deg(LARGEST_JOINT_VALUE),
-                phrase!("an angle of at most 1 000 000°"),
-            ),
-            Self::Load => (LARGEST_MASS_KG, phrase!("a load of at most 1 000 000 kg")),
-            Self::Temperature | Self::JointTemperature(_) => {
-                (1e6, phrase!("a temperature of at most 1 000 000 °C"))
+        let (largest, said) = match self {
+            Self::Commanded(_) | Self::ReadBack(_) if !angle => {
+                (LARGEST_JOINT_VALUE, "1 000 000 mm")
             }
-            Self::Time => (LARGEST_TIME_S, phrase!("a value that can be measured")),
-            Self::Orientation(_) => (1e6, phrase!("a value that can be measured")),
-            Self::Speed(_) => (1e9, phrase!("a value that can be measured")),
-            Self::Torque(_) => (1e9, phrase!("a value that can be measured")),
-            _ => (f64::MAX, phrase!("a number")),
+            Self::Commanded(_) | Self::ReadBack(_) | Self::Azimuth | Self::Elevation => {
+                (rad_from_deg(LARGEST_JOINT_VALUE), "1 000 000°")
+            }
+            Self::X | Self::Y | Self::Z | Self::Distance => (LARGEST_LENGTH_MM, "10 000 000 mm"),
+            Self::Load => (LARGEST_MASS_KG, "1 000 000 kg"),
+            Self::Temperature | Self::JointTemperature(_) => (1e6, "1 000 000 °C"),
+            Self::Time => (LARGEST_TIME_S, "1e20 s"),
+            Self::Orientation(_) => (1e6, "1 000 000"),
+            Self::Speed(_) | Self::Torque(_) => (1e9, "1 000 000 000"),
+            _ => (f64::MAX, "1.8e308"),
         };
-        ValueRange { largest, expected }
+        ValueRange { largest, said }
+    }
+
+    /// Whether its cells are names.
+    pub(crate) fn is_named(self) -> bool {
+        self.declared().cells == CellKind::Name
     }
 
     /// The joint that it belongs to.
@@ -279,7 +279,7 @@ impl Unit {
         found.map(|(_, unit)| unit)
     }
 
-    fn suffix(self) -> Option<&'static str> {
+    pub(crate) fn suffix(self) -> Option<&'static str> {
         let found = Self::all().into_iter().find(|(_, unit)| *unit == self);
         found.map(|(suffix, _)| suffix)
     }
@@ -344,32 +344,27 @@ fn hint(heading: &str) -> Option<String> {
     if plain != heading && recognized(&plain).is_some() {
         return Some(format!("'{plain}'"));
     }
-    let name = plain.split(['_', '[', '(']).next().unwrap_or_default();
-    let meant = match name {
-        "x" | "y" | "z" | "distance" => format!("{name}_mm, {name}_m, {name}_um or {name}_in"),
-        "azimuth" | "elevation" => format!("{name}_deg or {name}_rad"),
-        "load" => "load_kg".to_owned(),
-        "temperature" | "temp" => "temperature_c".to_owned(),
-        "time" | "t" => "time_s".to_owned(),
-        _ if name.strip_prefix('q').and_then(joint_index).is_some() => {
-            format!("{name}_deg, {name}_rad or, for a sliding joint, {name}_mm")
-        }
-        _ if name.strip_prefix("torque").and_then(joint_index).is_some() => {
-            format!("{name}_nm")
-        }
-        _ if name
-            .strip_prefix("temperature")
-            .and_then(joint_index)
-            .is_some() =>
-        {
-            format!("{name}_c")
-        }
-        _ if name.strip_prefix("speed").and_then(joint_index).is_some() => {
-            format!("{name}_deg_s, {name}_rad_s or, for a sliding joint, {name}_mm_s")
-        }
-        _ => return None,
+    let name = match plain.split(['_', '[', '(']).next().unwrap_or_default() {
+        "temp" => "temperature",
+        "t" => "time",
+        name => name,
     };
-    Some(meant)
+    COLUMNS.iter().find_map(|column| {
+        let (own, unit) = column.heading.split_once('_')?;
+        match own.strip_suffix('#') {
+            Some(own) => joint_index(name.strip_prefix(own)?).map(|_| ())?,
+            None => (name == own).then_some(())?,
+        }
+        let units: &[&str] = match column.takes {
+            AcceptedUnits::Length => &["mm", "m", "um", "in"],
+            AcceptedUnits::Angle => &["deg", "rad"],
+            AcceptedUnits::OfJoint => &["deg", "rad", "mm"],
+            AcceptedUnits::Fixed => &[""],
+        };
+        let meant = units.iter();
+        let meant = meant.map(|one| format!("{name}_{}", unit.replace('~', one)));
+        Some(meant.collect::<Vec<_>>().join(", "))
+    })
 }
 
 #[cfg(test)]

@@ -157,31 +157,12 @@ fn unequal(session: &Session) -> Vec<Diagnostic> {
             own.names.len(),
         );
     }
-    for (field, own, declared) in [
-        (
-            "samples.observed.anchor",
-            &observed.anchor,
-            references.anchors.len(),
-        ),
-        (
-            "samples.observed.station",
-            &observed.station,
-            references.stations.len(),
-        ),
-        (
-            "samples.observed.plane",
-            &observed.plane,
-            references.planes.len(),
-        ),
-        (
-            "samples.observed.socket",
-            &observed.socket,
-            references.sockets.len(),
-        ),
-    ] {
-        if let Some(own) = own {
+    for column in observed.names() {
+        if let Some(own) = column.values {
             let most = own.iter().flatten().max().map(|k| *k as usize);
-            index(field, own.len(), most, declared);
+            let field = format!("samples.observed.{}", column.label);
+            let declared = references.named(column.quantity).len();
+            index(&field, own.len(), most, declared);
         }
     }
     for own in samples.held_out.iter().chain(&samples.excluded) {
@@ -231,10 +212,10 @@ fn cells(session: &Session) -> Vec<Diagnostic> {
             _ => Unit::Fixed,
         };
         let (largest, expected) = if let Quantity::Direction(_) = quantity {
-            (1.0, phrase!("1, -1 or 0 (unknown)"))
+            (1.0, text!("1, -1 or 0 (unknown)"))
         } else {
             let range = quantity.range(unit);
-            (range.largest, range.expected)
+            (range.largest, range.expected())
         };
         let values = session.samples.numbers(quantity).unwrap_or_default();
         // Without a way out, so that a column of millions is compared many at a time.
@@ -251,7 +232,7 @@ fn cells(session: &Session) -> Vec<Diagnostic> {
                 row = row + 1,
                 value = short(values[row])
             );
-            findings.push(error(&field, found, expected.into()));
+            findings.push(error(&field, found, expected));
         }
     }
     findings

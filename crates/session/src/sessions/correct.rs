@@ -29,13 +29,11 @@ impl SessionCorrection {
     /// What it does, as a button says it.
     pub fn describe(&self) -> Text {
         match self {
-            Self::ScaleJoint { joint, factor } => scaled_joint(*joint, *factor),
-            Self::ScaleJoints { factor } => scaled_joints(*factor),
-            Self::ExchangeJoints { first, second } => text!(
-                "Exchange joints {first} and {second}",
-                first = first + 1,
-                second = second + 1
-            ),
+            Self::ScaleJoint { joint, factor } => scaled_joints(joint_called(*joint), *factor),
+            Self::ScaleJoints { factor } => scaled_joints(text!("all joints"), *factor),
+            Self::ExchangeJoints { first, second } => {
+                exchanged(joint_called(*first), joint_called(*second))
+            }
             Self::CoupleJoint {
                 joint,
                 from,
@@ -58,7 +56,7 @@ impl SessionCorrection {
             ),
             Self::ScaleLengths(factor) => scaled_lengths(text!("the coordinates"), *factor),
             Self::ScaleCoordinate { axis, factor } => scaled_coordinate(*axis, *factor),
-            Self::Reorder([1, 0, 2]) => text!("Exchange x and y"),
+            Self::Reorder([1, 0, 2]) => exchanged(Text::verbatim("x"), Text::verbatim("y")),
             Self::Reorder(order) => {
                 let [a, b, c] = order.map(|k| ["x", "y", "z"][k % 3]);
                 text!("Read x, y, z from {axes}", axes = format!("{a}, {b}, {c}"))
@@ -70,20 +68,16 @@ impl SessionCorrection {
             Self::Remove(rows) if rows.len() == 1 => text!("Remove this sample"),
             Self::Remove(rows) => text!("Remove these {count} samples", count = rows.len()),
             Self::PairRows(_) => text!("Pair the rows again"),
-            Self::ScaleSpeed { joint, factor } if *factor < 0.0 => {
-                text!("Reverse the speeds of joint {joint}", joint = joint + 1)
+            Self::ScaleSpeed { joint, factor } if *factor < 0.0 => reversed(speeds_of(*joint)),
+            Self::ScaleSpeed { joint, factor } => multiplied(speeds_of(*joint), *factor),
+            Self::ScaleLoad(factor) if *factor < 1.0 => {
+                read_as(text!("the loads"), Text::verbatim("g"))
             }
-            Self::ScaleSpeed { joint, factor } => text!(
-                "Multiply the speeds of joint {joint} by {factor}",
-                joint = joint + 1,
-                factor = format!("{factor:.6}")
-            ),
-            Self::ScaleLoad(factor) if *factor < 1.0 => text!("Read the loads as grams"),
             Self::ScaleLoad(factor) => multiplied(text!("the loads"), *factor),
-            Self::ConvertTemperature { factor, .. } if *factor < 1.0 => {
-                text!("Read the temperatures as Fahrenheit")
+            Self::ConvertTemperature { factor, .. } => {
+                let unit = if *factor < 1.0 { "°F" } else { "K" };
+                read_as(text!("the temperatures"), Text::verbatim(unit))
             }
-            Self::ConvertTemperature { .. } => text!("Read the temperatures as kelvin"),
             Self::ContinueClock(_) => text!("Continue the clock past midnight"),
             Self::WidenNoise(_) => text!("Count the digit as noise"),
             Self::MoveTarget { target, .. } => {
@@ -99,7 +93,7 @@ impl SessionCorrection {
                 first = first + 1,
                 second = second + 1
             ),
-            Self::TurnDirections => text!("Reverse the directions of approach"),
+            Self::TurnDirections => reversed(text!("the directions of approach")),
             Self::TargetsWithin(sigma) => text!(
                 "Take the places of the targets as known to {sigma}",
                 sigma = length(*sigma, 2)
@@ -275,28 +269,39 @@ fn straighten(samples: &mut Samples, by: [f64; 3]) {
     }
 }
 
-/// What multiplying the values of a joint does, in words.
-fn scaled_joint(joint: usize, factor: f64) -> Text {
-    let joint = joint + 1;
+/// What multiplying the values of joints does, in words.
+fn scaled_joints(what: Text, factor: f64) -> Text {
     if factor == -1.0 {
-        return text!("Reverse joint {joint}", joint);
+        return reversed(what);
     }
     match unit_of_joint(factor) {
-        Some(unit) => text!("Read joint {joint} as {unit}", joint, unit),
+        Some(unit) => read_as(what, unit.into()),
         None => text!(
-            "Divide joint {joint} by {ratio}",
-            joint,
+            "Divide {axis} by {ratio}",
+            axis = what,
             ratio = divisor(factor)
         ),
     }
 }
 
-/// What multiplying those of all joints does, in words.
-fn scaled_joints(factor: f64) -> Text {
-    match unit_of_joint(factor) {
-        Some(unit) => text!("Read all joints as {unit}", unit),
-        None => text!("Divide all joints by {ratio}", ratio = divisor(factor)),
-    }
+fn joint_called(joint: usize) -> Text {
+    text!("joint {joint}", joint = joint + 1)
+}
+
+fn speeds_of(joint: usize) -> Text {
+    text!("the speeds of joint {joint}", joint = joint + 1)
+}
+
+fn exchanged(first: Text, second: Text) -> Text {
+    text!("Exchange {first} and {second}", first, second)
+}
+
+fn reversed(what: Text) -> Text {
+    text!("Reverse {axis}", axis = what)
+}
+
+fn read_as(what: Text, unit: Text) -> Text {
+    text!("Read {axis} as {unit}", axis = what, unit)
 }
 
 /// What multiplying measured coordinates does, in words.
@@ -307,7 +312,7 @@ fn scaled_lengths(what: Text, factor: f64) -> Text {
         0.001 => phrase!("micrometres"),
         factor => return multiplied(what, factor),
     };
-    text!("Read {axis} as {unit}", axis = what, unit)
+    read_as(what, unit.into())
 }
 
 /// What multiplying one of them does, in words.

@@ -3,7 +3,7 @@
 
 use super::columns::{BESIDE_POINTS, Heading, Quantity, Unit};
 use crate::diagnostic::{Diagnostic, Place};
-use crate::document::number::quoted;
+use crate::document::number::{ONCE, quoted};
 use crate::kinematics::{Joint, JointKind};
 use crate::text::Text;
 
@@ -41,7 +41,7 @@ impl Layout {
                                 first = first + 1,
                                 heading = quoted(&names[*first])
                             ),
-                            text!("one column for each quantity: remove one of the two"),
+                            ONCE,
                         ));
                     }
                     seen.push((*quantity, index));
@@ -72,11 +72,7 @@ fn unknown_column(place: Place, name: &str, hint: Option<&str>) -> Diagnostic {
         name = quoted(name)
     );
     match hint {
-        Some(hint) => Diagnostic::warning(
-            place,
-            found,
-            text!("{hint}, if that is what is meant", hint),
-        ),
+        Some(hint) => Diagnostic::warning(place, found, Text::verbatim(hint)),
         None => Diagnostic::note(place, found),
     }
 }
@@ -105,15 +101,12 @@ pub(crate) fn check_joint(
             ));
             return;
         }
-        (Some(JointKind::Revolute), Unit::Length(_)) => text!("_deg or _rad"),
-        (Some(JointKind::Prismatic), Unit::Angle(_)) => text!("_mm, _m, _um or _in"),
+        (Some(JointKind::Revolute), Unit::Length(_)) => "_deg, _rad",
+        (Some(JointKind::Prismatic), Unit::Angle(_)) => "_mm, _m, _um, _in",
         _ => return,
     };
-    let found = match unit {
-        Unit::Length(_) => text!("a length for joint {number}, which is revolute", number),
-        _ => text!("an angle for joint {number}, which is prismatic", number),
-    };
-    findings.push(Diagnostic::error(place, found, expected));
+    let found = text!("a unit that is not one of joint {joint}", joint = number);
+    findings.push(Diagnostic::error(place, found, Text::verbatim(expected)));
 }
 
 fn require_columns(
@@ -128,21 +121,16 @@ fn require_columns(
     for (joint, own) in joints.unwrap_or_default().iter().enumerate() {
         // A joint that follows another one has its value from there.
         if own.follows.is_none() && !has(Quantity::Commanded(joint)) {
-            let number = joint + 1;
-            let unit = own.kind.unit();
             missing(
-                text!(
-                    "no column for the commanded value of joint {joint}",
-                    joint = number
-                ),
-                text!("q{joint}_{unit}", joint = number, unit),
+                no_column(&format!("q{}_{}", joint + 1, own.kind.unit())),
+                Text::default(),
             );
         }
     }
     let direction = [Quantity::Azimuth, Quantity::Elevation].map(has);
     if direction[0] != direction[1] {
         missing(
-            text!("one of the two columns of a measured direction"),
+            text!("one angle of two"),
             text!("both azimuth_deg and elevation_deg or none"),
         );
     }
@@ -150,12 +138,9 @@ fn require_columns(
     // A height gauge needs no empty columns for x and y; of these two, one alone is a slip.
     let only_z = has(Quantity::Z) && !has(Quantity::X) && !has(Quantity::Y);
     let has_other = only_z || BESIDE_POINTS.into_iter().any(has);
-    for (quantity, name) in [(Quantity::X, "x"), (Quantity::Y, "y")] {
+    for (quantity, name) in [(Quantity::X, "x_mm"), (Quantity::Y, "y_mm")] {
         if !has(quantity) && !has_other {
-            missing(
-                text!("no column for the measured {name}", name),
-                text!("{name}_mm", name),
-            );
+            missing(no_column(name), Text::default());
         }
     }
     let orientation = (0..4)
@@ -164,12 +149,18 @@ fn require_columns(
     if orientation != 0 && orientation != 4 {
         missing(
             text!(
-                "{orientation} of the 4 columns of the measured orientation",
-                orientation
+                "{count} of the {all} numbers of an orientation",
+                count = orientation,
+                all = 4
             ),
-            text!("all of qw, qx, qy, qz or none"),
+            Text::verbatim("qw, qx, qy, qz"),
         );
     }
+}
+
+/// The complaint about a column that is not there.
+pub(crate) fn no_column(name: &str) -> Text {
+    text!("no column {name}", name = quoted(name))
 }
 
 /// Number of joints that the headings speak of.
@@ -220,10 +211,7 @@ mod tests {
     fn a_sliding_joint_takes_no_degrees() {
         let findings = read(&["q1_deg", "x_mm", "y_mm"], &[JointKind::Prismatic]);
         assert_eq!(findings.len(), 1);
-        assert!(
-            findings[0].contains("joint 1, which is prismatic"),
-            "{findings:?}"
-        );
+        assert!(findings[0].contains("not one of joint 1"), "{findings:?}");
     }
 
     #[test]

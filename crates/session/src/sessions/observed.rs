@@ -1,57 +1,52 @@
-//! Columns of measurements other than points, from cells to indices and inner units, and which
+//! Columns of measurements other than points, and which
 //! rows lack what they need: a distance needs its anchor, a direction both of its angles.
 
 use crate::diagnostic::{Diagnostic, Place};
-use crate::document::number::quoted;
 use crate::sessions::columns::{Heading, Quantity};
 use crate::sessions::domain::{Session, has_missing};
 use crate::sessions::references::{ObservedColumns, References};
-use crate::tables::Names;
+use crate::tables::more_like_these;
 use crate::text::Text;
-use std::collections::BTreeMap;
 
 /// Complaints about one column that are worth printing.
 const MOST_COMPLAINTS: usize = 10;
 
-/// Indices of what the cells of column `index` name, of what is declared; an empty cell names nothing.
-pub(crate) fn indices(
-    declared: &[&str],
-    cells: &Names,
-    index: usize,
-    locate: Locate<'_>,
-    findings: &mut Vec<Diagnostic>,
-) -> Vec<Option<u32>> {
-    let places: BTreeMap<&str, u32> = declared.iter().copied().zip(0..).collect();
-    let place = |name: &String| places.get(name.as_str()).copied();
-    let known: Vec<Option<u32>> = cells.list.iter().map(place).collect();
-    let of = |row: usize| cells.index[row] as usize;
-    let wrong = (0..cells.index.len())
-        .filter(|row| known[of(*row)].is_none() && !cells.list[of(*row)].is_empty());
-    let expected = match declared.len() {
-        0 => text!("a name that the session declares; it declares none"),
-        _ => text!(
-            "a name that the session declares: {declared}",
-            declared = first_of(declared.iter().copied())
-        ),
-    };
-    for row in wrong.take(MOST_COMPLAINTS) {
-        let name = quoted(&cells.list[of(row)]);
-        let found = text!("{name} is not declared", name);
-        findings.push(Diagnostic::error(locate(index, row), found, &expected));
-    }
-    // What was refused must not be missed besides.
-    let known = known.iter().zip(&cells.list);
-    let known = known.map(|(known, name)| known.or((!name.is_empty()).then_some(0)));
-    let known: Vec<Option<u32>> = known.collect();
-    let rows = 0..cells.index.len();
-    rows.map(|row| known[of(row)]).collect()
+/// One column and where to complain about it.
+pub(crate) struct PlacedColumn<'a> {
+    pub(crate) index: usize,
+    pub(crate) locate: Locate<'a>,
+    pub(crate) findings: &'a mut Vec<Diagnostic>,
 }
 
-/// The first few names, for a message.
-pub(crate) fn first_of<'a>(mut names: impl Iterator<Item = &'a str>) -> String {
-    let shown: Vec<&str> = names.by_ref().take(MOST_COMPLAINTS).collect();
-    let more = if names.next().is_some() { ", …" } else { "" };
-    shown.join(", ") + more
+impl PlacedColumn<'_> {
+    pub(crate) fn complain(self, rows: &[usize], found: &dyn Fn(usize) -> Text, expected: &Text) {
+        for &row in rows.iter().take(MOST_COMPLAINTS) {
+            let place = (self.locate)(self.index, row);
+            self.findings
+                .push(Diagnostic::error(place, found(row), expected));
+        }
+        if let Some(&row) = rows.get(MOST_COMPLAINTS) {
+            let place = (self.locate)(self.index, row);
+            let more = rows.len() - MOST_COMPLAINTS;
+            let found = more_like_these(more);
+            self.findings
+                .push(Diagnostic::error(place, found, expected));
+        }
+    }
+}
+
+/// The names that a cell may have; the first few of them.
+pub(crate) fn one_of(declared: &[&str]) -> Text {
+    let shown = &declared[..declared.len().min(MOST_COMPLAINTS)];
+    let more = if shown.len() < declared.len() {
+        ", …"
+    } else {
+        ""
+    };
+    text!(
+        "a name that the session declares: {declared}",
+        declared = shown.join(", ") + more
+    )
 }
 
 /// Completes what only one thing can be meant by, and complains of rows that lack something.
@@ -64,11 +59,13 @@ pub(crate) fn complete(
 ) {
     let mut complain = |quantity: Quantity, rows: &[usize], found: Text, expected: Text| {
         let is = |h: &Heading| matches!(h, Heading::Known(q, _) if *q == quantity);
-        let column = headings.iter().position(is).unwrap_or(0);
-        for row in rows.iter().take(MOST_COMPLAINTS) {
-            let place = locate(column, *row);
-            findings.push(Diagnostic::error(place, &found, &expected));
-        }
+        let index = headings.iter().position(is).unwrap_or(0);
+        let column = PlacedColumn {
+            index,
+            locate,
+            findings: &mut *findings,
+        };
+        column.complain(rows, &|_| found.clone(), &expected);
     };
     if let Some(distance) = &observed.distance_mm {
         let rows = distance.len();
@@ -79,11 +76,7 @@ pub(crate) fn complete(
         let lacking: Vec<usize> = (0..rows)
             .filter(|i| !distance[*i].is_nan() && anchor[*i].is_none())
             .collect();
-        let names = first_of(references.named(Quantity::Anchor).into_iter());
-        let expected = text!(
-            "one of the anchors of the session in the column anchor: {names}",
-            names
-        );
+        let expected = one_of(&references.named(Quantity::Anchor));
         complain(
             Quantity::Distance,
             &lacking,
@@ -91,7 +84,7 @@ pub(crate) fn complete(
             expected,
         );
         let negative: Vec<usize> = (0..rows).filter(|i| distance[*i] < 0.0).collect();
-        let expected = text!("a distance of 0 mm or more");
+        let expected = text!("a number of at least {least}", least = "0");
         complain(
             Quantity::Distance,
             &negative,
@@ -104,7 +97,7 @@ pub(crate) fn complete(
         let half: Vec<usize> = (0..rows)
             .filter(|i| azimuth[*i].is_nan() != elevation[*i].is_nan())
             .collect();
-        let expected = text!("both angles of a direction, or neither");
+        let expected = text!("both azimuth_deg and elevation_deg or none");
         complain(
             Quantity::Azimuth,
             &half,
@@ -114,7 +107,7 @@ pub(crate) fn complete(
         let steep: Vec<usize> = (0..rows)
             .filter(|i| elevation[*i].abs() > std::f64::consts::FRAC_PI_2 + 1e-9)
             .collect();
-        let expected = text!("an elevation from -90° to 90°");
+        let expected = Text::verbatim("-90° … 90°");
         complain(
             Quantity::Elevation,
             &steep,
@@ -129,16 +122,11 @@ pub(crate) fn complete(
             let lacking: Vec<usize> = (0..rows)
                 .filter(|i| !azimuth[*i].is_nan() && station[*i].is_none())
                 .collect();
-            let names = first_of(references.named(Quantity::Station).into_iter());
-            let expected = text!(
-                "one of the stations of the session in the column station: {names}; or the key \
-                 pointing, where the tool itself points",
-                names
-            );
+            let expected = one_of(&references.named(Quantity::Station));
             complain(
                 Quantity::Azimuth,
                 &lacking,
-                text!("a direction without its station"),
+                text!("a direction without its station, or the key pointing"),
                 expected,
             );
         }
@@ -195,7 +183,7 @@ impl Session {
         let name = |c: &Option<Vec<Option<u32>>>| c.iter().flatten().flatten().count();
         let sigma_mm = instrument.sigma_mm.is_some();
         let point = |i: usize| samples.coordinates(i).iter().any(|v| !v.is_nan());
-        let kind = |(count, counted): (usize, Text), sigma_key, stated| Measured {
+        let kind = |count, counted, sigma_key, stated| Measured {
             count,
             counted,
             sigma_key,
@@ -208,54 +196,42 @@ impl Session {
         let (held, touched) = (name(&own.socket), name(&own.plane));
         let all = [
             kind(
-                (
-                    points,
-                    text!(one "{count} point", "{count} points", count = points),
-                ),
+                points,
+                text!(one "{count} point", "{count} points", count = points),
                 "sigma_mm",
                 stated,
             ),
             kind(
-                (
-                    turned,
-                    text!(one "{count} orientation", "{count} orientations", count = turned),
-                ),
+                turned,
+                text!(one "{count} orientation", "{count} orientations", count = turned),
                 "sigma_mrad",
                 instrument.sigma_orientation.is_some(),
             ),
             kind(
-                (
-                    distances,
-                    text!(one "{count} distance", "{count} distances", count = distances),
-                ),
+                distances,
+                text!(one "{count} distance", "{count} distances", count = distances),
                 "sigma_distance_mm",
                 instrument.sigma_distance_mm.is_some(),
             ),
             kind(
-                (
-                    directions,
-                    text!(one "{count} direction", "{count} directions", count = directions),
-                ),
+                directions,
+                text!(one "{count} direction", "{count} directions", count = directions),
                 "sigma_direction_urad",
                 instrument.sigma_direction.is_some(),
             ),
             kind(
-                (
-                    held,
-                    text!(
-                        one "{count} target in a socket",
-                        "{count} targets in sockets",
-                        count = held
-                    ),
+                held,
+                text!(
+                    one "{count} target in a socket",
+                    "{count} targets in sockets",
+                    count = held
                 ),
                 "sigma_mm",
                 sigma_mm,
             ),
             kind(
-                (
-                    touched,
-                    text!(one "{count} touch", "{count} touches", count = touched),
-                ),
+                touched,
+                text!(one "{count} touch", "{count} touches", count = touched),
                 "sigma_touch_mm",
                 instrument.sigma_touch_mm.is_some(),
             ),

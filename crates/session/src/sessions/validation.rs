@@ -8,7 +8,7 @@ use crate::text::{Template, Text};
 use std::collections::BTreeSet;
 
 use crate::diagnostic::{Diagnostic, Place};
-use crate::document::number::quoted;
+use crate::document::number::{ONCE, quoted};
 use crate::kinematics::{JointKind, Robot};
 use crate::sessions::domain::{Region, Samples, Session};
 use crate::units::deg_from_rad;
@@ -45,20 +45,17 @@ pub(crate) fn findings(session: &Session, file: &Place) -> Vec<Diagnostic> {
 pub fn robot(robot: &Robot, file: &Place, findings: &mut Vec<Diagnostic>) {
     findings.extend(robot.out_of_range(file));
     for (index, joint) in robot.joints.iter().enumerate() {
-        let earlier = robot.joints[..index]
-            .iter()
-            .position(|other| other.name == joint.name);
-        if let Some(earlier) = earlier {
+        let mut earlier = robot.joints[..index].iter();
+        if earlier.any(|other| other.name == joint.name) {
             let place = file.clone().in_field(format!("robot.joints[{index}].name"));
-            let found = text!(
-                "joint {index} is called {joint} like joint {earlier}",
-                index = index + 1,
-                joint = quoted(&joint.name),
-                earlier = earlier + 1
-            );
-            findings.push(Diagnostic::warning(place, found, text!("a unique name")));
+            let found = twice(&joint.name);
+            findings.push(Diagnostic::warning(place, found, ONCE));
         }
     }
+}
+
+fn twice(name: &str) -> Text {
+    text!("{name} a second time", name = quoted(name))
 }
 
 /// What a fit has parameters for is counted: its equations grow with the square of their number.
@@ -83,7 +80,7 @@ pub(super) fn sizes(session: &Session, file: &Place, findings: &mut Vec<Diagnost
         if count > most {
             findings.push(Diagnostic::error(
                 file.clone().in_field(field),
-                text!("{count} of them", count),
+                Text::verbatim(count.to_string()),
                 text!("at most {most} in one session", most),
             ));
         }
@@ -131,14 +128,7 @@ fn regions(session: &Session, file: &Place, findings: &mut Vec<Diagnostic>) {
     }
     let mut names = BTreeSet::new();
     for region in all.iter().filter(|region| !names.insert(&region.name)) {
-        findings.push(Diagnostic::warning(
-            place(),
-            text!(
-                "two regions are called {region}",
-                region = quoted(&region.name)
-            ),
-            text!("a unique name"),
-        ));
+        findings.push(Diagnostic::warning(place(), twice(&region.name), ONCE));
     }
     let joints = &session.robot.joints;
     let one_revolute = joints.len() == 1 && joints[0].kind == JointKind::Revolute;
@@ -188,7 +178,7 @@ fn targets(session: &Session, file: &Place, findings: &mut Vec<Diagnostic>) {
                 targets = session.targets.len(),
                 target = quoted(&session.targets[0].name)
             );
-            findings.push(Diagnostic::warning(place, found, text!("a column target")));
+            findings.push(Diagnostic::warning(place, found, Text::default()));
         }
         return;
     };
@@ -218,7 +208,7 @@ pub(super) fn free_targets(session: &Session, file: &Place, findings: &mut Vec<D
     let free = session.instrument.free_targets.iter();
     for name in free.filter(|name| !is_known(name)) {
         let place = file.clone().in_field("instrument.free_targets");
-        let found = text!("target {name} is not declared", name = quoted(name));
+        let found = text!("{name} is not declared", name = quoted(name));
         let names = session.targets.iter().map(|own| quoted(&own.name));
         let expected = Text::verbatim(names.collect::<Vec<_>>().join(", "));
         findings.push(Diagnostic::error(place, found, expected));
@@ -233,7 +223,7 @@ fn completeness(samples: &Samples, file: &Place, findings: &mut Vec<Diagnostic>)
         findings.push(Diagnostic::error(
             file.clone(),
             found,
-            text!("at least one complete sample"),
+            text!("at least one"),
         ));
     } else if !incomplete.is_empty() {
         let found = text!(
@@ -280,7 +270,7 @@ fn completeness(samples: &Samples, file: &Place, findings: &mut Vec<Diagnostic>)
         findings.push(Diagnostic::warning(
             file.clone().in_field("use"),
             found,
-            text!("some samples marked fit"),
+            Text::default(),
         ));
     }
     if let Some([w, x, y, z]) = &samples.orientation_wxyz {
@@ -296,7 +286,7 @@ fn completeness(samples: &Samples, file: &Place, findings: &mut Vec<Diagnostic>)
                 which = which(samples, &off)
             );
             let place = file.clone().in_field("qw, qx, qy, qz");
-            findings.push(Diagnostic::warning(place, found, text!("unit quaternions")).about(&off));
+            findings.push(Diagnostic::warning(place, found, Text::default()).about(&off));
         }
     }
 }
@@ -323,16 +313,13 @@ fn limits(session: &Session, file: &Place, findings: &mut Vec<Diagnostic>) {
                 index = index + 1,
                 which = which(&session.samples, &beyond)
             );
-            findings.push(
-                Diagnostic::warning(file.clone(), found, text!("commands within the limits"))
-                    .about(&beyond),
-            );
+            findings.push(Diagnostic::warning(file.clone(), found, Text::default()).about(&beyond));
         }
     }
 }
 
 fn conditions(samples: &Samples, file: &Place, findings: &mut Vec<Diagnostic>) {
-    let mut warn = |field: &str, wrong: Vec<usize>, what: Template, expected: Template| {
+    let mut warn = |field: &str, wrong: Vec<usize>, what: Template| {
         if !wrong.is_empty() {
             let found = text!(
                 "{found}: {name}",
@@ -340,16 +327,11 @@ fn conditions(samples: &Samples, file: &Place, findings: &mut Vec<Diagnostic>) {
                 name = which(samples, &wrong)
             );
             let place = file.clone().in_field(field);
-            findings.push(Diagnostic::warning(place, found, expected).about(&wrong));
+            findings.push(Diagnostic::warning(place, found, Text::default()).about(&wrong));
         }
     };
     let negative_load = rows_where(samples.load_kg.as_deref(), |kg| kg < 0.0);
-    warn(
-        "load_kg",
-        negative_load,
-        phrase!("negative loads"),
-        phrase!("0 kg or more"),
-    );
+    warn("load_kg", negative_load, phrase!("negative loads"));
     let too_cold = rows_where(samples.temperature_c.as_deref(), |celsius| {
         celsius < -273.15
     });
@@ -357,7 +339,6 @@ fn conditions(samples: &Samples, file: &Place, findings: &mut Vec<Diagnostic>) {
         "temperature_c",
         too_cold,
         phrase!("temperatures below absolute zero"),
-        phrase!("°C"),
     );
     if let Some(time_s) = &samples.time_s {
         let back = backwards(time_s);
@@ -388,7 +369,7 @@ fn conditions(samples: &Samples, file: &Place, findings: &mut Vec<Diagnostic>) {
             count = lost.len(),
             which = which(samples, &lost)
         );
-        let warning = Diagnostic::warning(file.clone(), found, text!("they are excluded"));
+        let warning = Diagnostic::warning(file.clone(), found, Text::default());
         findings.push(warning.about(&lost));
     }
 }

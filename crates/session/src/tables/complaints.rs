@@ -35,17 +35,17 @@ impl Complaints {
         }
     }
 
-    /// Passes them on; `others` says how many more there are.
-    pub(crate) fn into(
-        self,
-        file: &Place,
-        findings: &mut Vec<Diagnostic>,
-        others: impl FnOnce(usize) -> Text,
-    ) {
+    /// Passes them on, and says how many more there are.
+    pub(crate) fn into(self, file: &Place, findings: &mut Vec<Diagnostic>) {
         findings.extend(self.findings);
         if self.more > 0 {
-            let found = others(self.more);
+            let found = more_like_these(self.more);
             findings.push(Diagnostic::error(file.clone(), found, Text::default()));
         }
     }
+}
+
+/// How many more problems there are than those that were said.
+pub(crate) fn more_like_these(more: usize) -> Text {
+    text!(one "{count} more problem of this kind", "{count} more problems of this kind", count = more)
 }

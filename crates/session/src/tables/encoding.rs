@@ -28,16 +28,6 @@ pub enum Encoding {
     Binary,
 }
 
-impl Encoding {
-    /// What it is called.
-    pub(crate) fn in_words(self) -> Text {
-        match self {
-            Self::Binary => text!("binary"),
-            other => Text::verbatim(other.to_string()),
-        }
-    }
-}
-
 impl fmt::Display for Encoding {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
@@ -87,7 +77,9 @@ pub(crate) fn decode<'a>(
         return Err(refused);
     }
     let (text, encoding) = match mark(bytes) {
-        Some((Mark::Utf32, _)) => return Err(refused(text!("a file in UTF-32"))),
+        Some((Mark::Utf32, _)) => {
+            return Err(refused(text!("a file in {encoding}", encoding = "UTF-32")));
+        }
         Some((Mark::Utf16Le, mark)) => (utf_16(&bytes[mark..], UTF_16LE, file)?, Encoding::Utf16Le),
         Some((Mark::Utf16Be, mark)) => (utf_16(&bytes[mark..], UTF_16BE, file)?, Encoding::Utf16Be),
         Some((Mark::Utf8, mark)) => utf_8_or_windows(&bytes[mark..], file, findings),
@@ -172,7 +164,7 @@ fn utf_16<'a>(
     let at = text.find('\u{fffd}').unwrap_or(text.len());
     Err(Box::new(Diagnostic::error(
         file.clone().at_line(line_of(&text, at)),
-        text!("bytes that are not UTF-16, although the file starts like it"),
+        text!("bytes that are not {encoding}", encoding = "UTF-16"),
         EXPECTED,
     )))
 }
@@ -252,10 +244,7 @@ mod tests {
         ]
         .concat();
         for (bytes, message) in [
-            (
-                cut.as_slice(),
-                "f.txt, line 2: bytes that are not UTF-16, although the file",
-            ),
+            (cut.as_slice(), "f.txt, line 2: bytes that are not UTF-16"),
             (b"a\nb\nc\0d\n", "f.txt, line 3: a zero byte"),
             (b" \r\n", "f.txt: an empty file"),
             (b"\xef\xbb\xbf", "f.txt: an empty file"),

@@ -1,7 +1,7 @@
 //! Files that are no tables, by how they begin: what they are, and what is read in their place.
 
 use crate::diagnostic::{Diagnostic, Place};
-use crate::text::{Template, Text};
+use crate::text::Template;
 
 /// Lines that are looked at for a document that is no table.
 const LOOKED_AT: usize = 400;
@@ -15,73 +15,56 @@ const UNPACKED: Template = phrase!("the file that is packed in it");
 
 /// What a file is, where it is known and no table.
 pub(crate) fn refused(bytes: &[u8], file: &Place) -> Option<Box<Diagnostic>> {
-    let (found, expected) = by_first_bytes(bytes).or_else(|| by_text(bytes))?;
-    Some(Box::new(Diagnostic::error(
-        file.clone(),
-        Text::from(found),
-        expected,
-    )))
+    let by_text = || Some((by_text(bytes)?, AS_TABLE));
+    let (format, expected) = by_first_bytes(bytes).or_else(by_text)?;
+    let found = text!("{format}, not a table", format);
+    Some(Box::new(Diagnostic::error(file.clone(), found, expected)))
 }
 
-fn by_first_bytes(bytes: &[u8]) -> Option<(Template, Template)> {
-    let workbook = phrase!("a workbook of a spreadsheet program or an archive, not a text");
-    let packed = phrase!("a packed file");
-    let all: [(&[u8], Template, Template); 14] = [
+/// What it is called, and what is read in its place.
+fn by_first_bytes(bytes: &[u8]) -> Option<(&'static str, Template)> {
+    let workbook = "XLSX, ODS, ZIP";
+    let all: [(&[u8], &str, Template); 14] = [
         (b"PK\x03\x04", workbook, AS_CSV),
-        (b"\xd0\xcf\x11\xe0", workbook, AS_CSV),
-        (b"#ROSBAG V", phrase!("a bag of ROS 1"), AS_MCAP),
-        (
-            b"SQLite format 3\0",
-            phrase!("a database of SQLite, such as a bag of ROS 2"),
-            AS_MCAP,
-        ),
-        (
-            b"\x89MCAP",
-            phrase!("a recording in MCAP, not a table"),
-            phrase!("--as mcap"),
-        ),
-        (b"\x89HDF\r\n", phrase!("an HDF5 file"), AS_TABLE),
-        (b"\x93NUMPY", phrase!("an array of NumPy"), AS_TABLE),
-        (
-            b"MATLAB 5.0 MAT-file",
-            phrase!("a file of MATLAB"),
-            AS_TABLE,
-        ),
-        (b"PAR1", phrase!("a Parquet file"), AS_TABLE),
-        (b"%PDF-", phrase!("a PDF"), AS_TABLE),
-        (b"\x1f\x8b", packed, UNPACKED),
-        (b"\x28\xb5\x2f\xfd", packed, UNPACKED),
-        (b"\xfd7zXZ", packed, UNPACKED),
-        (b"BZh9", packed, UNPACKED),
+        (b"\xd0\xcf\x11\xe0", "XLS", AS_CSV),
+        (b"#ROSBAG V", "ROS 1 bag", AS_MCAP),
+        (b"SQLite format 3\0", "SQLite (ROS 2 bag)", AS_MCAP),
+        (b"\x89MCAP", "MCAP", phrase!("--as mcap")),
+        (b"\x89HDF\r\n", "HDF5", AS_TABLE),
+        (b"\x93NUMPY", "NumPy", AS_TABLE),
+        (b"MATLAB 5.0 MAT-file", "MATLAB", AS_TABLE),
+        (b"PAR1", "Parquet", AS_TABLE),
+        (b"%PDF-", "PDF", AS_TABLE),
+        (b"\x1f\x8b", "gzip", UNPACKED),
+        (b"\x28\xb5\x2f\xfd", "zstd", UNPACKED),
+        (b"\xfd7zXZ", "xz", UNPACKED),
+        (b"BZh9", "bzip2", UNPACKED),
     ];
     let known = all.into_iter().find(|(start, ..)| bytes.starts_with(start));
     // A C3D recording says where its parameters are, then P.
     let c3d = || match bytes {
-        [2..=0x1f, b'P', rest @ ..] if rest.contains(&0) => {
-            Some((phrase!("a C3D recording"), AS_TABLE))
-        }
+        [2..=0x1f, b'P', rest @ ..] if rest.contains(&0) => Some(("C3D", AS_TABLE)),
         _ => None,
     };
     known
-        .map(|(_, found, expected)| (found, expected))
+        .map(|(_, format, expected)| (format, expected))
         .or_else(c3d)
 }
 
-fn by_text(bytes: &[u8]) -> Option<(Template, Template)> {
+fn by_text(bytes: &[u8]) -> Option<&'static str> {
     let start = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     let text = start.trim_ascii_start();
     let is_json = || {
         let mut values = serde_json::Deserializer::from_slice(text).into_iter();
         matches!(values.next(), Some(Ok(serde::de::IgnoredAny)))
     };
-    let found = match text.first()? {
-        b'{' | b'[' if is_json() => phrase!("a JSON document, not a table"),
-        b'[' if is_printed(text) => phrase!("numbers in brackets, as a program prints an array"),
-        b'<' => phrase!("a document of XML or HTML, not a table"),
-        _ if is_yaml(text) => phrase!("a document of keys and values (YAML), not a table"),
-        _ => return None,
-    };
-    Some((found, AS_TABLE))
+    match text.first()? {
+        b'{' | b'[' if is_json() => Some("JSON"),
+        b'[' if is_printed(text) => Some("[[…]]"),
+        b'<' => Some("XML, HTML"),
+        _ if is_yaml(text) => Some("YAML"),
+        _ => None,
+    }
 }
 
 /// `[[ 0.1 0.2]`, which is no heading with a unit.

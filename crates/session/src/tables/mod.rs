@@ -29,7 +29,7 @@ mod samples;
 
 pub use cell::{Cell, as_cell};
 pub(crate) use columns::{CellKind, Cells, Names};
-pub(crate) use complaints::Complaints;
+pub(crate) use complaints::{Complaints, more_like_these};
 pub use dialect::Separator;
 pub use dialect::{Dialect, trimmed};
 pub(crate) use grid::{Grid, MOST_COLUMNS, open_quote};

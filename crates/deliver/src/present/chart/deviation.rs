@@ -82,7 +82,7 @@ impl Deviation<'_> {
             items.push(Item::Line(across(floor), ColourRole::Noise, 1.4, true));
             let name = format!(
                 "{} {} {}",
-                say!(in "chart-word", "noise floor"),
+                say!("noise floor"),
                 (self.lengths.number)(floor),
                 self.lengths.unit
             );

@@ -108,7 +108,7 @@ pub fn gap(
             if dashed {
                 items.push(Item::Word(ChartText {
                     at: [value(mm), ends[1] - 0.5 * FOOT],
-                    text: format!("{} {}", say!(in "chart-word", "noise floor"), says(mm)),
+                    text: format!("{} {}", say!("noise floor"), says(mm)),
                     anchor: Anchor::Start,
                     below: false,
                 }));
@@ -125,9 +125,9 @@ pub fn gap(
     }
     let named = |(k, (step, _)): (usize, &(&ResidualStep, bool))| (-(k as f64), row(&step.what));
     Some(Chart {
-        title: say!(in "chart-word", "the gap step by step").to_owned(),
+        title: say!("the gap step by step").to_owned(),
         across: Axis {
-            label: format!("{}, {}", say!(in "chart-word", "RMS error"), lengths.unit),
+            label: format!("{}, {}", say!("RMS error"), lengths.unit),
             ticks: Ticks::Words(ticks(start, largest * lengths.per_mm, place)),
         },
         upwards: Axis {
@@ -165,14 +165,14 @@ fn ticks(start: f64, end: f64, place: impl Fn(f64) -> f64) -> Vec<(f64, String)>
 }
 
 fn cross_validated() -> Entry {
-    let name = say!(in "chart-word", "cross-validated");
+    let name = say!("cross-validated");
     let entry = Entry::new(
         name,
         LegendSymbol::Mark(Form::Diamond),
         ColourRole::Curve,
         false,
     );
-    entry.on_paper(say!(in "chart-word", "on samples that no fit has seen"))
+    entry.on_paper(say!("on samples that no fit has seen"))
 }
 
 /// The bar of a row: whole where the step is in the model.
@@ -198,10 +198,10 @@ fn ends<T>(mut steps: Vec<T>) -> Vec<T> {
 fn row(what: &str) -> String {
     let name = what.strip_prefix("with ").unwrap_or(what);
     let words = match name.split(':').next().unwrap_or(name) {
-        "nominal robot" => say!(in "chart-word", "nominal robot").to_owned(),
-        "full model" => say!(in "chart-word", "full model").to_owned(),
-        "by region" => say!(in "chart-word", "by region").to_owned(),
-        "geometry" => say!(in "chart-word", "geometry").to_owned(),
+        "nominal robot" => say!("nominal robot").to_owned(),
+        "full model" => say!("full model").to_owned(),
+        "by region" => say!("by region").to_owned(),
+        "geometry" => say!("geometry").to_owned(),
         "regional identification" => say!("regional identification").to_owned(),
         first => match first.split_once(' ').filter(|(id, _)| find(id).is_some()) {
             // The number of the joint is not what is cut.

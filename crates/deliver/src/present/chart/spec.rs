@@ -1,6 +1,7 @@
 //! What a chart shows: its axes, what is drawn in it, and its legend.
 
 use crate::present::drawing::Anchor;
+use crate::text::capital;
 
 /// What something stands for; each back end has a colour for it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -154,25 +155,15 @@ impl Entry {
     pub fn before(sign: LegendSymbol) -> Self {
         Self {
             may_go: true,
-            ..Self::new(
-                say!(in "chart-word", "before"),
-                sign,
-                ColourRole::Before,
-                false,
-            )
-            .on_paper(say!(in "chart-word", "As measured"))
+            ..Self::new(say!("before"), sign, ColourRole::Before, false)
+                .on_paper(capital(say!("as measured")))
         }
     }
 
     /// What the model leaves.
     pub fn after(sign: LegendSymbol) -> Self {
-        Self::new(
-            say!(in "chart-word", "after"),
-            sign,
-            ColourRole::After,
-            true,
-        )
-        .on_paper(say!(in "chart-word", "Model residuals"))
+        Self::new(say!("after"), sign, ColourRole::After, true)
+            .on_paper(say!(in "chart-word", "Model residuals"))
     }
 
     /// The same with another name on paper.

@@ -49,7 +49,7 @@ pub(super) fn position(walk: &mut Walk, words: &Words) -> Result<(), Problem> {
     words.expect(k + 1, b'{')?;
     if walk.has_value(&key) {
         let found = text!("{name} a second time", name);
-        return Err(Problem::new(at, found, text!("every position once")));
+        return Err(Problem::new(at, found, text!("each once")));
     }
     k += 2;
     let (mut first, mut others) = (None, None);
@@ -125,14 +125,14 @@ fn group(words: &Words, mut k: usize) -> Result<(Group, usize), Problem> {
             k = end;
             if group.values.insert(key.clone(), value).is_some() {
                 let found = text!("{name} a second time", name = key.to_uppercase());
-                return Err(Problem::new(at, found, text!("every value once")));
+                return Err(Problem::new(at, found, text!("each once")));
             }
         }
         // Between the lines of a group the comma may be missing.
         if words.is_sign(k, b',') {
             k += 1;
         } else if !(words.is_sign(k, b'}') || words.is_name(k)) {
-            return Err(words.problem(k, text!("a comma or }")));
+            return Err(words.problem(k, Text::verbatim("',' '}'")));
         }
     }
     Ok((group, k))

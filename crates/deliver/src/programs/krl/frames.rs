@@ -2,6 +2,7 @@
 //! forms, and `WITH` of splines.
 
 use crate::kinematics::Pose;
+use crate::programs::program::not_in_numbers;
 use crate::text::Text;
 
 use super::super::pose::{Frame, Orientation};
@@ -96,7 +97,7 @@ pub(super) fn sets(
                 Some((list, _)) if target(list) => return false,
                 Some((list, _)) => pose_of(list, &shown),
                 None if !walk.is_held(&shown) => return false,
-                None => Err(text!("{name} is computed at run time", name = &shown)),
+                None => Err(not_in_numbers(&shown)),
             };
             for part in [BASE, TOOL] {
                 walk.program
@@ -185,7 +186,7 @@ fn value(
         let world = part == BASE && referred.is("$nullframe");
         return if world { Referred::Unsaid } else { referred };
     }
-    Referred::Unknown(text!("{name} is computed at run time", name = shown))
+    Referred::Unknown(not_in_numbers(shown))
 }
 
 /// How a motion is interpolated: of the tool in the base, or of the part at a tool that stands.
@@ -196,13 +197,13 @@ fn mode(shown: &str) -> Referred {
             "the tool stands and the robot moves the part ({sign})",
             sign = "#TCP"
         )),
-        _ => Referred::Unknown(text!("{name} is computed at run time", name = shown)),
+        _ => Referred::Unknown(not_in_numbers(shown)),
     }
 }
 
 fn pose_of(list: &List, spelled: &str) -> Result<Pose, Text> {
     let pose = frame(list).and_then(|frame| frame.pose());
-    pose.ok_or_else(|| text!("{spelled} is not written out in numbers", spelled))
+    pose.ok_or_else(|| not_in_numbers(spelled))
 }
 
 /// Base, tool and mode of `FDAT_ACT = name`, by the numbers that `name` is declared with.
@@ -216,7 +217,7 @@ fn by_numbers(walk: &Walk, name: &str) -> [Set; 3] {
 fn as_numbered((numbers, tcp): &Numbers, name: &str) -> [Set; 3] {
     let of = |number: Option<f64>, table: &str, zero: Referred| match number {
         Some(number) => numbered(table, &number.to_string(), zero),
-        None => Referred::Unknown(text!("{spelled} has its values elsewhere", spelled = name)),
+        None => Referred::Unknown(not_in_numbers(name)),
     };
     [
         (BASE, of(numbers[0], "BASE_DATA", Referred::Unsaid)),
@@ -230,10 +231,7 @@ fn numbered(table: &str, number: &str, zero: Referred) -> Referred {
     match number.parse::<u32>() {
         Ok(0) => zero,
         Ok(number) => Referred::named(format!("{table}[{number}]")),
-        Err(_) => {
-            let name = format!("{table}[{number}]");
-            Referred::Unknown(text!("{name} is computed at run time", name))
-        }
+        Err(_) => Referred::Unknown(not_in_numbers(format!("{table}[{number}]"))),
     }
 }
 

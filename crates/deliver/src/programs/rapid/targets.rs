@@ -2,6 +2,7 @@
 
 use crate::kinematics::Pose;
 use crate::kinematics::configuration::Statement;
+use crate::programs::program::not_in_numbers;
 use crate::text::Text as Sentence;
 
 use super::super::axes::{Axes, Slot};
@@ -47,7 +48,7 @@ pub(super) fn held(
         }
         _ => None,
     };
-    Ok(pose.ok_or_else(|| text!("{spelled} is not written out in numbers", spelled)))
+    Ok(pose.ok_or_else(|| not_in_numbers(spelled)))
 }
 
 /// `[[x, y, z], [q1, q2, q3, q4]]`
@@ -85,8 +86,12 @@ fn check_length(frame: &Frame, name: &str) -> Result<(), Problem> {
         return Ok(());
     };
     let length = format!("{length:.4}");
-    let found = text!("a quaternion of length {length} in {name}", length, name);
-    Err(Problem::new(at, found, text!("a length of 1")))
+    let found = in_the(text!("a length of {length}", length), name);
+    Err(Problem::new(
+        at,
+        found,
+        text!("a length of {length}", length = 1),
+    ))
 }
 
 /// The mass of `[mass, [centre], [axes], ix, iy, iz]`, kg.
@@ -95,11 +100,16 @@ pub(super) fn mass(load: Option<&List>) -> Option<f64> {
     first.value.number().map(|number| number.value)
 }
 
+fn counted(count: usize) -> Sentence {
+    text!(one "{count} value", "{count} values", count)
+}
+
+fn in_the(component: Sentence, name: &str) -> Sentence {
+    text!("{component} in {name}", component, name)
+}
+
 pub(super) fn computed(spelled: &str) -> Sentence {
-    text!(
-        "{spelled} has values that are computed at run time",
-        spelled
-    )
+    not_in_numbers(spelled)
 }
 
 /// A target of a list, or why it is none: a part of it is worked out at run time. `pose`: what it has
@@ -113,17 +123,17 @@ pub(super) fn target(
 ) -> Result<Result<Target, Sentence>, Problem> {
     let pose = pose.unwrap_or(list.parts.len() == 4);
     let (sizes, expected): (&[usize], _) = if pose {
-        let says = text!(
-            "a robtarget: [[x, y, z], [q1, q2, q3, q4], [cf1, cf4, cf6, cfx], [eax_a … eax_f]]"
-        );
-        (&[3, 4, 4, 6], says)
+        (
+            &[3, 4, 4, 6],
+            "robtarget [[x, y, z], [q1, q2, q3, q4], [cf1, cf4, cf6, cfx], [eax_a … eax_f]]",
+        )
     } else {
-        let says = text!("a jointtarget: [[rax_1 … rax_6], [eax_a … eax_f]]");
-        (&[6, 6], says)
+        (&[6, 6], "jointtarget [[rax_1 … rax_6], [eax_a … eax_f]]")
     };
+    let expected = Sentence::verbatim(expected);
     let count = list.parts.len();
     if count != sizes.len() {
-        let found = text!(one "{count} part in {name}", "{count} parts in {name}", count, name);
+        let found = in_the(counted(count), name);
         return Err(Problem::new(list.at, found, expected));
     }
     let mut numbers: Vec<Vec<Number>> = Vec::new();
@@ -132,7 +142,7 @@ pub(super) fn target(
         let list = match &part.value {
             Value::List(list) => list,
             Value::Number(number) => {
-                let found = text!("a number in {name}", name);
+                let found = in_the(text!("a number"), name);
                 return Err(Problem::new(number.range().start, found, expected));
             }
             // External axes are often a constant: they stay as they are.
@@ -144,14 +154,12 @@ pub(super) fn target(
         };
         let count = list.parts.len();
         if count != *size {
-            let found =
-                text!(one "{count} number in {name}", "{count} numbers in {name}", count, name);
+            let found = in_the(counted(count), name);
             let expected = text!("{size}, as in {expected}", size, expected);
             return Err(Problem::new(list.at, found, expected));
         }
         if let Some(inner) = list.parts.iter().find_map(|part| part.value.list()) {
-            let expected = text!("a number, as in {expected}", expected);
-            let found = text!("a list in {name}", name);
+            let found = in_the(Sentence::verbatim("[…]"), name);
             return Err(Problem::new(inner.at, found, expected));
         }
         let Some(own) = list.numbers() else {
@@ -169,11 +177,7 @@ pub(super) fn target(
             }
             Some(Constant::External(known)) => **known,
             _ => {
-                return Ok(Err(text!(
-                    "the external axes of {name}, {axes}, are declared elsewhere",
-                    name,
-                    axes
-                )));
+                return Ok(Err(not_in_numbers(axes)));
             }
         },
     };
@@ -203,8 +207,7 @@ fn configure(axes: &Axes, numbers: &[Number], target: &mut Target) -> Result<(),
         if f64::from(whole) == number.value && whole.abs() < 1000 {
             return Ok(whole);
         }
-        let value = number.value;
-        let found = text!("{value} in the configuration of {name}", value, name);
+        let found = in_the(Sentence::verbatim(number.value.to_string()), name);
         let expected = text!("a whole number");
         Err(Problem::new(number.range().start, found, expected))
     };

@@ -1,5 +1,6 @@
 //! Motions: what they go to, and what becomes of names and targets by that.
 
+use crate::programs::program::not_in_numbers;
 use std::collections::BTreeSet;
 use std::ops::Range;
 
@@ -108,11 +109,7 @@ impl Walk<'_> {
     ) {
         let at = words.at(range.start);
         let target = words.shown(range.start, range.end);
-        let says = text!(
-            "{command} goes to {target}, which is computed at run time",
-            command,
-            target
-        );
+        let says = not_in_numbers(target);
         self.left(at, says);
         // A function uses what is in its brackets.
         let by = if words.is_sign(range.start + 1, b'(') {
@@ -201,7 +198,7 @@ impl Walk<'_> {
                 "{spelled} is a parameter: its value comes from the caller",
                 spelled
             ),
-            Declared::Target => text!("{spelled} gets its value at run time", spelled),
+            Declared::Target => not_in_numbers(spelled),
             Declared::Other(kind) => text!(
                 "{spelled} is declared as {kind}, which is no target",
                 spelled,

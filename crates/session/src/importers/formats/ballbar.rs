@@ -3,11 +3,11 @@
 //! One column is the distance, from the anchor on the table to the target on the tool; time, anchor,
 //! load and the like may stand beside it. A log that shows deviations from a nominal length needs
 //! that length (`--nominal-length`). Where the anchors are, and whether the instrument shows true
-//! distances, the session declares: [`crate::importers::distances`].
+//! distances, the session declares: [`crate::importers::declared`].
 
 use crate::document::number::quoted;
 use crate::importers::columns::{Column, Columns};
-use crate::importers::distances::{ANCHOR, ANCHOR_OFFSET};
+use crate::importers::declared::{ANCHOR, ANCHOR_OFFSET};
 use crate::importers::formats::{Importer, KnownBy, OwnOption, Questions};
 use crate::importers::headings::{Words, is_among, understand, words_and_unit};
 use crate::importers::reader::fixed;
@@ -75,17 +75,7 @@ fn read(context: &mut ReadContext<'_>) -> Option<Columns> {
     }
     let is_distance = |role: &Role| role.quantity() == Some(Quantity::Distance);
     let Some(at) = roles.iter().position(is_distance) else {
-        let says = match names {
-            [] => text!("no header, and no column that is said to be the distance"),
-            names => {
-                let names: Vec<String> = names.iter().map(|name| quoted(name)).collect();
-                text!(
-                    "no column is the distance for certain among {names}",
-                    names = names.join(", ")
-                )
-            }
-        };
-        context.ask(About::Columns, says, &[]);
+        context.ask_for(&grid, "distance");
         return None;
     };
     let is_deviation = found[at].1;

@@ -15,7 +15,7 @@
 //! the frame of the board. The numbers do not show which of the two it is: `--camera` says it.
 
 use crate::text::Text;
-use nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion, Vector3};
+use nalgebra::{Isometry3, Point3, Quaternion, UnitQuaternion};
 
 use crate::importers::columns::{Column, Columns};
 use crate::importers::formats::{Importer, KnownBy, OwnOption, Questions};
@@ -25,7 +25,6 @@ use crate::importers::role::Role;
 use crate::importers::settings::{About, Known, ReadContext};
 use crate::importers::units::Word;
 use crate::sessions::columns::{Quantity, Unit};
-use crate::tables::{Cells, Names};
 
 const CAMERA: &str = "camera";
 
@@ -78,13 +77,7 @@ fn read(context: &mut ReadContext<'_>) -> Option<Columns> {
     });
     let by_quaternion = orientations.count() == 4;
     if !is_shifted || is_turned == by_quaternion {
-        let found = text!(
-            "no header with tvec_x, tvec_y, tvec_z and either rvec_x, rvec_y, rvec_z or qw, qx, qy, qz"
-        );
-        context.refuse(
-            found,
-            text!("image,rvec_x,rvec_y,rvec_z,tvec_x,tvec_y,tvec_z"),
-        );
+        context.ask_for(&grid, "tvec_x, tvec_y, tvec_z, rvec_x, rvec_y, rvec_z");
         return None;
     }
     let roles = parts.iter().map(|part| match part {
@@ -158,42 +151,37 @@ fn into_tool_poses(
     is_turned: bool,
     is_on_tool: bool,
 ) -> Option<()> {
-    let shift: Vec<Vec<f64>> = [Quantity::X, Quantity::Y, Quantity::Z]
-        .into_iter()
-        .map(|quantity| columns.numbers(quantity))
-        .collect::<Option<_>>()?;
-    let first = usize::from(is_turned);
-    let turn: Vec<Vec<f64>> = (first..4)
-        .map(|at| columns.numbers(Quantity::Orientation(at)))
-        .collect::<Option<_>>()?;
+    let places = columns.places()?;
+    if is_turned {
+        // The rotation vector stands in the last three parts.
+        columns.put(Column::made(
+            Quantity::Orientation(0),
+            Unit::Fixed,
+            vec![0.0; places.len()],
+        ));
+    }
+    let turns = columns.orientations()?;
     let mut unseen = 0;
-    let poses: Vec<Option<Isometry3<f64>>> = (0..columns.rows())
-        .map(|row| {
-            let of = |list: &[Vec<f64>], at: usize| list[at][row];
-            let rotation = if is_turned {
-                let vector = Vector3::new(of(&turn, 0), of(&turn, 1), of(&turn, 2));
-                vector
-                    .norm()
-                    .is_finite()
-                    .then(|| UnitQuaternion::from_scaled_axis(vector))
-            } else {
-                let [w, x, y, z] = [0, 1, 2, 3].map(|at| of(&turn, at));
-                let quaternion = Quaternion::new(w, x, y, z);
-                let is_sound = quaternion.norm().is_finite() && quaternion.norm() > 0.0;
-                is_sound.then(|| UnitQuaternion::from_quaternion(quaternion))
-            };
-            let translation = Translation3::new(of(&shift, 0), of(&shift, 1), of(&shift, 2));
-            let is_there = translation.vector.norm().is_finite();
-            let seen = rotation.filter(|_| is_there);
-            unseen += usize::from(seen.is_none());
-            let camera_from_board = Isometry3::from_parts(translation, seen?);
-            Some(if is_on_tool {
-                camera_from_board.inverse()
-            } else {
-                camera_from_board
-            })
+    let seen = places.into_iter().zip(turns).map(|(place, turn)| {
+        let rotation = if is_turned {
+            let vector = turn.imag();
+            let is_sound = vector.norm().is_finite();
+            is_sound.then(|| UnitQuaternion::from_scaled_axis(vector))
+        } else {
+            let is_sound = turn.norm().is_finite() && turn.norm() > 0.0;
+            is_sound.then(|| UnitQuaternion::from_quaternion(turn))
+        };
+        let is_there = place.coords.norm().is_finite();
+        let seen = rotation.filter(|_| is_there);
+        unseen += usize::from(seen.is_none());
+        let camera_from_board = Isometry3::from_parts(place.into(), seen?);
+        Some(if is_on_tool {
+            camera_from_board.inverse()
+        } else {
+            camera_from_board
         })
-        .collect();
+    });
+    let poses: Vec<Option<Isometry3<f64>>> = seen.collect();
     if unseen > 0 {
         let found = text!(
             "the board was not seen in {unseen} of {poses} images",
@@ -202,25 +190,15 @@ fn into_tool_poses(
         );
         context.warn(found, Text::default());
     }
-    let mut put = |quantity, unit, of: &dyn Fn(&Isometry3<f64>) -> f64| {
-        let values = poses.iter().map(|pose| pose.as_ref().map_or(f64::NAN, of));
-        columns.put(Column::made(quantity, unit, values.collect()));
-    };
-    for (axis, quantity) in [Quantity::X, Quantity::Y, Quantity::Z]
-        .into_iter()
-        .enumerate()
-    {
-        put(quantity, Unit::Length(1.0), &|pose| {
-            pose.translation.vector[axis]
-        });
-    }
-    let parts: [fn(&Quaternion<f64>) -> f64; 4] = [|q| q.w, |q| q.i, |q| q.j, |q| q.k];
-    for (at, of) in parts.into_iter().enumerate() {
-        let quantity = Quantity::Orientation(at);
-        put(quantity, Unit::Fixed, &|pose| {
-            of(pose.rotation.quaternion())
-        });
-    }
+    let missing = || (Point3::from([f64::NAN; 3]), Quaternion::from([f64::NAN; 4]));
+    let parts =
+        |pose: &Isometry3<f64>| (pose.translation.vector.into(), pose.rotation.into_inner());
+    let parts = poses
+        .iter()
+        .map(|pose| pose.as_ref().map_or_else(missing, parts));
+    let (places, turns): (Vec<Point3<f64>>, Vec<Quaternion<f64>>) = parts.unzip();
+    columns.put_places(&places);
+    columns.put_orientations(&turns);
     say_frame(context, columns, is_on_tool);
     Some(())
 }
@@ -243,18 +221,7 @@ fn say_frame(context: &mut ReadContext<'_>, columns: &mut Columns, is_on_tool: b
         )
     };
     context.note(note);
-    if columns.find(Quantity::Setup).is_none() {
-        let mut names = Names::default();
-        for _ in 0..columns.rows() {
-            names.push(frame);
-        }
-        columns.list.push(Column {
-            name: "setup".to_owned(),
-            number: 0,
-            role: fixed(Quantity::Setup, Unit::Fixed),
-            cells: Cells::Names(names),
-        });
-    }
+    columns.name_all(Quantity::Setup, frame);
 }
 
 #[cfg(test)]

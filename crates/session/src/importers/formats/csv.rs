@@ -36,14 +36,7 @@ const SHOWN: usize = 12;
 /// Reads a table of measured points.
 fn read(context: &mut ReadContext<'_>) -> Option<Columns> {
     let (grid, roles) = table(context, true)?;
-    let headings = match &grid.header {
-        Some((_, names)) => {
-            let names: Vec<String> = names.iter().map(|name| quoted(name)).collect();
-            listed_names_up_to(&names, SHOWN).to_string()
-        }
-        None => String::new(),
-    };
-    let complete = context.is_open() || context.require_position(&roles, &headings);
+    let complete = context.is_open() || context.require_position(&grid, &roles);
     let columns = context.columns(&grid, roles);
     columns.filter(|_| complete)
 }
@@ -123,8 +116,7 @@ fn table<'a>(context: &mut ReadContext<'a>, measured: bool) -> Option<(Grid<'a>,
             } else if is_matrix(context, &grid) {
                 refuse_matrix(context, &grid);
             } else if context.reading.columns.is_empty() {
-                let says = text!(one "{count} column and no header", "{count} columns and no header", count = grid.width);
-                context.ask(About::Columns, says, &[]);
+                context.ask_for(&grid, "");
             }
             vec![Role::Left; grid.width]
         }
@@ -235,7 +227,7 @@ fn propose(context: &mut ReadContext<'_>, names: &[String], roles: &[Role], prop
         changed = changed.join(", ")
     );
     if context.reading.confirmed {
-        context.note(text!("{says}; taken so, as was confirmed", says));
+        context.note(says);
         return;
     }
     let words: Vec<String> = proposed.iter().map(ToString::to_string).collect();
@@ -254,12 +246,7 @@ fn headerless_commands(context: &mut ReadContext<'_>, grid: &Grid<'_>) -> Vec<Ro
             .chain((0..joints).map(joint))
             .collect(),
         _ => {
-            let says = text!(
-                "{width} columns and no header, for a robot of {joints} joints",
-                width = grid.width,
-                joints
-            );
-            context.ask(About::Columns, says, &[]);
+            context.ask_for(grid, "");
             return vec![Role::Left; grid.width];
         }
     };

@@ -10,20 +10,24 @@ use crate::document::number::quoted;
 use crate::importers::columns::{Column, Columns};
 use crate::importers::formats::{Importer, KnownBy, Meanings, Questions};
 use crate::importers::matching::listed_names_up_to;
-use crate::importers::reader::{fixed, number, others_like_these};
+use crate::importers::reader::{fixed, number};
 use crate::importers::role::Role;
 use crate::importers::settings::{About, ColumnGuess, Known, ReadContext};
-use crate::importers::units::{self, Word};
+use crate::importers::units::{self, LengthUnit, Word};
 use crate::sessions::Lines;
 use crate::sessions::columns::{Quantity, Unit};
 use crate::tables::decimals::{Decimal, Decision, Votes};
 use crate::tables::{Cells, Names};
 use crate::tables::{Complaints, MOST_COLUMNS, open_quote};
 use crate::tables::{Dialect, Separator, TextRow, TextRows};
-use crate::text::Text;
+use crate::text::{Template, Text};
 
 /// Lines between the first one and that of the frames.
 const MOST_HEADER_LINES: usize = 16;
+
+const EXPORT: Template = phrase!(
+    "an export of Motive with its header (Format Version, types, names, Position, Frame), in the coordinate space Global and with the rotation type Quaternion"
+);
 
 pub(crate) static IMPORTER: Importer = Importer {
     id: "optitrack",
@@ -90,7 +94,7 @@ fn read(context: &mut ReadContext<'_>) -> Option<Columns> {
     {
         context.warn(
             text!("coordinates that are not in the global space"),
-            text!("an export in the coordinate space Global"),
+            EXPORT,
         );
     }
     let (Some(unit), Some(chosen)) = (unit, chosen) else {
@@ -98,7 +102,7 @@ fn read(context: &mut ReadContext<'_>) -> Option<Columns> {
     };
     let frames = frames(context, rows, &chosen, with_orientation);
     if context.found.rows == 0 && !context.is_open() {
-        context.refuse(text!("no row that can be read"), text!("at least one"));
+        context.refuse(text!("no sample"), text!("at least one"));
     }
     let columns = frames.into_columns(&chosen, unit);
     context.found.columns = columns
@@ -126,7 +130,7 @@ fn key_line(
             context.found.findings.push(Diagnostic::error(
                 place,
                 Text::verbatim(quoted(found)),
-                text!("Format Version, with which the CSV files of Motive start (export with header information)"),
+                EXPORT,
             ));
             return None;
         }
@@ -169,11 +173,8 @@ fn unit(context: &mut ReadContext<'_>, keys: &[(String, String)]) -> Option<Unit
             context.found.unit =
                 text!("{unit}, from the lines before the table", unit = unit_named);
             if given.is_some_and(|given| given.unit() != unit) {
-                let found = text!(
-                    "the lines before the table name another unit: {unit}",
-                    unit = &context.found.unit
-                );
-                context.warn(found, text!("the same unit as the file, which is used"));
+                let stated = given.map_or("", LengthUnit::symbol);
+                context.another_unit(stated, unit_named);
             }
             Some(unit)
         }
@@ -200,7 +201,7 @@ fn rotation_is_quaternion(context: &mut ReadContext<'_>, keys: &[(String, String
             "rotations as {rotation}: the orientation is excluded",
             rotation = quoted(rotation)
         );
-        context.warn(found, text!("an export with the rotation type Quaternion"));
+        context.warn(found, EXPORT);
     }
     is
 }
@@ -223,17 +224,18 @@ fn header(context: &mut ReadContext<'_>, rows: &mut TextRows<'_>) -> Option<(Vec
                 return None;
             }
             Ok(_) => {
-                context.refuse(
-                    text!("no line that starts with Frame"),
-                    text!("Frame,Time (Seconds),X,Y,Z,…"),
-                );
+                context.refuse(text!("no line that starts with Frame"), EXPORT);
                 return None;
             }
         }
     };
     let axes: Vec<String> = row.cells.iter().map(|cell| cell.to_lowercase()).collect();
     if axes.len() > 64 * MOST_COLUMNS {
-        context.refuse(text!("{axes} columns", axes = axes.len()), text!("fewer"));
+        let most = 64 * MOST_COLUMNS;
+        context.refuse(
+            text!(one "{count} column", "{count} columns", count = axes.len()),
+            text!("a table of at most {most} columns", most),
+        );
         return None;
     }
     // Newer exports name the lines; in older ones they are type, name, ID in this order.
@@ -244,13 +246,7 @@ fn header(context: &mut ReadContext<'_>, rows: &mut TextRows<'_>) -> Option<(Vec
                 .any(|cell| cell.eq_ignore_ascii_case(label))
         })
     };
-    let Some(what) = lines.len().checked_sub(1) else {
-        context.refuse(
-            text!("no lines above Frame"),
-            text!("lines of types, names and IDs"),
-        );
-        return None;
-    };
+    let what = lines.len().saturating_sub(1);
     let names_line = labelled("name").or_else(|| (what >= 2).then_some(1));
     let kinds_line = labelled("type").or_else(|| (what >= 1).then_some(0));
     let cell = |line: Option<usize>, column: usize| {
@@ -312,7 +308,7 @@ fn choose(context: &mut ReadContext<'_>, tracked: &[Tracked]) -> Option<Vec<Trac
             if let Some(thing) = body.or_else(|| called.next()) {
                 chosen.push(thing.clone());
             } else {
-                let found = text!("nothing called {name}", name = quoted(name));
+                let found = text!("--{option}: {found}", option = "name", found = quoted(name));
                 let expected = text!("one of {names}", names = listed(&names));
                 context.refuse(found, expected);
             }
@@ -324,10 +320,7 @@ fn choose(context: &mut ReadContext<'_>, tracked: &[Tracked]) -> Option<Vec<Trac
         ([body], _) => Some(vec![(*body).clone()]),
         ([], [only]) => Some(vec![only.clone()]),
         (_, []) => {
-            context.refuse(
-                text!("no column of positions"),
-                text!("Position above X, Y and Z"),
-            );
+            context.refuse(text!("no column of positions"), EXPORT);
             None
         }
         _ => {
@@ -437,11 +430,7 @@ fn frames(
         }
     }
     context.found.rows = frames.frame.len();
-    complaints.into(
-        &context.place.clone(),
-        &mut context.found.findings,
-        others_like_these,
-    );
+    complaints.into(&place, &mut context.found.findings);
     for (thing, count) in chosen.iter().zip(occluded).filter(|(_, count)| *count > 0) {
         let found = text!(
             "{thing} was occluded in {count} of {chosen} frames, first in line {unwrap_or}: these have no position",
@@ -469,12 +458,7 @@ impl Frames {
             }
         }
         if chosen.len() > 1 {
-            list.push(Column {
-                name: "target".to_owned(),
-                number: 0,
-                role: fixed(Quantity::Target, Unit::Fixed),
-                cells: Cells::Names(self.names),
-            });
+            list.push(Column::named(Quantity::Target, self.names));
         }
         list.push(Column {
             role: Role::Time(Some(1.0)),

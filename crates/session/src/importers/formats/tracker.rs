@@ -4,12 +4,11 @@
 //! Names come first. A first column of whole numbers before columns with fractions holds names too
 //! (points are often numbered). Where the columns do not tell, the person does.
 
-use crate::document::number::quoted;
 use crate::importers::columns::Columns;
 use crate::importers::formats::{EULER_OPTION, Importer, KnownBy, Questions};
 use crate::importers::headings::{Words, is_among};
 use crate::importers::role::Role;
-use crate::importers::settings::{About, ReadContext};
+use crate::importers::settings::ReadContext;
 use crate::sessions::columns::Quantity;
 use crate::tables::decimals::{Shape, shape};
 use crate::tables::{Complaints, Grid};
@@ -66,26 +65,12 @@ pub(crate) fn read(context: &mut ReadContext<'_>) -> Option<Columns> {
         (None, Some(found)) => found,
         (None, None) if context.is_open() => return None,
         (None, None) => {
-            let heading = grid.header.as_ref().map(|header| header.1.join(", "));
-            let heading = heading
-                .or_else(|| grid.comments.last().cloned())
-                .filter(|_| says_otherwise);
-            let says = match heading {
-                Some(heading) => text!(
-                    "the heading {heading} does not say which columns are x, y and z",
-                    heading = quoted(&heading)
-                ),
-                None => text!(
-                    "{width} columns, of which it is not certain where x, y and z begin",
-                    width = grid.width
-                ),
-            };
-            context.ask(About::Columns, says, &[]);
+            context.ask_for(&grid, "x, y, z");
             vec![Role::Left; grid.width]
         }
     };
     if roles.iter().any(|role| *role != Role::Left) {
-        context.require_position(&roles, "");
+        context.require_position(&grid, &roles);
     }
     context.columns(&grid, roles)
 }

@@ -10,9 +10,14 @@ use crate::importers::settings::{Known, ReadContext};
 use crate::importers::units::{LengthUnit, TimeUnit};
 use crate::sessions::columns::{Quantity, Unit};
 use crate::tables::Grid;
+use crate::text::Template;
 
 /// The columns as the format calls them.
 const NAMES: [&str; 8] = ["timestamp", "tx", "ty", "tz", "qx", "qy", "qz", "qw"];
+
+const COLUMNS: Template = phrase!(
+    "timestamp tx ty tz qx qy qz qw in any order, or no heading; --as csv with --columns for other tables"
+);
 
 pub(crate) static IMPORTER: Importer = Importer {
     id: "tum",
@@ -48,7 +53,7 @@ fn as_headed(context: &mut ReadContext<'_>, grid: &Grid<'_>, own: Vec<Role>) -> 
         };
         context.refuse(
             text!("the heading {heading}", heading = quoted(comment)),
-            text!("timestamp tx ty tz qx qy qz qw in any order, or no heading; --as csv with --columns for other tables"),
+            COLUMNS,
         );
         return None;
     };
@@ -71,7 +76,7 @@ fn as_headed(context: &mut ReadContext<'_>, grid: &Grid<'_>, own: Vec<Role>) -> 
     if !is_whole && !agrees {
         context.refuse(
             text!("the heading {heading}", heading = quoted(&names.join(" "))),
-            text!("timestamp tx ty tz qx qy qz qw in any order, or no heading; --as csv with --columns for other tables"),
+            COLUMNS,
         );
         return None;
     }
@@ -90,16 +95,12 @@ fn read(context: &mut ReadContext<'_>) -> Option<Columns> {
     let grid = context.grid()?;
     if grid.width != 8 {
         let found = text!(one "{count} column", "{count} columns", count = grid.width);
-        context.refuse(found, text!("8: timestamp tx ty tz qx qy qz qw"));
+        context.refuse(found, COLUMNS);
         return None;
     }
     let unit = context.reading.unit.unwrap_or(LengthUnit::Metres);
     if unit != LengthUnit::Metres {
-        let found = text!(
-            "lengths are taken in {symbol}, as stated",
-            symbol = unit.symbol()
-        );
-        context.warn(found, text!("m, which the format has"));
+        context.another_unit(LengthUnit::Metres.symbol(), unit.symbol());
     }
     let time = context.reading.time_unit.unwrap_or(TimeUnit::Seconds);
     let position = |quantity| fixed(quantity, unit.unit());

@@ -15,13 +15,10 @@ use crate::sessions::columns::{Heading, Quantity, ValueRange};
 use crate::sessions::domain::{Samples, Setups, Target, UnknownColumn};
 use crate::sessions::layout::Layout;
 use crate::sessions::observed;
-use crate::sessions::observed::Locate;
+use crate::sessions::observed::{Locate, PlacedColumn};
 use crate::sessions::references::References;
 use crate::sessions::table::Table;
 use crate::tables::{Cells, Names, SampleTable};
-
-/// Complaints about one column that are worth printing.
-const MOST_COMPLAINTS: usize = 10;
 
 /// What the session declares and samples name.
 #[derive(Clone, Copy)]
@@ -132,6 +129,7 @@ pub(crate) fn samples(
         ..Samples::default()
     };
     let headings = table.layout.headings;
+    let targets = declared.targets;
     let mut own_names = OwnNames::default();
     let columns = headings.iter().zip(table.names).zip(table.columns);
     for (index, ((heading, name), cells)) in columns.enumerate() {
@@ -154,7 +152,9 @@ pub(crate) fn samples(
                 samples.put(*quantity, values);
             }
             (Heading::Known(Quantity::Target, _), Cells::Names(cells)) => {
-                samples.target = Some(column.targets(&cells, declared.targets));
+                let names: Vec<&str> = targets.iter().map(|target| &*target.name).collect();
+                let indices = column.named(&cells, &names, names.len() == 1).into_iter();
+                samples.target = Some(indices.map(Option::unwrap_or_default).collect());
             }
             (Heading::Known(Quantity::Setup, _), Cells::Names(Names { list, index, .. })) => {
                 samples.setups = Some(Setups { names: list, index });
@@ -264,29 +264,7 @@ impl Samples {
     }
 }
 
-/// One column and where to complain about it.
-struct PlacedColumn<'a> {
-    index: usize,
-    locate: Locate<'a>,
-    findings: &'a mut Vec<Diagnostic>,
-}
-
 impl PlacedColumn<'_> {
-    fn complain(self, rows: &[usize], found: &dyn Fn(usize) -> Text, expected: &Text) {
-        for &row in rows.iter().take(MOST_COMPLAINTS) {
-            let place = (self.locate)(self.index, row);
-            self.findings
-                .push(Diagnostic::error(place, found(row), expected));
-        }
-        if let Some(&row) = rows.get(MOST_COMPLAINTS) {
-            let place = (self.locate)(self.index, row);
-            let more = rows.len() - MOST_COMPLAINTS;
-            let found = text!(one "{count} more cell like these from here on", "{count} more cells like these from here on", count = more);
-            self.findings
-                .push(Diagnostic::error(place, found, expected));
-        }
-    }
-
     /// In inner units.
     fn scaled(&mut self, mut values: Vec<f64>, factor: f64) -> Vec<f64> {
         // Numbers as they are read are finite, but 1e308 m is not a finite number of mm.
@@ -324,7 +302,7 @@ impl PlacedColumn<'_> {
             findings: &mut *self.findings,
         };
         let found = |row: usize| Text::verbatim(short(values[row] / factor));
-        column.complain(&rows, &found, &range.expected.into());
+        column.complain(&rows, &found, &range.expected());
     }
 
     fn check_directions(self, values: &[f64]) {
@@ -338,34 +316,26 @@ impl PlacedColumn<'_> {
         );
     }
 
-    fn targets(self, cells: &Names, targets: &[Target]) -> Vec<u32> {
-        let only_one = targets.len() == 1;
-        let names = || targets.iter().map(|target| target.name.as_str());
-        let places: BTreeMap<&str, u32> = names().zip(0..).collect();
-        let known: Vec<Option<u32>> = cells
-            .list
-            .iter()
-            .map(|name| match places.get(name.as_str()) {
-                Some(index) => Some(*index),
-                None if name.is_empty() && only_one => Some(0),
-                None => None,
-            })
-            .collect();
-        let of = |row: usize| cells.index[row] as usize;
-        let wrong: Vec<usize> = (0..cells.index.len())
-            .filter(|&row| known[of(row)].is_none())
-            .collect();
-        let expected = text!(
-            "a target of the session: {names}",
-            names = observed::first_of(names())
-        );
-        let found = |row: usize| match cells.list[of(row)].as_str() {
-            "" => text!("an empty cell, while there are several targets"),
-            name => text!("target {name} is not declared", name = quoted(name)),
+    /// What the cells name, of what is declared; complains of those that name nothing that is. Where there is
+    /// something to take for an empty cell, it names nothing.
+    fn named(self, cells: &Names, declared: &[&str], may_be_empty: bool) -> Vec<Option<u32>> {
+        let places: BTreeMap<&str, u32> = declared.iter().copied().zip(0..).collect();
+        let known = cells.list.iter().map(|name| {
+            let is_empty = may_be_empty && name.is_empty();
+            (places.get(name.as_str()).copied(), is_empty)
+        });
+        let known: Vec<(Option<u32>, bool)> = known.collect();
+        let of = |row: &usize| known[cells.index[*row] as usize];
+        let rows = 0..cells.index.len();
+        let is_wrong = |row: &usize| of(row) == (None, false);
+        let wrong: Vec<usize> = rows.clone().filter(is_wrong).collect();
+        let found = |row: usize| {
+            let name = quoted(&cells.list[cells.index[row] as usize]);
+            text!("{name} is not declared", name)
         };
-        self.complain(&wrong, &found, &expected);
-        (0..cells.index.len())
-            .map(|row| known[of(row)].unwrap_or(0))
+        self.complain(&wrong, &found, &observed::one_of(declared));
+        // What was refused must not be missed besides.
+        rows.map(|row| of(&row).0.or((!of(&row).1).then_some(0)))
             .collect()
     }
 
@@ -386,8 +356,7 @@ impl PlacedColumn<'_> {
             _ => return,
         };
         let declared = references.named(quantity);
-        let (index, locate, findings) = (self.index, self.locate, self.findings);
-        *into = Some(observed::indices(&declared, cells, index, locate, findings));
+        *into = Some(self.named(cells, &declared, true));
     }
 
     /// Held out, and excluded. A file that excludes nothing has no marks of it.

@@ -84,7 +84,10 @@ pub fn as_text<'a>(bytes: &'a [u8], file: &Place) -> Result<&'a str, Rejected> {
             let start = memchr::memrchr(b'\n', before).map_or(0, |feed| feed + 1);
             let place = file.clone().at_line(line);
             let place = place.at_column((before.len() - start) as u64 + 1);
-            refused(place, text!("bytes that are not UTF-8"))
+            refused(
+                place,
+                text!("bytes that are not {encoding}", encoding = "UTF-8"),
+            )
         }
     }
 }

@@ -10,6 +10,9 @@ use crate::tables::cell::{Cell, Quotes};
 use crate::tables::columns::Cells;
 use crate::tables::dialect::SAMPLES;
 
+pub(super) const UTF_8: Template =
+    phrase!("UTF-8 text; `truepose import FILE --as csv` reads other encodings");
+
 /// What ends a cell.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Stop {
@@ -82,8 +85,8 @@ impl<'a> Sample<'a> {
         match std::str::from_utf8(&self.content) {
             Ok(text) => Ok(text),
             Err(_) => Err((
-                text!("bytes that are not UTF-8"),
-                phrase!("UTF-8 text; another encoding is read by `truepose import`"),
+                text!("bytes that are not {encoding}", encoding = "UTF-8"),
+                UTF_8,
             )),
         }
     }

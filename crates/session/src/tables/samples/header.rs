@@ -6,7 +6,7 @@ use crate::diagnostic::{Diagnostic, Place};
 use crate::document::number::{any_decimal, quoted};
 use crate::tables::encoding::{Mark, mark};
 
-use super::cells::{Sample, Stop};
+use super::cells::{Sample, Stop, UTF_8};
 
 /// A session has fewer columns, with every quantity of a hundred joints.
 const MOST_COLUMNS: usize = 10_000;
@@ -37,8 +37,8 @@ pub(super) fn read(
             Ok(_) if names.len() == MOST_COLUMNS => {
                 findings.push(Diagnostic::error(
                     file.clone().at_line(1),
-                    text!("more than {most} columns", most = MOST_COLUMNS),
-                    text!("the columns of a session"),
+                    text!(one "{count} column", "{count} columns", count = MOST_COLUMNS + 1),
+                    text!("a table of at most {most} columns", most = MOST_COLUMNS),
                 ));
                 return None;
             }
@@ -68,7 +68,6 @@ pub(super) fn read(
 
 /// Recognises what is no text by its first bytes.
 fn something_else(start: &[u8], file: &Place) -> Option<Diagnostic> {
-    const IMPORT: Template = phrase!("UTF-8 text; `truepose import FILE --as csv` reads UTF-16");
     let error = |found: Text, expected: Template| {
         Some(Diagnostic::error(file.clone().at_line(1), found, expected))
     };
@@ -80,14 +79,16 @@ fn something_else(start: &[u8], file: &Place) -> Option<Diagnostic> {
     }
     match mark(start) {
         Some((Mark::Utf16Le | Mark::Utf16Be, _)) => {
-            return error(text!("a file in UTF-16"), IMPORT);
+            return error(text!("a file in {encoding}", encoding = "UTF-16"), UTF_8);
         }
-        Some((Mark::Utf32, _)) => return error(text!("a file in UTF-32"), IMPORT),
+        Some((Mark::Utf32, _)) => {
+            return error(text!("a file in {encoding}", encoding = "UTF-32"), UTF_8);
+        }
         Some((Mark::Utf8, _)) | None => {}
     }
     let nul = memchr::memchr(0, start)?;
     if nul <= 1 && start.len() > 3 && start[(nul + 1) % 2].is_ascii_graphic() {
-        return error(text!("a file in UTF-16"), IMPORT);
+        return error(text!("a file in {encoding}", encoding = "UTF-16"), UTF_8);
     }
     error(
         text!("a zero byte"),

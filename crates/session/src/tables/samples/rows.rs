@@ -51,29 +51,19 @@ impl<'a> CellComplaints<'a> {
 
     #[cold]
     pub(super) fn too_few_cells(&mut self, line: u64, cells: usize, headings: usize) {
-        let found = text!(
-            one "the line ends after {count} cell",
-            "the line ends after {count} cells",
-            count = cells
-        );
-        let expected = text!(
-            one "{count} cell, one for each heading",
-            "{count} cells, one for each heading",
-            count = headings
-        );
+        let (found, expected) = (counted(cells), one_each(headings));
         let place = self.place(line, cells);
         self.all.add(|| Diagnostic::error(place, found, expected));
     }
 
     #[cold]
     pub(super) fn too_many_cells(&mut self, line: u64, cells: usize, headings: usize) {
-        let found = text!(one "{count} cell", "{count} cells", count = cells);
+        let found = counted(cells);
         let expected = text!(
-            one "{count} cell, one for each heading; a file with decimal commas is read by \
-             `truepose import --decimal ,`",
-            "{count} cells, one for each heading; a file with decimal commas is read by \
-             `truepose import --decimal ,`",
-            count = headings
+            "{first}; {next}",
+            first = one_each(headings),
+            next =
+                text!("a decimal point; decimal commas are read by `truepose import --decimal ,`")
         );
         let place = self.place(line, headings + 1);
         self.all.add(|| Diagnostic::error(place, found, expected));
@@ -84,7 +74,18 @@ impl<'a> CellComplaints<'a> {
     }
 
     pub(super) fn into(self, findings: &mut Vec<Diagnostic>) {
-        let others = |more: usize| text!(one "{count} more problem of this kind", "{count} more problems of this kind", count = more);
-        self.all.into(self.file, findings, others);
+        self.all.into(self.file, findings);
     }
+}
+
+fn counted(cells: usize) -> Text {
+    text!(one "{count} cell", "{count} cells", count = cells)
+}
+
+fn one_each(headings: usize) -> Text {
+    text!(
+        one "{count} cell, one for each heading",
+        "{count} cells, one for each heading",
+        count = headings
+    )
 }

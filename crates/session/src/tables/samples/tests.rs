@@ -101,9 +101,9 @@ fn a_ragged_row_is_named_and_does_not_shift_the_next() {
     assert_eq!(
         findings,
         [
-            "s.csv, line 2, column 2: the line ends after 2 cells; expected 3 cells, one for each heading",
-            "s.csv, line 3, column 4: 5 cells; expected 3 cells, one for each heading; a file with \
-             decimal commas is read by `truepose import --decimal ,`",
+            "s.csv, line 2, column 2: 2 cells; expected 3 cells, one for each heading",
+            "s.csv, line 3, column 4: 5 cells; expected 3 cells, one for each heading; a decimal point; \
+             decimal commas are read by `truepose import --decimal ,`",
         ]
     );
     assert_eq!(numbers(&table.unwrap(), "q1_deg"), [1.0, 1.0, 7.0]);

@@ -1,11 +1,12 @@
 //! The units of such a table.
 
 use super::parts::TableColumn;
-use crate::document::number::quoted;
 use crate::importers::headings::words_and_unit;
 use crate::importers::settings::{About, ReadContext};
 use crate::importers::units::{self, AngleUnit, LengthUnit, Word};
-use crate::sessions::columns::Unit;
+use crate::kinematics::JointKind;
+use crate::sessions::columns::{Quantity, Unit};
+use crate::sessions::layout::check_joint;
 use crate::tables::Grid;
 
 /// Units of targets and of what was measured.
@@ -51,20 +52,17 @@ pub(super) fn units_of(
             TableColumn::Direction | TableColumn::Run | TableColumn::Other => {}
         }
     }
-    if let Some((index, _)) = strange {
-        let (kind, expected) = if context.reading.slides {
-            (text!("an angle for a sliding joint"), text!("a length"))
+    if let Some((index, unit)) = strange {
+        let joint = context.reading.joint;
+        let kind = if context.reading.slides {
+            JointKind::Prismatic
         } else {
-            (text!("a length for a joint that turns"), text!("an angle"))
+            JointKind::Revolute
         };
-        context.refuse(
-            text!(
-                "{found}: {name}",
-                found = quoted(&headings[index]),
-                name = kind
-            ),
-            expected,
-        );
+        let place = context.place.clone().in_field(headings[index].as_str());
+        let kinds = vec![kind; joint + 1];
+        let commanded = Quantity::Commanded(joint);
+        check_joint(commanded, unit, &kinds, place, &mut context.found.findings);
         return None;
     }
     let in_preamble = grid.preamble.iter().find_map(|line| {

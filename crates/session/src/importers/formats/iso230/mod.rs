@@ -15,7 +15,7 @@ use crate::diagnostic::Diagnostic;
 use crate::document::number::quoted;
 use crate::importers::columns::{Column, Columns};
 use crate::importers::formats::{Importer, KnownBy, Meanings, Questions};
-use crate::importers::reader::{direction, fixed, others_like_these};
+use crate::importers::reader::{direction, fixed};
 use crate::importers::role::Role;
 use crate::importers::settings::{ColumnGuess, Known, ReadContext};
 use crate::importers::times::extent;
@@ -104,7 +104,7 @@ fn read(context: &mut ReadContext<'_>) -> Option<Columns> {
     let list = measurements(context, &grid, &parts, decimal);
     context.found.rows = list.len();
     if list.is_empty() && !context.is_open() {
-        context.refuse(text!("no row that can be read"), text!("at least one"));
+        context.refuse(text!("no sample"), text!("at least one"));
     }
     if context.is_open() {
         return None;
@@ -187,7 +187,7 @@ fn measurements(
             }
         }
     });
-    complaints.into(&place, &mut context.found.findings, others_like_these);
+    complaints.into(&place, &mut context.found.findings);
     if empty > 0 {
         context.note(text!(
             one "{count} cell is empty: not measured, excluded",
@@ -202,6 +202,8 @@ fn measurements(
 const DEVIATIONS_SHARE: f64 = 0.02;
 /// Fewer positions lie on a line by accident.
 const FEWEST_ON_A_LINE: usize = 6;
+
+const NEAR: Template = phrase!("positions near their targets, in the same unit, or deviations");
 
 /// Whether deviations stand in the place of positions.
 fn deviations(
@@ -230,7 +232,7 @@ fn deviations(
     if largest(&|measured, _| measured) <= DEVIATIONS_SHARE * travel {
         context.warn(
             text!("the measured values are far too small for positions: they are taken as deviations from the targets"),
-            text!("a heading with the word deviation, or positions"),
+            NEAR,
         );
         return Some(true);
     }
@@ -241,7 +243,7 @@ fn deviations(
                 "the measured positions follow {scale} times their targets: the scale of the axis is taken to be wrong",
                 scale = format!("{scale:.3}")
             ),
-            text!("positions near their targets; check the units of both columns"),
+            NEAR,
         );
         return Some(false);
     }
@@ -250,7 +252,7 @@ fn deviations(
             "measured positions are up to {travel} % of the travel away from their targets",
             travel = format!("{:.1}", 100.0 * off / travel)
         ),
-        text!("positions near their targets, in the same unit, or deviations"),
+        NEAR,
     );
     None
 }

@@ -35,12 +35,7 @@ impl<'a> Cdr<'a> {
             (0, 1) => (true, 8),
             (0, 6) => (false, 4),
             (0, 7) => (true, 4),
-            (a, b) => {
-                return Err(text!(
-                    "the representation {bytes}, which is not plain CDR",
-                    bytes = format!("{a:02x} {b:02x}")
-                ));
-            }
+            _ => return Err(not_whole()),
         };
         Ok(Self {
             body,
@@ -132,7 +127,7 @@ mod tests {
         let mut cdr = Cdr::new(b"\0\x01\0\0\xff\xff\xff\xff").unwrap();
         assert!(cdr.clone().text().is_err());
         assert!(cdr.numbers().unwrap_err().contains("fields that are not"));
-        assert!(Cdr::new(b"\0\x03\0\0").unwrap_err().contains("00 03"));
+        assert!(Cdr::new(b"\0\x03\0\0").is_err());
         assert!(Cdr::new(b"\0").is_err());
     }
 }

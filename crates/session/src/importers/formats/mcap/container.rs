@@ -12,6 +12,7 @@
 //! fuzzer of this repository would look into, and it would not say where a broken chunk starts.
 //! Source: the MCAP specification, version 0.
 
+use crate::document::number::quoted;
 use crate::text::{Template, Text};
 use std::collections::BTreeMap;
 use std::io::Read;
@@ -309,10 +310,7 @@ fn unpacked(content: &[u8], byte: usize) -> Result<Vec<u8>, Broken> {
             Ok(decoder) => all_of(decoder, length),
             Err(error) => Err(error.to_string()),
         },
-        other => {
-            let found = text!("a chunk with the compression '{other}'", other);
-            return Err(Broken::new(byte, found, phrase!("none, lz4 or zstd")));
-        }
+        other => Err(quoted(other)),
     };
     let records = records.map_err(|error| Broken::chunk(byte, Text::verbatim(error)))?;
     let checksum = header.uncompressed_crc;

@@ -5,9 +5,11 @@
 
 use serde::Deserialize;
 
+use crate::document::number::quoted;
 use crate::text::Text;
 
-use super::cdr::{Cdr, Wrong, not_whole};
+pub(super) use super::cdr::not_whole;
+use super::cdr::{Cdr, Wrong};
 
 /// Joints or transforms of one message are fewer.
 const MOST: usize = 4096;
@@ -82,10 +84,7 @@ pub(super) fn read(type_: Type, encoding: &str, data: &[u8]) -> Result<Content, 
     match encoding {
         "cdr" => from_cdr(type_, &mut Cdr::new(data)?),
         "json" => from_json(type_, data),
-        other => Err(text!(
-            "messages encoded as '{other}', not as cdr or json",
-            other
-        )),
+        other => Err(Text::verbatim(quoted(other))),
     }
 }
 
@@ -295,7 +294,7 @@ mod tests {
     #[test]
     fn what_is_no_such_message_is_refused_in_words() {
         for (type_, encoding, data, says) in [
-            (Type::PoseStamped, "ros1", &b""[..], "encoded as 'ros1'"),
+            (Type::PoseStamped, "ros1", &b""[..], "'ros1'"),
             (Type::PoseStamped, "json", b"{}", "fields that are not"),
             (Type::PoseStamped, "json", b"[", "EOF"),
             (

@@ -105,7 +105,7 @@ fn read(context: &mut ReadContext<'_>) -> Option<Columns> {
     };
     let start_ns = joints.and_then(Topic::start_ns).or(measured.start_ns())?;
     let mut columns = recorded::points(context, measured, start_ns)?;
-    context.found.unit = text!("m and rad, as the messages have it");
+    context.found.unit = text!("{unit}, as the format has it", unit = "m, rad");
     columns.commands = path.map(|path| Box::new(path.into_columns(start_ns)));
     let listed = columns.commands.iter().flat_map(|path| &path.list);
     context.found.columns = listed
@@ -149,13 +149,6 @@ fn gathered(context: &mut ReadContext<'_>) -> Option<Topics> {
             context.found.findings.push(diagnostic);
             return None;
         }
-    }
-    if topics.messages() == 0 {
-        context.refuse(
-            text!("a recording without messages"),
-            text!("joint states and measured poses"),
-        );
-        return None;
     }
     Some(topics)
 }
@@ -216,9 +209,9 @@ fn chosen<'t>(
         if found.is_none() {
             let names: Vec<String> = suited.iter().map(|topic| quoted(&topic.name)).collect();
             let found = text!(
-                "--{option}: no topic {name} of a type that suits",
+                "--{option}: {found}",
                 option = wanted.option,
-                name = quoted(said)
+                found = quoted(said)
             );
             let expected = match &names[..] {
                 [] => text!(
@@ -243,18 +236,10 @@ fn chosen<'t>(
             [only] => return sound(context, Some(only)),
             _ => {
                 let names: Vec<&str> = candidates.iter().map(|topic| topic.name.as_str()).collect();
-                let names_of = names.join(", ");
-                let says = if wanted.option == TOPIC_JOINTS {
-                    text!(
-                        "several topics have joint states: {names}",
-                        names = names_of
-                    )
-                } else {
-                    text!(
-                        "several topics have measured poses, points or transforms: {names}",
-                        names = names_of
-                    )
-                };
+                let says = text!(
+                    "several topics are of a type that suits: {names}",
+                    names = names.join(", ")
+                );
                 context.ask(About::Own(wanted.option), says, &names);
                 return Err(NeedsAnswer);
             }
@@ -271,13 +256,9 @@ fn sound<'t>(
     if let Some(topic) = topic
         && let Some(wrong) = &topic.wrong
     {
-        let found = text!(
-            "byte {byte}: message {number} of {topic}: {wrong}",
-            byte = wrong.byte,
-            number = wrong.number,
-            topic = quoted(&topic.name),
-            wrong = &wrong.problem
-        );
+        let of = format!("{} {}", quoted(&topic.name), wrong.number);
+        let message = text!("{found}: {name}", found = of, name = &wrong.problem);
+        let found = text!("byte {byte}: {found}", byte = wrong.byte, found = message);
         context.refuse(
             found,
             text!("a {type} in CDR or JSON", type = topic.type_.name()),

@@ -1,18 +1,18 @@
 //! From the messages of two topics to a path of the joints and to measured points.
 
 use crate::text::Text;
+use nalgebra::{Quaternion, Vector3};
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::document::number::quoted;
 use crate::importers::columns::{Column, Columns};
 use crate::importers::joint_names::{Shared, shared};
 use crate::importers::matching::listed_names_up_to;
-use crate::importers::reader::fixed;
 use crate::importers::role::Role;
 use crate::importers::settings::{About, ReadContext};
 use crate::sessions::Lines;
 use crate::sessions::columns::{Quantity, Unit};
-use crate::tables::{Cells, Names};
+use crate::tables::Names;
 
 use super::messages::Measured;
 use super::options::{FRAME_CHILD, JOINT_NAMES, NeedsAnswer};
@@ -82,9 +82,10 @@ pub(super) fn path(context: &mut ReadContext<'_>, topic: &Topic) -> Option<Path>
     }
     if rows.len() < all {
         let found = text!(
-            one "{count} of {all} joint states is excluded: a joint has no value there", "{count} of {all} joint states are left out: a joint has no value there",
+            one "{count} of {all} messages of {topic} is excluded: a value is missing", "{count} of {all} messages of {topic} are excluded: a value is missing",
             count = all - rows.len(),
-            all
+            all,
+            topic = quoted(&topic.name)
         );
         context.warn(found, Text::default());
     }
@@ -138,24 +139,18 @@ fn joints_of(context: &mut ReadContext<'_>, topic: &Topic) -> Option<Vec<String>
     let recorded = listed_names_up_to(&topic.joint_names, SHOWN);
     if let Some(said) = context.reading.options.get(JOINT_NAMES) {
         let names: Vec<String> = said.split(',').map(|name| name.trim().to_owned()).collect();
-        let unknown = names.iter().find(|name| !topic.joints.contains_key(*name));
         let distinct: BTreeSet<&String> = names.iter().collect();
-        let found = match unknown {
-            Some(name) => text!(
-                "no joint {name} in {topic}",
-                name = quoted(name),
-                topic = quoted(&topic.name)
-            ),
-            None if distinct.len() < names.len() => text!("a joint that comes twice"),
-            None if !robot.is_empty() && robot.len() != names.len() => text!(
-                "{joints} joints for a robot that has {own}",
-                joints = names.len(),
-                own = robot.len()
-            ),
-            None => return Some(names),
-        };
+        let are_known = names.iter().all(|name| topic.joints.contains_key(name));
+        let are_as_many = robot.is_empty() || robot.len() == names.len();
+        if are_known && distinct.len() == names.len() && are_as_many {
+            return Some(names);
+        }
         context.refuse(
-            text!("--{option}: {found}", option = JOINT_NAMES, found),
+            text!(
+                "--{option}: {found}",
+                option = JOINT_NAMES,
+                found = quoted(said)
+            ),
             text!(
                 "as many names as the robot has joints, of {recorded}",
                 recorded
@@ -274,9 +269,9 @@ pub(super) fn points(
     let lost = list.len() - list.iter().filter(is_there).count();
     if lost > 0 {
         let found = text!(
-            one "{count} of {list} measurements of {topic} has no position or no orientation: excluded", "{count} of {list} measurements of {topic} have no position or no orientation: excluded",
+            one "{count} of {all} messages of {topic} is excluded: a value is missing", "{count} of {all} messages of {topic} are excluded: a value is missing",
             count = lost,
-            list = list.len(),
+            all = list.len(),
             topic = quoted(&topic.name)
         );
         context.warn(found, Text::default());
@@ -304,26 +299,14 @@ pub(super) fn points(
     ));
     let of = |part: &dyn Fn(&Measured) -> f64| list.iter().map(|m| part(m)).collect::<Vec<f64>>();
     let mut columns = Columns::default();
-    for (axis, quantity) in [Quantity::X, Quantity::Y, Quantity::Z]
-        .into_iter()
-        .enumerate()
-    {
-        let values = of(&|m| m.position_m[axis]);
-        columns.put(Column::made(quantity, Unit::Length(1000.0), values));
-    }
-    if list
+    let places = list
         .iter()
-        .all(|measured| measured.orientation_xyzw.is_some())
-    {
-        for part in 0..4 {
-            // x, y, z, w in the messages.
-            let values = of(&|m| m.orientation_xyzw.map_or(f64::NAN, |q| q[(part + 3) % 4]));
-            columns.put(Column::made(
-                Quantity::Orientation(part),
-                Unit::Fixed,
-                values,
-            ));
-        }
+        .map(|m| (1000.0 * Vector3::from(m.position_m)).into());
+    columns.put_places(&places.collect::<Vec<_>>());
+    let turns = list.iter().map(|measured| measured.orientation_xyzw);
+    if let Some(turns) = turns.collect::<Option<Vec<_>>>() {
+        let turns = turns.into_iter().map(Quaternion::from);
+        columns.put_orientations(&turns.collect::<Vec<_>>());
     }
     columns.list.push(time_column(of(&|m| {
         1e-9 * m.header.time_ns.saturating_sub(start_ns) as f64
@@ -333,12 +316,7 @@ pub(super) fn points(
         for measured in &list {
             names.push(&measured.header.frame);
         }
-        columns.list.push(Column {
-            name: "setup".to_owned(),
-            number: 0,
-            role: fixed(Quantity::Setup, Unit::Fixed),
-            cells: Cells::Names(names),
-        });
+        columns.list.push(Column::named(Quantity::Setup, names));
     }
     // A message has no line: its number finds it again.
     columns.lines = Lines::default();
@@ -358,15 +336,11 @@ fn child_of(context: &mut ReadContext<'_>, topic: &Topic) -> Result<Option<Strin
         }
         let names: Vec<String> = children.iter().map(|name| quoted(name)).collect();
         let found = text!(
-            "--{frame_child}: no frame {name} in {topic}",
-            frame_child = FRAME_CHILD,
-            name = quoted(said),
-            topic = quoted(&topic.name)
+            "--{option}: {found}",
+            option = FRAME_CHILD,
+            found = quoted(said)
         );
-        let expected = match &names[..] {
-            [] => text!("a topic with transforms; this one has {type}", type = topic.type_.name()),
-            names => text!("one of {names}", names = listed_names_up_to(names, SHOWN)),
-        };
+        let expected = text!("one of {names}", names = listed_names_up_to(&names, SHOWN));
         context.refuse(found, expected);
         return Err(NeedsAnswer);
     }

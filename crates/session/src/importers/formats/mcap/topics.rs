@@ -59,10 +59,7 @@ impl Topic {
                 for (name, value) in joints.names.into_iter().zip(joints.values) {
                     if !self.joints.contains_key(&name) {
                         if self.joint_names.len() == MOST_JOINTS {
-                            return Err(text!(
-                                "more than {most} names of joints",
-                                most = MOST_JOINTS
-                            ));
+                            return Err(messages::not_whole());
                         }
                         self.joint_names.push(name.clone());
                     }

@@ -109,7 +109,7 @@ pub(crate) fn write(session: &Session) -> Value {
 }
 
 /// How far off a tool may be.
-pub const TOLERANCE_MM: Kind<f64> = positive(phrase!("a length above 0 mm"));
+pub const TOLERANCE_MM: Kind<f64> = positive(phrase!("a number above 0"));
 
 /// Names of targets, and where they are in the tool frame.
 pub const TARGETS: Kind<Vec<Target>> = Kind {
@@ -150,7 +150,7 @@ fn instrument(o: &mut Object<'_, '_>, own: &mut Instrument) {
     o.optional("sigma_mm", &mut own.sigma_mm, &SIGMA);
     // Null says that they are not known, which is another thing than to say nothing.
     if o.is_read() || own.targets_sigma_mm != Some(TARGETS_SIGMA_MM) {
-        let kind = positive(phrase!("a number above 0, or null"));
+        let kind = positive(phrase!("a number above 0"));
         o.usual_or_null("targets_sigma_mm", &mut own.targets_sigma_mm, &kind);
     }
     let says = !own.free_targets.is_empty();
@@ -174,8 +174,8 @@ fn tracker(o: &mut Object<'_, '_>, own: &mut Option<Tracker>) {
     o.optional(keys[1], &mut angle, &MICRO);
     if !given.is_empty() && given.len() < keys.len() {
         o.know(keys[2]);
-        let expected = text!("all of sigma_range_mm, sigma_angle_urad and position_mm, or none");
-        return o.error(text!("only {given}", given = given.join(" and ")), expected);
+        let expected = Text::verbatim(keys.join(", "));
+        return o.error(Text::verbatim(given.join(", ")), expected);
     }
     let stands = point(phrase!("an array of 3 numbers"));
     o.optional(keys[2], &mut position, &stands);
@@ -215,7 +215,7 @@ const SIGMA: Kind<Sigma> = Kind {
     },
 };
 
-const ABOVE_0: Kind<f64> = positive(phrase!("a number above 0, or null"));
+const ABOVE_0: Kind<f64> = positive(phrase!("a number above 0"));
 
 /// Thousandths.
 const MILLI: Kind<f64> = Kind {
@@ -267,7 +267,8 @@ fn samples_at(fields: &mut Fields<'_>, member: Option<Member>, at: usize) -> Opt
     const EXPECTED: Template = phrase!("an object with \"file\" or with \"columns\"");
     let path = &Path::Root.key("samples");
     let Some(Member { node, .. }) = member else {
-        fields.error(at, &Path::Root, text!("no key 'samples'"), EXPECTED);
+        let found = text!("no key {key}", key = quoted("samples"));
+        fields.error(at, &Path::Root, found, EXPECTED);
         return None;
     };
     let node_at = node.at;
@@ -290,17 +291,31 @@ fn samples_at(fields: &mut Fields<'_>, member: Option<Member>, at: usize) -> Opt
         Some(node) => Some(SHA256.read(fields, &node, &path.key("sha256"))?),
         None => None,
     };
-    let (found, expected) = match (file, columns) {
+    match (file, columns) {
         (Some(file), None) => {
             let name = TEXT.read(fields, &file, &path.key("file"))?;
-            return Some(SamplesAt::File(name, file.at, sha256));
+            Some(SamplesAt::File(name, file.at, sha256))
         }
-        (None, Some(columns)) => return Some(SamplesAt::Inline(columns)),
-        (None, None) => (text!("neither a file nor columns"), EXPECTED),
-        (Some(_), Some(_)) => (text!("both a file and columns"), phrase!("one of the two")),
-    };
-    fields.error(node_at, path, found, expected);
-    None
+        (None, Some(columns)) => Some(SamplesAt::Inline(columns)),
+        (None, None) => {
+            fields.error(
+                node_at,
+                path,
+                Value::Object(Vec::new()).describe(),
+                EXPECTED,
+            );
+            None
+        }
+        (Some(_), Some(_)) => {
+            fields.error(
+                node_at,
+                path,
+                Text::verbatim("\"file\", \"columns\""),
+                phrase!("one of the two"),
+            );
+            None
+        }
+    }
 }
 
 const SHA256: Kind<String> = Kind {

@@ -85,11 +85,7 @@ pub(crate) fn read(
         .fold(true, |same, (cells, (name, at))| {
             if cells.len() != rows {
                 let found = text!(one "{count} value", "{count} values", count = cells.len());
-                let expected = text!(
-                    "{rows} values, as in '{columns}'",
-                    rows,
-                    columns = &columns[0].0
-                );
+                let expected = text!("{rows}, as many as samples", rows);
                 fields.error(*at, &path.key(name), found, expected);
             }
             same && cells.len() == rows
@@ -134,14 +130,10 @@ fn column(fields: &mut Fields<'_>, node: Node, path: &Path<'_>, kind: CellKind) 
                 Value::Number(_) => kind != CellKind::Name,
                 _ => kind == CellKind::Text,
             };
-            let cells = list.iter().enumerate();
-            let mut wrong = cells.filter(|(_, cell)| !is_right(&cell.value));
-            if let Some((index, first)) = wrong.next() {
+            let mut cells = list.iter().enumerate();
+            let wrong = cells.find(|(_, cell)| !is_right(&cell.value));
+            if let Some((index, first)) = wrong {
                 let found = first.value.describe();
-                let found = match wrong.count() {
-                    0 => found,
-                    more => text!("{found} (and {more} more like it)", found, more),
-                };
                 fields.error(first.at, &path.index(index), found, expected);
                 return None;
             }

@@ -4,7 +4,7 @@
 use crate::text::Template;
 use nalgebra::{Point3, Quaternion, Unit, UnitQuaternion, Vector3};
 
-use crate::document::kinds::{NUMBER, components, point, wxyz};
+use crate::document::kinds::{NUMBER, TEXT, components, point, wxyz};
 use crate::document::object::{Cursor, Kind, Object, written};
 use crate::document::{Member, Node, Value};
 use crate::sessions::references::{
@@ -19,7 +19,6 @@ pub fn references(o: &mut Object<'_, '_>, all: &mut References) {
     named(o, "sockets", &mut all.sockets, &SOCKET);
     let (key, sockets) = ("socket_distances_mm", &all.sockets);
     if o.given(key) {
-        let expected = text!("an array of [\"S1\", \"S2\", 400.0]");
         let read = |at: &mut Cursor<'_, '_>| Some(distances(at, sockets));
         let name = |index: usize| Value::from(&sockets[index].name);
         let write = |all: &Vec<SocketDistance>| {
@@ -29,7 +28,7 @@ pub fn references(o: &mut Object<'_, '_>, all: &mut References) {
             };
             (!all.is_empty()).then(|| all.iter().map(one).collect())
         };
-        o.with(key, &mut all.socket_distances, expected, read, write);
+        o.with(key, &mut all.socket_distances, BETWEEN, read, write);
     }
     let (key, stations) = ("pointing", &all.stations);
     if o.given(key) {
@@ -53,7 +52,6 @@ struct Entry<T> {
     name: fn(&T) -> &String,
     /// What is not known is null.
     is_known: fn(&T) -> bool,
-    expected: Template,
     declare: fn(&mut Object<'_, '_>, &mut T),
 }
 
@@ -67,7 +65,7 @@ fn named<T: Clone>(o: &mut Object<'_, '_>, key: &'static str, all: &mut Vec<T>, 
             let mut one = (entry.blank)(name.to_owned());
             let is_empty = matches!(&at.node.value, Value::Object(members) if members.is_empty());
             if at.node.value != Value::Null && !is_empty {
-                at.expected = entry.expected.into();
+                at.expected = text!("an object");
                 at.fill(&mut one, entry.declare);
             }
             one
@@ -86,7 +84,7 @@ fn named<T: Clone>(o: &mut Object<'_, '_>, key: &'static str, all: &mut Vec<T>, 
 }
 
 const POSITION: Kind<Option<Point3<f64>>> = Kind {
-    expected: phrase!("an array of 3 numbers, or null"),
+    expected: phrase!("an array of 3 numbers"),
     read: |at| at.numbers::<3>().map(|position| Some(position.into())),
     write: |position| position.as_ref().map(point(phrase!("")).write).into(),
 };
@@ -98,7 +96,7 @@ const DIRECTION: Kind<Unit<Vector3<f64>>> = Kind {
         let unit = Unit::try_new(Vector3::from(at.numbers::<3>()?), 1e-9);
         unit.or_else(|| {
             let expected = at.expected.clone();
-            at.error(text!("a direction of zero length"), expected)
+            at.error(text!("zero length"), expected)
         })
     },
     write: components,
@@ -111,7 +109,7 @@ const ATTITUDE: Kind<Option<UnitQuaternion<f64>>> = Kind {
         let unit = UnitQuaternion::try_new(Quaternion::new(w, x, y, z), 1e-9);
         let unit = unit.or_else(|| {
             let expected = at.expected.clone();
-            at.error(text!("a quaternion of zero length"), expected)
+            at.error(text!("zero length"), expected)
         });
         unit.map(Some)
     },
@@ -119,7 +117,7 @@ const ATTITUDE: Kind<Option<UnitQuaternion<f64>>> = Kind {
 };
 
 const AZIMUTH: Kind<Azimuth> = Kind {
-    expected: phrase!("\"counterclockwise\" or \"clockwise\""),
+    expected: TEXT.expected,
     read: |at| {
         let all = [Azimuth::Counterclockwise, Azimuth::Clockwise];
         at.one_of(&all, Azimuth::name)
@@ -135,7 +133,6 @@ const ANCHOR: Entry<Anchor> = Entry {
     },
     name: |anchor| &anchor.name,
     is_known: |_| true,
-    expected: phrase!("an object, or null"),
     declare: |o, anchor| {
         o.usual("position_mm", &mut anchor.position_mm, &POSITION);
         o.usual_or_null("offset_mm", &mut anchor.offset_mm, &NUMBER);
@@ -151,7 +148,6 @@ const STATION: Entry<Station> = Entry {
     },
     name: |station| &station.name,
     is_known: |_| true,
-    expected: phrase!("an object, or null"),
     declare: |o, station| {
         o.usual("position_mm", &mut station.position_mm, &POSITION);
         o.usual("quaternion_wxyz", &mut station.attitude, &ATTITUDE);
@@ -163,11 +159,9 @@ const PLANE: Entry<Plane> = Entry {
     blank: |name| Plane { name, stated: None },
     name: |plane| &plane.name,
     is_known: |plane| plane.stated.is_some(),
-    expected: phrase!("an object, or null"),
     declare: |o, plane| {
         let (mut normal, mut distance) = plane.stated.unwrap_or((Vector3::z_axis(), 0.0));
-        let across = phrase!("a direction across the plane");
-        o.required_as("normal", across, &mut normal, &DIRECTION);
+        o.required("normal", &mut normal, &DIRECTION);
         o.required("distance_mm", &mut distance, &NUMBER);
         if o.has_read_well() {
             plane.stated = Some((normal, distance));
@@ -182,15 +176,14 @@ const SOCKET: Entry<Socket> = Entry {
     },
     name: |socket| &socket.name,
     is_known: |_| true,
-    expected: phrase!("an object, or null"),
     declare: |o, socket| o.usual("position_mm", &mut socket.position_mm, &POSITION),
 };
 
+const BETWEEN: Template = phrase!(
+    "two different sockets of the session and their distance above 0 mm, such as [\"S1\", \"S2\", 400.0]"
+);
+
 fn distances(at: &mut Cursor<'_, '_>, sockets: &[Socket]) -> Vec<SocketDistance> {
-    const EXPECTED: Template = phrase!(
-        "two different sockets of the session and their distance above 0 mm, \
-                            such as [\"S1\", \"S2\", 400.0]"
-    );
     let read = |node: &Node| {
         let Value::List(three) = &node.value else {
             return None;
@@ -208,15 +201,14 @@ fn distances(at: &mut Cursor<'_, '_>, sockets: &[Socket]) -> Vec<SocketDistance>
         })
     };
     let all = at.list_by(|at| {
-        at.expected = EXPECTED.into();
+        at.expected = BETWEEN.into();
         read(at.node).or_else(|| at.wrong())
     });
     all.unwrap_or_default()
 }
 
 fn pointing(o: &mut Object<'_, '_>, own: &mut Pointing, stations: &[Station]) {
-    let points = phrase!("the direction in the tool frame that points");
-    o.required_as("axis", points, &mut own.axis, &DIRECTION);
+    o.required("axis", &mut own.axis, &DIRECTION);
     if !o.given("stations") {
         return;
     }

@@ -50,8 +50,7 @@ fn robot(o: &mut Object<'_, '_>, own: &mut Robot) {
     match given[..] {
         ["joints"] => {
             o.required("joints", &mut own.joints, &JOINTS);
-            let tool = phrase!("the pose of the tool at home");
-            o.required_as("tool", tool, &mut own.base_from_tool, &POSE);
+            o.required("tool", &mut own.base_from_tool, &POSE);
         }
         // The robot of rows or of a file has a name of its own, or none.
         ["dh"] => o.with("dh", own, phrase!(""), robot_source::from_dh, |_| None),
@@ -93,8 +92,8 @@ const GRAVITY: Kind<Vector3<f64>> = Kind {
         let size = gravity.norm();
         if size != 0.0 && !(9.0..=10.5).contains(&size) {
             let place = at.fields.place(at.node.at, at.path);
-            let found = text!("gravity of {size} m/s²", size);
-            let warning = Diagnostic::warning(place, found, text!("about 9.81 m/s²"));
+            let found = Text::verbatim(format!("{size} m/s²"));
+            let warning = Diagnostic::warning(place, found, Text::verbatim("9.81 m/s²"));
             at.fields.findings.push(warning);
         }
         Some(gravity)
@@ -151,8 +150,7 @@ fn joint(o: &mut Object<'_, '_>, own: &mut Joint) {
             mass_kg: 0.0,
             centre_mm: Point3::origin(),
         });
-        let mass = phrase!("the mass of the link, as centre_mm is given");
-        o.required_as("mass_kg", mass, &mut link.mass_kg, &MASS);
+        o.required("mass_kg", &mut link.mass_kg, &MASS);
         o.required("centre_mm", &mut link.centre_mm, &CENTRE);
         own.link = Some(link);
     }
@@ -162,7 +160,7 @@ fn joint(o: &mut Object<'_, '_>, own: &mut Joint) {
 
 /// Turns of the motor for one of a joint.
 const GEAR_RATIO: Kind<f64> = Kind {
-    expected: phrase!("turns of the motor for one of the joint, a number above 0"),
+    expected: phrase!("a number above 0"),
     read: |at| {
         let ratio = NUMBER.read(at.fields, at.node, at.path)?;
         Some(ratio)
@@ -210,12 +208,7 @@ const AXIS: Kind<Unit<Vector3<f64>>> = Kind {
     expected: VECTOR.expected,
     read: |at| {
         let direction = unit(at.numbers::<3>()?).map(|d| Unit::new_unchecked(d.into()));
-        direction.or_else(|| {
-            at.error(
-                text!("an axis of zero length"),
-                text!("a direction such as [0, 0, 1]"),
-            )
-        })
+        direction.or_else(|| at.error(text!("zero length"), Text::verbatim("[0, 0, 1]")))
     },
     write: components,
 };

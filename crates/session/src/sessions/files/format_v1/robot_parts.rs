@@ -1,8 +1,9 @@
 //! Values of which the `robot` object is made, whatever it is given as.
 
-use crate::document::kinds::{NUMBER, VECTOR, point, wxyz};
+use crate::document::kinds::{NUMBER, TEXT, VECTOR, point, wxyz};
 use crate::document::object::{Kind, Object, written};
 use crate::kinematics::{JointKind, Pose, Range};
+use crate::text::Text;
 use nalgebra::{Point3, Quaternion, UnitQuaternion};
 
 use super::unit;
@@ -15,7 +16,7 @@ pub(super) fn range(kind: JointKind, ends: [f64; 2]) -> Range {
 
 /// Whether a joint turns or slides.
 pub(super) const JOINT_KIND: Kind<JointKind> = Kind {
-    expected: phrase!("\"revolute\" or \"prismatic\""),
+    expected: TEXT.expected,
     read: |at| {
         at.one_of(
             &[JointKind::Revolute, JointKind::Prismatic],
@@ -55,10 +56,7 @@ const QUATERNION: Kind<UnitQuaternion<f64>> = Kind {
     expected: phrase!("an array of 4 numbers: w, x, y, z"),
     read: |at| {
         let Some([w, x, y, z]) = unit(at.numbers::<4>()?) else {
-            return at.error(
-                text!("a quaternion of zero length"),
-                text!("a quaternion such as [1, 0, 0, 0]"),
-            );
+            return at.error(text!("zero length"), Text::verbatim("[1, 0, 0, 0]"));
         };
         Some(UnitQuaternion::new_unchecked(Quaternion::new(w, x, y, z)))
     },
@@ -74,6 +72,4 @@ pub(super) const MASS: Kind<f64> = Kind {
     write: NUMBER.write,
 };
 
-pub(super) const CENTRE: Kind<Point3<f64>> = point(phrase!(
-    "the centre of the link at home (3 numbers), as mass_kg is given"
-));
+pub(super) const CENTRE: Kind<Point3<f64>> = point(VECTOR.expected);

@@ -62,7 +62,7 @@ fn dh_row(o: &mut Object<'_, '_>, row: &mut DhRow) {
 }
 
 const CONVENTION: Kind<DhConvention> = Kind {
-    expected: phrase!("\"standard\" or \"modified\""),
+    expected: TEXT.expected,
     read: |at| {
         at.one_of(
             &[DhConvention::Standard, DhConvention::Modified],
