@@ -113,27 +113,6 @@ impl Folds {
         }
     }
 
-    /// Whole stretches of the only joint, each of which a fit has to predict from beyond; `None` of several
-    /// joints, or with few samples.
-    pub(crate) fn stretches(regression: &Regression) -> Option<Self> {
-        let [q] = regression.rows.inputs.q.as_slice() else {
-            return None;
-        };
-        let poses = poses_of(&regression.rows);
-        let n = poses.first.len();
-        if n < FEW {
-            return None;
-        }
-        let mut order: Vec<usize> = (0..n).collect();
-        let q = |pose: usize| q[poses.first[pose]];
-        order.sort_by(|a, b| q(*a).total_cmp(&q(*b)).then(a.cmp(b)));
-        let mut fold = vec![0; n];
-        for (rank, pose) in order.into_iter().enumerate() {
-            fold[pose] = rank * FOLDS / n;
-        }
-        Some(Self::of_poses(&poses, &fold, FOLDS, Text::default()))
-    }
-
     /// Folds over cells of the workspace, for a robot with several joints.
     pub(crate) fn over_cells(rows: &Rows, model: &Model) -> Self {
         let points = rows.points(model);

@@ -76,7 +76,7 @@ const RIVALS_KEPT: usize = 2;
 /// Errors on unseen samples that are kept.
 const UNSEEN_KEPT: usize = 256;
 /// Tables that are kept: each has a column of some tens of numbers for every column of the candidates.
-const SURROUNDINGS_KEPT: usize = 8;
+const SURROUNDINGS_KEPT: usize = 3;
 
 impl<'a> Regression<'a> {
     pub(crate) fn new(

@@ -1,9 +1,7 @@
 //! The set of names that a search ends with, tested once more: each name against the rest, with the
 //! null of this very fit. A name that entered early may be worth nothing beside what came later.
 
-use crate::effects::{Over, Term};
-
-use super::forward::{CHANCE_OF_A_STEP, mean_sigma_mm};
+use super::forward::CHANCE_OF_A_STEP;
 use super::found::SearchResult;
 use super::prepare::PreparedSearch;
 use super::settle::needed;
@@ -11,7 +9,6 @@ use super::steps::{Next, Step, steps};
 use super::worth::worth;
 use super::{aliases, own_evidence};
 use crate::diagnosis::evidence::Fit;
-use crate::diagnosis::evidence::Folds;
 use crate::diagnosis::{Cancelled, Progress, Watch};
 
 /// Logarithm of odds at which no other setting of a term passes for it in a part of the samples.
@@ -151,38 +148,10 @@ pub(crate) fn test_as_reported(
         let steps = steps(prepared, &base, &alone);
         if let Some(step) = steps.into_iter().rev().find(idle) {
             found.fit = regression.without_term(&found.fit, &step.term);
-        } else if let Some(rest) = denied_by_stretches(prepared, &found.fit) {
-            found.fit = rest;
         } else {
             return Ok(());
         }
     }
-}
-
-/// Stretches deny a name by so much more of a sum of squares, in units of the noise, that noise alone seldom
-/// does: twice the logarithm of odds of 20.
-const CLEARLY_DENIED: f64 = 6.0;
-
-/// The fit without the name over the joint's value that predicts stretches of it which no fit has seen worst,
-/// where they are predicted clearly better without it. Between turns that were seen a wrong order predicts as well as the right
-/// one.
-fn denied_by_stretches(prepared: &PreparedSearch, fit: &Fit) -> Option<Fit> {
-    let regression = &prepared.regression;
-    let of_angle = |t: &&Term| t.effect.about().over == Over::Angle;
-    let terms: Vec<&Term> = regression.added(fit).into_iter().filter(of_angle).collect();
-    if terms.is_empty() || !fit.shapes.is_empty() || !regression.noise.is_white() {
-        return None;
-    }
-    let stretches = Folds::stretches(regression)?;
-    let left = |fit: &Fit| {
-        let unseen = stretches.unseen(regression, fit).rms_mm / mean_sigma_mm(regression);
-        unseen * unseen * regression.rows.lengths() as f64
-    };
-    let with_all = left(fit);
-    let rests = terms.iter().map(|t| regression.without_term(fit, t));
-    let denied = rests.map(|rest| (with_all - left(&rest), rest));
-    let worst = denied.max_by(|a, b| a.0.total_cmp(&b.0))?;
-    (worst.0 > CLEARLY_DENIED).then_some(worst.1)
 }
 
 /// What is said where a search ends with a fit: names that carry themselves, each likelier than another in its
