@@ -1,7 +1,8 @@
-"""Cuts Inter and Noto Sans SC (SIL Open Font License 1.1) down to what the window and reports write.
+"""Cuts Inter and Noto Sans SC (SIL Open Font License 1.1) and Phosphor (MIT) down to what the window and reports write.
 
     pip install fonttools
-    python3 subset.py FOLDER      # FOLDER holds Inter's static Regular and SemiBold as .ttf, and NotoSansCJK-Regular.ttc
+    python3 subset.py FOLDER      # FOLDER holds Inter's static Regular and SemiBold and Phosphor's regular as .ttf, and
+                                  # NotoSansCJK-Regular.ttc
 
 Of Inter it keeps Latin, Greek, arrows, mathematics and simple shapes, without hinting, which egui does not
 use. Digits and signs take their tabular forms for good, because egui asks for no OpenType
@@ -83,12 +84,29 @@ def cut_chinese(source, target, catalogue):
     font.save(target)
 
 
+# Undo, redo, save, table, copy, fit, side, grip (src/gui/widgets/buttons.rs).
+ICONS = [0xE08A, 0xE08C, 0xE20C, 0xE476, 0xE1CA, 0xE1D0, 0xEC24, 0xEAE2]
+
+
+def cut_icons(source, target):
+    """Writes the icons that the window has."""
+    font = TTFont(source)
+    options = subset.Options(layout_features=[], hinting=False, notdef_outline=True)
+    options.name_IDs = [0, 1, 2, 4, 5, 6, 13, 14]
+    options.drop_tables += ["GSUB", "GPOS"]
+    cutter = subset.Subsetter(options)
+    cutter.populate(unicodes=ICONS)
+    cutter.subset(font)
+    font.save(target)
+
+
 def main():
     folder = Path(sys.argv[1])
     here = Path(__file__).parent
     catalogue = (here.parent / "languages" / "zh.po").read_text(encoding="utf-8")
     collection = next(folder.rglob("NotoSansCJK-Regular.ttc"))
     cut_chinese(collection, here / "NotoSansSC-Regular.otf", catalogue)
+    cut_icons(next(folder.rglob("Phosphor.ttf")), here / "Phosphor.ttf")
     for weight in ("Regular", "SemiBold"):
         source = next(p for p in folder.rglob(f"*{weight}.ttf"))
         cut(source, here / f"Inter-{weight}.ttf")

@@ -234,13 +234,18 @@ fn fonts() -> FontDefinitions {
     add("Inter", crate::fonts::INTER);
     add("Inter SemiBold", crate::fonts::INTER_SEMI_BOLD);
     add("Noto Sans SC", crate::fonts::NOTO_SANS_SC);
+    add(
+        "Phosphor",
+        include_bytes!("../../../assets/fonts/Phosphor.ttf"),
+    );
     let fallback = fonts
         .families
         .get(&FontFamily::Proportional)
         .cloned()
         .unwrap_or_default();
     let with = |first: &str| {
-        let mut family = vec![first.to_owned()];
+        // Icons before the default fonts, which have others in their places.
+        let mut family = vec![first.to_owned(), "Phosphor".to_owned()];
         family.extend(fallback.iter().cloned());
         // The only default font with arrows and mathematical signs in it.
         family.push("Hack".to_owned());

@@ -236,15 +236,15 @@ fn segment(ui: &mut Ui, palette: Palette, name: &str, meant: &str, on: bool) -> 
     response
 }
 
-/// Signs, of a font that is always there.
-pub(crate) const UNDO: &str = "↶";
-pub(crate) const REDO: &str = "↷";
-pub(crate) const SAVE: &str = "⬇";
-pub(crate) const DATA: &str = "▦";
-pub(crate) const COPY: &str = "◱";
-pub(crate) const FIT: &str = "⊡";
-pub(crate) const SIDE: &str = "◨";
-pub(crate) const GRIP: &str = "∷";
+/// Signs, of the icon font (Phosphor; `assets/fonts/subset.py` says which it is cut to).
+pub(crate) const UNDO: &str = "\u{E08A}";
+pub(crate) const REDO: &str = "\u{E08C}";
+pub(crate) const SAVE: &str = "\u{E20C}";
+pub(crate) const DATA: &str = "\u{E476}";
+pub(crate) const COPY: &str = "\u{E1CA}";
+pub(crate) const FIT: &str = "\u{E1D0}";
+pub(crate) const SIDE: &str = "\u{EC24}";
+pub(crate) const GRIP: &str = "\u{EAE2}";
 
 /// A square button with a sign, called by its name.
 pub(crate) fn icon_button(ui: &mut Ui, sign: &str, name: &str) -> Response {

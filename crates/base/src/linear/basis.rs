@@ -1,4 +1,4 @@
-//! An orthonormal basis by Cholesky factors of products, done twice (CholeskyQR2, Yamamoto et al. 2015), which drops
+//! An orthonormal basis by Cholesky factors of products, done twice (`CholeskyQR2`, Yamamoto et al. 2015), which drops
 //! columns that the ones before them already explain:
 //!
 //! ```text
@@ -109,13 +109,13 @@ impl Basis {
             let independent = own.independent.iter().take(room).copied();
             let independent: Vec<usize> = independent.map(|k| kept[k]).collect();
             if independent.len() == kept.len() {
-                return self.and_orthonormal(kept, own);
+                return self.and_orthonormal(kept, &own);
             }
             kept = independent;
         }
     }
 
-    fn and_orthonormal(mut self, kept: Vec<usize>, own: Orthonormal) -> Self {
+    fn and_orthonormal(mut self, kept: Vec<usize>, own: &Orthonormal) -> Self {
         let (rank, more) = (self.rank(), kept.len());
         let both = self.q.as_slice().iter().chain(own.q.as_slice()).copied();
         let q = DMatrix::from_iterator(own.q.nrows(), rank + more, both);

@@ -321,11 +321,16 @@ fn bar(
     (place, kind, scene): (Place<'_>, &dyn ChartKind, &Scene),
     first: First<'_>,
 ) {
-    let charts = charts(workbench, kind, place);
+    let mut charts = charts(workbench, kind, place);
     let others = others(scene, kind, place);
     // What there is no room for stands below, and the marks are in the menu of the handle as well.
     let beside = others.iter().map(|other| other.width(ui) + space::ROW);
-    let room = ui.available_width() - HANDLE - charts.width(ui) - beside.sum::<f32>();
+    let beside = ui.available_width() - HANDLE - beside.sum::<f32>();
+    let short = std::mem::replace(&mut charts.shown, kind.about().name().to_owned());
+    if beside - charts.width(ui) < MARKS {
+        charts.shown = short;
+    }
+    let room = beside - charts.width(ui);
     let (one_row, marks) = (room >= 0.0, room >= MARKS);
     let mut others = Some(others).filter(|others| !others.is_empty());
     widgets::row(ui, |ui| {
