@@ -82,12 +82,15 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench) {
             ui.add_space(space::ROW);
             let open = actions::layout(ui.ctx(), workbench).results();
             let says = actions::results_says(open);
-            let sign = if open {
-                widgets::SIDE.to_owned()
+            let side = widgets::icon(widgets::SIDE);
+            let button = if open {
+                widgets::bare_button(ui, side, says)
             } else {
-                format!("{} {}", say!("Results"), widgets::SIDE)
+                let name = RichText::new(say!("Results")).font(strong(size::SMALL));
+                let name = name.color(Palette::of(ui).accent);
+                widgets::bare_button(ui, (name, side), says)
             };
-            widgets::icon_button(ui, &sign, says)
+            button
                 .on_hover_text(says)
                 .does(workbench, move |bench| bench.view.results = Some(!open));
         });

@@ -248,7 +248,21 @@ pub(crate) const GRIP: &str = "\u{EAE2}";
 
 /// A square button with a sign, called by its name.
 pub(crate) fn icon_button(ui: &mut Ui, sign: &str, name: &str) -> Response {
-    let button = Button::new(RichText::new(sign).size(size::HEADING));
+    bare_button(ui, icon(sign), name)
+}
+
+/// A sign, as large as buttons have it.
+pub(crate) fn icon(sign: &str) -> RichText {
+    RichText::new(sign).size(size::HEADING)
+}
+
+/// A button without a frame, called by its name whatever it shows.
+pub(crate) fn bare_button<'a>(
+    ui: &mut Ui,
+    shown: impl egui::IntoAtoms<'a>,
+    name: &str,
+) -> Response {
+    let button = Button::new(shown);
     let button = button.frame_when_inactive(false).min_size(vec2(24.0, 24.0));
     let response = ui.add(button.sense(Sense::click_and_drag()));
     let enabled = ui.is_enabled();

@@ -6,8 +6,8 @@ mod fields;
 mod text;
 
 pub(crate) use buttons::{
-    COPY, DATA, FIT, GRIP, NEXT, REDO, SAVE, SIDE, UNDO, has_stood, icon_button, other, primary,
-    read_next, secondary, segmented, segmented_named, width_of_segments,
+    COPY, DATA, FIT, GRIP, NEXT, REDO, SAVE, SIDE, UNDO, bare_button, has_stood, icon, icon_button,
+    other, primary, read_next, secondary, segmented, segmented_named, width_of_segments,
 };
 pub(crate) use fields::{
     buttons_or_back, cell_number, choice, choice_row, done, done_beside, entered, form_row, list,
