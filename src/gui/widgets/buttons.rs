@@ -262,9 +262,13 @@ pub(crate) fn bare_button<'a>(
     shown: impl egui::IntoAtoms<'a>,
     name: &str,
 ) -> Response {
-    let button = Button::new(shown);
-    let button = button.frame_when_inactive(false).min_size(vec2(24.0, 24.0));
-    let response = ui.add(button.sense(Sense::click_and_drag()));
+    let button = Button::new(shown).frame_when_inactive(false);
+    let button = button.min_size(vec2(28.0, 24.0));
+    let response = ui.scope(|ui| {
+        ui.spacing_mut().button_padding.x = space::TIGHT;
+        ui.add(button.sense(Sense::click_and_drag()))
+    });
+    let response = response.inner;
     let enabled = ui.is_enabled();
     response.widget_info(|| WidgetInfo::labeled(Role::Button, enabled, name));
     response
