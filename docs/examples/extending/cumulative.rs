@@ -6,7 +6,7 @@
 //! ```
 
 use super::{About, ChartChoice, ChartKind, ChartPlaceholder, HoverTarget, Scene, Shown};
-use crate::gui::cache::Work;
+use crate::gui::cache::{Work, WorkKey};
 use crate::gui::help::Word;
 use crate::present::chart::{Axis, Chart, ColourRole, Entry, Item, LEAST_SPAN, LegendSymbol};
 use crate::present::table::{Cell, Table};
@@ -32,15 +32,17 @@ impl ChartKind for Cumulative {
         }
     }
 
-    fn work(&self, _: &Scene) -> Option<Work> {
-        Some(Work::new(self.about().id, Vec::new(), |given| {
+    fn work(&self, scene: &Scene) -> Option<Work> {
+        let component = scene.component;
+        let key = WorkKey::Chart(self.about().id, component, Vec::new());
+        Some(Work::new(key, move |given| {
             let usable = given
                 .loaded_session
                 .overview
                 .usable
                 .iter()
                 .map(|i| *i as usize);
-            let (before, after) = given.values(&usable.collect::<Vec<_>>());
+            let (before, after) = given.values(&usable.collect::<Vec<_>>(), component);
             Sorted::of(after.unwrap_or(before))
         }))
     }
