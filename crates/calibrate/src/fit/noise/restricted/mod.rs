@@ -232,6 +232,22 @@ mod tests {
         });
     }
 
+    /// `tests/reference/restricted_likelihood.py`.
+    #[test]
+    fn the_likelihood_is_that_of_scipy() {
+        let from_scipy =
+            include_str!("../../../../../../tests/reference/restricted_likelihood.json");
+        let expected: serde_json::Value = serde_json::from_str(from_scipy).unwrap();
+        let near = |own: f64, name: &str| {
+            let expected = expected[name].as_f64().unwrap();
+            assert!((own / expected - 1.0).abs() < 1e-9, "{own} {expected}");
+        };
+        compared(|restricted, _, _, _, _| {
+            near(restricted.likelihood(SHAPE), "ln_likelihood");
+            near(restricted.scale(SHAPE), "scale");
+        });
+    }
+
     #[test]
     fn each_axis_has_its_variance_with_what_the_columns_take_of_it() {
         compared(|restricted, covariance, projection, residual, _| {
