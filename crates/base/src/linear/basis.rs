@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 use nalgebra::{DMatrix, DVector};
 
-use super::products::{along, gram, reject_all};
+use super::products::{gram, reject_all};
 use super::triangle::{inverse_of_lower, small_cholesky};
 
 /// A column of which less than this share is left after projection is a copy of the others.
@@ -138,7 +138,7 @@ impl Basis {
 
     /// The coefficients that bring `A x` closest to `y`; zero for columns that were dropped.
     pub fn solve(&self, y: &DVector<f64>) -> DVector<f64> {
-        self.coefficients(along(&self.q, y))
+        self.coefficients(self.q.tr_mul(y))
     }
 
     /// The coefficients of the columns from those of the orthonormal ones; zero for columns that were
@@ -150,7 +150,7 @@ impl Basis {
 
     /// `y` without its part in the span.
     pub fn reject(&self, y: &DVector<f64>) -> DVector<f64> {
-        let along = along(&self.q, y);
+        let along = self.q.tr_mul(y);
         y - &self.q * along
     }
 

@@ -7,5 +7,5 @@ mod triangle;
 
 pub use basis::Basis;
 pub use kept::Kept;
-pub use products::{along, cross, gram, reject_all};
-pub use triangle::{cholesky, inverse_of_lower, small_cholesky, small_gain, solve_lower};
+pub use products::{cross, gram, reject_all};
+pub use triangle::{inverse_of_lower, small_cholesky, small_gain, solve_lower};

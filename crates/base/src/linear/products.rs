@@ -1,7 +1,7 @@
 //! Products of matrices with many rows. nalgebra's product of a transposed matrix takes one column at a time; a
 //! transposed copy takes blocks, several times as fast.
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DMatrix;
 
 /// `Aᵀ B`.
 pub fn cross(a: &DMatrix<f64>, b: &DMatrix<f64>) -> DMatrix<f64> {
@@ -24,11 +24,6 @@ pub fn gram(a: &DMatrix<f64>) -> DMatrix<f64> {
     }
     gram.fill_upper_triangle_with_lower_triangle();
     gram
-}
-
-/// `Aᵀ v`.
-pub fn along(a: &DMatrix<f64>, v: &DVector<f64>) -> DVector<f64> {
-    a.tr_mul(v)
 }
 
 /// Takes from columns what orthonormal ones have of them, `C − Q QᵀC`, twice ("twice is enough", Giraud, Langou &

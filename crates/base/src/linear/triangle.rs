@@ -1,6 +1,6 @@
 //! Triangles, and factors of small matrices that may not have full rank.
 
-use nalgebra::{Cholesky, DMatrix, Dyn};
+use nalgebra::DMatrix;
 
 /// The inverse of a lower triangle without a zero on its diagonal.
 pub fn inverse_of_lower(l: &DMatrix<f64>) -> DMatrix<f64> {
@@ -12,11 +12,6 @@ pub fn inverse_of_lower(l: &DMatrix<f64>) -> DMatrix<f64> {
 pub fn solve_lower(l: &DMatrix<f64>, mut m: DMatrix<f64>) -> DMatrix<f64> {
     l.solve_lower_triangular_unchecked_mut(&mut m);
     m
-}
-
-/// The factor of a symmetric matrix, of which the lower half is looked at; `None` where it is not positive.
-pub fn cholesky(matrix: DMatrix<f64>) -> Option<Cholesky<f64, Dyn>> {
-    matrix.cholesky()
 }
 
 /// Cholesky factor (lower, row by row) of a small symmetric matrix; a pivot below the tolerance

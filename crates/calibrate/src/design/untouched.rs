@@ -3,7 +3,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::linear::{cholesky, gram};
+use crate::linear::gram;
 
 use super::inverse::LEAST_INFORMATION;
 
@@ -58,7 +58,7 @@ fn eliminated(
     for k in 0..own.nrows() {
         own[(k, k)] += LEAST_INFORMATION * own[(k, k)].max(1e-300);
     }
-    let l = cholesky(own)?.unpack();
+    let l = own.cholesky()?.unpack();
     let rest = products.select_columns(kept);
     let along = l.solve_lower_triangular(&rest.select_rows(gone))?;
     let of_pull = l.solve_lower_triangular(&pull.select_rows(gone))?;

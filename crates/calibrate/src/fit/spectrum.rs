@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
-use crate::linear::{cholesky, inverse_of_lower};
+use crate::linear::inverse_of_lower;
 use crate::model::Model;
 
 /// A direction in the space of coefficients along which the samples say nothing.
@@ -229,7 +229,7 @@ impl Factored {
     fn of(gram: &DMatrix<f64>, model: &Model, reaches: &[f64], least: f64) -> Option<Self> {
         let (gram, held) = without_held(gram, model);
         let (scale, scaled) = scaled(&gram);
-        let factor = cholesky(scaled.clone())?;
+        let factor = scaled.clone().cholesky()?;
         // λ ≥ 1/‖L⁻¹‖², and a direction has no component above 1.
         let smallest = 1.0 / inverse_of_lower(&factor.l()).norm_squared();
         let reach = |k: usize| reaches[k] * scale[k];
@@ -256,7 +256,7 @@ impl Factored {
             for k in 0..damped.nrows() {
                 damped[(k, k)] += damping;
             }
-            cholesky(damped)
+            damped.cholesky()
         });
         let factor = damped.flatten();
         let step = factor.as_ref().unwrap_or(&self.factor).solve(&scaled);

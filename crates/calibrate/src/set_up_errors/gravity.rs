@@ -17,7 +17,6 @@ use nalgebra::{DMatrix, DVector, Vector3};
 use crate::answers::diagnosis::DataProblem;
 use crate::effects::JointValues;
 use crate::kinematics::{JointKind, Robot};
-use crate::linear::cholesky;
 use crate::numeric::extent;
 use crate::sessions::{Session, SessionCorrection};
 use crate::text::Text;
@@ -129,7 +128,7 @@ impl Sag {
         for j in 0..self.joints {
             gram[(j, j)] += 1e-9 * usual;
         }
-        let Some(compliances) = cholesky(gram).map(|factor| factor.solve(&pull)) else {
+        let Some(compliances) = gram.cholesky().map(|factor| factor.solve(&pull)) else {
             return 0.0;
         };
         let gains = compliances.component_mul(&pull);

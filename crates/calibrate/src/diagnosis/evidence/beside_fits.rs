@@ -14,7 +14,6 @@ use super::score::Score;
 use super::surroundings::{Surroundings, Without};
 use crate::diagnosis::candidates::columns::CandidateSubset;
 use crate::diagnosis::candidates::table::Candidate;
-use crate::linear;
 use crate::side_by_side::Threads;
 
 impl Regression<'_> {
@@ -38,7 +37,7 @@ impl Regression<'_> {
         let residual = DMatrix::from_column_slice(fit.residual.len(), 1, fit.residual.as_slice());
         let pulls = columns.products(filter, &residual, among, Threads::ONE);
         let mut pulls = pulls.row(0).transpose();
-        let inside = linear::along(&fit.basis.q, &fit.residual);
+        let inside = fit.basis.q.tr_mul(&fit.residual);
         pulls.gemv_tr(-1.0, &along, &inside, 1.0);
         Surroundings {
             among,

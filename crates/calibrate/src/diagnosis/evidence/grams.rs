@@ -6,7 +6,7 @@ use nalgebra::DMatrix;
 use crate::diagnosis::candidates::columns::{CandidateSubset, Columns};
 use crate::diagnosis::candidates::table::Candidate;
 use crate::fit::noise::Filter;
-use crate::linear::{Basis, gram, reject_all, small_cholesky};
+use crate::linear::{Basis, gram, inverse_of_lower, reject_all, small_cholesky};
 
 /// How much of a column has to be left beside the model for a candidate to count, squared.
 const SEEN: f64 = 1e-6;
@@ -20,7 +20,7 @@ pub(crate) struct Grams {
 }
 
 /// What has to be left of a column with this square for a candidate to count.
-pub(super) fn least_seen(square: f64) -> f64 {
+fn least_seen(square: f64) -> f64 {
     (SEEN * square).max(1e-300)
 }
 
@@ -118,7 +118,7 @@ pub(crate) fn units_beside(
 ) -> Vec<Option<DMatrix<f64>>> {
     let tolerances: Vec<f64> = white
         .column_iter()
-        .map(|c| (SEEN * c.norm_squared()).max(1e-300))
+        .map(|c| least_seen(c.norm_squared()))
         .collect();
     let mut free = white;
     reject_all(&basis.q, &mut free);
@@ -133,18 +133,12 @@ pub(crate) fn units_beside(
 }
 
 /// The same span, orthonormal; `None` where less than this is left of a column beside the others.
-fn orthonormal(mut columns: DMatrix<f64>, tolerance: &[f64]) -> Option<DMatrix<f64>> {
+fn orthonormal(columns: DMatrix<f64>, tolerance: &[f64]) -> Option<DMatrix<f64>> {
     let k = columns.ncols();
     let mut factor: Vec<f64> = gram(&columns).as_slice().to_vec();
     if small_cholesky(&mut factor, k, tolerance) < k {
         return None;
     }
-    for i in 0..k {
-        for j in 0..i {
-            let (before, mut own) = columns.columns_range_pair_mut(j, i);
-            own.axpy(-factor[i * k + j], &before, 1.0);
-        }
-        columns.column_mut(i).unscale_mut(factor[i * k + i]);
-    }
-    Some(columns)
+    let lower = DMatrix::from_row_slice(k, k, &factor);
+    Some(columns * inverse_of_lower(&lower).transpose())
 }

@@ -4,7 +4,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use crate::effects::{Setting, Term, stated_orders};
-use crate::linear::{Basis, along, reject_all};
+use crate::linear::{Basis, reject_all};
 use crate::model::shapes::{Profile, Shape};
 
 use super::fit::Fit;
@@ -194,5 +194,5 @@ fn moved(profile: Profile, first: f64, second: f64) -> Option<Profile> {
 fn gain_of(placed: &Placed, fit: &Fit) -> f64 {
     let mut own = DMatrix::clone(&placed.white);
     reject_all(&fit.basis.q, &mut own);
-    along(&Basis::new(&own).q, &fit.residual).norm_squared()
+    Basis::new(&own).q.tr_mul(&fit.residual).norm_squared()
 }

@@ -5,7 +5,7 @@ use std::rc::Rc;
 use nalgebra::DMatrix;
 
 use crate::effects::{FixedMask, Form, Term};
-use crate::linear::{Basis, along, reject_all, small_cholesky, small_gain};
+use crate::linear::{Basis, reject_all, small_cholesky, small_gain};
 use crate::model::Model;
 
 use super::fit::Fit;
@@ -109,7 +109,7 @@ impl Regression<'_> {
     pub(super) fn gain_of_columns(&self, fit: &Fit, own: &DMatrix<f64>) -> f64 {
         let mut free = self.white_of(own);
         reject_all(&fit.basis.q, &mut free);
-        along(&Basis::new(&free).q, &fit.residual).norm_squared()
+        Basis::new(&free).q.tr_mul(&fit.residual).norm_squared()
     }
 
     /// Columns of terms of which nothing is known beforehand, whitened, with the rows of the priors.

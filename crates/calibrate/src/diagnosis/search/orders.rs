@@ -15,7 +15,7 @@ use crate::effects::{Term, stated};
 use crate::fit::noise::Noise;
 use crate::fit::problem::Problem;
 use crate::fit::regression::Rows;
-use crate::linear::{Basis, along, gram, reject_all};
+use crate::linear::{Basis, gram, reject_all};
 use crate::model::Model;
 
 use crate::diagnosis::candidates::table::Candidate;
@@ -141,7 +141,7 @@ fn whole_set(regression: &Regression, fit: &Fit, joint: usize) -> Option<Fit> {
     let mut free = regression.white_columns(&candidates);
     reject_all(&rest.basis.q, &mut free);
     let all = gram(&free);
-    let pulls = along(&free, &rest.residual);
+    let pulls = free.tr_mul(&rest.residual);
     let gain = |of: &[usize]| {
         let at: Vec<usize> = of.iter().flat_map(|k| [2 * k, 2 * k + 1]).collect();
         let own = all.select_rows(&at).select_columns(&at);

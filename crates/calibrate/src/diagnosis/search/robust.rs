@@ -19,7 +19,7 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::fit::problem::Problem;
 use crate::fit::regression::Rows;
-use crate::linear::{Basis, along, cholesky, cross, solve_lower};
+use crate::linear::{Basis, cross, solve_lower};
 use crate::observations::figures::outlying;
 use crate::observations::outliers::suspected;
 use crate::sessions::poses::ByPose;
@@ -212,8 +212,8 @@ fn weighted(
     for k in 0..gram.nrows() {
         gram[(k, k)] += 1e-9;
     }
-    let factor = cholesky(gram)?;
-    let step = factor.solve(&along(&scaled, residual));
+    let factor = gram.cholesky()?;
+    let step = factor.solve(&scaled.tr_mul(residual));
     let left = residual - q * step;
     let spread = solve_lower(factor.l_dirty(), q.transpose());
     let kept = (0..axes * n)

@@ -10,7 +10,7 @@ use crate::diagnosis::candidates::columns::CandidateSubset;
 use crate::diagnosis::candidates::compatible;
 use crate::diagnosis::evidence::Fit;
 use crate::diagnosis::evidence::Regression;
-use crate::linear::{Basis, along, reject_all};
+use crate::linear::{Basis, reject_all};
 
 /// Within so much, as a logarithm, of the next name that one is refitted before they are compared.
 const CLOSE: f64 = 6.0;
@@ -90,7 +90,7 @@ fn likeliest(
                 let mut free = white.columns(first, size).into_owned();
                 reject_all(&now.basis.q, &mut free);
                 let basis = Basis::new(&free);
-                let gain = along(&basis.q, &now.residual).norm_squared();
+                let gain = basis.q.tr_mul(&now.residual).norm_squared();
                 let share = (gain / now.rss.max(1e-300)).min(1.0 - 1e-12);
                 // Of a vector the components that are not there are spared.
                 let rank = basis.rank().min(2) as f64;

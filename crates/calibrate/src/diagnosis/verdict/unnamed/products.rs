@@ -2,7 +2,7 @@
 
 use nalgebra::{Cholesky, DMatrix, DVector};
 
-use crate::linear::{cholesky, cross, gram, solve_lower};
+use crate::linear::{cross, gram, solve_lower};
 
 /// What is added to a geometry's own products, in units of a column: directions that the rows do not
 /// show stay as they are.
@@ -81,7 +81,7 @@ impl Products {
         for k in 0..self.geometry {
             own[(k, k)] += RIDGE;
         }
-        cholesky(own)
+        own.cholesky()
     }
 
     /// The families' products, those with the residual, and its square, with the geometry taken out.

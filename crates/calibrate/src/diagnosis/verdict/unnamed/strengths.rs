@@ -12,7 +12,7 @@
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
 use super::products::Products;
-use crate::linear::{cholesky, gram, inverse_of_lower};
+use crate::linear::{gram, inverse_of_lower};
 
 /// Strengths are refined so often from the beginning …
 const ROUNDS: usize = 40;
@@ -56,7 +56,7 @@ impl Solved {
     /// of the whole less what these take (Schur).
     fn ln_evidence_without(&self, first: usize, count: usize) -> Option<f64> {
         let own = self.inverse.columns(first, count).into_owned();
-        let factor = cholesky(gram(&own))?;
+        let factor = gram(&own).cholesky()?;
         let unit = self.unit.rows(first, count);
         let left = self.left + unit.dot(&factor.solve(&unit));
         let l = factor.l_dirty();
@@ -126,7 +126,7 @@ impl Remaining {
             root[a] * self.s[(a, b)] * root[b] + if a == b { 1.0 } else { 0.0 }
         });
         let scaled = DVector::from_fn(n, |k, _| root[k] * self.g[k]);
-        Some((cholesky(m)?, scaled, root))
+        Some((m.cholesky()?, scaled, root))
     }
 
     fn solved(&self, family: &[usize], strengths: &[f64]) -> Option<Solved> {

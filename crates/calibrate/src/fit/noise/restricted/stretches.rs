@@ -22,7 +22,7 @@ use nalgebra::{DMatrix, DVector};
 use crate::fit::noise::carried;
 use crate::fit::noise::filter::{Axis, Filter, Step};
 use crate::fit::regression::Rows;
-use crate::linear::{Basis, cholesky, gram};
+use crate::linear::{Basis, gram};
 
 use super::summed::{NoiseShape, Summed};
 
@@ -337,7 +337,7 @@ impl Layout {
         if out == 0 {
             return Some((left, 0.0));
         }
-        let factor = cholesky(all.view((0, 0), (out, out)).into_owned())?;
+        let factor = all.view((0, 0), (out, out)).into_owned().cholesky()?;
         let l = factor.l_dirty();
         let mut between = all.view((0, out), (out, rest)).into_owned();
         l.solve_lower_triangular_mut(&mut between);

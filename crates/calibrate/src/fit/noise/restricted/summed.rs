@@ -3,7 +3,6 @@
 use nalgebra::{Cholesky, DMatrix, DVector};
 
 use crate::fit::noise::{Noise, Slow};
-use crate::linear::cholesky;
 
 /// White part, slow part in units of it.
 #[derive(Clone, Copy)]
@@ -61,7 +60,7 @@ impl Summed {
         let p = self.gram.ncols() - 1;
         let inner = self.gram.view((0, 0), (p, p)).into_owned();
         let pull = self.gram.view((0, p), (p, 1)).column(0).into_owned();
-        let factor = cholesky(inner)?;
+        let factor = inner.cholesky()?;
         let step = factor.solve(&pull);
         let left = (self.gram[(p, p)] - step.dot(&pull)).max(0.0);
         Some(Solved { factor, step, left })
