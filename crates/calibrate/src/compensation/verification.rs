@@ -415,12 +415,19 @@ pub(super) fn model_for(
         return model;
     };
     let held = are_held(calibration);
+    // What moved the instrument while the model's samples were taken moved it further since.
+    let drifts = |t: &Term| theirs(t) && t.effect.about().role == Role::Candidate;
+    let moves = calibration.model.terms().iter().any(drifts);
     let predicted = model.predict(&problem.inputs);
     for (setup, name) in setups.names.iter().enumerate() {
         let inside = |i: usize| problem.usable[i] && setups.index[i] as usize == setup;
         let known = calibration.model.terms().iter().zip(&held);
         let mut known = known.filter(|(t, _)| is_frame(t) && t.label.as_deref() == Some(name));
         match known.next() {
+            Some(_) if moves => notes.push(text!(
+                "the frame of setup {name} moved while the model's own samples were taken: it is fitted to these samples",
+                name
+            )),
             Some((frame, false)) if !is_unsure(calibration, frame, problem, &inside) => {
                 let setting = setup as f64;
                 model = model.with_term(Term {

@@ -13,14 +13,17 @@ use crate::model::names::name_on_joint;
 use crate::sessions::Session;
 use crate::text::Text;
 
+use nalgebra::DMatrix;
+
 use super::answer::{covariance_of, parameters_of, report};
+use super::base_model::Fitted;
 use super::estimator::fit_without_outliers;
 use super::expected::expected_error;
 use super::levels::levels;
 use super::problem::{Problem, Watch};
 use super::solver::{Solution, Stopped};
 use super::unseen::completed;
-use super::{IdentifyError, base_model, observed, scan};
+use super::{IdentifyError, base_model, observed, scan, specification};
 
 /// The effects that every calibration identifies.
 pub const DEFAULT_EFFECTS: [&str; 2] = OF_A_SINGLE_AXIS;
@@ -73,6 +76,8 @@ pub(super) struct Fresh<'a> {
     /// What else there is to say.
     notes: Vec<Text>,
     base: BaseModel,
+    /// Its covariance, where that comes from what each pose pulls.
+    by_pose: Option<DMatrix<f64>>,
 }
 
 impl<'a> Fresh<'a> {
@@ -87,13 +92,23 @@ impl<'a> Fresh<'a> {
             mut not_identifiable,
             base,
         } = prepared;
+        let mut by_pose = None;
         let (fitted, notes) = if base == BaseModel::Absent {
             (fit_without_outliers(&mut problem, &start), Vec::new())
         } else {
             let priors = base == BaseModel::WithPriors;
-            let of_base = base_model::fit(&mut problem, &start, priors);
-            not_identifiable.extend(of_base.held);
-            (of_base.solution, of_base.notes)
+            let Fitted {
+                mut solution,
+                held,
+                mut notes,
+            } = base_model::fit(&mut problem, &start, priors);
+            not_identifiable.extend(held);
+            if let Some(alike) = specification::alike(&mut problem, &solution) {
+                notes.push(text!("the reflectors of a pose are off as no lack of repeatability would have them: something is there in every pose that the geometry lacks, and every row counts alike"));
+                solution = alike.solution;
+                by_pose = Some(alike.covariance);
+            }
+            (solution, notes)
         };
         if fitted.stopped == Stopped::Cancelled || !keep_going() {
             return Err(IdentifyError::Cancelled);
@@ -105,6 +120,7 @@ impl<'a> Fresh<'a> {
             not_identifiable,
             notes,
             base,
+            by_pose,
         })
     }
 
@@ -116,14 +132,21 @@ impl<'a> Fresh<'a> {
             not_identifiable,
             notes,
             base,
+            by_pose,
         } = self;
         let is_arm = base != BaseModel::Absent && base_model::is_arm(session);
-        let seen = covariance_of(&problem, &fitted);
+        let seen = by_pose.clone().or_else(|| covariance_of(&problem, &fitted));
         let completed = is_arm.then(|| completed(&problem, &fitted, seen.as_ref()));
         let completed = completed.flatten();
-        let shown = completed.as_ref().map_or(fitted, |c| c.solution.clone());
+        let shown = completed
+            .as_ref()
+            .map_or_else(|| fitted.clone(), |c| c.solution.clone());
         let mut answer = report(session, &problem, shown, &nominal, not_identifiable);
         answer.notes.extend(notes);
+        if let (None, Some(own)) = (&completed, by_pose) {
+            answer.parameters = parameters_of(&problem, &fitted, Some(&own)).concat();
+            answer.covariance = Some(own);
+        }
         if let Some(completed) = &completed {
             let own = completed.covariance.as_ref();
             answer.parameters = parameters_of(&problem, &completed.solution, own).concat();

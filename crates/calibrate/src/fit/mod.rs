@@ -23,6 +23,7 @@ pub(crate) mod regression;
 pub(crate) mod scan;
 #[doc(hidden)]
 pub mod solver;
+mod specification;
 pub(crate) mod spectrum;
 #[doc(hidden)]
 pub mod uncertainty;

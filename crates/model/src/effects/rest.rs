@@ -19,6 +19,9 @@ const FADE: f64 = 0.25;
 /// Joints whose parts sag: the joint and two behind it; two moments each.
 pub const UNIT_SAGS: usize = 6;
 
+/// What a correction may follow beside the joints' values, see [`Along::conditions`].
+pub const CONDITIONS: usize = 5;
+
 /// A sine and a cosine of a sum of joint values.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Wave {
@@ -37,7 +40,7 @@ pub struct Along {
     pub moments: Vec<f64>,
     /// By the load's torque about the joint, the measured torque (per N·m), the side, the speed (per
     /// rad/s or mm/s), the temperature above 20 °C (per K).
-    pub conditions: [f64; 5],
+    pub conditions: [f64; CONDITIONS],
     /// Waves.
     pub waves: Vec<Wave>,
 }
@@ -47,6 +50,8 @@ pub struct Along {
 pub struct Rest {
     /// Measured range of every joint, rad or mm.
     pub ranges: Vec<[f64; 2]>,
+    /// Measured range of each of the conditions; outside it the value at its end counts. Empty: not known.
+    pub condition_ranges: Vec<[f64; 2]>,
     /// The correction in each direction.
     pub along: [Along; 3],
     /// Coefficients of everything else in the model, inner units, where nothing without a name is beside it:
@@ -62,6 +67,11 @@ pub enum RestError {
         "ranges of {0} joints; expected one for each joint, from the smaller to the larger value"
     )]
     Ranges(usize),
+    /// A range for each condition, or none.
+    #[error(
+        "ranges of {0} conditions; expected none or five, from the smaller to the larger value"
+    )]
+    ConditionRanges(usize),
     /// Moments come in pairs, one for each part.
     #[error("{0} moments; expected none or {UNIT_SAGS}")]
     Moments(usize),
@@ -86,7 +96,7 @@ pub struct RestPoint<'a> {
 
 impl RestPoint<'_> {
     /// What the conditions are multiplied with, in the order of [`Along::conditions`].
-    pub fn conditions(&self) -> [f64; 5] {
+    pub fn conditions(&self) -> [f64; CONDITIONS] {
         [
             self.load_nm,
             self.torque_nm,
@@ -109,6 +119,10 @@ impl Rest {
         }
         if self.ranges.len() != joints || !self.ranges.iter().all(good) {
             return Err(RestError::Ranges(self.ranges.len()));
+        }
+        let own = &self.condition_ranges;
+        if !matches!(own.len(), 0 | CONDITIONS) || !own.iter().all(good) {
+            return Err(RestError::ConditionRanges(own.len()));
         }
         for along in &self.along {
             let moments = &along.moments;
@@ -141,7 +155,7 @@ impl Rest {
     }
 
     /// The correction in each direction, rad or mm.
-    pub(crate) fn at(&self, at: &RestPoint) -> [f64; 3] {
+    pub fn at(&self, at: &RestPoint) -> [f64; 3] {
         // No memory of its own for each sample of a robot as they are.
         const USUAL: usize = 16;
         let count = at.q.len().min(self.ranges.len());
@@ -159,7 +173,10 @@ impl Rest {
                 weight *= fade(*value, *range);
             }
         }
-        let (q, conditions) = (&*q, at.conditions());
+        let (q, mut conditions) = (&*q, at.conditions());
+        for (value, range) in conditions.iter_mut().zip(&self.condition_ranges) {
+            *value = value.clamp(range[0], range[1]);
+        }
         self.along.each_ref().map(|along| {
             let mut sum = 0.0;
             if !along.moments.is_empty() {

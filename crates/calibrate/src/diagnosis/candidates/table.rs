@@ -5,13 +5,14 @@ use nalgebra::{DMatrix, DVector};
 
 pub(crate) use crate::answers::diagnosis::NotTestable;
 use crate::effects::{
-    CATALOGUE, FixedMask, Setting, Survey, Term, find, form_in, rank, stated, stated_orders,
+    CATALOGUE, FixedMask, Owner, Setting, Survey, Term, find, form_in, rank, stated, stated_orders,
 };
 use crate::fit::problem::Problem;
 use crate::fit::scan;
 use crate::model::Model;
 
 use super::columns::{ColumnBuilder, Columns};
+use super::open_frame;
 use super::shape_space::{ShapeSpace, shape_space, tangential};
 use super::shapes::{Missing, shapes};
 use crate::fit::regression::Rows;
@@ -250,6 +251,7 @@ fn names(
 ) -> (Vec<(Term, f64)>, Vec<NotTestable>) {
     let mut names = Vec::new();
     let mut not_testable = Vec::new();
+    let on_a_line = open_frame::is_open(problem, base);
     for effect in CATALOGUE {
         let about = effect.about();
         let in_base = |joint: usize| {
@@ -266,7 +268,10 @@ fn names(
             if !allowed.exists(about.id) || !there || in_base(joint) {
                 continue;
             }
-            if let Some(because) = effect.obstacle(survey, joint) {
+            let turned = (on_a_line && about.owner == Owner::Robot).then(|| {
+                text!("the measured points lie on one line: how the instrument is turned about it is open, and with it what moved the robot so")
+            });
+            if let Some(because) = turned.or_else(|| effect.obstacle(survey, joint)) {
                 not_testable.push(NotTestable {
                     effect: about.id,
                     joint: about.per_joint.then_some(joint),

@@ -1,5 +1,8 @@
 //! The model with everything that predicts, named or not.
 
+use std::borrow::Cow;
+use std::collections::BTreeSet;
+
 use super::named::{Figures, Named};
 use super::values::Values;
 use super::{repeating, unnamed, unseen};
@@ -7,6 +10,8 @@ use crate::answers::diagnosis::{HeldOut, Unexplained, Unnamed};
 use crate::answers::identification::Identification;
 use crate::answers::noise::Noise;
 use crate::diagnosis::search::prepare::PreparedSearch;
+use crate::kinematics::JointKind;
+use crate::numeric::extent;
 
 /// The model with everything that predicts: what no sample shows where it is expected, and what repeats without a name.
 pub(super) struct Predicting<'a> {
@@ -72,6 +77,7 @@ impl<'a> Predicting<'a> {
         let expected_mm = identification.expected.as_ref().map(|e| e.rms_mm);
         if expected_mm.is_some_and(|mm| mm > self.figures.gap.start_mm)
             && self.values.is_completed()
+            && shows_little(&self.values)
             && self.values.problem.session.has_plain_points()
             && unseen::is_cross_fitted(prepared)
         {
@@ -83,6 +89,32 @@ impl<'a> Predicting<'a> {
         self
     }
 }
+
+/// Whether a joint stood still, or there are fewer places than a geometry needs. Where all joints move, poses that were not
+/// measured are of the kind that was, however narrow it is, and how well they are predicted says something.
+fn shows_little(values: &Values) -> bool {
+    let inputs = &values.problem.inputs;
+    let joints = values.model.robot.joints.iter();
+    let least = joints.map(|joint| STANDS[usize::from(joint.kind == JointKind::Prismatic)]);
+    let least: Vec<f64> = least.collect();
+    let stands = |(q, least): (&Cow<[f64]>, &f64)| {
+        let [from, to] = extent(q.iter());
+        to - from < *least
+    };
+    let place = |sample: usize| -> Vec<i64> {
+        let steps = inputs
+            .q
+            .iter()
+            .zip(&least)
+            .map(|(q, least)| q[sample] / least);
+        steps.map(|steps| steps.round() as i64).collect()
+    };
+    let places: BTreeSet<Vec<i64>> = (0..inputs.len()).map(place).collect();
+    inputs.q.iter().zip(&least).any(stands) || 3 * places.len() < values.model.coefficient_count()
+}
+
+/// A joint whose values differ by less stood still: its link shows less than a sixtieth of itself, rad and mm.
+const STANDS: [f64; 2] = [1.0 / 60.0, 1.0];
 
 /// The values with what no sample shows where it is expected; samples that are held out are predicted with it, and
 /// where names stand in the model no worse than `identify` does.

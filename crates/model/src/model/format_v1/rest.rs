@@ -41,6 +41,7 @@ const KEYS: [[&str; 5]; 3] = [
 #[derive(Clone, Default)]
 struct Lists {
     ranges: Vec<f64>,
+    condition_ranges: Vec<f64>,
     geometry_alone: Vec<f64>,
     along: [[Vec<f64>; 5]; 3],
 }
@@ -64,6 +65,7 @@ impl Lists {
         });
         Self {
             ranges: rest.ranges.as_flattened().to_vec(),
+            condition_ranges: rest.condition_ranges.as_flattened().to_vec(),
             geometry_alone: rest.geometry_alone.clone(),
             along,
         }
@@ -91,8 +93,10 @@ impl Lists {
                 .collect();
         }
         let (ranges, odd) = self.ranges.as_chunks::<2>();
-        odd.is_empty().then(|| Rest {
+        let (condition_ranges, odd_too) = self.condition_ranges.as_chunks::<2>();
+        (odd.is_empty() && odd_too.is_empty()).then(|| Rest {
             ranges: ranges.to_vec(),
+            condition_ranges: condition_ranges.to_vec(),
             along,
             geometry_alone: self.geometry_alone.clone(),
         })
@@ -105,6 +109,9 @@ pub(super) fn written_rest(rest: &Rest) -> Value {
 
 fn declare(o: &mut Object<'_, '_>, own: &mut Lists) {
     o.required("ranges_inner", &mut own.ranges, &LIST);
+    let says = !own.condition_ranges.is_empty();
+    let key = "condition_ranges_inner";
+    o.usual_if(says, key, &mut own.condition_ranges, &LIST);
     let key = "others_without_it_inner";
     let says = !own.geometry_alone.is_empty();
     o.usual_if(says, key, &mut own.geometry_alone, &LIST);

@@ -8,10 +8,11 @@ use crate::text::Text;
 use nalgebra::DMatrix;
 
 use crate::effects::curve::DIRECTIONS;
-use crate::effects::rest::{Along, Rest, RestPoint, UNIT_SAGS, Wave, unit_sag};
+use crate::effects::rest::{Along, CONDITIONS, Rest, RestPoint, UNIT_SAGS, Wave, unit_sag};
 use crate::effects::unnamed::asked_at;
 use crate::effects::{Inputs, Term};
 use crate::kinematics::{JointKind, Robot};
+use crate::numeric::extent;
 
 /// Harmonics of a joint's own value.
 const HARMONICS: usize = 6;
@@ -70,12 +71,19 @@ impl PoseFunction {
     }
 }
 
-/// A column: its function, and what one standard deviation of its coefficient is at strength 1.
+/// A column: its function about its mean over the measured poses, and what one standard deviation of its coefficient
+/// is at strength 1.
+///
+/// A constant is the geometry's to say (a zero offset, a frame). Over a narrow range a harmonic is hardly more than
+/// one: if both had it, they would grow against each other, and the geometry would be off by all of it where the
+/// correction has faded.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Column {
     pub(super) family: usize,
     source: PoseFunction,
     pub(super) size: f64,
+    /// Known once its poses were looked at.
+    mean: f64,
 }
 
 /// All families of a robot.
@@ -84,19 +92,16 @@ pub(super) struct Families {
     pub(super) all: Vec<Family>,
     pub(super) columns: Vec<Column>,
     ranges: Vec<[f64; 2]>,
+    /// Of the conditions of each joint, once its poses were looked at.
+    condition_ranges: Vec<Vec<[f64; 2]>>,
 }
 
 impl Families {
     /// Of the poses of these samples.
     pub(super) fn of(robot: &Robot, inputs: &Inputs) -> Self {
-        let range = |q: &[f64]| {
-            q.iter()
-                .fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], v| {
-                    [a.min(*v), b.max(*v)]
-                })
-        };
         let mut families = Self {
-            ranges: inputs.q.iter().map(|q| range(q)).collect(),
+            ranges: inputs.q.iter().map(|q| extent(q.iter())).collect(),
+            condition_ranges: vec![Vec::new(); robot.joints.len()],
             ..Self::default()
         };
         for joint in 0..robot.joints.len() {
@@ -111,7 +116,7 @@ impl Families {
             let sags = (0..UNIT_SAGS).map(|k| (PoseFunction::Sag(k), 1.0));
             self.add(joint, FamilyKind::Gravity, sags.collect());
         }
-        for k in 0..5 {
+        for k in 0..CONDITIONS {
             self.add(
                 joint,
                 FamilyKind::Condition(k),
@@ -165,6 +170,7 @@ impl Families {
                 family,
                 source,
                 size,
+                mean: 0.0,
             }));
     }
 
@@ -172,12 +178,17 @@ impl Families {
     pub(super) fn only(&self, kept: &[bool]) -> Self {
         let mut now = Self {
             ranges: self.ranges.clone(),
+            condition_ranges: self.condition_ranges.clone(),
             ..Self::default()
         };
         for (k, family) in self.all.iter().enumerate().filter(|(k, _)| kept[*k]) {
+            let family_now = now.all.len();
+            now.all.push(*family);
             let own = self.columns.iter().filter(|c| c.family == k);
-            let own = own.map(|c| (c.source.clone(), c.size)).collect();
-            now.add(family.joint, family.what, own);
+            now.columns.extend(own.map(|c| Column {
+                family: family_now,
+                ..c.clone()
+            }));
         }
         now
     }
@@ -192,35 +203,39 @@ impl Families {
     /// What the samples show of each column from number `first` on at one standard deviation:
     /// `directions` are the rows of a unit in each direction of each joint.
     pub(super) fn shown(
-        &self,
+        &mut self,
         robot: &Robot,
         inputs: &Inputs,
         directions: &DMatrix<f64>,
         first: usize,
     ) -> DMatrix<f64> {
         let n = inputs.len();
-        let own = &self.columns[first..];
-        let mut all = DMatrix::zeros(directions.nrows(), own.len());
+        let mut all = DMatrix::zeros(directions.nrows(), self.columns.len() - first);
         for joint in 0..robot.joints.len() {
-            let of_joint = |c: &Column| self.all[c.family].joint == joint;
-            if !own.iter().any(of_joint) {
+            let places = first..self.columns.len();
+            let of_joint = |k: &usize| self.all[self.columns[*k].family].joint == joint;
+            let places: Vec<usize> = places.filter(of_joint).collect();
+            if places.is_empty() {
                 continue;
             }
             let poses = asked_at(robot, inputs, joint);
+            let of_condition = |k: usize| extent(poses.iter().map(|at| at.conditions()[k]));
+            self.condition_ranges[joint] = (0..CONDITIONS).map(of_condition).collect();
             let sags: Vec<_> = poses
                 .iter()
                 .map(|at| unit_sag(robot, joint, &at.q))
                 .collect();
-            for (k, column) in own.iter().enumerate().filter(|(_, c)| of_joint(c)) {
-                let value: Vec<f64> = poses
-                    .iter()
-                    .zip(&sags)
-                    .map(|(at, sags)| column.size * column.source.at(at, sags))
-                    .collect();
+            for k in places {
+                let column = &self.columns[k];
+                let at = poses.iter().zip(&sags);
+                let value: Vec<f64> = at.map(|(at, sags)| column.source.at(at, sags)).collect();
+                let mean = value.iter().sum::<f64>() / n as f64;
                 let unit = directions.column(joint * DIRECTIONS + self.direction(column));
-                for (row, (to, unit)) in all.column_mut(k).iter_mut().zip(unit.iter()).enumerate() {
-                    *to = unit * value[row % n];
+                let of_column = &mut all.column_mut(k - first);
+                for (row, (to, unit)) in of_column.iter_mut().zip(unit.iter()).enumerate() {
+                    *to = unit * column.size * (value[row % n] - mean);
                 }
+                self.columns[k].mean = mean;
             }
         }
         all
@@ -233,12 +248,13 @@ impl Families {
             let joint = self.all[column.family].joint;
             let rest = rests[joint].get_or_insert_with(|| Rest {
                 ranges: self.ranges.clone(),
+                condition_ranges: self.condition_ranges[joint].clone(),
                 ..Rest::default()
             });
             let along = &mut rest.along[self.direction(column)];
-            column
-                .source
-                .write(column.size * coefficient, joints, along);
+            let value = column.size * coefficient;
+            column.source.write(value, joints, along);
+            add_wave(along, vec![0.0; joints], 0.0, -value * column.mean);
         }
         let there = rests.into_iter().enumerate();
         there
@@ -258,20 +274,24 @@ impl PoseFunction {
             Self::Cosine { joint, order, from } => {
                 let mut orders = vec![0.0; joints];
                 orders[*joint] = *order;
-                let at = along.waves.iter().position(|w| w.orders == orders);
-                let at = at.unwrap_or_else(|| {
-                    along.waves.push(Wave {
-                        orders,
-                        ..Wave::default()
-                    });
-                    along.waves.len() - 1
-                });
                 let (sin, cos) = (order * from).sin_cos();
-                along.waves[at].sine += value * sin;
-                along.waves[at].cosine += value * cos;
+                add_wave(along, orders, value * sin, value * cos);
             }
         }
     }
+}
+
+fn add_wave(along: &mut Along, orders: Vec<f64>, sine: f64, cosine: f64) {
+    let at = along.waves.iter().position(|w| w.orders == orders);
+    let at = at.unwrap_or_else(|| {
+        along.waves.push(Wave {
+            orders,
+            ..Wave::default()
+        });
+        along.waves.len() - 1
+    });
+    along.waves[at].sine += sine;
+    along.waves[at].cosine += cosine;
 }
 
 /// A cosine and a sine of a joint's value.
@@ -308,5 +328,37 @@ impl Family {
             }
         };
         text!("joint {joint} ({what})", joint = own, what)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::effects::JointValues;
+    use crate::fit::example::unrepeated;
+
+    /// Whatever the coefficients are, a correction is nothing on average of the poses that it comes from.
+    #[test]
+    fn a_correction_takes_no_constant_from_the_geometry() {
+        let session = unrepeated(0.0, 1);
+        let inputs = Inputs::new(&session, JointValues::Commanded);
+        let robot = &session.robot;
+        let mut families = Families::of(robot, &inputs);
+        families.add_order(0, 31.0);
+        let joints = robot.joints.len();
+        let directions = DMatrix::from_element(3 * inputs.len(), joints * DIRECTIONS, 1.0);
+        let shown = families.shown(robot, &inputs, &directions, 0);
+        let coefficient = |k: usize| (k as f64 * 0.7).sin();
+        let coefficients: Vec<f64> = (0..shown.ncols()).map(coefficient).collect();
+        for term in families.terms(&coefficients, joints) {
+            let rest = term.rest().unwrap();
+            let poses = asked_at(robot, &inputs, term.joint);
+            let values: Vec<[f64; DIRECTIONS]> = poses.iter().map(|at| rest.at(at)).collect();
+            for direction in 0..DIRECTIONS {
+                let of = |values: &[f64; DIRECTIONS]| values[direction];
+                let mean = values.iter().map(of).sum::<f64>() / values.len() as f64;
+                assert!(mean.abs() < 1e-9, "joint {}: {mean}", term.joint);
+            }
+        }
     }
 }
