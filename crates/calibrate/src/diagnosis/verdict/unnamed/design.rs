@@ -8,6 +8,7 @@ use crate::fit::noise::Noise;
 use crate::fit::problem::Problem;
 use crate::fit::regression::Rows;
 use crate::model::Model;
+use crate::sessions::poses::ByPose;
 use crate::side_by_side::Threads;
 use crate::text::Text;
 use nalgebra::{DMatrix, DVector};
@@ -387,7 +388,12 @@ impl HeldOutFolds<'_, '_> {
         }
         let count = design.rows.lengths().max(1) as f64;
         let rms = |k: usize| (squares.iter().map(|s| s[k]).sum::<f64>() / count).sqrt();
-        let gains: Vec<f64> = squares.iter().map(|s| s[0] - s[1]).collect();
+        // The rows of a pose share what the robot did not repeat: a pose is one witness.
+        let poses = ByPose::of(design.rows.inputs.pose.as_deref(), n).samples();
+        let gained = |i: &usize| squares[*i][0] - squares[*i][1];
+        let of_pose = |own: &Vec<usize>| own.iter().map(gained).sum();
+        let gains: Vec<f64> = poses.iter().map(of_pose).collect();
+        let n = gains.len();
         let mean = gains.iter().sum::<f64>() / n as f64;
         let spread = gains.iter().map(|g| (g - mean).powi(2)).sum::<f64>();
         let sigma = (spread / (n * n) as f64).sqrt().max(f64::MIN_POSITIVE);

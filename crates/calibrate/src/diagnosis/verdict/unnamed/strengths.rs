@@ -20,8 +20,10 @@ const ROUNDS: usize = 40;
 pub(super) const NEARLY: usize = 6;
 /// A family that determines less than this many columns is nothing.
 const NOTHING: f64 = 0.05;
-/// A family has to make the samples so much likelier, as a logarithm: twenty times.
-const WORTH: f64 = 3.0;
+/// A family has to make the samples so much likelier, as a logarithm, beyond the number of families that there are: a
+/// variance on the boundary of its range (half of χ² with one degree of freedom), so that of a hundred families noise
+/// has one in one session of 25.
+const WORTH: f64 = 1.0;
 
 /// A factor of `I + V^½ S V^½`, `V^½ g`, and `V^½`.
 type Factor = (Cholesky<f64, Dyn>, DVector<f64>, Vec<f64>);
@@ -203,6 +205,7 @@ impl Remaining {
     /// the samples are with them, as a logarithm.
     pub(super) fn strengths(&self, family: &[usize], count: usize) -> Option<(Vec<f64>, f64)> {
         let first = self.first(family, count);
+        let needed = WORTH + (count.max(1) as f64).ln();
         let mut strengths = self.refined(family, first, ROUNDS)?;
         loop {
             let columns: Vec<usize> = (0..family.len())
@@ -222,7 +225,7 @@ impl Remaining {
                 }
             }
             match least {
-                Some((f, worth)) if worth < WORTH => {
+                Some((f, worth)) if worth < needed => {
                     strengths[f] = 0.0;
                     strengths = self.refined(family, strengths, NEARLY)?;
                 }
