@@ -359,8 +359,7 @@ const NUMBER: f32 = 54.0;
 const NAME: [f32; 2] = [76.0, 28.0];
 const MOVES: [f32; 2] = [54.0, 28.0];
 
-pub(super) fn typed(ui: &mut Ui, table: &RobotTable, opened: &RobotTable, workbench: &Workbench) {
-    let mut typed = table.clone();
+pub(super) fn typed(ui: &mut Ui, typed: &mut RobotTable, workbench: &Workbench) {
     let wide = if typed.form == TableForm::Axes {
         AXES
     } else {
@@ -386,7 +385,7 @@ pub(super) fn typed(ui: &mut Ui, table: &RobotTable, opened: &RobotTable, workbe
             "Nominal geometry as the maker states it; the robot is drawn at its zero as it is typed"
         ),
     );
-    head(ui, &mut typed);
+    head(ui, typed);
     let made = typed.robot();
     ui.with_layout(layout, |ui| {
         ui.spacing_mut().item_spacing.x = f32::from(space::PANEL);
@@ -395,7 +394,7 @@ pub(super) fn typed(ui: &mut Ui, table: &RobotTable, opened: &RobotTable, workbe
             ui.set_width(wide);
             let scroll = ScrollArea::both().id_salt("rows").auto_shrink(false);
             scroll.max_height(high).show(ui, |ui| {
-                rows(ui, &mut typed);
+                rows(ui, typed);
                 widgets::focus_in_sight(ui);
             });
         });
@@ -410,18 +409,11 @@ pub(super) fn typed(ui: &mut Ui, table: &RobotTable, opened: &RobotTable, workbe
             ui.data_mut(|data| data.insert_temp(id, camera));
         });
     });
-    frames(ui, &mut typed);
+    frames(ui, typed);
     if let Err(problem) = &made {
         widgets::wrong(ui, &crate::language::spoken(problem));
     }
-    if typed != *table {
-        let sheet = Sheet::RobotTable {
-            table: Box::new(typed.clone()),
-            opened: Box::new(opened.clone()),
-        };
-        workbench.then(|bench| bench.show_sheet(Some(sheet)));
-    }
-    typed_ends(ui, &typed, made.is_ok(), workbench);
+    typed_ends(ui, typed, made.is_ok(), workbench);
 }
 
 /// Name of the robot, and in which terms it is typed.

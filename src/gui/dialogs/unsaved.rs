@@ -188,22 +188,14 @@ fn a_time_is_said_in_words() {
 }
 
 /// A file to save the session to.
-pub(super) fn save(ui: &mut Ui, workbench: &Workbench, typed: (&str, bool)) {
+pub(super) fn save(ui: &mut Ui, workbench: &Workbench, typed: TypedPath<'_>) {
     let says = say!("The samples are written beside it, as a CSV file of the same name");
-    let again = |path, replace| Sheet::SavePath { path, replace };
     let done = |bench: &mut Workbench, path: PathBuf, replace| bench.save_as(&path, replace);
-    path_form(
-        ui,
-        workbench,
-        (say!("Save session"), says),
-        typed,
-        again,
-        done,
-    );
+    path_form(ui, workbench, (say!("Save session"), says), typed, done);
 }
 
 /// A file to export to.
-pub(super) fn export(ui: &mut Ui, workbench: &Workbench, what: What, typed: (&str, bool)) {
+pub(super) fn export(ui: &mut Ui, workbench: &Workbench, what: What, typed: TypedPath<'_>) {
     let format = find(workbench.document().export.format);
     // It describes the robot and is no table.
     let robot = what == What::Table && format.is_some_and(|format| format.rules.is_none());
@@ -231,33 +223,29 @@ pub(super) fn export(ui: &mut Ui, workbench: &Workbench, what: What, typed: (&st
     } else {
         what.title()
     };
-    let again = move |path, replace| Sheet::ExportPath {
-        what,
-        path,
-        replace,
-    };
     let done = move |bench: &mut Workbench, path, replace| bench.export_as(what, path, replace);
-    path_form(ui, workbench, (title, says), typed, again, done);
+    path_form(ui, workbench, (title, says), typed, done);
 }
 
-/// A path to save to: `done` once it is complete, `again` the sheet with what is typed now.
+/// A path as it is typed, and whether a file that is there may be replaced.
+type TypedPath<'a> = (&'a mut String, &'a mut bool);
+
+/// A path to save to: `done` once it is complete.
 fn path_form(
     ui: &mut Ui,
     workbench: &Workbench,
     (title, says): (&str, &str),
-    (path, replace): (&str, bool),
-    again: impl FnOnce(String, bool) -> Sheet,
+    (typed, allowed): TypedPath<'_>,
     done: impl FnOnce(&mut Workbench, PathBuf, bool) + Send + 'static,
 ) {
     widgets::wide(ui, 420.0);
     widgets::heading(ui, title);
-    let (mut typed, mut allowed) = (path.to_owned(), replace);
-    let field = ui.add(TextEdit::singleline(&mut typed).desired_width(f32::INFINITY));
+    let field = ui.add(TextEdit::singleline(typed).desired_width(f32::INFINITY));
     widgets::label(&field, say!("Path to save to"));
     // The field is what the sheet is for: what is typed goes into it from the first letter on.
     if ui.memory(|memory| memory.focused().is_none()) && !field.lost_focus() {
         field.request_focus();
-        widgets::select_all(ui, field.id, path);
+        widgets::select_all(ui, field.id, typed);
     }
     let entered = field.lost_focus() && ui.input(|i| i.key_pressed(Key::Enter));
     let place = workbench.placed(typed.trim().as_ref());
@@ -265,15 +253,12 @@ fn path_form(
         let (folder, name) = (folder.display(), name.to_string_lossy());
         widgets::hint(ui, say!("{name}, in the folder {folder}", name, folder));
     }
-    ui.checkbox(&mut allowed, say!("replace the file if it exists"));
+    ui.checkbox(allowed, say!("replace the file if it exists"));
     widgets::hint(ui, says);
     let named = !typed.trim().is_empty();
     let pressed = widgets::sheet_buttons(ui, say!("Save"), named, workbench);
     if named && (pressed || entered) {
-        let path = PathBuf::from(typed.trim());
+        let (path, allowed) = (PathBuf::from(typed.trim()), *allowed);
         workbench.then(move |bench| done(bench, path, allowed));
-    } else if typed != path || allowed != replace {
-        let sheet = again(typed, allowed);
-        workbench.then(move |bench| bench.show_sheet(Some(sheet)));
     }
 }

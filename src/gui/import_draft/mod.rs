@@ -127,7 +127,7 @@ impl ImportDraft {
         let neighbours = Neighbours::of(path);
         let mut taken = neighbours.named_alike(path);
         for (which, file) in &taken {
-            answers.choose(*which, file);
+            answers.choose(*which, file.to_string_lossy().into_owned());
         }
         let first = if answers.commands.is_empty() {
             1.0

@@ -53,6 +53,7 @@ impl Workbench {
     }
 
     /// Changes what is said, and looks at the file with it.
+    #[cfg(any(test, debug_assertions))]
     pub(crate) fn change_draft(&mut self, change: impl FnOnce(&mut ImportDraft)) {
         if let Some(foreign) = self.import_draft() {
             change(foreign);
@@ -87,7 +88,7 @@ impl Workbench {
     }
 
     /// One look at a time; when it is done, the next with what was said meanwhile.
-    fn keep_looking(&mut self) {
+    pub(crate) fn keep_looking(&mut self) {
         if self.looking().is_some() {
             return;
         }
@@ -130,7 +131,7 @@ impl Workbench {
     /// Takes a file that was chosen; the field is there to type it where no dialog is.
     fn take_beside(&mut self, which: Companion, path: Option<PathBuf>) {
         if let (Some(foreign), Some(path)) = (self.import_draft(), path) {
-            foreign.answers.choose(which, &path);
+            foreign.answers.choose(which, path.to_string_lossy().into_owned());
         }
         self.keep_looking();
     }
