@@ -8,6 +8,7 @@ pub(crate) mod identified;
 pub(crate) mod points;
 
 use std::any::Any;
+use std::cell::RefCell;
 use std::fmt;
 use std::sync::Arc;
 
@@ -34,6 +35,25 @@ pub(crate) struct Made {
     pub(crate) inputs: PlotInputs,
     key: WorkKey,
     pub(crate) result: ChartResult,
+}
+
+/// What was worked out last, and of what: the same is not worked out again.
+#[derive(Debug)]
+pub(crate) struct Memo<K, V>(RefCell<Option<(K, V)>>);
+
+impl<K, V> Default for Memo<K, V> {
+    fn default() -> Self {
+        Self(RefCell::new(None))
+    }
+}
+
+impl<K: PartialEq, V: Clone> Memo<K, V> {
+    pub(crate) fn get(&self, of: K, make: impl FnOnce() -> V) -> V {
+        let last = self.0.take().filter(|(before, _)| *before == of);
+        let (of, made) = last.unwrap_or_else(|| (of, make()));
+        self.0.replace(Some((of, made.clone())));
+        made
+    }
 }
 
 /// What was worked out, the newest of each key, and what is under way.

@@ -33,7 +33,7 @@ const FORMAT: &str = "truepose-settings/1";
 ///
 /// Several windows share it. Each reads the document again before it changes its own part, so that
 /// the last word counts for a preference and the recent files are those of all windows.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub(crate) struct Settings {
     format: String,
     /// How numbers and colours are shown.
@@ -57,19 +57,6 @@ pub(crate) struct Settings {
 fn panes<'de, D: Deserializer<'de>>(reader: D) -> Result<Panes, D::Error> {
     let kept = serde_json::Value::deserialize(reader)?;
     Ok(serde_json::from_value(kept).unwrap_or_default())
-}
-
-impl Default for Settings {
-    fn default() -> Self {
-        Self {
-            format: FORMAT.to_owned(),
-            preferences: Preferences::default(),
-            recent: Vec::new(),
-            machines: Vec::new(),
-            robots: Vec::new(),
-            panes: Panes::default(),
-        }
-    }
 }
 
 /// A change of the recent files.
@@ -144,6 +131,7 @@ pub(crate) fn change(folder: &Path, change: impl FnOnce(&mut Settings)) -> Resul
     fs::create_dir_all(folder).map_err(failed)?;
     let (mut settings, _) = read(folder).map_err(failed)?;
     change(&mut settings);
+    FORMAT.clone_into(&mut settings.format);
     let document = serde_json::to_vec_pretty(&settings).map_err(|e| failed(e.into()))?;
     write_atomically(&path, true, |output| output.write_all(&document))
 }

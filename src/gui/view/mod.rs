@@ -78,7 +78,7 @@ pub(crate) struct Fitted {
     pub(crate) charts: u64,
 }
 
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct ViewState {
     pub(crate) step: Step,
     /// The plane of the workspace plot.
@@ -112,6 +112,8 @@ pub(crate) struct ViewState {
     pub(crate) marked: Vec<usize>,
     /// What the right-hand side shows.
     pub(crate) side: Side,
+    /// How its samples are sorted.
+    pub(crate) sorting: Sorting,
     /// Workspace and charts.
     pub(crate) panes: Panes,
     /// The joint that charts are about that have none of their own, counted from 0.
@@ -215,39 +217,23 @@ impl ViewState {
     }
 }
 
-impl Default for ViewState {
-    fn default() -> Self {
+impl ViewState {
+    pub(crate) fn new() -> Self {
         Self {
-            step: Step::default(),
-            plane: Plane::default(),
-            aspect: Aspect::default(),
-            camera: Camera::default(),
-            pose: None,
-            magnification: None,
             plot_size: ROOM,
             blend: 1.0,
-            colouring: Colouring::default(),
-            heat: false,
             most_drawn: usize::MAX,
-            component: Component::default(),
-            only_after: false,
-            hovered: None,
-            selected: None,
-            marked: Vec::new(),
-            side: Side::default(),
-            panes: Panes::default(),
-            joint: 0,
-            effect: 0,
-            results: None,
-            preferences: Preferences::default(),
-            setup: None,
-            on_disk: None,
-            sheet: None,
-            leaving: false,
-            message: None,
-            fitted: Fitted::default(),
+            ..Self::default()
         }
     }
+}
+
+/// How the rows of the samples are sorted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(crate) struct Sorting {
+    /// By which column; the first is the order of measuring.
+    pub(crate) by: usize,
+    pub(crate) descending: bool,
 }
 
 /// A sheet over the window.

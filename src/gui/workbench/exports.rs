@@ -88,7 +88,7 @@ impl Workbench {
         let name = path.file_name().and_then(|name| name.to_str());
         let is_table = path.extension().and_then(|e| e.to_str()) == ending;
         if let (true, Some(name)) = (is_table, name) {
-            self.saved_as = Some((choice, name.to_owned()));
+            self.file_state.saved_as = Some((choice, name.to_owned()));
         }
     }
 
@@ -181,14 +181,14 @@ impl Workbench {
                 .as_ref()
                 .map(|given| given.path.clone()),
         );
-        for (table, _) in &self.exported {
+        for (table, _) in &self.file_state.exported {
             inputs.extend([table.clone(), sidecar_of(table)]);
         }
         inputs
     }
 
     fn report(&mut self, about: About) -> Option<Write> {
-        let source = match (about, &self.identified, self.answer()) {
+        let source = match (about, &self.derived.identified, self.answer()) {
             (About::Model, Some(outcome), Some(_)) => Source::Model(Arc::clone(outcome)),
             (About::Session, ..) if !self.loaded_session().is_empty() => {
                 let answered = |search: &&Arc<Search>| search.answer.is_ok();
@@ -296,7 +296,7 @@ impl Workbench {
 
     /// The file of targets that was corrected last.
     pub(crate) fn compensated(&self) -> Option<&Compensated> {
-        self.compensated.as_deref()
+        self.derived.compensated.as_deref()
     }
 
     /// Asks for a file of targets.
@@ -346,7 +346,7 @@ impl Workbench {
                 if !Arc::ptr_eq(&session, bench.loaded_session()) {
                     return bench.is_of_another(say!("The targets were not corrected"));
                 }
-                bench.compensated = Some(Arc::new(compensated));
+                bench.derived.compensated = Some(Arc::new(compensated));
                 bench.view.sheet = Some(Sheet::COMPENSATION);
             },
         );
@@ -354,7 +354,7 @@ impl Workbench {
 
     /// The corrected targets, and what was changed beside them.
     fn targets(&mut self) -> Option<Write> {
-        let Some(compensated) = self.compensated.clone() else {
+        let Some(compensated) = self.derived.compensated.clone() else {
             self.complain(
                 say!("There are no corrected targets yet"),
                 [say!("Choose a table of targets or a robot program first")],

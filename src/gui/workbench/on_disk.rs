@@ -144,8 +144,8 @@ impl Workbench {
 
     /// Another opening is looked at now: what was made of the one before is none of its.
     pub(super) fn arrived(&mut self) {
-        self.compensated = None;
-        self.saved_as = None;
+        self.derived.compensated = None;
+        self.file_state.saved_as = None;
         if let Some(Sheet::SavePath { .. } | Sheet::ExportPath { .. } | Sheet::COMPENSATION) =
             self.view.sheet
         {

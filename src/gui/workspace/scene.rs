@@ -5,13 +5,13 @@
 use std::sync::Arc;
 
 use egui::epaint::Mesh;
-use egui::{Align2, Color32, Rect, Shape, Stroke, pos2, vec2};
+use egui::{Align2, Color32, Rect, Shape, Stroke, TextureOptions, pos2, vec2};
 use nalgebra::{Isometry3, Point3, UnitQuaternion, Vector3};
 
 use crate::gui::cache::cloud::Cloud;
 use crate::gui::core::scale::round_down;
-use crate::gui::layers::gpu::{CloudLayer, HeatLayer, Layer as _};
-use crate::gui::layers::{Frame, LayerOptions, WEDGE, WIDTH, scale_at};
+use crate::gui::layers::gpu::CloudLayer;
+use crate::gui::layers::{Frame, WEDGE, WIDTH, heat_map, map_in_plot, scale_at};
 use crate::gui::style::{size, strong};
 use crate::gui::view::{Ball, Colouring};
 use crate::gui::workbench::Workbench;
@@ -92,16 +92,14 @@ fn heat(pen: &mut Pen<'_>, workbench: &Workbench, shown: &Shown, camera: &Camera
     let Some(heat) = workbench.heat() else {
         return;
     };
-    // The map is of lengths, whatever the colour of vectors says.
-    let look = LayerOptions {
-        colouring: Colouring::Deviation,
-        ..shown.look
-    };
-    let pixels = pen.painter.pixels_per_point();
-    let frame = Frame::new(&look, pen.palette, &camera.transform, Some(heat), pixels);
-    let heat = Arc::clone(heat);
+    let (look, palette, ctx) = (&shown.look, pen.palette, pen.painter.ctx());
+    let of = (Arc::clone(heat), look.blend, look.long_mm, palette.surface);
+    let picture = workbench.heat_picture(of, || {
+        let image = heat_map(heat, look, palette);
+        ctx.load_texture("heat map", image, TextureOptions::LINEAR)
+    });
     pen.shapes
-        .push(HeatLayer { heat, frame }.shape(camera.frame()));
+        .push(map_in_plot(heat, picture.id(), &camera.transform));
 }
 
 /// The way of each reflector on the nominal robot, with how sure the model is of it.
@@ -137,7 +135,7 @@ fn samples(pen: &mut Pen<'_>, workbench: &Workbench, shown: &Shown, camera: &Cam
     let layer = CloudLayer {
         cloud: Cloud::of(workbench.loaded_session()),
         remainder: workbench.remainder(),
-        frame: Frame::new(&shown.look, pen.palette, &camera.transform, None, pixels),
+        frame: Frame::new(&shown.look, pen.palette, &camera.transform, pixels),
         counts: layout::counts(shown, &camera.transform),
         ghosts: shown.look.ghosts(),
     };

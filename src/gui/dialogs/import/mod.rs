@@ -68,7 +68,12 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, draft: &mut ImportDraft) 
     });
     let missing = draft.hindrance();
     let same = draft.answers == asked;
-    foot(ui, workbench, same && !draft.is_up_to_date(), missing.as_deref());
+    foot(
+        ui,
+        workbench,
+        same && !draft.is_up_to_date(),
+        missing.as_deref(),
+    );
     let ready = missing.is_none();
     if widgets::sheet_buttons_without_enter(ui, say!("Import"), ready, workbench) {
         workbench.then(Workbench::import);
