@@ -104,6 +104,12 @@ pub(crate) struct ChartInputs<'a> {
 }
 
 impl ChartInputs<'_> {
+    /// Samples that can be used.
+    pub(crate) fn usable(self) -> Vec<usize> {
+        let usable = self.loaded_session.overview.usable.iter();
+        usable.map(|sample| *sample as usize).collect()
+    }
+
     /// A component of some samples' deviations before, and after where it is known.
     pub(crate) fn values(
         self,

@@ -19,7 +19,7 @@ use crate::gui::core::quantity::{Over, Quantity, Scale};
 use crate::gui::core::scale::FEW;
 use crate::gui::help::Word;
 use crate::gui::view::{Plane, Step};
-use crate::present::chart::{Chart, ColourRole, Form, Item, Lengths, Mark};
+use crate::present::chart::{Chart, ColourRole, Entry, Form, Item, LegendSymbol, Lengths, Mark};
 use crate::present::numbers::grouped;
 use crate::present::table::Table;
 use crate::present::units::Units;
@@ -255,6 +255,12 @@ impl Scene {
             .map(|s| *s as usize)
     }
 
+    /// What was before, and what is after where there is an answer, each with this sign.
+    pub(crate) fn legend(&self, sign: LegendSymbol) -> Vec<Entry> {
+        let after = self.answer().map(|_| Entry::after(sign));
+        [Entry::before(sign)].into_iter().chain(after).collect()
+    }
+
     /// How lengths are written, a number by `number`.
     pub(crate) fn lengths<'n>(&self, number: &'n dyn Fn(f64) -> String) -> Lengths<'n> {
         Lengths {
@@ -263,6 +269,11 @@ impl Scene {
             number,
         }
     }
+}
+
+/// What noise does, in a legend.
+fn of_noise(name: &str) -> Entry {
+    Entry::new(name, LegendSymbol::Line, ColourRole::Noise, false)
 }
 
 /// Samples as a chart shows them: two quantities over each other, before and after.

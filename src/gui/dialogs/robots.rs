@@ -308,9 +308,8 @@ fn ends(ui: &mut Ui, chosen: Option<Robot<'_>>, entered: bool, workbench: &Workb
     ui.add_space(space::ROW);
     let mut simulate = false;
     ui.columns(4, |columns| {
-        if widgets::other(&mut columns[0], say!("Cancel")).clicked() {
-            workbench.then(move |bench| bench.show_sheet(None));
-        }
+        widgets::other(&mut columns[0], say!("Cancel"))
+            .does(workbench, move |bench| bench.show_sheet(None));
         let edit = |ui: &mut Ui| widgets::other(ui, say!("As a table…"));
         let edit = columns[1].add_enabled_ui(chosen.is_some(), edit).inner;
         let edit = edit.on_hover_text(say!("Change its table, or type a robot of your own"));
@@ -606,9 +605,9 @@ fn frames(ui: &mut Ui, typed: &mut RobotTable) {
 fn typed_ends(ui: &mut Ui, typed: &RobotTable, sound: bool, workbench: &Workbench) {
     ui.add_space(space::ROW);
     ui.columns(3, |columns| {
-        if widgets::other(&mut columns[0], say!("Cancel")).clicked() {
-            workbench.then(move |bench| bench.show_sheet(Some(Sheet::ROBOTS)));
-        }
+        widgets::other(&mut columns[0], say!("Cancel")).does(workbench, move |bench| {
+            bench.show_sheet(Some(Sheet::ROBOTS))
+        });
         let save = |ui: &mut Ui| widgets::other(ui, say!("Save robot file…"));
         let save = columns[1].add_enabled_ui(sound, save).inner;
         let simulate = |ui: &mut Ui| widgets::primary(ui, say!("Simulate…"));

@@ -68,9 +68,8 @@ fn decided(ui: &mut Ui, keep: &str, lose: &str, workbench: &Workbench) -> [bool;
     let kept = widgets::primary(ui, keep).clicked();
     let lost = ui.columns(2, |columns| {
         let lost = widgets::secondary(&mut columns[0], lose).clicked();
-        if widgets::secondary(&mut columns[1], say!("Cancel")).clicked() {
-            workbench.then(move |bench| bench.show_sheet(None));
-        }
+        widgets::secondary(&mut columns[1], say!("Cancel"))
+            .does(workbench, move |bench| bench.show_sheet(None));
         lost
     });
     [kept, lost]

@@ -12,7 +12,7 @@ pub(crate) use system::{
 #[cfg(test)]
 pub(crate) use writing::not_written;
 pub(crate) use writing::{
-    NotSaved, Replace, Saved, export, png, save, saved, write_list, write_picture, write_targets,
+    NotSaved, Replace, Saved, export, png, save, write_list, write_picture, write_targets,
 };
 
 use std::fmt::Display;

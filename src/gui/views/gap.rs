@@ -217,9 +217,7 @@ pub(super) fn next(ui: &mut Ui, workbench: &Workbench) {
     } else if !missing.is_empty() {
         // The effect that was found comes before the table that would leave it uncorrected.
         let text = super::blocks::add_all(missing.len());
-        if widgets::primary(ui, &text).clicked() {
-            workbench.then(move |bench| bench.add(&missing));
-        }
+        widgets::primary(ui, &text).does(workbench, move |bench| bench.add(&missing));
     } else if widgets::primary(ui, say!("Continue to export")).clicked() {
         workbench.then(move |bench| bench.view.step = Step::Export);
     }

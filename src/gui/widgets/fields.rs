@@ -4,6 +4,7 @@ use crate::gui::workbench::Workbench;
 use std::cell::RefCell;
 use std::rc::Rc;
 
+use super::Does;
 use super::buttons::{other, primary, segmented};
 use super::text::{label, wrong};
 use egui::text::{CCursor, CCursorRange};
@@ -249,9 +250,7 @@ pub(crate) fn buttons_or_back(
 ) -> bool {
     ui.add_space(space::ROW);
     ui.columns(2, |columns| {
-        if other(&mut columns[0], say!("Cancel")).clicked() {
-            workbench.then(move |bench| bench.show_sheet(back));
-        }
+        other(&mut columns[0], say!("Cancel")).does(workbench, move |bench| bench.show_sheet(back));
         let button = columns[1].add_enabled_ui(enabled, |ui| primary(ui, text));
         button.inner.clicked()
     })

@@ -185,7 +185,7 @@ impl Workbench {
         match exported {
             Ok(path) => {
                 self.file_state.model_on_file.clone_from(&question);
-                self.view.message = Some(files::saved(&path, Vec::new()));
+                self.view.message = Some(Message::saved(&path, Vec::new()));
                 if question == self.question() {
                     self.remember_name(&path, choice);
                 }

@@ -19,6 +19,7 @@ use crate::gui::files;
 use crate::gui::files::writing::{self, Source};
 use crate::gui::jobs::{Kind, Watch};
 use crate::gui::view::{About, Plot, Sheet, Step, What};
+use crate::kinematics::Robot;
 use crate::pipeline::measuring_list;
 use crate::report::exported::sidecar_of;
 use crate::report::svg::svg_file;
@@ -107,49 +108,47 @@ impl Workbench {
     /// An export, once it is known where to: all that goes into it is taken now. Where there is nothing to be
     /// written, that is said.
     pub(super) fn prepared(&mut self, what: What) -> Option<Write> {
-        match what {
-            What::Report(about) => self.report(about),
-            What::Picture(plot) => self.picture(plot),
-            What::Numbers(chart) => {
-                let numbers = self.numbers_of(chart)?;
-                Some(list(move || numbers().csv()))
-            }
-            What::Targets => self.targets(),
-            What::Robot(id) => {
-                let document = robot_document(&named(id).ok()?.robot);
-                Some(list(|| document))
-            }
-            What::TypedRobot => {
-                let table = self.file_state.robots.first()?;
-                let document = robot_document(&table.robot().ok()?);
-                Some(list(|| document))
-            }
-            What::Poses => self.measuring_list(),
-            What::Table | What::Model => self.table_or_model(what),
-        }
+        let [title, first] = match self.write_of(what) {
+            Ok(write) => return write,
+            Err(missing) => missing,
+        };
+        self.complain(title, [first]);
+        None
     }
 
-    fn measuring_list(&mut self) -> Option<Write> {
-        let Some(diagnosis) = self.diagnosis() else {
-            self.complain(
-                say!("There is no measuring list yet"),
-                [say!("Run the diagnosis first")],
-            );
-            return None;
-        };
-        let poses = measuring_list(&diagnosis.next_poses, &self.loaded_session().session.robot);
-        Some(list(|| poses))
+    /// What writes it, or what is missing and what to do first.
+    fn write_of(&mut self, what: What) -> Result<Option<Write>, [&'static str; 2]> {
+        Ok(match what {
+            What::Report(about) => Some(self.report(about)?),
+            What::Picture(plot) => self.picture(plot),
+            What::Numbers(chart) => self
+                .numbers_of(chart)
+                .map(|numbers| list(move || numbers().csv())),
+            What::Targets => Some(self.targets()?),
+            What::Robot(id) => named(id).ok().map(|one| robot_file(&one.robot)),
+            What::TypedRobot => {
+                let table = self.file_state.robots.first();
+                table.and_then(|table| Some(robot_file(&table.robot().ok()?)))
+            }
+            What::Poses => {
+                let diagnosis = self.diagnosis().ok_or([
+                    say!("There is no measuring list yet"),
+                    say!("Run the diagnosis first"),
+                ])?;
+                let robot = &self.loaded_session().session.robot;
+                let poses = measuring_list(&diagnosis.next_poses, robot);
+                Some(list(|| poses))
+            }
+            What::Table | What::Model => Some(self.table_or_model(what)?),
+        })
     }
 
     /// From what is shown, but under the name that is chosen.
-    fn table_or_model(&mut self, what: What) -> Option<Write> {
-        let Some(identified) = self.shown_outcome() else {
-            self.complain(
-                say!("There is nothing to export yet"),
-                [say!("Identify the robot first")],
-            );
-            return None;
-        };
+    fn table_or_model(&self, what: What) -> Result<Write, [&'static str; 2]> {
+        let identified = self.shown_outcome().ok_or([
+            say!("There is nothing to export yet"),
+            say!("Identify the robot first"),
+        ])?;
         let (choice, question) = (self.document().export, self.question());
         let work = move |path: &Path, replace: bool, _: &Watch| {
             let wanted = PreviewRequest {
@@ -160,7 +159,7 @@ impl Workbench {
             files::export(&wanted, what, path, replace)
         };
         let then = move |bench: &mut Self, written| bench.take_exported(written, question, choice);
-        Some(later(work, then))
+        Ok(later(work, then))
     }
 
     /// Everything that the open session, its model and its tables stand in: no paper replaces it.
@@ -187,7 +186,7 @@ impl Workbench {
         inputs
     }
 
-    fn report(&mut self, about: About) -> Option<Write> {
+    fn report(&self, about: About) -> Result<Write, [&'static str; 2]> {
         let source = match (about, &self.derived.identified, self.answer()) {
             (About::Model, Some(outcome), Some(_)) => Source::Model(Arc::clone(outcome)),
             (About::Session, ..) if !self.loaded_session().is_empty() => {
@@ -197,11 +196,10 @@ impl Workbench {
                 Source::Session(Arc::clone(self.history.present()), searched, in_use)
             }
             _ => {
-                self.complain(
+                return Err([
                     say!("There is nothing to report yet"),
-                    [say!("Open a session, or identify the robot first")],
-                );
-                return None;
+                    say!("Open a session, or identify the robot first"),
+                ]);
             }
         };
         let stated = self.stated();
@@ -217,7 +215,7 @@ impl Workbench {
         let work = move |path: &Path, replace: bool, watch: &Watch| {
             writing::write_report(&wanted, path, replace, watch)
         };
-        Some(later(work, Self::take_written))
+        Ok(later(work, Self::take_written))
     }
 
     /// A chart as a drawing; the workspace as it was seen.
@@ -353,20 +351,17 @@ impl Workbench {
     }
 
     /// The corrected targets, and what was changed beside them.
-    fn targets(&mut self) -> Option<Write> {
-        let Some(compensated) = self.derived.compensated.clone() else {
-            self.complain(
-                say!("There are no corrected targets yet"),
-                [say!("Choose a table of targets or a robot program first")],
-            );
-            return None;
-        };
+    fn targets(&self) -> Result<Write, [&'static str; 2]> {
+        let compensated = self.derived.compensated.clone().ok_or([
+            say!("There are no corrected targets yet"),
+            say!("Choose a table of targets or a robot program first"),
+        ])?;
         let mut inputs = self.inputs();
         inputs.push(compensated.wanted.path.clone());
         let work = move |path: &Path, replace: bool, _: &Watch| {
             files::write_targets(&compensated, path, replace, &inputs)
         };
-        Some(later(work, Self::take_written))
+        Ok(later(work, Self::take_written))
     }
 }
 
@@ -381,6 +376,11 @@ fn later<T: Send + 'static>(
         let work = move |path: &Path, watch: &Watch| work(path, replace, watch);
         bench.write(path, work, then);
     })
+}
+
+fn robot_file(robot: &Robot) -> Write {
+    let document = robot_document(robot);
+    list(|| document)
 }
 
 /// A text of which nothing more has to be known.
