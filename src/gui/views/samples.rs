@@ -4,11 +4,12 @@
 use egui::{Align, CursorIcon, Layout, RichText, Role, Sense, Stroke, Ui, WidgetInfo, vec2};
 use egui_extras::{Column, TableBuilder, TableRow};
 
+use crate::gui::actions::EXCLUDE;
 use crate::gui::style::{Palette, size};
 use crate::gui::view::Sorting;
 use crate::gui::views::copies;
 use crate::gui::workbench::Workbench;
-use crate::gui::workspace::{judged, sample_menu};
+use crate::gui::workspace::judged;
 use crate::present::numbers::trimmed;
 
 const ROW: f32 = 22.0;
@@ -115,7 +116,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench) {
                 if response.clicked() || response.secondary_clicked() && !marked {
                     workbench.then(move |bench| bench.view.select(Some(sample)));
                 }
-                response.context_menu(|ui| sample_menu(ui, workbench));
+                response.context_menu(|ui| drop(EXCLUDE.item(ui, workbench)));
             });
         });
     if sorting != view.sorting {

@@ -14,7 +14,7 @@ mod toolbar;
 
 pub(crate) use layout::nearest;
 pub(crate) use model::judged;
-pub(crate) use pointer::{hover, marked, sample_menu};
+pub(crate) use pointer::{hover, marked};
 pub(crate) use space::robot_alone;
 pub(crate) use toolbar::show as bar;
 
