@@ -138,11 +138,11 @@ fn steps((low, high): (f64, f64), degrees: bool, lines: f64) -> Vec<GridMark> {
 }
 
 /// Corners of forms that look to the right, of a radius of 1.
-pub(crate) const DIAMOND: [[f32; 2]; 4] = [[0.0, -1.0], [1.0, 0.0], [0.0, 1.0], [-1.0, 0.0]];
+const DIAMOND: [[f32; 2]; 4] = [[0.0, -1.0], [1.0, 0.0], [0.0, 1.0], [-1.0, 0.0]];
 const TRIANGLE: [[f32; 2]; 3] = [[1.25, 0.0], [-0.75, 1.1], [-0.75, -1.1]];
 
 /// The same of this radius about a point, looking that way.
-pub(crate) fn corners_of(corners: &[[f32; 2]], at: Pos2, radius: f32, ahead: Vec2) -> Vec<Pos2> {
+fn corners_of(corners: &[[f32; 2]], at: Pos2, radius: f32, ahead: Vec2) -> Vec<Pos2> {
     let across = vec2(-ahead.y, ahead.x);
     let corner = |[x, y]: &[f32; 2]| at + (ahead * *x + across * *y) * radius;
     corners.iter().map(corner).collect()

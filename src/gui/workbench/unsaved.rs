@@ -383,9 +383,8 @@ impl Workbench {
         session.path.clone_from(&file);
         let origin = Origin::Recovered(file);
         let loaded_session = Arc::new(LoadedSession::new(session, Vec::new(), origin));
-        let choices = left.kept.choices();
         self.edit(phrase!("restore"), |document| {
-            document.recover(loaded_session, choices);
+            document.recover(loaded_session, &left.kept.about.choices);
             Ok(())
         });
         self.file_state.restored.push(left);

@@ -16,13 +16,13 @@ use crate::gui::style::{size, strong};
 use crate::gui::view::{Ball, Colouring};
 use crate::gui::workbench::Workbench;
 use crate::numeric::whole;
+use crate::present::chart::Form;
 use crate::present::numbers::trimmed;
 use crate::sessions::Region;
 
 use super::layout::{self, HANDLE, SECTOR};
-use super::legend::SQUARE;
 use super::model::{Dial, Shown, VisibleSample, ball, shown};
-use super::pen::{Camera, Form, Label, Pen};
+use super::pen::{Camera, Label, Pen};
 use super::pointer::marked;
 use super::robot::{Drawn, body};
 
@@ -107,8 +107,7 @@ fn path(pen: &mut Pen<'_>, shown: &Shown, camera: &Camera) {
     let palette = pen.palette;
     let sure = |part: f32| scale_at(Colouring::Uncertainty, palette, part);
     for (at, part) in &shown.over {
-        let square = (Form::Square, 0.5 * SQUARE);
-        pen.mark(camera.at(*at), square, sure(*part), Stroke::NONE);
+        pen.square(camera.at(*at), sure(*part));
     }
     for (k, path) in shown.paths_mm.iter().enumerate() {
         let parts = shown.sure.get(k).map_or(&[][..], Vec::as_slice);
@@ -346,7 +345,7 @@ fn proposed(pen: &mut Pen<'_>, workbench: &Workbench, space: &Space) {
         let at = session.robot.point_in_base(&pose.q, &target);
         let at = space.camera.at(space.of_base(at.into()));
         let edge = Stroke::new(1.5, pen.palette.accent);
-        pen.mark(at, (Form::Diamond, 5.0), Color32::TRANSPARENT, edge);
+        pen.mark(at, (Form::Diamond, 3.85), Color32::TRANSPARENT, edge);
     }
 }
 
