@@ -3,8 +3,9 @@
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
-use crate::window::{Window, window};
+use crate::window::{Window, keys, press, says, seconds, there, until, window, window_of};
 use egui_kittest::kittest::Queryable;
+use truepose::export::EXPORTERS;
 use truepose::gui::{App, Runner};
 
 const HEAD: &str = r#"{ "format": "truepose-session/1", "name": "many", "robot": { "name": "axis",
@@ -78,6 +79,32 @@ fn the_pointer_finds_a_sample_among_many_in_both_plots() {
         window.hover_at(egui::pos2(5.0, 5.0));
         window.run_steps(3);
     }
+}
+
+#[test]
+fn a_preparation_that_is_cancelled_is_begun_again_when_that_is_asked_for() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = write_session(folder.path(), 60_000);
+    let mut window = window_of([1280.0, 1000.0], Some(path), Runner::Threads);
+    until(&mut window, "60 000 samples");
+    keys(&mut window, egui::Modifiers::COMMAND, egui::Key::I);
+    until(&mut window, " → ");
+    window.get_by_label("5 Export").click();
+    until(&mut window, "preparing the table");
+    window.get_by_label("Cancel").click();
+    until(&mut window, "The preparation of the table was cancelled");
+    seconds(&mut window, 3);
+    assert!(!says(&window, "preparing the table"), "not by itself");
+    press(&mut window, "Prepare the table");
+    until(&mut window, "RMS error left by the table");
+    // The figures of one format do not stand under the name of another.
+    let other = EXPORTERS.iter().filter(|one| one.rules.is_some()).nth(1);
+    let other = other.expect("it is a format").title.english();
+    window.get_by_label(other).click();
+    window.run_steps(3);
+    assert!(says(&window, "The table is being prepared"));
+    assert!(!there(&window, "RMS error left by the table"));
+    until(&mut window, "RMS error left by the table");
 }
 
 /// How often each of these stands somewhere in the window.

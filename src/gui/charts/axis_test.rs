@@ -56,7 +56,7 @@ impl ChartKind for OfAxis {
         let joint = scene.joint();
         let key = WorkKey::Chart(ID, scene.component, vec![joint]);
         Some(Work::new(key, move |given| {
-            let calibration = given.answer.map(|answer| &answer.calibration);
+            let calibration = given.answer().map(|answer| &answer.calibration);
             axis_test(&given.loaded_session.session, calibration, joint)
                 .map_err(|error| spoken(error.describe()))
         }))

@@ -10,7 +10,7 @@ use std::sync::Arc;
 use crate::diagnosis::Diagnosis;
 use crate::gui::cache::identified::{ExportPreview, IdentifiedAnswer, Preview};
 use crate::gui::cache::points::{Cloud, Points, When, at};
-use crate::gui::cache::{ChartInputs, ChartResult, Work, WorkKey};
+use crate::gui::cache::{ChartResult, PlotInputs, Work, WorkKey};
 use crate::gui::core::answer::Answer;
 use crate::gui::core::answer::Search;
 use crate::gui::core::document::Document;
@@ -222,6 +222,14 @@ impl Scene {
         self.identified.as_ref()?.answer.as_ref().ok()
     }
 
+    /// What the background works with.
+    fn inputs(&self) -> PlotInputs {
+        PlotInputs {
+            loaded_session: Arc::clone(&self.loaded_session),
+            identified: self.identified.clone(),
+        }
+    }
+
     pub(crate) fn made(&self) -> Option<&ExportPreview> {
         self.preview.as_ref()?.made.as_ref().ok()
     }
@@ -301,14 +309,7 @@ impl<'a> Seen<'a> {
         let cloud = match scene.found() {
             Some(cloud) => Cow::Borrowed(cloud),
             None if scene.usable().len() > FEW => return None,
-            None => {
-                let answer = scene.answer();
-                let inputs = ChartInputs {
-                    loaded_session,
-                    answer,
-                };
-                Cow::Owned(Cloud::of(inputs, axes))
-            }
+            None => Cow::Owned(Cloud::of(&scene.inputs(), axes)),
         };
         let mut seen = Self {
             scene,

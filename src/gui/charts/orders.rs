@@ -4,7 +4,7 @@ use super::{
     About, Bars, ChartChoice, ChartKind, ChartPlaceholder, Facts, HoverTarget, Scene, Shown,
     of_noise,
 };
-use crate::gui::cache::{ChartInputs, Work, WorkKey};
+use crate::gui::cache::{PlotInputs, Work, WorkKey};
 use crate::gui::core::answer::terms;
 use crate::gui::core::quantity::{Over, Variable};
 use crate::gui::help;
@@ -42,12 +42,12 @@ impl ChartKind for Orders {
         let component = scene.component;
         let key = std::iter::once(joint).chain(gears.clone()).collect();
         let key = WorkKey::Chart(self.about().id, component, key);
-        let make = move |inputs: ChartInputs<'_>| {
+        let make = move |inputs: &PlotInputs| {
             let over = Over {
                 variable: Variable::Joint,
                 joint,
             };
-            let angle = |i: &usize| over.of(inputs.loaded_session, *i);
+            let angle = |i: &usize| over.of(&inputs.loaded_session, *i);
             let mut samples = inputs.usable();
             samples.retain(|i| angle(i).is_finite());
             let angles: Vec<f64> = samples.iter().map(angle).collect();

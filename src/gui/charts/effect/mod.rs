@@ -38,7 +38,7 @@ pub(crate) fn sketches(search: &Arc<Search>) -> Work {
     let key = vec![Arc::as_ptr(&search).addr()];
     let key = WorkKey::Chart("effects on cards", Component::Length, key);
     Work::new(key, move |given| -> Sketches {
-        let session = given.loaded_session;
+        let session = &*given.loaded_session;
         let found = search.answer.as_ref().ok();
         let found = found.filter(|_| session.overview.usable.len() <= FOR_SKETCHES);
         let curve = |d, index| {
@@ -74,7 +74,7 @@ impl ChartKind for Effect {
         let component = scene.component;
         Some(Work::new(
             WorkKey::Chart(ID, component, key),
-            move |given| EffectCurve::of(given.loaded_session, &search, index, component),
+            move |given| EffectCurve::of(&given.loaded_session, &search, index, component),
         ))
     }
 
