@@ -11,7 +11,7 @@ use crate::gui::core::disk::EXAMPLES;
 use crate::gui::core::simulate::Form;
 use crate::gui::preferences::{Preferences, Theme};
 use crate::gui::style::layout::Layout;
-use crate::gui::view::{About, Edge, Plane, Sheet, Standard, What};
+use crate::gui::view::{About, Edge, PaletteInput, Plane, Sheet, Standard, What};
 use crate::gui::workbench::Workbench;
 
 /// The window as it stands.
@@ -209,10 +209,10 @@ actions! {
     NEW: COMMAND, N, phrase!("simulate session"), |_| say!("Simulate session…").into(),
         |bench, _| bench.show_sheet(Some(Sheet::Simulate(Form::default())));
     SAVE_AS: SHIFTED, S, phrase!("save session as"), |_| say!("Save session as…").into(),
-        |bench, _| bench.choose_where_to_save(), [when(MEASURED)];
+        |bench, _| bench.choose_where_to_export(What::Session), [when(MEASURED)];
     SAVE: COMMAND, S, phrase!("save session"), |_| say!("Save session").into(), |bench, _| bench.save(), [when(MEASURED)];
     SAVE_TO_PATH: SHIFTED, P, phrase!("save session to a path"), |_| say!("Save session to path…").into(),
-        |bench, _| bench.type_path_to_save(), [when(MEASURED)];
+        |bench, _| bench.type_path(What::Session), [when(MEASURED)];
     SAVE_MODEL: COMMAND, M, phrase!("save model"), |_| say!("Save model…").into(),
         |bench, _| bench.choose_where_to_export(What::Model), [when(ANSWERED)];
     COMPENSATE: SHIFTED, T, phrase!("correct targets or a program"), |_| say!("Compensate targets…").into(),
@@ -301,7 +301,7 @@ actions! {
     WORDS: PLAIN, F1, phrase!("glossary"), |_| say!("Glossary").into(), |bench, _| bench.show_sheet(Some(Sheet::Named("words")));
     KEYS: SHIFTED, K, phrase!("this list"), |_| say!("Keyboard and mouse").into(), |bench, _| bench.show_sheet(Some(Sheet::Named("keys")));
     PALETTE: COMMAND, K, phrase!("all commands, by a word of their name"), |_| say!("All commands…").into(),
-        |bench, _| bench.show_sheet(Some(Sheet::Named("palette")));
+        |bench, _| bench.show_sheet(Some(Sheet::Palette(PaletteInput::default())));
 }
 
 /// The examples, in their order.

@@ -198,7 +198,7 @@ impl App {
         let Some(what) = Workbench::export_named(export) else {
             return;
         };
-        let sheet = Sheet::ExportPath {
+        let sheet = Sheet::Path {
             what,
             path: path.display().to_string(),
             replace: false,

@@ -1,8 +1,8 @@
 //! What this program is and what can be done in it: by its keys, by a word of its name, and what the words mean.
 
 use egui::{
-    Align, Button, Context, Key, Label, Layout, Modifiers, Response, RichText, Role, ScrollArea, TextEdit,
-    TextStyle, Ui, WidgetInfo, vec2,
+    Align, Button, Context, Key, Label, Layout, Modifiers, Response, RichText, Role, ScrollArea,
+    TextEdit, TextStyle, Ui, WidgetInfo, vec2,
 };
 
 use crate::text::spoken;
@@ -11,6 +11,7 @@ use crate::gui::actions::{self, Action, WindowState};
 use crate::gui::charts::CHARTS;
 use crate::gui::plots;
 use crate::gui::style::{Palette, size, space};
+use crate::gui::view::PaletteInput;
 use crate::gui::workbench::Workbench;
 use crate::gui::{help, widgets};
 
@@ -101,28 +102,17 @@ fn key_rows(ui: &mut Ui, rows: &[(String, &str)]) {
     }
 }
 
-/// What was typed, and which of the actions that fit is chosen.
-#[derive(Clone, Default)]
-struct PaletteInput {
-    text: String,
-    chosen: usize,
-}
-
 /// Everything that can be done, by a word of its name: typed, chosen with the arrows, done with Enter.
-pub(super) fn palette(ui: &mut Ui, workbench: &Workbench) {
+pub(super) fn palette(ui: &mut Ui, workbench: &Workbench, typed: &mut PaletteInput) {
     widgets::wide(ui, 460.0);
     let ctx = ui.ctx().clone();
-    let id = ui.scope_id().with("typed command");
-    let before: Option<PaletteInput> = ui.data(|data| data.get_temp(id));
-    let first = before.is_none();
-    let mut typed = before.unwrap_or_default();
     let [up, down, enter] = [Key::ArrowUp, Key::ArrowDown, Key::Enter]
         .map(|key| ui.input_mut(|i| i.consume_key(Modifiers::NONE, key)));
     let field = TextEdit::singleline(&mut typed.text).hint_text(say!("what to do"));
     let room = egui::vec2(ui.available_width(), space::PRIMARY);
     let field = ui.add_sized(room, field.align(egui::Align2::LEFT_CENTER));
     widgets::label(&field, say!("Command"));
-    if first || !field.has_focus() {
+    if !field.has_focus() {
         field.request_focus();
     }
     if field.changed() {
@@ -150,11 +140,6 @@ pub(super) fn palette(ui: &mut Ui, workbench: &Workbench) {
             widgets::hint(ui, say!("No command has this in its name"));
         }
     });
-    if done.is_some() || ui.input(|i| i.key_pressed(Key::Escape)) {
-        // Next time it begins anew.
-        typed = PaletteInput::default();
-    }
-    ui.data_mut(|data| data.insert_temp(id, typed));
     if let Some(action) = done {
         workbench.then(|bench| bench.show_sheet(None));
         action.ask_for(&now);

@@ -24,7 +24,7 @@ macro_rules! register {
 
 register! {
     compensation: compensation;
-    help: about, keys, palette, words;
+    help: about, keys, words;
     preferences: preferences;
     record: details, history;
     robots: robots;
@@ -72,17 +72,17 @@ fn shown(ui: &Ui, workbench: &Workbench, sheet: &mut Sheet) {
             .min_scrolled_height(room.y);
         scroll.show(ui, |ui| {
             match sheet {
-                Sheet::SavePath { path, replace } => unsaved::save(ui, workbench, (path, replace)),
-                Sheet::ExportPath {
+                Sheet::Path {
                     what,
                     path,
                     replace,
-                } => unsaved::export(ui, workbench, *what, (path, replace)),
+                } => unsaved::path(ui, workbench, *what, (path, replace)),
                 Sheet::Simulate(form) => new_session::simulation(ui, form, workbench),
                 Sheet::RobotTable { table, .. } => robots::typed(ui, table, workbench),
                 Sheet::Discard(typed) => unsaved::typed(ui, typed, workbench),
                 Sheet::Unsaved(then) => unsaved::losses(ui, workbench, then),
                 Sheet::Overwrite(path) => unsaved::overwrite(ui, path, workbench),
+                Sheet::Palette(typed) => help::palette(ui, workbench, typed),
                 Sheet::Import(foreign) => import::show(ui, workbench, foreign),
                 Sheet::Named(name) => match NAMED.iter().find(|(there, _)| there == name) {
                     Some((_, show)) => show(ui, workbench),

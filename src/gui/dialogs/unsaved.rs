@@ -105,7 +105,7 @@ pub(super) fn overwrite(ui: &mut Ui, path: &Path, workbench: &Workbench) {
     match decided(ui, keep, lose, workbench) {
         [true, _] => workbench.then(|bench| {
             bench.show_sheet(None);
-            bench.choose_where_to_save();
+            bench.choose_where_to_export(What::Session);
         }),
         [_, true] => workbench.then(Workbench::save_despite),
         _ => {}
@@ -186,15 +186,13 @@ fn a_time_is_said_in_words() {
     assert_eq!(says(200_000), "2 days ago");
 }
 
-/// A file to save the session to.
-pub(super) fn save(ui: &mut Ui, workbench: &Workbench, typed: TypedPath<'_>) {
-    let says = say!("The samples are written beside it, as a CSV file of the same name");
-    let done = |bench: &mut Workbench, path: PathBuf, replace| bench.save_as(&path, replace);
-    path_form(ui, workbench, (say!("Save session"), says), typed, done);
-}
-
-/// A file to export to.
-pub(super) fn export(ui: &mut Ui, workbench: &Workbench, what: What, typed: TypedPath<'_>) {
+/// A file to write to.
+pub(super) fn path(
+    ui: &mut Ui,
+    workbench: &Workbench,
+    what: What,
+    (typed, allowed): (&mut String, &mut bool),
+) {
     let format = find(workbench.document().export.format);
     // It describes the robot and is no table.
     let robot = what == What::Table && format.is_some_and(|format| format.rules.is_none());
@@ -204,6 +202,7 @@ pub(super) fn export(ui: &mut Ui, workbench: &Workbench, what: What, typed: Type
             say!("A file that says what its numbers mean is written beside it")
         }
         What::Table => say!("A file that says what the table means is written beside it"),
+        What::Session => say!("The samples are written beside it, as a CSV file of the same name"),
         What::Model => say!("The model can be exported and verified later"),
         What::Poses => say!("A CSV table with the session's column names, to be measured next"),
         What::Report(_) => say!(
@@ -222,21 +221,6 @@ pub(super) fn export(ui: &mut Ui, workbench: &Workbench, what: What, typed: Type
     } else {
         what.title()
     };
-    let done = move |bench: &mut Workbench, path, replace| bench.export_as(what, path, replace);
-    path_form(ui, workbench, (title, says), typed, done);
-}
-
-/// A path as it is typed, and whether a file that is there may be replaced.
-type TypedPath<'a> = (&'a mut String, &'a mut bool);
-
-/// A path to save to: `done` once it is complete.
-fn path_form(
-    ui: &mut Ui,
-    workbench: &Workbench,
-    (title, says): (&str, &str),
-    (typed, allowed): TypedPath<'_>,
-    done: impl FnOnce(&mut Workbench, PathBuf, bool) + Send + 'static,
-) {
     widgets::wide(ui, 420.0);
     widgets::heading(ui, title);
     let field = ui.add(TextEdit::singleline(typed).desired_width(f32::INFINITY));
@@ -258,6 +242,6 @@ fn path_form(
     let pressed = widgets::sheet_buttons(ui, say!("Save"), named, workbench);
     if named && (pressed || entered) {
         let (path, allowed) = (PathBuf::from(typed.trim()), *allowed);
-        workbench.then(move |bench| done(bench, path, allowed));
+        workbench.then(move |bench| bench.export_as(what, path, allowed));
     }
 }

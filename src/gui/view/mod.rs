@@ -239,14 +239,8 @@ pub(crate) struct Sorting {
 /// A sheet over the window.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Sheet {
-    /// A path to save to, as it is typed.
-    SavePath {
-        path: String,
-        /// Whether a file that is there may be replaced.
-        replace: bool,
-    },
-    /// A path to export to, as it is typed.
-    ExportPath {
+    /// A path to write to, as it is typed.
+    Path {
         what: What,
         path: String,
         /// Whether a file that is there may be replaced.
@@ -268,6 +262,8 @@ pub(crate) enum Sheet {
     Overwrite(PathBuf),
     /// A file that an instrument wrote.
     Import(Box<ImportDraft>),
+    /// All that can be done, by a word of its name.
+    Palette(PaletteInput),
     /// One that keeps nothing of its own: its file in `dialogs`.
     Named(&'static str),
 }
@@ -320,17 +316,18 @@ impl Sheet {
     /// not close it; Escape and *Cancel* do.
     pub(crate) fn holds_entries(&self) -> bool {
         match self {
-            Self::SavePath { .. }
-            | Self::ExportPath { .. }
-            | Self::Simulate(_)
-            | Self::RobotTable { .. }
-            | Self::Discard(_)
-            | Self::Unsaved(_)
-            | Self::Overwrite(_)
-            | Self::Import(_) => true,
+            Self::Palette(_) => false,
             Self::Named(name) => ["compensation", "details", "recovery"].contains(name),
+            _ => true,
         }
     }
+}
+
+/// What was typed, and which of the actions that fit is chosen.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(crate) struct PaletteInput {
+    pub(crate) text: String,
+    pub(crate) chosen: usize,
 }
 
 /// What is done next, when nothing is in the way any more.
@@ -386,6 +383,8 @@ impl Message {
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum What {
+    /// The session, with its samples.
+    Session,
     /// The table for the controller.
     Table,
     /// The model itself.
@@ -409,6 +408,7 @@ impl What {
     /// What saving it is called.
     pub(crate) fn title(self) -> &'static str {
         match self {
+            Self::Session => say!("Save session"),
             Self::Table => say!("Save table"),
             Self::Model => say!("Save model"),
             Self::Poses => say!("Save measuring list"),

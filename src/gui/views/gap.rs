@@ -54,17 +54,17 @@ fn errors(ui: &mut Ui, workbench: &Workbench) {
         ],
     };
     let left = workbench.left_by_table_mm().filter(|_| found.is_some());
-    for (name, mm) in [
-        (phrase!("nominal robot"), nominal),
-        (phrase!("identified"), identified),
-        (phrase!("with found effects"), found.map(|d| d.gap.end_mm)),
-        (phrase!("left by the table"), left),
-        (phrase!("noise floor"), floor),
-    ] {
+    let fact_of = |ui: &mut Ui, name, mm: Option<f64>| {
         if let Some(mm) = mm {
             widgets::fact_of(ui, name, workbench.units().length(mm));
         }
-    }
+    };
+    fact_of(ui, phrase!("nominal robot"), nominal);
+    fact_of(ui, phrase!("identified"), identified);
+    let end = found.map(|d| d.gap.end_mm);
+    fact_of(ui, phrase!("with found effects"), end);
+    fact_of(ui, phrase!("left by the table"), left);
+    fact_of(ui, phrase!("noise floor"), floor);
 }
 
 /// Where the work stands before there is a search.

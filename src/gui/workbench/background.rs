@@ -7,9 +7,9 @@ use crate::gui::cache::identified::{IdentifiedAnswer, Preview, PreviewRequest};
 use crate::gui::core::answer::Search;
 use crate::gui::core::document::{ExportChoice, Question};
 use crate::gui::core::loaded_session::LoadedSession;
-use crate::gui::files::{self, Opened, Replace};
+use crate::gui::files::{self, Opened};
 use crate::gui::jobs::{Jobs, Kind, Running, Watch};
-use crate::gui::view::{Message, Sheet, What};
+use crate::gui::view::{Message, What};
 use crate::gui::workbench::Chooser;
 use crate::gui::workbench::Workbench;
 use crate::present::numbers::grouped;
@@ -264,25 +264,6 @@ impl Workbench {
         self.choose(what, move || ask(near.as_deref()), then);
     }
 
-    /// Asks where to save the session: that one is saved, whatever is open by then.
-    pub(crate) fn choose_where_to_save(&mut self) {
-        if self.has_nothing_to_save() {
-            return;
-        }
-        let path = self.proposed_path();
-        let document = Arc::clone(self.history.present());
-        let ask = move || files::choose_to_save(&path);
-        self.choose(
-            say!("waiting for a file name"),
-            ask,
-            move |bench, path| match path {
-                // The dialog has asked.
-                Some(path) => bench.save_document(document, &path, Replace::Named),
-                None => bench.type_path_to_save(),
-            },
-        );
-    }
-
     /// Asks where to export to: what is there now is written, whatever is open by then.
     pub(crate) fn choose_where_to_export(&mut self, what: What) {
         if self.needs_picture(what) {
@@ -298,12 +279,7 @@ impl Workbench {
                 // The dialog has asked.
                 return write(bench, path, true);
             }
-            let path = bench.placed(bench.name_of(what).as_ref());
-            bench.view.sheet = Some(Sheet::ExportPath {
-                what,
-                path: path.display().to_string(),
-                replace: false,
-            });
+            bench.type_path(what);
         });
     }
 

@@ -15,8 +15,8 @@ use crate::gui::core::answer::Search;
 use crate::gui::core::compensated::{Compensated, CompensationRequest, MOST_KG};
 use crate::gui::core::disk::name_of;
 use crate::gui::core::document::{ExportChoice, plain};
-use crate::gui::files;
 use crate::gui::files::writing::{self, Source};
+use crate::gui::files::{self, Replace};
 use crate::gui::jobs::{Kind, Watch};
 use crate::gui::view::{About, Plot, Sheet, Step, What};
 use crate::kinematics::Robot;
@@ -35,6 +35,7 @@ impl Workbench {
         let document = self.document();
         let session = &document.loaded_session.session.name;
         match what {
+            What::Session => self.proposed_path().display().to_string(),
             What::Table => document.export.file_name(session),
             What::Model => format!("{}.model.json", plain(session)),
             What::Poses => format!("{}-next-poses.csv", plain(session)),
@@ -119,6 +120,25 @@ impl Workbench {
     /// What writes it, or what is missing and what to do first.
     fn write_of(&mut self, what: What) -> Result<Option<Write>, [&'static str; 2]> {
         Ok(match what {
+            What::Session => {
+                if self.loaded_session().is_empty() {
+                    return Err([
+                        say!("There is no session to save"),
+                        say!("A model by itself is saved in the Export step"),
+                    ]);
+                }
+                let document = Arc::clone(self.history.present());
+                let replacing = |yes| {
+                    if yes {
+                        Replace::Named
+                    } else {
+                        Replace::Nothing
+                    }
+                };
+                Some(Box::new(move |bench: &mut Self, path, replace| {
+                    bench.save_document(document, &path, replacing(replace));
+                }))
+            }
             What::Report(about) => Some(self.report(about)?),
             What::Picture(plot) => self.picture(plot),
             What::Numbers(chart) => self

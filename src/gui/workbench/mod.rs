@@ -296,12 +296,9 @@ impl Workbench {
         if sheet.is_none() {
             match &self.view.sheet {
                 // Closing the question cancels what it was about.
-                Some(
-                    Sheet::Unsaved(_)
-                    | Sheet::Overwrite(_)
-                    | Sheet::SavePath { .. }
-                    | Sheet::ExportPath { .. },
-                ) => self.cancel_pending_action(),
+                Some(Sheet::Unsaved(_) | Sheet::Overwrite(_) | Sheet::Path { .. }) => {
+                    self.cancel_pending_action()
+                }
                 Some(Sheet::Import(_)) => self.leave_draft(),
                 _ => {}
             }

@@ -344,12 +344,12 @@ fn what(random: &mut ChaCha8Rng) -> (What, &'static str) {
 fn sheet(random: &mut ChaCha8Rng, files: &Files, workbench: &Workbench) -> Option<Sheet> {
     let path = || files.folder.join("typed.json").display().to_string();
     Some(match random.random_range(0..12) {
-        0 => Sheet::SavePath {
-            path: path(),
-            replace: random.random(),
-        },
-        1 => Sheet::ExportPath {
-            what: what(random).0,
+        at @ 0..2 => Sheet::Path {
+            what: if at == 0 {
+                What::Session
+            } else {
+                what(random).0
+            },
             path: path(),
             replace: random.random(),
         },
@@ -532,7 +532,7 @@ pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Fi
         87..=90 => {
             let path = files.to_write(random, "json");
             let deed = deed("SaveAs", (path.clone(), random.random()), |bench, it| {
-                bench.save_as(&it.0, it.1);
+                bench.export_as(What::Session, it.0, it.1);
             });
             Deed {
                 writes: Some(path),

@@ -13,7 +13,7 @@ use super::under_way::{gate, idle, on_threads, until};
 use crate::gui::import_draft::ImportDraft;
 use crate::gui::jobs::{Kind, Running, Watch};
 use crate::gui::testing::workbench;
-use crate::gui::view::{NextAction, Sheet};
+use crate::gui::view::{NextAction, Sheet, What};
 use crate::gui::views::status;
 use crate::gui::workbench::Workbench;
 use crate::gui::{dialogs, files};
@@ -109,7 +109,7 @@ fn bar() -> Shown {
 fn saved(folder: &Path) -> PathBuf {
     let path = folder.join("session.json");
     let mut first = workbench();
-    first.execute(|bench| bench.save_as(&path.clone(), false));
+    first.execute(|bench| bench.export_as(What::Session, path.clone(), false));
     first.receive();
     path
 }
