@@ -13,12 +13,12 @@ const HEAD: &str = r#"{ "format": "truepose-session/1", "name": "many", "robot":
  "tool": { "position_mm": [250,0,300], "quaternion_wxyz": [1,0,0,0] } }, "tolerance_mm": 0.5,
  "instrument": { "name": "tracker", "sigma_mm": 0.03 }, "samples": { "file": "many.csv" } }"#;
 
-/// A full turn of one reflector, a fifth of a millimetre too far out.
+/// A full turn of one reflector, a fifth of a millimetre too far out and a fifth of a degree ahead.
 fn write_session(folder: &Path, samples: u32) -> PathBuf {
     let mut csv = "q1_deg,x_mm,y_mm,z_mm,dir1,load_kg\n".to_owned();
     for i in 0..samples {
         let q = f64::from(i) / f64::from(samples) * 360.0 - 180.0;
-        let (sin, cos) = q.to_radians().sin_cos();
+        let (sin, cos) = (q + 0.2).to_radians().sin_cos();
         let direction = if i % 2 == 0 { 1 } else { -1 };
         let (x, y) = (250.2 * cos, 250.2 * sin);
         writeln!(csv, "{q:.6},{x:.5},{y:.5},300,{direction},{}", i % 3).expect("memory suffices");
@@ -84,9 +84,9 @@ fn the_pointer_finds_a_sample_among_many_in_both_plots() {
 #[test]
 fn a_preparation_that_is_cancelled_is_begun_again_when_that_is_asked_for() {
     let folder = tempfile::tempdir().expect("a folder");
-    let path = write_session(folder.path(), 60_000);
+    let path = write_session(folder.path(), 40_000);
     let mut window = window_of([1280.0, 1000.0], Some(path), Runner::Threads);
-    until(&mut window, "60 000 samples");
+    until(&mut window, "40\u{202f}000 samples");
     keys(&mut window, egui::Modifiers::COMMAND, egui::Key::I);
     until(&mut window, " → ");
     window.get_by_label("5 Export").click();

@@ -19,7 +19,6 @@ use std::fmt::Display;
 use std::path::Path;
 use std::sync::Arc;
 
-use crate::diagnostic::Diagnostic;
 use crate::language::{finding, spoken};
 use crate::pipeline::{self, load_model};
 use crate::programs::LANGUAGES;
@@ -131,7 +130,7 @@ fn not_read(name: impl Display, error: &ReadError) -> Message {
 
 fn why(error: &ReadError) -> Vec<String> {
     match error {
-        ReadError::Rejected(rejected) => listed(&rejected.diagnostics),
+        ReadError::Rejected(rejected) => listed(rejected.diagnostics.iter().map(finding).collect()),
         ReadError::Cancelled(_) => vec![cancelled()],
     }
 }
@@ -139,12 +138,13 @@ fn why(error: &ReadError) -> Vec<String> {
 /// Which part of opening a session it is to read it; the rest is to look through it.
 const READING: f64 = 0.4;
 
-/// Findings as lines, no more than can be read.
-fn listed(findings: &[Diagnostic]) -> Vec<String> {
+/// No more lines than can be read.
+pub(crate) fn listed(mut lines: Vec<String>) -> Vec<String> {
     const MOST: usize = 8;
-    let mut lines: Vec<String> = findings.iter().take(MOST).map(finding).collect();
-    if findings.len() > MOST {
-        lines.push(say!(in "common", "and {more} more", more = findings.len() - MOST));
+    let more = lines.len().saturating_sub(MOST);
+    lines.truncate(MOST);
+    if more > 0 {
+        lines.push(say!(in "common", "and {more} more", more));
     }
     lines
 }

@@ -16,6 +16,7 @@ use std::sync::Arc;
 use crate::diagnostic::{Diagnostic, Place, Rejected, Severity};
 use crate::explain::{Detail, Section, imported};
 use crate::gui::core::loaded_session::{LoadedSession, Origin};
+use crate::gui::files::listed;
 use crate::gui::jobs::Watch;
 use crate::importers::{
     self, Alignment, ColumnGuess, IMPORTERS, Inspection, Matched, Reading, Settings,
@@ -431,17 +432,16 @@ fn companion((path, bytes): &File) -> importers::Companion<'_> {
     }
 }
 
-/// Findings as lines, errors first and no more than can be read.
+/// What is wrong, no more than can be read.
 pub(super) fn in_words(findings: &[Diagnostic]) -> Vec<String> {
-    const MOST: usize = 8;
     let is_error = |finding: &&Diagnostic| finding.severity == Severity::Error;
-    let errors: Vec<&Diagnostic> = findings.iter().filter(is_error).collect();
-    let shown = errors.iter().take(MOST);
-    let mut lines: Vec<String> = shown.map(|finding| in_the_windows_words(finding)).collect();
-    if errors.len() > MOST {
-        lines.push(say!(in "common", "and {more} more", more = errors.len() - MOST));
-    }
-    lines
+    listed(
+        findings
+            .iter()
+            .filter(is_error)
+            .map(in_the_windows_words)
+            .collect(),
+    )
 }
 
 /// What an option of the command line, with a value that is the same in every language, is called on the sheet.

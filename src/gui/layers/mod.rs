@@ -9,10 +9,10 @@
 //! - Model, in [`cache`](crate::gui::cache): `cloud` (the samples as they are uploaded), `heat` (the error over the
 //!   plane).
 //! - Layout, here: where all of it goes in this frame, the uniform of all shaders, worked out without any of them;
-//!   how shaders are put together, and what they read (`frame.wgsl`, `sample.wgsl`, `arrows.wgsl`, `marks.wgsl`,
-//!   `heat.wgsl` and `copy.wgsl`).
-//! - Paint: `gpu` (what egui calls back, in space by depth and in a picture of their own) and `drawer` (what stays on
-//!   the graphics processor).
+//!   how shaders are put together, and what they read (`frame.wgsl`, `sample.wgsl`, `arrows.wgsl`, `marks.wgsl` and
+//!   `copy.wgsl`); the heat map as a picture that lies in the plot.
+//! - Paint: `gpu` (what egui calls back, in space by depth and in a picture of their own, and what stays on the
+//!   graphics processor).
 
 pub(crate) mod gpu;
 #[cfg(test)]

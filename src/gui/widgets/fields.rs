@@ -212,6 +212,21 @@ pub(crate) fn cell_number(
     response
 }
 
+/// Such numbers beside each other, each called by their name and its part.
+pub(crate) fn numbers(
+    ui: &mut Ui,
+    (name, unit): (&str, &str),
+    parts: &[&str],
+    values: &mut [f64],
+    (width, speed): (f32, f64),
+) {
+    for (part, value) in parts.iter().zip(values) {
+        let field = DragValue::new(value).speed(speed).max_decimals(6);
+        let name = format!("{name} {part}");
+        cell_number(ui, name.trim_end(), unit, width, field);
+    }
+}
+
 /// The room that the window has for what a sheet says.
 pub(crate) fn room_of_a_sheet(ui: &Ui) -> Vec2 {
     /// Between a sheet and the window's edges, together, points.

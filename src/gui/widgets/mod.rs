@@ -11,7 +11,7 @@ pub(crate) use buttons::{
 };
 pub(crate) use fields::{
     buttons_or_back, cell_number, choice, choice_row, done, done_beside, entered, form_row, list,
-    number, number_in_a_grid, or_none, room_of_a_sheet, row, select_all, sheet_buttons,
+    number, number_in_a_grid, numbers, or_none, room_of_a_sheet, row, select_all, sheet_buttons,
     sheet_buttons_without_enter, text_when_complete, wide,
 };
 pub(crate) use text::{

@@ -7,9 +7,7 @@ mod file;
 
 use std::sync::Arc;
 
-use egui::{
-    DragValue, Key, Label, ProgressBar, RadioButton, Response, RichText, ScrollArea, TextEdit, Ui,
-};
+use egui::{Key, Label, ProgressBar, RadioButton, Response, RichText, ScrollArea, TextEdit, Ui};
 
 use crate::diagnostic::Severity;
 use crate::kinematics::{JointKind, Robot};
@@ -264,10 +262,7 @@ fn axis(ui: &mut Ui, typed: &mut RobotTable) {
 
 fn numbers(ui: &mut Ui, row: &str, (name, unit): (&str, &str), parts: &[&str], values: &mut [f64]) {
     widgets::form_row(ui, row, |ui| {
-        for (part, value) in parts.iter().zip(values) {
-            let field = DragValue::new(value).speed(1.0).max_decimals(6);
-            widgets::cell_number(ui, &format!("{name} {part}"), unit, 90.0, field);
-        }
+        widgets::numbers(ui, (name, unit), parts, values, (90.0, 1.0));
     });
 }
 
