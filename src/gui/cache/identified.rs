@@ -9,9 +9,9 @@ use crate::effects::{Inputs, JointValues};
 use crate::export::poses::measured_poses;
 use crate::export::{Export, Job};
 use crate::fit::gap::Spread;
-use crate::gui::core::answer::{Answer, answer};
+use crate::gui::core::answer::Answer;
 use crate::gui::core::document::{ExportChoice, Question, QuestionDetails};
-
+use crate::gui::core::identify::answer;
 use crate::gui::core::loaded_session::LoadedSession;
 use crate::gui::core::scale::Readable;
 use crate::gui::jobs::Watch;

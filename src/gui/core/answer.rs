@@ -1,33 +1,27 @@
-//! What an identification answers, and how that is worked out; and a model that was read from a file: it takes the
-//! place of an identification, so that the same panels show both. And a search for what is missing, as the window keeps it: the
+//! What an identification answers, and a model that was read from a file: it takes the place of an
+//! identification, so that the same panels show both. And a search for what is missing, as the window keeps it: the
 //! diagnosis of one session, and the model's term of each name that was found.
 //!
 //! With a session of the same robot a model is held against the samples by
 //! [`verify`](crate::compensation::verify), as the terminal does it. Without one there is nothing to
 //! hold it against: its parameters, its table and its history are shown by themselves.
 
-use std::cell::Cell;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use crate::answers::diagnosis::DataProblem;
-use crate::compensation::{Regional, Verification, VerifiedCalibration};
+use crate::compensation::{Verification, VerifiedCalibration};
 use crate::diagnosis::{DiagnoseError, Diagnosis, FoundEffect, Options, Progress};
-use crate::effects::{Inputs, JointValues, Term};
-use crate::fit::gap::{Spread, deviations};
-use crate::fit::problem::Problem;
+use crate::effects::Term;
+use crate::fit::gap::Spread;
 use crate::fit::uncertainty::{NORMAL_95, all_estimates};
 use crate::fit::{Gap, Identification, Outlier, Quality, RegionResult};
 use crate::gui::core::disk::name_of;
-use crate::gui::core::document::{Question, QuestionDetails, RequestedSearch};
 use crate::gui::core::loaded_session::{LoadedSession, Origin};
 use crate::gui::jobs::Watch;
 use crate::language::spoken;
 use crate::model::{Calibration, RegionalCorrection};
-use crate::pipeline::{
-    Identified, Method, diagnose, identify_checked, identify_checked_unless, verify,
-};
-use crate::sessions::division::RegionChoice;
+use crate::pipeline::{diagnose, verify};
 use crate::sessions::regions::Assignment;
 use crate::sessions::{Instrument, Region, Samples, Session, hash_of_samples};
 use crate::text::Template;
@@ -135,7 +129,10 @@ impl LoadedModel {
 pub(crate) const METHOD: &str = "model";
 
 /// What the model says about a session.
-fn of_model(loaded_model: &LoadedModel, loaded_session: &LoadedSession) -> Result<Answer, String> {
+pub(super) fn of_model(
+    loaded_model: &LoadedModel,
+    loaded_session: &LoadedSession,
+) -> Result<Answer, String> {
     let calibration = Calibration::clone(&loaded_model.calibration);
     let verified = if loaded_session.is_empty() {
         None
@@ -146,18 +143,19 @@ fn of_model(loaded_model: &LoadedModel, loaded_session: &LoadedSession) -> Resul
     let after = verified.as_ref().map(|v| v.after.clone());
     let (after_mm, lengths_mm) = after.map_or_else(Default::default, |a| (a.axes_mm, a.length_mm));
     let identification = identification(loaded_model, loaded_session, verified.as_ref());
+    let suspected = suspected(&identification, loaded_session.len());
     let loaded = LoadedModelSummary {
         file: loaded_model.file_name(),
         verification: verified,
     };
     Ok(Answer {
-        suspected: suspected(&identification, loaded_session.len()),
         identification,
         calibration,
         data_problems: Vec::new(),
         loaded: Some(loaded),
         after_mm,
         lengths_mm,
+        suspected,
     })
 }
 
@@ -242,131 +240,12 @@ fn regions(
 }
 
 /// Which samples an identification suspects.
-fn suspected(identification: &Identification, samples: usize) -> Vec<bool> {
+pub(super) fn suspected(identification: &Identification, samples: usize) -> Vec<bool> {
     let mut suspected = vec![false; samples];
     for outlier in &identification.outliers {
         suspected[outlier.sample] = true;
     }
     suspected
-}
-
-/// Works the answer to a question out. Takes its time with many samples.
-pub(crate) fn answer(question: &Question, watch: &Watch) -> Result<Answer, String> {
-    let loaded_session = &*question.loaded_session;
-    let session = &loaded_session.session;
-    let values = JointValues::Commanded;
-    let Identified {
-        identification,
-        calibration,
-        data_problems,
-    } = match &question.asks {
-        QuestionDetails::Given(given) => return of_model(given, loaded_session),
-        QuestionDetails::Exact {
-            effects,
-            with,
-            found,
-        } => {
-            let searched = found.as_ref().and_then(RequestedSearch::diagnosis);
-            match searched {
-                Some(diagnosis) => of_search(session, &diagnosis),
-                None => fitted(session, effects, with, watch)?,
-            }
-        }
-        QuestionDetails::Regional(regions) => {
-            let method = Method::Regional(RegionChoice::Given(regions.to_vec()));
-            identify_checked(session, &method, values).map_err(|e| spoken(e.describe()))?
-        }
-    };
-    let after_mm = if let QuestionDetails::Regional(_) = &question.asks {
-        after_regional(loaded_session, &identification)
-    } else if data_problems.iter().any(|problem| problem.mend.is_some()) {
-        // The model reads the samples as they were corrected.
-        let verification = verify(&calibration, session).map_err(|e| spoken(e.describe()))?;
-        verification.after.axes_mm
-    } else {
-        deviations(&Problem::new(session, values), &identification.model).axes_mm
-    };
-    let length = |i: usize| after_mm.iter().map(|e| e[i] * e[i]).sum::<f64>().sqrt();
-    let lengths_mm = (0..loaded_session.len()).map(length).collect();
-    Ok(Answer {
-        suspected: suspected(&identification, loaded_session.len()),
-        identification,
-        calibration,
-        data_problems,
-        loaded: None,
-        after_mm,
-        lengths_mm,
-    })
-}
-
-/// What a search says, where all that it found is asked for: its own fit, and the smooth correction
-/// where that is asked for too.
-fn of_search(session: &Session, diagnosis: &Diagnosis) -> Identified {
-    let calibration = diagnosis.calibration(session);
-    let mut identification = diagnosis.identification.clone();
-    if diagnosis.correction().is_some() {
-        // The correction was made beside the fit: only the error that remains is another.
-        let problem = Problem::new(session, JointValues::Commanded);
-        let left = deviations(&problem, &calibration.model).length_mm;
-        let suspected = suspected(&identification, left.len());
-        let after = Spread::of(&left, |i| problem.fit[i], |i| suspected[i]);
-        identification.gap.after = after.unwrap_or(identification.gap.after);
-        identification.model = calibration.model.clone();
-    }
-    Identified {
-        identification,
-        calibration,
-        data_problems: Vec::new(),
-    }
-}
-
-/// A fit of these effects, with some of what a search found, of the session without its set-up errors.
-fn fitted(
-    session: &Session,
-    effects: &[&'static str],
-    with: &[Term],
-    watch: &Watch,
-) -> Result<Identified, String> {
-    // The number of passes is not known; each takes a part of what is left.
-    let left = Cell::new(1.0_f64);
-    let go_on = || {
-        left.set(left.get() * 0.85);
-        watch.done(1.0 - left.get());
-        !watch.stopped()
-    };
-    let method = Method::Exact {
-        effects: effects.iter().map(|&id| id.to_owned()).collect(),
-        with: with.to_vec(),
-        priors: true,
-    };
-    identify_checked_unless(session, &method, JointValues::Commanded, &go_on)
-        .map_err(|e| spoken(e.describe()))
-}
-
-/// Deviations after the paper's correction (8): e + M Δρ of the sample's region, in the plane of
-/// motion at home. A sample in no region keeps its deviation: nothing corrects it.
-fn after_regional(
-    loaded_session: &LoadedSession,
-    identification: &Identification,
-) -> [Vec<f64>; 3] {
-    let session = &loaded_session.session;
-    let inputs = Inputs::new(session, JointValues::Commanded);
-    let corrections = identification.regions.iter().map(|r| r.correction.clone());
-    let regional = Regional::new(&session.robot, &corrections.collect::<Vec<_>>());
-    let mut after = loaded_session.before.axes_mm.clone();
-    let by_sample = regional.corrections_at(&inputs.q[0]);
-    for (sample, correction) in by_sample.into_iter().enumerate() {
-        let Some(correction) = correction else {
-            continue;
-        };
-        let target = inputs.target.as_deref().map_or(0, |t| t[sample] as usize);
-        let home = inputs.reflectors_at_home[target];
-        let shift = regional.position_correction(correction, home);
-        for axis in 0..3 {
-            after[axis][sample] += shift[axis];
-        }
-    }
-    after
 }
 
 #[derive(Debug, Clone)]

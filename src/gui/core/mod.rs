@@ -7,6 +7,7 @@ pub(crate) mod compensated;
 pub(crate) mod disk;
 pub(crate) mod document;
 pub(crate) mod history;
+pub(crate) mod identify;
 pub(crate) mod loaded_session;
 pub(crate) mod overview;
 pub(crate) mod quantity;

@@ -610,7 +610,7 @@ fn typed_ends(ui: &mut Ui, typed: &RobotTable, sound: bool, workbench: &Workbenc
     ui.add_space(space::ROW);
     ui.columns(3, |columns| {
         widgets::other(&mut columns[0], say!("Cancel")).does(workbench, move |bench| {
-            bench.show_sheet(Some(Sheet::ROBOTS))
+            bench.show_sheet(Some(Sheet::ROBOTS));
         });
         let save = |ui: &mut Ui| widgets::other(ui, say!("Save robot file…"));
         let save = columns[1].add_enabled_ui(sound, save).inner;

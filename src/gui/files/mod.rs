@@ -32,6 +32,7 @@ use crate::gui::core::disk::Fingerprint;
 use crate::gui::core::document::plain;
 use crate::gui::core::loaded_session::{LoadedSession, Origin};
 use crate::gui::core::simulate::Form;
+use crate::gui::import_draft::listed;
 use crate::gui::import_draft::{ImportDraft, TABLES};
 use crate::gui::jobs::Watch;
 use crate::gui::view::Message;
@@ -137,17 +138,6 @@ fn why(error: &ReadError) -> Vec<String> {
 
 /// Which part of opening a session it is to read it; the rest is to look through it.
 const READING: f64 = 0.4;
-
-/// No more lines than can be read.
-pub(crate) fn listed(mut lines: Vec<String>) -> Vec<String> {
-    const MOST: usize = 8;
-    let more = lines.len().saturating_sub(MOST);
-    lines.truncate(MOST);
-    if more > 0 {
-        lines.push(say!(in "common", "and {more} more", more));
-    }
-    lines
-}
 
 /// Makes a session by simulation.
 pub(crate) fn simulate(form: &Form, watch: &Watch) -> Result<Opened, Message> {

@@ -16,7 +16,6 @@ use std::sync::Arc;
 use crate::diagnostic::{Diagnostic, Place, Rejected, Severity};
 use crate::explain::{Detail, Section, imported};
 use crate::gui::core::loaded_session::{LoadedSession, Origin};
-use crate::gui::files::listed;
 use crate::gui::jobs::Watch;
 use crate::importers::{
     self, Alignment, ColumnGuess, IMPORTERS, Inspection, Matched, Reading, Settings,
@@ -430,6 +429,17 @@ fn companion((path, bytes): &File) -> importers::Companion<'_> {
         bytes,
         file: Some(path.clone()),
     }
+}
+
+/// No more lines than can be read.
+pub(crate) fn listed(mut lines: Vec<String>) -> Vec<String> {
+    const MOST: usize = 8;
+    let more = lines.len().saturating_sub(MOST);
+    lines.truncate(MOST);
+    if more > 0 {
+        lines.push(say!(in "common", "and {more} more", more));
+    }
+    lines
 }
 
 /// What is wrong, no more than can be read.

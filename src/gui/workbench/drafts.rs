@@ -10,7 +10,7 @@ use crate::gui::cache::cloud::Cloud;
 use crate::gui::core::disk::name_of;
 use crate::gui::core::document::{Decision, adapt};
 use crate::gui::core::loaded_session::LoadedSession;
-use crate::gui::core::regions::Count;
+use crate::gui::core::regions::Counts;
 use crate::gui::files;
 use crate::gui::import_draft::{Companion, ImportDraft, InspectedDraft};
 use crate::gui::jobs::{Kind, Running, Watch};
@@ -164,7 +164,7 @@ pub(super) fn adapted(loaded_session: Arc<LoadedSession>) -> Adapted {
 
 impl Workbench {
     /// The samples of each region, and those in none.
-    pub(crate) fn counted(&self) -> Arc<(Vec<Count>, usize)> {
+    pub(crate) fn counted(&self) -> Arc<Counts> {
         let (loaded_session, regions) = (self.loaded_session(), &self.document().regions);
         let of = (Arc::clone(loaded_session), Arc::clone(regions));
         let count = || Arc::new(loaded_session.counted(regions));

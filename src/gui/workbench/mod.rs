@@ -37,7 +37,7 @@ use crate::gui::core::disk::Fingerprint;
 use crate::gui::core::document::{Document, ExportChoice, Method, Question};
 use crate::gui::core::history::History;
 use crate::gui::core::loaded_session::LoadedSession;
-use crate::gui::core::regions::Count;
+use crate::gui::core::regions::Counts;
 use crate::gui::core::robot_table::RobotTable;
 use crate::gui::core::simulate::Form;
 use crate::gui::file_state::recovery::{LeftBehind, RecoveryFile};
@@ -82,6 +82,9 @@ pub(crate) struct Workbench {
     pub(super) jobs: Jobs<Self>,
 }
 
+/// A session, and how it is divided.
+type Divided = (Arc<LoadedSession>, Arc<[Region]>);
+
 /// What the background has worked out about the document, and what it is asked.
 #[derive(Default)]
 pub(super) struct Derived {
@@ -96,7 +99,7 @@ pub(super) struct Derived {
     /// What a diagnosis says, and how it is said.
     pub(super) sections: Memo<(Arc<Search>, Voice), Arc<[Section]>>,
     /// The samples of each region, and those in none.
-    pub(super) counted: Memo<(Arc<LoadedSession>, Arc<[Region]>), Arc<(Vec<Count>, usize)>>,
+    pub(super) counted: Memo<Divided, Arc<Counts>>,
     pub(super) heat_picture: Memo<HeatLook, TextureHandle>,
     /// The samples in the order of their rows.
     pub(super) order: Memo<(PlotInputs, Sorting), Arc<[u32]>>,
@@ -297,7 +300,7 @@ impl Workbench {
             match &self.view.sheet {
                 // Closing the question cancels what it was about.
                 Some(Sheet::Unsaved(_) | Sheet::Overwrite(_) | Sheet::Path { .. }) => {
-                    self.cancel_pending_action()
+                    self.cancel_pending_action();
                 }
                 Some(Sheet::Import(_)) => self.leave_draft(),
                 _ => {}
