@@ -2,8 +2,8 @@
 //! table of axes or of Denavit–Hartenberg rows.
 
 use egui::{
-    Align, Button, Grid, Key, Layout, Modifiers, RichText, Role, ScrollArea, Sense, TextEdit, Ui, Vec2,
-    WidgetInfo, vec2,
+    Align, Button, Grid, Key, Layout, Modifiers, RichText, Role, ScrollArea, Sense, TextEdit, Ui,
+    Vec2, WidgetInfo, vec2,
 };
 
 use crate::gui::core::robot_table::{RobotTable, Row, TableForm};
