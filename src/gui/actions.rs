@@ -5,33 +5,37 @@ use crate::gui::files;
 use crate::gui::view::NextAction;
 use crate::gui::view::Panes;
 use crate::text::{Template, filled, spoken};
-use egui::{Context, Key, KeyboardShortcut, Modifiers};
+use egui::{Button, Context, Key, KeyboardShortcut, Modifiers, Response, Role, Ui, WidgetInfo};
 
 use crate::gui::core::disk::EXAMPLES;
 use crate::gui::core::simulate::Form;
 use crate::gui::preferences::{Preferences, Theme};
 use crate::gui::style::layout::Layout;
-use crate::gui::view::{About, Edge, Plane, Sheet, Standard, What};
+use crate::gui::view::{About, Edge, PaletteInput, Plane, Sheet, Standard, What};
 use crate::gui::workbench::Workbench;
 
 /// The window as it stands.
-#[derive(Clone, Copy)]
 pub(crate) struct WindowState<'a> {
-    pub(crate) ctx: &'a Context,
-    pub(crate) workbench: &'a Workbench,
+    ctx: Context,
+    workbench: &'a Workbench,
 }
 
-impl WindowState<'_> {
-    fn preferences(self) -> Preferences {
+impl<'a> WindowState<'a> {
+    pub(crate) fn of(ctx: &Context, workbench: &'a Workbench) -> Self {
+        let ctx = ctx.clone();
+        Self { ctx, workbench }
+    }
+
+    fn preferences(&self) -> Preferences {
         self.workbench.view.preferences
     }
 
-    fn looks_at(self, plane: Plane) -> bool {
+    fn looks_at(&self, plane: Plane) -> bool {
         let view = &self.workbench.view;
         view.plane == plane && !view.in_space()
     }
 
-    fn sees_from(self, from: Standard) -> bool {
+    fn sees_from(&self, from: Standard) -> bool {
         let view = &self.workbench.view;
         view.in_space() && view.camera.standard() == Some(from)
     }
@@ -44,11 +48,11 @@ fn dark(ctx: &Context) -> bool {
 /// What an action needs, and what to do where that is not there.
 #[derive(Clone, Copy)]
 struct Need {
-    there: fn(WindowState<'_>) -> bool,
+    there: fn(&WindowState<'_>) -> bool,
     first: Template,
 }
 
-const fn need(there: fn(WindowState<'_>) -> bool, first: Template) -> Need {
+const fn need(there: fn(&WindowState<'_>) -> bool, first: Template) -> Need {
     Need { there, first }
 }
 
@@ -67,10 +71,10 @@ pub(crate) struct Action {
     /// What the list of keys says.
     help: Template,
     /// What the menu says.
-    label: fn(WindowState<'_>) -> String,
+    label: fn(&WindowState<'_>) -> String,
     needs: Need,
     /// One of several ways to look: whether it is this.
-    on: Option<fn(WindowState<'_>) -> bool>,
+    on: Option<fn(&WindowState<'_>) -> bool>,
     does: fn(&mut Workbench, &Context),
 }
 
@@ -79,7 +83,7 @@ impl Action {
         modifiers: Modifiers,
         key: Key,
         help: Template,
-        label: fn(WindowState<'_>) -> String,
+        label: fn(&WindowState<'_>) -> String,
         does: fn(&mut Workbench, &Context),
     ) -> Self {
         Self {
@@ -96,18 +100,18 @@ impl Action {
         Self { needs, ..self }
     }
 
-    const fn on(self, on: fn(WindowState<'_>) -> bool) -> Self {
+    const fn on(self, on: fn(&WindowState<'_>) -> bool) -> Self {
         Self {
             on: Some(on),
             ..self
         }
     }
 
-    pub(crate) fn label(&self, now: WindowState<'_>) -> String {
+    pub(crate) fn label(&self, now: &WindowState<'_>) -> String {
         (self.label)(now)
     }
 
-    pub(crate) fn enabled(&self, now: WindowState<'_>) -> bool {
+    pub(crate) fn enabled(&self, now: &WindowState<'_>) -> bool {
         (self.needs.there)(now)
     }
 
@@ -117,14 +121,31 @@ impl Action {
     }
 
     /// Whether it is chosen, where it is one of several ways to look.
-    pub(crate) fn chosen(&self, now: WindowState<'_>) -> Option<bool> {
+    pub(crate) fn chosen(&self, now: &WindowState<'_>) -> Option<bool> {
         self.on.map(|on| on(now))
     }
 
     /// Does it once the frame is drawn.
-    pub(crate) fn ask_for(&self, now: WindowState<'_>) {
+    pub(crate) fn ask_for(&self, now: &WindowState<'_>) {
         let (does, ctx) = (self.does, now.ctx.clone());
         now.workbench.then(move |bench| does(bench, &ctx));
+    }
+
+    /// Itself in a menu.
+    pub(crate) fn item(&self, ui: &mut Ui, workbench: &Workbench) -> Response {
+        let now = WindowState::of(ui.ctx(), workbench);
+        let name = self.label(&now);
+        let button = match self.chosen(&now) {
+            Some(on) => Button::selectable(on, &name),
+            None => Button::new(&name),
+        };
+        let button = button.shortcut_text(self.keys(ui.ctx()));
+        let response = item(ui, button, &name, self.enabled(&now));
+        if response.clicked() {
+            self.ask_for(&now);
+            ui.close();
+        }
+        response
     }
 
     /// Its keys as a menu shows them.
@@ -143,11 +164,11 @@ const COMMAND: Modifiers = Modifiers::COMMAND;
 const ALT: Modifiers = Modifiers::COMMAND.plus(Modifiers::ALT);
 const SHIFTED: Modifiers = Modifiers::COMMAND.plus(Modifiers::SHIFT);
 
-fn measured(now: WindowState<'_>) -> bool {
+fn measured(now: &WindowState<'_>) -> bool {
     !now.workbench.loaded_session().is_empty()
 }
 
-fn answered(now: WindowState<'_>) -> bool {
+fn answered(now: &WindowState<'_>) -> bool {
     now.workbench.answer().is_some()
 }
 
@@ -188,10 +209,10 @@ actions! {
     NEW: COMMAND, N, phrase!("simulate session"), |_| say!("Simulate session…").into(),
         |bench, _| bench.show_sheet(Some(Sheet::Simulate(Form::default())));
     SAVE_AS: SHIFTED, S, phrase!("save session as"), |_| say!("Save session as…").into(),
-        |bench, _| bench.choose_where_to_save(), [when(MEASURED)];
+        |bench, _| bench.choose_where_to_export(What::Session), [when(MEASURED)];
     SAVE: COMMAND, S, phrase!("save session"), |_| say!("Save session").into(), |bench, _| bench.save(), [when(MEASURED)];
     SAVE_TO_PATH: SHIFTED, P, phrase!("save session to a path"), |_| say!("Save session to path…").into(),
-        |bench, _| bench.type_path_to_save(), [when(MEASURED)];
+        |bench, _| bench.type_path(What::Session), [when(MEASURED)];
     SAVE_MODEL: COMMAND, M, phrase!("save model"), |_| say!("Save model…").into(),
         |bench, _| bench.choose_where_to_export(What::Model), [when(ANSWERED)];
     COMPENSATE: SHIFTED, T, phrase!("correct targets or a program"), |_| say!("Compensate targets…").into(),
@@ -222,10 +243,10 @@ actions! {
         |bench, _| bench.prefer(Preferences { angle: bench.view.preferences.next_angle().0, ..bench.view.preferences });
     NEXT_LENGTH: COMMAND, U, phrase!("next unit of lengths"), |now| now.preferences().next_length().1.into(),
         |bench, _| bench.prefer(Preferences { length: bench.view.preferences.next_length().0, ..bench.view.preferences });
-    OTHER_THEME: COMMAND, D, phrase!("light or dark"), |now| Theme::other(dark(now.ctx)).1.into(),
+    OTHER_THEME: COMMAND, D, phrase!("light or dark"), |now| Theme::other(dark(&now.ctx)).1.into(),
         |bench, ctx| bench.prefer(Preferences { theme: Theme::other(dark(ctx)).0, ..bench.view.preferences });
     RESULTS: COMMAND, B, phrase!("results, or more room for plots"),
-        |now| results_says(layout(now.ctx, now.workbench).results()).into(),
+        |now| results_says(layout(&now.ctx, now.workbench).results()).into(),
         |bench, ctx| bench.view.results = Some(!layout(ctx, bench).results());
     CHART_BELOW: SHIFTED, E, phrase!("another chart below this plot"), |_| say!("Add chart below").into(),
         |bench, _| bench.add_chart(bench.view.panes.active(), Edge::Bottom), [when(ROOM)];
@@ -280,7 +301,7 @@ actions! {
     WORDS: PLAIN, F1, phrase!("glossary"), |_| say!("Glossary").into(), |bench, _| bench.show_sheet(Some(Sheet::Named("words")));
     KEYS: SHIFTED, K, phrase!("this list"), |_| say!("Keyboard and mouse").into(), |bench, _| bench.show_sheet(Some(Sheet::Named("keys")));
     PALETTE: COMMAND, K, phrase!("all commands, by a word of their name"), |_| say!("All commands…").into(),
-        |bench, _| bench.show_sheet(Some(Sheet::Named("palette")));
+        |bench, _| bench.show_sheet(Some(Sheet::Palette(PaletteInput::default())));
 }
 
 /// The examples, in their order.
@@ -309,7 +330,7 @@ fn are_excluded(workbench: &Workbench) -> bool {
     chosen.iter().all(|sample| samples.is_excluded(*sample))
 }
 
-fn exclude_says(now: WindowState<'_>) -> String {
+fn exclude_says(now: &WindowState<'_>) -> String {
     match now.workbench.view.chosen()[..] {
         [] => say!("Exclude samples").to_owned(),
         [one] if are_excluded(now.workbench) => {
@@ -321,6 +342,13 @@ fn exclude_says(now: WindowState<'_>) -> String {
         }
         ref all => say!("Exclude {count} samples", count = all.len()),
     }
+}
+
+/// Something in a menu: it goes by its name alone, without its keys.
+pub(crate) fn item(ui: &mut Ui, button: Button<'_>, name: &str, enabled: bool) -> Response {
+    let response = ui.add_enabled(enabled, button);
+    response.widget_info(|| WidgetInfo::labeled(Role::Button, enabled, name));
+    response
 }
 
 /// What opens the right-hand side, or shuts it.
@@ -360,12 +388,12 @@ pub(crate) fn read(ctx: &Context, workbench: &Workbench) {
     if covered || ctx.text_edit_focused() {
         return;
     }
-    let now = WindowState { ctx, workbench };
+    let now = WindowState::of(ctx, workbench);
     for action in ALL {
         // A key by itself may mean something to the control with the focus.
-        let meant = action.keys.modifiers.any() || action.enabled(now);
+        let meant = action.keys.modifiers.any() || action.enabled(&now);
         if meant && ctx.input_mut(|i| i.consume_shortcut(&action.keys)) {
-            action.ask_for(now);
+            action.ask_for(&now);
         }
     }
 }

@@ -198,7 +198,7 @@ impl App {
         let Some(what) = Workbench::export_named(export) else {
             return;
         };
-        let sheet = Sheet::ExportPath {
+        let sheet = Sheet::Path {
             what,
             path: path.display().to_string(),
             replace: false,
@@ -207,7 +207,7 @@ impl App {
             .execute(|bench| bench.show_sheet(Some(sheet)));
     }
 
-    fn lay_out(&self, ui: &mut Ui) {
+    fn lay_out(&mut self, ui: &mut Ui) {
         let workbench = &self.workbench;
         let palette = Palette::of(ui);
         let frame = |fill, margin| Frame::NONE.fill(fill).inner_margin(margin);
@@ -246,7 +246,8 @@ impl App {
             });
         views::steps::grips(ui, workbench, room, middle);
         views::status::notices(ui, workbench, room);
-        dialogs::show(ui, workbench);
+        dialogs::show(ui, &mut self.workbench);
+        let workbench = &self.workbench;
         dialogs::asking(ui, workbench);
         views::status::dropped(ui, workbench);
         widgets::focus_ring(ui.ctx());

@@ -3,8 +3,9 @@
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
-use crate::window::{Window, window};
+use crate::window::{Window, keys, press, says, seconds, there, until, window, window_of};
 use egui_kittest::kittest::Queryable;
+use truepose::export::EXPORTERS;
 use truepose::gui::{App, Runner};
 
 const HEAD: &str = r#"{ "format": "truepose-session/1", "name": "many", "robot": { "name": "axis",
@@ -12,12 +13,12 @@ const HEAD: &str = r#"{ "format": "truepose-session/1", "name": "many", "robot":
  "tool": { "position_mm": [250,0,300], "quaternion_wxyz": [1,0,0,0] } }, "tolerance_mm": 0.5,
  "instrument": { "name": "tracker", "sigma_mm": 0.03 }, "samples": { "file": "many.csv" } }"#;
 
-/// A full turn of one reflector, a fifth of a millimetre too far out.
+/// A full turn of one reflector, a fifth of a millimetre too far out and a fifth of a degree ahead.
 fn write_session(folder: &Path, samples: u32) -> PathBuf {
     let mut csv = "q1_deg,x_mm,y_mm,z_mm,dir1,load_kg\n".to_owned();
     for i in 0..samples {
         let q = f64::from(i) / f64::from(samples) * 360.0 - 180.0;
-        let (sin, cos) = q.to_radians().sin_cos();
+        let (sin, cos) = (q + 0.2).to_radians().sin_cos();
         let direction = if i % 2 == 0 { 1 } else { -1 };
         let (x, y) = (250.2 * cos, 250.2 * sin);
         writeln!(csv, "{q:.6},{x:.5},{y:.5},300,{direction},{}", i % 3).expect("memory suffices");
@@ -78,6 +79,32 @@ fn the_pointer_finds_a_sample_among_many_in_both_plots() {
         window.hover_at(egui::pos2(5.0, 5.0));
         window.run_steps(3);
     }
+}
+
+#[test]
+fn a_preparation_that_is_cancelled_is_begun_again_when_that_is_asked_for() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = write_session(folder.path(), 40_000);
+    let mut window = window_of([1280.0, 1000.0], Some(path), Runner::Threads);
+    until(&mut window, "40\u{202f}000 samples");
+    keys(&mut window, egui::Modifiers::COMMAND, egui::Key::I);
+    until(&mut window, " → ");
+    window.get_by_label("5 Export").click();
+    until(&mut window, "preparing the table");
+    window.get_by_label("Cancel").click();
+    until(&mut window, "The preparation of the table was cancelled");
+    seconds(&mut window, 3);
+    assert!(!says(&window, "preparing the table"), "not by itself");
+    press(&mut window, "Prepare the table");
+    until(&mut window, "RMS error left by the table");
+    // The figures of one format do not stand under the name of another.
+    let other = EXPORTERS.iter().filter(|one| one.rules.is_some()).nth(1);
+    let other = other.expect("it is a format").title.english();
+    window.get_by_label(other).click();
+    window.run_steps(3);
+    assert!(says(&window, "The table is being prepared"));
+    assert!(!there(&window, "RMS error left by the table"));
+    until(&mut window, "RMS error left by the table");
 }
 
 /// How often each of these stands somewhere in the window.

@@ -36,13 +36,7 @@ impl ChartKind for Cumulative {
         let component = scene.component;
         let key = WorkKey::Chart(self.about().id, component, Vec::new());
         Some(Work::new(key, move |given| {
-            let usable = given
-                .loaded_session
-                .overview
-                .usable
-                .iter()
-                .map(|i| *i as usize);
-            let (before, after) = given.values(&usable.collect::<Vec<_>>(), component);
+            let (before, after) = given.values(&given.usable(), component);
             Sorted::of(after.unwrap_or(before))
         }))
     }

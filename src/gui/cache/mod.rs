@@ -8,6 +8,7 @@ pub(crate) mod identified;
 pub(crate) mod points;
 
 use std::any::Any;
+use std::cell::RefCell;
 use std::fmt;
 use std::sync::Arc;
 
@@ -34,6 +35,25 @@ pub(crate) struct Made {
     pub(crate) inputs: PlotInputs,
     key: WorkKey,
     pub(crate) result: ChartResult,
+}
+
+/// What was worked out last, and of what: the same is not worked out again.
+#[derive(Debug)]
+pub(crate) struct Memo<K, V>(RefCell<Option<(K, V)>>);
+
+impl<K, V> Default for Memo<K, V> {
+    fn default() -> Self {
+        Self(RefCell::new(None))
+    }
+}
+
+impl<K: PartialEq, V: Clone> Memo<K, V> {
+    pub(crate) fn get(&self, of: K, make: impl FnOnce() -> V) -> V {
+        let last = self.0.take().filter(|(before, _)| *before == of);
+        let (of, made) = last.unwrap_or_else(|| (of, make()));
+        self.0.replace(Some((of, made.clone())));
+        made
+    }
 }
 
 /// What was worked out, the newest of each key, and what is under way.
@@ -76,17 +96,20 @@ impl PlotCache {
     }
 }
 
-/// Of what something is worked out: samples, and the newest answer.
-#[derive(Clone, Copy)]
-pub(crate) struct ChartInputs<'a> {
-    pub(crate) loaded_session: &'a LoadedSession,
-    pub(crate) answer: Option<&'a Answer>,
-}
+impl PlotInputs {
+    pub(crate) fn answer(&self) -> Option<&Answer> {
+        self.identified.as_ref()?.answer.as_ref().ok()
+    }
 
-impl ChartInputs<'_> {
+    /// Samples that can be used.
+    pub(crate) fn usable(&self) -> Vec<usize> {
+        let usable = self.loaded_session.overview.usable.iter();
+        usable.map(|sample| *sample as usize).collect()
+    }
+
     /// A component of some samples' deviations before, and after where it is known.
     pub(crate) fn values(
-        self,
+        &self,
         samples: &[usize],
         component: Component,
     ) -> (Vec<f64>, Option<Vec<f64>>) {
@@ -95,7 +118,9 @@ impl ChartInputs<'_> {
             samples.iter().map(value).collect::<Vec<f64>>()
         };
         let before = of(&|i| self.loaded_session.deviation_before(i));
-        let after = self.answer.map(|answer| of(&|i| answer.deviation_after(i)));
+        let after = self
+            .answer()
+            .map(|answer| of(&|i| answer.deviation_after(i)));
         (before, after)
     }
 }
@@ -103,7 +128,7 @@ impl ChartInputs<'_> {
 /// What came of it.
 pub(crate) type ChartResult = Arc<dyn Any + Send + Sync>;
 
-type Make = dyn Fn(ChartInputs<'_>) -> ChartResult + Send + Sync;
+type Make = dyn Fn(&PlotInputs) -> ChartResult + Send + Sync;
 
 /// What it is that is worked out.
 #[derive(Debug, Clone, PartialEq)]
@@ -130,21 +155,16 @@ pub(crate) struct Work {
 impl Work {
     pub(crate) fn new<T: Any + Send + Sync>(
         key: WorkKey,
-        make: impl Fn(ChartInputs<'_>) -> T + Send + Sync + 'static,
+        make: impl Fn(&PlotInputs) -> T + Send + Sync + 'static,
     ) -> Self {
-        let make = Arc::new(move |given: ChartInputs<'_>| Arc::new(make(given)) as ChartResult);
+        let make = Arc::new(move |given: &PlotInputs| Arc::new(make(given)) as ChartResult);
         Self { key, make }
     }
 
     /// Works it out. Takes its time with many samples.
     pub(crate) fn made(&self, inputs: PlotInputs) -> Made {
-        let answer = inputs.identified.as_ref();
-        let given = ChartInputs {
-            loaded_session: &inputs.loaded_session,
-            answer: answer.and_then(|identified| identified.answer.as_ref().ok()),
-        };
         Made {
-            result: (self.make)(given),
+            result: (self.make)(&inputs),
             key: self.key.clone(),
             inputs,
         }
@@ -152,16 +172,16 @@ impl Work {
 
     /// The standards' figures, by the errors of a diagnosis where there is one.
     pub(crate) fn figures(diagnosed: Option<FittedErrors>) -> Self {
-        let make = move |given: ChartInputs<'_>| {
-            figures(&given.loaded_session.session, given.answer, diagnosed)
+        let make = move |given: &PlotInputs| {
+            figures(&given.loaded_session.session, given.answer(), diagnosed)
         };
         Self::new(WorkKey::Figures(diagnosed), make)
     }
 
     /// The heat map of a plane.
     pub(crate) fn heat(plane: Plane) -> Self {
-        let make = move |given: ChartInputs<'_>| {
-            let heat = Heat::of(given.loaded_session, given.answer, plane);
+        let make = move |given: &PlotInputs| {
+            let heat = Heat::of(&given.loaded_session, given.answer(), plane);
             heat.map(Arc::new)
         };
         Self::new(WorkKey::Heat(plane), make)
@@ -169,8 +189,8 @@ impl Work {
 
     /// How sure the model is at each sample.
     pub(crate) fn uncertain() -> Self {
-        let make = |given: ChartInputs<'_>| {
-            let uncertain = Uncertain::of(given.loaded_session, given.answer?);
+        let make = |given: &PlotInputs| {
+            let uncertain = Uncertain::of(&given.loaded_session, given.answer()?);
             uncertain.map(Arc::new)
         };
         Self::new(WorkKey::Uncertain, make)

@@ -7,7 +7,7 @@ use crate::gui::core::quantity::Quantity;
 use crate::numeric::whole;
 use crate::present::chart::LEAST_SPAN;
 
-use super::ChartInputs;
+use super::PlotInputs;
 
 /// Cells across and upwards, in which one of many samples is drawn.
 const CELLS: [usize; 2] = [160, 60];
@@ -53,13 +53,13 @@ pub(crate) struct Points {
 }
 
 impl Cloud {
-    pub(crate) fn of(inputs: ChartInputs<'_>, axes: [Quantity; 2]) -> Self {
+    pub(crate) fn of(inputs: &PlotInputs, axes: [Quantity; 2]) -> Self {
         // What rounding alone scatters is one cell high.
         let least = axes.map(|axis| if axis.changes() { LEAST_SPAN } else { 0.0 });
         Self([0, 1].map(|when| {
             let place =
-                |sample: usize| at(inputs.loaded_session, inputs.answer, axes, when, sample);
-            let known = when == 0 || inputs.answer.is_some() && axes.iter().any(|a| a.changes());
+                |sample: usize| at(&inputs.loaded_session, inputs.answer(), axes, when, sample);
+            let known = when == 0 || inputs.answer().is_some() && axes.iter().any(|a| a.changes());
             let usable = inputs
                 .loaded_session
                 .overview

@@ -8,7 +8,7 @@ use crate::gui::help::Word;
 use crate::gui::view::Step;
 use crate::kinematics::JointKind;
 use crate::language::spoken;
-use crate::present::chart::{Axis, AxisDeviation, AxisStage, axis_figures};
+use crate::present::chart::{AxisDeviation, AxisStage, axis_figures};
 use crate::present::numbers::fixed;
 use crate::present::table::{Cell, Table};
 use crate::standards::{AxisTest, Series, axis_test};
@@ -56,7 +56,7 @@ impl ChartKind for OfAxis {
         let joint = scene.joint();
         let key = WorkKey::Chart(ID, scene.component, vec![joint]);
         Some(Work::new(key, move |given| {
-            let calibration = given.answer.map(|answer| &answer.calibration);
+            let calibration = given.answer().map(|answer| &answer.calibration);
             axis_test(&given.loaded_session.session, calibration, joint)
                 .map_err(|error| spoken(error.describe()))
         }))
@@ -80,7 +80,7 @@ impl ChartKind for OfAxis {
             axis,
             series,
             stage,
-            across: Axis::turning(format!("{label}, {}", scale.unit), scale.degrees),
+            across: scale.axis(label.clone()),
             position: &|outer| scale.shown(axis.kind.to_base_units(outer)),
             unit,
         };

@@ -118,14 +118,11 @@ impl ChartKind for ByJoint {
         if scene.answer().is_some() {
             series.push(panels.series(Entry::after(sign), |v| v.1));
         }
-        let all = series.iter().flat_map(|s| &s.samples);
-        let mm = all.fold(None, |all: Option<[f64; 2]>, (_, mm, _)| {
-            Some(all.map_or([*mm; 2], |[low, high]| [low.min(*mm), high.max(*mm)]))
-        });
-        let Some(mm) = mm else {
+        let mm = extent(series.iter().flat_map(|s| &s.samples).map(|mark| mark.1));
+        if mm[0] > mm[1] {
             let why = say!("Every sample needs its joint values and what was measured");
             return Err(ChartPlaceholder::new(say!("No sample to show"), why));
-        };
+        }
         let joints = panels.ranges.len();
         let names = scene.loaded_session.session.robot.joints.iter().enumerate();
         let names = names.map(|(k, joint)| (k as f64 + 0.5, shortened(&joint.name, MOST_LETTERS)));

@@ -6,7 +6,7 @@ use crate::gui::core::loaded_session::Component;
 use crate::gui::core::quantity::{Over, Quantity, Variable};
 use crate::gui::core::regions::boundaries;
 use crate::gui::help::{self, Word};
-use crate::present::chart::{Axis, Chart, Deviation, Entry, Form, LegendSymbol, Series};
+use crate::present::chart::{Chart, Deviation, Form, LegendSymbol, Series};
 use crate::present::numbers::significant;
 use crate::present::table::{Cell, Table};
 use crate::text::{Template, within};
@@ -135,10 +135,8 @@ fn chart(seen: &Seen<'_>, over: Over, [x, mm]: [[f64; 2]; 2]) -> Chart {
     let boundaries = boundaries.iter().filter(|_| divided);
     let scale = &seen.scales[0];
     let sign = LegendSymbol::Mark(Form::Disc);
-    let after = scene.answer().map(|_| Entry::after(sign));
     // The marks themselves are those in sight.
-    let series = [Entry::before(sign)].into_iter().chain(after);
-    let series = series.map(|entry| Series {
+    let series = scene.legend(sign).into_iter().map(|entry| Series {
         entry,
         samples: Vec::new(),
     });
@@ -148,7 +146,7 @@ fn chart(seen: &Seen<'_>, over: Over, [x, mm]: [[f64; 2]; 2]) -> Chart {
     let made = Deviation {
         component: name,
         is_length: scene.component == Component::Length,
-        across: Axis::turning(format!("{label}, {}", scale.unit), scale.degrees),
+        across: scale.axis(label.clone()),
         lengths: scene.lengths(&number),
         x: x.map(|x| scale.shown(x)),
         mm,

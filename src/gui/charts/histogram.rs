@@ -2,12 +2,13 @@
 
 use super::{
     About, Bars, ChartChoice, ChartKind, ChartPlaceholder, Facts, HoverTarget, Scene, Shown,
+    of_noise,
 };
 use crate::gui::cache::{Work, WorkKey};
 use crate::gui::core::loaded_session::Component;
 use crate::gui::help;
 use crate::present::bins::{Bins, Counted, Distribution, NoiseCurve};
-use crate::present::chart::{Axis, Chart, ChartText, ColourRole, Entry, Item, LegendSymbol};
+use crate::present::chart::{Axis, Chart, ChartText, ColourRole, Item, LegendSymbol};
 use crate::present::drawing::Anchor;
 use crate::present::numbers::{grouped, significant};
 use crate::present::table::{Cell, Table};
@@ -37,13 +38,7 @@ impl ChartKind for Histogram {
         let component = scene.component;
         let key = WorkKey::Chart(self.about().id, component, Vec::new());
         Some(Work::new(key, move |given| {
-            let usable = given
-                .loaded_session
-                .overview
-                .usable
-                .iter()
-                .map(|i| *i as usize);
-            let (before, after) = given.values(&usable.collect::<Vec<_>>(), component);
+            let (before, after) = given.values(&given.usable(), component);
             let length = component == Component::Length;
             Distribution::new(&before, after.as_deref(), length)
         }))
@@ -232,17 +227,9 @@ fn drawn(scene: &Scene, found: &Distribution) -> Chart {
         }
     }
     let margin = 0.02 * (high - low);
-    let mut legend = vec![Entry::before(LegendSymbol::Bar)];
-    if scene.answer().is_some() {
-        legend.push(Entry::after(LegendSymbol::Bar));
-    }
+    let mut legend = scene.legend(LegendSymbol::Bar);
     if noise.is_some() {
-        legend.push(Entry::new(
-            say!("noise alone"),
-            LegendSymbol::Line,
-            ColourRole::Noise,
-            false,
-        ));
+        legend.push(of_noise(say!("noise alone")));
     }
     let name = component.name();
     Chart {

@@ -10,7 +10,7 @@ use std::sync::Arc;
 use crate::diagnosis::Diagnosis;
 use crate::gui::cache::identified::{ExportPreview, IdentifiedAnswer, Preview};
 use crate::gui::cache::points::{Cloud, Points, When, at};
-use crate::gui::cache::{ChartInputs, ChartResult, Work, WorkKey};
+use crate::gui::cache::{ChartResult, PlotInputs, Work, WorkKey};
 use crate::gui::core::answer::Answer;
 use crate::gui::core::answer::Search;
 use crate::gui::core::document::Document;
@@ -19,7 +19,7 @@ use crate::gui::core::quantity::{Over, Quantity, Scale};
 use crate::gui::core::scale::FEW;
 use crate::gui::help::Word;
 use crate::gui::view::{Plane, Step};
-use crate::present::chart::{Chart, ColourRole, Form, Item, Lengths, Mark};
+use crate::present::chart::{Chart, ColourRole, Entry, Form, Item, LegendSymbol, Lengths, Mark};
 use crate::present::numbers::grouped;
 use crate::present::table::Table;
 use crate::present::units::Units;
@@ -222,6 +222,14 @@ impl Scene {
         self.identified.as_ref()?.answer.as_ref().ok()
     }
 
+    /// What the background works with.
+    fn inputs(&self) -> PlotInputs {
+        PlotInputs {
+            loaded_session: Arc::clone(&self.loaded_session),
+            identified: self.identified.clone(),
+        }
+    }
+
     pub(crate) fn made(&self) -> Option<&ExportPreview> {
         self.preview.as_ref()?.made.as_ref().ok()
     }
@@ -255,6 +263,12 @@ impl Scene {
             .map(|s| *s as usize)
     }
 
+    /// What was before, and what is after where there is an answer, each with this sign.
+    pub(crate) fn legend(&self, sign: LegendSymbol) -> Vec<Entry> {
+        let after = self.answer().map(|_| Entry::after(sign));
+        [Entry::before(sign)].into_iter().chain(after).collect()
+    }
+
     /// How lengths are written, a number by `number`.
     pub(crate) fn lengths<'n>(&self, number: &'n dyn Fn(f64) -> String) -> Lengths<'n> {
         Lengths {
@@ -263,6 +277,11 @@ impl Scene {
             number,
         }
     }
+}
+
+/// What noise does, in a legend.
+fn of_noise(name: &str) -> Entry {
+    Entry::new(name, LegendSymbol::Line, ColourRole::Noise, false)
 }
 
 /// Samples as a chart shows them: two quantities over each other, before and after.
@@ -290,14 +309,7 @@ impl<'a> Seen<'a> {
         let cloud = match scene.found() {
             Some(cloud) => Cow::Borrowed(cloud),
             None if scene.usable().len() > FEW => return None,
-            None => {
-                let answer = scene.answer();
-                let inputs = ChartInputs {
-                    loaded_session,
-                    answer,
-                };
-                Cow::Owned(Cloud::of(inputs, axes))
-            }
+            None => Cow::Owned(Cloud::of(&scene.inputs(), axes)),
         };
         let mut seen = Self {
             scene,

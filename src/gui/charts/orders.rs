@@ -2,15 +2,16 @@
 
 use super::{
     About, Bars, ChartChoice, ChartKind, ChartPlaceholder, Facts, HoverTarget, Scene, Shown,
+    of_noise,
 };
-use crate::gui::cache::{ChartInputs, Work, WorkKey};
+use crate::gui::cache::{PlotInputs, Work, WorkKey};
 use crate::gui::core::answer::terms;
 use crate::gui::core::quantity::{Over, Variable};
 use crate::gui::help;
 use crate::language;
 use crate::numeric::whole;
 use crate::present::chart::{
-    Axis, Chart, ChartText, ColourRole, Entry, Item, LEAST_SPAN, LegendSymbol, Ticks,
+    Axis, Chart, ChartText, ColourRole, Item, LEAST_SPAN, LegendSymbol, Ticks,
 };
 use crate::present::drawing::Anchor;
 use crate::present::numbers::trimmed;
@@ -41,19 +42,14 @@ impl ChartKind for Orders {
         let component = scene.component;
         let key = std::iter::once(joint).chain(gears.clone()).collect();
         let key = WorkKey::Chart(self.about().id, component, key);
-        let make = move |inputs: ChartInputs<'_>| {
+        let make = move |inputs: &PlotInputs| {
             let over = Over {
                 variable: Variable::Joint,
                 joint,
             };
-            let usable = inputs
-                .loaded_session
-                .overview
-                .usable
-                .iter()
-                .map(|i| *i as usize);
-            let angle = |i: &usize| over.of(inputs.loaded_session, *i);
-            let samples: Vec<usize> = usable.filter(|i| angle(i).is_finite()).collect();
+            let angle = |i: &usize| over.of(&inputs.loaded_session, *i);
+            let mut samples = inputs.usable();
+            samples.retain(|i| angle(i).is_finite());
             let angles: Vec<f64> = samples.iter().map(angle).collect();
             let (before, after) = inputs.values(&samples, component);
             Spectrum::new(&angles, &before, after.as_deref(), &gears)
@@ -226,17 +222,8 @@ fn drawn(scene: &Scene, spectrum: &Spectrum) -> Chart {
     let last = orders.len() as f64 - 0.4;
     let name = scene.component.name();
     let joint = &scene.loaded_session.session.robot.joints[scene.joint()].name;
-    let mut legend = vec![Entry::before(LegendSymbol::Bar)];
-    if scene.answer().is_some() {
-        legend.push(Entry::after(LegendSymbol::Bar));
-    }
-    let noise = say!("noise");
-    legend.push(Entry::new(
-        noise,
-        LegendSymbol::Line,
-        ColourRole::Noise,
-        false,
-    ));
+    let mut legend = scene.legend(LegendSymbol::Bar);
+    legend.push(of_noise(say!("noise")));
     Chart {
         title: say!("{name} deviation by order over {joint}", name, joint),
         across: Axis {

@@ -199,8 +199,8 @@ impl<'a> Drawn<'a> {
         let mut items = self.rings();
         let sign = LegendSymbol::Mark(Form::Disc);
         let ring = Entry::new(division, LegendSymbol::Line, ColourRole::Reference, true);
-        let mut legend = vec![ring, Entry::before(sign)];
-        legend.extend(scene.answer().map(|_| Entry::after(sign)));
+        let mut legend = scene.legend(sign);
+        legend.insert(0, ring);
         for when in self.of.whens() {
             items.extend(self.stage(when));
         }

@@ -7,7 +7,9 @@
 
 use statrs::function::erf::erf_inv;
 
-use super::{About, ChartChoice, ChartKind, ChartPlaceholder, HoverTarget, Samples, Scene, Shown};
+use super::{
+    About, ChartChoice, ChartKind, ChartPlaceholder, HoverTarget, Samples, Scene, Shown, of_noise,
+};
 use crate::gui::cache::{Work, WorkKey};
 use crate::gui::core::loaded_session::Component;
 use crate::gui::help::Word;
@@ -51,13 +53,7 @@ impl ChartKind for Quantiles {
         let component = scene.component;
         let key = WorkKey::Chart(self.about().id, component, Vec::new());
         Some(Work::new(key, move |given| {
-            let usable = given
-                .loaded_session
-                .overview
-                .usable
-                .iter()
-                .map(|i| *i as usize);
-            let usable: Vec<usize> = usable.collect();
+            let usable = given.usable();
             let left = given.values(&usable, component).1.unwrap_or_default();
             Ranked::of(usable.into_iter().zip(left))
         }))
@@ -147,12 +143,7 @@ impl Ranked {
             ],
             legend: vec![
                 Entry::after(LegendSymbol::Mark(Form::Disc)),
-                Entry::new(
-                    say!("noise alone"),
-                    LegendSymbol::Line,
-                    ColourRole::Noise,
-                    false,
-                ),
+                of_noise(say!("noise alone")),
             ],
             note: say!(
                 "the line has the slope of σ = {sigma}",

@@ -6,9 +6,9 @@ use crate::gui::charts::{
     About, ChartChoice, ChartKind, ChartPlaceholder, HoverTarget, Scene, Seen, Shown,
 };
 use crate::gui::core::loaded_session::Component;
-use crate::gui::core::quantity::{Quantity, Scale};
+use crate::gui::core::quantity::Quantity;
 use crate::gui::help::Word;
-use crate::present::chart::{Axis, Chart, ColourRole, Entry, Form, Item, LegendSymbol};
+use crate::present::chart::{Chart, ColourRole, Entry, Form, Item, LegendSymbol};
 use crate::present::numbers::trimmed;
 use crate::present::table::{Cell, Table};
 
@@ -46,16 +46,7 @@ fn chart(seen: &Seen<'_>, extent: [[f64; 2]; 2]) -> Chart {
         [low - around, high + around]
     });
     let names = names(seen);
-    let axis = |k: usize| {
-        let Scale { unit, degrees, .. } = &seen.scales[k];
-        let name = &names[k];
-        let label = if unit.is_empty() {
-            name.clone()
-        } else {
-            format!("{name}, {unit}")
-        };
-        Axis::turning(label, *degrees)
-    };
+    let axis = |k: usize| seen.scales[k].axis(names[k].clone());
     // Where nothing deviates.
     let zero = |k: usize, ends: [f64; 2]| {
         let deviates = seen.axes[k].changes() && ends[0] < 0.0 && ends[1] > 0.0;
@@ -68,16 +59,12 @@ fn chart(seen: &Seen<'_>, extent: [[f64; 2]; 2]) -> Chart {
     };
     let mut items: Vec<Item> = zero(0, x).into_iter().chain(zero(1, y)).collect();
     let sign = LegendSymbol::Mark(Form::Disc);
-    let mut legend = Vec::new();
-    if seen.changes {
-        legend.push(Entry::before(sign));
-        if seen.scene.answer().is_some() {
-            legend.push(Entry::after(sign));
-            // The marks themselves are those in sight.
-            items.push(Item::Marks(Vec::new(), ColourRole::After, true));
-        }
-    } else {
-        legend.push(Entry::new(say!("samples"), sign, ColourRole::Curve, true));
+    let mut legend = seen.scene.legend(sign);
+    if !seen.changes {
+        legend = vec![Entry::new(say!("samples"), sign, ColourRole::Curve, true)];
+    } else if seen.scene.answer().is_some() {
+        // The marks themselves are those in sight.
+        items.push(Item::Marks(Vec::new(), ColourRole::After, true));
     }
     Chart {
         title: say!(

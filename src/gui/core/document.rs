@@ -91,17 +91,6 @@ pub(crate) struct Added {
     pub(crate) on: bool,
 }
 
-/// How a session was identified, as far as that outlives the window.
-#[derive(Debug, Clone)]
-pub(crate) struct Choices {
-    pub(crate) identified: bool,
-    pub(crate) method: Method,
-    /// Effects of the exact fit; names that no effect has do not count.
-    pub(crate) effects: Vec<String>,
-    /// Effects that were added to it.
-    pub(crate) added: Vec<Added>,
-}
-
 /// See the module. Cloning is cheap: the session is shared.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Document {
@@ -390,20 +379,6 @@ impl Document {
             Self::new(Arc::new(loaded_model.alone()))
         };
         *self = beneath.with_model(loaded_model);
-    }
-
-    /// What a window that is gone has left behind, with the choices that were made.
-    pub(crate) fn recover(&mut self, loaded_session: Arc<LoadedSession>, kept: Choices) {
-        self.open(loaded_session);
-        self.loaded_model = None;
-        self.identified = kept.identified;
-        if self.loaded_session.single_revolute() {
-            self.method = kept.method;
-        }
-        let all = CATALOGUE.iter().map(|effect| effect.about().id);
-        let chosen = all.filter(|id| kept.effects.iter().any(|e| e == id));
-        self.effects = chosen.collect();
-        self.added = kept.added.into();
     }
 
     pub(crate) fn choose_method(&mut self, method: Method) -> Changed {

@@ -22,7 +22,7 @@ use crate::sessions::{Region, Session};
 
 use super::overview::{Attached, Coverage, Overview, measuring_from_base};
 use crate::gui::core::disk::Fingerprint;
-use crate::gui::core::regions::{Count, counted};
+use crate::gui::core::regions::{Counts, counted};
 
 /// Where a session came from.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -247,7 +247,7 @@ impl LoadedSession {
     }
 
     /// The samples of each region along joint 1, and those in none.
-    pub(crate) fn counted(&self, regions: &[Region]) -> (Vec<Count>, usize) {
+    pub(crate) fn counted(&self, regions: &[Region]) -> Counts {
         let held_out = self.session.samples.held_out.as_deref();
         let is_fitted = |i: usize| self.usable[i] && !held_out.is_some_and(|h| h[i]);
         counted(regions, &self.session.samples.q[0], is_fitted)

@@ -2,6 +2,7 @@
 //! follows from it, the document, its changes and their history.
 
 pub(crate) mod answer;
+pub(crate) mod choices;
 pub(crate) mod compensated;
 pub(crate) mod disk;
 pub(crate) mod document;

@@ -5,6 +5,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::kinematics::JointKind;
+use crate::present::chart::Axis;
 use crate::present::numbers::trimmed;
 use crate::present::units::{AngleUnit, Units};
 
@@ -112,12 +113,7 @@ impl Over {
     /// it reaches, inner units.
     pub(crate) fn scale(self, loaded_session: &LoadedSession, units: Units, span: f64) -> Scale {
         let turns = self.turns(loaded_session);
-        let per = |factor: f64, unit: &str| Scale {
-            factor,
-            origin: 0.0,
-            unit: unit.to_owned(),
-            degrees: false,
-        };
+        let per = Scale::per;
         let since = |factor: f64, unit: &str| Scale {
             origin: self.first(loaded_session),
             ..per(factor, unit)
@@ -205,6 +201,24 @@ pub(crate) struct Scale {
 }
 
 impl Scale {
+    fn per(factor: f64, unit: &str) -> Self {
+        Self {
+            factor,
+            origin: 0.0,
+            unit: unit.to_owned(),
+            degrees: false,
+        }
+    }
+
+    /// An axis with this label, and the unit behind it.
+    pub(crate) fn axis(&self, label: String) -> Axis {
+        let label = match self.unit.as_str() {
+            "" => label,
+            unit => format!("{label}, {unit}"),
+        };
+        Axis::turning(label, self.degrees)
+    }
+
     /// A value as it stands on the screen.
     pub(crate) fn shown(&self, value: f64) -> f64 {
         (value - self.origin) * self.factor
@@ -320,18 +334,12 @@ impl Quantity {
 
     /// How it becomes a number on the screen; `span` is how far it reaches, inner units.
     pub(crate) fn scale(self, loaded_session: &LoadedSession, units: Units, span: f64) -> Scale {
-        let per = |factor: f64, unit: &str| Scale {
-            factor,
-            origin: 0.0,
-            unit: unit.to_owned(),
-            degrees: false,
-        };
         match self {
             Self::Deviation(_) | Self::Measured(_) => {
-                per(units.length_value(1.0), units.length_name())
+                Scale::per(units.length_value(1.0), units.length_name())
             }
             Self::Column(over) => over.scale(loaded_session, units, span),
-            Self::Order => per(1.0, ""),
+            Self::Order => Scale::per(1.0, ""),
         }
     }
 

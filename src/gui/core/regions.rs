@@ -214,12 +214,15 @@ pub(crate) struct Count {
     pub(crate) fitted: usize,
 }
 
+/// Those of each region, and how many samples are in none.
+pub(crate) type Counts = (Vec<Count>, usize);
+
 /// The samples of each region, and those at an angle that is in none; `q_rad` are the angles, rad.
 pub(crate) fn counted(
     regions: &[Region],
     q_rad: &[f64],
     is_fitted: impl Fn(usize) -> bool,
-) -> (Vec<Count>, usize) {
+) -> Counts {
     let assignment = Assignment::new(regions);
     let mut counts = vec![Count::default(); regions.len()];
     let mut outside = 0;

@@ -13,8 +13,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::export::nominal_rows;
 use crate::kinematics::{
-    Axis, DhConvention, DhRow, Follows, Joint, JointKind, LinkMass, Pose, Range, Robot,
-    RobotSource, robot_from_dh,
+    Axis, DhConvention, DhRow, Follows, Joint, JointKind, KinematicsError, LinkMass, Pose, Range,
+    Robot, RobotSource, robot_from_dh,
 };
 use crate::sessions::{parse_robot, robot_document};
 use crate::text::Text;
@@ -68,7 +68,7 @@ pub(crate) struct Row {
     /// Travel, deg or mm, where it is known.
     pub(crate) travel: Option<[f64; 2]>,
     /// Mass of the link behind it, kg, and its centre at home, mm.
-    link: Option<(f64, [f64; 3])>,
+    pub(crate) link: Option<(f64, [f64; 3])>,
     /// The joint that it follows, counted from 0, with ratio and offset (rad or mm).
     follows: Option<(usize, f64, f64)>,
     /// Turns of the motor for one of the joint.
@@ -178,32 +178,12 @@ impl RobotTable {
             tool = (base * behind.unwrap_or_default()).inverse() * tool;
         }
         let row = |(index, joint): (usize, &Joint)| {
-            let (axis, point) = (&joint.axis.direction, joint.axis.point_mm);
-            let numbers = match dh.get(index) {
-                Some(row) => [
-                    row.a_mm,
-                    deg_from_rad(row.alpha_rad),
-                    row.d_mm,
-                    deg_from_rad(row.theta_rad),
-                    0.0,
-                    0.0,
-                ],
-                None => [axis.x, axis.y, axis.z, point.x, point.y, point.z],
-            };
-            Row {
-                name: joint.name.clone(),
-                slides: joint.kind == JointKind::Prismatic,
-                numbers: numbers.map(rounded),
-                travel: joint
-                    .limits
-                    .map(|own| [own.from, own.to].map(|v| rounded(joint.kind.to_display(v)))),
-                link: joint
-                    .link
-                    .as_ref()
-                    .map(|link| (link.mass_kg, link.centre_mm.coords.into())),
-                follows: joint.follows.map(|f| (f.of, f.ratio, f.offset)),
-                gear_ratio: joint.gear_ratio,
+            let mut row = Row::of(joint);
+            if let Some(dh) = dh.get(index) {
+                let [alpha, theta] = [dh.alpha_rad, dh.theta_rad].map(deg_from_rad);
+                row.numbers = [dh.a_mm, alpha, dh.d_mm, theta, 0.0, 0.0].map(rounded);
             }
+            row
         };
         Self {
             name: robot.name.clone(),
@@ -298,7 +278,7 @@ impl RobotTable {
     }
 
     fn assembled(&self) -> Result<Robot, Text> {
-        let refused = |error: crate::kinematics::KinematicsError| Text::verbatim(error.to_string());
+        let refused = |error: KinematicsError| Text::verbatim(error.to_string());
         let mut robot = if let Some(convention) = self.form.convention() {
             let rows: Vec<DhRow> = self.rows.iter().map(|row| row.dh(convention)).collect();
             let base = pose(self.base);
@@ -313,11 +293,7 @@ impl RobotTable {
             };
             robot
         } else {
-            let joint = |row: &Row| {
-                let [a, b, c, x, y, z] = row.numbers;
-                let axis = Axis::through(Vector3::new(a, b, c), Point3::new(x, y, z))?;
-                Ok(Joint::new(row.name.clone(), row.kind(), axis))
-            };
+            let joint = |row: &Row| Ok(Joint::new(row.name.clone(), row.kind(), row.axis()?));
             let joints: Result<Vec<Joint>, _> = self.rows.iter().map(joint).collect();
             Robot {
                 name: self.name.trim().to_owned(),
@@ -330,15 +306,8 @@ impl RobotTable {
         robot.gravity_m_s2 = self.gravity.map(Vector3::from);
         for (joint, row) in robot.joints.iter_mut().zip(&self.rows) {
             joint.name.clone_from(&row.name);
-            let kind = row.kind();
-            joint.limits = row.travel.map(|[from, to]| Range {
-                from: kind.to_base_units(from),
-                to: kind.to_base_units(to),
-            });
-            joint.link = row.link.map(|(mass_kg, centre)| LinkMass {
-                mass_kg,
-                centre_mm: Point3::from(centre),
-            });
+            joint.limits = row.limits();
+            joint.link = row.link_mass();
             let follows = row.follows;
             joint.follows = follows.map(|(of, ratio, offset)| Follows { of, ratio, offset });
             joint.gear_ratio = row.gear_ratio;
@@ -348,7 +317,39 @@ impl RobotTable {
 }
 
 impl Row {
-    fn kind(&self) -> JointKind {
+    /// A joint by its axis at home.
+    pub(crate) fn of(joint: &Joint) -> Self {
+        let (axis, point) = (&joint.axis.direction, joint.axis.point_mm);
+        let shown = |value| rounded(joint.kind.to_display(value));
+        Self {
+            name: joint.name.clone(),
+            slides: joint.kind == JointKind::Prismatic,
+            numbers: [axis.x, axis.y, axis.z, point.x, point.y, point.z].map(rounded),
+            travel: joint.limits.map(|own| [own.from, own.to].map(shown)),
+            link: joint.link.map(|l| (l.mass_kg, l.centre_mm.coords.into())),
+            follows: joint.follows.map(|f| (f.of, f.ratio, f.offset)),
+            gear_ratio: joint.gear_ratio,
+        }
+    }
+
+    /// Its axis at home, of a table of axes.
+    pub(crate) fn axis(&self) -> Result<Axis, KinematicsError> {
+        let [a, b, c, x, y, z] = self.numbers;
+        Axis::through(Vector3::new(a, b, c), Point3::new(x, y, z))
+    }
+
+    pub(crate) fn limits(&self) -> Option<Range> {
+        let [from, to] = self.travel?.map(|value| self.kind().to_base_units(value));
+        Some(Range { from, to })
+    }
+
+    pub(crate) fn link_mass(&self) -> Option<LinkMass> {
+        let (mass_kg, centre) = self.link?;
+        let centre_mm = Point3::from(centre);
+        Some(LinkMass { mass_kg, centre_mm })
+    }
+
+    pub(crate) fn kind(&self) -> JointKind {
         if self.slides {
             JointKind::Prismatic
         } else {

@@ -1,35 +1,20 @@
 //! Robot, reflectors and instrument as they are filled in: numbers as the file has them (mm, degrees,
 //! kg), checked as they are typed, and the session that follows from them.
 
-use nalgebra::{Point3, Vector3};
+use nalgebra::Vector3;
 
 use crate::diagnostic::{Place, Severity};
-use crate::kinematics::{Axis, Joint, JointKind, LinkMass, Range, pose_from_parts};
+use crate::gui::core::robot_table::Row;
+use crate::kinematics::{Joint, JointKind, pose_from_parts};
 use crate::sessions::{Session, Sigma, Target};
 use crate::units::{deg_from_rad, rad_from_deg};
-
-/// A joint as it is filled in.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct JointForm {
-    pub(crate) name: String,
-    /// Turning or sliding.
-    pub(crate) kind: JointKind,
-    /// Direction of its axis at home.
-    pub(crate) axis: [f64; 3],
-    /// A point on the axis, mm.
-    pub(crate) point_mm: [f64; 3],
-    /// Travel, degrees or mm.
-    pub(crate) limits: Option<[f64; 2]>,
-    /// Mass of the link behind it, kg, and its centre at home, mm.
-    pub(crate) link: Option<(f64, [f64; 3])>,
-}
 
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct SetupForm {
     /// Name of the robot.
     pub(crate) robot: String,
     /// Joints from base to tool.
-    pub(crate) joints: Vec<JointForm>,
+    pub(crate) joints: Vec<Row>,
     /// Position of the tool at home, mm.
     pub(crate) tool_mm: [f64; 3],
     /// Its orientation: w, x, y, z.
@@ -76,7 +61,7 @@ impl SetupForm {
         let turned = tool.rotation.quaternion();
         Self {
             robot: robot.name.clone(),
-            joints: robot.joints.iter().map(joint_form).collect(),
+            joints: robot.joints.iter().map(Row::of).collect(),
             tool_mm: tool.translation.vector.into(),
             tool_wxyz: [turned.w, turned.i, turned.j, turned.k],
             gravity: robot.gravity_m_s2.map(Into::into),
@@ -101,8 +86,8 @@ impl SetupForm {
             if form != was {
                 change_joint(joint, form, was, k, &mut problems);
             }
-            if form.kind != was.kind {
-                relabel(&mut next.samples, k, form.kind);
+            if form.slides != was.slides {
+                relabel(&mut next.samples, k, form.kind());
             }
             let taken = self.joints[..k].iter().any(|j| j.name == form.name);
             if form.name.trim().is_empty() {
@@ -174,48 +159,23 @@ impl SetupForm {
     }
 }
 
-fn joint_form(joint: &Joint) -> JointForm {
-    JointForm {
-        name: joint.name.clone(),
-        kind: joint.kind,
-        axis: joint.axis.direction.into_inner().into(),
-        point_mm: joint.axis.point_mm.coords.into(),
-        limits: joint
-            .limits
-            .map(|l| [l.from, l.to].map(|q| joint.kind.to_display(q))),
-        link: joint.link.map(|l| (l.mass_kg, l.centre_mm.coords.into())),
-    }
-}
-
-fn change_joint(
-    joint: &mut Joint,
-    form: &JointForm,
-    was: &JointForm,
-    k: usize,
-    problems: &mut Vec<Problem>,
-) {
+fn change_joint(joint: &mut Joint, form: &Row, was: &Row, k: usize, problems: &mut Vec<Problem>) {
     form.name.trim().clone_into(&mut joint.name);
-    joint.kind = form.kind;
-    if (form.axis, form.point_mm) != (was.axis, was.point_mm) {
-        match Axis::through(Vector3::from(form.axis), Point3::from(form.point_mm)) {
+    joint.kind = form.kind();
+    if form.numbers != was.numbers {
+        match form.axis() {
             Ok(axis) => joint.axis = axis,
             Err(error) => problems.push((Field::Axis(k), error.to_string())),
         }
     }
-    if form.limits != was.limits || form.kind != was.kind {
-        joint.limits = form.limits.map(|[from, to]| Range {
-            from: form.kind.to_base_units(from),
-            to: form.kind.to_base_units(to),
-        });
-        if form.limits.is_some_and(|[from, to]| from >= to) {
+    if (form.travel, form.slides) != (was.travel, was.slides) {
+        joint.limits = form.limits();
+        if form.travel.is_some_and(|[from, to]| from >= to) {
             let says = say!("limits run from the smaller to the larger value");
             problems.push((Field::Limits(k), says.to_owned()));
         }
     }
-    joint.link = form.link.map(|(mass_kg, centre_mm)| LinkMass {
-        mass_kg,
-        centre_mm: Point3::from(centre_mm),
-    });
+    joint.link = form.link_mass();
     if form
         .link
         .is_some_and(|(mass, _)| mass.is_nan() || mass < 0.0)
@@ -266,15 +226,15 @@ mod tests {
     fn what_is_filled_in_is_what_the_session_says() {
         let session = session();
         let mut form = SetupForm::of(&session);
-        form.joints[0].limits = Some([-45.0, 60.0]);
-        form.joints[0].axis = [0.0, 0.0, -2.0];
+        form.joints[0].travel = Some([-45.0, 60.0]);
+        form.joints[0].numbers[..3].copy_from_slice(&[0.0, 0.0, -2.0]);
         form.sigma = Some(Sigma::PerAxis([0.01, 0.02, 0.03]));
         form.gravity = None;
         form.targets[0].position_mm[0] += 5.0;
         let next = form.session(&session).unwrap();
         let again = SetupForm::of(&next);
-        assert_eq!(again.joints[0].axis, [0.0, 0.0, -1.0]);
-        let [from, to] = again.joints[0].limits.unwrap();
+        assert_eq!(again.joints[0].numbers[..3], [0.0, 0.0, -1.0]);
+        let [from, to] = again.joints[0].travel.unwrap();
         assert!((from + 45.0).abs() < 1e-12 && (to - 60.0).abs() < 1e-12);
         assert_eq!(
             next.instrument.sigma_mm,
@@ -286,9 +246,9 @@ mod tests {
 
     #[test]
     fn what_makes_no_robot_is_said_at_its_field() {
-        assert_eq!(wrong(|f| f.joints[0].axis = [0.0; 3]), [Field::Axis(0)]);
+        assert_eq!(wrong(|f| f.joints[0].numbers = [0.0; 6]), [Field::Axis(0)]);
         assert_eq!(
-            wrong(|f| f.joints[0].limits = Some([5.0, 5.0])),
+            wrong(|f| f.joints[0].travel = Some([5.0, 5.0])),
             [Field::Limits(0)]
         );
         assert_eq!(
@@ -314,10 +274,10 @@ mod tests {
     fn a_joint_that_slides_after_all_keeps_the_numbers_of_the_file() {
         let session = session();
         let mut form = SetupForm::of(&session);
-        form.joints[0].kind = JointKind::Prismatic;
+        form.joints[0].slides = true;
         let next = form.session(&session).unwrap();
         let degrees = deg_from_rad(session.samples.q[0][3]);
         assert!((next.samples.q[0][3] - degrees).abs() < 1e-9);
-        assert_eq!(SetupForm::of(&next).joints[0].limits, form.joints[0].limits);
+        assert_eq!(SetupForm::of(&next).joints[0].travel, form.joints[0].travel);
     }
 }

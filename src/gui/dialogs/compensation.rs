@@ -108,7 +108,11 @@ fn asked(
         whose(ui, frame, &mut wanted.frame);
     }
     if differs.contains(&DifferingNumber::External) || wanted.external != ExternalAxes::Asked {
-        moved(ui, &mut wanted.external);
+        let choices = [
+            (ExternalAxes::CarryRobot, say!("carries the robot")),
+            (ExternalAxes::Other, say!("moves something else")),
+        ];
+        one_of(ui, say!("External axis"), choices, &mut wanted.external);
     }
     if wanted != *before {
         workbench.then(move |bench| bench.compensate(wanted));
@@ -117,38 +121,23 @@ fn asked(
 
 /// Whose tool or frame holds.
 fn whose(ui: &mut Ui, of: &str, holds: &mut PrecedenceChoice) {
-    ui.horizontal_wrapped(|ui| {
-        ui.label(of);
-        let choices = [
-            (PrecedenceChoice::Model, say!("the model's tool or base")),
-            (PrecedenceChoice::Program, say!("as the program writes it")),
-        ];
-        for (choice, text) in choices {
-            let name = format!("{of}: {text}");
-            let radio = ui.radio(*holds == choice, text);
-            widgets::label(&radio, name);
-            if radio.clicked() {
-                *holds = choice;
-            }
-        }
-    });
+    let choices = [
+        (PrecedenceChoice::Model, say!("the model's tool or base")),
+        (PrecedenceChoice::Program, say!("as the program writes it")),
+    ];
+    one_of(ui, of, choices, holds);
 }
 
-/// What an external axis moves.
-fn moved(ui: &mut Ui, external: &mut ExternalAxes) {
+/// One of two, or neither yet.
+fn one_of<T: PartialEq>(ui: &mut Ui, of: &str, choices: [(T, &str); 2], value: &mut T) {
     ui.horizontal_wrapped(|ui| {
-        let of = say!("External axis");
         ui.label(of);
-        let choices = [
-            (ExternalAxes::CarryRobot, say!("carries the robot")),
-            (ExternalAxes::Other, say!("moves something else")),
-        ];
         for (choice, text) in choices {
             let name = format!("{of}: {text}");
-            let radio = ui.radio(*external == choice, text);
+            let radio = ui.radio(*value == choice, text);
             widgets::label(&radio, name);
             if radio.clicked() {
-                *external = choice;
+                *value = choice;
             }
         }
     });

@@ -24,7 +24,7 @@ macro_rules! register {
 
 register! {
     compensation: compensation;
-    help: about, keys, palette, words;
+    help: about, keys, words;
     preferences: preferences;
     record: details, history;
     robots: robots;
@@ -37,10 +37,20 @@ const HEAD: f32 = 0.09;
 const ASKING: f32 = 300.0;
 
 /// Shows the open sheet, if there is one.
-pub(crate) fn show(ui: &Ui, workbench: &Workbench) {
-    let Some(sheet) = &workbench.view.sheet else {
+pub(crate) fn show(ui: &Ui, workbench: &mut Workbench) {
+    // It changes what is its own; all else is left in the workbench to be done.
+    let Some(mut sheet) = workbench.view.sheet.take() else {
         return;
     };
+    let before = sheet.clone();
+    shown(ui, workbench, &mut sheet);
+    if sheet != before {
+        workbench.then(Workbench::keep_looking);
+    }
+    workbench.view.sheet = Some(sheet);
+}
+
+fn shown(ui: &Ui, workbench: &Workbench, sheet: &mut Sheet) {
     let frame = egui::Frame::popup(ui.style()).inner_margin(Margin::same(space::SHEET));
     // By its head: a sheet that becomes longer or shorter while it is filled in does not move.
     let id = Id::unique("sheet");
@@ -62,21 +72,17 @@ pub(crate) fn show(ui: &Ui, workbench: &Workbench) {
             .min_scrolled_height(room.y);
         scroll.show(ui, |ui| {
             match sheet {
-                Sheet::SavePath { path, replace } => {
-                    unsaved::save(ui, workbench, (path, *replace));
-                }
-                Sheet::ExportPath {
+                Sheet::Path {
                     what,
                     path,
                     replace,
-                } => unsaved::export(ui, workbench, *what, (path, *replace)),
+                } => unsaved::path(ui, workbench, *what, (path, replace)),
                 Sheet::Simulate(form) => new_session::simulation(ui, form, workbench),
-                Sheet::RobotTable { table, opened } => {
-                    robots::typed(ui, table, opened, workbench);
-                }
+                Sheet::RobotTable { table, .. } => robots::typed(ui, table, workbench),
                 Sheet::Discard(typed) => unsaved::typed(ui, typed, workbench),
                 Sheet::Unsaved(then) => unsaved::losses(ui, workbench, then),
                 Sheet::Overwrite(path) => unsaved::overwrite(ui, path, workbench),
+                Sheet::Palette(typed) => help::palette(ui, workbench, typed),
                 Sheet::Import(foreign) => import::show(ui, workbench, foreign),
                 Sheet::Named(name) => match NAMED.iter().find(|(there, _)| there == name) {
                     Some((_, show)) => show(ui, workbench),

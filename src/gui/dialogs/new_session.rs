@@ -20,7 +20,7 @@ const NAMES: f32 = 168.0;
 const LIST: [f32; 2] = [190.0, 420.0];
 const OTHER: f32 = 610.0;
 
-pub(super) fn simulation(ui: &mut Ui, form: &Form, workbench: &Workbench) {
+pub(super) fn simulation(ui: &mut Ui, form: &mut Form, workbench: &Workbench) {
     widgets::wide(ui, WIDTH);
     widgets::heading(ui, &form.robot.title);
     widgets::hint(
@@ -34,35 +34,31 @@ pub(super) fn simulation(ui: &mut Ui, form: &Form, workbench: &Workbench) {
             bench.show_sheet(Some(Sheet::ROBOTS));
         });
     }
-    let mut filled = form.clone();
     let wrong = form.problems();
     widgets::section(ui, say!("Measurement"));
-    let poses = DragValue::new(&mut filled.poses).speed(1.0);
+    let poses = DragValue::new(&mut form.poses).speed(1.0);
     number(ui, &wrong, (field::POSES, ""), poses);
-    let noise = DragValue::new(&mut filled.noise_mm)
+    let noise = DragValue::new(&mut form.noise_mm)
         .speed(0.002)
         .max_decimals(4);
     number(ui, &wrong, (field::NOISE, "mm"), noise.suffix(" mm"));
-    let seed = DragValue::new(&mut filled.seed);
+    let seed = DragValue::new(&mut form.seed);
     widgets::number(ui, say!("random seed"), "", seed);
     widgets::section(ui, say!("Hidden effects"));
-    effects(ui, &mut filled, &wrong);
-    ends(ui, filled, form, workbench);
+    effects(ui, form, &wrong);
+    ends(ui, form, workbench);
 }
 
 /// What is wrong as a whole, and the buttons; what was changed stays in the sheet.
-fn ends(ui: &mut Ui, filled: Form, form: &Form, workbench: &Workbench) {
+fn ends(ui: &mut Ui, form: &Form, workbench: &Workbench) {
     if !form.problems().is_empty() {
         widgets::hint(ui, say!("Correct the fields marked above first"));
     }
-    let ready = filled.problem().is_none();
-    let sheet = Sheet::Simulate(filled.clone());
-    let back = sheet.before();
-    if filled != *form {
-        workbench.then(|bench| bench.show_sheet(Some(sheet)));
-    }
+    let ready = form.problem().is_none();
+    let back = Sheet::Simulate(form.clone()).before();
     if widgets::buttons_or_back(ui, say!("Simulate"), ready, back, workbench) {
-        workbench.then(|bench| bench.simulate(filled));
+        let form = form.clone();
+        workbench.then(|bench| bench.simulate(form));
     }
 }
 

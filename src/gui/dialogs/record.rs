@@ -210,9 +210,8 @@ pub(super) fn details(ui: &mut Ui, workbench: &Workbench) {
             workbench.then(move |bench| bench.choose_where_to_export(What::Report(About::Session)));
         }
         // Enter ends what is typed into one of many fields.
-        if widgets::primary(&mut columns[1], say!("Done")).clicked() {
-            workbench.then(move |bench| bench.show_sheet(None));
-        }
+        widgets::primary(&mut columns[1], say!("Done"))
+            .does(workbench, move |bench| bench.show_sheet(None));
     });
 }
 

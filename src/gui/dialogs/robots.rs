@@ -2,8 +2,8 @@
 //! table of axes or of Denavit–Hartenberg rows.
 
 use egui::{
-    Align, Button, DragValue, Grid, Key, Layout, Modifiers, Role, ScrollArea, Sense, TextEdit, Ui,
-    WidgetInfo, vec2,
+    Align, Button, Grid, Key, Layout, Modifiers, RichText, Role, ScrollArea, Sense, TextEdit, Ui,
+    Vec2, WidgetInfo, vec2,
 };
 
 use crate::gui::core::robot_table::{RobotTable, Row, TableForm};
@@ -14,6 +14,7 @@ use crate::gui::widgets::{self, Does};
 use crate::gui::workbench::Workbench;
 use crate::gui::workspace::robot_alone;
 use crate::kinematics;
+use crate::language::spoken;
 use crate::present::robots_v1::figure;
 use crate::robots::{LibraryRobot, find, library, source};
 
@@ -30,7 +31,7 @@ const OTHER: f32 = 420.0;
 const FACTS: f32 = 110.0;
 
 /// Width of the list, and size of the robot with what is known of it: a large window has more room for it.
-fn sizes(ui: &Ui) -> (f32, egui::Vec2) {
+fn sizes(ui: &Ui) -> (f32, Vec2) {
     let window = ui.ctx().content_rect();
     let most = widgets::room_of_a_sheet(ui).x - f32::from(space::PANEL);
     let list = LIST.min(most - PICTURE[0]).max(LEAST_LIST);
@@ -170,8 +171,7 @@ pub(super) fn robots(ui: &mut Ui, workbench: &Workbench) {
             chosen = Some(clicked);
         }
         ui.vertical(|ui| match chosen {
-            Some(Robot::Library(robot)) => described(ui, robot, room, &mut typed.camera),
-            Some(Robot::Own(table)) => own(ui, (table, room), &mut typed.camera, workbench),
+            Some(robot) => described(ui, robot, room, &mut typed.camera, workbench),
             None => widgets::hint(ui, say!("No robot has this name")),
         });
     });
@@ -194,7 +194,7 @@ pub(super) fn examples() -> &'static str {
 /// The robots that were found; which was clicked.
 fn list<'w>(
     ui: &mut Ui,
-    size: egui::Vec2,
+    size: Vec2,
     (found, chosen): (&[Robot<'w>], Option<Robot<'w>>),
     moved: bool,
 ) -> Option<Robot<'w>> {
@@ -231,62 +231,70 @@ fn list<'w>(
 }
 
 /// The robot, and what is known of it.
-fn described(ui: &mut Ui, robot: &LibraryRobot, room: egui::Vec2, camera: &mut Camera) {
+fn described(
+    ui: &mut Ui,
+    chosen: Robot<'_>,
+    room: Vec2,
+    camera: &mut Camera,
+    workbench: &Workbench,
+) {
     ui.spacing_mut().item_spacing.y = space::TIGHT;
-    let name = say!("{robot} at its zero", robot = robot.title());
     let size = vec2(room.x, room.y - FACTS);
-    robot_alone(ui, (&robot.robot, &name), camera, size);
-    let mm =
-        |value: Option<f64>| value.map_or("–".to_owned(), |_| format!("{} mm", figure(value)));
-    let kg = robot.payload_kg;
-    let kg = kg.map_or("–".to_owned(), |_| format!("{} kg", figure(kg)));
+    drawn(ui, chosen.robot().as_ref(), &chosen.title(), size, camera);
+    match chosen {
+        Robot::Library(robot) => known_of(ui, robot),
+        Robot::Own(table) => {
+            if let Err(problem) = table.robot() {
+                widgets::wrong(ui, &spoken(&problem));
+            }
+            let joints = table.rows.len();
+            let joints = say!(one "{count} joint", "{count} joints", count = joints);
+            widgets::fact_of(ui, phrase!("kind"), joints);
+            widgets::hint(ui, say!("Typed here, and remembered on this computer"));
+            if widgets::secondary(ui, say!("Forget it")).clicked() {
+                let name = table.name.clone();
+                workbench.then(move |bench| bench.forget_robot(&name));
+            }
+        }
+    }
+}
+
+/// A robot at its zero, where what was typed is one.
+fn drawn(
+    ui: &mut Ui,
+    robot: Option<&kinematics::Robot>,
+    name: &str,
+    size: Vec2,
+    camera: &mut Camera,
+) {
+    if let Some(robot) = robot {
+        let name = say!("{robot} at its zero", robot = name);
+        robot_alone(ui, (robot, &name), camera, size);
+    }
+}
+
+/// What is known of a robot of the library.
+fn known_of(ui: &mut Ui, robot: &LibraryRobot) {
+    let with = |value: Option<f64>, unit: &str| match value {
+        Some(_) => format!("{} {unit}", figure(value)),
+        None => "–".to_owned(),
+    };
     widgets::fact_of(ui, phrase!("kind"), kind(robot));
-    widgets::fact_of(
-        ui,
-        phrase!("reach, load"),
-        format!("{}, {kg}", mm(robot.reach_mm)),
-    );
+    let [reach, load] = [with(robot.reach_mm, "mm"), with(robot.payload_kg, "kg")];
+    widgets::fact_of(ui, phrase!("reach, load"), format!("{reach}, {load}"));
     widgets::fact_of(
         ui,
         phrase!("repeatability (ISO 9283)"),
-        mm(robot.repeatability_mm),
+        with(robot.repeatability_mm, "mm"),
     );
     let geometry = source(&robot.geometry.source);
     let geometry = geometry.map_or("", |source| source.what.as_str());
     widgets::fact_of(ui, phrase!("geometry from"), geometry);
     if !robot.not_checked.is_empty() {
+        let what = spoken(robot.not_checked());
+        let says = say!("Not checked against a second source: {what}", what);
         let muted = Palette::of(ui).muted;
-        let says = say!(
-            "Not checked against a second source: {what}",
-            what = crate::language::spoken(robot.not_checked())
-        );
-        ui.add(egui::Label::new(egui::RichText::new(says).small().color(muted)).wrap());
-    }
-}
-
-/// A robot of one's own.
-fn own(
-    ui: &mut Ui,
-    (table, room): (&RobotTable, egui::Vec2),
-    camera: &mut Camera,
-    workbench: &Workbench,
-) {
-    ui.spacing_mut().item_spacing.y = space::TIGHT;
-    match table.robot() {
-        Ok(robot) => {
-            let name = say!("{robot} at its zero", robot = robot.name);
-            let size = vec2(room.x, room.y - FACTS);
-            robot_alone(ui, (&robot, &name), camera, size);
-        }
-        Err(problem) => widgets::wrong(ui, &crate::language::spoken(&problem)),
-    }
-    let joints = table.rows.len();
-    let joints = say!(one "{count} joint", "{count} joints", count = joints);
-    widgets::fact_of(ui, phrase!("kind"), joints);
-    widgets::hint(ui, say!("Typed here, and remembered on this computer"));
-    if widgets::secondary(ui, say!("Forget it")).clicked() {
-        let name = table.name.clone();
-        workbench.then(move |bench| bench.forget_robot(&name));
+        ui.add(egui::Label::new(RichText::new(says).small().color(muted)).wrap());
     }
 }
 
@@ -308,9 +316,8 @@ fn ends(ui: &mut Ui, chosen: Option<Robot<'_>>, entered: bool, workbench: &Workb
     ui.add_space(space::ROW);
     let mut simulate = false;
     ui.columns(4, |columns| {
-        if widgets::other(&mut columns[0], say!("Cancel")).clicked() {
-            workbench.then(move |bench| bench.show_sheet(None));
-        }
+        widgets::other(&mut columns[0], say!("Cancel"))
+            .does(workbench, move |bench| bench.show_sheet(None));
         let edit = |ui: &mut Ui| widgets::other(ui, say!("As a table…"));
         let edit = columns[1].add_enabled_ui(chosen.is_some(), edit).inner;
         let edit = edit.on_hover_text(say!("Change its table, or type a robot of your own"));
@@ -359,8 +366,7 @@ const NUMBER: f32 = 54.0;
 const NAME: [f32; 2] = [76.0, 28.0];
 const MOVES: [f32; 2] = [54.0, 28.0];
 
-pub(super) fn typed(ui: &mut Ui, table: &RobotTable, opened: &RobotTable, workbench: &Workbench) {
-    let mut typed = table.clone();
+pub(super) fn typed(ui: &mut Ui, typed: &mut RobotTable, workbench: &Workbench) {
     let wide = if typed.form == TableForm::Axes {
         AXES
     } else {
@@ -386,7 +392,7 @@ pub(super) fn typed(ui: &mut Ui, table: &RobotTable, opened: &RobotTable, workbe
             "Nominal geometry as the maker states it; the robot is drawn at its zero as it is typed"
         ),
     );
-    head(ui, &mut typed);
+    head(ui, typed);
     let made = typed.robot();
     ui.with_layout(layout, |ui| {
         ui.spacing_mut().item_spacing.x = f32::from(space::PANEL);
@@ -395,33 +401,23 @@ pub(super) fn typed(ui: &mut Ui, table: &RobotTable, opened: &RobotTable, workbe
             ui.set_width(wide);
             let scroll = ScrollArea::both().id_salt("rows").auto_shrink(false);
             scroll.max_height(high).show(ui, |ui| {
-                rows(ui, &mut typed);
+                rows(ui, typed);
                 widgets::focus_in_sight(ui);
             });
         });
         ui.vertical(|ui| {
             let id = ui.scope_id().with("camera");
             let mut camera: Camera = ui.data(|data| data.get_temp(id)).unwrap_or_default();
-            if let Ok(robot) = &made {
-                let name = say!("{robot} at its zero", robot = robot.name);
-                let size = vec2(picture, high);
-                robot_alone(ui, (robot, &name), &mut camera, size);
-            }
+            let (robot, size) = (made.as_ref().ok(), vec2(picture, high));
+            drawn(ui, robot, typed.name.trim(), size, &mut camera);
             ui.data_mut(|data| data.insert_temp(id, camera));
         });
     });
-    frames(ui, &mut typed);
+    frames(ui, typed);
     if let Err(problem) = &made {
-        widgets::wrong(ui, &crate::language::spoken(problem));
+        widgets::wrong(ui, &spoken(problem));
     }
-    if typed != *table {
-        let sheet = Sheet::RobotTable {
-            table: Box::new(typed.clone()),
-            opened: Box::new(opened.clone()),
-        };
-        workbench.then(|bench| bench.show_sheet(Some(sheet)));
-    }
-    typed_ends(ui, &typed, made.is_ok(), workbench);
+    typed_ends(ui, typed, made.is_ok(), workbench);
 }
 
 /// Name of the robot, and in which terms it is typed.
@@ -467,7 +463,7 @@ fn rows(ui: &mut Ui, typed: &mut RobotTable) {
         .spacing(vec2(4.0, 4.0))
         .show(ui, |ui| {
             let head = |ui: &mut Ui, text: &str| {
-                ui.label(egui::RichText::new(text).small().color(muted));
+                ui.label(RichText::new(text).small().color(muted));
             };
             head(ui, "");
             head(ui, say!("joint"));
@@ -480,7 +476,7 @@ fn rows(ui: &mut Ui, typed: &mut RobotTable) {
                     format!("{name}, {unit}")
                 };
                 // No wider than the numbers below it.
-                ui.label(egui::RichText::new(text).size(size::TINY).color(muted));
+                ui.label(RichText::new(text).size(size::TINY).color(muted));
             }
             head(ui, say!("from"));
             head(ui, say!("to"));
@@ -579,8 +575,8 @@ fn joint(ui: &mut Ui, number: usize, row: &mut Row, heads: &[(&'static str, &'st
 }
 
 fn cell(ui: &mut Ui, label: &str, unit: &str, value: &mut f64) {
-    let field = DragValue::new(value).speed(1.0).max_decimals(6);
-    widgets::cell_number(ui, label, unit, NUMBER, field);
+    let value = std::slice::from_mut(value);
+    widgets::numbers(ui, (label, unit), &[""], value, (NUMBER, 1.0));
 }
 
 /// Where the rows begin, where the tool is, and which way gravity points.
@@ -588,10 +584,9 @@ fn frames(ui: &mut Ui, typed: &mut RobotTable) {
     let signs = ["x", "y", "z", "A", "B", "C"];
     let six = |ui: &mut Ui, row: &str, values: &mut [f64; 6]| {
         widgets::form_row(ui, row, |ui| {
-            for (k, (sign, value)) in signs.iter().zip(values).enumerate() {
-                let unit = if k < 3 { "mm" } else { "°" };
-                cell(ui, &format!("{row} {sign}"), unit, value);
-            }
+            let (at, turned) = values.split_at_mut(3);
+            widgets::numbers(ui, (row, "mm"), &signs[..3], at, (NUMBER, 1.0));
+            widgets::numbers(ui, (row, "°"), &signs[3..], turned, (NUMBER, 1.0));
         });
     };
     if typed.form != TableForm::Axes {
@@ -614,9 +609,9 @@ fn frames(ui: &mut Ui, typed: &mut RobotTable) {
 fn typed_ends(ui: &mut Ui, typed: &RobotTable, sound: bool, workbench: &Workbench) {
     ui.add_space(space::ROW);
     ui.columns(3, |columns| {
-        if widgets::other(&mut columns[0], say!("Cancel")).clicked() {
-            workbench.then(move |bench| bench.show_sheet(Some(Sheet::ROBOTS)));
-        }
+        widgets::other(&mut columns[0], say!("Cancel")).does(workbench, move |bench| {
+            bench.show_sheet(Some(Sheet::ROBOTS));
+        });
         let save = |ui: &mut Ui| widgets::other(ui, say!("Save robot file…"));
         let save = columns[1].add_enabled_ui(sound, save).inner;
         let simulate = |ui: &mut Ui| widgets::primary(ui, say!("Simulate…"));

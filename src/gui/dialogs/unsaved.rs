@@ -68,9 +68,8 @@ fn decided(ui: &mut Ui, keep: &str, lose: &str, workbench: &Workbench) -> [bool;
     let kept = widgets::primary(ui, keep).clicked();
     let lost = ui.columns(2, |columns| {
         let lost = widgets::secondary(&mut columns[0], lose).clicked();
-        if widgets::secondary(&mut columns[1], say!("Cancel")).clicked() {
-            workbench.then(move |bench| bench.show_sheet(None));
-        }
+        widgets::secondary(&mut columns[1], say!("Cancel"))
+            .does(workbench, move |bench| bench.show_sheet(None));
         lost
     });
     [kept, lost]
@@ -106,7 +105,7 @@ pub(super) fn overwrite(ui: &mut Ui, path: &Path, workbench: &Workbench) {
     match decided(ui, keep, lose, workbench) {
         [true, _] => workbench.then(|bench| {
             bench.show_sheet(None);
-            bench.choose_where_to_save();
+            bench.choose_where_to_export(What::Session);
         }),
         [_, true] => workbench.then(Workbench::save_despite),
         _ => {}
@@ -187,23 +186,13 @@ fn a_time_is_said_in_words() {
     assert_eq!(says(200_000), "2 days ago");
 }
 
-/// A file to save the session to.
-pub(super) fn save(ui: &mut Ui, workbench: &Workbench, typed: (&str, bool)) {
-    let says = say!("The samples are written beside it, as a CSV file of the same name");
-    let again = |path, replace| Sheet::SavePath { path, replace };
-    let done = |bench: &mut Workbench, path: PathBuf, replace| bench.save_as(&path, replace);
-    path_form(
-        ui,
-        workbench,
-        (say!("Save session"), says),
-        typed,
-        again,
-        done,
-    );
-}
-
-/// A file to export to.
-pub(super) fn export(ui: &mut Ui, workbench: &Workbench, what: What, typed: (&str, bool)) {
+/// A file to write to.
+pub(super) fn path(
+    ui: &mut Ui,
+    workbench: &Workbench,
+    what: What,
+    (typed, allowed): (&mut String, &mut bool),
+) {
     let format = find(workbench.document().export.format);
     // It describes the robot and is no table.
     let robot = what == What::Table && format.is_some_and(|format| format.rules.is_none());
@@ -213,6 +202,7 @@ pub(super) fn export(ui: &mut Ui, workbench: &Workbench, what: What, typed: (&st
             say!("A file that says what its numbers mean is written beside it")
         }
         What::Table => say!("A file that says what the table means is written beside it"),
+        What::Session => say!("The samples are written beside it, as a CSV file of the same name"),
         What::Model => say!("The model can be exported and verified later"),
         What::Poses => say!("A CSV table with the session's column names, to be measured next"),
         What::Report(_) => say!(
@@ -231,33 +221,14 @@ pub(super) fn export(ui: &mut Ui, workbench: &Workbench, what: What, typed: (&st
     } else {
         what.title()
     };
-    let again = move |path, replace| Sheet::ExportPath {
-        what,
-        path,
-        replace,
-    };
-    let done = move |bench: &mut Workbench, path, replace| bench.export_as(what, path, replace);
-    path_form(ui, workbench, (title, says), typed, again, done);
-}
-
-/// A path to save to: `done` once it is complete, `again` the sheet with what is typed now.
-fn path_form(
-    ui: &mut Ui,
-    workbench: &Workbench,
-    (title, says): (&str, &str),
-    (path, replace): (&str, bool),
-    again: impl FnOnce(String, bool) -> Sheet,
-    done: impl FnOnce(&mut Workbench, PathBuf, bool) + Send + 'static,
-) {
     widgets::wide(ui, 420.0);
     widgets::heading(ui, title);
-    let (mut typed, mut allowed) = (path.to_owned(), replace);
-    let field = ui.add(TextEdit::singleline(&mut typed).desired_width(f32::INFINITY));
+    let field = ui.add(TextEdit::singleline(typed).desired_width(f32::INFINITY));
     widgets::label(&field, say!("Path to save to"));
     // The field is what the sheet is for: what is typed goes into it from the first letter on.
     if ui.memory(|memory| memory.focused().is_none()) && !field.lost_focus() {
         field.request_focus();
-        widgets::select_all(ui, field.id, path);
+        widgets::select_all(ui, field.id, typed);
     }
     let entered = field.lost_focus() && ui.input(|i| i.key_pressed(Key::Enter));
     let place = workbench.placed(typed.trim().as_ref());
@@ -265,15 +236,12 @@ fn path_form(
         let (folder, name) = (folder.display(), name.to_string_lossy());
         widgets::hint(ui, say!("{name}, in the folder {folder}", name, folder));
     }
-    ui.checkbox(&mut allowed, say!("replace the file if it exists"));
+    ui.checkbox(allowed, say!("replace the file if it exists"));
     widgets::hint(ui, says);
     let named = !typed.trim().is_empty();
     let pressed = widgets::sheet_buttons(ui, say!("Save"), named, workbench);
     if named && (pressed || entered) {
-        let path = PathBuf::from(typed.trim());
-        workbench.then(move |bench| done(bench, path, allowed));
-    } else if typed != path || allowed != replace {
-        let sheet = again(typed, allowed);
-        workbench.then(move |bench| bench.show_sheet(Some(sheet)));
+        let (path, allowed) = (PathBuf::from(typed.trim()), *allowed);
+        workbench.then(move |bench| bench.export_as(what, path, allowed));
     }
 }

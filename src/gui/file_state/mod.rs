@@ -33,7 +33,7 @@ const FORMAT: &str = "truepose-settings/1";
 ///
 /// Several windows share it. Each reads the document again before it changes its own part, so that
 /// the last word counts for a preference and the recent files are those of all windows.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub(crate) struct Settings {
     format: String,
     /// How numbers and colours are shown.
@@ -57,19 +57,6 @@ pub(crate) struct Settings {
 fn panes<'de, D: Deserializer<'de>>(reader: D) -> Result<Panes, D::Error> {
     let kept = serde_json::Value::deserialize(reader)?;
     Ok(serde_json::from_value(kept).unwrap_or_default())
-}
-
-impl Default for Settings {
-    fn default() -> Self {
-        Self {
-            format: FORMAT.to_owned(),
-            preferences: Preferences::default(),
-            recent: Vec::new(),
-            machines: Vec::new(),
-            robots: Vec::new(),
-            panes: Panes::default(),
-        }
-    }
 }
 
 /// A change of the recent files.
@@ -144,6 +131,7 @@ pub(crate) fn change(folder: &Path, change: impl FnOnce(&mut Settings)) -> Resul
     fs::create_dir_all(folder).map_err(failed)?;
     let (mut settings, _) = read(folder).map_err(failed)?;
     change(&mut settings);
+    FORMAT.clone_into(&mut settings.format);
     let document = serde_json::to_vec_pretty(&settings).map_err(|e| failed(e.into()))?;
     write_atomically(&path, true, |output| output.write_all(&document))
 }
@@ -300,31 +288,18 @@ pub(crate) fn today() -> Option<String> {
     Some(date_of(since.ok()?.as_secs() / SECONDS_OF_A_DAY))
 }
 
-/// The date so many days after 1 January 1970, in the Gregorian calendar.
-fn date_of(mut day: u64) -> String {
-    let is_leap = |year: u64| {
-        year.is_multiple_of(4) && (!year.is_multiple_of(100) || year.is_multiple_of(400))
-    };
-    let mut year = 1970;
-    loop {
-        let days = if is_leap(year) { 366 } else { 365 };
-        if day < days {
-            break;
-        }
-        day -= days;
-        year += 1;
-    }
-    let february = if is_leap(year) { 29 } else { 28 };
-    let months = [31, february, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31];
-    let mut month = 1;
-    for days in months {
-        if day < days {
-            break;
-        }
-        day -= days;
-        month += 1;
-    }
-    format!("{year}-{month:02}-{:02}", day + 1)
+/// The date so many days after 1 January 1970, in the Gregorian calendar: years begin with March, so that the day that
+/// not every year has is its last (H. Hinnant, chrono-Compatible Low-Level Date Algorithms, `civil_from_days`).
+fn date_of(day: u64) -> String {
+    let day = day + 719_468;
+    let (era, of_era) = (day / 146_097, day % 146_097);
+    let year = (of_era - of_era / 1_460 + of_era / 36_524 - of_era / 146_096) / 365;
+    let of_year = of_era - (365 * year + year / 4 - year / 100);
+    let from_march = (5 * of_year + 2) / 153;
+    let day = of_year - (153 * from_march + 2) / 5 + 1;
+    let month = (from_march + 2) % 12 + 1;
+    let year = 400 * era + year + u64::from(month <= 2);
+    format!("{year}-{month:02}-{day:02}")
 }
 
 #[cfg(test)]

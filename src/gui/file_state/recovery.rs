@@ -16,9 +16,8 @@ use sha2::{Digest, Sha256};
 
 use crate::atomic::{WriteError, write_atomically};
 use crate::document::number::hexadecimal;
-use crate::effects::{Term, find, form_with};
-use crate::gui::core::document::{Added, Choices, Document, Method};
-use crate::kinematics::Robot;
+use crate::gui::core::choices::Choices;
+use crate::gui::core::document::Document;
 use crate::pipeline;
 use crate::sessions::Session;
 
@@ -44,17 +43,12 @@ struct Header {
 }
 
 /// What is kept of a document beside its session.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub(crate) struct About {
     /// The file that the session was opened from, if there is one.
     pub(crate) file: Option<PathBuf>,
-    identified: bool,
-    regional: bool,
-    /// Effects of the exact fit.
-    effects: Vec<String>,
-    /// Effects that a search found and that were added to it.
-    #[serde(default)]
-    added: Vec<SavedTerm>,
+    #[serde(flatten)]
+    pub(crate) choices: Choices,
 }
 
 /// What is to be kept of a document.
@@ -65,73 +59,13 @@ pub(crate) struct SavedDocument {
     pub(crate) about: About,
 }
 
-/// An effect that was added, as it is kept. A smooth correction is not: its curve belongs to a search.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub(crate) struct SavedTerm {
-    effect: String,
-    joint: usize,
-    setting: f64,
-    coefficients: Vec<f64>,
-    on: bool,
-}
-
-impl SavedTerm {
-    fn of(added: &Added) -> Option<Self> {
-        let term = &added.term;
-        (term.curve.is_none() && term.rest.is_none()).then(|| Self {
-            effect: term.effect.about().id.to_owned(),
-            joint: term.joint,
-            setting: term.setting,
-            coefficients: term.coefficients.clone(),
-            on: added.on,
-        })
-    }
-
-    /// The effect on this robot; `None` where it cannot be one of its.
-    fn added(&self, robot: &Robot) -> Option<Added> {
-        let effect = find(&self.effect)?;
-        let effect = form_with(effect, |form| {
-            form.about().form.coefficients() == self.coefficients.len()
-        });
-        let mut term = Term::absent(effect, self.joint, self.setting);
-        let fits = self.joint < robot.joints.len()
-            && self.coefficients.len() == term.coefficients.len()
-            && self.coefficients.iter().all(|c| c.is_finite())
-            && self.setting.is_finite();
-        term.coefficients.clone_from(&self.coefficients);
-        fits.then_some(Added { term, on: self.on })
-    }
-}
-
 impl SavedDocument {
     /// What is to be kept of this document.
     pub(crate) fn of(document: &Document, file: Option<PathBuf>) -> Self {
+        let choices = document.choices();
         Self {
             session: document.session_to_save(),
-            about: About {
-                file,
-                identified: document.identified && document.loaded_model.is_none(),
-                regional: document.method == Method::Regional,
-                effects: document.effects.iter().map(|e| (*e).to_owned()).collect(),
-                added: document.added.iter().filter_map(SavedTerm::of).collect(),
-            },
-        }
-    }
-
-    /// How it was identified, as far as its robot can have what was added.
-    pub(crate) fn choices(&self) -> Choices {
-        let robot = &self.session.robot;
-        let about = &self.about;
-        let added = about.added.iter().filter_map(|one| one.added(robot));
-        Choices {
-            identified: about.identified,
-            method: if about.regional {
-                Method::Regional
-            } else {
-                Method::Exact
-            },
-            effects: about.effects.clone(),
-            added: added.collect(),
+            about: About { file, choices },
         }
     }
 }

@@ -7,19 +7,18 @@ pub(crate) mod writing;
 pub(crate) use crate::pipeline::is_model;
 pub(crate) use system::{
     cancelled, choose_beside, choose_folder, choose_logo, choose_targets, choose_to_export,
-    choose_to_import, choose_to_open, choose_to_save, open_outside,
+    choose_to_import, choose_to_open, open_outside,
 };
 #[cfg(test)]
 pub(crate) use writing::not_written;
 pub(crate) use writing::{
-    NotSaved, Replace, Saved, export, png, save, saved, write_list, write_picture, write_targets,
+    NotSaved, Replace, Saved, export, png, save, write_list, write_picture, write_targets,
 };
 
 use std::fmt::Display;
 use std::path::Path;
 use std::sync::Arc;
 
-use crate::diagnostic::Diagnostic;
 use crate::language::{finding, spoken};
 use crate::pipeline::{self, load_model};
 use crate::programs::LANGUAGES;
@@ -33,6 +32,7 @@ use crate::gui::core::disk::Fingerprint;
 use crate::gui::core::document::plain;
 use crate::gui::core::loaded_session::{LoadedSession, Origin};
 use crate::gui::core::simulate::Form;
+use crate::gui::import_draft::listed;
 use crate::gui::import_draft::{ImportDraft, TABLES};
 use crate::gui::jobs::Watch;
 use crate::gui::view::Message;
@@ -131,23 +131,13 @@ fn not_read(name: impl Display, error: &ReadError) -> Message {
 
 fn why(error: &ReadError) -> Vec<String> {
     match error {
-        ReadError::Rejected(rejected) => listed(&rejected.diagnostics),
+        ReadError::Rejected(rejected) => listed(rejected.diagnostics.iter().map(finding).collect()),
         ReadError::Cancelled(_) => vec![cancelled()],
     }
 }
 
 /// Which part of opening a session it is to read it; the rest is to look through it.
 const READING: f64 = 0.4;
-
-/// Findings as lines, no more than can be read.
-fn listed(findings: &[Diagnostic]) -> Vec<String> {
-    const MOST: usize = 8;
-    let mut lines: Vec<String> = findings.iter().take(MOST).map(finding).collect();
-    if findings.len() > MOST {
-        lines.push(say!(in "common", "and {more} more", more = findings.len() - MOST));
-    }
-    lines
-}
 
 /// Makes a session by simulation.
 pub(crate) fn simulate(form: &Form, watch: &Watch) -> Result<Opened, Message> {

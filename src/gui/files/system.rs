@@ -93,14 +93,6 @@ fn dialog_at(path: &Path) -> rfd::FileDialog {
     dialog_beside(Some(path)).set_file_name(name.to_string_lossy())
 }
 
-/// Asks the user where to save.
-pub(crate) fn choose_to_save(path: &Path) -> Option<PathBuf> {
-    let dialog = dialog_at(path)
-        .set_title(say!("Save session"))
-        .add_filter(say!("Session (*.json)"), &["json"]);
-    dialog.save_file()
-}
-
 /// Asks the user where to export to.
 pub(crate) fn choose_to_export(what: What, path: &Path) -> Option<PathBuf> {
     let dialog = dialog_at(path).set_title(what.title());
@@ -112,6 +104,7 @@ pub(crate) fn choose_to_export(what: What, path: &Path) -> Option<PathBuf> {
             let ending = plot.ending();
             dialog.add_filter(say!("Picture (*.{ending})", ending), &[ending])
         }
+        What::Session => dialog.add_filter(say!("Session (*.json)"), &["json"]),
         What::Model => dialog.add_filter(say!("Model (*.json)"), &["json"]),
         What::Robot(_) | What::TypedRobot => dialog.add_filter(say!("Robot (*.json)"), &["json"]),
         What::Poses | What::Numbers(_) => dialog.add_filter(say!("CSV table (*.csv)"), &["csv"]),

@@ -118,10 +118,9 @@ pub(crate) fn export(
 ) -> Result<PathBuf, Message> {
     let written =
         documents(wanted, what, path).and_then(|documents| write_all(&documents, path, replace));
-    match written {
-        Ok(()) => Ok(path.to_path_buf()),
-        Err(problem) => Err(not_written(path, problem)),
-    }
+    written
+        .map(|()| path.to_path_buf())
+        .map_err(|problem| not_written(path, problem))
 }
 
 fn documents(wanted: &PreviewRequest, what: What, path: &Path) -> Result<Vec<Document>, String> {
@@ -159,10 +158,7 @@ fn write_all(documents: &[Document], path: &Path, replace: bool) -> Result<(), S
     let places = documents.iter().enumerate();
     let places: Vec<PathBuf> = places.map(|(k, d)| place(k, d)).collect();
     if let Some(there) = places.iter().find(|place| !replace && place.exists()) {
-        return Err(say!(
-            "{there} exists already; allow replacing it, or choose another name",
-            there = there.display()
-        ));
+        return Err(advice(&WriteError::Exists(there.clone())));
     }
     // All of them are on the disk before the first has its name.
     let write = |(place, document): (&PathBuf, &Document)| {
@@ -187,10 +183,7 @@ pub(crate) fn write_list(list: String, path: &Path, replace: bool) -> Message {
         name: String::new(),
         bytes: list.into_bytes(),
     };
-    match write_all(&[document], path, replace) {
-        Ok(()) => saved(path, Vec::new()),
-        Err(problem) => not_written(path, problem),
-    }
+    told(path, write_all(&[document], path, replace), Vec::new())
 }
 
 /// Writes corrected targets, and what was changed beside them.
@@ -218,10 +211,7 @@ pub(crate) fn write_targets(
             write_all(&documents, path, replace)
         }),
     };
-    match written {
-        Ok(()) => saved(path, Vec::new()),
-        Err(problem) => not_written(path, problem),
-    }
+    told(path, written, Vec::new())
 }
 
 /// Writes one file, unless it was cancelled meanwhile.
@@ -261,9 +251,12 @@ pub(crate) fn can_be_written(path: &Path, replace: bool, inputs: &[PathBuf]) -> 
     }
 }
 
-/// Says that a file was written.
-pub(crate) fn saved(path: &Path, details: Vec<String>) -> Message {
-    Message::saved(path, details)
+/// Says how the writing of a file went.
+fn told(path: &Path, written: Result<(), String>, details: Vec<String>) -> Message {
+    match written {
+        Ok(()) => Message::saved(path, details),
+        Err(problem) => not_written(path, problem),
+    }
 }
 
 /// Says that a file was not written.
@@ -295,10 +288,7 @@ pub(crate) fn write_picture(
         can_be_written(path, replace, inputs)?;
         write_one(path, replace, &picture()?, watch)
     };
-    match make() {
-        Ok(()) => saved(path, Vec::new()),
-        Err(problem) => not_written(path, problem),
-    }
+    told(path, make(), Vec::new())
 }
 
 /// An image as a file.
@@ -351,10 +341,7 @@ pub(crate) fn write_report(
 ) -> Message {
     let mut details = Vec::new();
     let written = make(wanted, path, replace, watch, &mut details);
-    match written {
-        Ok(()) => saved(path, details),
-        Err(problem) => not_written(path, problem),
-    }
+    told(path, written, details)
 }
 
 fn make(

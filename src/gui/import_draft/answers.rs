@@ -58,9 +58,19 @@ impl Companion {
 }
 
 impl ImportAnswers {
+    /// The path of a file beside the measured one, as it is typed.
+    pub(crate) fn path_of(&self, which: Companion) -> &str {
+        match (which, &self.robot) {
+            (Companion::Robot, RobotFrom::File { path, .. }) => path,
+            (Companion::Robot, _) => "",
+            (Companion::Commands, _) => &self.commands,
+            (Companion::Reference, _) => &self.reference,
+            (Companion::Targets, _) => &self.targets,
+        }
+    }
+
     /// Takes a file that was chosen.
-    pub(crate) fn choose(&mut self, which: Companion, path: &Path) {
-        let typed = path.to_string_lossy().into_owned();
+    pub(crate) fn choose(&mut self, which: Companion, typed: String) {
         match which {
             Companion::Robot => self.robot = self.robot.of_file(typed),
             Companion::Commands => self.commands = typed,

@@ -127,7 +127,7 @@ impl ImportDraft {
         let neighbours = Neighbours::of(path);
         let mut taken = neighbours.named_alike(path);
         for (which, file) in &taken {
-            answers.choose(*which, file);
+            answers.choose(*which, file.to_string_lossy().into_owned());
         }
         let first = if answers.commands.is_empty() {
             1.0
@@ -431,17 +431,27 @@ fn companion((path, bytes): &File) -> importers::Companion<'_> {
     }
 }
 
-/// Findings as lines, errors first and no more than can be read.
-pub(super) fn in_words(findings: &[Diagnostic]) -> Vec<String> {
+/// No more lines than can be read.
+pub(crate) fn listed(mut lines: Vec<String>) -> Vec<String> {
     const MOST: usize = 8;
-    let is_error = |finding: &&Diagnostic| finding.severity == Severity::Error;
-    let errors: Vec<&Diagnostic> = findings.iter().filter(is_error).collect();
-    let shown = errors.iter().take(MOST);
-    let mut lines: Vec<String> = shown.map(|finding| in_the_windows_words(finding)).collect();
-    if errors.len() > MOST {
-        lines.push(say!(in "common", "and {more} more", more = errors.len() - MOST));
+    let more = lines.len().saturating_sub(MOST);
+    lines.truncate(MOST);
+    if more > 0 {
+        lines.push(say!(in "common", "and {more} more", more));
     }
     lines
+}
+
+/// What is wrong, no more than can be read.
+pub(super) fn in_words(findings: &[Diagnostic]) -> Vec<String> {
+    let is_error = |finding: &&Diagnostic| finding.severity == Severity::Error;
+    listed(
+        findings
+            .iter()
+            .filter(is_error)
+            .map(in_the_windows_words)
+            .collect(),
+    )
 }
 
 /// What an option of the command line, with a value that is the same in every language, is called on the sheet.

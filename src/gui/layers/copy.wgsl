@@ -4,6 +4,6 @@
 
 @fragment
 fn covered(@builtin(position) position: vec4f) -> @location(0) vec4f {
-    let px = vec2i(position.xy - vec2f(frame.grid.w, frame.grid_size.z));
+    let px = vec2i(position.xy - frame.corner.xy);
     return textureLoad(picture, px, 0);
 }

@@ -11,14 +11,10 @@ struct Frame {
     shown: vec4f,
     // What colour says; whether there is an answer; width of vectors, points; size of marks.
     style: vec4f,
-    // Narrowest and widest vector, points; opacity of the heat map; how much colour what is farthest
-    // loses.
+    // Narrowest and widest vector, points; how much colour what is farthest loses.
     style_2: vec4f,
-    // The heat map's first cell from the middle of the cloud, mm; cells per mm; the plot's left
-    // edge on the screen, pixels.
-    grid: vec4f,
-    // Its number of cells; the plot's upper edge, pixels.
-    grid_size: vec4f,
+    // The plot's left and upper edge on the screen, pixels.
+    corner: vec4f,
     flat_color: vec4f,
     ghost: vec4f,
     measured: vec4f,

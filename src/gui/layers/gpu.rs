@@ -14,7 +14,6 @@ use wgpu::util::{BufferInitDescriptor, DeviceExt as _};
 use wgpu::{Buffer, BufferUsages, Device, Queue};
 
 use crate::gui::cache::cloud::{Cloud, Place, Remainder, RemainderRow};
-use crate::gui::cache::heat::Heat;
 use crate::gui::layers::{
     BySample, DEPTH, Frame, SAMPLE, columns, group, pipeline, pipeline_layout, shader,
 };
@@ -47,35 +46,7 @@ pub(crate) struct CloudLayer {
     pub(crate) ghosts: bool,
 }
 
-pub(crate) struct HeatLayer {
-    pub(crate) heat: Arc<Heat>,
-    /// Where it goes.
-    pub(crate) frame: Frame,
-}
-
-/// A layer of a plot: what it uploads before a frame, and how it is drawn in it.
-pub(crate) trait Layer: Sized + Send + Sync + 'static {
-    fn prepare(&self, drawer: &mut Drawer, on: &mut PrepareContext<'_>);
-
-    fn paint(&self, drawer: &Drawer, pass: &mut wgpu::RenderPass<'static>);
-
-    /// The layer as a shape in this frame of a plot.
-    fn shape(self, rect: Rect) -> Shape {
-        Shape::Callback(Callback::new_paint_callback(rect, CalledBack(self)))
-    }
-}
-
-/// What a layer prepares itself with.
-pub(crate) struct PrepareContext<'a> {
-    pub(super) device: &'a Device,
-    pub(super) queue: &'a Queue,
-    pub(super) encoder: &'a mut wgpu::CommandEncoder,
-}
-
-/// A layer as egui calls it back.
-struct CalledBack<L>(L);
-
-impl<L: Layer> CallbackTrait for CalledBack<L> {
+impl CallbackTrait for CloudLayer {
     fn prepare(
         &self,
         device: &Device,
@@ -85,12 +56,7 @@ impl<L: Layer> CallbackTrait for CalledBack<L> {
         resources: &mut CallbackResources,
     ) -> Vec<wgpu::CommandBuffer> {
         if let Some(drawer) = resources.get_mut::<Drawer>() {
-            let mut on = PrepareContext {
-                device,
-                queue,
-                encoder,
-            };
-            self.0.prepare(drawer, &mut on);
+            self.upload_and_draw(drawer, device, queue, encoder);
         }
         Vec::new()
     }
@@ -101,37 +67,38 @@ impl<L: Layer> CallbackTrait for CalledBack<L> {
         pass: &mut wgpu::RenderPass<'static>,
         resources: &CallbackResources,
     ) {
-        if let Some(drawer) = resources.get::<Drawer>() {
-            self.0.paint(drawer, pass);
+        let Some(drawer) = resources.get::<Drawer>() else {
+            return;
+        };
+        if let Some(target) = &drawer.target {
+            pass.set_pipeline(&drawer.copy);
+            pass.set_bind_group(0, &drawer.uniform.group, &[]);
+            pass.set_bind_group(1, &target.group, &[]);
+            pass.draw(0..3, 0..1);
         }
     }
 }
 
 impl CloudLayer {
-    /// Draws the points, the deviations before, and the error vectors.
-    fn draw(&self, drawer: &Drawer, pass: &mut wgpu::RenderPass<'_>) {
-        let by = &drawer.by_sample;
-        pass.set_bind_group(0, &drawer.cloud_uniform.group, &[]);
-        let [points, vectors] = self.counts;
-        drawer.draw(pass, &by.marks, points);
-        if self.ghosts {
-            drawer.draw(pass, &by.ghosts, vectors);
-        }
-        drawer.draw(pass, &by.arrows, vectors);
+    /// The layer as a shape in this frame of a plot.
+    pub(crate) fn shape(self, rect: Rect) -> Shape {
+        Shape::Callback(Callback::new_paint_callback(rect, self))
     }
-}
 
-impl Layer for CloudLayer {
-    fn prepare(&self, drawer: &mut Drawer, on: &mut PrepareContext<'_>) {
-        drawer.upload_cloud(on.device, &self.cloud);
-        drawer.upload_remainder(on.device, &self.cloud, self.remainder.as_ref());
-        drawer
-            .cloud_uniform
-            .write(on.queue, &self.frame, drawer.linear);
-        let most = on.device.limits().max_texture_dimension_2d;
+    fn upload_and_draw(
+        &self,
+        drawer: &mut Drawer,
+        device: &Device,
+        queue: &Queue,
+        encoder: &mut wgpu::CommandEncoder,
+    ) {
+        drawer.upload_cloud(device, &self.cloud);
+        drawer.upload_remainder(device, &self.cloud, self.remainder.as_ref());
+        drawer.uniform.write(queue, &self.frame, drawer.linear);
+        let most = device.limits().max_texture_dimension_2d;
         let size = self.frame.size(most);
         if drawer.target.as_ref().is_none_or(|t| t.size != size) {
-            let target = Target::new(on.device, &drawer.cells_layout, size, drawer.format);
+            let target = Target::new(device, &drawer.picture_layout, size, drawer.format);
             drawer.target = Some(target);
             drawer.drawn = None;
         }
@@ -146,30 +113,20 @@ impl Layer for CloudLayer {
         }
         drawer.drawn = Some(now);
         if let Some(target) = &drawer.target {
-            self.draw(drawer, &mut target.begin(on.encoder));
+            self.draw(drawer, &mut target.begin(encoder));
         }
     }
 
-    fn paint(&self, drawer: &Drawer, pass: &mut wgpu::RenderPass<'static>) {
-        if let Some(target) = &drawer.target {
-            let (copy, uniform) = (&drawer.copy, &drawer.cloud_uniform);
-            Drawer::draw_everywhere(pass, copy, uniform, &target.group);
+    /// Draws the points, the deviations before, and the error vectors.
+    fn draw(&self, drawer: &Drawer, pass: &mut wgpu::RenderPass<'_>) {
+        let by = &drawer.by_sample;
+        pass.set_bind_group(0, &drawer.uniform.group, &[]);
+        let [points, vectors] = self.counts;
+        drawer.draw(pass, &by.marks, points);
+        if self.ghosts {
+            drawer.draw(pass, &by.ghosts, vectors);
         }
-    }
-}
-
-impl Layer for HeatLayer {
-    fn prepare(&self, drawer: &mut Drawer, on: &mut PrepareContext<'_>) {
-        drawer.upload_heat(on.device, on.queue, &self.heat);
-        drawer
-            .heat_uniform
-            .write(on.queue, &self.frame, drawer.linear);
-    }
-
-    fn paint(&self, drawer: &Drawer, pass: &mut wgpu::RenderPass<'static>) {
-        if let Some((_, cells)) = &drawer.heat {
-            Drawer::draw_everywhere(pass, &drawer.heat_map, &drawer.heat_uniform, cells);
-        }
+        drawer.draw(pass, &by.arrows, vectors);
     }
 }
 
@@ -210,15 +167,12 @@ pub(crate) struct Drawer {
     pub(super) target: Option<Target>,
     /// What was drawn last.
     pub(super) drawn: Option<Drawn>,
-    pub(super) heat_map: wgpu::RenderPipeline,
-    /// Of a texture that is read cell by cell.
-    pub(super) cells_layout: wgpu::BindGroupLayout,
-    pub(super) cloud_uniform: Uniform,
-    pub(super) heat_uniform: Uniform,
+    /// Of a picture that is read pixel by pixel.
+    pub(super) picture_layout: wgpu::BindGroupLayout,
+    pub(super) uniform: Uniform,
     places: (Weak<Cloud>, Vec<Buffer>),
     /// Whose remainder, what remains, and where it is.
     remains: (Weak<Cloud>, Option<Weak<Remainder>>, Vec<Buffer>),
-    pub(super) heat: Option<(Weak<Heat>, wgpu::BindGroup)>,
     /// How often samples or what remains of them were uploaded.
     pub(super) uploads: u64,
 }
@@ -245,8 +199,8 @@ impl Drawer {
                 min_binding_size: None,
             },
         );
-        let cells_layout = layout(
-            "cells of the heat map",
+        let picture_layout = layout(
+            "picture of a layer",
             wgpu::ShaderStages::FRAGMENT,
             wgpu::BindingType::Texture {
                 sample_type: wgpu::TextureSampleType::Float { filterable: false },
@@ -255,10 +209,9 @@ impl Drawer {
             },
         );
         let samples = pipeline_layout(device, &[Some(&uniform)]);
-        let map = pipeline_layout(device, &[Some(&uniform), Some(&cells_layout)]);
+        let both = pipeline_layout(device, &[Some(&uniform), Some(&picture_layout)]);
         let arrows = shader(device, &[SAMPLE, include_str!("arrows.wgsl")]);
         let marks = shader(device, &[SAMPLE, include_str!("marks.wgsl")]);
-        let heat = shader(device, &[include_str!("heat.wgsl")]);
         let copy = shader(device, &[include_str!("copy.wgsl")]);
         let of_samples =
             |module, vertex| pipeline(device, &samples, module, vertex, &columns(), format, true);
@@ -269,18 +222,15 @@ impl Drawer {
                 ghosts: of_samples(&arrows, "ghost"),
                 arrows: of_samples(&arrows, "arrow"),
             },
-            copy: pipeline(device, &map, &copy, "everywhere", &[], format, false),
+            copy: pipeline(device, &both, &copy, "everywhere", &[], format, false),
             format,
             target: None,
             drawn: None,
-            heat_map: pipeline(device, &map, &heat, "everywhere", &[], format, false),
             uploads: 0,
-            cloud_uniform: Uniform::new(device, &uniform),
-            heat_uniform: Uniform::new(device, &uniform),
-            cells_layout,
+            uniform: Uniform::new(device, &uniform),
+            picture_layout,
             places: (Weak::new(), Vec::new()),
             remains: (Weak::new(), None, Vec::new()),
-            heat: None,
         }
     }
 
@@ -323,51 +273,6 @@ impl Drawer {
             buffers,
         );
         self.uploads += 1;
-    }
-
-    pub(super) fn upload_heat(&mut self, device: &Device, queue: &Queue, heat: &Arc<Heat>) {
-        let there = self.heat.as_ref();
-        if there.is_some_and(|(h, _)| std::ptr::eq(h.as_ptr(), Arc::as_ptr(heat))) {
-            return;
-        }
-        let side = |n: usize| u32::try_from(n).unwrap_or(u32::MAX);
-        let descriptor = wgpu::TextureDescriptor {
-            label: Some("cells of the heat map"),
-            size: wgpu::Extent3d {
-                width: side(heat.size[0]),
-                height: side(heat.size[1]),
-                depth_or_array_layers: 1,
-            },
-            mip_level_count: 1,
-            sample_count: 1,
-            dimension: wgpu::TextureDimension::D2,
-            format: wgpu::TextureFormat::Rgba32Float,
-            usage: wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST,
-            view_formats: &[],
-        };
-        let texture = device.create_texture_with_data(
-            queue,
-            &descriptor,
-            wgpu::util::TextureDataOrder::LayerMajor,
-            bytemuck::cast_slice(&heat.cells),
-        );
-        let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
-        let cells = wgpu::BindingResource::TextureView(&view);
-        let group = group(device, &self.cells_layout, cells);
-        self.heat = Some((Arc::downgrade(heat), group));
-    }
-
-    /// Draws cells of a texture all over a plot.
-    pub(super) fn draw_everywhere(
-        pass: &mut wgpu::RenderPass<'_>,
-        pipeline: &wgpu::RenderPipeline,
-        uniform: &Uniform,
-        cells: &wgpu::BindGroup,
-    ) {
-        pass.set_pipeline(pipeline);
-        pass.set_bind_group(0, &uniform.group, &[]);
-        pass.set_bind_group(1, cells, &[]);
-        pass.draw(0..3, 0..1);
     }
 
     /// Draws the first `count` samples with this pipeline.
@@ -514,11 +419,11 @@ mod tests {
             deep_mm,
             ..look(Colouring::Load, 0.0)
         };
-        let picture = drawn(2.0, LIGHT.surface, move || {
+        let picture = drawn(2.0, LIGHT.surface, move |_| {
             let layer = CloudLayer {
                 cloud: Arc::clone(&cloud),
                 remainder: None,
-                frame: Frame::new(&look, &LIGHT, &transform(), None, 2.0),
+                frame: Frame::new(&look, &LIGHT, &transform(), 2.0),
                 counts: [2; 2],
                 ghosts: false,
             };

@@ -9,16 +9,16 @@
 //! - Model, in [`cache`](crate::gui::cache): `cloud` (the samples as they are uploaded), `heat` (the error over the
 //!   plane).
 //! - Layout, here: where all of it goes in this frame, the uniform of all shaders, worked out without any of them;
-//!   how shaders are put together, and what they read (`frame.wgsl`, `sample.wgsl`, `arrows.wgsl`, `marks.wgsl`,
-//!   `heat.wgsl` and `copy.wgsl`).
-//! - Paint: `gpu` (what egui calls back, in space by depth and in a picture of their own) and `drawer` (what stays on
-//!   the graphics processor).
+//!   how shaders are put together, and what they read (`frame.wgsl`, `sample.wgsl`, `arrows.wgsl`, `marks.wgsl` and
+//!   `copy.wgsl`); the heat map as a picture that lies in the plot.
+//! - Paint: `gpu` (what egui calls back, in space by depth and in a picture of their own, and what stays on the
+//!   graphics processor).
 
 pub(crate) mod gpu;
 #[cfg(test)]
 mod tests;
 
-use egui::{Color32, Rect};
+use egui::{Color32, ColorImage, Rect, Shape, TextureId, pos2};
 use egui_plot::{PlotPoint, PlotTransform};
 use wgpu::Device;
 
@@ -30,7 +30,7 @@ use crate::gui::style::{Palette, STOPS};
 use crate::gui::view::{Colouring, Facing};
 
 /// Rows of four numbers; `frame.wgsl` names them.
-const ROWS: usize = 17 + STOPS;
+const ROWS: usize = 16 + STOPS;
 
 /// Width of an error vector, points, at any zoom.
 pub(crate) const WIDTH: f32 = 1.6;
@@ -90,7 +90,6 @@ impl Frame {
         look: &LayerOptions,
         palette: &Palette,
         transform: &PlotTransform,
-        heat: Option<&Heat>,
         pixels: f32,
     ) -> Self {
         let axis = |[x, y, z]: [f64; 3], last: f64| [x, y, z, last].map(single);
@@ -116,36 +115,24 @@ impl Frame {
         rows[5] = [mode(look.colouring), answered, WIDTH, look.mark];
         // A colour that stands for a number is the same near and far.
         let fades = look.deep_mm.is_some() && look.colouring == Colouring::State;
-        rows[6] = [WEDGE[0], WEDGE[1], HEAT, if fades { FADE } else { 0.0 }];
-        rows[7][3] = viewport.left();
-        rows[8][2] = viewport.top();
-        if let Some(heat) = heat {
-            let first = [0, 1].map(|k| single(heat.first_mm[k] - middle[k]));
-            let [columns, lines] = heat.size.map(|n| n as f32);
-            rows[7] = [
-                first[0],
-                first[1],
-                single(1.0 / heat.cell_mm),
-                viewport.left(),
-            ];
-            rows[8] = [columns, lines, viewport.top(), 0.0];
-        }
+        rows[6] = [WEDGE[0], WEDGE[1], 0.0, if fades { FADE } else { 0.0 }];
+        rows[7] = [viewport.left(), viewport.top(), 0.0, 0.0];
         let flat = if look.answered {
             palette.after
         } else {
             palette.before
         };
-        rows[9] = straight(flat, 1.0);
-        rows[10] = straight(palette.before, 0.38);
-        rows[11] = straight(palette.text, 1.0);
-        rows[12] = straight(palette.within, 1.0);
-        rows[13] = straight(palette.outside, 1.0);
-        rows[14] = straight(palette.surface, 1.0);
-        rows[15] = straight(palette.warning, 1.0);
-        rows[16] = look.deep_mm.map_or([0.0; 4], |deep| {
+        rows[8] = straight(flat, 1.0);
+        rows[9] = straight(palette.before, 0.38);
+        rows[10] = straight(palette.text, 1.0);
+        rows[11] = straight(palette.within, 1.0);
+        rows[12] = straight(palette.outside, 1.0);
+        rows[13] = straight(palette.surface, 1.0);
+        rows[14] = straight(palette.warning, 1.0);
+        rows[15] = look.deep_mm.map_or([0.0; 4], |deep| {
             axis(look.facing.towards, 0.5 / deep.max(1e-9))
         });
-        for (row, stop) in rows[17..].iter_mut().zip(stops(look.colouring, palette)) {
+        for (row, stop) in rows[16..].iter_mut().zip(stops(look.colouring, palette)) {
             *row = straight(stop, 1.0);
         }
         Self { rows }
@@ -161,6 +148,31 @@ impl Frame {
         let [width, height, ..] = self.rows[3];
         [width, height].map(|side| side.clamp(1.0, most as f32) as u32)
     }
+}
+
+/// The heat map as a picture, a pixel for each cell: √((1−t)² |b|² + 2t(1−t) b·a + t² |a|²) at the blend t.
+pub(crate) fn heat_map(heat: &Heat, look: &LayerOptions, palette: &Palette) -> ColorImage {
+    let t = look.blend;
+    let pixel = |[bb, ba, aa, opacity]: [f32; 4]| {
+        let squared = (1.0 - t).powi(2) * bb + 2.0 * t * (1.0 - t) * ba + t * t * aa;
+        let part = squared.max(0.0).sqrt() / single(look.long_mm.max(1e-12));
+        // The map is of lengths, whatever the colour of vectors says.
+        scale_at(Colouring::Deviation, palette, part).gamma_multiply(HEAT * opacity)
+    };
+    let rows = heat.cells.chunks(heat.size[0]).rev();
+    ColorImage::new(heat.size, rows.flatten().map(|cell| pixel(*cell)).collect())
+}
+
+/// That picture where it goes in a plot: cells are where their middles are.
+pub(crate) fn map_in_plot(heat: &Heat, picture: TextureId, transform: &PlotTransform) -> Shape {
+    let corner = |cell: [f64; 2]| {
+        let [x, y] = [0, 1].map(|k| heat.first_mm[k] + (cell[k] - 0.5) * heat.cell_mm);
+        transform.position_from_point(&PlotPoint::new(x, y))
+    };
+    let ends = [[0.0; 2], heat.size.map(|n| n as f64)].map(corner);
+    let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
+    let rect = Rect::from_two_pos(ends[0], ends[1]);
+    Shape::image(picture, rect, whole, Color32::WHITE)
 }
 
 /// The pixels that egui draws a plot's frame on.
@@ -368,7 +380,7 @@ mod frames {
     fn a_point_is_where_the_plot_has_it_at_any_pixel_density() {
         let transform = transform([12.0, 33.0]);
         for pixels in [1.0, 1.5, 2.0] {
-            let frame = Frame::new(&LOOK, &LIGHT, &transform, None, pixels);
+            let frame = Frame::new(&LOOK, &LIGHT, &transform, pixels);
             for p in [[10.0, 0.0, 30.0], [-40.0, 7.0, 55.0]] {
                 let expected = transform.position_from_point(&PlotPoint::new(p[0], p[2]));
                 let corner = viewport(*transform.frame(), pixels).min;
@@ -381,18 +393,18 @@ mod frames {
 
     #[test]
     fn both_axes_have_the_same_scale_and_up_is_up() {
-        let frame = Frame::new(&LOOK, &LIGHT, &transform([0.0, 0.0]), None, 1.0);
+        let frame = Frame::new(&LOOK, &LIGHT, &transform([0.0, 0.0]), 1.0);
         let [sx, sy, ..] = frame.rows[2];
         assert!((sx - 2.0).abs() < 1e-6 && (sy + 2.0).abs() < 1e-6);
     }
 
     #[test]
     fn zooming_changes_the_scale_and_not_the_width_of_lines() {
-        let near = Frame::new(&LOOK, &LIGHT, &transform([0.0, 0.0]), None, 2.0);
+        let near = Frame::new(&LOOK, &LIGHT, &transform([0.0, 0.0]), 2.0);
         let frame = Rect::from_min_size(egui::pos2(30.0, 40.0), egui::vec2(400.0, 200.0));
         let bounds = PlotBounds::from_min_max([-1000.0, -500.0], [1000.0, 500.0]);
         let far = PlotTransform::new(frame, bounds, false);
-        let far = Frame::new(&LOOK, &LIGHT, &far, None, 2.0);
+        let far = Frame::new(&LOOK, &LIGHT, &far, 2.0);
         assert!((near.rows[2][0] / far.rows[2][0] - 10.0).abs() < 1e-4);
         assert_eq!(near.rows[5], far.rows[5]);
     }

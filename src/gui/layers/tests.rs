@@ -14,8 +14,8 @@ use egui_wgpu::RendererOptions;
 use crate::gui::style::{DARK, LIGHT, Palette};
 use crate::gui::view::{Colouring, Plane};
 
-use super::gpu::{CloudLayer, HeatLayer, Layer, register};
-use super::{Frame, HEAT, LayerOptions, OUTLINE, WIDTH, scale_at};
+use super::gpu::{CloudLayer, register};
+use super::{Frame, HEAT, LayerOptions, OUTLINE, WIDTH, heat_map, map_in_plot, scale_at};
 use crate::gui::cache::cloud::{Cloud, Place, Remainder};
 use crate::gui::cache::heat::Heat;
 
@@ -48,7 +48,7 @@ impl Picture {
 pub(super) fn drawn(
     pixels: f32,
     surface: Color32,
-    shape: impl Fn() -> egui::Shape + 'static,
+    shape: impl Fn(&egui::Context) -> egui::Shape + 'static,
 ) -> Picture {
     let state = create_render_state(default_wgpu_setup(), RendererOptions::PREDICTABLE);
     register(&state);
@@ -60,7 +60,7 @@ pub(super) fn drawn(
             let all = ui.ctx().content_rect();
             let painter = ui.ctx().layer_painter(egui::LayerId::debug());
             painter.rect_filled(all, 0.0, surface);
-            painter.add(shape());
+            painter.add(shape(ui.ctx()));
         });
     harness.run_steps(2);
     let image = harness.render().expect("there is an adapter");
@@ -158,11 +158,11 @@ pub(super) fn as_parts(color: Color32) -> [f64; 3] {
 fn compare_arrows(pixels: f32, palette: Palette, colouring: Colouring, blend: f32) {
     let (cloud, remainder) = cloud();
     let look = look(colouring, blend);
-    let picture = drawn(pixels, palette.surface, move || {
+    let picture = drawn(pixels, palette.surface, move |_| {
         let layer = CloudLayer {
             cloud: Arc::clone(&cloud),
             remainder: Some(Arc::clone(&remainder)),
-            frame: Frame::new(&look, &palette, &transform(), None, pixels),
+            frame: Frame::new(&look, &palette, &transform(), pixels),
             counts: [ARROWS.len(); 2],
             ghosts: false,
         };
@@ -273,11 +273,11 @@ fn compare_marks(pixels: f32, palette: Palette, colouring: Colouring) {
         mark: SIZE,
         ..look(colouring, 0.0)
     };
-    let picture = drawn(pixels, palette.surface, move || {
+    let picture = drawn(pixels, palette.surface, move |_| {
         let layer = CloudLayer {
             cloud: Arc::clone(&cloud),
             remainder: Some(Arc::clone(&remainder)),
-            frame: Frame::new(&look, &palette, &transform(), None, pixels),
+            frame: Frame::new(&look, &palette, &transform(), pixels),
             counts: [ARROWS.len(), 0],
             ghosts: false,
         };
@@ -376,12 +376,13 @@ fn the_heat_map_has_the_colour_of_the_error_at_every_sample() {
     };
     for palette in [LIGHT, DARK] {
         let map = Arc::clone(&heat);
-        let picture = drawn(2.0, palette.surface, move || {
-            let layer = HeatLayer {
-                heat: Arc::clone(&map),
-                frame: Frame::new(&look, &palette, &transform, Some(&map), 2.0),
-            };
-            layer.shape(frame())
+        let kept = std::cell::RefCell::<Vec<egui::TextureHandle>>::default();
+        let picture = drawn(2.0, palette.surface, move |ctx| {
+            let image = heat_map(&map, &look, &palette);
+            let picture = ctx.load_texture("map", image, egui::TextureOptions::LINEAR);
+            let shape = map_in_plot(&map, picture.id(), &transform);
+            kept.borrow_mut().push(picture);
+            shape
         });
         let sigma_mm = heat.sigma_mm;
         for sample in (0..loaded_session.len()).step_by(7) {
@@ -427,7 +428,7 @@ fn a_cloud_that_has_changed_is_uploaded_again() {
         ..Cloud::default()
     });
     let shown = std::cell::Cell::new(0);
-    let picture = drawn(1.0, LIGHT.surface, move || {
+    let picture = drawn(1.0, LIGHT.surface, move |_| {
         let now = if shown.replace(shown.get() + 1) == 0 {
             (&first, Some(Arc::clone(&remainder)))
         } else {
@@ -436,13 +437,7 @@ fn a_cloud_that_has_changed_is_uploaded_again() {
         let layer = CloudLayer {
             cloud: Arc::clone(now.0),
             remainder: now.1,
-            frame: Frame::new(
-                &look(Colouring::State, 0.0),
-                &LIGHT,
-                &transform(),
-                None,
-                1.0,
-            ),
+            frame: Frame::new(&look(Colouring::State, 0.0), &LIGHT, &transform(), 1.0),
             counts: [now.0.samples.len(); 2],
             ghosts: false,
         };

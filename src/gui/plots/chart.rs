@@ -14,7 +14,7 @@ use crate::present::drawing::Anchor;
 use crate::gui::style::{Palette, size, space};
 use crate::gui::widgets;
 
-use crate::gui::plots::{self, Drawing, dashes, many, mark, of_chart, places};
+use crate::gui::plots::{self, many, mark, of_chart, places};
 
 /// What something that stands for this is drawn in.
 pub(super) fn color(stands: ColourRole, palette: &Palette) -> Color32 {
@@ -30,11 +30,11 @@ pub(super) fn color(stands: ColourRole, palette: &Palette) -> Color32 {
 
 /// Shows a chart, and more on top of it: what was done with it, and where it is. Charts of another
 /// `id` are looked at anew.
-pub(crate) fn show<'a>(
+pub(crate) fn show(
     ui: &mut Ui,
     id: (&str, bool, u64),
-    chart: &'a Chart,
-    more: impl Fn(&Canvas<'_>, &mut Vec<Shape>) + 'a,
+    chart: &Chart,
+    more: impl FnOnce(&Canvas<'_>, &mut Vec<Shape>),
 ) -> (Response, PlotTransform) {
     let palette = Palette::of(ui);
     let alone = !chart
@@ -46,22 +46,20 @@ pub(crate) fn show<'a>(
     let room = (ui.available_width() - beside.max(40.0)) / 50.0;
     let most = f64::from(room.clamp(3.0, 9.0));
     let plot = plot(id, chart, beside, most, &palette);
-    let plotted = plots::show(ui, plot, |plot| {
-        let draw = move |ui: &Ui, transform: &PlotTransform, shapes: &mut Vec<Shape>| {
-            let canvas = Canvas {
-                transform,
-                painter: ui.painter(),
-                palette: &palette,
-                alone,
-            };
-            for item in &chart.items {
-                canvas.draw(item, shapes);
-            }
-            more(&canvas, shapes);
+    plots::show(ui, plot, chart.bounds, |painter, transform| {
+        let canvas = Canvas {
+            transform,
+            painter,
+            palette: &palette,
+            alone,
         };
-        plot.add(Drawing::new("chart", chart.bounds, draw));
-    });
-    (plotted.response, plotted.transform)
+        let mut shapes = Vec::new();
+        for item in &chart.items {
+            canvas.draw(item, &mut shapes);
+        }
+        more(&canvas, &mut shapes);
+        shapes
+    })
 }
 
 /// Room for the words beside a chart, points; none where it has numbers.
@@ -148,10 +146,11 @@ impl Canvas<'_> {
             }
             Item::Ribbon(places, _) => shapes.push(self.ribbon(places, color.gamma_multiply(0.28))),
             Item::Line(points, _, width, dashed) => {
-                let points: Vec<_> = points.iter().map(|p| self.at(*p)).collect();
+                let points = points.iter().map(|p| self.at(*p));
+                let points: Vec<Pos2> = points.filter(|p| p.is_finite()).collect();
                 let stroke = Stroke::new(*width, color);
                 if *dashed {
-                    shapes.extend(dashes(&points, stroke, DASH));
+                    shapes.extend(Shape::dashed_line(&points, stroke, DASH[0], DASH[1]));
                 } else {
                     shapes.push(Shape::line(points, stroke));
                 }

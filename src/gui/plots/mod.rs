@@ -6,21 +6,17 @@ pub(crate) mod chart;
 
 use std::fmt::Debug;
 use std::hash::Hash;
-use std::ops::RangeInclusive;
 
 use egui::epaint::{Mesh, Tessellator, Vertex};
 use egui::{
-    Color32, Context, FontId, Pos2, Rangef, Rect, Response, RichText, Role, Shape, Stroke, Ui,
-    Vec2, WidgetInfo, vec2,
+    Color32, Context, FontId, Painter, Pos2, Rangef, Rect, Response, RichText, Role, Shape, Stroke,
+    Ui, Vec2, WidgetInfo, vec2,
 };
-use egui_plot::{
-    Axis, AxisHints, GridMark, Plot, PlotBounds, PlotGeometry, PlotItem, PlotItemBase,
-    PlotResponse, PlotTransform, PlotUi,
-};
+use egui_plot::{Axis, AxisHints, GridMark, Plot, PlotResponse, PlotTransform, PlotUi};
 
 use crate::gui::style::{Palette, size};
 use crate::gui::view::{Key, What};
-use crate::gui::widgets;
+use crate::gui::widgets::{self, Does};
 use crate::gui::workbench::Workbench;
 use crate::present::chart::{Form, Ticks, ticks};
 use crate::present::numbers::trimmed;
@@ -35,14 +31,12 @@ pub(crate) fn picture(
 ) {
     let says = say!("Save picture of the {plot}…", plot = plot.title());
     let button = widgets::icon_button(ui, widgets::SAVE, &says);
-    if button.on_hover_text(&says).clicked() {
-        workbench.then(move |bench| {
-            if let Some(key) = key {
-                bench.view.panes.activate(key);
-            }
-            bench.choose_where_to_export(What::Picture(plot));
-        });
-    }
+    button.on_hover_text(&says).does(workbench, move |bench| {
+        if let Some(key) = key {
+            bench.view.panes.activate(key);
+        }
+        bench.choose_where_to_export(What::Picture(plot));
+    });
 }
 
 /// Names a chart for those who do not see it, and says what is seen in it.
@@ -144,11 +138,11 @@ fn steps((low, high): (f64, f64), degrees: bool, lines: f64) -> Vec<GridMark> {
 }
 
 /// Corners of forms that look to the right, of a radius of 1.
-pub(crate) const DIAMOND: [[f32; 2]; 4] = [[0.0, -1.0], [1.0, 0.0], [0.0, 1.0], [-1.0, 0.0]];
+const DIAMOND: [[f32; 2]; 4] = [[0.0, -1.0], [1.0, 0.0], [0.0, 1.0], [-1.0, 0.0]];
 const TRIANGLE: [[f32; 2]; 3] = [[1.25, 0.0], [-0.75, 1.1], [-0.75, -1.1]];
 
 /// The same of this radius about a point, looking that way.
-pub(crate) fn corners_of(corners: &[[f32; 2]], at: Pos2, radius: f32, ahead: Vec2) -> Vec<Pos2> {
+fn corners_of(corners: &[[f32; 2]], at: Pos2, radius: f32, ahead: Vec2) -> Vec<Pos2> {
     let across = vec2(-ahead.y, ahead.x);
     let corner = |[x, y]: &[f32; 2]| at + (ahead * *x + across * *y) * radius;
     corners.iter().map(corner).collect()
@@ -236,95 +230,6 @@ fn set_down(mesh: &mut Mesh, stamp: &Mesh, at: Pos2) {
     mesh.vertices.extend(stamp.vertices.iter().map(moved));
 }
 
-type Draw<'a> = Box<dyn Fn(&Ui, &PlotTransform, &mut Vec<Shape>) + 'a>;
-
-/// A drawing as an item of an egui plot. It takes part in the plot's bounds and in nothing else: what can be hovered is
-/// the plots' own affair.
-pub(crate) struct Drawing<'a> {
-    base: PlotItemBase,
-    bounds: PlotBounds,
-    draw: Draw<'a>,
-}
-
-impl<'a> Drawing<'a> {
-    /// Something drawn within these bounds (smallest and largest corner).
-    pub(crate) fn new(
-        name: &str,
-        [min, max]: [[f64; 2]; 2],
-        draw: impl Fn(&Ui, &PlotTransform, &mut Vec<Shape>) + 'a,
-    ) -> Self {
-        Self {
-            base: PlotItemBase::new(name.to_owned()),
-            bounds: PlotBounds::from_min_max(min, max),
-            draw: Box::new(draw),
-        }
-    }
-}
-
-impl PlotItem for Drawing<'_> {
-    fn shapes(&self, ui: &Ui, transform: &PlotTransform, shapes: &mut Vec<Shape>) {
-        (self.draw)(ui, transform, shapes);
-    }
-
-    fn initialize(&mut self, _: RangeInclusive<f64>) {}
-
-    fn color(&self) -> Color32 {
-        Color32::TRANSPARENT
-    }
-
-    fn allow_hover(&self) -> bool {
-        false
-    }
-
-    fn geometry(&self) -> PlotGeometry<'_> {
-        PlotGeometry::None
-    }
-
-    fn bounds(&self) -> PlotBounds {
-        self.bounds
-    }
-
-    fn base(&self) -> &PlotItemBase {
-        &self.base
-    }
-
-    fn base_mut(&mut self) -> &mut PlotItemBase {
-        &mut self.base
-    }
-}
-
-/// A dashed line through points that may be nearer to each other than a dash is long; lengths of a
-/// dash and of the gap after it, points.
-fn dashes(points: &[Pos2], stroke: Stroke, lengths: [f32; 2]) -> Vec<Shape> {
-    let mut shapes = Vec::new();
-    let mut dash: Vec<Pos2> = points.first().copied().into_iter().collect();
-    let (mut drawn, mut left) = (true, lengths[0]);
-    for pair in points.windows(2) {
-        let (mut from, to) = (pair[0], pair[1]);
-        let mut length = from.distance(to);
-        if !length.is_finite() {
-            continue;
-        }
-        while length > left {
-            from += (to - from) * (left / length);
-            length -= left;
-            dash.push(from);
-            if drawn {
-                shapes.push(Shape::line(std::mem::take(&mut dash), stroke));
-            }
-            dash = vec![from];
-            drawn = !drawn;
-            left = lengths[usize::from(!drawn)];
-        }
-        left -= length;
-        dash.push(to);
-    }
-    if drawn && dash.len() > 1 {
-        shapes.push(Shape::line(dash, stroke));
-    }
-    shapes
-}
-
 /// What is done with the mouse, and what it does; the help and the tooltips say the same.
 pub(crate) const GESTURES: [(Template, Template); 7] = [
     (phrase!("wheel, or pinch"), phrase!("zoom at the pointer")),
@@ -360,22 +265,32 @@ pub(crate) fn plot<'a>(id: impl Hash + Debug) -> Plot<'a> {
         .allow_scroll(false)
 }
 
-/// Shows it, with the wheel going closer.
-pub(crate) fn show<'a>(
+/// Shows it with a drawing in it, the wheel going closer. It fits these bounds (smallest and largest corner) until it
+/// is looked at otherwise.
+pub(crate) fn show(
     ui: &mut Ui,
-    plot: Plot<'a>,
-    add: impl FnOnce(&mut PlotUi<'a>) + 'a,
-) -> PlotResponse<()> {
-    let shown = plot.show(ui, |plot| {
-        add(plot);
+    plot: Plot<'_>,
+    bounds: [[f64; 2]; 2],
+    draw: impl FnOnce(&Painter, &PlotTransform) -> Vec<Shape>,
+) -> (Response, PlotTransform) {
+    let [[left, low], [right, high]] = bounds;
+    let plot = plot.include_x(left).include_x(right);
+    let plot = plot.include_y(low).include_y(high);
+    let PlotResponse {
+        response,
+        transform,
+        ..
+    } = plot.show(ui, |plot| {
         let closer = closer(plot.ctx());
         let reached = plot.response().contains_pointer();
         if reached && closer != Vec2::splat(1.0) && sound(plot, closer) {
             plot.zoom_bounds_around_hovered(closer);
         }
     });
-    settle(&shown.response);
-    shown
+    settle(&response);
+    let painter = ui.painter().with_clip_rect(*transform.frame());
+    painter.extend(draw(&painter, &transform));
+    (response, transform)
 }
 
 /// Axes are laid out with the room that they took in the frame before: whatever the plot's size
@@ -474,26 +389,5 @@ mod tests {
                 assert!(a.pos.distance(b.pos) < 1e-4 && a.color == b.color && a.uv == b.uv);
             }
         }
-    }
-
-    #[test]
-    fn dashes_have_one_length_however_near_the_points_are() {
-        let ends = [pos2(0.0, 3.0), pos2(85.0, 3.0)];
-        let fine: Vec<Pos2> = (0_u8..=170)
-            .map(|k| pos2(0.5 * f32::from(k), 3.0))
-            .collect();
-        let stroke = Stroke::new(1.0, Color32::GRAY);
-        let lengths = |points: &[Pos2]| {
-            let shapes = dashes(points, stroke, [5.0, 3.5]);
-            let of = |shape: &Shape| shape.visual_bounding_rect().width();
-            shapes.iter().map(of).collect::<Vec<f32>>()
-        };
-        let (few, many) = (lengths(&ends), lengths(&fine));
-        assert_eq!(few.len(), 10);
-        assert_eq!(many.len(), 10);
-        for (a, b) in few.iter().zip(&many) {
-            assert!((a - b).abs() < 1e-2, "{few:?} {many:?}");
-        }
-        assert!(dashes(&ends[..1], stroke, [5.0, 3.5]).is_empty());
     }
 }

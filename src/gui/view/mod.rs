@@ -78,7 +78,7 @@ pub(crate) struct Fitted {
     pub(crate) charts: u64,
 }
 
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct ViewState {
     pub(crate) step: Step,
     /// The plane of the workspace plot.
@@ -112,6 +112,8 @@ pub(crate) struct ViewState {
     pub(crate) marked: Vec<usize>,
     /// What the right-hand side shows.
     pub(crate) side: Side,
+    /// How its samples are sorted.
+    pub(crate) sorting: Sorting,
     /// Workspace and charts.
     pub(crate) panes: Panes,
     /// The joint that charts are about that have none of their own, counted from 0.
@@ -215,52 +217,30 @@ impl ViewState {
     }
 }
 
-impl Default for ViewState {
-    fn default() -> Self {
+impl ViewState {
+    pub(crate) fn new() -> Self {
         Self {
-            step: Step::default(),
-            plane: Plane::default(),
-            aspect: Aspect::default(),
-            camera: Camera::default(),
-            pose: None,
-            magnification: None,
             plot_size: ROOM,
             blend: 1.0,
-            colouring: Colouring::default(),
-            heat: false,
             most_drawn: usize::MAX,
-            component: Component::default(),
-            only_after: false,
-            hovered: None,
-            selected: None,
-            marked: Vec::new(),
-            side: Side::default(),
-            panes: Panes::default(),
-            joint: 0,
-            effect: 0,
-            results: None,
-            preferences: Preferences::default(),
-            setup: None,
-            on_disk: None,
-            sheet: None,
-            leaving: false,
-            message: None,
-            fitted: Fitted::default(),
+            ..Self::default()
         }
     }
+}
+
+/// How the rows of the samples are sorted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(crate) struct Sorting {
+    /// By which column; the first is the order of measuring.
+    pub(crate) by: usize,
+    pub(crate) descending: bool,
 }
 
 /// A sheet over the window.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Sheet {
-    /// A path to save to, as it is typed.
-    SavePath {
-        path: String,
-        /// Whether a file that is there may be replaced.
-        replace: bool,
-    },
-    /// A path to export to, as it is typed.
-    ExportPath {
+    /// A path to write to, as it is typed.
+    Path {
         what: What,
         path: String,
         /// Whether a file that is there may be replaced.
@@ -282,6 +262,8 @@ pub(crate) enum Sheet {
     Overwrite(PathBuf),
     /// A file that an instrument wrote.
     Import(Box<ImportDraft>),
+    /// All that can be done, by a word of its name.
+    Palette(PaletteInput),
     /// One that keeps nothing of its own: its file in `dialogs`.
     Named(&'static str),
 }
@@ -334,17 +316,18 @@ impl Sheet {
     /// not close it; Escape and *Cancel* do.
     pub(crate) fn holds_entries(&self) -> bool {
         match self {
-            Self::SavePath { .. }
-            | Self::ExportPath { .. }
-            | Self::Simulate(_)
-            | Self::RobotTable { .. }
-            | Self::Discard(_)
-            | Self::Unsaved(_)
-            | Self::Overwrite(_)
-            | Self::Import(_) => true,
+            Self::Palette(_) => false,
             Self::Named(name) => ["compensation", "details", "recovery"].contains(name),
+            _ => true,
         }
     }
+}
+
+/// What was typed, and which of the actions that fit is chosen.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(crate) struct PaletteInput {
+    pub(crate) text: String,
+    pub(crate) chosen: usize,
 }
 
 /// What is done next, when nothing is in the way any more.
@@ -400,6 +383,8 @@ impl Message {
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum What {
+    /// The session, with its samples.
+    Session,
     /// The table for the controller.
     Table,
     /// The model itself.
@@ -423,6 +408,7 @@ impl What {
     /// What saving it is called.
     pub(crate) fn title(self) -> &'static str {
         match self {
+            Self::Session => say!("Save session"),
             Self::Table => say!("Save table"),
             Self::Model => say!("Save model"),
             Self::Poses => say!("Save measuring list"),

@@ -14,6 +14,7 @@ use crate::gui::view::Step;
 use crate::gui::widgets;
 use crate::gui::workbench::Workbench;
 use crate::kinematics::JointKind;
+use crate::present::names::title;
 use crate::present::numbers::{grouped, trimmed};
 use crate::present::units::Units;
 
@@ -220,26 +221,13 @@ fn coverage_bar(ui: &mut Ui, known: &Coverage) {
 /// Which effects can be seen in such samples, and which cannot.
 fn testable(ui: &mut Ui, workbench: &Workbench) {
     let loaded_session = workbench.loaded_session();
-    let (yes, no) = (
-        loaded_session.coverage.testable.len(),
-        loaded_session.coverage.not_testable.len(),
-    );
-    let name = |id: &str| crate::present::names::title(id).to_owned();
     widgets::card(ui, |ui| {
         widgets::bold(ui, say!("Testable effects"));
-        widgets::fact_of(
-            ui,
-            phrase!("testable effects"),
-            say!("{yes} of {no}", yes, no = yes + no),
-        );
+        let [yes, no] = count_testable(ui, workbench);
         let can = say!("{yes} can be tested", yes);
         widgets::folded(ui, &can, size::NOTE, |ui| {
-            let names: Vec<String> = loaded_session
-                .coverage
-                .testable
-                .iter()
-                .map(|id| name(id))
-                .collect();
+            let names = loaded_session.coverage.testable.iter();
+            let names: Vec<&str> = names.map(|id| title(id)).collect();
             widgets::hint(ui, names.join(", ").to_lowercase());
         });
         if no == 0 {
@@ -247,12 +235,26 @@ fn testable(ui: &mut Ui, workbench: &Workbench) {
         }
         let cannot = say!("{no} cannot, and why", no);
         widgets::folded(ui, &cannot, size::NOTE, |ui| {
-            for one in &loaded_session.coverage.not_testable {
-                ui.label(name(one.effect));
-                widgets::hint(ui, spoken(&one.because));
-            }
+            not_testable(ui, workbench);
         });
     });
+}
+
+/// The effects that cannot be seen, each with the reason.
+pub(super) fn not_testable(ui: &mut Ui, workbench: &Workbench) {
+    for one in &workbench.loaded_session().coverage.not_testable {
+        ui.label(title(one.effect));
+        widgets::hint(ui, spoken(&one.because));
+    }
+}
+
+/// How many effects can be seen, of how many; and how many cannot.
+pub(super) fn count_testable(ui: &mut Ui, workbench: &Workbench) -> [usize; 2] {
+    let known = &workbench.loaded_session().coverage;
+    let (yes, no) = (known.testable.len(), known.not_testable.len());
+    let says = say!("{yes} of {no}", yes, no = yes + no);
+    widgets::fact_of(ui, phrase!("testable effects"), says);
+    [yes, no]
 }
 
 /// What a search does, before there is one.

@@ -369,8 +369,7 @@ fn sketch(ui: &mut Ui, workbench: &Workbench, (index, curve): (usize, &EffectCur
 }
 
 fn drawn(room: Rect, curve: &EffectCurve, palette: &Palette) -> Vec<Shape> {
-    let ends = curve.spots.first().zip(curve.spots.last());
-    let [from, to] = ends.map_or([0.0, 1.0], |(a, b)| [a.x, b.x]);
+    let [from, to] = curve.ends();
     let [low, high] = curve.extent_mm;
     let part = |value: f64, low: f64, high: f64| {
         crate::numeric::single((value - low) / (high - low).max(1e-12))

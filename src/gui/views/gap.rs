@@ -4,6 +4,7 @@ use crate::text::{spoken, within};
 use egui::{ProgressBar, RichText, Ui};
 
 use super::blocks::in_words;
+use super::coverage::count_testable;
 use crate::diagnosis::Verdict;
 use crate::gui::core::answer::{SEARCHING, STAGES};
 use crate::gui::core::document::Method;
@@ -30,50 +31,50 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench) {
         stages(ui, workbench);
         return;
     }
-    let Some(diagnosis) = workbench.diagnosis() else {
+    if workbench.diagnosis().is_some() {
+        widgets::section(ui, say!("RMS error"));
+        errors(ui, workbench);
+        widgets::secondary(ui, say!("Run diagnosis again")).does(workbench, Workbench::search);
+    } else {
         before(ui, workbench);
-        // Restored after a kill, or the samples are others: what was added stays in the model.
-        return switches(ui, workbench);
-    };
-    let units = workbench.units();
-    widgets::section(ui, say!("RMS error"));
-    widgets::fact_of(
-        ui,
-        phrase!("nominal robot"),
-        units.length(diagnosis.gap.start_mm),
-    );
-    widgets::fact_of(
-        ui,
-        phrase!("identified"),
-        units.length(diagnosis.gap.identified_mm),
-    );
-    let end = units.length(diagnosis.gap.end_mm);
-    widgets::fact_of(ui, phrase!("with found effects"), end);
-    if let Some(left) = workbench.left_by_table_mm() {
-        widgets::fact_of(ui, phrase!("left by the table"), units.length(left));
     }
-    widgets::fact_of(ui, phrase!("noise floor"), units.length(diagnosis.floor.mm));
-    widgets::secondary(ui, say!("Run diagnosis again")).does(workbench, Workbench::search);
+    // Without a diagnosis it was restored after a kill, or the samples are others: what was added stays in the model.
     switches(ui, workbench);
+}
+
+/// The errors step by step, as a diagnosis has them, or as far as they are known without one.
+fn errors(ui: &mut Ui, workbench: &Workbench) {
+    let (found, loaded_session) = (workbench.diagnosis(), workbench.loaded_session());
+    let [nominal, identified, floor] = match (found, workbench.answer()) {
+        (Some(d), _) => [d.gap.start_mm, d.gap.identified_mm, d.floor.mm].map(Some),
+        (None, answer) => [
+            loaded_session.gap_before.map(|gap| gap.rms_mm),
+            answer.map(|a| a.identification.gap.after.rms_mm),
+            loaded_session.coverage.floor_mm,
+        ],
+    };
+    let left = workbench.left_by_table_mm().filter(|_| found.is_some());
+    let fact_of = |ui: &mut Ui, name, mm: Option<f64>| {
+        if let Some(mm) = mm {
+            widgets::fact_of(ui, name, workbench.units().length(mm));
+        }
+    };
+    fact_of(ui, phrase!("nominal robot"), nominal);
+    fact_of(ui, phrase!("identified"), identified);
+    let end = found.map(|d| d.gap.end_mm);
+    fact_of(ui, phrase!("with found effects"), end);
+    fact_of(ui, phrase!("left by the table"), left);
+    fact_of(ui, phrase!("noise floor"), floor);
 }
 
 /// Where the work stands before there is a search.
 fn before(ui: &mut Ui, workbench: &Workbench) {
     let loaded_session = workbench.loaded_session();
-    let units = workbench.units();
     widgets::section(ui, say!("RMS error so far"));
-    if let Some(gap) = loaded_session.gap_before {
-        widgets::fact_of(ui, phrase!("nominal robot"), units.length(gap.rms_mm));
-    }
+    errors(ui, workbench);
     let answer = workbench.answer();
     let left = answer.map(|a| a.identification.gap.after.rms_mm);
-    if let Some(left) = left {
-        widgets::fact_of(ui, phrase!("identified"), units.length(left));
-    }
     let floor = loaded_session.coverage.floor_mm;
-    if let Some(floor) = floor {
-        widgets::fact_of(ui, phrase!("noise floor"), units.length(floor));
-    }
     let says = match (left, floor) {
         (None, _) => say!("The diagnosis identifies by itself: Identify need not come first"),
         (Some(left), Some(floor)) if left < 1.2 * floor => {
@@ -100,15 +101,7 @@ fn before(ui: &mut Ui, workbench: &Workbench) {
         widgets::hint(ui, says);
     }
     widgets::section(ui, say!("What it can find"));
-    let (yes, no) = (
-        loaded_session.coverage.testable.len(),
-        loaded_session.coverage.not_testable.len(),
-    );
-    widgets::fact_of(
-        ui,
-        phrase!("testable effects"),
-        say!("{yes} of {no}", yes, no = yes + no),
-    );
+    let [_, no] = count_testable(ui, workbench);
     if no > 0 {
         widgets::hint(
             ui,
@@ -217,9 +210,7 @@ pub(super) fn next(ui: &mut Ui, workbench: &Workbench) {
     } else if !missing.is_empty() {
         // The effect that was found comes before the table that would leave it uncorrected.
         let text = super::blocks::add_all(missing.len());
-        if widgets::primary(ui, &text).clicked() {
-            workbench.then(move |bench| bench.add(&missing));
-        }
+        widgets::primary(ui, &text).does(workbench, move |bench| bench.add(&missing));
     } else if widgets::primary(ui, say!("Continue to export")).clicked() {
         workbench.then(move |bench| bench.view.step = Step::Export);
     }

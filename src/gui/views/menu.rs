@@ -4,11 +4,11 @@ use crate::gui::file_state::Recent;
 use egui::containers::menu::MenuButton;
 use egui::gui_zoom::{kb_shortcuts, zoom_in, zoom_out};
 use egui::{
-    Align, Button, Context, FontId, Id, Label, Layout, MenuBar, Popup, Response, RichText, Role,
-    ScrollArea, Ui, WidgetInfo,
+    Align, Button, Context, FontId, Id, Label, Layout, MenuBar, Popup, Response, RichText,
+    ScrollArea, Ui,
 };
 
-use crate::gui::actions::{self, Action, OPEN_EXAMPLE, OPEN_LATEST, WindowState};
+use crate::gui::actions::{self, Action, OPEN_EXAMPLE, OPEN_LATEST};
 use crate::gui::core::disk::{EXAMPLES, name_of};
 use crate::gui::core::loaded_session::Origin;
 use crate::gui::preferences::{ZOOM, largest_zoom};
@@ -146,30 +146,7 @@ fn name(ui: &mut Ui, workbench: &Workbench) {
 /// Things to do, one below the other.
 fn items(ui: &mut Ui, workbench: &Workbench, actions: &[Action]) {
     for action in actions {
-        item(ui, workbench, action, None);
-    }
-}
-
-/// One of them, with what there is to say about it.
-fn item(ui: &mut Ui, workbench: &Workbench, action: &Action, about: Option<&str>) {
-    let ctx = ui.ctx().clone();
-    let now = WindowState {
-        ctx: &ctx,
-        workbench,
-    };
-    let text = action.label(now);
-    let button = match action.chosen(now) {
-        Some(on) => Button::selectable(on, &text),
-        None => Button::new(&text),
-    };
-    let button = button.shortcut_text(action.keys(&ctx));
-    let mut response = named(ui.add_enabled(action.enabled(now), button), &text);
-    if let Some(about) = about {
-        response = response.on_hover_text(about);
-    }
-    if response.clicked() {
-        action.ask_for(now);
-        ui.close();
+        action.item(ui, workbench);
     }
 }
 
@@ -217,20 +194,13 @@ fn header(ui: &mut Ui, name: &str, contents: impl FnOnce(&mut Ui)) {
     ui.data_mut(|data| data.insert_temp(key, open));
 }
 
-/// An item goes by its text alone, without its keys.
-fn named(response: Response, text: &str) -> Response {
-    let enabled = response.enabled();
-    response.widget_info(|| WidgetInfo::labeled(Role::Button, enabled, text));
-    response
-}
-
 fn file(ui: &mut Ui, workbench: &Workbench) {
     ui.set_min_width(260.0);
     items(ui, workbench, &[actions::OPEN]);
     recent(ui, workbench);
     ui.menu_button(say!("Examples"), |ui| {
         for (action, example) in OPEN_EXAMPLE.iter().zip(&EXAMPLES) {
-            item(ui, workbench, action, Some(example.what()));
+            action.item(ui, workbench).on_hover_text(example.what());
         }
     });
     items(
@@ -282,7 +252,7 @@ fn recent(ui: &mut Ui, workbench: &Workbench) {
                     String::new()
                 };
                 let button = Button::new(name.clone()).shortcut_text(keys);
-                let button = named(ui.add_enabled(*there, button), &name);
+                let button = actions::item(ui, button, &name, *there);
                 let button = button.on_hover_text(path.display().to_string());
                 if button.clicked() {
                     let path = path.to_path_buf();
@@ -380,8 +350,7 @@ fn view(ui: &mut Ui, workbench: &Workbench) {
         ),
     ] {
         let button = Button::new(text).shortcut_text(actions::in_words(ui.ctx(), keys));
-        let response = ui.add_enabled(enabled, button);
-        if named(response, text).clicked() {
+        if actions::item(ui, button, text, enabled).clicked() {
             change(ui.ctx());
             ui.close();
         }

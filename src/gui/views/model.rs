@@ -1,7 +1,7 @@
 //! A model: how it is identified (step 3); its parameters; of one that was read from a file also where it came from,
 //! and what it does on the session.
 
-use egui::{Checkbox, CollapsingHeader, RichText, Ui};
+use egui::{Checkbox, Ui};
 
 use crate::compensation::Verification;
 use crate::effects::find;
@@ -13,7 +13,7 @@ use crate::present::units::Units;
 
 use crate::gui::core::answer::{Answer, LoadedModelSummary};
 use crate::gui::core::document::Method;
-use crate::gui::style::{Palette, size};
+use crate::gui::style::size;
 use crate::gui::view::Step;
 use crate::gui::widgets::{self, Does};
 use crate::gui::workbench::Workbench;
@@ -137,16 +137,9 @@ fn effects(ui: &mut Ui, workbench: &Workbench) {
         "{count} that this session cannot show",
         count = loaded_session.coverage.not_testable.len()
     );
-    let palette = Palette::of(ui);
-    let title = RichText::new(title).size(size::SMALL).color(palette.muted);
-    CollapsingHeader::new(title)
-        .id_salt("not testable")
-        .show(ui, |ui| {
-            for one in &loaded_session.coverage.not_testable {
-                ui.label(crate::present::names::title(one.effect));
-                widgets::hint(ui, spoken(&one.because));
-            }
-        });
+    widgets::folded(ui, &title, size::SMALL, |ui| {
+        super::coverage::not_testable(ui, workbench);
+    });
 }
 
 pub(super) fn next(ui: &mut Ui, workbench: &Workbench) {

@@ -283,19 +283,11 @@ fn regions(ui: &mut Ui, workbench: &Workbench, results: &[RegionResult]) {
                     let (value, half, _) = units.with_interval(value, interval, unit);
                     // A model keeps no interval of a region.
                     let half = if is_given { String::new() } else { half };
-                    ui.vertical(|ui| {
-                        ui.spacing_mut().item_spacing.y = 0.0;
-                        ui.label(value);
-                        ui.label(RichText::new(half).size(size::SMALL).color(palette.muted));
-                    });
+                    two_lines(ui, value, &half);
                 }
                 let mm = |mm: f64| units.length_number(mm);
-                ui.vertical(|ui| {
-                    ui.spacing_mut().item_spacing.y = 0.0;
-                    ui.label(mm(result.rms_after_mm));
-                    let before = say!("was {rms_before}", rms_before = mm(result.rms_before_mm));
-                    ui.label(RichText::new(before).size(size::SMALL).color(palette.muted));
-                });
+                let before = say!("was {rms_before}", rms_before = mm(result.rms_before_mm));
+                two_lines(ui, mm(result.rms_after_mm), &before);
                 ui.end_row();
             }
         });
@@ -308,6 +300,15 @@ fn regions(ui: &mut Ui, workbench: &Workbench, results: &[RegionResult]) {
         },
     );
     copies::button(ui, say!("regions"), || copies::regions(results));
+}
+
+/// A value, and in small below it what it is compared with.
+fn two_lines(ui: &mut Ui, value: String, below: &str) {
+    ui.vertical(|ui| {
+        ui.spacing_mut().item_spacing.y = 0.0;
+        ui.label(value);
+        widgets::caption(ui, below);
+    });
 }
 
 fn remarks(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {

@@ -1,15 +1,15 @@
 //! Sample by sample: what was measured where, and whether it is within the tolerance; as measured, or by a
 //! column. Any number of rows: they are sorted once, and only those in sight are made.
 
-use std::sync::Arc;
-
-use egui::{Align, CursorIcon, Id, Layout, RichText, Role, Sense, Stroke, Ui, WidgetInfo, vec2};
+use egui::{Align, CursorIcon, Layout, RichText, Role, Sense, Stroke, Ui, WidgetInfo, vec2};
 use egui_extras::{Column, TableBuilder, TableRow};
 
+use crate::gui::actions::EXCLUDE;
 use crate::gui::style::{Palette, size};
+use crate::gui::view::Sorting;
 use crate::gui::views::copies;
 use crate::gui::workbench::Workbench;
-use crate::gui::workspace::{judged, sample_menu};
+use crate::gui::workspace::judged;
 use crate::present::numbers::trimmed;
 
 const ROW: f32 = 22.0;
@@ -28,9 +28,9 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench) {
     let answer = workbench.answer();
     let tolerance_mm = workbench.document().tolerance_mm;
     let view = &workbench.view;
-    let sorted_by = ui.scope_id().with("sorted by");
-    let mut sorting: Sorting = ui.data(|d| d.get_temp(sorted_by)).unwrap_or_default();
-    let rows = Rows::of(ui, ui.scope_id().with("rows"), workbench, sorting);
+    let mut sorting = view.sorting;
+    let order = workbench.order();
+    let place = |sample: usize| order.as_ref()?.iter().position(|s| *s as usize == sample);
     let brought = brought(ui, workbench);
     copies::button(ui, say!("samples"), || copies::samples(workbench));
     let between = 4.0 * ui.spacing().item_spacing.x + ui.spacing().scroll.allocated_width();
@@ -49,7 +49,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench) {
         .auto_shrink([false, false]);
     if let Some((sample, align)) = brought {
         table = table
-            .scroll_to_row(rows.row(sample), align)
+            .scroll_to_row(place(sample).unwrap_or(sample), align)
             .animate_scrolling(false);
     }
     let length = units.length_name();
@@ -65,7 +65,8 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench) {
         })
         .body(|body| {
             body.rows(ROW, loaded_session.len(), |mut row| {
-                let sample = rows.sample(row.index());
+                let sample = order.as_ref().map(|order| order[row.index()] as usize);
+                let sample = sample.unwrap_or(row.index());
                 let excluded = loaded_session.session.samples.is_excluded(sample);
                 let marked = view.marked.binary_search(&sample).is_ok();
                 row.set_selected(view.selected == Some(sample) || marked);
@@ -115,10 +116,12 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench) {
                 if response.clicked() || response.secondary_clicked() && !marked {
                     workbench.then(move |bench| bench.view.select(Some(sample)));
                 }
-                response.context_menu(|ui| sample_menu(ui, workbench));
+                response.context_menu(|ui| drop(EXCLUDE.item(ui, workbench)));
             });
         });
-    ui.data_mut(|data| data.insert_temp(sorted_by, sorting));
+    if sorting != view.sorting {
+        workbench.then(move |bench| bench.view.sorting = sorting);
+    }
     point_at(ui, hovered, workbench);
 }
 
@@ -162,7 +165,7 @@ fn heads(header: &mut TableRow<'_, '_>, [angle, length]: [&str; 2], sorting: Sor
     let mut after = sorting;
     for (head, by) in heads.iter().zip(0..) {
         if heading(header, head, by, sorting) {
-            after = sorting.after_click(by);
+            after = after_click(sorting, by);
         }
     }
     after
@@ -265,105 +268,14 @@ fn mark(ui: &mut Ui, workbench: &Workbench, within: bool) {
     response.on_hover_text(judged(workbench, within));
 }
 
-/// How the rows are sorted.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-struct Sorting {
-    /// By which column; the first is the order of measuring.
-    by: usize,
-    descending: bool,
-}
-
-impl Sorting {
-    /// After a click on the head of this column: the largest first, then the smallest, then the
-    /// order of measuring.
-    fn after_click(self, by: usize) -> Self {
-        let first = by != 0;
-        let next = |descending| Self { by, descending };
-        match (self.by == by, self.descending == first) {
-            (false, _) => next(first),
-            (true, true) => next(!first),
-            (true, false) => Self::default(),
-        }
-    }
-
-    /// What a sample is sorted by.
-    fn value(self, workbench: &Workbench, sample: usize) -> f64 {
-        let loaded_session = workbench.loaded_session();
-        let before = loaded_session.before.length_mm[sample];
-        let after = workbench.answer().map(|a| a.lengths_mm[sample]);
-        match self.by {
-            0 => sample as f64,
-            1 => loaded_session.q(sample),
-            2 => before,
-            3 => after.unwrap_or(f64::NAN),
-            // How far outside the tolerance.
-            _ => after.unwrap_or(before),
-        }
-    }
-}
-
-/// What an order depends on.
-#[derive(Clone, Copy, PartialEq, Default)]
-struct Of {
-    loaded_session: usize,
-    identified: usize,
-    sorting: Sorting,
-}
-
-/// The samples in the order of their rows.
-#[derive(Clone, Default)]
-struct Rows {
-    of: Of,
-    /// `None`: as they were measured.
-    order: Option<Arc<Vec<u32>>>,
-}
-
-impl Rows {
-    /// The present order, sorted anew only where something that it depends on has changed.
-    fn of(ui: &Ui, id: Id, workbench: &Workbench, sorting: Sorting) -> Self {
-        let outcome = workbench
-            .last_outcome()
-            .filter(|_| workbench.answer().is_some());
-        let of = Of {
-            loaded_session: Arc::as_ptr(workbench.loaded_session()) as usize,
-            identified: outcome.map_or(0, |outcome| Arc::as_ptr(outcome) as usize),
-            sorting,
-        };
-        let kept: Option<Self> = ui.data(|data| data.get_temp(id));
-        if let Some(kept) = kept.filter(|kept| kept.of == of) {
-            return kept;
-        }
-        let order = (sorting != Sorting::default()).then(|| {
-            let n = u32::try_from(workbench.loaded_session().len()).unwrap_or(u32::MAX);
-            let keyed = (0..n).map(|i| (sorting.value(workbench, i as usize), i));
-            let mut keyed: Vec<(f64, u32)> = keyed.collect();
-            // What has no value stands last either way.
-            keyed.sort_by(|a, b| {
-                let (a, b) = (a.0, b.0);
-                let values = if sorting.descending {
-                    b.total_cmp(&a)
-                } else {
-                    a.total_cmp(&b)
-                };
-                a.is_nan().cmp(&b.is_nan()).then(values)
-            });
-            Arc::new(keyed.into_iter().map(|(_, i)| i).collect())
-        });
-        let rows = Self { of, order };
-        ui.data_mut(|data| data.insert_temp(id, rows.clone()));
-        rows
-    }
-
-    /// The sample of a row.
-    fn sample(&self, row: usize) -> usize {
-        let order = self.order.as_ref().and_then(|order| order.get(row));
-        order.map_or(row, |sample| *sample as usize)
-    }
-
-    /// The row of a sample.
-    fn row(&self, sample: usize) -> usize {
-        let order = self.order.as_ref();
-        let row = order.and_then(|order| order.iter().position(|s| *s as usize == sample));
-        row.unwrap_or(sample)
+/// How rows are sorted after a click on the head of this column: the largest first, then the smallest, then in the
+/// order of measuring.
+fn after_click(now: Sorting, by: usize) -> Sorting {
+    let first = by != 0;
+    let next = |descending| Sorting { by, descending };
+    match (now.by == by, now.descending == first) {
+        (false, _) => next(first),
+        (true, true) => next(!first),
+        (true, false) => Sorting::default(),
     }
 }

@@ -10,7 +10,8 @@ use crate::diagnostic::{Diagnostic, Severity};
 use crate::gui::core::disk::name_of;
 use crate::gui::core::loaded_session::Origin;
 use crate::gui::core::quantity::joint_value;
-use crate::gui::core::setup::{Field, JointForm, Problem, SetupForm};
+use crate::gui::core::robot_table::Row;
+use crate::gui::core::setup::{Field, Problem, SetupForm};
 use crate::gui::core::simulate::Form;
 use crate::gui::file_state::Recent;
 use crate::gui::import_draft::in_the_windows_words;
@@ -19,7 +20,6 @@ use crate::gui::view::{Sheet, Step};
 use crate::gui::widgets::{self, Does, or_none};
 use crate::gui::workbench::Workbench;
 use crate::gui::{files, help};
-use crate::kinematics::JointKind;
 use crate::language;
 use crate::present::numbers::grouped;
 use crate::present::units::LengthUnit;
@@ -308,11 +308,7 @@ impl Fields {
         let width = (ui.available_width() - gap * (parts.len() as f32 - 1.0)) / parts.len() as f32;
         ui.horizontal(|ui| {
             ui.spacing_mut().item_spacing.x = gap;
-            for (part, value) in parts.iter().zip(values) {
-                let name = format!("{label} {part}");
-                let field = DragValue::new(value).speed(speed).max_decimals(6);
-                widgets::cell_number(ui, name.trim_end(), unit, width, field);
-            }
+            widgets::numbers(ui, (&label, unit), parts, values, (width, speed));
         });
     }
 }
@@ -413,40 +409,31 @@ fn text(ui: &mut Ui, label: &str, text: &mut String) {
 
 const XYZ: [&str; 3] = ["x", "y", "z"];
 
-fn joint(ui: &mut Ui, joint: &mut JointForm, k: usize, fields: &mut Fields) {
+fn joint(ui: &mut Ui, joint: &mut Row, k: usize, fields: &mut Fields) {
     let n = k + 1;
     fields.n = n;
     text(ui, &say!("Name of joint {n}", n), &mut joint.name);
     fields.message(ui, Field::JointName(k));
-    let kinds = [
-        (JointKind::Revolute, say!("turns")),
-        (JointKind::Prismatic, say!("slides")),
-    ];
-    widgets::choice(ui, &kinds, &mut joint.kind);
+    let kinds = [(false, say!("turns")), (true, say!("slides"))];
+    widgets::choice(ui, &kinds, &mut joint.slides);
     ui.horizontal(|ui| {
         widgets::caption(ui, say!("axis, direction at home"));
         widgets::question(ui, help::AXIS);
     });
-    fields.numbers(ui, phrase!("Axis {n}"; n), "", &XYZ, &mut joint.axis, 0.01);
+    let (axis, point) = joint.numbers.split_at_mut(3);
+    fields.numbers(ui, phrase!("Axis {n}"; n), "", &XYZ, axis, 0.01);
     fields.message(ui, Field::Axis(k));
     widgets::caption(ui, say!("a point on it, mm"));
-    fields.numbers(
-        ui,
-        phrase!("Point {n}"; n),
-        "mm",
-        &XYZ,
-        &mut joint.point_mm,
-        0.1,
-    );
-    let unit = joint.kind.sign().trim();
-    let mut limited = joint.limits.is_some();
+    fields.numbers(ui, phrase!("Point {n}"; n), "mm", &XYZ, point, 0.1);
+    let unit = joint.unit();
+    let mut limited = joint.travel.is_some();
     if ui
         .checkbox(&mut limited, say!("limits of joint {n}, {unit}", n, unit))
         .changed()
     {
-        joint.limits = limited.then_some([-90.0, 90.0]);
+        joint.travel = limited.then_some([-90.0, 90.0]);
     }
-    if let Some(limits) = &mut joint.limits {
+    if let Some(limits) = &mut joint.travel {
         fields.numbers(
             ui,
             phrase!("Limit {n}"; n),
@@ -462,7 +449,8 @@ fn joint(ui: &mut Ui, joint: &mut JointForm, k: usize, fields: &mut Fields) {
         .checkbox(&mut heavy, say!("mass of link {n}, kg", n))
         .changed()
     {
-        joint.link = heavy.then_some((1.0, joint.point_mm));
+        let [.., x, y, z] = joint.numbers;
+        joint.link = heavy.then_some((1.0, [x, y, z]));
     }
     if let Some((mass, centre_mm)) = &mut joint.link {
         let mass = std::slice::from_mut(mass);

@@ -14,7 +14,7 @@ use crate::present::numbers::grouped;
 use crate::gui::core::disk::{FileChange, name_of};
 use crate::gui::style::layout;
 use crate::gui::style::{Palette, size, space, strong};
-use crate::gui::view::Message;
+use crate::gui::view::{Message, What};
 use crate::gui::widgets::{self, Does};
 use crate::gui::workbench::Workbench;
 
@@ -299,7 +299,7 @@ fn save_again(ui: &mut Ui, workbench: &Workbench, gone: &Path) {
         if beside {
             bench.save();
         } else {
-            bench.choose_where_to_save();
+            bench.choose_where_to_export(What::Session);
         }
     });
 }

@@ -7,6 +7,21 @@ use egui::{
 };
 
 use crate::gui::style::{Palette, size, space, strong};
+use crate::gui::workbench::Workbench;
+
+/// What is done by a press.
+pub(crate) trait Does {
+    /// Does this once the frame is drawn, where it was pressed.
+    fn does(&self, workbench: &Workbench, change: impl FnOnce(&mut Workbench) + Send + 'static);
+}
+
+impl Does for Response {
+    fn does(&self, workbench: &Workbench, change: impl FnOnce(&mut Workbench) + Send + 'static) {
+        if self.clicked() {
+            workbench.then(change);
+        }
+    }
+}
 
 /// What a wide button looks like: at rest, under the pointer, pressed.
 struct ButtonLook {

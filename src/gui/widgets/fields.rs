@@ -4,7 +4,7 @@ use crate::gui::workbench::Workbench;
 use std::cell::RefCell;
 use std::rc::Rc;
 
-use super::buttons::{other, primary, segmented};
+use super::buttons::{Does, other, primary, segmented};
 use super::text::{label, wrong};
 use egui::text::{CCursor, CCursorRange};
 use egui::text_edit::TextEditState;
@@ -211,6 +211,21 @@ pub(crate) fn cell_number(
     response
 }
 
+/// Such numbers beside each other, each called by their name and its part.
+pub(crate) fn numbers(
+    ui: &mut Ui,
+    (name, unit): (&str, &str),
+    parts: &[&str],
+    values: &mut [f64],
+    (width, speed): (f32, f64),
+) {
+    for (part, value) in parts.iter().zip(values) {
+        let field = DragValue::new(value).speed(speed).max_decimals(6);
+        let name = format!("{name} {part}");
+        cell_number(ui, name.trim_end(), unit, width, field);
+    }
+}
+
 /// The room that the window has for what a sheet says.
 pub(crate) fn room_of_a_sheet(ui: &Ui) -> Vec2 {
     /// Between a sheet and the window's edges, together, points.
@@ -249,9 +264,7 @@ pub(crate) fn buttons_or_back(
 ) -> bool {
     ui.add_space(space::ROW);
     ui.columns(2, |columns| {
-        if other(&mut columns[0], say!("Cancel")).clicked() {
-            workbench.then(move |bench| bench.show_sheet(back));
-        }
+        other(&mut columns[0], say!("Cancel")).does(workbench, move |bench| bench.show_sheet(back));
         let button = columns[1].add_enabled_ui(enabled, |ui| primary(ui, text));
         button.inner.clicked()
     })

@@ -6,12 +6,13 @@ mod fields;
 mod text;
 
 pub(crate) use buttons::{
-    COPY, DATA, FIT, GRIP, NEXT, REDO, SAVE, SIDE, UNDO, bare_button, has_stood, icon, icon_button,
-    other, primary, read_next, secondary, segmented, segmented_named, width_of_segments,
+    COPY, DATA, Does, FIT, GRIP, NEXT, REDO, SAVE, SIDE, UNDO, bare_button, has_stood, icon,
+    icon_button, other, primary, read_next, secondary, segmented, segmented_named,
+    width_of_segments,
 };
 pub(crate) use fields::{
     buttons_or_back, cell_number, choice, choice_row, done, done_beside, entered, form_row, list,
-    number, number_in_a_grid, or_none, room_of_a_sheet, row, select_all, sheet_buttons,
+    number, number_in_a_grid, numbers, or_none, room_of_a_sheet, row, select_all, sheet_buttons,
     sheet_buttons_without_enter, text_when_complete, wide,
 };
 pub(crate) use text::{
@@ -21,26 +22,11 @@ pub(crate) use text::{
 
 use egui::text_edit::TextEditState;
 use egui::{
-    Color32, CornerRadius, CursorIcon, EventFilter, Frame, Id, Key, Margin, Rect, Response, Role,
-    Sense, Stroke, StrokeKind, Ui, WidgetInfo, accesskit, vec2,
+    Color32, CornerRadius, CursorIcon, EventFilter, Frame, Id, Key, Margin, Rect, Role, Sense,
+    Stroke, StrokeKind, Ui, WidgetInfo, accesskit, vec2,
 };
 
 use crate::gui::style::{DARK, LIGHT, Palette, space};
-use crate::gui::workbench::Workbench;
-
-/// What is done by a press.
-pub(crate) trait Does {
-    /// Does this once the frame is drawn, where it was pressed.
-    fn does(&self, workbench: &Workbench, change: impl FnOnce(&mut Workbench) + Send + 'static);
-}
-
-impl Does for Response {
-    fn does(&self, workbench: &Workbench, change: impl FnOnce(&mut Workbench) + Send + 'static) {
-        if self.clicked() {
-            workbench.then(change);
-        }
-    }
-}
 
 /// What is longer than its panel: it fades where it goes on, and its bar stands in the panel's
 /// margin, so that edges keep their line with or without it.

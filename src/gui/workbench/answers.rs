@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use egui::TextureHandle;
 use nalgebra::{Isometry3, Vector3};
 
 use crate::diagnosis::Diagnosis;
@@ -19,11 +20,11 @@ use crate::gui::core::answer::term_of;
 use crate::gui::core::answer::{Answer, LoadedModel, Search};
 use crate::gui::core::document::{Method, Question};
 use crate::gui::core::overview::measuring_from_base;
-use crate::gui::view::{Colouring, Facing, Message, Step};
+use crate::gui::view::{Colouring, Facing, Message, Sorting, Step};
 use crate::present::numbers::notation;
 use crate::text::current;
 
-use super::Workbench;
+use super::{HeatLook, Workbench};
 
 impl Workbench {
     /// Whether a model can be held against the open session: both are of the same robot. The
@@ -41,7 +42,7 @@ impl Workbench {
     /// for itself.
     pub(super) fn question(&self) -> Option<Question> {
         let question = self.document().question()?;
-        Some(match &self.searched {
+        Some(match &self.derived.searched {
             Some(search) => question.found_by(search),
             None => question,
         })
@@ -51,7 +52,7 @@ impl Workbench {
     /// being answered it is the answer to the one before.
     pub(crate) fn identified(&self) -> Option<&IdentifiedAnswer> {
         let document = self.document();
-        self.identified.as_deref().filter(|outcome| {
+        self.derived.identified.as_deref().filter(|outcome| {
             let question = &outcome.question;
             document.identified
                 && Arc::ptr_eq(&question.loaded_session, &document.loaded_session)
@@ -61,14 +62,12 @@ impl Workbench {
         })
     }
 
-    /// The newest answer to any question of the present session.
-    pub(crate) fn last_outcome(&self) -> Option<&Arc<IdentifiedAnswer>> {
-        self.identified.as_ref()
-    }
-
-    /// The same, to be held where there is an answer that is shown.
+    /// The newest answer, to be held where it is one that is shown.
     pub(super) fn shown_outcome(&self) -> Option<Arc<IdentifiedAnswer>> {
-        self.identified.clone().filter(|_| self.answer().is_some())
+        self.derived
+            .identified
+            .clone()
+            .filter(|_| self.answer().is_some())
     }
 
     /// The newest answer.
@@ -88,7 +87,7 @@ impl Workbench {
 
     /// What came of a work, for the newest answer that it was worked out for.
     pub(super) fn made(&self, work: &Work) -> Option<&Made> {
-        let made = self.plot_cache.made(work)?;
+        let made = self.derived.plot_cache.made(work)?;
         Arc::ptr_eq(&made.inputs.loaded_session, self.loaded_session()).then_some(made)
     }
 
@@ -135,6 +134,15 @@ impl Workbench {
         made.as_ref()
     }
 
+    /// The heat map as it is looked at, made anew where it changes.
+    pub(crate) fn heat_picture(
+        &self,
+        of: HeatLook,
+        make: impl FnOnce() -> TextureHandle,
+    ) -> TextureHandle {
+        self.derived.heat_picture.get(of, make)
+    }
+
     /// How sure the newest answer is at each sample, where colour says it; `None` until it is worked out.
     pub(crate) fn uncertain(&self) -> Option<&Arc<Uncertain>> {
         let wanted = self.view.colouring == Colouring::Uncertainty;
@@ -155,7 +163,7 @@ impl Workbench {
     /// is the one before; the figures of another format say nothing of this one.
     pub(crate) fn export(&self) -> Option<Result<&ExportPreview, &String>> {
         self.answer()?;
-        let preview = self.preview.as_ref()?;
+        let preview = self.derived.preview.as_ref()?;
         let PreviewRequest {
             identified, choice, ..
         } = &preview.wanted;
@@ -167,7 +175,10 @@ impl Workbench {
     /// The RMS error that the controller is left with by the table of what is shown, mm; `None` until that is made.
     pub(crate) fn left_by_table_mm(&self) -> Option<f64> {
         let made = self.export()?.ok()?;
-        let (of, shown) = (&self.preview.as_ref()?.wanted.identified, &self.identified);
+        let (of, shown) = (
+            &self.derived.preview.as_ref()?.wanted.identified,
+            &self.derived.identified,
+        );
         let is_of_this = shown.as_ref().is_some_and(|shown| Arc::ptr_eq(shown, of));
         let error = made.error.filter(|_| made.export.robot.is_none());
         error.filter(|_| is_of_this).map(|error| error.rms_mm)
@@ -176,7 +187,7 @@ impl Workbench {
     /// Whether the preparation of the export was cancelled: it is not begun again by itself.
     pub(crate) fn is_unprepared(&self) -> bool {
         let choice = self.document().export;
-        let cancelled = self.asked.previews.declined();
+        let cancelled = self.derived.asked.previews.declined();
         cancelled.is_some_and(|wanted| wanted.choice.is_of_the_table(choice))
     }
 
@@ -184,20 +195,24 @@ impl Workbench {
     /// model is another step's work.
     pub(crate) fn exported(&self) -> impl DoubleEndedIterator<Item = &PathBuf> {
         let shown = self.question();
-        let of_this = self.exported.iter().filter(move |(_, of)| *of == shown);
+        let of_this = self
+            .file_state
+            .exported
+            .iter()
+            .filter(move |(_, of)| *of == shown);
         of_this.map(|(path, _)| path)
     }
 
     /// Whether the identification was cancelled: it is not repeated by itself.
     pub(crate) fn is_declined(&self) -> bool {
-        let declined = self.asked.questions.declined();
+        let declined = self.derived.asked.questions.declined();
         declined.is_some() && self.question().as_ref() == declined
     }
 
     /// Whether the answer that is shown belongs to the document as it is.
     #[cfg(any(test, debug_assertions))]
     pub(crate) fn settled(&self) -> bool {
-        match (self.question(), &self.identified) {
+        match (self.question(), &self.derived.identified) {
             (None, _) => true,
             (Some(asked), Some(outcome)) => outcome.question == asked,
             (Some(_), None) => false,
@@ -207,6 +222,7 @@ impl Workbench {
     /// A search of the open session: it begins where the identification ends, and goes with it where that is undone.
     pub(super) fn search_of_this(&self) -> Option<&Arc<Search>> {
         let search = self
+            .derived
             .searched
             .as_ref()
             .filter(|_| self.document().identified)?;
@@ -272,7 +288,7 @@ impl Workbench {
 
     /// Prepares the export whose preparation was cancelled.
     pub(crate) fn prepare_again(&mut self) {
-        self.asked.previews.resume();
+        self.derived.asked.previews.resume();
     }
 
     /// Asks for the preview that the export step shows.
@@ -283,15 +299,63 @@ impl Workbench {
             return;
         };
         let choice = self.document().export;
-        let saved = self.saved_as.as_ref().filter(|(of, _)| *of == choice);
+        let saved = self
+            .file_state
+            .saved_as
+            .as_ref()
+            .filter(|(of, _)| *of == choice);
         let wanted = PreviewRequest {
             identified: outcome,
             choice,
             name: saved.map(|(_, name)| name.clone()),
         };
-        let made = self.preview.as_ref().is_some_and(|p| p.wanted == wanted);
-        if !made && let Some(wanted) = self.asked.previews.want(wanted) {
+        let made = self
+            .derived
+            .preview
+            .as_ref()
+            .is_some_and(|p| p.wanted == wanted);
+        if !made && let Some(wanted) = self.derived.asked.previews.want(wanted) {
             self.prepare(wanted);
+        }
+    }
+
+    /// The samples in the order of their rows; `None`: as they were measured.
+    pub(crate) fn order(&self) -> Option<Arc<[u32]>> {
+        let sorting = self.view.sorting;
+        if sorting == Sorting::default() {
+            return None;
+        }
+        let of = PlotInputs {
+            loaded_session: Arc::clone(self.loaded_session()),
+            identified: self.shown_outcome(),
+        };
+        let sorted = || {
+            let n = u32::try_from(self.loaded_session().len()).unwrap_or(u32::MAX);
+            let keyed = (0..n).map(|i| (self.sorted_by(i as usize), i));
+            let mut keyed: Vec<(f64, u32)> = keyed.collect();
+            keyed.sort_by(|(a, _), (b, _)| {
+                let up = a.total_cmp(b);
+                let values = if sorting.descending { up.reverse() } else { up };
+                // What has no value stands last either way.
+                a.is_nan().cmp(&b.is_nan()).then(values)
+            });
+            keyed.into_iter().map(|(_, i)| i).collect()
+        };
+        Some(self.derived.order.get((of, sorting), sorted))
+    }
+
+    /// What a sample is sorted by.
+    fn sorted_by(&self, sample: usize) -> f64 {
+        let loaded_session = self.loaded_session();
+        let before = loaded_session.before.length_mm[sample];
+        let after = self.answer().map(|a| a.lengths_mm[sample]);
+        match self.view.sorting.by {
+            0 => sample as f64,
+            1 => loaded_session.q(sample),
+            2 => before,
+            3 => after.unwrap_or(f64::NAN),
+            // How far outside the tolerance.
+            _ => after.unwrap_or(before),
         }
     }
 
@@ -303,6 +367,7 @@ impl Workbench {
     /// Asks for what the plots stand on, if it is not there and not on its way.
     pub(super) fn keep_drawing(&mut self) {
         let outcome = self
+            .derived
             .identified
             .clone()
             .filter(|_| self.identified().is_some());
@@ -310,12 +375,12 @@ impl Workbench {
             loaded_session: Arc::clone(self.loaded_session()),
             identified: outcome,
         };
-        for work in self.plot_cache.begin(&inputs, self.works()) {
+        for work in self.derived.plot_cache.begin(&inputs, self.works()) {
             let inputs = inputs.clone();
             self.jobs.quietly(
                 move || work.made(inputs),
                 |bench: &mut Self, made| {
-                    let before = bench.plot_cache.take(made);
+                    let before = bench.derived.plot_cache.take(made);
                     bench.let_go(before);
                 },
             );
@@ -328,10 +393,11 @@ impl Workbench {
             return;
         };
         let answered = self
+            .derived
             .identified
             .as_ref()
             .is_some_and(|o| o.question == question);
-        if !answered && let Some(question) = self.asked.questions.want(question) {
+        if !answered && let Some(question) = self.derived.asked.questions.want(question) {
             self.answer_question(question);
         }
     }
@@ -341,15 +407,9 @@ impl Workbench {
         let (Some(search), Some(found)) = (self.search_of_this(), self.diagnosis()) else {
             return Arc::default();
         };
-        let voice = (self.units(), current(), notation());
-        let mut said = self.spoken_sections.0.borrow_mut();
-        let kept = said
-            .take()
-            .filter(|(whose, how, _)| Arc::ptr_eq(whose, search) && *how == voice);
-        let (_, _, sections) = said.insert(kept.unwrap_or_else(|| {
-            let sections = diagnosis(found, Detail::window(voice.0)).into();
-            (Arc::clone(search), voice, sections)
-        }));
-        Arc::clone(sections)
+        let units = self.units();
+        let of = (Arc::clone(search), (units, current(), notation()));
+        let say = || diagnosis(found, Detail::window(units)).into();
+        self.derived.sections.get(of, say)
     }
 }

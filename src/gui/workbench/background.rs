@@ -7,9 +7,9 @@ use crate::gui::cache::identified::{IdentifiedAnswer, Preview, PreviewRequest};
 use crate::gui::core::answer::Search;
 use crate::gui::core::document::{ExportChoice, Question};
 use crate::gui::core::loaded_session::LoadedSession;
-use crate::gui::files::{self, Opened, Replace};
+use crate::gui::files::{self, Opened};
 use crate::gui::jobs::{Jobs, Kind, Running, Watch};
-use crate::gui::view::{Message, Sheet, What};
+use crate::gui::view::{Message, What};
 use crate::gui::workbench::Chooser;
 use crate::gui::workbench::Workbench;
 use crate::present::numbers::grouped;
@@ -36,9 +36,9 @@ impl Workbench {
             any = true;
             for (kind, outcome) in arrived {
                 match kind {
-                    Kind::Identifies => self.asked.questions.answered(),
-                    Kind::Prepares => self.asked.previews.answered(),
-                    Kind::Searches => self.asked.searched = None,
+                    Kind::Identifies => self.derived.asked.questions.answered(),
+                    Kind::Prepares => self.derived.asked.previews.answered(),
+                    Kind::Searches => self.derived.asked.searched = None,
                     _ => {}
                 }
                 self.execute(|bench| match outcome {
@@ -57,7 +57,7 @@ impl Workbench {
             say!("identifying, {samples}", samples),
             move |watch| IdentifiedAnswer::of(question, watch),
             |bench: &mut Self, outcome| {
-                let before = bench.identified.replace(Arc::new(outcome));
+                let before = bench.derived.identified.replace(Arc::new(outcome));
                 bench.let_go(before);
             },
         );
@@ -69,7 +69,7 @@ impl Workbench {
             Kind::Prepares,
             say!("preparing the table"),
             move |_| Preview::of(wanted),
-            |bench: &mut Self, preview| bench.preview = Some(Arc::new(preview)),
+            |bench: &mut Self, preview| bench.derived.preview = Some(Arc::new(preview)),
         );
     }
 
@@ -78,14 +78,14 @@ impl Workbench {
         if self.searching().is_some() {
             return;
         }
-        self.stopped = None;
-        self.asked.searched = Some(Arc::clone(&loaded_session));
+        self.derived.stopped = None;
+        self.derived.asked.searched = Some(Arc::clone(&loaded_session));
         self.jobs.start(
             Kind::Searches,
             say!("searching"),
             move |watch| Search::of(loaded_session, watch),
             // What is in the model may be just what was found, with the search's values.
-            |bench: &mut Self, search| bench.searched = Some(Arc::new(search)),
+            |bench: &mut Self, search| bench.derived.searched = Some(Arc::new(search)),
         );
     }
 
@@ -94,8 +94,8 @@ impl Workbench {
     pub(crate) fn stop_search(&mut self) {
         let found = self.jobs.running(Kind::Searches).map(Running::found);
         self.jobs.cancel(|kind| kind == Kind::Searches);
-        let searched = self.asked.searched.take();
-        self.stopped = searched.zip(found);
+        let searched = self.derived.asked.searched.take();
+        self.derived.stopped = searched.zip(found);
     }
 
     /// Stops the search where it is about other samples than those that are here now, or what it began from was
@@ -104,7 +104,13 @@ impl Workbench {
         let here = |searched: &Arc<LoadedSession>| {
             Arc::ptr_eq(searched, self.loaded_session()) && self.document().identified
         };
-        if self.asked.searched.as_ref().is_some_and(|one| !here(one)) {
+        if self
+            .derived
+            .asked
+            .searched
+            .as_ref()
+            .is_some_and(|one| !here(one))
+        {
             self.stop_search();
             let title = say!("The diagnosis was stopped: what it was about has changed").to_owned();
             let again = say!("Run it again for what is here now").to_owned();
@@ -114,7 +120,7 @@ impl Workbench {
 
     /// Names that a search of the open session had found when it was stopped.
     pub(crate) fn stopped(&self) -> Option<&[String]> {
-        let (loaded_session, found) = self.stopped.as_ref()?;
+        let (loaded_session, found) = self.derived.stopped.as_ref()?;
         Arc::ptr_eq(loaded_session, self.loaded_session()).then_some(found)
     }
 
@@ -125,8 +131,8 @@ impl Workbench {
             return self.stop_search();
         }
         match self.jobs.cancel(Kind::has_a_name) {
-            Some(Kind::Identifies) => self.asked.questions.decline(),
-            Some(Kind::Prepares) => self.asked.previews.decline(),
+            Some(Kind::Identifies) => self.derived.asked.questions.decline(),
+            Some(Kind::Prepares) => self.derived.asked.previews.decline(),
             _ => {}
         }
     }
@@ -179,12 +185,12 @@ impl Workbench {
         match exported {
             Ok(path) => {
                 self.file_state.model_on_file.clone_from(&question);
-                self.view.message = Some(files::saved(&path, Vec::new()));
+                self.view.message = Some(Message::saved(&path, Vec::new()));
                 if question == self.question() {
                     self.remember_name(&path, choice);
                 }
-                self.exported.retain(|(other, _)| *other != path);
-                self.exported.push((path, question));
+                self.file_state.exported.retain(|(other, _)| *other != path);
+                self.file_state.exported.push((path, question));
                 self.resume();
             }
             Err(message) => self.take_written(message),
@@ -258,25 +264,6 @@ impl Workbench {
         self.choose(what, move || ask(near.as_deref()), then);
     }
 
-    /// Asks where to save the session: that one is saved, whatever is open by then.
-    pub(crate) fn choose_where_to_save(&mut self) {
-        if self.has_nothing_to_save() {
-            return;
-        }
-        let path = self.proposed_path();
-        let document = Arc::clone(self.history.present());
-        let ask = move || files::choose_to_save(&path);
-        self.choose(
-            say!("waiting for a file name"),
-            ask,
-            move |bench, path| match path {
-                // The dialog has asked.
-                Some(path) => bench.save_document(document, &path, Replace::Named),
-                None => bench.type_path_to_save(),
-            },
-        );
-    }
-
     /// Asks where to export to: what is there now is written, whatever is open by then.
     pub(crate) fn choose_where_to_export(&mut self, what: What) {
         if self.needs_picture(what) {
@@ -292,12 +279,7 @@ impl Workbench {
                 // The dialog has asked.
                 return write(bench, path, true);
             }
-            let path = bench.placed(bench.name_of(what).as_ref());
-            bench.view.sheet = Some(Sheet::ExportPath {
-                what,
-                path: path.display().to_string(),
-                replace: false,
-            });
+            bench.type_path(what);
         });
     }
 

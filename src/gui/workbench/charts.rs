@@ -65,7 +65,11 @@ impl Workbench {
             units: self.units(),
             identified: self.shown_outcome(),
             search: self.search_of_this().cloned(),
-            preview: self.preview.clone().filter(|_| self.export().is_some()),
+            preview: self
+                .derived
+                .preview
+                .clone()
+                .filter(|_| self.export().is_some()),
             worked_out: None,
         }
     }
@@ -358,7 +362,7 @@ mod tests {
         let mut workbench = workbench();
         choose(&mut workbench, HISTOGRAM);
         let made = |workbench: &Workbench| {
-            let made = workbench.plot_cache.made.first();
+            let made = workbench.derived.plot_cache.made.first();
             Arc::clone(&made.expect("it is charted").result)
         };
         let first = made(&workbench);
@@ -389,7 +393,7 @@ mod tests {
         let mut workbench = workbench();
         choose(&mut workbench, HISTOGRAM);
         let made = |workbench: &Workbench| {
-            let made = workbench.plot_cache.made.iter();
+            let made = workbench.derived.plot_cache.made.iter();
             made.map(|made| Arc::clone(&made.result))
                 .collect::<Vec<_>>()
         };

@@ -10,7 +10,7 @@ use crate::gui::cache::cloud::Cloud;
 use crate::gui::core::disk::name_of;
 use crate::gui::core::document::{Decision, adapt};
 use crate::gui::core::loaded_session::LoadedSession;
-use crate::gui::core::regions::Count;
+use crate::gui::core::regions::Counts;
 use crate::gui::files;
 use crate::gui::import_draft::{Companion, ImportDraft, InspectedDraft};
 use crate::gui::jobs::{Kind, Running, Watch};
@@ -29,6 +29,7 @@ impl Workbench {
     /// Shows a file that an instrument wrote; with what had been said of it when it was left.
     pub(super) fn ask_about(&mut self, mut draft: Box<ImportDraft>) {
         let before = self
+            .file_state
             .left_draft
             .take_if(|left| left.is_of_the_file_of(&draft));
         if let Some(before) = before {
@@ -49,10 +50,11 @@ impl Workbench {
             say!("{file} was not imported", file = name_of(&left.path)),
             vec![say!("What was entered is kept: open it again to go on").to_owned()],
         ));
-        self.left_draft = Some(left);
+        self.file_state.left_draft = Some(left);
     }
 
     /// Changes what is said, and looks at the file with it.
+    #[cfg(any(test, debug_assertions))]
     pub(crate) fn change_draft(&mut self, change: impl FnOnce(&mut ImportDraft)) {
         if let Some(foreign) = self.import_draft() {
             change(foreign);
@@ -87,7 +89,7 @@ impl Workbench {
     }
 
     /// One look at a time; when it is done, the next with what was said meanwhile.
-    fn keep_looking(&mut self) {
+    pub(crate) fn keep_looking(&mut self) {
         if self.looking().is_some() {
             return;
         }
@@ -130,7 +132,9 @@ impl Workbench {
     /// Takes a file that was chosen; the field is there to type it where no dialog is.
     fn take_beside(&mut self, which: Companion, path: Option<PathBuf>) {
         if let (Some(foreign), Some(path)) = (self.import_draft(), path) {
-            foreign.answers.choose(which, &path);
+            foreign
+                .answers
+                .choose(which, path.to_string_lossy().into_owned());
         }
         self.keep_looking();
     }
@@ -143,7 +147,7 @@ impl Workbench {
         });
         if let Some(loaded_session) = result {
             self.view.sheet = None;
-            self.left_draft = None;
+            self.file_state.left_draft = None;
             self.open_session(loaded_session);
         }
     }
@@ -160,19 +164,11 @@ pub(super) fn adapted(loaded_session: Arc<LoadedSession>) -> Adapted {
 
 impl Workbench {
     /// The samples of each region, and those in none.
-    pub(crate) fn counted(&self) -> Arc<(Vec<Count>, usize)> {
+    pub(crate) fn counted(&self) -> Arc<Counts> {
         let (loaded_session, regions) = (self.loaded_session(), &self.document().regions);
-        let mut last = self.counted.borrow_mut();
-        if let Some((session, of, counts)) = &*last
-            && session == loaded_session
-            && of == regions
-        {
-            return Arc::clone(counts);
-        }
-        let counts = Arc::new(loaded_session.counted(regions));
         let of = (Arc::clone(loaded_session), Arc::clone(regions));
-        *last = Some((of.0, of.1, Arc::clone(&counts)));
-        counts
+        let count = || Arc::new(loaded_session.counted(regions));
+        self.derived.counted.get(of, count)
     }
 
     /// Looks where the samples ask for regions.

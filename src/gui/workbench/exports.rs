@@ -15,10 +15,11 @@ use crate::gui::core::answer::Search;
 use crate::gui::core::compensated::{Compensated, CompensationRequest, MOST_KG};
 use crate::gui::core::disk::name_of;
 use crate::gui::core::document::{ExportChoice, plain};
-use crate::gui::files;
 use crate::gui::files::writing::{self, Source};
+use crate::gui::files::{self, Replace};
 use crate::gui::jobs::{Kind, Watch};
 use crate::gui::view::{About, Plot, Sheet, Step, What};
+use crate::kinematics::Robot;
 use crate::pipeline::measuring_list;
 use crate::report::exported::sidecar_of;
 use crate::report::svg::svg_file;
@@ -34,6 +35,7 @@ impl Workbench {
         let document = self.document();
         let session = &document.loaded_session.session.name;
         match what {
+            What::Session => self.proposed_path().display().to_string(),
             What::Table => document.export.file_name(session),
             What::Model => format!("{}.model.json", plain(session)),
             What::Poses => format!("{}-next-poses.csv", plain(session)),
@@ -88,7 +90,7 @@ impl Workbench {
         let name = path.file_name().and_then(|name| name.to_str());
         let is_table = path.extension().and_then(|e| e.to_str()) == ending;
         if let (true, Some(name)) = (is_table, name) {
-            self.saved_as = Some((choice, name.to_owned()));
+            self.file_state.saved_as = Some((choice, name.to_owned()));
         }
     }
 
@@ -107,49 +109,66 @@ impl Workbench {
     /// An export, once it is known where to: all that goes into it is taken now. Where there is nothing to be
     /// written, that is said.
     pub(super) fn prepared(&mut self, what: What) -> Option<Write> {
-        match what {
-            What::Report(about) => self.report(about),
-            What::Picture(plot) => self.picture(plot),
-            What::Numbers(chart) => {
-                let numbers = self.numbers_of(chart)?;
-                Some(list(move || numbers().csv()))
-            }
-            What::Targets => self.targets(),
-            What::Robot(id) => {
-                let document = robot_document(&named(id).ok()?.robot);
-                Some(list(|| document))
-            }
-            What::TypedRobot => {
-                let table = self.file_state.robots.first()?;
-                let document = robot_document(&table.robot().ok()?);
-                Some(list(|| document))
-            }
-            What::Poses => self.measuring_list(),
-            What::Table | What::Model => self.table_or_model(what),
-        }
+        let [title, first] = match self.write_of(what) {
+            Ok(write) => return write,
+            Err(missing) => missing,
+        };
+        self.complain(title, [first]);
+        None
     }
 
-    fn measuring_list(&mut self) -> Option<Write> {
-        let Some(diagnosis) = self.diagnosis() else {
-            self.complain(
-                say!("There is no measuring list yet"),
-                [say!("Run the diagnosis first")],
-            );
-            return None;
-        };
-        let poses = measuring_list(&diagnosis.next_poses, &self.loaded_session().session.robot);
-        Some(list(|| poses))
+    /// What writes it, or what is missing and what to do first.
+    fn write_of(&mut self, what: What) -> Result<Option<Write>, [&'static str; 2]> {
+        Ok(match what {
+            What::Session => {
+                if self.loaded_session().is_empty() {
+                    return Err([
+                        say!("There is no session to save"),
+                        say!("A model by itself is saved in the Export step"),
+                    ]);
+                }
+                let document = Arc::clone(self.history.present());
+                let replacing = |yes| {
+                    if yes {
+                        Replace::Named
+                    } else {
+                        Replace::Nothing
+                    }
+                };
+                Some(Box::new(move |bench: &mut Self, path, replace| {
+                    bench.save_document(document, &path, replacing(replace));
+                }))
+            }
+            What::Report(about) => Some(self.report(about)?),
+            What::Picture(plot) => self.picture(plot),
+            What::Numbers(chart) => self
+                .numbers_of(chart)
+                .map(|numbers| list(move || numbers().csv())),
+            What::Targets => Some(self.targets()?),
+            What::Robot(id) => named(id).ok().map(|one| robot_file(&one.robot)),
+            What::TypedRobot => {
+                let table = self.file_state.robots.first();
+                table.and_then(|table| Some(robot_file(&table.robot().ok()?)))
+            }
+            What::Poses => {
+                let diagnosis = self.diagnosis().ok_or([
+                    say!("There is no measuring list yet"),
+                    say!("Run the diagnosis first"),
+                ])?;
+                let robot = &self.loaded_session().session.robot;
+                let poses = measuring_list(&diagnosis.next_poses, robot);
+                Some(list(|| poses))
+            }
+            What::Table | What::Model => Some(self.table_or_model(what)?),
+        })
     }
 
     /// From what is shown, but under the name that is chosen.
-    fn table_or_model(&mut self, what: What) -> Option<Write> {
-        let Some(identified) = self.shown_outcome() else {
-            self.complain(
-                say!("There is nothing to export yet"),
-                [say!("Identify the robot first")],
-            );
-            return None;
-        };
+    fn table_or_model(&self, what: What) -> Result<Write, [&'static str; 2]> {
+        let identified = self.shown_outcome().ok_or([
+            say!("There is nothing to export yet"),
+            say!("Identify the robot first"),
+        ])?;
         let (choice, question) = (self.document().export, self.question());
         let work = move |path: &Path, replace: bool, _: &Watch| {
             let wanted = PreviewRequest {
@@ -160,7 +179,7 @@ impl Workbench {
             files::export(&wanted, what, path, replace)
         };
         let then = move |bench: &mut Self, written| bench.take_exported(written, question, choice);
-        Some(later(work, then))
+        Ok(later(work, then))
     }
 
     /// Everything that the open session, its model and its tables stand in: no paper replaces it.
@@ -181,14 +200,14 @@ impl Workbench {
                 .as_ref()
                 .map(|given| given.path.clone()),
         );
-        for (table, _) in &self.exported {
+        for (table, _) in &self.file_state.exported {
             inputs.extend([table.clone(), sidecar_of(table)]);
         }
         inputs
     }
 
-    fn report(&mut self, about: About) -> Option<Write> {
-        let source = match (about, &self.identified, self.answer()) {
+    fn report(&self, about: About) -> Result<Write, [&'static str; 2]> {
+        let source = match (about, &self.derived.identified, self.answer()) {
             (About::Model, Some(outcome), Some(_)) => Source::Model(Arc::clone(outcome)),
             (About::Session, ..) if !self.loaded_session().is_empty() => {
                 let answered = |search: &&Arc<Search>| search.answer.is_ok();
@@ -197,11 +216,10 @@ impl Workbench {
                 Source::Session(Arc::clone(self.history.present()), searched, in_use)
             }
             _ => {
-                self.complain(
+                return Err([
                     say!("There is nothing to report yet"),
-                    [say!("Open a session, or identify the robot first")],
-                );
-                return None;
+                    say!("Open a session, or identify the robot first"),
+                ]);
             }
         };
         let stated = self.stated();
@@ -217,7 +235,7 @@ impl Workbench {
         let work = move |path: &Path, replace: bool, watch: &Watch| {
             writing::write_report(&wanted, path, replace, watch)
         };
-        Some(later(work, Self::take_written))
+        Ok(later(work, Self::take_written))
     }
 
     /// A chart as a drawing; the workspace as it was seen.
@@ -296,7 +314,7 @@ impl Workbench {
 
     /// The file of targets that was corrected last.
     pub(crate) fn compensated(&self) -> Option<&Compensated> {
-        self.compensated.as_deref()
+        self.derived.compensated.as_deref()
     }
 
     /// Asks for a file of targets.
@@ -346,27 +364,24 @@ impl Workbench {
                 if !Arc::ptr_eq(&session, bench.loaded_session()) {
                     return bench.is_of_another(say!("The targets were not corrected"));
                 }
-                bench.compensated = Some(Arc::new(compensated));
+                bench.derived.compensated = Some(Arc::new(compensated));
                 bench.view.sheet = Some(Sheet::COMPENSATION);
             },
         );
     }
 
     /// The corrected targets, and what was changed beside them.
-    fn targets(&mut self) -> Option<Write> {
-        let Some(compensated) = self.compensated.clone() else {
-            self.complain(
-                say!("There are no corrected targets yet"),
-                [say!("Choose a table of targets or a robot program first")],
-            );
-            return None;
-        };
+    fn targets(&self) -> Result<Write, [&'static str; 2]> {
+        let compensated = self.derived.compensated.clone().ok_or([
+            say!("There are no corrected targets yet"),
+            say!("Choose a table of targets or a robot program first"),
+        ])?;
         let mut inputs = self.inputs();
         inputs.push(compensated.wanted.path.clone());
         let work = move |path: &Path, replace: bool, _: &Watch| {
             files::write_targets(&compensated, path, replace, &inputs)
         };
-        Some(later(work, Self::take_written))
+        Ok(later(work, Self::take_written))
     }
 }
 
@@ -381,6 +396,11 @@ fn later<T: Send + 'static>(
         let work = move |path: &Path, watch: &Watch| work(path, replace, watch);
         bench.write(path, work, then);
     })
+}
+
+fn robot_file(robot: &Robot) -> Write {
+    let document = robot_document(robot);
+    list(|| document)
 }
 
 /// A text of which nothing more has to be known.

@@ -24,19 +24,20 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use egui::ColorImage;
+use egui::{Color32, ColorImage, TextureHandle};
 
 use crate::effects::Term;
 use crate::explain::Section;
-use crate::gui::cache::PlotCache;
+use crate::gui::cache::heat::Heat;
 use crate::gui::cache::identified::{IdentifiedAnswer, Preview, PreviewRequest};
+use crate::gui::cache::{Memo, PlotCache, PlotInputs};
 use crate::gui::core::answer::Search;
 use crate::gui::core::compensated::{Compensated, CompensationRequest};
 use crate::gui::core::disk::Fingerprint;
 use crate::gui::core::document::{Document, ExportChoice, Method, Question};
 use crate::gui::core::history::History;
 use crate::gui::core::loaded_session::LoadedSession;
-use crate::gui::core::regions::Count;
+use crate::gui::core::regions::Counts;
 use crate::gui::core::robot_table::RobotTable;
 use crate::gui::core::simulate::Form;
 use crate::gui::file_state::recovery::{LeftBehind, RecoveryFile};
@@ -46,7 +47,7 @@ use crate::gui::import_draft::ImportDraft;
 use crate::gui::jobs::{Jobs, Slot};
 use crate::gui::preferences::Preferences;
 use crate::gui::view::{
-    Aspect, Camera, Message, NextAction, OnDisk, Plane, Sheet, Step, ViewState,
+    Aspect, Camera, Message, NextAction, OnDisk, Plane, Sheet, Sorting, Step, ViewState,
 };
 use crate::history;
 use crate::present::numbers::Notation;
@@ -68,63 +69,57 @@ pub(crate) struct Workbench {
     pub(super) file_state: FileState,
     /// How it is looked at.
     pub(crate) view: ViewState,
+    pub(super) derived: Derived,
     /// What is to be done once the frame is drawn.
     pub(super) changes: RefCell<Vec<Change>>,
     pub(super) dragging: bool,
-    /// The import that was left without being done, with what was said.
-    pub(super) left_draft: Option<ImportDraft>,
-    pub(super) identified: Option<Arc<IdentifiedAnswer>>,
-    pub(super) searched: Option<Arc<Search>>,
     /// A chart and its numbers, ready to be copied.
     pub(super) copied: Option<(&'static str, String)>,
-    pub(super) spoken_sections: SpokenSections,
-    /// The samples of each region, as they were counted last.
-    pub(super) counted: RefCell<Option<Counted>>,
-    /// What a search that was stopped had found until then, and in which session.
-    pub(super) stopped: Option<(Arc<LoadedSession>, Vec<String>)>,
-    pub(super) preview: Option<Arc<Preview>>,
-    pub(super) plot_cache: PlotCache,
-    pub(super) compensated: Option<Arc<Compensated>>,
-    /// Files that were exported from this session, the newest last, each with what its model answers.
-    pub(super) exported: Vec<(PathBuf, Option<Question>)>,
-    /// The name under which this export was saved last.
-    pub(super) saved_as: Option<(ExportChoice, String)>,
     /// What waits for a picture of the workspace, and whether one was asked for; the picture as soon as it is there.
     pub(super) waiting: Option<(Change, bool)>,
     pub(super) picture: Option<ColorImage>,
     pub(super) chooser: Option<Chooser>,
     pub(super) jobs: Jobs<Self>,
+}
+
+/// A session, and how it is divided.
+type Divided = (Arc<LoadedSession>, Arc<[Region]>);
+
+/// What the background has worked out about the document, and what it is asked.
+#[derive(Default)]
+pub(super) struct Derived {
+    pub(super) identified: Option<Arc<IdentifiedAnswer>>,
+    pub(super) searched: Option<Arc<Search>>,
+    /// What a search that was stopped had found until then, and in which session.
+    pub(super) stopped: Option<(Arc<LoadedSession>, Vec<String>)>,
+    pub(super) preview: Option<Arc<Preview>>,
+    pub(super) plot_cache: PlotCache,
+    pub(super) compensated: Option<Arc<Compensated>>,
     pub(super) asked: PendingQueries,
+    /// What a diagnosis says, and how it is said.
+    pub(super) sections: Memo<(Arc<Search>, Voice), Arc<[Section]>>,
+    /// The samples of each region, and those in none.
+    pub(super) counted: Memo<Divided, Arc<Counts>>,
+    pub(super) heat_picture: Memo<HeatLook, TextureHandle>,
+    /// The samples in the order of their rows.
+    pub(super) order: Memo<(PlotInputs, Sorting), Arc<[u32]>>,
 }
 
 impl Workbench {
     /// A workbench with a session on it.
     pub(crate) fn new(loaded_session: Arc<LoadedSession>, jobs: Jobs<Self>) -> Self {
-        let first = Arc::clone(&loaded_session);
-        let history = History::new(Document::new(loaded_session));
         let mut workbench = Self {
-            first,
+            first: Arc::clone(&loaded_session),
             file_state: FileState::default(),
-            history,
-            view: ViewState::default(),
+            history: History::new(Document::new(loaded_session)),
+            view: ViewState::new(),
+            derived: Derived::default(),
             changes: RefCell::default(),
             dragging: false,
-            left_draft: None,
-            identified: None,
-            searched: None,
             copied: None,
-            spoken_sections: SpokenSections::default(),
-            counted: RefCell::default(),
-            stopped: None,
-            preview: None,
-            plot_cache: PlotCache::default(),
-            compensated: None,
-            exported: Vec::new(),
-            saved_as: None,
             waiting: None,
             picture: None,
             chooser: None,
-            asked: PendingQueries::default(),
             jobs,
         };
         workbench.remember_on_file(Arc::clone(workbench.history.present()));
@@ -170,6 +165,12 @@ pub(super) struct FileState {
     pub(super) dismissed: Option<OnDisk>,
     /// Documents that stand in a file, or need none.
     pub(super) on_file: Vec<Arc<Document>>,
+    /// The import that was left without being done, with what was said.
+    pub(super) left_draft: Option<ImportDraft>,
+    /// Files that were exported from this session, the newest last, each with what its model answers.
+    pub(super) exported: Vec<(PathBuf, Option<Question>)>,
+    /// The name under which this export was saved last.
+    pub(super) saved_as: Option<(ExportChoice, String)>,
     /// What was asked of the model that was written last.
     pub(super) model_on_file: Option<Question>,
     pub(super) then: Option<NextAction>,
@@ -188,14 +189,8 @@ pub(super) struct PendingQueries {
     pub(super) searched: Option<Arc<LoadedSession>>,
 }
 
-/// Sections as they were said last; nothing until they are asked for.
-#[derive(Debug, Default)]
-pub(super) struct SpokenSections(pub(super) RefCell<Option<CachedSections>>);
-
-/// Of which diagnosis, how it is said, and the sections.
-pub(super) type CachedSections = (Arc<Search>, Voice, Arc<[Section]>);
-/// Of which session and regions; the samples of each, and those in none.
-pub(super) type Counted = (Arc<LoadedSession>, Arc<[Region]>, Arc<(Vec<Count>, usize)>);
+/// A map, and how it is looked at: the blend, the upper end of its scale, mm, and what it stands on.
+pub(super) type HeatLook = (Arc<Heat>, f32, f64, Color32);
 /// How it is said.
 pub(super) type Voice = (Units, Language, Notation);
 
@@ -304,12 +299,9 @@ impl Workbench {
         if sheet.is_none() {
             match &self.view.sheet {
                 // Closing the question cancels what it was about.
-                Some(
-                    Sheet::Unsaved(_)
-                    | Sheet::Overwrite(_)
-                    | Sheet::SavePath { .. }
-                    | Sheet::ExportPath { .. },
-                ) => self.cancel_pending_action(),
+                Some(Sheet::Unsaved(_) | Sheet::Overwrite(_) | Sheet::Path { .. }) => {
+                    self.cancel_pending_action();
+                }
                 Some(Sheet::Import(_)) => self.leave_draft(),
                 _ => {}
             }
@@ -339,7 +331,7 @@ impl Workbench {
             self.after_travel(before.lineage);
         }
         if before.lineage != self.loaded_session().lineage {
-            self.exported.clear();
+            self.file_state.exported.clear();
             self.leave_effects();
             self.look_along_the_axis();
             self.view.step = Step::Session;
@@ -361,7 +353,7 @@ impl Workbench {
     /// Identifies from now on, by this method or as it is chosen.
     pub(crate) fn identify(&mut self, method: Option<Method>) {
         self.edit(phrase!("identify"), |document| document.identify(method));
-        self.asked.questions.resume();
+        self.derived.asked.questions.resume();
     }
 
     /// Adds what a search found to the exact fit.

@@ -10,7 +10,7 @@ use crate::gui::file_state::recovery::{LeftBehind, RecoveryFile};
 use crate::gui::file_state::{self, Recent, Settings};
 use crate::gui::files;
 use crate::gui::jobs::{Kind, Watch};
-use crate::gui::view::{OnDisk, Sheet};
+use crate::gui::view::{OnDisk, Sheet, What};
 
 use super::Workbench;
 use crate::gui::workbench::Place;
@@ -66,10 +66,14 @@ impl Workbench {
         self.file_state.left_behind.as_ref()
     }
 
+    /// Where the session stands on the disk.
+    fn place(&self) -> Option<&Place> {
+        self.file_state.places.get(&self.loaded_session().lineage)
+    }
+
     /// The file that the session stands in.
     pub(crate) fn file(&self) -> Option<&Path> {
-        let place = self.file_state.places.get(&self.loaded_session().lineage);
-        place.map(|place| place.path.as_path())
+        self.place().map(|place| place.path.as_path())
     }
 
     /// The folder where new files of what is open belong: beside its own file, or beside the one
@@ -105,18 +109,19 @@ impl Workbench {
         }
     }
 
-    /// Opens the sheet on which a path to save to is typed.
-    pub(crate) fn type_path_to_save(&mut self) {
-        self.view.sheet = Some(Sheet::SavePath {
-            path: self.proposed_path().display().to_string(),
+    /// Opens the sheet on which a path to write to is typed.
+    pub(crate) fn type_path(&mut self, what: What) {
+        let path = self.placed(self.name_of(what).as_ref());
+        self.view.sheet = Some(Sheet::Path {
+            what,
+            path: path.display().to_string(),
             replace: false,
         });
     }
 
     /// The file with its samples, if they are in one.
     pub(crate) fn samples_file(&self) -> Option<&Path> {
-        let place = self.file_state.places.get(&self.loaded_session().lineage);
-        place.and_then(|place| place.samples.as_deref())
+        self.place().and_then(|place| place.samples.as_deref())
     }
 
     /// A session or a model was opened.
@@ -144,11 +149,9 @@ impl Workbench {
 
     /// Another opening is looked at now: what was made of the one before is none of its.
     pub(super) fn arrived(&mut self) {
-        self.compensated = None;
-        self.saved_as = None;
-        if let Some(Sheet::SavePath { .. } | Sheet::ExportPath { .. } | Sheet::COMPENSATION) =
-            self.view.sheet
-        {
+        self.derived.compensated = None;
+        self.file_state.saved_as = None;
+        if let Some(Sheet::Path { .. } | Sheet::COMPENSATION) = self.view.sheet {
             self.view.sheet = None;
             self.cancel_pending_action();
         }
@@ -179,7 +182,7 @@ impl Workbench {
     /// Reads the session's file again. Undo brings back what was here.
     pub(crate) fn reload(&mut self) {
         self.view.on_disk = None;
-        let Some(place) = self.file_state.places.get(&self.loaded_session().lineage) else {
+        let Some(place) = self.place() else {
             return;
         };
         let (path, files) = (place.path.clone(), place.files.clone());
@@ -210,8 +213,7 @@ impl Workbench {
     /// Looks in the background whether the files of what is open are what they were, and which of the recent ones are
     /// there. What this window is writing itself is not looked at.
     pub(crate) fn look_at_disk(&mut self) {
-        let place = self.file_state.places.get(&self.loaded_session().lineage);
-        let own = place.filter(|_| self.writing().is_none());
+        let own = self.place().filter(|_| self.writing().is_none());
         let files = own.map_or_else(Vec::new, |place| place.files.clone());
         let (number, recent) = (self.file_state.look, self.file_state.recent.clone());
         let work = move || Looked {

@@ -3,7 +3,6 @@
 mod how_far;
 mod under_way;
 
-use std::path::Path;
 use std::sync::Arc;
 
 use super::Workbench;
@@ -182,7 +181,7 @@ fn a_saved_session_brings_its_regions_and_its_tolerance_back() {
     assert!(workbench.unsaved());
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("kept.json");
-    workbench.execute(|bench| bench.save_as(&path.clone(), false));
+    workbench.execute(|bench| bench.export_as(What::Session, path.clone(), false));
     workbench.receive();
     assert!(!workbench.unsaved(), "{:?}", workbench.view.message);
     let regions = Arc::clone(&workbench.document().regions);
@@ -191,7 +190,7 @@ fn a_saved_session_brings_its_regions_and_its_tolerance_back() {
     assert_eq!(workbench.document().regions, regions);
     assert_eq!(workbench.document().tolerance_mm, Some(0.35));
 
-    workbench.execute(|bench| bench.save_as(&path, false));
+    workbench.execute(|bench| bench.export_as(What::Session, path.clone(), false));
     workbench.receive();
     let message = workbench.view.message.as_ref().expect("it is said");
     assert!(message.wrong && message.details[0].contains("exists already"));
@@ -203,7 +202,7 @@ fn what_this_window_saved_is_not_taken_for_a_change_by_another_program() {
     let mut workbench = workbench();
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("own.json");
-    workbench.execute(|bench| bench.save_as(&path, true));
+    workbench.execute(|bench| bench.export_as(What::Session, path.clone(), true));
     workbench.receive();
     let before = workbench.file_state.look;
     done(&mut workbench, |bench| {
@@ -372,7 +371,7 @@ fn new_files_belong_beside_what_they_were_made_of() {
     let proposed = workbench.proposed_path();
     assert_eq!(proposed.parent(), Some(folder.path()));
     // A bare name means the same folder, not the one that the program was started in.
-    workbench.execute(|bench| bench.save_as(Path::new("column.json"), false));
+    workbench.execute(|bench| bench.export_as(What::Session, "column.json".into(), false));
     workbench.receive();
     let saved = folder.path().join("column.json");
     assert!(saved.exists(), "{:?}", workbench.view.message);

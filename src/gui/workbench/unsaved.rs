@@ -186,7 +186,7 @@ impl Workbench {
     pub(crate) fn save(&mut self) {
         match self.file().map(Path::to_path_buf) {
             Some(path) => self.save_to(&path, Replace::Own),
-            None => self.choose_where_to_save(),
+            None => self.choose_where_to_export(What::Session),
         }
     }
 
@@ -197,34 +197,11 @@ impl Workbench {
         }
     }
 
-    /// Saves to the file that was typed; whether one that is there may be replaced.
-    pub(crate) fn save_as(&mut self, path: &Path, replace: bool) {
-        let replace = if replace {
-            Replace::Named
-        } else {
-            Replace::Nothing
-        };
-        self.save_to(&self.placed(path), replace);
-    }
-
-    /// A model by itself: that is said.
-    pub(super) fn has_nothing_to_save(&mut self) -> bool {
-        let nothing = self.loaded_session().is_empty();
-        if nothing {
-            self.complain(
-                say!("There is no session to save"),
-                [say!("A model by itself is saved in the Export step")],
-            );
-        }
-        nothing
-    }
-
     /// Saves what is open to a file.
-    pub(super) fn save_to(&mut self, path: &Path, replace: Replace) {
-        if self.has_nothing_to_save() {
-            return;
+    fn save_to(&mut self, path: &Path, replace: Replace) {
+        if self.prepared(What::Session).is_some() {
+            self.save_document(Arc::clone(self.history.present()), path, replace);
         }
-        self.save_document(Arc::clone(self.history.present()), path, replace);
     }
 
     /// Saves this to a file.
@@ -383,9 +360,8 @@ impl Workbench {
         session.path.clone_from(&file);
         let origin = Origin::Recovered(file);
         let loaded_session = Arc::new(LoadedSession::new(session, Vec::new(), origin));
-        let choices = left.kept.choices();
         self.edit(phrase!("restore"), |document| {
-            document.recover(loaded_session, choices);
+            document.recover(loaded_session, &left.kept.about.choices);
             Ok(())
         });
         self.file_state.restored.push(left);

@@ -16,19 +16,18 @@ use crate::gui::view::Colouring;
 use crate::gui::widgets;
 use crate::gui::workbench::Workbench;
 use crate::numeric::single;
+use crate::present::chart::Form;
 use crate::present::numbers::{significant, trimmed};
 
 use super::layout;
 use super::model::{Shown, judged};
-use super::pen::{Camera, Form, Label, Pen};
+use super::pen::{Camera, Label, Pen};
 use super::robot::Drawn;
 
 /// The longest that the scale's arrow gets, points.
 const LONGEST_SCALE: f64 = 52.0;
 /// Room for the arrow and its length in words, points.
 const SCALE: f32 = 116.0;
-/// Side of the square of a pose that was not measured, points.
-pub(super) const SQUARE: f32 = 5.0;
 /// Width of the sign of a mark or a line, points.
 const SIGN: f32 = 14.0;
 
@@ -218,14 +217,13 @@ fn meanings(all: &mut Vec<Entry>, workbench: &Workbench, shown: &Shown, palette:
         let edge = Stroke::new(1.4, palette.outside);
         let [within, outside] = [true, false].map(|within| judged(workbench, within));
         all.push(disc(within, palette.within));
-        all.push(Entry::mark(outside, (Form::Diamond, 4.2), inner, edge));
+        all.push(Entry::mark(outside, (Form::Diamond, 3.2), inner, edge));
     } else {
         all.push(disc(say!("measured"), palette.text));
     }
     if !shown.over.is_empty() {
-        let square = (Form::Square, 0.5 * SQUARE);
         let name = say!("poses over the joints’ ranges");
-        all.push(Entry::mark(name, square, middle, Stroke::NONE));
+        all.push(Entry::new(name, move |pen, at| pen.square(at, middle)));
     }
 }
 

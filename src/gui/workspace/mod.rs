@@ -14,14 +14,14 @@ mod toolbar;
 
 pub(crate) use layout::nearest;
 pub(crate) use model::judged;
-pub(crate) use pointer::{hover, marked, sample_menu};
+pub(crate) use pointer::{hover, marked};
 pub(crate) use space::robot_alone;
 pub(crate) use toolbar::show as bar;
 
 use egui::{ColorImage, Context, Id, Pos2, Rect, Role, Ui, WidgetInfo, vec2};
 use egui_plot::Axis;
 
-use crate::gui::plots::{self, Drawing, axis, steps_in};
+use crate::gui::plots::{self, axis, steps_in};
 use crate::gui::style::Palette;
 use crate::gui::view::Step;
 use crate::gui::workbench::Workbench;
@@ -93,20 +93,13 @@ fn plane(ui: &mut Ui, workbench: &Workbench) {
     if editing {
         handles::grab(ui, workbench);
     }
-    let drawn = plots::show(ui, plot, |plot| {
-        plot.add(Drawing::new(
-            "workspace",
-            bounds,
-            |ui, transform, shapes| {
-                let transform = *transform;
-                let camera = Camera { facing, transform };
-                let mut pen = Pen::new(ui.painter(), &palette);
-                scene::plane(&mut pen, workbench, shown, robot, editing, &camera);
-                shapes.append(&mut pen.shapes);
-            },
-        ));
+    let (response, transform) = plots::show(ui, plot, bounds, |painter, transform| {
+        let transform = *transform;
+        let camera = Camera { facing, transform };
+        let mut pen = Pen::new(painter, &palette);
+        scene::plane(&mut pen, workbench, shown, robot, editing, &camera);
+        pen.shapes
     });
-    let (response, transform) = (drawn.response, drawn.transform);
     let camera = Camera { facing, transform };
     let frame = camera.frame();
     tell_plot_size(

@@ -3,15 +3,18 @@
 
 use std::sync::Arc;
 
-use egui::epaint::CircleShape;
 use egui::text::{LayoutJob, TextWrapping};
 use egui::{Align2, Color32, FontId, Galley, Painter, Pos2, Rect, Shape, Stroke, Ui, Vec2, vec2};
 use egui_plot::{PlotBounds, PlotPoint, PlotTransform};
 
-use crate::gui::plots::{DIAMOND, corners_of};
+use crate::gui::plots::mark;
 use crate::gui::style::{Palette, size};
 use crate::gui::view::Facing;
 use crate::numeric::single;
+use crate::present::chart::Form;
+
+/// Side of the square of a pose that was not measured, points.
+const SQUARE: f32 = 5.0;
 
 /// Planes and the view in space are parallel projections of mm of the measuring frame along the line of sight; in a
 /// plane the camera is locked. A plot's coordinates are mm.
@@ -63,17 +66,6 @@ impl Camera {
         vec2(single(right), -single(up))
     }
 }
-
-/// The form of a mark.
-#[derive(Debug, Clone, Copy)]
-pub(super) enum Form {
-    Disc,
-    /// A square on its tip.
-    Diamond,
-    Square,
-}
-
-const SQUARE: [[f32; 2]; 4] = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
 
 /// Words, and how they stand at their place.
 #[derive(Debug, Clone)]
@@ -152,20 +144,13 @@ impl<'a> Pen<'a> {
         fill: Color32,
         edge: Stroke,
     ) {
-        let corners = match form {
-            Form::Disc => {
-                return self.shapes.push(Shape::Circle(CircleShape {
-                    center: at,
-                    radius,
-                    fill,
-                    stroke: edge,
-                }));
-            }
-            Form::Diamond => &DIAMOND,
-            Form::Square => &SQUARE,
-        };
-        let corners = corners_of(corners, at, radius, vec2(1.0, 0.0));
-        self.shapes.push(Shape::convex_polygon(corners, fill, edge));
+        self.shapes.push(mark(at, radius, form, fill, edge));
+    }
+
+    /// A pose that was not measured.
+    pub(super) fn square(&mut self, at: Pos2, fill: Color32) {
+        let square = Rect::from_center_size(at, Vec2::splat(SQUARE));
+        self.shapes.push(Shape::rect_filled(square, 0.0, fill));
     }
 
     /// An arrow with a head that grows with it, up to a point.

@@ -4,11 +4,11 @@
 
 use egui::text::{LayoutJob, TextFormat};
 use egui::{
-    Button, CursorIcon, FontId, Id, PopupAnchor, Pos2, Rect, Response, Role, Stroke, Tooltip, Ui,
-    Vec2, WidgetInfo, vec2,
+    CursorIcon, FontId, Id, PopupAnchor, Pos2, Rect, Response, Role, Stroke, Tooltip, Ui, Vec2,
+    WidgetInfo, vec2,
 };
 
-use crate::gui::actions::{EXCLUDE, WindowState};
+use crate::gui::actions::EXCLUDE;
 use crate::gui::cache::cloud::Cloud;
 use crate::gui::core::loaded_session::Component;
 use crate::gui::core::quantity::joint_value;
@@ -114,28 +114,11 @@ pub(crate) fn hover(response: &egui::Response, workbench: &Workbench, under: Opt
         workbench.then(move |bench| bench.view.select(under));
     }
     if workbench.view.selected.is_some() {
-        response.context_menu(|ui| sample_menu(ui, workbench));
+        response.context_menu(|ui| drop(EXCLUDE.item(ui, workbench)));
     }
     if let Some(sample) = under.filter(|_| response.hovered()) {
         response.ctx.set_cursor_icon(CursorIcon::PointingHand);
         card(response, workbench, sample);
-    }
-}
-
-/// What can be done with the chosen samples.
-pub(crate) fn sample_menu(ui: &mut Ui, workbench: &Workbench) {
-    let ctx = ui.ctx().clone();
-    let now = WindowState {
-        ctx: &ctx,
-        workbench,
-    };
-    let button = Button::new(EXCLUDE.label(now)).shortcut_text(EXCLUDE.keys(&ctx));
-    let name = EXCLUDE.label(now);
-    let response = ui.add_enabled(EXCLUDE.enabled(now), button);
-    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, &name));
-    if response.clicked() {
-        EXCLUDE.ask_for(now);
-        ui.close();
     }
 }
 

@@ -15,9 +15,10 @@ use crate::gui::core::skeleton::Skeleton;
 use crate::gui::style::Palette;
 use crate::gui::workbench::Workbench;
 use crate::kinematics::{JointKind, Robot};
+use crate::present::chart::Form;
 
 use super::model::magnification;
-use super::pen::{Camera, Form, Pen};
+use super::pen::{Camera, Pen};
 
 /// The real robot is displaced by no more than this part of the workspace.
 const MOST_DISPLACED: f64 = 0.3;

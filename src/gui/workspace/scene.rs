@@ -5,24 +5,24 @@
 use std::sync::Arc;
 
 use egui::epaint::Mesh;
-use egui::{Align2, Color32, Rect, Shape, Stroke, pos2, vec2};
+use egui::{Align2, Color32, Rect, Shape, Stroke, TextureOptions, pos2, vec2};
 use nalgebra::{Isometry3, Point3, UnitQuaternion, Vector3};
 
 use crate::gui::cache::cloud::Cloud;
 use crate::gui::core::scale::round_down;
-use crate::gui::layers::gpu::{CloudLayer, HeatLayer, Layer as _};
-use crate::gui::layers::{Frame, LayerOptions, WEDGE, WIDTH, scale_at};
+use crate::gui::layers::gpu::CloudLayer;
+use crate::gui::layers::{Frame, WEDGE, WIDTH, heat_map, map_in_plot, scale_at};
 use crate::gui::style::{size, strong};
 use crate::gui::view::{Ball, Colouring};
 use crate::gui::workbench::Workbench;
 use crate::numeric::whole;
+use crate::present::chart::Form;
 use crate::present::numbers::trimmed;
 use crate::sessions::Region;
 
 use super::layout::{self, HANDLE, SECTOR};
-use super::legend::SQUARE;
 use super::model::{Dial, Shown, VisibleSample, ball, shown};
-use super::pen::{Camera, Form, Label, Pen};
+use super::pen::{Camera, Label, Pen};
 use super::pointer::marked;
 use super::robot::{Drawn, body};
 
@@ -92,16 +92,14 @@ fn heat(pen: &mut Pen<'_>, workbench: &Workbench, shown: &Shown, camera: &Camera
     let Some(heat) = workbench.heat() else {
         return;
     };
-    // The map is of lengths, whatever the colour of vectors says.
-    let look = LayerOptions {
-        colouring: Colouring::Deviation,
-        ..shown.look
-    };
-    let pixels = pen.painter.pixels_per_point();
-    let frame = Frame::new(&look, pen.palette, &camera.transform, Some(heat), pixels);
-    let heat = Arc::clone(heat);
+    let (look, palette, ctx) = (&shown.look, pen.palette, pen.painter.ctx());
+    let of = (Arc::clone(heat), look.blend, look.long_mm, palette.surface);
+    let picture = workbench.heat_picture(of, || {
+        let image = heat_map(heat, look, palette);
+        ctx.load_texture("heat map", image, TextureOptions::LINEAR)
+    });
     pen.shapes
-        .push(HeatLayer { heat, frame }.shape(camera.frame()));
+        .push(map_in_plot(heat, picture.id(), &camera.transform));
 }
 
 /// The way of each reflector on the nominal robot, with how sure the model is of it.
@@ -109,8 +107,7 @@ fn path(pen: &mut Pen<'_>, shown: &Shown, camera: &Camera) {
     let palette = pen.palette;
     let sure = |part: f32| scale_at(Colouring::Uncertainty, palette, part);
     for (at, part) in &shown.over {
-        let square = (Form::Square, 0.5 * SQUARE);
-        pen.mark(camera.at(*at), square, sure(*part), Stroke::NONE);
+        pen.square(camera.at(*at), sure(*part));
     }
     for (k, path) in shown.paths_mm.iter().enumerate() {
         let parts = shown.sure.get(k).map_or(&[][..], Vec::as_slice);
@@ -137,7 +134,7 @@ fn samples(pen: &mut Pen<'_>, workbench: &Workbench, shown: &Shown, camera: &Cam
     let layer = CloudLayer {
         cloud: Cloud::of(workbench.loaded_session()),
         remainder: workbench.remainder(),
-        frame: Frame::new(&shown.look, pen.palette, &camera.transform, None, pixels),
+        frame: Frame::new(&shown.look, pen.palette, &camera.transform, pixels),
         counts: layout::counts(shown, &camera.transform),
         ghosts: shown.look.ghosts(),
     };
@@ -348,7 +345,7 @@ fn proposed(pen: &mut Pen<'_>, workbench: &Workbench, space: &Space) {
         let at = session.robot.point_in_base(&pose.q, &target);
         let at = space.camera.at(space.of_base(at.into()));
         let edge = Stroke::new(1.5, pen.palette.accent);
-        pen.mark(at, (Form::Diamond, 5.0), Color32::TRANSPARENT, edge);
+        pen.mark(at, (Form::Diamond, 3.85), Color32::TRANSPARENT, edge);
     }
 }
 

@@ -53,17 +53,35 @@ pub(crate) fn show(
             }
         });
     }
-    let row = Row {
-        drawn,
-        blends: blends && roomy && extra.is_none(),
-        least: match blends {
-            _ if extra.is_some() => f32::INFINITY,
-            true => WITH_BLEND,
-            false => TITLED,
-        },
-        tight,
+    let titled = match blends {
+        _ if extra.is_some() => f32::INFINITY,
+        true => WITH_BLEND,
+        false => TITLED,
     };
-    row.show(ui, workbench, first);
+    widgets::row(ui, |ui| {
+        first(ui);
+        if ui.available_width() > titled * stretch() {
+            title(ui, say!("Workspace"));
+        }
+        ways(ui, workbench, tight);
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            if drawn {
+                picture(ui, Plot::Workspace, None, workbench);
+            }
+            if plots::fit(ui, say!("Fit to view")) {
+                workbench.then(|bench| bench.view.fit_workspace());
+            }
+            if drawn && tight {
+                folded(ui, say!("display"), say!("How it is drawn"), |ui| {
+                    everything(ui, workbench);
+                });
+            }
+            if blends && roomy && extra.is_none() {
+                ui.add_space(space::TIGHT);
+                blend(ui, workbench);
+            }
+        });
+    });
     if drawn && !tight {
         ui.horizontal_wrapped(|ui| {
             magnification(ui, workbench);
@@ -76,47 +94,6 @@ pub(crate) fn show(
         ui.horizontal(|ui| {
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 blend(ui, workbench);
-            });
-        });
-    }
-}
-
-/// The first row of the bar.
-struct Row {
-    /// Whether there are samples to draw.
-    drawn: bool,
-    /// Whether the slider from before to after stands in it.
-    blends: bool,
-    /// The room above which the plot has a title, points.
-    least: f32,
-    /// Whether how anything is drawn stands behind a button.
-    tight: bool,
-}
-
-impl Row {
-    fn show(&self, ui: &mut Ui, workbench: &Workbench, first: First<'_>) {
-        widgets::row(ui, |ui| {
-            first(ui);
-            if ui.available_width() > self.least * stretch() {
-                title(ui, say!("Workspace"));
-            }
-            ways(ui, workbench, self.tight);
-            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-                if self.drawn {
-                    picture(ui, Plot::Workspace, None, workbench);
-                }
-                if plots::fit(ui, say!("Fit to view")) {
-                    workbench.then(|bench| bench.view.fit_workspace());
-                }
-                if self.drawn && self.tight {
-                    folded(ui, say!("display"), say!("How it is drawn"), |ui| {
-                        everything(ui, workbench);
-                    });
-                }
-                if self.blends {
-                    ui.add_space(space::TIGHT);
-                    blend(ui, workbench);
-                }
             });
         });
     }

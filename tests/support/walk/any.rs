@@ -21,7 +21,6 @@ use crate::gui::import_draft::{ImportAnswers, ImportDraft, RobotFrom};
 use crate::gui::preferences::{Preferences, Sizes, Theme};
 use crate::gui::view::{About, NextAction, Sheet, What};
 use crate::gui::workbench::{Change, Workbench};
-use crate::kinematics::JointKind;
 use crate::present::units::{AngleUnit, LengthUnit};
 use crate::programs::ExternalAxes;
 use crate::progress::{Progress, unwatched};
@@ -131,13 +130,13 @@ fn setup(random: &mut ChaCha8Rng, loaded_session: &LoadedSession) -> SetupForm {
     let number = random.random_range(-300.0..300.0);
     let axis = random.random_range(0..3);
     match random.random_range(0..8) {
-        0 => form.joints[0].axis[axis] = number,
-        1 => form.joints[0].limits = Some([number, 90.0]),
+        0 => form.joints[0].numbers[axis] = number,
+        1 => form.joints[0].travel = Some([number, 90.0]),
         2 => form.tool_mm[axis] = number,
         3 => form.sigma = Some(Sigma::Overall(number)),
-        4 => form.joints[0].kind = JointKind::Prismatic,
-        5 => form.joints[0].axis = [0.0; 3],
-        6 => form.joints[0].limits = None,
+        4 => form.joints[0].slides = true,
+        5 => form.joints[0].numbers[..3].fill(0.0),
+        6 => form.joints[0].travel = None,
         _ => {
             if let Some(target) = form.targets.first_mut() {
                 target.position_mm[axis] = number;
@@ -344,12 +343,12 @@ fn what(random: &mut ChaCha8Rng) -> (What, &'static str) {
 fn sheet(random: &mut ChaCha8Rng, files: &Files, workbench: &Workbench) -> Option<Sheet> {
     let path = || files.folder.join("typed.json").display().to_string();
     Some(match random.random_range(0..12) {
-        0 => Sheet::SavePath {
-            path: path(),
-            replace: random.random(),
-        },
-        1 => Sheet::ExportPath {
-            what: what(random).0,
+        at @ 0..2 => Sheet::Path {
+            what: if at == 0 {
+                What::Session
+            } else {
+                what(random).0
+            },
             path: path(),
             replace: random.random(),
         },
@@ -532,7 +531,7 @@ pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Fi
         87..=90 => {
             let path = files.to_write(random, "json");
             let deed = deed("SaveAs", (path.clone(), random.random()), |bench, it| {
-                bench.save_as(&it.0, it.1);
+                bench.export_as(What::Session, it.0, it.1);
             });
             Deed {
                 writes: Some(path),

@@ -236,6 +236,12 @@ impl EffectCurve {
         })
     }
 
+    /// Where it begins and ends along the chart.
+    pub(crate) fn ends(&self) -> [f64; 2] {
+        let ends = self.spots.first().zip(self.spots.last());
+        ends.map_or([0.0, 1.0], |(a, b)| [a.x, b.x])
+    }
+
     /// Where a sample stands.
     pub(crate) fn spot(&self, sample: usize) -> Option<&EffectSample> {
         let place = *self.places.get(sample)?;
@@ -243,12 +249,10 @@ impl EffectCurve {
     }
 }
 
+/// Smallest and largest of the finite values; nothing where there is none.
 fn extent(values: impl Iterator<Item = f64>) -> [f64; 2] {
-    let finite = values.filter(|v| v.is_finite());
-    let ends = finite
-        .map(|v| [v; 2])
-        .reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])]);
-    ends.unwrap_or([0.0; 2])
+    let ends = crate::numeric::extent(values);
+    if ends[0] <= ends[1] { ends } else { [0.0; 2] }
 }
 
 /// Places along a line.

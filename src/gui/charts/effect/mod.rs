@@ -38,7 +38,7 @@ pub(crate) fn sketches(search: &Arc<Search>) -> Work {
     let key = vec![Arc::as_ptr(&search).addr()];
     let key = WorkKey::Chart("effects on cards", Component::Length, key);
     Work::new(key, move |given| -> Sketches {
-        let session = given.loaded_session;
+        let session = &*given.loaded_session;
         let found = search.answer.as_ref().ok();
         let found = found.filter(|_| session.overview.usable.len() <= FOR_SKETCHES);
         let curve = |d, index| {
@@ -74,7 +74,7 @@ impl ChartKind for Effect {
         let component = scene.component;
         Some(Work::new(
             WorkKey::Chart(ID, component, key),
-            move |given| EffectCurve::of(given.loaded_session, &search, index, component),
+            move |given| EffectCurve::of(&given.loaded_session, &search, index, component),
         ))
     }
 
@@ -160,10 +160,10 @@ fn name(curve: &EffectCurve) -> String {
 }
 
 fn scale(scene: &Scene, curve: &EffectCurve) -> Scale {
-    let ends = curve.spots.first().zip(curve.spots.last());
-    let span = ends.map_or(0.0, |(a, b)| b.x - a.x);
-    let units = scene.units;
-    curve.over.scale(&scene.loaded_session, units, span)
+    let [from, to] = curve.ends();
+    curve
+        .over
+        .scale(&scene.loaded_session, scene.units, to - from)
 }
 
 /// Samples that are drawn.
@@ -181,8 +181,7 @@ fn drawn(scene: &Scene, curve: &EffectCurve) -> Chart {
     };
     let [low, high] = curve.extent_mm;
     let by = (0.08 * (high - low)).max(0.5 * LEAST_SPAN);
-    let ends = curve.spots.first().zip(curve.spots.last());
-    let [from, to] = ends.map_or([0.0, 1.0], |(a, b)| [a.x, b.x]);
+    let [from, to] = curve.ends();
     let least = 1e-3 + 1e-9 * from.abs().max(to.abs());
     let beside = (0.03 * (to - from)).max(least);
     let bounds = [
@@ -230,14 +229,7 @@ fn drawn(scene: &Scene, curve: &EffectCurve) -> Chart {
             component,
             effect = what
         ),
-        across: Axis::turning(
-            format!(
-                "{}, {}",
-                curve.over.label(&scene.loaded_session),
-                scale.unit
-            ),
-            scale.degrees,
-        ),
+        across: scale.axis(curve.over.label(&scene.loaded_session)),
         upwards: Axis::numbers(format!("{component}, {}", units.length_name())),
         bounds,
         items,

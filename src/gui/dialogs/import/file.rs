@@ -302,15 +302,7 @@ pub(super) fn commanded(ui: &mut Ui, draft: &mut ImportDraft, workbench: &Workbe
         say!("File of the commands"),
         say!("a table with q1_deg, … and perhaps name, time_s, dir1, load_kg"),
     );
-    let mut typed = draft.answers.commands.clone();
-    path(
-        ui,
-        field,
-        &mut typed,
-        (Companion::Commands, draft),
-        workbench,
-    );
-    draft.answers.commands = typed;
+    path(ui, field, Companion::Commands, draft, workbench);
     if draft.answers.commands.trim().is_empty() {
         return;
     }
@@ -369,15 +361,7 @@ pub(super) fn base_frame(ui: &mut Ui, draft: &mut ImportDraft, workbench: &Workb
         say!("File of the known points"),
         say!("a table with name, x_mm, y_mm, z_mm; the same names as in the measured file"),
     );
-    let mut typed = draft.answers.reference.clone();
-    path(
-        ui,
-        field,
-        &mut typed,
-        (Companion::Reference, draft),
-        workbench,
-    );
-    draft.answers.reference = typed;
+    path(ui, field, Companion::Reference, draft, workbench);
     if draft.answers.reference.trim().is_empty() {
         return;
     }
@@ -459,15 +443,7 @@ pub(super) fn reflectors(
         say!("File of the reflectors"),
         say!("a table with name, x_mm, y_mm, z_mm; without it one sits at the tool's origin"),
     );
-    let mut typed = draft.answers.targets.clone();
-    path(
-        ui,
-        field,
-        &mut typed,
-        (Companion::Targets, draft),
-        workbench,
-    );
-    draft.answers.targets = typed;
+    path(ui, field, Companion::Targets, draft, workbench);
     let answers = &mut draft.answers;
     if open.len() > 1 && answers.targets.trim().is_empty() {
         let names: Vec<&str> = open.iter().map(|target| &*target.name).collect();
@@ -488,11 +464,11 @@ pub(super) fn reflectors(
 pub(super) fn path(
     ui: &mut Ui,
     (label, hint): (&str, &str),
-    typed: &mut String,
-    (which, now): (Companion, &ImportDraft),
+    which: Companion,
+    draft: &mut ImportDraft,
     workbench: &Workbench,
-) -> bool {
-    let mut changed = false;
+) {
+    let mut typed = draft.answers.path_of(which).to_owned();
     let row = egui::Layout::right_to_left(egui::Align::Center);
     ui.allocate_ui_with_layout(
         egui::vec2(ui.available_width(), space::CONTROL),
@@ -501,33 +477,30 @@ pub(super) fn path(
             let button = ui.button(say!("Choose…"));
             widgets::label(&button, say!("Choose: {label}", label));
             button.does(workbench, move |bench| bench.choose_beside(which));
-            let field = TextEdit::singleline(typed).hint_text(hint);
+            let field = TextEdit::singleline(&mut typed).hint_text(hint);
             let field = ui.add_sized([ui.available_width(), space::CONTROL], field);
             widgets::label(&field, label);
-            changed = field.changed();
         },
     );
-    if !typed.trim().is_empty() {
-        let is_this = |(of, path): &(Companion, PathBuf)| {
-            *of == which && path.as_path() == Path::new(typed.as_str())
-        };
-        if now.taken.iter().any(is_this) {
-            let says = say!("Taken because its name is that of the file");
-            widgets::hint(ui, says);
-        }
-        return changed;
+    let is_typed = |(of, path): &(Companion, PathBuf)| {
+        *of == which && path.as_path() == Path::new(typed.as_str())
+    };
+    if draft.taken.iter().any(is_typed) {
+        widgets::hint(ui, say!("Taken because its name is that of the file"));
     }
+    let none = typed.trim().is_empty();
     ui.horizontal_wrapped(|ui| {
-        for path in now.neighbours.suiting(which) {
+        for path in draft.neighbours.suiting(which).filter(|_| none) {
             let file = name_of(path);
             let text = say!("Use {file} from the same folder", file);
             let link = ui.link(RichText::new(text).size(size::SMALL));
             widgets::label(&link, say!("Use {file}: {label}", file, label));
             if link.clicked() {
-                *typed = path.display().to_string();
-                changed = true;
+                typed = path.display().to_string();
             }
         }
     });
-    changed
+    if typed != draft.answers.path_of(which) {
+        draft.answers.choose(which, typed);
+    }
 }

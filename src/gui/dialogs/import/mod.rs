@@ -5,9 +5,9 @@
 mod columns;
 mod file;
 
-use egui::{
-    DragValue, Key, Label, ProgressBar, RadioButton, Response, RichText, ScrollArea, TextEdit, Ui,
-};
+use std::sync::Arc;
+
+use egui::{Key, Label, ProgressBar, RadioButton, Response, RichText, ScrollArea, TextEdit, Ui};
 
 use crate::diagnostic::Severity;
 use crate::kinematics::{JointKind, Robot};
@@ -18,7 +18,7 @@ use crate::text::{length, spoken};
 use crate::gui::core::disk::{EXAMPLES, name_of};
 use crate::gui::core::robot_table::RobotTable;
 use crate::gui::import_draft::{
-    Companion, ImportDraft, LOOKING, RobotFrom, Trial, in_the_windows_words,
+    Companion, ImportDraft, InspectedDraft, LOOKING, RobotFrom, Trial, in_the_windows_words,
 };
 use crate::gui::style::{Palette, size, space};
 use crate::gui::views::blocks;
@@ -36,51 +36,50 @@ const LEAST: f32 = 150.0;
 /// Width of the field in which a robot is looked for, points.
 const LIST: f32 = 300.0;
 
-pub(super) fn show(ui: &mut Ui, workbench: &Workbench, now: &ImportDraft) {
+pub(super) fn show(ui: &mut Ui, workbench: &Workbench, draft: &mut ImportDraft) {
     let window = ui.ctx().content_rect();
     widgets::wide(ui, WIDTH);
-    let name = name_of(&now.path);
+    let name = name_of(&draft.path);
     widgets::heading(ui, &say!("Import {name}", name));
-    widgets::hint(ui, file::found_out(now));
-    let mut draft = now.clone();
+    widgets::hint(ui, file::found_out(draft));
+    let (seen, asked) = (Arc::clone(&draft.seen), draft.answers.clone());
     let height = (window.height() - AROUND).max(LEAST);
     // Another file begins at its head.
-    let area = ScrollArea::vertical().id_salt(&now.path);
+    let area = ScrollArea::vertical().id_salt(&draft.path);
     area.max_height(height).show(ui, |ui| {
         // Beside what scrolls, not over it.
         ui.set_width(ui.available_width() - f32::from(space::PANEL));
-        file::show(ui, &mut draft);
-        columns::show(ui, &mut draft);
-        file::questions(ui, &mut draft);
-        for finding in now.seen.inspection.findings.iter().take(MOST) {
+        file::show(ui, draft);
+        columns::show(ui, draft);
+        file::questions(ui, draft);
+        for finding in seen.inspection.findings.iter().take(MOST) {
             line(ui, finding.severity, &in_the_windows_words(finding));
         }
-        robot(ui, workbench, &mut draft);
-        file::commanded(ui, &mut draft, workbench);
+        robot(ui, workbench, draft);
+        file::commanded(ui, draft, workbench);
         file::order_of_rows(ui, &mut draft.answers);
-        file::base_frame(ui, &mut draft, workbench);
+        file::base_frame(ui, draft, workbench);
         let open = &workbench.loaded_session().session.targets;
-        file::reflectors(ui, open, &mut draft, workbench);
-        result(ui, now, workbench.units());
+        file::reflectors(ui, open, draft, workbench);
+        result(ui, &seen, workbench.units());
         widgets::focus_in_sight(ui);
     });
     let missing = draft.hindrance();
-    foot(ui, workbench, (now, &draft), missing.as_deref());
+    let same = draft.answers == asked;
+    foot(
+        ui,
+        workbench,
+        same && !draft.is_up_to_date(),
+        missing.as_deref(),
+    );
     let ready = missing.is_none();
     if widgets::sheet_buttons_without_enter(ui, say!("Import"), ready, workbench) {
         workbench.then(Workbench::import);
-    } else if draft != *now {
-        workbench.then(move |bench| bench.change_draft(|now| *now = draft));
     }
 }
 
 /// Where the look at the file stands, or what is in the way of the import.
-fn foot(
-    ui: &mut Ui,
-    workbench: &Workbench,
-    (now, draft): (&ImportDraft, &ImportDraft),
-    missing: Option<&str>,
-) {
+fn foot(ui: &mut Ui, workbench: &Workbench, cancelled: bool, missing: Option<&str>) {
     ui.horizontal(|ui| {
         if let Some(running) = workbench.looking() {
             widgets::hint(ui, spoken(LOOKING));
@@ -91,12 +90,10 @@ fn foot(
             ui.small_button(say!("Stop looking"))
                 .does(workbench, Workbench::cancel_look);
             widgets::look_again_soon(ui);
-        } else if draft == now && !now.is_up_to_date() {
+        } else if cancelled {
             widgets::hint(ui, say!("Looking at the file was cancelled"));
-            if ui.button(say!("Look again")).clicked() {
-                let draft = draft.clone();
-                workbench.then(move |bench| bench.change_draft(|now| *now = draft));
-            }
+            ui.button(say!("Look again"))
+                .does(workbench, Workbench::keep_looking);
         } else if let Some(missing) = missing {
             let text = RichText::new(missing).size(size::NOTE);
             let text = text.color(Palette::of(ui).muted);
@@ -109,8 +106,8 @@ fn foot(
 const MOST: usize = 8;
 
 /// What the import would bring or why it is refused, once there is nothing left to ask.
-fn result(ui: &mut Ui, now: &ImportDraft, units: Units) {
-    match &now.seen.trial {
+fn result(ui: &mut Ui, seen: &InspectedDraft, units: Units) {
+    match &seen.trial {
         None => {}
         Some(Ok(trial)) => brings(ui, trial, units),
         Some(Err(because)) => {
@@ -149,17 +146,11 @@ fn robot(ui: &mut Ui, workbench: &Workbench, draft: &mut ImportDraft) {
     listed(ui, workbench, draft);
     let file = RobotFrom::Open.of_file(String::new());
     choose(ui, draft, file, say!("from this file"));
-    let mut path = match &draft.answers.robot {
-        RobotFrom::File { path, .. } => path.clone(),
-        _ => String::new(),
-    };
     let field = (
         say!("File of the robot"),
         say!("a robot, a session, or a URDF file"),
     );
-    if file::path(ui, field, &mut path, (Companion::Robot, draft), workbench) {
-        draft.answers.robot = draft.answers.robot.of_file(path);
-    }
+    file::path(ui, field, Companion::Robot, draft, workbench);
     if let RobotFrom::File { path, base, tip } = &mut draft.answers.robot
         && RobotFrom::is_urdf(path)
     {
@@ -271,10 +262,7 @@ fn axis(ui: &mut Ui, typed: &mut RobotTable) {
 
 fn numbers(ui: &mut Ui, row: &str, (name, unit): (&str, &str), parts: &[&str], values: &mut [f64]) {
     widgets::form_row(ui, row, |ui| {
-        for (part, value) in parts.iter().zip(values) {
-            let field = DragValue::new(value).speed(1.0).max_decimals(6);
-            widgets::cell_number(ui, &format!("{name} {part}"), unit, 90.0, field);
-        }
+        widgets::numbers(ui, (name, unit), parts, values, (90.0, 1.0));
     });
 }
 

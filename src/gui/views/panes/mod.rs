@@ -5,15 +5,15 @@
 mod chart;
 
 use egui::{
-    Button, Id, IdSalt, Painter, Popup, Rect, Response, Role, Stroke, Ui, Vec2, Visuals,
-    WidgetInfo, WidgetText, accesskit, vec2,
+    Button, Id, IdSalt, Painter, Popup, Rect, Response, Stroke, Ui, Vec2, Visuals, WidgetText,
+    accesskit, vec2,
 };
 use egui_tiles::{
     Behavior, Container, EditAction, Linear, LinearDir, ResizeState, Tile, TileId, Tiles,
     UiResponse,
 };
 
-use crate::gui::actions::{CHART_BELOW, CHART_BESIDE, CLOSE_CHART, WindowState};
+use crate::gui::actions::{self, CHART_BELOW, CHART_BESIDE, CLOSE_CHART, WindowState};
 use crate::gui::style::layout::MIDDLE;
 use crate::gui::style::{Palette, space};
 use crate::gui::view::{ChartPane, Edge, Key, Pane, Plot, What};
@@ -380,18 +380,12 @@ pub(super) fn name_of(workbench: &Workbench, pane: &Pane) -> String {
 
 /// What can be done with a pane: the menu of its handle.
 fn menu(ui: &Ui, workbench: &Workbench, (key, pane): (Key, &Pane), handle: &Response) {
-    let ctx = ui.ctx().clone();
-    let now = WindowState {
-        ctx: &ctx,
-        workbench,
-    };
+    let now = WindowState::of(ui.ctx(), workbench);
     Popup::menu(handle).show(|ui| {
         ui.set_min_width(220.0);
         let item = |ui: &mut Ui, name: &str, keys: Option<String>, enabled: bool| {
             let button = Button::new(name).shortcut_text(keys.unwrap_or_default());
-            let response = ui.add_enabled(enabled, button);
-            response.widget_info(|| WidgetInfo::labeled(Role::Button, enabled, name));
-            response.clicked()
+            actions::item(ui, button, name, enabled).clicked()
         };
         if let Pane::Chart(chart) = pane {
             let id = workbench.kind(chart).about().id;
@@ -417,9 +411,9 @@ fn menu(ui: &Ui, workbench: &Workbench, (key, pane): (Key, &Pane), handle: &Resp
         let panes = &workbench.view.panes;
         let active = panes.active() == key;
         // The keys are for the active pane.
-        let keys = |action: &crate::gui::actions::Action| active.then(|| action.keys(&ctx));
+        let keys = |action: &actions::Action| active.then(|| action.keys(&handle.ctx));
         for (action, edge) in [(CHART_BESIDE, Edge::Right), (CHART_BELOW, Edge::Bottom)] {
-            if item(ui, &action.label(now), keys(&action), panes.has_room()) {
+            if item(ui, &action.label(&now), keys(&action), panes.has_room()) {
                 workbench.then(move |bench| bench.add_chart(key, edge));
             }
         }
@@ -439,7 +433,7 @@ fn menu(ui: &Ui, workbench: &Workbench, (key, pane): (Key, &Pane), handle: &Resp
         }
         if *pane != Pane::Workspace {
             ui.separator();
-            if item(ui, &CLOSE_CHART.label(now), keys(&CLOSE_CHART), true) {
+            if item(ui, &CLOSE_CHART.label(&now), keys(&CLOSE_CHART), true) {
                 workbench.then(move |bench| bench.rearrange(|panes| panes.close(key)));
             }
         }

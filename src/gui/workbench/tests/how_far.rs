@@ -13,7 +13,7 @@ use super::under_way::{gate, idle, on_threads, until};
 use crate::gui::import_draft::ImportDraft;
 use crate::gui::jobs::{Kind, Running, Watch};
 use crate::gui::testing::workbench;
-use crate::gui::view::{NextAction, Sheet};
+use crate::gui::view::{NextAction, Sheet, What};
 use crate::gui::views::status;
 use crate::gui::workbench::Workbench;
 use crate::gui::{dialogs, files};
@@ -23,17 +23,17 @@ use crate::watching::{assert_grows, no_at, report_to};
 /// A part of the window with this workbench, without a display.
 struct Shown {
     ctx: Context,
-    show: fn(&mut Ui, &Workbench),
+    show: fn(&mut Ui, &mut Workbench),
 }
 
 impl Shown {
-    fn new(show: fn(&mut Ui, &Workbench)) -> Self {
+    fn new(show: fn(&mut Ui, &mut Workbench)) -> Self {
         let ctx = Context::default();
         Self { ctx, show }
     }
 
     /// The texts of one frame and where they are.
-    fn frame(&self, bench: &Workbench, events: Vec<Event>) -> Vec<(String, Pos2)> {
+    fn frame(&self, bench: &mut Workbench, events: Vec<Event>) -> Vec<(String, Pos2)> {
         let input = RawInput {
             screen_rect: Some(Rect::from_min_size(Pos2::ZERO, vec2(1280.0, 800.0))),
             events,
@@ -51,7 +51,7 @@ impl Shown {
         texts.collect()
     }
 
-    fn describe(&self, bench: &Workbench) -> Vec<String> {
+    fn describe(&self, bench: &mut Workbench) -> Vec<String> {
         let texts = self.frame(bench, Vec::new());
         texts.into_iter().map(|(text, _)| text).collect()
     }
@@ -102,14 +102,14 @@ fn halfway<T: Debug + 'static>(
 }
 
 fn bar() -> Shown {
-    Shown::new(status::show)
+    Shown::new(|ui, bench| status::show(ui, bench))
 }
 
 /// A session in a folder of its own.
 fn saved(folder: &Path) -> PathBuf {
     let path = folder.join("session.json");
     let mut first = workbench();
-    first.execute(|bench| bench.save_as(&path.clone(), false));
+    first.execute(|bench| bench.export_as(What::Session, path.clone(), false));
     first.receive();
     path
 }
@@ -133,12 +133,12 @@ fn a_session_that_is_opened_says_how_far_it_is_and_is_cancelled() {
     bench.open("reading session.json", work);
     arrived.recv().unwrap();
     let bar = bar();
-    let says = bar.describe(&bench);
+    let says = bar.describe(&mut bench);
     assert!(says.iter().any(|s| s == "reading session.json"), "{says:?}");
     let share = bench.jobs().newest().and_then(Running::progress);
     assert_eq!(share, Some(0.3));
     bar.press(&mut bench, "Cancel");
-    assert!(!bar.describe(&bench).iter().any(|s| s == "Cancel"));
+    assert!(!bar.describe(&mut bench).iter().any(|s| s == "Cancel"));
     go.send(()).unwrap();
     assert!(ends.recv().unwrap().contains("it was cancelled"));
     bench.receive();
@@ -180,12 +180,12 @@ fn a_session_that_is_saved_says_how_far_it_is_and_cancelled_the_old_file_stays()
     arrived.recv().unwrap();
     let bar = bar();
     assert!(
-        bar.describe(&bench)
+        bar.describe(&mut bench)
             .iter()
             .any(|s| s == "saving session.json")
     );
     bar.press(&mut bench, "Cancel");
-    assert!(bar.describe(&bench).iter().any(|s| s == "cancelling"));
+    assert!(bar.describe(&mut bench).iter().any(|s| s == "cancelling"));
     go.send(()).unwrap();
     assert!(ends.recv().unwrap().contains("it was cancelled"));
     until(&mut bench, idle);
@@ -228,7 +228,7 @@ fn a_measured_file_that_is_looked_at_says_how_far_it_is_and_is_left_and_looked_a
     go.send(()).unwrap();
     assert!(ends.recv().unwrap().contains("cancelled"));
     bench.receive();
-    let says = sheet.describe(&bench);
+    let says = sheet.describe(&mut bench);
     let expected = "Looking at the file was cancelled";
     assert!(says.iter().any(|s| s == expected), "{says:?}");
     sheet.press(&mut bench, "Look again");
@@ -260,7 +260,7 @@ fn what_is_done_with_what_was_read_is_told_when_its_share_is_not_known() {
         .jobs
         .start(Kind::Opens, "reading session.json", work, |_, ()| ());
     arrived.recv().unwrap();
-    let says = bar().describe(&bench);
+    let says = bar().describe(&mut bench);
     assert!(
         says.iter().any(|s| s == "checking 1000 samples"),
         "{says:?}"

@@ -38,7 +38,7 @@ pub(super) fn until(bench: &mut Workbench, holds: impl Fn(&Workbench) -> bool) {
 }
 
 fn written() -> Message {
-    files::saved(std::path::Path::new("report.pdf"), Vec::new())
+    Message::saved(std::path::Path::new("report.pdf"), Vec::new())
 }
 
 /// Writes something: it is done once the test lets go.
@@ -67,7 +67,7 @@ fn whatever_is_cancelled_leaves_everything_as_it_was() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("session.json");
     let mut first = workbench();
-    first.execute(|bench| bench.save_as(&path, false));
+    first.execute(|bench| bench.export_as(What::Session, path.clone(), false));
     first.receive();
     let changes: [(&str, Change); 5] = [
         (
@@ -256,7 +256,10 @@ fn what_a_dialog_was_opened_for_is_written_whatever_is_open_by_then() {
     bench.execute(|bench| bench.identify(None));
     until(&mut bench, |bench| bench.answer().is_some());
     let asks: [(Ask, &str); 2] = [
-        (Workbench::choose_where_to_save, "first.json"),
+        (
+            |bench| bench.choose_where_to_export(What::Session),
+            "first.json",
+        ),
         (
             |bench| bench.choose_where_to_export(What::Table),
             "first.csv",
