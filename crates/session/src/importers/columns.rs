@@ -1,8 +1,9 @@
 //! The columns of a foreign file once they are read: every format ends here.
 
 use crate::importers::role::Role;
+use crate::importers::settings::{ColumnGuess, Known};
+use crate::sessions::Lines;
 use crate::sessions::columns::{Quantity, Unit};
-use crate::sessions::{Azimuth, Lines};
 use crate::tables::{Cells, Names};
 use nalgebra::{Point3, Quaternion};
 
@@ -62,22 +63,20 @@ pub(crate) struct Columns {
     pub(crate) lines: Lines,
     /// Where the robot was over time, where the file has recorded that too.
     pub(crate) commands: Option<Box<Columns>>,
-    /// What azimuths and elevations are of, where the format says it.
-    pub(crate) directions: Option<Directions>,
-}
-
-/// Directions in which the tool itself points, as a telescope does.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Directions {
-    /// What points, in the tool frame.
-    pub(crate) axis: nalgebra::Unit<nalgebra::Vector3<f64>>,
-    /// Which way azimuths count.
-    pub(crate) azimuth: Azimuth,
 }
 
 impl Columns {
     pub(crate) fn rows(&self) -> usize {
         self.list.first().map_or(0, |column| column.cells.len())
+    }
+
+    /// The columns as a sheet shows them, none of which is a guess.
+    pub(crate) fn as_the_format_has_them(&self) -> impl Iterator<Item = ColumnGuess> {
+        self.list.iter().map(|column| ColumnGuess {
+            heading: column.name.clone(),
+            meaning: column.role.to_string(),
+            confidence: Known::Certain,
+        })
     }
 
     pub(crate) fn find(&self, quantity: Quantity) -> Option<&Column> {
@@ -137,7 +136,6 @@ impl Columns {
             list,
             lines,
             commands: self.commands,
-            directions: self.directions,
         }
     }
 
