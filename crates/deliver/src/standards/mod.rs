@@ -20,7 +20,7 @@ pub(crate) mod positioning;
 pub mod test_cube;
 
 mod attained;
-mod grouping;
+pub(crate) mod grouping;
 mod points;
 mod sweep;
 mod table_curve;

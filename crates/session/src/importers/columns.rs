@@ -1,7 +1,6 @@
 //! The columns of a foreign file once they are read: every format ends here.
 
 use crate::importers::role::Role;
-use crate::importers::settings::{ColumnGuess, Known};
 use crate::sessions::Lines;
 use crate::sessions::columns::{Quantity, Unit};
 use crate::tables::{Cells, Names};
@@ -68,15 +67,6 @@ pub(crate) struct Columns {
 impl Columns {
     pub(crate) fn rows(&self) -> usize {
         self.list.first().map_or(0, |column| column.cells.len())
-    }
-
-    /// The columns as a sheet shows them, none of which is a guess.
-    pub(crate) fn as_the_format_has_them(&self) -> impl Iterator<Item = ColumnGuess> {
-        self.list.iter().map(|column| ColumnGuess {
-            heading: column.name.clone(),
-            meaning: column.role.to_string(),
-            confidence: Known::Certain,
-        })
     }
 
     pub(crate) fn find(&self, quantity: Quantity) -> Option<&Column> {

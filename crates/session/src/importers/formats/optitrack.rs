@@ -12,7 +12,7 @@ use crate::importers::formats::{Importer, KnownBy, Meanings, Questions};
 use crate::importers::matching::listed_names_up_to;
 use crate::importers::reader::{CellReader, fixed};
 use crate::importers::role::Role;
-use crate::importers::settings::{About, ReadContext};
+use crate::importers::settings::{About, ColumnGuess, ReadContext};
 use crate::importers::units::{self, LengthUnit, Word};
 use crate::sessions::columns::{Quantity, Unit};
 use crate::tables::decimals::{Decimal, Decision, Votes};
@@ -103,7 +103,7 @@ fn read(context: &mut ReadContext<'_>) -> Option<Columns> {
     if context.found.rows == 0 && !context.is_open() {
         context.refuse(text!("no sample"), text!("at least one"));
     }
-    context.found.columns = columns.as_the_format_has_them().collect();
+    context.found.columns = ColumnGuess::certain(&columns).collect();
     (!context.is_open()).then_some(columns)
 }
 

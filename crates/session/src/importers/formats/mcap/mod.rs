@@ -17,7 +17,7 @@ use crate::diagnostic::Diagnostic;
 use crate::document::number::quoted;
 use crate::importers::columns::Columns;
 use crate::importers::formats::{Importer, KnownBy, Meanings, OwnOption, Questions};
-use crate::importers::settings::{About, ReadContext};
+use crate::importers::settings::{About, ColumnGuess, ReadContext};
 use crate::tables::foreign;
 
 use messages::Type;
@@ -107,8 +107,12 @@ fn read(context: &mut ReadContext<'_>) -> Option<Columns> {
     let mut columns = recorded::points(context, measured, start_ns)?;
     context.found.unit = text!("{unit}, as the format has it", unit = "m, rad");
     columns.commands = path.map(|path| Box::new(path.into_columns(start_ns)));
-    let all = columns.commands.iter().map(|path| &**path).chain([&columns]);
-    context.found.columns = all.flat_map(Columns::as_the_format_has_them).collect();
+    let all = columns
+        .commands
+        .iter()
+        .map(|path| &**path)
+        .chain([&columns]);
+    context.found.columns = all.flat_map(ColumnGuess::certain).collect();
     context.found.rows = columns.rows();
     (!context.is_open()).then_some(columns)
 }
