@@ -63,10 +63,10 @@ fn write(_: &Job, sheet: &Sheet, notes: &[Text]) -> String {
         joint = sheet.joint + 1,
         unit = sheet.unit()
     );
-    let comments = [&heading].into_iter().chain(notes);
-    let mut text: String = comments
-        .map(|note| format!("// {}\n", in_a_comment(note)))
-        .collect();
+    let mut text = String::new();
+    for note in [&heading].into_iter().chain(notes) {
+        let _ = writeln!(text, "// {}", in_a_comment(note));
+    }
     let [from, to] = sheet.ends().map(decimal);
     let count = sheet.places.len();
     let columns = sheet.places.iter().zip(&sheet.forward);

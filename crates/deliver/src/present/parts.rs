@@ -57,7 +57,7 @@ pub(super) fn parameters_by_effect(estimates: &[Estimate]) -> Json {
             e.place.clone(),
         )
     };
-    let groups = gathered(estimates.into_iter().map(|one| (place(one), one)));
+    let groups = gathered(estimates.iter().map(|one| (place(one), one)));
     list(groups, |(_, group)| {
         let one = group[0];
         object! {

@@ -168,9 +168,6 @@ impl PoseTest {
         let pose = |p: &PoseFigures| if compensated { p.after } else { Some(p.before) };
         let path = |p: &PathFigures| if compensated { p.after } else { Some(p.before) };
         let variation = |v: &Variation| if compensated { v.after } else { Some(v.before) };
-        fn most<T>(all: &[T], of: impl Fn(&T) -> Option<f64>) -> Option<f64> {
-            all.iter().filter_map(of).reduce(f64::max)
-        }
         Largest {
             accuracy: most(&self.poses, |p| Some(pose(p)?.accuracy)),
             repeatability: most(&self.poses, |p| Some(pose(p)?.repeatability)),
@@ -234,6 +231,10 @@ impl PoseTest {
             });
         }
     }
+}
+
+fn most<T>(all: &[T], of: impl Fn(&T) -> Option<f64>) -> Option<f64> {
+    all.iter().filter_map(of).reduce(f64::max)
 }
 
 fn outer_pose(points: &Points<'_>, sample: usize) -> Vec<f64> {

@@ -141,20 +141,20 @@ impl Group {
                 }
             }
             Self::Socket => {
-                let one = references.sockets.get_mut(index);
-                one.into_iter().for_each(|s| s.position_mm = None);
+                let one = references.sockets.get_mut(index).into_iter();
+                one.for_each(|s| s.position_mm = None);
             }
             Self::Station => {
                 let one = references.stations.get_mut(index).into_iter();
                 one.for_each(|s| (s.position_mm, s.attitude) = (None, None));
             }
             Self::Plane => {
-                let one = references.planes.get_mut(index);
-                one.into_iter().for_each(|p| p.stated = None);
+                let one = references.planes.get_mut(index).into_iter();
+                one.for_each(|p| p.stated = None);
             }
             Self::Anchor => {
-                let one = references.anchors.get_mut(index);
-                one.into_iter().for_each(|a| a.position_mm = None);
+                let one = references.anchors.get_mut(index).into_iter();
+                one.for_each(|a| a.position_mm = None);
             }
         }
     }

@@ -5,7 +5,7 @@
 //! a wrong unit) need a fit and are not looked for here.
 
 use crate::text::Text;
-use std::collections::{BTreeSet, HashSet};
+use std::collections::BTreeSet;
 
 use crate::diagnostic::{Diagnostic, Place};
 use crate::document::number::{ONCE, quoted};
@@ -219,9 +219,14 @@ impl Said<'_> {
             }
             return;
         };
-        let used: HashSet<u32> = used.iter().copied().collect();
-        for (index, target) in (0..).zip(targets) {
-            if !used.contains(&index) {
+        let mut seen = vec![false; targets.len()];
+        for &target in used {
+            if let Some(seen) = seen.get_mut(target as usize) {
+                *seen = true;
+            }
+        }
+        for (target, seen) in targets.iter().zip(seen) {
+            if !seen {
                 let field = format!("targets.{}", target.name);
                 self.note(&field, text!("no sample shows this target"));
             }

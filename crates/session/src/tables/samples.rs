@@ -28,6 +28,9 @@ const MOST_COMPLAINTS: usize = 50;
 /// Bytes between two looks at the watcher.
 const AT_ONCE: usize = 1 << 18;
 
+/// Bytes that show whether a file is text.
+const START: usize = 1 << 18;
+
 const CSV: Template = phrase!("a CSV file: headings and one line per sample");
 const UTF_8: Template =
     phrase!("UTF-8 text; `truepose import FILE --as csv` reads other encodings");
@@ -73,11 +76,16 @@ impl<'a> SampleTable<'a> {
         if bytes[at..].trim_ascii().is_empty() {
             return wrong(text!("an empty file"), CSV);
         }
-        if matches!(
-            bytes[at..],
-            [0, b'!'..=b'~', 0, ..] | [b'!'..=b'~', 0, b'!'..=b'~', ..]
-        ) {
-            return wrong(text!("a file in {encoding}", encoding = "UTF-16"), UTF_8);
+        // What is no text shows it at once.
+        let start = &bytes[at..bytes.len().min(at + START)];
+        if let Some(zero) = memchr::memchr(0, start) {
+            let letters = start.len() > 3 && start[(zero + 1) % 2].is_ascii_graphic();
+            return match zero {
+                0 | 1 if letters => {
+                    wrong(text!("a file in {encoding}", encoding = "UTF-16"), UTF_8)
+                }
+                _ => wrong(text!("a zero byte"), CSV),
+            };
         }
         if too_long(&bytes[at..]).is_some() {
             let found = text!(
