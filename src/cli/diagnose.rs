@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use crate::diagnosis::{Allowed, DiagnoseError, Diagnosis, Options, Progress};
+use crate::diagnosis::{Allowed, Diagnosis, Options, Progress};
 use crate::paper::RegionalStart;
 use crate::present::diagnosis_v1::document;
 use crate::sessions::Session;
@@ -63,15 +63,6 @@ pub(crate) struct Diagnose {
     /// Print JSON
     #[arg(long)]
     json: bool,
-}
-
-impl From<DiagnoseError> for Failure {
-    fn from(error: DiagnoseError) -> Self {
-        match error {
-            DiagnoseError::Rejected(rejected) => rejected.into(),
-            other => Self::refused(other.describe()),
-        }
-    }
 }
 
 impl Diagnose {

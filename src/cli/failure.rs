@@ -6,7 +6,8 @@ use std::io::Write;
 use std::process::ExitCode;
 
 use crate::atomic::WriteError;
-use crate::compensation::NotHandedOut;
+use crate::compensation::{NotHandedOut, VerifyError};
+use crate::diagnosis::DiagnoseError;
 use crate::diagnostic::Rejected;
 use crate::export::ExportError;
 use crate::fit::IdentifyError;
@@ -101,14 +102,20 @@ impl From<Rejected> for Failure {
     }
 }
 
-impl From<IdentifyError> for Failure {
-    fn from(error: IdentifyError) -> Self {
-        match error {
-            IdentifyError::Rejected(rejected) => rejected.into(),
-            other => Self::refused(other.describe()),
-        }
-    }
+macro_rules! refused {
+    ($($error:ident)*) => {
+        $(impl From<$error> for Failure {
+            fn from(error: $error) -> Self {
+                match error {
+                    $error::Rejected(rejected) => rejected.into(),
+                    other => Self::refused(other.describe()),
+                }
+            }
+        })*
+    };
 }
+
+refused! { IdentifyError DiagnoseError VerifyError }
 
 impl From<NotHandedOut> for Failure {
     fn from(error: NotHandedOut) -> Self {

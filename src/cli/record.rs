@@ -1,7 +1,7 @@
 //! `truepose record`: a stream of lines, as a CSV file that grows.
 
 use std::fs::{File, OpenOptions};
-use std::io::{self, Write};
+use std::io::{self, BufRead, Write};
 use std::path::{Path, PathBuf};
 
 use anyhow::Context;
@@ -9,7 +9,7 @@ use clap::Args;
 use serde_json::json;
 
 use crate::language::spoken;
-use crate::recorder::source::{Address, Connection};
+use crate::recorder::source::Address;
 use crate::recorder::{RecordError, Recorder, record};
 use crate::text::Text;
 
@@ -46,43 +46,50 @@ impl Record {
             output::can_be_written(&self.out, self.force)?;
         }
         let address = Address::parse(&self.source).map_err(Failure::WrongInput)?;
-        let connection = self.connect(&address)?;
+        let mut stream = self.connect(&address)?;
         output::messages(&[say!(
             "recording {source} to {file}; Ctrl-C ends it, and every line that is complete is in the file",
             source = self.source,
             file = self.out.display()
         )]);
-        let (out, force) = (self.out.clone(), self.force);
         let columns = self.columns.iter().map(|name| name.trim().to_owned());
-        let mut recorder = Recorder::new(move || open(&out, force), columns.collect());
-        let most = self.lines.unwrap_or(u64::MAX);
-        let say = |excluded: Vec<Text>| {
-            output::messages(&excluded.iter().map(spoken).collect::<Vec<_>>());
+        let mut recorder = Recorder::new(columns.collect());
+        let mut file = None;
+        let mut put = |row: &str| {
+            if to_stdout {
+                let mut out = io::stdout();
+                out.write_all(row.as_bytes())?;
+                return out.flush();
+            }
+            let out = match file.take() {
+                Some(out) => out,
+                None => open(&self.out, self.force)?,
+            };
+            file.insert(out).write_all(row.as_bytes())
         };
-        let done = record(connection, &mut recorder, most, &mut say.clone());
-        say(recorder.complaints());
-        if let (Err(_), Some(Out::File(file))) = (&done, recorder.out()) {
+        let most = self.lines.unwrap_or(u64::MAX);
+        let mut hear = |excluded: Text| output::messages(&[spoken(excluded)]);
+        let done = record(&mut *stream, &mut recorder, most, &mut put, &mut hear);
+        if let (Err(_), Some(file)) = (&done, &file) {
             // Where the disk is full the start of a line stands behind the last whole one. What
             // cannot be cut off either is left as it is.
-            let _ = file.set_len(recorder.whole_bytes());
+            let _ = file.set_len(recorder.whole_bytes);
         }
-        let synced = match recorder.out() {
-            Some(Out::File(file)) => file.sync_all(),
-            _ => Ok(()),
-        };
-        let recorded = recorder.recorded();
-        output::messages(&[match recorder.refused() {
-            0 => say!(one "{count} line recorded", "{count} lines recorded", count = recorded),
+        let synced = file.as_ref().map_or(Ok(()), File::sync_all);
+        output::messages(&[match recorder.refused {
+            0 => {
+                say!(one "{count} line recorded", "{count} lines recorded", count = recorder.recorded)
+            }
             refused => say!(
                 one "{count} line recorded, {excluded} excluded",
                 "{count} lines recorded, {excluded} excluded",
-                count = recorded,
+                count = recorder.recorded,
                 excluded = refused
             ),
         }]);
         done?;
         synced.context(text!("cannot write the recording"))?;
-        if recorder.recorded() == 0 {
+        if recorder.recorded == 0 {
             let text = text!("the stream ended without a measurement; expected lines of text");
             return Err(Failure::WrongAt(self.source.clone(), text));
         }
@@ -91,8 +98,8 @@ impl Record {
                 "format": "truepose-recorded/1",
                 "source": self.source,
                 "file": self.out,
-                "lines": recorder.recorded(),
-                "left_out": recorder.refused(),
+                "lines": recorder.recorded,
+                "left_out": recorder.refused,
             }));
         }
         Ok(())
@@ -100,57 +107,30 @@ impl Record {
 }
 
 impl Record {
-    fn connect(&self, address: &Address) -> Result<Connection, Failure> {
+    fn connect(&self, address: &Address) -> Result<Box<dyn BufRead>, Failure> {
         let failed = match address {
             Address::Tcp(_) => text!("{source}: cannot connect", source = &self.source),
             Address::Udp(_) => text!("{source}: cannot listen", source = &self.source),
         };
-        let connection = address.connect();
-        let connection = connection.context(failed)?;
+        let (stream, here) = address.connect().context(failed)?;
         // Port 0 is any free one: the sender has to be configured for the one that was taken.
-        if let (Some(here), true) = (connection.listens_on(), self.source.ends_with(":0")) {
+        if let (Some(here), true) = (here, self.source.ends_with(":0")) {
             output::messages(&[say!("listening on {address}", address = here)]);
         }
-        Ok(connection)
+        Ok(stream)
     }
 }
 
 impl From<RecordError> for Failure {
     fn from(error: RecordError) -> Self {
-        if error.is_refusal() {
-            Self::refused(error.describe())
-        } else {
-            Self::Failed(error.into())
+        match error {
+            RecordError::Refused(says) => Self::refused(says),
+            failed => Self::Failed(failed.into()),
         }
     }
 }
 
-/// What is recorded to.
-enum Out {
-    File(File),
-    Standard(io::Stdout),
-}
-
-impl Write for Out {
-    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        match self {
-            Self::File(file) => file.write(bytes),
-            Self::Standard(out) => out.write(bytes),
-        }
-    }
-
-    fn flush(&mut self) -> io::Result<()> {
-        match self {
-            Self::File(file) => file.flush(),
-            Self::Standard(out) => out.flush(),
-        }
-    }
-}
-
-fn open(out: &Path, force: bool) -> io::Result<Out> {
-    if out.as_os_str() == "-" {
-        return Ok(Out::Standard(io::stdout()));
-    }
+fn open(out: &Path, force: bool) -> io::Result<File> {
     let mut options = OpenOptions::new();
     options.write(true);
     if force {
@@ -158,5 +138,5 @@ fn open(out: &Path, force: bool) -> io::Result<Out> {
     } else {
         options.create_new(true);
     }
-    options.open(out).map(Out::File)
+    options.open(out)
 }

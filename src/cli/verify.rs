@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use crate::compensation::{Verification, VerifyError};
+use crate::compensation::Verification;
 use crate::explain::{Detail, verification};
 use crate::pipeline::{load_model, verify};
 use crate::present::verification_v1::document;
@@ -41,13 +41,4 @@ impl Verify {
 fn in_words(v: &Verification) -> String {
     let text = headed(&v.session, v.samples);
     text + &blocks::sections(&verification(v, Detail::TERMINAL))
-}
-
-impl From<VerifyError> for Failure {
-    fn from(error: VerifyError) -> Self {
-        match error {
-            VerifyError::Rejected(rejected) => rejected.into(),
-            other => Self::refused(other.describe()),
-        }
-    }
 }

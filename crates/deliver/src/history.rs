@@ -272,19 +272,16 @@ fn compare(
 
 /// What a document is by its key `format`; of a damaged one, what it was meant to be.
 fn source_of(bytes: &[u8]) -> Option<Source> {
-    const SESSION: &str = "truepose-session/";
-    const MODEL: &str = "truepose-model/";
     let start = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
-    let is = |name: &str| match serde_json::from_slice::<Tag>(start) {
-        Ok(Tag { format }) => format.starts_with(name),
-        Err(error) if error.is_data() => false,
-        Err(_) => memchr::memmem::find(start, name.as_bytes()).is_some(),
+    let is = |source: &Source| {
+        let name = format!("truepose-{}/", source.name());
+        match serde_json::from_slice::<Tag>(start) {
+            Ok(Tag { format }) => format.starts_with(&name),
+            Err(error) if error.is_data() => false,
+            Err(_) => memchr::memmem::find(start, name.as_bytes()).is_some(),
+        }
     };
-    if is(SESSION) {
-        Some(Source::Session)
-    } else {
-        is(MODEL).then_some(Source::Model)
-    }
+    [Source::Session, Source::Model].into_iter().find(is)
 }
 
 /// The JSON files of a folder by name.

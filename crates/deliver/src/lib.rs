@@ -11,7 +11,7 @@ use truepose_calibrate::{answers, compensation, design, diagnosis, fit, paper, s
 #[cfg(test)]
 use truepose_model::simulation;
 use truepose_model::{effects, model, observations};
-use truepose_session::{document, importers, robots, sessions, tables};
+use truepose_session::{document, importers, refusal, robots, sessions, tables};
 
 pub mod explain;
 pub mod export;

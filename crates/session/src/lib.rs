@@ -13,6 +13,7 @@ use truepose_base::{
 pub mod document;
 pub mod importers;
 pub mod recorder;
+pub mod refusal;
 pub mod robots;
 pub mod sessions;
 #[doc(hidden)]

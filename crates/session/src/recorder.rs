@@ -2,49 +2,32 @@
 //!
 //! An instrument or a controller sends a line of text for each measurement. Every line that is
 //! complete goes to the file before the next bytes are waited for, so that a reader of the growing file
-//! (the window is one) and one after a power cut find whole lines only. The file begins with headings:
-//! the stream's own first line, or those that a person gives. Cells between semicolons, tabs or
-//! spaces come out between commas, with a decimal point. [`source`] connects, [`record`] listens.
+//! and one after a power cut find whole lines only. The file begins with headings: the stream's own first
+//! line, or those that a person gives. Cells between semicolons, tabs or spaces come out between commas,
+//! with a decimal point. [`source`] connects, [`record`] listens.
 
 pub mod source;
 
 use crate::tables::as_cell;
 use crate::text::Text;
-use std::io::{self, Write};
+use std::io::{self, BufRead, Read};
 
 use crate::document::number::quoted;
-use source::{Connection, Received};
 
-/// A line is shorter, bytes.
+/// A line is shorter than this.
 const LONGEST_LINE: usize = 1 << 20;
-/// So many lines that are left out are named; the others are counted.
+
+/// Lines that are left out and named; the others are counted.
 const NAMED: u64 = 20;
 
-/// Why a stream cannot be recorded.
+/// Why recording ended.
 #[derive(Debug)]
 pub enum RecordError {
-    /// The first line holds numbers, and their headings are not stated.
-    NoHeadings {
-        /// The first line.
-        found: String,
-    },
-    /// The headings that were given are more or fewer than the cells.
-    Width {
-        /// Counted from 1.
-        line: u64,
-        /// Cells of the line.
-        cells: usize,
-        /// Headings that were given.
-        headings: usize,
-    },
-    /// No line ends.
-    LongLine {
-        /// Counted from 1.
-        line: u64,
-    },
-    /// The file cannot be written.
+    /// The stream is no table.
+    Refused(Text),
+    /// The recording cannot be written.
     Io(io::Error),
-    /// The connection broke.
+    /// The connection was lost.
     Broken(io::Error),
 }
 
@@ -52,24 +35,7 @@ impl RecordError {
     /// In words.
     pub fn describe(&self) -> Text {
         match self {
-            Self::NoHeadings { found } => text!(
-                "line 1 of the stream: {found}: no headings; expected --columns with what each cell is, such as --columns time_s,x_mm,y_mm,z_mm",
-                found
-            ),
-            Self::Width {
-                line,
-                cells,
-                headings,
-            } => text!(
-                one "line {line} of the stream: {count} cell; expected {headings}, as many as --columns has", "line {line} of the stream: {count} cells; expected {headings}, as many as --columns has",
-                line,
-                count = cells,
-                headings
-            ),
-            Self::LongLine { line } => text!(
-                "line {line} of the stream: longer than a megabyte; expected lines of text",
-                line
-            ),
+            Self::Refused(says) => says.clone(),
             Self::Io(error) => text!(
                 "cannot write the recording: {error}",
                 error = error.to_string()
@@ -85,52 +51,32 @@ impl std::error::Error for RecordError {
     fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
         match self {
             Self::Io(error) | Self::Broken(error) => Some(error),
-            _ => None,
+            Self::Refused(_) => None,
         }
     }
 }
 
-impl From<io::Error> for RecordError {
-    fn from(error: io::Error) -> Self {
-        Self::Io(error)
-    }
-}
+/// Puts text at the end of the recording.
+pub type Put<'p> = &'p mut dyn FnMut(&str) -> io::Result<()>;
 
-impl RecordError {
-    /// Whether the stream or the arguments are wrong (rather than the disk, say).
-    pub fn is_refusal(&self) -> bool {
-        !matches!(self, Self::Io(_) | Self::Broken(_))
-    }
-}
-
-/// Puts the lines of a stream into a CSV file. `open` makes the file when the first line of it is known: a stream that brings
-/// nothing leaves nothing.
-pub struct Recorder<F, W> {
-    open: Option<F>,
-    out: Option<W>,
-    /// Headings that a person gave; empty: the stream's own.
-    own_headings: Vec<String>,
-    form: Option<Form>,
-    /// The start of a line that is not complete.
-    pending: Vec<u8>,
-    /// Lines of the stream so far.
-    lines: u64,
-    recorded: u64,
-    /// Whether the headings are in the file.
-    headed: bool,
-    /// Bytes of the whole lines that are in the file.
-    whole_bytes: u64,
-    complaints: Vec<Text>,
-    refused: u64,
-}
-
-/// What the lines of a stream are like.
-struct Form {
-    separator: Separator,
+/// What was recorded so far.
+#[derive(Debug, Default)]
+pub struct Recorder {
+    /// Those that a person gave, then those of the file.
     headings: Vec<String>,
+    /// What stands between cells, once a line has shown it.
+    separator: Option<Separator>,
+    /// Lines that have come.
+    lines: u64,
+    /// Lines of measurements in the file.
+    pub recorded: u64,
+    /// Lines that were left out.
+    pub refused: u64,
+    /// Bytes in the file, up to the end of its last whole line.
+    pub whole_bytes: u64,
 }
 
-#[derive(Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 enum Separator {
     Sign(char),
     Spaces,
@@ -138,18 +84,19 @@ enum Separator {
 
 impl Separator {
     fn of(line: &str) -> Self {
-        let signs = [';', '\t', ',']
-            .into_iter()
-            .find(|sign| line.contains(*sign));
-        signs.map_or(Self::Spaces, Self::Sign)
+        let signs = [';', '\t', ','].into_iter();
+        let mut signs = signs.filter(|sign| line.contains(*sign));
+        signs.next().map_or(Self::Spaces, Self::Sign)
     }
 
     fn cells(self, line: &str) -> Vec<String> {
         let plain = |cell: &str| {
             let cell = cell.trim().trim_matches('"');
-            match self {
-                Self::Sign(',') => cell.to_owned(),
-                _ => with_point(cell),
+            let with_point = cell.replacen(',', ".", 1);
+            if self != Self::Sign(',') && with_point.parse::<f64>().is_ok() {
+                with_point
+            } else {
+                cell.to_owned()
             }
         };
         match self {
@@ -159,297 +106,143 @@ impl Separator {
     }
 }
 
-/// No datagram is longer, bytes.
-const BLOCK: usize = 1 << 16;
-
-/// Records from a connection until it ends or as many lines as are wanted are in the file; `hear` is told what was left
-/// out, several times a second.
+/// Records what comes until the stream ends, or so many lines are in the file. `hear` hears of lines that are left out.
 ///
 /// # Errors
-/// [`RecordError`]; what was recorded before stays.
-pub fn record<F: FnOnce() -> io::Result<W>, W: Write>(
-    mut connection: Connection,
-    recorder: &mut Recorder<F, W>,
+/// [`RecordError`]; what was sound before it is in the file.
+pub fn record(
+    stream: &mut dyn BufRead,
+    recorder: &mut Recorder,
     most: u64,
-    hear: &mut dyn FnMut(Vec<Text>),
+    put: Put<'_>,
+    hear: &mut dyn FnMut(Text),
 ) -> Result<(), RecordError> {
-    let mut bytes = vec![0; BLOCK];
-    while recorder.recorded() < most {
-        let came = connection.read(&mut bytes);
-        match came {
-            Ok(Received::Nothing) => {}
-            Ok(Received::Bytes(count)) => recorder.take(&bytes[..count], most)?,
-            Ok(Received::Message(count)) => {
-                recorder.take(&bytes[..count], most)?;
-                recorder.end_of_message(most)?;
-            }
-            Ok(Received::End) | Err(_) => {
-                recorder.end_of_stream();
-                return came.map(|_| ()).map_err(RecordError::Broken);
-            }
+    let mut line = Vec::new();
+    while recorder.recorded < most {
+        line.clear();
+        let mut limited = stream.take(LONGEST_LINE as u64 + 1);
+        let came = limited.read_until(b'\n', &mut line);
+        if line.pop_if(|last| *last == b'\n').is_some() {
+            recorder.line(&line, put)?.into_iter().for_each(&mut *hear);
+            continue;
         }
-        hear(recorder.complaints());
+        if line.len() > LONGEST_LINE {
+            return Err(RecordError::Refused(text!(
+                "line {line} of the stream: longer than a megabyte; expected lines of text",
+                line = recorder.lines + 1
+            )));
+        }
+        if !line.trim_ascii().is_empty() {
+            recorder.lines += 1;
+            let cut = quoted(&String::from_utf8_lossy(&line));
+            let says = recorder.left_out(text!("{found}: no line end", found = cut));
+            says.into_iter().for_each(hear);
+        }
+        return came.map(|_| ()).map_err(RecordError::Broken);
     }
     Ok(())
 }
 
-/// A number with a decimal comma gets a point; anything else stays.
-fn with_point(cell: &str) -> String {
-    let with_point = cell.replacen(',', ".", 1);
-    if cell.contains(',') && with_point.parse::<f64>().is_ok() {
-        with_point
-    } else {
-        cell.to_owned()
-    }
-}
-
-impl<F: FnOnce() -> io::Result<W>, W: Write> Recorder<F, W> {
-    /// A recorder that has seen nothing yet. `headings`: what the cells are; empty: the first line
-    /// of the stream says it.
-    pub fn new(open: F, headings: Vec<String>) -> Self {
+impl Recorder {
+    /// A recorder of a table with these headings; none: those of the stream.
+    pub fn new(headings: Vec<String>) -> Self {
         Self {
-            open: Some(open),
-            out: None,
-            own_headings: headings,
-            form: None,
-            pending: Vec::new(),
-            lines: 0,
-            recorded: 0,
-            headed: false,
-            whole_bytes: 0,
-            complaints: Vec::new(),
-            refused: 0,
+            headings,
+            ..Self::default()
         }
     }
 
-    /// Lines that are in the file, without the headings.
-    pub fn recorded(&self) -> u64 {
-        self.recorded
-    }
-
-    /// Bytes of the whole lines that are in the file: where writing failed, what is behind them is the
-    /// start of a line.
-    pub fn whole_bytes(&self) -> u64 {
-        self.whole_bytes
-    }
-
-    /// Lines that were left out.
-    pub fn refused(&self) -> u64 {
-        self.refused
-    }
-
-    /// What was left out since the last call, in words: the first 20 lines of a recording; from then on
-    /// they are only counted.
-    pub fn complaints(&mut self) -> Vec<Text> {
-        std::mem::take(&mut self.complaints)
-    }
-
-    /// What the recording is written to, once something is.
-    pub fn out(&self) -> Option<&W> {
-        self.out.as_ref()
-    }
-
-    /// Takes the next bytes of the stream; lines that they complete are in the file afterwards, but
-    /// no more than `most` in all.
-    ///
-    /// # Errors
-    /// [`RecordError`]; what was recorded before stays.
-    pub fn take(&mut self, bytes: &[u8], most: u64) -> Result<(), RecordError> {
-        let mut text = String::new();
-        let mut rest = bytes;
-        let mut taken = Ok(());
-        // Lines that are to be in the file, once the text of them is written.
-        let mut planned = self.recorded;
-        while let Some(end) = memchr::memchr(b'\n', rest) {
-            if planned >= most || taken.is_err() {
-                break;
-            }
-            let own = &rest[..end];
-            rest = &rest[end + 1..];
-            self.pending.extend_from_slice(own);
-            let line = std::mem::take(&mut self.pending);
-            taken = self.line(&line, &mut text, &mut planned);
-        }
-        if planned < most && taken.is_ok() {
-            self.pending.extend_from_slice(rest);
-        }
-        // What was sound before something wrong is put down too.
-        self.write(&text)?;
-        taken?;
-        if self.pending.len() > LONGEST_LINE {
-            let line = self.lines + 1;
-            return Err(RecordError::LongLine { line });
-        }
-        Ok(())
-    }
-
-    /// A message is over: what it brought is a line, also without a line feed.
-    ///
-    /// # Errors
-    /// As [`Self::take`].
-    pub fn end_of_message(&mut self, most: u64) -> Result<(), RecordError> {
-        if self.pending.is_empty() {
-            return Ok(());
-        }
-        self.take(b"\n", most)
-    }
-
-    /// The stream is over. A line that has no end may have been cut anywhere: it is left out.
-    pub fn end_of_stream(&mut self) {
-        if !self.pending.trim_ascii().is_empty() {
-            let cut = quoted(&String::from_utf8_lossy(&self.pending));
-            self.leave_out(self.lines + 1, text!("{found}: no line end", found = cut));
-        }
-        self.pending.clear();
-    }
-
-    fn write(&mut self, text: &str) -> Result<(), RecordError> {
-        if text.is_empty() {
-            return Ok(());
-        }
-        if let Some(open) = self.open.take() {
-            self.out = Some(open()?);
-        }
-        let Some(out) = &mut self.out else {
-            return Ok(());
-        };
-        let mut rest = text.as_bytes();
-        let mut failed = None;
-        while !rest.is_empty() {
-            match out.write(rest) {
-                Ok(0) => failed = Some(io::ErrorKind::WriteZero.into()),
-                Ok(count) => rest = &rest[count..],
-                Err(error) if error.kind() == io::ErrorKind::Interrupted => {}
-                Err(error) => failed = Some(error),
-            }
-            if failed.is_some() {
-                break;
-            }
-        }
-        let flushed = out.flush();
-        // What is counted is in the file: a disk that is full takes the start of a line.
-        let written = &text.as_bytes()[..text.len() - rest.len()];
-        let whole = memchr::memrchr(b'\n', written).map_or(0, |end| end + 1);
-        let mut lines = memchr::memchr_iter(b'\n', &written[..whole]).count() as u64;
-        if !self.headed && lines > 0 {
-            self.headed = true;
-            lines -= 1;
-        }
-        self.recorded += lines;
-        self.whole_bytes += whole as u64;
-        match failed {
-            Some(error) => Err(error.into()),
-            None => Ok(flushed?),
-        }
-    }
-
-    fn line(
-        &mut self,
-        bytes: &[u8],
-        text: &mut String,
-        planned: &mut u64,
-    ) -> Result<(), RecordError> {
+    /// Takes a line without its end; what there is to say where it is left out.
+    fn line(&mut self, bytes: &[u8], put: Put<'_>) -> Result<Option<Text>, RecordError> {
         self.lines += 1;
-        let number = self.lines;
-        let bytes = match number {
+        let bytes = match self.lines {
             1 => bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes),
             _ => bytes,
         };
         let Ok(line) = std::str::from_utf8(bytes) else {
-            self.leave_out(
-                number,
-                text!("bytes that are not {encoding}", encoding = "UTF-8"),
-            );
-            return Ok(());
+            let because = text!("bytes that are not {encoding}", encoding = "UTF-8");
+            return Ok(self.left_out(because));
         };
         let line = line.trim();
         if line.is_empty() {
-            return Ok(());
+            return Ok(None);
         }
-        let Some(form) = &self.form else {
-            return self.first(line, text, planned);
+        let Some(separator) = self.separator else {
+            return self.first(line, put);
         };
-        let cells = form.separator.cells(line);
-        if cells == form.headings {
-            return Ok(());
-        }
-        if cells.len() != form.headings.len() {
-            let found = other_width(cells.len(), form.headings.len());
+        let cells = separator.cells(line);
+        if cells.len() != self.headings.len() {
+            let found = text!(
+                one "{count} cell below {headings} headings",
+                "{count} cells below {headings} headings",
+                count = cells.len(),
+                headings = self.headings.len()
+            );
             let says = text!("{found}: {name}", found, name = quoted(line));
-            self.leave_out(number, says);
-            return Ok(());
+            return Ok(self.left_out(says));
         }
-        push_row(&cells, text);
-        *planned += 1;
-        Ok(())
+        // Headings that come again.
+        if cells != self.headings {
+            self.put(&cells, put)?;
+            self.recorded += 1;
+        }
+        Ok(None)
     }
 
-    /// The first line says what the lines are like.
-    fn first(
-        &mut self,
-        line: &str,
-        text: &mut String,
-        planned: &mut u64,
-    ) -> Result<(), RecordError> {
+    /// The first line tells what stands between cells, and may be the headings.
+    fn first(&mut self, line: &str, put: Put<'_>) -> Result<Option<Text>, RecordError> {
         let separator = Separator::of(line);
         let cells = separator.cells(line);
         let is_heading = !cells.iter().any(|cell| cell.parse::<f64>().is_ok());
-        let headings = if self.own_headings.is_empty() {
-            if !is_heading {
-                let found = quoted(line);
-                return Err(RecordError::NoHeadings { found });
-            }
-            cells.clone()
-        } else {
-            self.own_headings.clone()
-        };
-        if cells.len() != headings.len() {
-            return Err(RecordError::Width {
-                line: self.lines,
-                cells: cells.len(),
-                headings: headings.len(),
-            });
+        let own = !self.headings.is_empty();
+        if !own && !is_heading {
+            return Err(RecordError::Refused(text!(
+                "line 1 of the stream: {found}: no headings; expected --columns with what each cell is, such as --columns time_s,x_mm,y_mm,z_mm",
+                found = quoted(line)
+            )));
         }
-        push_row(&headings, text);
-        self.form = Some(Form {
-            separator,
-            headings,
-        });
+        if own && cells.len() != self.headings.len() {
+            return Err(RecordError::Refused(text!(
+                one "line {line} of the stream: {count} cell; expected {headings}, as many as --columns has",
+                "line {line} of the stream: {count} cells; expected {headings}, as many as --columns has",
+                line = self.lines,
+                count = cells.len(),
+                headings = self.headings.len()
+            )));
+        }
+        if !own {
+            self.headings.clone_from(&cells);
+        }
+        self.put(&self.headings.clone(), put)?;
+        self.separator = Some(separator);
         if !is_heading {
-            push_row(&cells, text);
-            *planned += 1;
-        } else if !self.own_headings.is_empty() {
-            self.leave_out(self.lines, text!("the stream's own headings"));
+            self.put(&cells, put)?;
+            self.recorded += 1;
+        } else if own {
+            return Ok(self.left_out(text!("the stream's own headings")));
         }
+        Ok(None)
+    }
+
+    /// Puts a row down.
+    fn put(&mut self, cells: &[String], put: Put<'_>) -> Result<(), RecordError> {
+        let cells: Vec<_> = cells.iter().map(|cell| as_cell(cell)).collect();
+        let row = cells.join(",") + "\n";
+        put(&row).map_err(RecordError::Io)?;
+        self.whole_bytes += row.len() as u64;
         Ok(())
     }
 
-    fn leave_out(&mut self, line: u64, because: Text) {
-        let says = text!(
-            "line {line} of the stream is excluded: {because}",
-            line,
-            because
-        );
+    fn left_out(&mut self, because: Text) -> Option<Text> {
         self.refused += 1;
-        if self.refused <= NAMED {
-            self.complaints.push(says);
-        }
+        (self.refused <= NAMED).then(|| {
+            text!(
+                "line {line} of the stream is excluded: {because}",
+                line = self.lines,
+                because
+            )
+        })
     }
-}
-
-fn other_width(count: usize, headings: usize) -> Text {
-    text!(one "{count} cell below {headings} headings", "{count} cells below {headings} headings", count, headings)
-}
-
-/// A row of a CSV file.
-fn push_row(cells: &[String], text: &mut String) {
-    for (index, cell) in cells.iter().enumerate() {
-        if index > 0 {
-            text.push(',');
-        }
-        *text += &as_cell(cell);
-    }
-    text.push('\n');
 }
 
 #[cfg(test)]
@@ -459,15 +252,39 @@ mod tests {
     /// Records a stream that comes in pieces.
     fn recorded(pieces: &[&[u8]], headings: &[&str]) -> (String, Vec<String>, Option<RecordError>) {
         let headings = headings.iter().map(|&heading| heading.to_owned()).collect();
-        let mut recorder = Recorder::new(|| Ok(Vec::new()), headings);
-        let mut taken = pieces.iter().map(|piece| recorder.take(piece, u64::MAX));
-        let wrong = taken.find_map(Result::err);
-        recorder.end_of_stream();
-        let complaints = recorder.complaints().iter().map(Text::to_string).collect();
-        let text = recorder
-            .out()
-            .map_or("", |out| std::str::from_utf8(out).unwrap());
-        (text.to_owned(), complaints, wrong)
+        let mut recorder = Recorder::new(headings);
+        let (text, complaints, wrong) = heard(pieces, &mut recorder, u64::MAX);
+        assert_eq!(recorder.whole_bytes, text.len() as u64);
+        (text, complaints, wrong)
+    }
+
+    fn heard(
+        pieces: &[&[u8]],
+        recorder: &mut Recorder,
+        most: u64,
+    ) -> (String, Vec<String>, Option<RecordError>) {
+        let (mut text, mut complaints) = (String::new(), Vec::new());
+        let mut put = |row: &str| {
+            text.push_str(row);
+            Ok(())
+        };
+        let mut hear = |says: Text| complaints.push(says.to_string());
+        let mut stream = io::BufReader::new(Pieces(pieces));
+        let wrong = record(&mut stream, recorder, most, &mut put, &mut hear).err();
+        (text, complaints, wrong)
+    }
+
+    struct Pieces<'p>(&'p [&'p [u8]]);
+
+    impl Read for Pieces<'_> {
+        fn read(&mut self, bytes: &mut [u8]) -> io::Result<usize> {
+            let Some((first, rest)) = self.0.split_first() else {
+                return Ok(0);
+            };
+            self.0 = rest;
+            bytes[..first.len()].copy_from_slice(first);
+            Ok(first.len())
+        }
     }
 
     #[test]
@@ -500,79 +317,71 @@ mod tests {
 
     #[test]
     fn a_stream_without_headings_is_refused_before_there_is_a_file() {
-        let (text, _, wrong) = recorded(&[b"1,2,3\n"], &[]);
-        assert!(text.is_empty() && matches!(wrong, Some(RecordError::NoHeadings { .. })));
-        let (text, _, wrong) = recorded(&[b"1,2,3\n"], &["x_mm", "y_mm"]);
-        assert!(text.is_empty());
-        assert!(matches!(
-            wrong,
-            Some(RecordError::Width {
-                line: 1,
-                cells: 3,
-                headings: 2
-            })
-        ));
         let endless = vec![b'1'; LONGEST_LINE + 1];
-        let (_, _, wrong) = recorded(&[&endless], &[]);
-        assert!(matches!(wrong, Some(RecordError::LongLine { line: 1 })));
+        let endless: Vec<&[u8]> = endless.chunks(4096).collect();
+        for (stream, headings, says) in [
+            (&[b"1,2,3\n" as &[u8]][..], &[][..], "no headings"),
+            (
+                &[b"1,2,3\n"],
+                &["x_mm", "y_mm"],
+                "line 1 of the stream: 3 cells; expected 2",
+            ),
+            (&endless, &[], "line 1 of the stream: longer"),
+        ] {
+            let (text, _, wrong) = recorded(stream, headings);
+            assert!(text.is_empty());
+            let Some(RecordError::Refused(wrong)) = wrong else {
+                panic!("{wrong:?}");
+            };
+            assert!(wrong.to_string().contains(says), "{wrong}");
+        }
     }
 
     #[test]
     fn what_is_counted_is_in_the_file() {
-        /// A disk with room for so many bytes.
-        struct Disk(Vec<u8>, usize);
-        impl Write for Disk {
-            fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-                let room = (self.1 - self.0.len()).min(bytes.len());
-                if room == 0 {
-                    return Err(io::ErrorKind::StorageFull.into());
-                }
-                self.0.extend_from_slice(&bytes[..room]);
-                Ok(room)
-            }
-            fn flush(&mut self) -> io::Result<()> {
-                Ok(())
-            }
-        }
         let mut stream = "x_mm,y_mm\n".to_owned();
         for k in 0..50 {
             stream += &format!("{k},1\n");
         }
+        // A disk with room for so many bytes.
         for room in 0..stream.len() {
-            let mut recorder = Recorder::new(|| Ok(Disk(Vec::new(), room)), Vec::new());
-            let pieces = stream.as_bytes().chunks(40);
-            let failed = pieces
-                .map(|piece| recorder.take(piece, u64::MAX))
-                .find_map(Result::err);
-            assert!(matches!(failed, Some(RecordError::Io(_))), "{room}");
-            let held = &recorder.out().unwrap().0;
-            let whole = memchr::memrchr(b'\n', held).map_or(0, |end| end + 1);
-            let lines = memchr::memchr_iter(b'\n', held).count() as u64;
-            assert_eq!(recorder.recorded(), lines.saturating_sub(1), "{room}");
-            assert_eq!(recorder.whole_bytes(), whole as u64, "{room}");
+            let mut disk = Vec::new();
+            let mut put = |row: &str| {
+                let fits = (room - disk.len()).min(row.len());
+                disk.extend_from_slice(&row.as_bytes()[..fits]);
+                if fits < row.len() {
+                    return Err(io::ErrorKind::StorageFull.into());
+                }
+                Ok(())
+            };
+            let mut recorder = Recorder::default();
+            let mut all = stream.as_bytes();
+            let failed = record(&mut all, &mut recorder, u64::MAX, &mut put, &mut |_| {});
+            assert!(matches!(failed, Err(RecordError::Io(_))), "{room}");
+            let whole = memchr::memrchr(b'\n', &disk).map_or(0, |end| end + 1);
+            let lines = memchr::memchr_iter(b'\n', &disk).count() as u64;
+            assert_eq!(recorder.recorded, lines.saturating_sub(1), "{room}");
+            assert_eq!(recorder.whole_bytes, whole as u64, "{room}");
         }
     }
 
     #[test]
     fn rubbish_is_counted_and_not_repeated() {
         let rubbish = format!("x,y\n{}1,2\n", "what is this\n".repeat(100_000));
-        let mut recorder = Recorder::new(|| Ok(Vec::new()), Vec::new());
-        let mut said = 0;
-        for piece in rubbish.as_bytes().chunks(4096) {
-            recorder.take(piece, u64::MAX).unwrap();
-            said += recorder.complaints().len();
-        }
+        let pieces: Vec<&[u8]> = rubbish.as_bytes().chunks(4096).collect();
+        let mut recorder = Recorder::default();
+        let (_, said, wrong) = heard(&pieces, &mut recorder, u64::MAX);
+        assert!(wrong.is_none());
         assert_eq!(
-            (recorder.recorded(), recorder.refused(), said),
+            (recorder.recorded, recorder.refused, said.len()),
             (1, 100_000, 20)
         );
     }
 
     #[test]
     fn it_stops_after_as_many_lines_as_are_wanted() {
-        let mut recorder = Recorder::new(|| Ok(Vec::new()), Vec::new());
-        recorder.take(b"x\n1\n2\n3\n", 2).unwrap();
-        assert_eq!(recorder.recorded(), 2);
-        assert_eq!(recorder.out().unwrap(), b"x\n1\n2\n");
+        let mut recorder = Recorder::default();
+        let (text, ..) = heard(&[b"x\n1\n2\n3\n"], &mut recorder, 2);
+        assert_eq!((recorder.recorded, &*text), (2, "x\n1\n2\n"));
     }
 }

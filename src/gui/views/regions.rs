@@ -153,7 +153,8 @@ fn own(ui: &mut Ui, workbench: &Workbench) {
 
 /// There are no regions, and what that means.
 fn none(ui: &mut Ui, workbench: &Workbench) {
-    let range = crate::sessions::division::range_to_divide(&workbench.loaded_session().session);
+    let range =
+        crate::sessions::division::range_to_divide(&workbench.loaded_session().session).ok();
     widgets::hint(
         ui,
         if range.is_some() {

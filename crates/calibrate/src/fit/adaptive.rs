@@ -15,12 +15,11 @@
 
 use crate::effects::JointValues;
 use crate::sessions::{Region, Session, Sigma};
+use truepose_session::refusal::Refusal;
 
 use super::plane::Plane;
 use super::problem::Problem;
-use crate::sessions::division::{
-    DEFAULT_REGIONS, RegionChoice, RegionError, between, range_to_divide, uniform,
-};
+use crate::sessions::division::{DEFAULT_REGIONS, RegionChoice, between, range_to_divide, uniform};
 
 /// Boundaries are looked for between so many cells at most.
 const MOST_CELLS: usize = 1200;
@@ -30,8 +29,8 @@ const FEWEST_SAMPLES: usize = 3;
 /// The regions that a choice means for a session with one joint.
 ///
 /// # Errors
-/// [`RegionError`] where the choice makes no sense for the session.
-pub fn regions_of(choice: &RegionChoice, session: &Session) -> Result<Vec<Region>, RegionError> {
+/// [`Refusal`] where the choice makes no sense for the session.
+pub fn regions_of(choice: &RegionChoice, session: &Session) -> Result<Vec<Region>, Refusal> {
     match choice {
         RegionChoice::FromSession if session.regions.is_empty() => {
             uniform(session, DEFAULT_REGIONS)
@@ -40,16 +39,13 @@ pub fn regions_of(choice: &RegionChoice, session: &Session) -> Result<Vec<Region
         RegionChoice::Uniform(number) => uniform(session, *number),
         RegionChoice::Boundaries(boundaries) => between(boundaries),
         RegionChoice::Given(regions) => Ok(regions.clone()),
-        RegionChoice::Adaptive => match session.whole() {
-            Ok(session) => adaptive(&session),
-            Err(rejected) => Err(RegionError::Session(rejected.to_string())),
-        },
+        RegionChoice::Adaptive => adaptive(session.whole()?.as_ref()),
     }
 }
 
 /// The regions that the samples ask for, over the joint's limits, else over the data's range.
-fn adaptive(session: &Session) -> Result<Vec<Region>, RegionError> {
-    let range = range_to_divide(session).ok_or(RegionError::NoRange)?;
+fn adaptive(session: &Session) -> Result<Vec<Region>, Refusal> {
+    let range = range_to_divide(session)?;
     let problem = Problem::new(session, JointValues::Commanded);
     let plane = Plane::new(&problem);
     let mut samples: Vec<Sample> = Vec::with_capacity(problem.samples());

@@ -12,7 +12,7 @@ pub enum IdentifyError {
     /// The paper's method is for one revolute joint.
     NotASingleRevoluteJoint(Text),
     /// The regions make no sense.
-    Regions(crate::sessions::division::RegionError),
+    Regions(truepose_session::refusal::Refusal),
     /// The session is no whole one: columns of different lengths, more joints than a robot has.
     Rejected(crate::diagnostic::Rejected),
     /// The caller cancelled.
@@ -45,8 +45,8 @@ displays_what_it_says!(IdentifyError);
 
 impl std::error::Error for IdentifyError {}
 
-impl From<crate::sessions::division::RegionError> for IdentifyError {
-    fn from(error: crate::sessions::division::RegionError) -> Self {
+impl From<truepose_session::refusal::Refusal> for IdentifyError {
+    fn from(error: truepose_session::refusal::Refusal) -> Self {
         Self::Regions(error)
     }
 }

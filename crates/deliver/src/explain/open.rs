@@ -9,6 +9,7 @@ use crate::present::numbers::{grouped, significant};
 use crate::present::place::described;
 use crate::present::poses::{new_reflectors, table};
 use crate::set_up_errors::DataProblem;
+use crate::standards::grouping::gathered;
 use crate::text::{ByTitles, within};
 
 /// Combinations that are listed on one page; of an arm there may be dozens.
@@ -237,20 +238,15 @@ pub(super) fn not_identifiable(
 /// Combinations with the reason that they share, each reason once. The one that names the first parameter of its
 /// combination is the same for all of them.
 fn by_reason(open: impl Iterator<Item = Fact>) -> Vec<Block> {
-    let mut reasons: Vec<(String, Vec<Fact>)> = Vec::new();
-    for (combination, because) in open {
+    let reasons = gathered(open.map(|(combination, because)| {
         let ends = combination.char_indices().map(|(at, c)| at + c.len_utf8());
         let mut named = ends.rev().map(|end| combination[..end].trim_end());
         let own = named.find(|own| own.chars().count() > 2 && because.contains(*own));
         let reason = own.map_or(because.clone(), |own| {
             because.replace(own, say!("the first of each"))
         });
-        let fact = (combination, because);
-        match reasons.iter_mut().find(|(known, _)| *known == reason) {
-            Some((_, facts)) => facts.push(fact),
-            None => reasons.push((reason, vec![fact])),
-        }
-    }
+        (reason, (combination, because))
+    }));
     let blocks = reasons.into_iter().flat_map(|(reason, facts)| {
         if facts.len() == 1 {
             return vec![Block::Facts(facts)];

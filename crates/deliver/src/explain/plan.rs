@@ -11,6 +11,7 @@ use crate::present::limits::{applies, joints_in_words, limits_of};
 use crate::present::names::{title, title_of, title_on};
 use crate::present::poses::{new_reflectors, table_by_joint};
 use crate::present::table::{Column, Table};
+use crate::standards::grouping::gathered;
 
 /// The whole answer, in the order in which it is read.
 #[doc(hidden)]
@@ -128,31 +129,23 @@ fn separated(separation: &Separation) -> Vec<String> {
 
 /// Joints that lack the same for the same effect together, with what is said of them.
 fn grouped(all: &[Untestable], plan: &Plan, says: fn(&Untestable) -> String) -> Vec<Fact> {
-    let mut groups: Vec<(&Untestable, Vec<usize>)> = Vec::new();
-    for one in all
-        .iter()
-        .filter(|one| applies(&plan.robot, one.effect, one.joint))
-    {
-        let same = |(first, _): &&mut (&Untestable, Vec<usize>)| {
-            first.effect == one.effect && first.because == one.because
-        };
-        match groups.iter_mut().find(same) {
-            Some((_, joints)) => joints.extend(one.joint),
-            None => groups.push((one, one.joint.into_iter().collect())),
-        }
-    }
     let joints = plan.robot.joints.len();
-    let said = groups.into_iter().map(|(first, on)| {
+    let all = all
+        .iter()
+        .filter(|one| applies(&plan.robot, one.effect, one.joint));
+    let groups = gathered(all.map(|one| ((one.effect, &one.because), one))).into_iter();
+    let said = groups.map(|((effect, _), group)| {
+        let on: Vec<usize> = group.iter().filter_map(|one| one.joint).collect();
         let name = match on[..] {
-            [] => title_on(first.effect, None, joints),
-            [one] => title_on(first.effect, Some(one + 1), joints),
+            [] => title_on(effect, None, joints),
+            [one] => title_on(effect, Some(one + 1), joints),
             _ => format!(
                 "{}, {}",
-                title_on(first.effect, None, joints),
+                title_on(effect, None, joints),
                 joints_in_words(&on)
             ),
         };
-        (name, says(first))
+        (name, says(group[0]))
     });
     said.collect()
 }

@@ -1,5 +1,7 @@
 //! What a written table says when it is read again, and the RMS error that it leaves.
 
+use std::borrow::Cow;
+
 use super::sheet::{Sheet, TURN};
 use crate::compensation::SortedTable;
 use crate::compensation::with_table::{gap_to_robot, gap_with_table, gap_without_table};
@@ -85,40 +87,33 @@ impl ReadBack {
     }
 }
 
+/// A session that an export can be held against: of a robot with as many joints, measured without a table, and
+/// such that it and the model can be computed with.
+fn measured<'s>(calibration: &Calibration, session: &'s Session) -> Option<Cow<'s, Session>> {
+    let same = session.robot.joints.len() == calibration.model.robot.joints.len();
+    let without = session.compensated_by.is_none();
+    let session = (same && without).then(|| session.whole())?.ok()?;
+    calibration.sound().is_ok().then_some(session)
+}
+
 /// The gap that the table leaves on a session that was measured without it, mm; `None` where no
 /// sample can be used, the session is of another robot, or either cannot be computed with.
 pub fn gap_left(calibration: &Calibration, session: &Session, table: &ReadBack) -> Option<Spread> {
-    let same = session.robot.joints.len() == calibration.model.robot.joints.len();
-    if !same || session.compensated_by.is_some() {
-        return None;
-    }
-    let session = &*session.whole().ok()?;
-    calibration.sound().ok()?;
+    let session = measured(calibration, session)?;
     let correction = |q: f64, side: f64| table.correction(q, side);
-    gap_with_table(calibration, session, table.joint, correction)
+    gap_with_table(calibration, &session, table.joint, correction)
 }
 
 /// The RMS error of a session without any table, mm; `None` as for [`gap_left`].
 pub fn gap_without(calibration: &Calibration, session: &Session) -> Option<Spread> {
-    let same = session.robot.joints.len() == calibration.model.robot.joints.len();
-    if !same || session.compensated_by.is_some() {
-        return None;
-    }
-    let session = &*session.whole().ok()?;
-    calibration.sound().ok()?;
-    gap_without_table(calibration, session)
+    gap_without_table(calibration, &*measured(calibration, session)?)
 }
 
 /// The gap between a session and another description of the robot, mm: what a simulation or a
 /// controller with this geometry would leave. `None` as for [`gap_left`].
 pub fn gap_to(calibration: &Calibration, session: &Session, robot: &Robot) -> Option<Spread> {
-    let same = session.robot.joints.len() == robot.joints.len();
-    if !same || session.compensated_by.is_some() {
-        return None;
-    }
-    let session = &*session.whole().ok()?;
-    calibration.sound().ok()?;
-    let usable = robot.out_of_range(&Place::default()).is_empty();
-    (usable && calibration.model.robot.joints.len() == robot.joints.len())
-        .then(|| gap_to_robot(calibration, session, robot))?
+    let session = measured(calibration, session)?;
+    let same = calibration.model.robot.joints.len() == robot.joints.len();
+    let usable = same && robot.out_of_range(&Place::default()).is_empty();
+    usable.then(|| gap_to_robot(calibration, &session, robot))?
 }

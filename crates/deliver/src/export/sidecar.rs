@@ -136,12 +136,8 @@ impl Sidecar<'_> {
     /// What a user should hear besides the file: the example, what to enter, the table's notes,
     /// what stays.
     pub(super) fn notes(&self, stays: &[Text]) -> Vec<Text> {
-        let mut notes = vec![WorkedExample::new(self.job, self.sheet, self.rules).says];
-        notes.extend(self.in_the_controller.iter().cloned());
-        notes.extend(self.rules.label.map(Text::from));
-        notes.extend(self.sheet.notes.iter().cloned());
-        notes.extend(stays.iter().cloned());
-        notes
+        let meaning = self.meaning().into_iter().skip(1);
+        meaning.chain(stays.iter().cloned()).collect()
     }
 
     /// What no joint removes over the measured range.

@@ -41,18 +41,16 @@ pub(super) enum Step {
 
 impl Step {
     pub(super) fn turn(axis: usize, value: f64, free: bool) -> Self {
-        Self::Move {
-            turns: true,
-            axis: Vector3::ith(axis, 1.0),
-            value,
-            joint: None,
-            free,
-        }
+        Self::along(true, axis, value, free)
     }
 
     pub(super) fn shift(axis: usize, value: f64, free: bool) -> Self {
+        Self::along(false, axis, value, free)
+    }
+
+    fn along(turns: bool, axis: usize, value: f64, free: bool) -> Self {
         Self::Move {
-            turns: false,
+            turns,
             axis: Vector3::ith(axis, 1.0),
             value,
             joint: None,
@@ -61,23 +59,11 @@ impl Step {
     }
 
     /// The same, with a joint's value added.
-    pub(super) fn with_joint(self, index: usize) -> Self {
-        match self {
-            Self::Move {
-                turns,
-                axis,
-                value,
-                free,
-                ..
-            } => Self::Move {
-                turns,
-                axis,
-                value,
-                joint: Some(index),
-                free,
-            },
-            Self::Fixed(pose) => Self::Fixed(pose),
+    pub(super) fn with_joint(mut self, index: usize) -> Self {
+        if let Self::Move { joint, .. } = &mut self {
+            *joint = Some(index);
         }
+        self
     }
 
     /// Six free steps: any small motion.

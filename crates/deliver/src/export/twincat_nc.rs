@@ -58,53 +58,32 @@ pub(super) const FORMAT: Format = TableFile::format(
 );
 
 fn write(_: &Job, sheet: &Sheet, notes: &[Text]) -> String {
+    let heading = text!(
+        "Correction of joint {joint} in {unit}",
+        joint = sheet.joint + 1,
+        unit = sheet.unit()
+    );
     let mut text = String::new();
-    let line = |text: &mut String, line: &str| {
-        text.push_str(line);
-        text.push('\n');
-    };
-    line(
-        &mut text,
-        &format!(
-            "// {}",
-            in_a_comment(&text!(
-                "Correction of joint {joint} in {unit}",
-                joint = sheet.joint + 1,
-                unit = sheet.unit()
-            ))
-        ),
-    );
-    for note in notes {
-        line(&mut text, &format!("// {}", in_a_comment(note)));
+    for note in [&heading].into_iter().chain(notes) {
+        let _ = writeln!(text, "// {}", in_a_comment(note));
     }
-    let [from, to] = sheet.ends();
-    let last = sheet.places.len() - 1;
-    line(&mut text, "VAR_GLOBAL");
-    line(
-        &mut text,
-        &format!("    aC : ARRAY[0..{last}] OF ST_PositionCompensationTableElement := ["),
-    );
-    for (k, (place, correction)) in sheet.places.iter().zip(&sheet.forward).enumerate() {
-        let comma = if k < last { "," } else { "" };
+    let [from, to] = sheet.ends().map(decimal);
+    let count = sheet.places.len();
+    let columns = sheet.places.iter().zip(&sheet.forward);
+    let elements = columns.map(|(place, correction)| {
         let (place, correction) = (decimal(*place), decimal(*correction));
-        let _ = writeln!(
-            text,
-            "        (Position := {place}, Compensation := {correction}){comma}"
-        );
-    }
-    line(&mut text, "    ];");
-    let modulo = if sheet.repeats { "TRUE" } else { "FALSE" };
-    line(
-        &mut text,
-        &format!(
-            "    stC : ST_PositionCompensationTableParameter := (MinPosition := {}, MaxPosition := \
-             {}, NoOfTableElements := {}, Modulo := {modulo});",
-            decimal(from),
-            decimal(to),
-            last + 1,
-        ),
+        format!("        (Position := {place}, Compensation := {correction})")
+    });
+    let elements: Vec<String> = elements.collect();
+    let _ = writeln!(
+        text,
+        "VAR_GLOBAL\n    aC : ARRAY[0..{last}] OF ST_PositionCompensationTableElement := [\n{elements}\n    ];\n    \
+         stC : ST_PositionCompensationTableParameter := (MinPosition := {from}, MaxPosition := {to}, \
+         NoOfTableElements := {count}, Modulo := {modulo});\nEND_VAR",
+        last = count - 1,
+        elements = elements.join(",\n"),
+        modulo = if sheet.repeats { "TRUE" } else { "FALSE" },
     );
-    line(&mut text, "END_VAR");
     text
 }
 

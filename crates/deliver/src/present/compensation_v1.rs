@@ -28,6 +28,7 @@
 use crate::text::Text;
 use serde::ser::{Serialize, SerializeMap, SerializeSeq, Serializer};
 
+use super::displayed;
 use super::json::{Json, list, object};
 use super::parts::pose;
 use crate::kinematics::{Pose, Robot};
@@ -179,15 +180,12 @@ fn entry(outcome: &Outcome, robot: &Robot) -> Json {
     let (line, column) = outcome.place;
     let written = outcome.result.as_ref().ok();
     let left = outcome.result.as_ref().err();
-    let outer = |values: &[f64]| -> Vec<f64> {
-        let pairs = robot.joints.iter().zip(values);
-        pairs
-            .map(|(joint, value)| joint.kind.to_display(*value))
-            .collect()
-    };
     let change = |w: &Written| {
         let pairs = w.corrected.iter().zip(&w.commanded);
-        outer(&pairs.map(|(to, from)| to - from).collect::<Vec<_>>())
+        displayed(
+            robot,
+            &pairs.map(|(to, from)| to - from).collect::<Vec<_>>(),
+        )
     };
     object! {
         "name": &outcome.name,
@@ -197,7 +195,7 @@ fn entry(outcome: &Outcome, robot: &Robot) -> Json {
         "corrected": written.is_some(),
         "because": left.map(|l| l.reason.name()),
         "says": left.map(|l| l.explanation.to_string()),
-        "q_deg": written.map(|w| outer(&w.commanded)),
+        "q_deg": written.map(|w| displayed(robot, &w.commanded)),
         "change_deg": written.map(change),
         "dir": written.map(|w| w.dir.iter().map(|dir| f64::from(*dir)).collect::<Vec<_>>()),
         "load_kg": written.map(|w| w.load_kg),

@@ -12,6 +12,7 @@ use crate::paper::RegionalStart;
 use crate::sessions::Session;
 use crate::units::deg_from_rad;
 
+use super::displayed;
 use super::json::{Json, keyed, list, object, optional};
 use super::kinds;
 use super::parts::{not_identifiable, outliers, parameters_by_effect, problems};
@@ -176,12 +177,7 @@ fn noise(noise: &Noise) -> Json {
 
 /// Poses to measure next, in the units of the file.
 pub(super) fn poses(poses: &[NextPose], robot: &Robot) -> Json {
-    let outer = |values: &Vec<f64>| {
-        let pairs = robot.joints.iter().zip(values);
-        pairs
-            .map(|(joint, v)| joint.kind.to_display(*v))
-            .collect::<Vec<_>>()
-    };
+    let outer = |values: &Vec<f64>| displayed(robot, values);
     list(poses, |p| {
         object! {
             "q_deg": outer(&p.q),

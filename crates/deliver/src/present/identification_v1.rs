@@ -1,5 +1,6 @@
 //! `truepose-identification/1`: what an identification answers as JSON. Samples count from 1.
 
+use super::displayed;
 use super::json::{Json, list, object, optional};
 use super::kinds;
 use super::parts::{not_identifiable, outliers, problems, which};
@@ -113,8 +114,7 @@ pub(super) fn expected(answer: &Identification) -> Json {
 
 /// The joint values where the largest error is expected, as a session's file has them.
 pub fn worst_pose(expected: &Expected, robot: &Robot) -> Vec<f64> {
-    let values = expected.worst_q.iter().zip(&robot.joints);
-    values.map(|(q, joint)| joint.kind.to_display(*q)).collect()
+    displayed(robot, &expected.worst_q)
 }
 
 /// Degrees as a person wrote them: the conversion to radians and back can cost the last bit.

@@ -7,6 +7,7 @@
 use crate::diagnosis::{Detectability, Diagnosis, Limit};
 use crate::effects::find;
 use crate::kinematics::Robot;
+use crate::standards::grouping::gathered;
 use crate::text::{Text, by_titles, current};
 
 use super::names::parameter;
@@ -83,39 +84,21 @@ pub fn sight(effect: &str, name: &str, size: f64) -> Detectability {
     }
 }
 
-/// An effect and its joints, counted from 0; `None` of the robot as a whole.
-type OnJoints<'a> = (&'a str, Vec<Option<usize>>);
-
 /// What is not testable, a line for each reason; `name` is what an effect is called.
 pub(crate) fn not_testable(d: &Diagnosis, name: impl Fn(&str) -> String) -> Vec<Line> {
     let robot = &d.model.robot;
-    let mut reasons: Vec<(&Text, Vec<OnJoints>)> = Vec::new();
-    let not_testable = d.not_testable.iter();
-    for one in not_testable.filter(|one| applies(robot, one.effect, one.joint)) {
-        let at = reasons
-            .iter()
-            .position(|(because, _)| **because == one.because);
-        let at = at.unwrap_or_else(|| {
-            reasons.push((&one.because, Vec::new()));
-            reasons.len() - 1
-        });
-        let effects = &mut reasons[at].1;
-        match effects.iter_mut().find(|(effect, _)| *effect == one.effect) {
-            Some((_, joints)) => joints.push(one.joint),
-            None => effects.push((one.effect, vec![one.joint])),
-        }
-    }
-    let line = |(because, effects): (&Text, Vec<OnJoints>)| {
-        let names: Vec<String> = effects
-            .iter()
-            .map(|(effect, joints)| with_joints(&name(effect), joints, robot))
-            .collect();
+    let all = d.not_testable.iter();
+    let all = all.filter(|one| applies(robot, one.effect, one.joint));
+    let line = |(because, all): (&Text, Vec<(&str, Option<usize>)>)| {
+        let effects = gathered(all).into_iter();
+        let names = effects.map(|(effect, joints)| with_joints(&name(effect), &joints, robot));
         Line {
-            names: names.join("; "),
+            names: names.collect::<Vec<_>>().join("; "),
             of_joints: true,
             text: because.spoken_with(current(), by_titles()),
         }
     };
+    let reasons = gathered(all.map(|one| (&one.because, (one.effect, one.joint))));
     reasons.into_iter().map(line).collect()
 }
 
@@ -130,16 +113,6 @@ pub(crate) fn limits_of(
     limits: &[Limit],
     name: impl Fn(&str) -> String,
 ) -> Vec<Line> {
-    let mut effects: Vec<(&str, Vec<&Limit>)> = Vec::new();
-    for limit in limits {
-        match effects
-            .iter_mut()
-            .find(|(effect, _)| *effect == limit.effect)
-        {
-            Some((_, limits)) => limits.push(limit),
-            None => effects.push((limit.effect, vec![limit])),
-        }
-    }
     let line = |(effect, limits): (&str, Vec<&Limit>)| {
         let joints: Vec<Option<usize>> = limits.iter().map(|limit| limit.joint).collect();
         Line {
@@ -148,6 +121,7 @@ pub(crate) fn limits_of(
             text: limits_in_words(effect, &limits),
         }
     };
+    let effects = gathered(limits.iter().map(|limit| (limit.effect, limit)));
     effects.into_iter().map(line).collect()
 }
 

@@ -38,3 +38,13 @@ pub mod units;
 pub mod verification_v1;
 
 pub(crate) mod place;
+
+use crate::kinematics::Robot;
+
+/// Values of joints in degrees or mm.
+pub(crate) fn displayed(robot: &Robot, values: &[f64]) -> Vec<f64> {
+    let values = robot.joints.iter().zip(values);
+    values
+        .map(|(joint, value)| joint.kind.to_display(*value))
+        .collect()
+}

@@ -4,6 +4,7 @@ use super::json::{Json, list, object, optional};
 use crate::fit::{Estimate, NotIdentifiable, Outlier};
 use crate::kinematics::Pose;
 use crate::set_up_errors::DataProblem;
+use crate::standards::grouping::gathered;
 
 /// Set-up errors.
 pub(super) fn problems(all: &[DataProblem]) -> Json {
@@ -56,17 +57,8 @@ pub(super) fn parameters_by_effect(estimates: &[Estimate]) -> Json {
             e.place.clone(),
         )
     };
-    let mut groups: Vec<Vec<&Estimate>> = Vec::new();
-    for one in estimates {
-        match groups
-            .iter_mut()
-            .find(|group| place(group[0]) == place(one))
-        {
-            Some(group) => group.push(one),
-            None => groups.push(vec![one]),
-        }
-    }
-    list(groups, |group| {
+    let groups = gathered(estimates.iter().map(|one| (place(one), one)));
+    list(groups, |(_, group)| {
         let one = group[0];
         object! {
             "effect": one.effect,

@@ -10,6 +10,7 @@
 //!
 //! Poses are those of the tool in the base frame; the values of a sliding joint are in mm.
 
+use super::displayed;
 use super::json::{Json, keyed, list, object};
 use super::parts::pose;
 use crate::kinematics::Robot;
@@ -43,10 +44,8 @@ pub fn document(cube: &TestCube, robot: &Robot) -> Json {
 
 fn poses(all: &[TestPose], robot: &Robot) -> Json {
     list(all, |one| {
-        let values = robot.joints.iter().zip(&one.q);
-        let q_deg: Vec<f64> = values.map(|(joint, q)| joint.kind.to_display(*q)).collect();
         object! { "name": &one.name }
             .with(pose(&one.pose))
-            .with(object! { "q_deg": q_deg })
+            .with(object! { "q_deg": displayed(robot, &one.q) })
     })
 }

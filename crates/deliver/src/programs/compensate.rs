@@ -10,7 +10,7 @@ use nalgebra::{Rotation3, Vector3};
 
 use crate::effects::Term;
 use crate::effects::inputs::REFERENCE_TEMPERATURE_C;
-use crate::kinematics::Robot;
+use crate::kinematics::{Axis, Robot};
 use crate::text::Text as Sentence;
 
 use super::answer::{Answer, Outcome, Reason, SkippedTarget, Written};
@@ -20,7 +20,7 @@ use super::corrected::corrected;
 use super::program::Program;
 use super::program_frames::Reading;
 use super::request::{CompensateError, Request, measured_frame};
-use super::resolve::{Resolved, Resolver};
+use super::resolve::{Resolved, Resolver, left};
 use super::settle::settled;
 use super::target::{Remark, Shape, Target};
 use super::text::Text;
@@ -77,14 +77,22 @@ fn of_whole(request: &Request, own: usize) -> Result<Answer, CompensateError> {
     if let Some(start) = &request.start
         && start.len() != robot.joints.len()
     {
-        let (found, expected) = (start.len(), robot.joints.len());
-        return Err(CompensateError::Start { found, expected });
+        return Err(CompensateError::Refused(text!(
+            "{found} joint values to start from; expected {expected}, one for each joint of the model",
+            found = start.len(),
+            expected = robot.joints.len()
+        )));
     }
-    if let Some(what) = request.no_number() {
-        return Err(CompensateError::NoNumber(what));
+    if let Some(option) = request.no_number() {
+        return Err(CompensateError::Refused(text!(
+            "{option}: expected finite numbers within a robot's range",
+            option
+        )));
     }
     if request.measured_frame && measured_frame(calibration).is_none() {
-        return Err(CompensateError::NoMeasuredFrame);
+        return Err(CompensateError::Refused(text!(
+            "the model knows no measuring frame that was brought into the robot's base: --measured-frame has no meaning for it"
+        )));
     }
     let axes = Axes::new(robot);
     let mut program = request.language.read(request.bytes, &axes, request.file)?;
@@ -102,7 +110,7 @@ fn of_whole(request: &Request, own: usize) -> Result<Answer, CompensateError> {
     let mut corrected = corrected(request, &program, &axes, &conditions, results);
     for (target, result) in program.targets.iter().zip(&mut corrected) {
         if target.at >= own {
-            *result = Err(SkippedTarget::new(Reason::Unused, Sentence::default()));
+            *result = left(Reason::Unused, Sentence::default());
         }
     }
     let bytes = written(request, &program, robot, convention, &corrected);
@@ -175,47 +183,27 @@ fn resolved(
 ) -> Vec<Result<Resolved, SkippedTarget>> {
     let robot = &request.calibration.model.robot;
     let mut resolver = Resolver::new(robot, axes, convention, request.start.clone());
-    let nothing = || {
-        Err(SkippedTarget::new(
-            Reason::Ambiguous,
-            crate::text::Text::default(),
-        ))
-    };
-    let mut results: Vec<_> = (0..program.targets.len()).map(|_| nothing()).collect();
+    let nothing = |_| left(Reason::Ambiguous, Sentence::default());
+    let mut results: Vec<_> = (0..program.targets.len()).map(nothing).collect();
     for k in program.order() {
         results[k] = resolver.resolve(&program.targets[k]);
     }
     results
 }
 
-/// What of the measuring frame and the first axis samples show only together, so that it is taken from the drawing.
-struct OfDrawing {
-    /// How far that moves the tool at home, mm.
-    at_tool_mm: f64,
-    /// How far it moves the first axis along itself, mm.
-    along_mm: f64,
-}
-
-impl OfDrawing {
-    fn of(frame: &Term, robot: &Robot) -> Self {
-        let c = &frame.coefficients;
-        let turn = Rotation3::new(Vector3::from_column_slice(&c[..3]));
-        let shift = Vector3::from_column_slice(&c[3..6]);
-        let moved = |p: Vector3<f64>| turn * p + shift - p;
-        let along = robot.joints.first().map_or(0.0, |joint| {
-            moved(joint.axis.point_mm.coords)
-                .dot(&joint.axis.direction)
-                .abs()
-        });
-        Self {
-            at_tool_mm: moved(robot.base_from_tool.translation.vector).norm(),
-            along_mm: along,
-        }
-    }
-
-    fn length(v: &[f64]) -> f64 {
-        v.iter().map(|v| v * v).sum::<f64>().sqrt()
-    }
+/// What a measuring frame's place and turn move, taken from the drawing: at the tool, and of the first axis along
+/// itself, mm.
+fn of_drawing(frame: &Term, robot: &Robot) -> [f64; 2] {
+    let c = &frame.coefficients;
+    let turn = Rotation3::new(Vector3::from_column_slice(&c[..3]));
+    let shift = Vector3::from_column_slice(&c[3..6]);
+    let moved = |p: Vector3<f64>| turn * p + shift - p;
+    let along = |axis: &Axis| moved(axis.point_mm.coords).dot(&axis.direction).abs();
+    let first = robot.joints.first();
+    [
+        moved(robot.base_from_tool.translation.vector).norm(),
+        first.map_or(0.0, |joint| along(&joint.axis)),
+    ]
 }
 
 fn written(
@@ -324,15 +312,16 @@ fn notes(request: &Request, reading: &Reading, program: &Program) -> Vec<Sentenc
         notes.push(if request.measured_frame {
             text!("the robot's base is the frame in which the session was measured")
         } else {
-            let robot = &request.calibration.model.robot;
+            let [at_tool, along] = of_drawing(frame, &request.calibration.model.robot);
+            let length = |v: &[f64]| v.iter().map(|v| v * v).sum::<f64>().sqrt();
             text!(
                 "the robot's base is where its first axis is; the measuring frame stands {far} and {turned} from it. \
                  The samples do not tell where the axis stands from where the frame does: {at_tool} at the tool, \
                  {along} of it along that axis, are taken from the nominal model",
-                far = format!("{:.3} mm", OfDrawing::length(&frame.coefficients[3..])),
-                turned = format!("{:.3} mrad", 1e3 * OfDrawing::length(&frame.coefficients[..3])),
-                at_tool = format!("{:.3} mm", OfDrawing::of(frame, robot).at_tool_mm),
-                along = format!("{:.3} mm", OfDrawing::of(frame, robot).along_mm),
+                far = format!("{:.3} mm", length(&frame.coefficients[3..])),
+                turned = format!("{:.3} mrad", 1e3 * length(&frame.coefficients[..3])),
+                at_tool = format!("{at_tool:.3} mm"),
+                along = format!("{along:.3} mm"),
             )
         });
     }
@@ -370,11 +359,11 @@ mod tests {
         let robot = parse_robot(robot).expect("sound").robot;
         let mut frame = Term::absent(&MEASURING_FRAME, 0, 0.0);
         frame.coefficients = vec![0.0, 0.0, 0.0, 0.4, 0.0, 0.3];
-        let of = OfDrawing::of(&frame, &robot);
-        assert!((of.along_mm - 0.3).abs() < 1e-12 && (of.at_tool_mm - 0.5).abs() < 1e-12);
+        let [at_tool, along] = of_drawing(&frame, &robot);
+        assert!((along - 0.3).abs() < 1e-12 && (at_tool - 0.5).abs() < 1e-12);
         // A turn about the first axis moves the tool and not the axis.
         frame.coefficients = vec![0.0, 0.0, 1e-3, 0.0, 0.0, 0.0];
-        let of = OfDrawing::of(&frame, &robot);
-        assert!(of.along_mm < 1e-12 && (of.at_tool_mm - 0.4).abs() < 1e-6);
+        let [at_tool, along] = of_drawing(&frame, &robot);
+        assert!(along < 1e-12 && (at_tool - 0.4).abs() < 1e-6);
     }
 }

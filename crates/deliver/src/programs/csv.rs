@@ -12,7 +12,7 @@ use crate::kinematics::JointKind;
 use crate::sessions::columns::{Heading, Quantity, Unit};
 
 use super::axes::Axes;
-use super::number::{NoNumber, Number};
+use super::number::Number;
 use super::pose::{Frame, Orientation};
 use super::program::Program;
 use super::target::{Circumstances, Problem, Remark, Shape, Target};
@@ -336,14 +336,14 @@ impl Table<'_> {
     fn number(&self, range: Range<usize>) -> Result<Number, Problem> {
         let bytes = self.text.bytes;
         let has_comma = self.comma && bytes[range.clone()].contains(&b',');
-        let problem = |reason: NoNumber| {
+        let problem = |expected| {
             let shown = self.text.shown(range.clone());
             let found = if shown.is_empty() {
                 text!("an empty cell")
             } else {
                 crate::text::Text::verbatim(format!("'{shown}'"))
             };
-            Problem::new(range.start, found, reason.expected())
+            Problem::new(range.start, found, expected)
         };
         Number::read(bytes, range.clone(), has_comma).map_err(problem)
     }

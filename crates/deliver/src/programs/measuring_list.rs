@@ -9,9 +9,10 @@ use std::fmt::Write as _;
 
 use crate::kinematics::Robot;
 
-use super::{Stop, WriteError, stops};
+use super::{Stop, stops};
 use crate::design::conditions::approach;
 use crate::diagnosis::NextPose;
+use crate::refusal::Refusal;
 use crate::tables::as_cell;
 
 /// The poses as a program of joint moves in `language` (`rapid`, `krl`, `urscript`): each is approached
@@ -24,7 +25,7 @@ pub fn measuring_program(
     poses: &[NextPose],
     robot: &Robot,
     language: &str,
-) -> Result<String, WriteError> {
+) -> Result<String, Refusal> {
     let stop = |pose: &NextPose| {
         let mut from = pose.q.clone();
         for ((from, dir), joint) in from.iter_mut().zip(&pose.dir).zip(&robot.joints) {

@@ -60,7 +60,7 @@ pub use program_frames::{
 pub use request::{CompensateError, Request};
 pub use target::{Circumstances, Posture, Remark, Shape, Target};
 pub use text::Text;
-pub use write::{Stop, WriteError, stops};
+pub use write::{Stop, stops};
 
 /// Every language, in the order in which their looks are tried.
 pub const LANGUAGES: &[Language] = &[

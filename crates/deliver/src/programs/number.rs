@@ -37,31 +37,17 @@ pub struct Number {
     comma: bool,
 }
 
-/// Why bytes are no number.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum NoNumber {
-    /// They do not look like one.
-    Malformed,
-    /// One that overflows.
-    TooLarge,
-}
-
-impl NoNumber {
-    /// What was expected instead.
-    pub(super) fn expected(self) -> Template {
-        match self {
-            Self::Malformed => phrase!("a number"),
-            Self::TooLarge => phrase!("a number that is not larger than any machine"),
-        }
-    }
-}
+/// What was expected of bytes that do not look like a number.
+const A_NUMBER: Template = phrase!("a number");
+/// What was expected of one that overflows.
+const SMALLER: Template = phrase!("a number that is not larger than any machine");
 
 /// Digits that a pose carries at most; more are rounding.
 const MOST_DECIMALS: usize = 15;
 
 impl Number {
     /// Reads `[+-]digits[.digits][e±digits]`; with `comma` the decimal sign is a comma.
-    pub(super) fn read(bytes: &[u8], range: Range<usize>, comma: bool) -> Result<Self, NoNumber> {
+    pub(super) fn read(bytes: &[u8], range: Range<usize>, comma: bool) -> Result<Self, Template> {
         let text = &bytes[range.clone()];
         let signed = matches!(text.first(), Some(b'+' | b'-'));
         // A sign may stand off its digits.
@@ -72,14 +58,14 @@ impl Number {
         let begins = (digits.first()).is_some_and(|b| b.is_ascii_digit() || *b == sign);
         let belongs = |b: &u8| b.is_ascii_digit() || *b == sign || b"eE+-".contains(b);
         if !begins || !digits.iter().all(belongs) {
-            return Err(NoNumber::Malformed);
+            return Err(A_NUMBER);
         }
         let plain = digits
             .iter()
             .map(|b| if *b == sign { '.' } else { char::from(*b) });
-        let value: f64 = (plain.collect::<String>().parse()).map_err(|_| NoNumber::Malformed)?;
+        let value: f64 = (plain.collect::<String>().parse()).map_err(|_| A_NUMBER)?;
         if !value.is_finite() {
-            return Err(NoNumber::TooLarge);
+            return Err(SMALLER);
         }
         let power = digits.iter().any(|b| matches!(b, b'e' | b'E'));
         let decimals = digits.iter().rev().position(|b| *b == sign);
@@ -89,7 +75,7 @@ impl Number {
             } else {
                 value
             },
-            span: Span::of(&range).ok_or(NoNumber::TooLarge)?,
+            span: Span::of(&range).ok_or(SMALLER)?,
             // It is before the end, which has a place.
             detached_digits: apart.and_then(|at| NonZero::new(u32::try_from(at).ok()?)),
             decimals: u8::try_from(decimals.filter(|_| !power).unwrap_or(0)).unwrap_or(u8::MAX),
@@ -136,7 +122,7 @@ impl Number {
 mod tests {
     use super::*;
 
-    fn read(text: &str, comma: bool) -> Result<(f64, usize), NoNumber> {
+    fn read(text: &str, comma: bool) -> Result<(f64, usize), Template> {
         let number = Number::read(text.as_bytes(), 0..text.len(), comma)?;
         Ok((number.value, usize::from(number.decimals)))
     }
@@ -151,9 +137,9 @@ mod tests {
         for bad in [
             "", "-", ".", "1.2.3", "nan", "inf", "0x10", "1e", "1,2", "--1", "1e+-2",
         ] {
-            assert_eq!(read(bad, false), Err(NoNumber::Malformed), "{bad}");
+            assert_eq!(read(bad, false), Err(A_NUMBER), "{bad}");
         }
-        assert_eq!(read("1e999", false), Err(NoNumber::TooLarge));
+        assert_eq!(read("1e999", false), Err(SMALLER));
     }
 
     #[test]

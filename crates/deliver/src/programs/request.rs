@@ -48,17 +48,8 @@ pub enum CompensateError {
     Rejected(Rejected),
     /// The model makes no corrections.
     Model(TableError),
-    /// The start does not have one value per joint.
-    Start {
-        /// How many were given.
-        found: usize,
-        /// How many joints there are.
-        expected: usize,
-    },
-    /// A number of the request that no robot has.
-    NoNumber(&'static str),
-    /// The model has no such frame.
-    NoMeasuredFrame,
+    /// The request does not suit the model.
+    Refused(Sentence),
     /// The program's tool, frame or load is not the model's, and which holds is not settled.
     Differs(Differences),
     /// One tool or frame is given, and the program has several.
@@ -85,18 +76,7 @@ impl CompensateError {
         match self {
             Self::Rejected(inner) => inner.describe(),
             Self::Model(inner) => inner.describe(),
-            Self::Start { found, expected } => text!(
-                "{found} joint values to start from; expected {expected}, one for each joint of the model",
-                found,
-                expected
-            ),
-            Self::NoNumber(option) => text!(
-                "{option}: expected finite numbers within a robot's range",
-                option
-            ),
-            Self::NoMeasuredFrame => text!(
-                "the model knows no measuring frame that was brought into the robot's base: --measured-frame has no meaning for it"
-            ),
+            Self::Refused(says) => says.clone(),
             Self::Differs(differences) => differences.describe(),
             Self::Several { is_tool, names } => text!(
                 "{option} gives one and the program has several ({names}): --as-programmed takes each as the program declares it",

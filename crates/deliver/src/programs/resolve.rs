@@ -242,7 +242,7 @@ impl<'a> Resolver<'a> {
     }
 }
 
-fn left<T>(reason: Reason, says: Text) -> Result<T, SkippedTarget> {
+pub(super) fn left<T>(reason: Reason, says: Text) -> Result<T, SkippedTarget> {
     Err(SkippedTarget::new(reason, says))
 }
 

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use crate::text::Template;
 
-use super::number::{NoNumber, Number, Span};
+use super::number::{Number, Span};
 use super::target::Problem;
 use super::text::Text;
 
@@ -369,10 +369,10 @@ impl<'t> Words<'t, '_> {
         }
         let range = self.at(k)..self.range(digits).end;
         let read = Number::read(self.text.bytes, range.clone(), false);
-        let wrong = |reason: NoNumber| {
+        let wrong = |expected| {
             let found =
                 crate::text::Text::verbatim(format!("'{}'", self.text.shown(range.clone())));
-            Problem::new(range.start, found, reason.expected())
+            Problem::new(range.start, found, expected)
         };
         Some(read.map(|number| (number, digits + 1)).map_err(wrong))
     }

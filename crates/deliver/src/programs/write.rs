@@ -4,10 +4,10 @@
 //! for. Velocities are slow and the tool is the flange: both are to be set as the cell
 //! needs them.
 
-use crate::text::Text;
 use std::fmt::Write as _;
 
 use crate::kinematics::{JointKind, Robot};
+use crate::refusal::Refusal;
 use crate::units::LARGEST_JOINT_VALUE;
 
 use super::axes::{Axes, MOST_OWN, Slot};
@@ -26,57 +26,6 @@ pub struct Stop {
     pub comment: String,
 }
 
-/// Why there is no program.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub enum WriteError {
-    /// No program of stops is written in this language.
-    Language(String),
-    /// The controller has fewer axes.
-    Axes(usize, &'static str),
-    /// It gives all joints in rad.
-    Slide,
-    /// A pose to which no robot goes.
-    Pose {
-        /// The pose, counted from 1.
-        pose: usize,
-        /// Number of joints.
-        joints: usize,
-    },
-}
-
-impl WriteError {
-    /// In words.
-    pub fn describe(&self) -> Text {
-        match self {
-            Self::Language(language) => text!(
-                "no program of joint moves is written as {language}; expected csv, rapid, krl or urscript",
-                language
-            ),
-            Self::Axes(axes, language) => text!(
-                "{axes} axes of the robot's own; expected at most 6 for {language}, external ones are called E1 to E6 (eax_a to eax_f) in the robot's file",
-                axes,
-                language
-            ),
-            Self::Slide => {
-                text!(
-                    "{found}; expected {expected}",
-                    found = text!("a model with a sliding joint"),
-                    expected = text!("turning joints, which URScript gives in rad")
-                )
-            }
-            Self::Pose { pose, joints } => text!(
-                "pose {pose}: expected {joints} joint values within a robot's range, one for each joint",
-                pose,
-                joints
-            ),
-        }
-    }
-}
-
-displays_what_it_says!(WriteError);
-
-impl std::error::Error for WriteError {}
-
 /// A program that goes from stop to stop. `title` stands in its first comment.
 ///
 /// # Errors
@@ -86,18 +35,25 @@ pub fn stops(
     robot: &Robot,
     title: &str,
     stops: &[Stop],
-) -> Result<String, WriteError> {
+) -> Result<String, Refusal> {
     let axes = Axes::new(robot);
     let joints = axes.joints();
     let is_value = |value: &f64| value.abs() <= LARGEST_JOINT_VALUE;
     let goes = |q: &[f64]| q.len() == joints && q.iter().all(is_value);
     let nowhere = |stop: &Stop| !goes(&stop.q) || stop.from.as_deref().is_some_and(|q| !goes(q));
     if let Some(index) = stops.iter().position(nowhere) {
-        let pose = index + 1;
-        return Err(WriteError::Pose { pose, joints });
+        return Err(Refusal(text!(
+            "pose {pose}: expected {joints} joint values within a robot's range, one for each joint",
+            pose = index + 1,
+            joints
+        )));
     }
-    let own = |name| match axes.own() {
-        many if many > MOST_OWN => Err(WriteError::Axes(many, name)),
+    let own = |language| match axes.own() {
+        axes if axes > MOST_OWN => Err(Refusal(text!(
+            "{axes} axes of the robot's own; expected at most 6 for {language}, external ones are called E1 to E6 (eax_a to eax_f) in the robot's file",
+            axes,
+            language
+        ))),
         _ => Ok(()),
     };
     let program = match language {
@@ -130,7 +86,11 @@ pub fn stops(
         }
         "urscript" => {
             if robot.joints.iter().any(|j| j.kind == JointKind::Prismatic) {
-                return Err(WriteError::Slide);
+                return Err(Refusal(text!(
+                    "{found}; expected {expected}",
+                    found = text!("a model with a sliding joint"),
+                    expected = text!("turning joints, which URScript gives in rad")
+                )));
             }
             LanguageWords {
                 head: "def measuring():\n",
@@ -141,7 +101,12 @@ pub fn stops(
                 end: "end\n",
             }
         }
-        other => return Err(WriteError::Language(other.to_owned())),
+        language => {
+            return Err(Refusal(text!(
+                "no program of joint moves is written as {language}; expected csv, rapid, krl or urscript",
+                language
+            )));
+        }
     };
     Ok(program.written(&axes, title, stops))
 }

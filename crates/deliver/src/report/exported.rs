@@ -10,6 +10,7 @@ use crate::text::Text;
 
 use crate::document::number::hexadecimal;
 use crate::guard::read_regular;
+use crate::refusal::Refusal;
 
 /// Longest table, bytes.
 const MOST_BYTES: u64 = 256 << 20;
@@ -31,96 +32,36 @@ pub struct ExportedTable {
     pub samples_hash: String,
 }
 
-/// Why a table cannot be named in a report.
-#[derive(Debug, Clone, PartialEq)]
-pub enum TableFileError {
-    /// A file cannot be read.
-    Unreadable {
-        /// Which file.
-        path: PathBuf,
-        /// Why.
-        because: Text,
-    },
-    /// The sidecar is not one.
-    NoSidecar {
-        /// Which file.
-        path: PathBuf,
-        /// Line of the problem.
-        line: usize,
-        /// Column of the problem.
-        column: usize,
-        /// What was expected.
-        what: Text,
-    },
-}
-
-impl TableFileError {
-    /// In words.
-    pub fn describe(&self) -> Text {
-        match self {
-            Self::Unreadable { path, because } => of_file(path, because.clone()),
-            Self::NoSidecar {
-                path,
-                line,
-                column,
-                what,
-            } => of_file(
-                path,
-                text!(
-                    "line {line}, column {column}: {says}",
-                    line,
-                    column,
-                    says = what
-                ),
-            ),
-        }
-    }
-}
-
-/// What is said of a file.
-fn of_file(path: &Path, says: Text) -> Text {
-    Text::listed([Text::verbatim(path.display().to_string()), says], ": ")
-}
-
-displays_what_it_says!(TableFileError);
-
-impl std::error::Error for TableFileError {}
-
 impl ExportedTable {
     /// Reads a table and the sidecar beside it.
     ///
     /// # Errors
     /// If one of the two cannot be read, or the sidecar is not `truepose-table/1`.
-    pub fn read(path: &Path) -> Result<Self, TableFileError> {
-        let read = |path: &Path| {
-            read_regular(path, MOST_BYTES).map_err(|(found, _)| TableFileError::Unreadable {
-                path: path.to_path_buf(),
-                because: found,
-            })
+    pub fn read(path: &Path) -> Result<Self, Refusal> {
+        let refuse = |path: &Path, says: Text| {
+            Refusal(Text::listed(
+                [Text::verbatim(path.display().to_string()), says],
+                ": ",
+            ))
         };
+        let read =
+            |path: &Path| read_regular(path, MOST_BYTES).map_err(|(found, _)| refuse(path, found));
         let bytes = read(path)?;
-        let sidecar_path = sidecar_of(path);
-        let text = read(&sidecar_path)?;
+        let sidecar = sidecar_of(path);
+        let text = read(&sidecar)?;
         let text = text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&text);
-        let refuse = |line: usize, column: usize, what: Text| TableFileError::NoSidecar {
-            path: sidecar_path.clone(),
-            line,
-            column,
-            what,
+        let at = |line: usize, column: usize, says: Text| {
+            refuse(
+                &sidecar,
+                text!("line {line}, column {column}: {says}", line, column, says),
+            )
         };
         let meta: Value = serde_json::from_slice(text).map_err(|e| {
-            refuse(
-                e.line(),
-                e.column(),
-                text!("expected JSON: {error}", error = e.to_string()),
-            )
+            let says = text!("expected JSON: {error}", error = e.to_string());
+            at(e.line(), e.column(), says)
         })?;
         if meta["format"] != "truepose-table/1" {
-            return Err(refuse(
-                1,
-                1,
-                text!("expected \"format\": \"truepose-table/1\""),
-            ));
+            return Err(at(1, 1, text!("expected \"format\": \"truepose-table/1\"")));
         }
         let word = |key: &str| meta[key].as_str().unwrap_or_default().to_owned();
         let joint = meta["joint"]

@@ -36,7 +36,7 @@ mod stages;
 pub use details::Details;
 pub use document::Report;
 pub use error::ReportError;
-pub use exported::{ExportedTable, TableFileError};
+pub use exported::ExportedTable;
 pub use extras::Extras;
 pub use html::html;
 pub use logo::Logo;

@@ -48,21 +48,13 @@ pub(super) fn or_unnamed(name: &str) -> String {
 
 /// The instrument with its noise.
 pub(super) fn instrument(instrument: &Instrument) -> String {
-    let noise = match instrument.sigma_mm {
+    let sigma = instrument.sigma_mm.map(|sigma| match sigma {
+        Sigma::Overall(sigma) => short(sigma),
+        Sigma::PerAxis(along_axes) => along_axes.map(short).join(", "),
+    });
+    let noise = match sigma {
         None => say!("noise not stated").to_owned(),
-        Some(Sigma::Overall(s)) => say!(
-            "noise {sigma} mm (one standard deviation)",
-            sigma = short(s)
-        ),
-        Some(Sigma::PerAxis(s)) => {
-            let [x, y, z] = s.map(short);
-            say!(
-                "noise {x}, {y}, {z} mm along x, y, z (one standard deviation)",
-                x,
-                y,
-                z
-            )
-        }
+        Some(sigma) => say!("noise {sigma} mm (one standard deviation)", sigma),
     };
     format!("{}, {noise}", or_unnamed(&instrument.name))
 }

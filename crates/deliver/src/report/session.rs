@@ -231,17 +231,14 @@ impl ReportContext<'_> {
                     inside = within.corrected.unwrap_or(within.after),
                     all = within.of
                 ),
-                if within.corrected.is_some() {
-                    say!(
-                        "with corrected commands; {before} as measured",
-                        before = within.before
-                    )
-                } else {
-                    say!(
-                        "with the model; {before} as measured",
-                        before = within.before
-                    )
-                },
+                say!(
+                    "{how}; {before} as measured",
+                    how = match within.corrected {
+                        Some(_) => say!("with corrected commands"),
+                        None => say!("with the model"),
+                    },
+                    before = within.before
+                ),
             ),
             _ => figure(
                 say!("Corrected commands"),

@@ -2,7 +2,7 @@
 
 use crate::compensation::with_table::moved_by_correction;
 use crate::compensation::{Verification, VerifyError};
-use crate::effects::{Inputs, JointValues};
+use crate::effects::JointValues;
 use crate::fit::base_model;
 use crate::fit::gap::{Deviations, deviations};
 use crate::fit::problem::Problem;
@@ -72,8 +72,18 @@ pub fn stages(
 /// A session's samples as measured, held against the nominal robot.
 /// One that cannot be computed with ([`Session::checked`] says why) has none.
 pub fn as_measured(session: &Session, floor_mm: Option<f64>) -> Stages {
+    let as_measured = |deviations| Stage {
+        name: capital(say!("as measured")),
+        role: ColourRole::Before,
+        deviations,
+    };
     let Ok(session) = session.whole() else {
-        return without_samples(session, floor_mm);
+        return Stages {
+            stages: vec![as_measured(Deviations::default())],
+            floor_mm,
+            tolerance_mm: session.tolerance_mm,
+            ..Stages::default()
+        };
     };
     let session = &*session;
     let problem = Problem::new(session, JointValues::Commanded);
@@ -106,28 +116,7 @@ pub fn as_measured(session: &Session, floor_mm: Option<f64>) -> Stages {
         side: (0..n)
             .map(|i| dir.map_or(0.0, |d| if d[i].is_nan() { 0.0 } else { d[i] }))
             .collect(),
-        stages: vec![Stage {
-            name: capital(say!("as measured")),
-            role: ColourRole::Before,
-            deviations: deviations(&problem, &nominal),
-        }],
-        floor_mm,
-        tolerance_mm: session.tolerance_mm,
-    }
-}
-
-fn without_samples(session: &Session, floor_mm: Option<f64>) -> Stages {
-    Stages {
-        nominal: Model::nominal(session.robot.clone()).predict(&Inputs::at_poses(vec![], vec![])),
-        over: String::new(),
-        values: Vec::new(),
-        in_degrees: false,
-        side: Vec::new(),
-        stages: vec![Stage {
-            name: capital(say!("as measured")),
-            role: ColourRole::Before,
-            deviations: Deviations::default(),
-        }],
+        stages: vec![as_measured(deviations(&problem, &nominal))],
         floor_mm,
         tolerance_mm: session.tolerance_mm,
     }
@@ -139,18 +128,16 @@ pub(super) fn section(stages: &Stages) -> Section {
     let points = along[0].iter().any(|e| e.is_finite());
     let mut blocks = Vec::new();
     let (places, magnification) = workspace(stages);
-    let corrected = stages.stages.len() > 2;
-    let caption = if corrected {
-        say!(
-            "Measured points with their deviations, magnified {magnification} times; corrected commands act through the joints alone, the model holds what a controller can be told besides",
-            magnification = short(magnification)
-        )
-    } else {
-        say!(
-            "Measured points with their deviations, magnified {magnification} times",
-            magnification = short(magnification)
-        )
-    };
+    let mut caption = say!(
+        "Measured points with their deviations, magnified {magnification} times",
+        magnification = short(magnification)
+    );
+    if stages.stages.len() > 2 {
+        caption += "; ";
+        caption += say!(
+            "corrected commands act through the joints alone, the model holds what a controller can be told besides"
+        );
+    }
     if points {
         blocks.push(Block::Plot(places, caption));
     }

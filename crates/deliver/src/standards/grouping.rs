@@ -82,3 +82,15 @@ pub(super) fn once_per_stay(samples: &[usize], stays: &[usize]) -> Vec<usize> {
     }
     kept
 }
+
+/// What has the same key together, in the order in which the keys come first.
+pub(crate) fn gathered<K: PartialEq, V>(all: impl IntoIterator<Item = (K, V)>) -> Vec<(K, Vec<V>)> {
+    let mut groups: Vec<(K, Vec<V>)> = Vec::new();
+    for (key, value) in all {
+        match groups.iter_mut().find(|(known, _)| *known == key) {
+            Some((_, own)) => own.push(value),
+            None => groups.push((key, vec![value])),
+        }
+    }
+    groups
+}

@@ -20,7 +20,7 @@ pub(crate) mod positioning;
 pub mod test_cube;
 
 mod attained;
-mod grouping;
+pub(crate) mod grouping;
 mod points;
 mod sweep;
 mod table_curve;
@@ -31,7 +31,7 @@ pub use path::{PathAttained, PathFigures};
 pub use pose::{Largest, PoseFigures, PoseTest, Variation};
 pub use positioning::{AtPosition, Position, Positioning};
 pub use table_curve::{CurvePoint, TableCurve};
-pub use test_cube::{NoCube, TestCube, TestPose};
+pub use test_cube::{TestCube, TestPose};
 
 use crate::compensation::verification::VerifyError;
 use crate::model::Calibration;

@@ -14,9 +14,9 @@
 //! (so that cycles need not be sampled at the same instants). Positions held at rest are no path: it needs
 //! `time_s`, motion, and commanded points that follow a line that bends little from one to the next.
 
-use nalgebra::{Point3, Quaternion, UnitQuaternion, Vector3};
+use nalgebra::{Point3, Vector3};
 
-use crate::kinematics::{JointKind, quaternion};
+use crate::kinematics::JointKind;
 
 use super::attained::{Attained, Turned, attained, of_turns};
 use super::points::Points;
@@ -308,15 +308,9 @@ fn between(points: &Points<'_>, crossing: &Crossing, compensated: bool) -> Point
 
 /// The turn from the orientation commanded at a sample to the one attained at a crossing.
 fn turn(points: &Points<'_>, crossing: &Crossing, commanded: usize) -> Option<Vector3<f64>> {
-    let columns = points.session.samples.orientation_wxyz.as_ref()?;
-    let attained = |i: usize| {
-        let [w, x, y, z] = [0, 1, 2, 3].map(|k| columns[k][i]);
-        UnitQuaternion::try_new(Quaternion::new(w, x, y, z), 1e-9)
-    };
-    let [a, b] = crossing.samples.map(attained);
+    let [a, b] = crossing.samples.map(|i| points.turned(i));
     let here = a?.try_slerp(&b?, crossing.part, 1e-12)?;
-    let turn = quaternion::log(&(here * points.orientation(commanded).inverse()));
-    turn.iter().all(|v| v.is_finite()).then_some(turn)
+    points.turn(&here, commanded)
 }
 
 fn figures(points: &Points<'_>, cycles: &Family) -> Option<PathFigures> {

@@ -5,13 +5,13 @@
 //! does not know stay in it, as they do in [`verify`](crate::compensation::verify). What the model
 //! says of the instrument (its scale, a frame that drifts) is taken out with it.
 
-use nalgebra::{Point3, UnitQuaternion};
+use nalgebra::{Point3, Quaternion, UnitQuaternion, Vector3};
 
 use crate::compensation::verification::VerifyError;
 use crate::compensation::with_table::moved_by_correction;
 use crate::effects::{Inputs, JointValues};
 use crate::fit::problem::Problem;
-use crate::kinematics::{JointKind, Robot};
+use crate::kinematics::{JointKind, Robot, quaternion};
 use crate::model::{Calibration, Model, Positions};
 use crate::sessions::Session;
 
@@ -100,6 +100,23 @@ impl<'a> Points<'a> {
     pub(super) fn orientation(&self, sample: usize) -> UnitQuaternion<f64> {
         let q: Vec<f64> = self.inputs.q.iter().map(|q| q[sample]).collect();
         self.robot.base_from_tool(&q).rotation
+    }
+
+    /// The orientation that was measured at a sample; `None` where none was.
+    pub(super) fn turned(&self, sample: usize) -> Option<UnitQuaternion<f64>> {
+        let columns = self.session.samples.orientation_wxyz.as_ref()?;
+        let [w, x, y, z] = [0, 1, 2, 3].map(|k| columns[k][sample]);
+        UnitQuaternion::try_new(Quaternion::new(w, x, y, z), 1e-9)
+    }
+
+    /// The turn from the orientation commanded at a sample to an attained one; `None` where that is no number.
+    pub(super) fn turn(
+        &self,
+        attained: &UnitQuaternion<f64>,
+        sample: usize,
+    ) -> Option<Vector3<f64>> {
+        let turn = quaternion::log(&(attained * self.orientation(sample).inverse()));
+        turn.iter().all(|v| v.is_finite()).then_some(turn)
     }
 
     /// Where it was measured, or would have been with corrected commands, mm. In a planar session

@@ -12,15 +12,14 @@
 //! The turn is a rotation vector in the measuring frame; for the small turns of a robot it is the
 //! standard's three angles. A direction is the combination of the sides from which the joints came.
 
-use nalgebra::{Point3, Quaternion, UnitQuaternion, Vector3};
+use nalgebra::Point3;
 
-use super::path::{PATH_CYCLES, PathAttained, PathFigures, paths};
+use super::path::{PATH_CYCLES, PathFigures, paths};
 
-use crate::kinematics::quaternion;
 use crate::text::{Template, Text};
 
 use super::attained::{Attained, Turned, attained, of_turns};
-use super::grouping::{Keys, once_per_stay, stays};
+use super::grouping::{Keys, gathered, once_per_stay, stays};
 use super::points::Points;
 
 /// Cycles that ISO 9283 asks for.
@@ -166,27 +165,15 @@ impl PoseTest {
 
     /// The largest figures, as measured or with corrected commands.
     pub fn largest(&self, compensated: bool) -> Largest {
-        let figures = |p: &PoseFigures| if compensated { p.after } else { Some(p.before) };
-        let over = |pick: fn(&Attained) -> f64| {
-            self.poses
-                .iter()
-                .filter_map(figures)
-                .map(|a| pick(&a))
-                .reduce(f64::max)
-        };
+        let pose = |p: &PoseFigures| if compensated { p.after } else { Some(p.before) };
         let path = |p: &PathFigures| if compensated { p.after } else { Some(p.before) };
-        let on_paths = |pick: fn(&PathAttained) -> f64| {
-            let figures = self.paths.iter().filter_map(path);
-            figures.map(|p| pick(&p)).reduce(f64::max)
-        };
-        let variations = self.variations.iter();
         let variation = |v: &Variation| if compensated { v.after } else { Some(v.before) };
         Largest {
-            accuracy: over(|a| a.accuracy),
-            repeatability: over(|a| a.repeatability),
-            variation: variations.filter_map(variation).reduce(f64::max),
-            path_accuracy: on_paths(|p| p.accuracy),
-            path_repeatability: on_paths(|p| p.repeatability),
+            accuracy: most(&self.poses, |p| Some(pose(p)?.accuracy)),
+            repeatability: most(&self.poses, |p| Some(pose(p)?.repeatability)),
+            variation: most(&self.variations, variation),
+            path_accuracy: most(&self.paths, |p| Some(path(p)?.accuracy)),
+            path_repeatability: most(&self.paths, |p| Some(path(p)?.repeatability)),
         }
     }
 
@@ -200,14 +187,7 @@ impl PoseTest {
                 .map(|d| d.as_ref().map_or(0.0, |d| d[i] + 0.0))
                 .collect()
         };
-        let mut directions: Vec<(Vec<f64>, Vec<usize>)> = Vec::new();
-        for &i in samples {
-            let dir = side(i);
-            match directions.iter_mut().find(|(d, _)| *d == dir) {
-                Some((_, of_it)) => of_it.push(i),
-                None => directions.push((dir, vec![i])),
-            }
-        }
+        let directions = gathered(samples.iter().map(|&i| (side(i), i)));
         let mut centres: Vec<[Option<Point3<f64>>; 2]> = Vec::new();
         for (dir, of_it) in &directions {
             let at = |compensated: bool| -> Option<(Point3<f64>, Attained)> {
@@ -253,6 +233,10 @@ impl PoseTest {
     }
 }
 
+fn most<T>(all: &[T], of: impl Fn(&T) -> Option<f64>) -> Option<f64> {
+    all.iter().filter_map(of).reduce(f64::max)
+}
+
 fn outer_pose(points: &Points<'_>, sample: usize) -> Vec<f64> {
     let joints = points.robot.joints.iter().zip(&points.inputs.q);
     joints
@@ -267,17 +251,8 @@ fn target(points: &Points<'_>, sample: usize) -> Option<String> {
 
 /// `None` with fewer than two orientations.
 fn turned(points: &Points<'_>, samples: &[usize]) -> Option<Turned> {
-    let columns = points.session.samples.orientation_wxyz.as_ref()?;
-    let turns: Vec<Vector3<f64>> = samples
-        .iter()
-        .filter_map(|i| {
-            let [w, x, y, z] = [0, 1, 2, 3].map(|k| columns[k][*i]);
-            let attained = UnitQuaternion::try_new(Quaternion::new(w, x, y, z), 1e-9)?;
-            let turn = quaternion::log(&(attained * points.orientation(*i).inverse()));
-            turn.iter().all(|a| a.is_finite()).then_some(turn)
-        })
-        .collect();
-    of_turns(&turns)
+    let turn = |i: &usize| points.turn(&points.turned(*i)?, *i);
+    of_turns(&samples.iter().filter_map(turn).collect::<Vec<_>>())
 }
 
 #[cfg(test)]

@@ -14,7 +14,6 @@
 //! fewer than six joints keeps it as far as they allow. Of the places where the largest cube fits the
 //! one is taken at which the tool moves most evenly in its worst pose. There is nothing random in it.
 
-use crate::text::Text;
 use std::f64::consts::TAU;
 
 use nalgebra::{Matrix3, Point3, Rotation3, UnitQuaternion, Vector3};
@@ -27,6 +26,7 @@ use crate::kinematics::inverse::{Goal, Inverse, REACHED_MM};
 use crate::kinematics::{Pose, Robot};
 use crate::model::Model;
 use crate::programs::Axes;
+use crate::refusal::Refusal;
 
 use super::pose::STANDARD_CYCLES;
 
@@ -73,59 +73,6 @@ pub struct TestCube {
     pub orientation_kept: bool,
 }
 
-/// Why there is no test cube.
-#[derive(Debug, Clone, PartialEq)]
-pub enum NoCube {
-    /// One joint: another standard.
-    OneAxis,
-    /// The tool does not move in three directions.
-    Flat(usize),
-    /// The smallest cube does not fit.
-    TooSmall {
-        /// How far the tool reaches, mm.
-        reach_mm: f64,
-    },
-    /// More joints than poses are looked for with.
-    Joints(usize),
-    /// A robot that cannot be computed with.
-    Rejected(Rejected),
-}
-
-impl NoCube {
-    /// In words.
-    pub fn describe(&self) -> Text {
-        match self {
-            Self::OneAxis => text!(
-                "the robot has one joint: ISO 9283 tests the poses of arms; a single axis is tested after ISO 230-2 (positions along its travel, approached from both sides: truepose plan without --iso9283, then truepose standards)"
-            ),
-            Self::Flat(joints) => text!(
-                "the robot's {joints} joints move the tool in fewer than three directions: no cube fits its workspace",
-                joints
-            ),
-            Self::TooSmall { reach_mm } => text!(
-                "no test cube of ISO 9283 fits the workspace (reach {reach_mm} mm): the smallest has edges of 250 mm, and nowhere do all its corners and poses lie within the joint limits in one configuration",
-                reach_mm = format!("{:.0}", reach_mm)
-            ),
-            Self::Joints(joints) => text!(
-                "a robot with {joints} joints; poses are looked for with at most {most}",
-                joints,
-                most = MOST_JOINTS
-            ),
-            Self::Rejected(inner) => inner.describe(),
-        }
-    }
-}
-
-displays_what_it_says!(NoCube);
-
-impl std::error::Error for NoCube {}
-
-impl From<Rejected> for NoCube {
-    fn from(error: Rejected) -> Self {
-        Self::Rejected(error)
-    }
-}
-
 /// No machine has more, and the search takes the cube of them.
 const MOST_JOINTS: usize = 30;
 
@@ -133,10 +80,14 @@ impl TestCube {
     /// The largest cube that fits.
     ///
     /// # Errors
-    /// See [`NoCube`].
-    pub fn of(robot: &Robot) -> Result<Self, NoCube> {
+    /// Where none fits.
+    pub fn of(robot: &Robot) -> Result<Self, Refusal> {
         if robot.joints.len() > MOST_JOINTS {
-            return Err(NoCube::Joints(robot.joints.len()));
+            return Err(Refusal(text!(
+                "a robot with {joints} joints; poses are looked for with at most {most}",
+                joints = robot.joints.len(),
+                most = MOST_JOINTS
+            )));
         }
         let problems = robot.out_of_range(&Field::default());
         if !problems.is_empty() {
@@ -150,8 +101,11 @@ impl TestCube {
             cubes.reduce(|best, next| if next.0 > 1.001 * best.0 { next } else { best })
         };
         let best = SIDES_MM.iter().find_map(fits);
-        best.map(|(_, cube)| cube).ok_or(NoCube::TooSmall {
-            reach_mm: robot.reach_mm(),
+        best.map(|(_, cube)| cube).ok_or_else(|| {
+            Refusal(text!(
+                "no test cube of ISO 9283 fits the workspace (reach {reach_mm} mm): the smallest has edges of 250 mm, and nowhere do all its corners and poses lie within the joint limits in one configuration",
+                reach_mm = format!("{:.0}", robot.reach_mm())
+            ))
         })
     }
 
@@ -201,11 +155,20 @@ struct Search<'a> {
 }
 
 impl<'a> Search<'a> {
-    fn new(robot: &'a Robot) -> Result<Self, NoCube> {
+    fn new(robot: &'a Robot) -> Result<Self, Refusal> {
         let free = Axes::new(robot).free();
         match free.len() {
-            0 | 1 => return Err(NoCube::OneAxis),
-            2 => return Err(NoCube::Flat(2)),
+            0 | 1 => {
+                return Err(Refusal(text!(
+                    "the robot has one joint: ISO 9283 tests the poses of arms; a single axis is tested after ISO 230-2 (positions along its travel, approached from both sides: truepose plan without --iso9283, then truepose standards)"
+                )));
+            }
+            2 => {
+                return Err(Refusal(text!(
+                    "the robot's {joints} joints move the tool in fewer than three directions: no cube fits its workspace",
+                    joints = 2
+                )));
+            }
             _ => {}
         }
         let inverse = Inverse::new(robot, &free);

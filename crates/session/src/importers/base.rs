@@ -171,22 +171,19 @@ impl Job<'_> {
 
     pub(crate) fn say_alignment(&mut self, alignment: &Alignment, place: &Place) {
         let kept = alignment.residuals.len() - alignment.outliers().count();
-        let rms = length(alignment.rms_mm, 4);
-        let said = if self.settings.scale {
-            text!(
-                "brought into the base frame by {kept} reference points, which fit with {rms_mm} (root mean square), scaled by {scale} ({ppm} ppm)",
-                kept,
-                rms_mm = rms,
+        let mut said = text!(
+            "brought into the base frame by {kept} reference points, which fit with {rms_mm} (root mean square)",
+            kept,
+            rms_mm = length(alignment.rms_mm, 4)
+        );
+        if self.settings.scale {
+            let scaled = text!(
+                "scaled by {scale} ({ppm} ppm)",
                 scale = format!("{:.6}", alignment.scale),
                 ppm = format!("{:+.1}", 1e6 * (alignment.scale - 1.0))
-            )
-        } else {
-            text!(
-                "brought into the base frame by {kept} reference points, which fit with {rms_mm} (root mean square)",
-                kept,
-                rms_mm = rms
-            )
-        };
+            );
+            said = Text::listed([said, scaled], ", ");
+        }
         let each: Vec<String> = alignment
             .residuals
             .iter()

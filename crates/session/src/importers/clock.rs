@@ -14,12 +14,12 @@
 //! motion, from the residual that is left: a motion that a shift in time imitates (one axis at a
 //! constant speed) leaves τ undetermined, and that is said.
 
-use crate::text::Text;
 use nalgebra::{Matrix3, Matrix6, Point3, Vector3, Vector6};
 
 use crate::importers::path::Path;
 use crate::kinematics::Robot;
 use crate::kinematics::rigid_motion::rigid_motion;
+use crate::refusal::Refusal;
 
 /// Steps of the coarse search.
 const STEPS: usize = 4000;
@@ -68,44 +68,10 @@ impl ClockOffset {
     }
 }
 
-/// Why the offset cannot be found.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) enum NoOffset {
-    /// Too few points, or nothing moves.
-    NothingMoves,
-    /// At no offset do the measured points follow the commanded ones.
-    Unrelated,
-    /// Two offsets fit alike.
-    Ambiguous(f64, f64),
-    /// A shift in time looks like a motion of the instrument.
-    Undetermined,
-}
-
-impl NoOffset {
-    pub(crate) fn in_words(&self) -> Text {
-        match self {
-            Self::NothingMoves => {
-                text!(
-                    "nothing moves, or too few points were measured at different places: the offset of the clocks cannot be found"
-                )
-            }
-            Self::Unrelated => {
-                text!(
-                    "the measured points follow the commanded path at no offset of the clocks: the robot never moved while it was measured, or the files do not belong together"
-                )
-            }
-            Self::Ambiguous(a, b) => text!(
-                "the clocks may be {a} s or {b} s apart: the motion repeats, and both fit alike",
-                a = format!("{a:.3}"),
-                b = format!("{b:.3}")
-            ),
-            Self::Undetermined => {
-                text!(
-                    "a shift in time looks like another place of the instrument: the offset of the clocks cannot be found"
-                )
-            }
-        }
-    }
+fn nothing_moves() -> Refusal {
+    Refusal(text!(
+        "nothing moves, or too few points were measured at different places: the offset of the clocks cannot be found"
+    ))
 }
 
 /// Finds the offset.
@@ -114,7 +80,7 @@ pub(crate) fn find(
     robot: &Robot,
     targets: &[Point3<f64>],
     points: &[Timed],
-) -> Result<ClockOffset, NoOffset> {
+) -> Result<ClockOffset, Refusal> {
     let coarse = Search::new(path, robot, targets, every(points, COARSE_POINTS))?;
     let step = (coarse.to - coarse.from) / STEPS as f64;
     let costs: Vec<f64> = (0..=STEPS)
@@ -128,10 +94,12 @@ pub(crate) fn find(
         .collect();
     best.sort_by(|a, b| a.1.total_cmp(&b.1));
     let Some(&(offset_s, cost)) = best.first() else {
-        return Err(NoOffset::NothingMoves);
+        return Err(nothing_moves());
     };
     if cost.is_nan() || cost > UNRELATED * fine.variance {
-        return Err(NoOffset::Unrelated);
+        return Err(Refusal(text!(
+            "the measured points follow the commanded path at no offset of the clocks: the robot never moved while it was measured, or the files do not belong together"
+        )));
     }
     // A rival is another valley, not another place in this one.
     let rival = best.iter().skip(1).find(|other| {
@@ -140,7 +108,11 @@ pub(crate) fn find(
     if let Some(rival) = rival
         && rival.1 <= 1.2 * cost + 1e-9 * fine.variance
     {
-        return Err(NoOffset::Ambiguous(offset_s, rival.0));
+        return Err(Refusal(text!(
+            "the clocks may be {a} s or {b} s apart: the motion repeats, and both fit alike",
+            a = format!("{offset_s:.3}"),
+            b = format!("{:.3}", rival.0)
+        )));
     }
     fine.judged(offset_s, true)
 }
@@ -204,9 +176,9 @@ impl<'a> Search<'a> {
         robot: &'a Robot,
         targets: &'a [Point3<f64>],
         points: Vec<Timed>,
-    ) -> Result<Self, NoOffset> {
+    ) -> Result<Self, Refusal> {
         if points.len() < 4 || path.time_s.len() < 2 {
-            return Err(NoOffset::NothingMoves);
+            return Err(nothing_moves());
         }
         let count = points.len() as f64;
         let centre = points
@@ -235,7 +207,7 @@ impl<'a> Search<'a> {
         let sound =
             variance > 1e-12 && variance.is_finite() && to > from && (to - from).is_finite();
         if !sound {
-            return Err(NoOffset::NothingMoves);
+            return Err(nothing_moves());
         }
         let mut q = vec![0.0; robot.joint_count()];
         let table: Vec<Vec<Vector3<f64>>> = targets
@@ -255,7 +227,7 @@ impl<'a> Search<'a> {
         let moves =
             |way: &Vec<Vector3<f64>>| way.iter().any(|at| (at - way[0]).norm() > SMALLEST_PATH_MM);
         if !table.iter().any(moves) {
-            return Err(NoOffset::NothingMoves);
+            return Err(nothing_moves());
         }
         Ok(Self {
             path,
@@ -360,7 +332,7 @@ impl<'a> Search<'a> {
     }
 
     /// The uncertainty of an offset from what is left; `strictly`: an undetermined one is refused.
-    fn judged(&self, offset_s: f64, strictly: bool) -> Result<ClockOffset, NoOffset> {
+    fn judged(&self, offset_s: f64, strictly: bool) -> Result<ClockOffset, Refusal> {
         let mut q = vec![0.0; self.robot.joint_count()];
         let mut position = |point: &Timed, offset_s: f64| {
             let inside = self.path.at(point.time_s + offset_s, &mut q);
@@ -377,10 +349,10 @@ impl<'a> Search<'a> {
             .collect();
         let near = |v: &Vector3<f64>| v.amax() < FARTHEST_MM;
         if !pairs.iter().all(|(a, b)| near(a) && near(b)) {
-            return Err(NoOffset::NothingMoves);
+            return Err(nothing_moves());
         }
         let Some(motion) = rigid_motion(&pairs).filter(|_| pairs.len() >= 4) else {
-            return Err(NoOffset::NothingMoves);
+            return Err(nothing_moves());
         };
         let error = |(a, b): &(Vector3<f64>, Vector3<f64>)| {
             (motion.transform_point(&Point3::from(*a)).coords - b).norm_squared()
@@ -422,7 +394,9 @@ impl<'a> Search<'a> {
         let left = own - explained;
         let determined = left > 1e-6 * own && own > 0.0;
         if strictly && !determined {
-            return Err(NoOffset::Undetermined);
+            return Err(Refusal(text!(
+                "a shift in time looks like another place of the instrument: the offset of the clocks cannot be found"
+            )));
         }
         let freedom = (3.0 * pairs.len() as f64 - 7.0).max(1.0);
         Ok(ClockOffset {
@@ -535,7 +509,7 @@ mod tests {
             .filter(|point| (115.0..140.0).contains(&point.time_s))
             .collect();
         let found = find(&path, &robot(), &[Point3::origin()], &points);
-        assert!(matches!(found, Err(NoOffset::Ambiguous(..))), "{found:?}");
+        assert!(found.unwrap_err().to_string().contains("repeats"));
     }
 
     #[test]
@@ -552,7 +526,7 @@ mod tests {
         let points = measured(&path, 0.0, 0.0);
         assert_eq!(
             find(&path, &robot(), &[Point3::origin()], &points),
-            Err(NoOffset::NothingMoves)
+            Err(nothing_moves())
         );
     }
 }

@@ -1,8 +1,8 @@
 //! The columns of a foreign file once they are read: every format ends here.
 
 use crate::importers::role::Role;
+use crate::sessions::Lines;
 use crate::sessions::columns::{Quantity, Unit};
-use crate::sessions::{Azimuth, Lines};
 use crate::tables::{Cells, Names};
 use nalgebra::{Point3, Quaternion};
 
@@ -62,17 +62,6 @@ pub(crate) struct Columns {
     pub(crate) lines: Lines,
     /// Where the robot was over time, where the file has recorded that too.
     pub(crate) commands: Option<Box<Columns>>,
-    /// What azimuths and elevations are of, where the format says it.
-    pub(crate) directions: Option<Directions>,
-}
-
-/// Directions in which the tool itself points, as a telescope does.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Directions {
-    /// What points, in the tool frame.
-    pub(crate) axis: nalgebra::Unit<nalgebra::Vector3<f64>>,
-    /// Which way azimuths count.
-    pub(crate) azimuth: Azimuth,
 }
 
 impl Columns {
@@ -137,7 +126,6 @@ impl Columns {
             list,
             lines,
             commands: self.commands,
-            directions: self.directions,
         }
     }
 

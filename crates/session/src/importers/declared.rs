@@ -16,9 +16,7 @@ use crate::importers::job::Job;
 use crate::importers::matching::{listed, listed_names};
 use crate::importers::role::Role;
 use crate::sessions::columns::{Quantity, Unit};
-use crate::sessions::{
-    Anchor, Azimuth, Group, Plane, Pointing, References, Socket, SocketDistance, Station,
-};
+use crate::sessions::{Anchor, Azimuth, Group, Plane, References, Socket, SocketDistance, Station};
 use crate::tables::{Cells, Names};
 use crate::text::Text;
 
@@ -68,16 +66,13 @@ impl Job<'_> {
             .collect();
         let planes = self.declared(columns, Quantity::Plane, &Points::new());
         let planes = planes.map(|name| Plane { name, stated: None }).collect();
-        let azimuth = columns
-            .directions
-            .map_or(Azimuth::Counterclockwise, |directions| directions.azimuth);
         let stations = if has(columns, Quantity::Azimuth) {
             let stations = self.declared(columns, Quantity::Station, &known);
             let station = |name: String| Station {
                 position_mm: position_mm(&name),
                 name,
                 attitude: None,
-                azimuth,
+                azimuth: Azimuth::Counterclockwise,
             };
             stations.map(station).collect()
         } else {
@@ -90,10 +85,7 @@ impl Job<'_> {
             planes,
             stations,
             socket_distances,
-            pointing: columns.directions.map(|directions| Pointing {
-                axis: directions.axis,
-                stations: None,
-            }),
+            pointing: None,
         })
     }
 

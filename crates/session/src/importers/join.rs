@@ -77,7 +77,7 @@ pub(crate) fn by_time(
             Ok(clock) => clock,
             Err(why) => {
                 let expected = phrase!("--clock-offset with the seconds to add to a measured time");
-                return refused(measured_place, why.in_words(), expected);
+                return refused(measured_place, why.0, expected);
             }
         },
     };

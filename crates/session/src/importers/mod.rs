@@ -53,7 +53,7 @@ pub use inspect::{inspect, inspect_watched};
 pub use job::{Companion, Imported, Matched, Settings};
 pub use matching::Matching;
 pub use options::EULER;
-pub use reference::{AlignError, Alignment, Landmark, Residual, align};
+pub use reference::{Alignment, Landmark, Residual, align};
 pub use session::{import, import_watched};
 pub use settings::{About, ColumnGuess, Inspection, Known, Question, Reading};
 pub use units::{AngleUnit, LengthUnit, TimeUnit};

@@ -171,9 +171,10 @@ impl<'a> ReadContext<'a> {
         let mut reader = CellReader::new(&roles, decimal.unwrap_or(Decimal::Comma));
         let mut complaints = Complaints::default();
         let asked = !self.found.questions.is_empty();
+        let all: Vec<usize> = (0..roles.len()).collect();
         if decimal.is_some() || asked {
             grid.each_row(&self.place, &mut complaints, |row, complaints| {
-                reader.read(row, &headings, &self.place, complaints);
+                reader.read(row, &all, &headings, &self.place, complaints);
             });
         }
         // While the sign is asked for, what does not fit the one that is tried says nothing.
@@ -233,8 +234,7 @@ impl<'a> ReadContext<'a> {
         let mut columns = Columns {
             list,
             lines,
-            commands: None,
-            directions: None,
+            ..Columns::default()
         };
         if let Some(convention) = convention {
             self.note(convention.describe());
@@ -486,16 +486,16 @@ fn distinct(roles: &[Role], cells: &[Option<Cells>]) -> Vec<String> {
 }
 
 /// Reads cells by the roles of their columns.
-struct CellReader<'a> {
+pub(crate) struct CellReader<'a> {
     roles: &'a [Role],
     decimal: Decimal,
-    cells: Vec<Option<Cells>>,
+    pub(crate) cells: Vec<Option<Cells>>,
     times: Vec<Kinds>,
-    lines: Lines,
+    pub(crate) lines: Lines,
 }
 
 impl<'a> CellReader<'a> {
-    fn new(roles: &'a [Role], decimal: Decimal) -> Self {
+    pub(crate) fn new(roles: &'a [Role], decimal: Decimal) -> Self {
         let empty = |role: &Role| match role {
             Role::Left => None,
             Role::Point | Role::Group | Role::Kept => Some(Cells::Text(Vec::new())),
@@ -513,15 +513,18 @@ impl<'a> CellReader<'a> {
         }
     }
 
-    fn read(
+    /// Takes the cells of these columns, one for each role.
+    pub(crate) fn read(
         &mut self,
         row: &crate::tables::TextRow<'_>,
+        columns: &[usize],
         headings: &[String],
         file: &Place,
         complaints: &mut Complaints,
     ) {
         self.lines.add(row.line, 1);
-        for (index, (role, cells)) in self.roles.iter().zip(&mut self.cells).enumerate() {
+        let all = self.roles.iter().zip(&mut self.cells).zip(&mut self.times);
+        for (((role, cells), times), &index) in all.zip(columns) {
             let Some(cells) = cells else { continue };
             let cell = row.cells.get(index).map_or("", |cell| cell.as_ref());
             match cells {
@@ -532,7 +535,7 @@ impl<'a> CellReader<'a> {
                         Ok(f64::NAN)
                     } else {
                         match *role {
-                            Role::Time(unit) => self.times[index].read(cell, unit, self.decimal),
+                            Role::Time(unit) => times.read(cell, unit, self.decimal),
                             role => number(cell, role, self.decimal),
                         }
                     };

@@ -13,7 +13,7 @@ use statrs::distribution::{ContinuousCDF, FisherSnedecor};
 
 use crate::importers::clock::FARTHEST_MM;
 use crate::kinematics::rigid_motion::rigid_motion;
-use crate::text::Text;
+use crate::refusal::Refusal;
 
 /// Up to so many points every triple is tried.
 const ALL_TRIPLES: usize = 24;
@@ -73,68 +73,49 @@ impl Alignment {
     }
 }
 
-/// Why points cannot be aligned.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum AlignError {
-    /// Fewer than three.
-    TooFew(usize),
-    /// All on one line, or all in one place.
-    OnALine,
-    /// So far away that squares overflow.
-    TooFar,
-    /// No three of them agree with each other.
-    NoMajority,
-}
-
-impl AlignError {
-    /// In words.
-    pub fn describe(&self) -> Text {
-        match self {
-            Self::TooFew(count) => text!(
-                one "{count} point with a name that is known in the base frame; a place and an orientation take 3",
-                "{count} points with a name that is known in the base frame; a place and an orientation take 3",
-                count
-            ),
-            Self::OnALine => text!("the points lie on one line: nothing fixes the turn about it"),
-            Self::TooFar => text!("a reference point is more than a million kilometres away"),
-            Self::NoMajority => {
-                text!("the points contradict each other: no majority of them fits")
-            }
-        }
-    }
-}
-
-displays_what_it_says!(AlignError);
-
-impl std::error::Error for AlignError {}
-
 /// Finds the motion from measured to known points, and the points that do not fit.
 ///
 /// # Errors
 /// Fewer than three points, or points on one line.
-pub fn align(landmarks: &[Landmark], with_scale: bool) -> Result<Alignment, AlignError> {
+pub fn align(landmarks: &[Landmark], with_scale: bool) -> Result<Alignment, Refusal> {
     if landmarks.len() < 3 {
-        return Err(AlignError::TooFew(landmarks.len()));
+        return Err(Refusal(text!(
+            one "{count} point with a name that is known in the base frame; a place and an orientation take 3",
+            "{count} points with a name that is known in the base frame; a place and an orientation take 3",
+            count = landmarks.len()
+        )));
     }
+    let on_one_line = || {
+        Refusal(text!(
+            "the points lie on one line: nothing fixes the turn about it"
+        ))
+    };
+    let no_majority = || {
+        Refusal(text!(
+            "the points contradict each other: no majority of them fits"
+        ))
+    };
     let near = |point: &Point3<f64>| point.coords.amax() < FARTHEST_MM;
     if !landmarks
         .iter()
         .all(|l| near(&l.in_base) && near(&l.measured))
     {
-        return Err(AlignError::TooFar);
+        return Err(Refusal(text!(
+            "a reference point is more than a million kilometres away"
+        )));
     }
     if on_a_line(landmarks.iter().map(|l| l.in_base))
         || on_a_line(landmarks.iter().map(|l| l.measured))
     {
-        return Err(AlignError::OnALine);
+        return Err(on_one_line());
     }
-    let inside = majority(landmarks, with_scale).ok_or(AlignError::NoMajority)?;
-    let inside = grown(landmarks, inside, with_scale).ok_or(AlignError::NoMajority)?;
+    let inside = majority(landmarks, with_scale).ok_or_else(no_majority)?;
+    let inside = grown(landmarks, inside, with_scale).ok_or_else(no_majority)?;
     let chosen: Vec<&Landmark> = chosen(landmarks, &inside);
     if on_a_line(chosen.iter().map(|l| l.in_base)) {
-        return Err(AlignError::OnALine);
+        return Err(on_one_line());
     }
-    let fit = Fit::of(&chosen, with_scale).ok_or(AlignError::NoMajority)?;
+    let fit = Fit::of(&chosen, with_scale).ok_or_else(no_majority)?;
     let residuals: Vec<Residual> = landmarks
         .iter()
         .zip(&inside)
@@ -396,14 +377,14 @@ mod tests {
     #[test]
     fn points_that_fix_nothing_are_refused() {
         let mut points = landmarks(5, 0.0, 1.0);
-        assert_eq!(align(&points[..2], false), Err(AlignError::TooFew(2)));
+        assert!(align(&points[..2], false).is_err());
         for (i, point) in points.iter_mut().enumerate() {
             point.in_base = Point3::new(100.0 * i as f64, 20.0 * i as f64, 0.0);
         }
-        assert_eq!(align(&points, false), Err(AlignError::OnALine));
+        assert!(align(&points, false).is_err());
         for point in &mut points {
             point.in_base = Point3::origin();
         }
-        assert_eq!(align(&points, false), Err(AlignError::OnALine));
+        assert!(align(&points, false).is_err());
     }
 }

@@ -187,6 +187,17 @@ pub struct ColumnGuess {
 }
 
 impl ColumnGuess {
+    /// The columns as a sheet shows them, none of which is a guess.
+    pub(crate) fn certain(columns: &Columns) -> impl Iterator<Item = Self> {
+        columns.list.iter().map(|column| Self {
+            heading: column.name.clone(),
+            meaning: column.role.to_string(),
+            confidence: Known::Certain,
+        })
+    }
+}
+
+impl ColumnGuess {
     /// Whether it is used, and only a guess.
     pub fn is_guess(&self) -> bool {
         self.confidence.is_guess() && !matches!(self.meaning.as_str(), "" | "-")

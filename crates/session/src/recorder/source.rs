@@ -1,15 +1,12 @@
 //! Where lines come from: an address, and the connection to it. What comes is read and never run.
 
 use crate::text::Text;
-use std::io::{self, ErrorKind, Read};
+use std::io::{self, BufRead, BufReader, ErrorKind, Read};
 use std::net::{SocketAddr, TcpStream, ToSocketAddrs, UdpSocket};
 use std::time::Duration;
 
 /// Longest wait for a server to answer.
 const CONNECT: Duration = Duration::from_secs(2);
-/// Longest wait for bytes, so that a recording can be stopped meanwhile.
-const SILENCE: Duration = Duration::from_millis(200);
-
 /// Where lines come from.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Address {
@@ -44,20 +41,17 @@ impl Address {
         }
     }
 
-    /// Connects, or begins to listen.
+    /// Connects, or begins to listen: the stream, and where messages are listened for (port 0 is any).
     ///
     /// # Errors
     /// What the system says.
-    pub fn connect(&self) -> io::Result<Connection> {
+    pub fn connect(&self) -> io::Result<(Box<dyn BufRead>, Option<SocketAddr>)> {
         match self {
             Self::Tcp(address) => {
                 let mut last = ErrorKind::AddrNotAvailable.into();
                 for address in address.to_socket_addrs()? {
                     match TcpStream::connect_timeout(&address, CONNECT) {
-                        Ok(stream) => {
-                            stream.set_read_timeout(Some(SILENCE))?;
-                            return Ok(Connection::Tcp(stream));
-                        }
+                        Ok(stream) => return Ok((Box::new(BufReader::new(stream)), None)),
                         Err(error) => last = error,
                     }
                 }
@@ -65,60 +59,32 @@ impl Address {
             }
             Self::Udp(address) => {
                 let socket = UdpSocket::bind(address)?;
-                socket.set_read_timeout(Some(SILENCE))?;
-                Ok(Connection::Udp(socket))
+                let here = socket.local_addr().ok();
+                let stream = BufReader::with_capacity(LONGEST_MESSAGE, Messages(socket));
+                Ok((Box::new(stream), here))
             }
         }
     }
 }
 
-/// A connection.
-#[derive(Debug)]
-pub enum Connection {
-    /// A stream of bytes.
-    Tcp(TcpStream),
-    /// Messages.
-    Udp(UdpSocket),
-}
+/// No message of UDP is as long.
+const LONGEST_MESSAGE: usize = 1 << 16;
 
-/// What came.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Received {
-    /// So many bytes of a stream.
-    Bytes(usize),
-    /// A message of so many bytes.
-    Message(usize),
-    /// Nothing for a while.
-    Nothing,
-    /// The stream is over.
-    End,
-}
+/// Messages as a stream: each ends its last line.
+struct Messages(UdpSocket);
 
-impl Connection {
-    /// Where it is listened, of messages: port 0 is any.
-    pub fn listens_on(&self) -> Option<SocketAddr> {
-        match self {
-            Self::Tcp(_) => None,
-            Self::Udp(socket) => socket.local_addr().ok(),
-        }
-    }
-
-    pub(super) fn read(&mut self, bytes: &mut [u8]) -> io::Result<Received> {
-        let read = match self {
-            Self::Tcp(stream) => stream.read(bytes).map(|count| match count {
-                0 => Received::End,
-                count => Received::Bytes(count),
-            }),
-            Self::Udp(socket) => socket.recv(bytes).map(Received::Message),
-        };
-        match read {
-            Err(error) => match error.kind() {
-                ErrorKind::Interrupted | ErrorKind::WouldBlock | ErrorKind::TimedOut => {
-                    Ok(Received::Nothing)
+impl Read for Messages {
+    fn read(&mut self, bytes: &mut [u8]) -> io::Result<usize> {
+        loop {
+            let count = self.0.recv(bytes)?;
+            match (bytes[..count].last(), bytes.get(count)) {
+                (None, _) => {}
+                (Some(b'\n'), _) | (_, None) => return Ok(count),
+                _ => {
+                    bytes[count] = b'\n';
+                    return Ok(count + 1);
                 }
-                _ => Err(error),
-            },
-            came => came,
+            }
         }
     }
 }

@@ -14,4 +14,4 @@ mod search;
 
 pub use entry::{LibraryRobot, Reference, RobotKind, Source};
 pub use library::{library, source, sources};
-pub use search::{NoSuchRobot, find, named};
+pub use search::{find, named};

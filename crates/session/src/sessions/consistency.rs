@@ -12,8 +12,8 @@ use crate::diagnostic::{Diagnostic, Place, Rejected};
 use crate::document::ranges::{SMALLEST_SIGMA, short};
 use crate::kinematics::JointKind;
 use crate::sessions::columns::{Quantity, Unit};
-use crate::sessions::domain::{Instrument, Session, Sigma, default_targets};
-use crate::sessions::references::References;
+use crate::sessions::domain::{Region, Session, Sigma, Tracker, default_targets};
+use crate::sessions::references::{Anchor, Plane, Station};
 use crate::sessions::validation;
 use crate::text::Text;
 use crate::units::{LARGEST_JOINT_VALUE, LARGEST_LENGTH_MM, rad_from_deg};
@@ -239,27 +239,84 @@ fn cells(session: &Session) -> Vec<Diagnostic> {
 }
 
 /// Fields with numbers that no file of a session holds. What is not a number fits nowhere.
-fn out_of_range(session: &Session) -> impl Iterator<Item = Diagnostic> {
+fn out_of_range(session: &Session) -> Vec<Diagnostic> {
+    let mut findings = Vec::new();
+    let mut check = |field: &str, fits: bool| {
+        if !fits {
+            findings.push(error(
+                field,
+                text!("a number that cannot be"),
+                Text::default(),
+            ));
+        }
+    };
     let largest = rad_from_deg(LARGEST_JOINT_VALUE);
-    let regions = session.regions.iter().all(|region| {
+    let is_region = |region: &Region| {
         let (from, to) = (region.from_rad, region.to_rad);
         from < to && from.abs() <= largest && to.abs() <= largest
-    });
-    let targets = session.targets.iter().all(|t| is_place(&t.position_mm));
+    };
     let tolerance = session.tolerance_mm;
-    let own = [
-        ("targets", targets),
-        (
-            "tolerance_mm",
-            tolerance.is_none_or(|mm| mm > 0.0 && is_length(mm)),
-        ),
-        ("regions", regions),
-    ];
-    let noise = noise_fits(&session.instrument);
-    let references = references_fit(&session.instrument.references);
-    let fits = own.into_iter().chain(noise).chain(references);
-    fits.filter(|(_, fits)| !fits)
-        .map(|(field, _)| error(field, text!("a number that cannot be"), Text::default()))
+    check(
+        "targets",
+        session.targets.iter().all(|t| is_place(&t.position_mm)),
+    );
+    check(
+        "tolerance_mm",
+        tolerance.is_none_or(|mm| mm > 0.0 && is_length(mm)),
+    );
+    check("regions", session.regions.iter().all(is_region));
+
+    let own = &session.instrument;
+    // Angles are read in millionths, with rounding.
+    let is_sigma = |value: f64| (1e-7 * SMALLEST_SIGMA..=LARGEST_LENGTH_MM).contains(&value);
+    let sigmas = match own.sigma_mm {
+        Some(Sigma::Overall(sigma)) => vec![sigma],
+        Some(Sigma::PerAxis(each)) => each.to_vec(),
+        None => Vec::new(),
+    };
+    check("instrument.sigma_mm", sigmas.into_iter().all(is_sigma));
+    for (field, sigma) in [
+        ("instrument.targets_sigma_mm", own.targets_sigma_mm),
+        ("instrument.sigma_orientation", own.sigma_orientation),
+        ("instrument.sigma_distance_mm", own.sigma_distance_mm),
+        ("instrument.sigma_direction", own.sigma_direction),
+        ("instrument.sigma_touch_mm", own.sigma_touch_mm),
+    ] {
+        check(field, sigma.is_none_or(is_sigma));
+    }
+    let is_tracker = |t: Tracker| {
+        is_sigma(t.sigma_range_mm) && is_sigma(t.sigma_angle) && is_place(&t.position_mm)
+    };
+    check("instrument.tracker", own.tracker.is_none_or(is_tracker));
+
+    let all = &own.references;
+    let is_known_place = |p: &Option<Point3<f64>>| p.as_ref().is_none_or(is_place);
+    let is_unit = |norm: f64| (norm - 1.0).abs() <= 1e-6;
+    let mut check =
+        |field: &str, fits: bool| check(&format!("instrument.references.{field}"), fits);
+    let offset = |anchor: &Anchor| anchor.offset_mm.is_none_or(is_length);
+    let is_anchor = |anchor: &Anchor| is_known_place(&anchor.position_mm) && offset(anchor);
+    check("anchors", all.anchors.iter().all(is_anchor));
+    let is_station = |station: &Station| {
+        let turn = station.attitude.as_ref();
+        is_known_place(&station.position_mm) && turn.is_none_or(|q| is_unit(q.coords.norm()))
+    };
+    check("stations", all.stations.iter().all(is_station));
+    let is_plane = |plane: &Plane| {
+        let stated = plane.stated.as_ref();
+        stated.is_none_or(|(normal, mm)| is_unit(normal.norm()) && is_length(*mm))
+    };
+    check("planes", all.planes.iter().all(is_plane));
+    let mut sockets = all.sockets.iter();
+    check("sockets", sockets.all(|s| is_known_place(&s.position_mm)));
+    let mut distances = all.socket_distances.iter();
+    check(
+        "socket_distances",
+        distances.all(|d| is_length(d.distance_mm)),
+    );
+    let pointing = all.pointing.as_ref();
+    check("pointing", pointing.is_none_or(|p| is_unit(p.axis.norm())));
+    findings
 }
 
 fn is_length(mm: f64) -> bool {
@@ -268,78 +325,4 @@ fn is_length(mm: f64) -> bool {
 
 fn is_place(at: &Point3<f64>) -> bool {
     at.iter().all(|x| is_length(*x))
-}
-
-fn noise_fits(instrument: &Instrument) -> [(&'static str, bool); 7] {
-    // Angles are read in millionths, with rounding.
-    let is_sigma = |value: f64| (1e-7 * SMALLEST_SIGMA..=LARGEST_LENGTH_MM).contains(&value);
-    let sigma_mm = match instrument.sigma_mm {
-        Some(Sigma::Overall(sigma)) => is_sigma(sigma),
-        Some(Sigma::PerAxis(each)) => each.into_iter().all(is_sigma),
-        None => true,
-    };
-    let tracker = instrument.tracker.is_none_or(|t| {
-        is_sigma(t.sigma_range_mm) && is_sigma(t.sigma_angle) && is_place(&t.position_mm)
-    });
-    let stated = |sigma: Option<f64>| sigma.is_none_or(is_sigma);
-    [
-        ("instrument.sigma_mm", sigma_mm),
-        (
-            "instrument.targets_sigma_mm",
-            stated(instrument.targets_sigma_mm),
-        ),
-        (
-            "instrument.sigma_orientation",
-            stated(instrument.sigma_orientation),
-        ),
-        (
-            "instrument.sigma_distance_mm",
-            stated(instrument.sigma_distance_mm),
-        ),
-        (
-            "instrument.sigma_direction",
-            stated(instrument.sigma_direction),
-        ),
-        (
-            "instrument.sigma_touch_mm",
-            stated(instrument.sigma_touch_mm),
-        ),
-        ("instrument.tracker", tracker),
-    ]
-}
-
-fn references_fit(references: &References) -> [(&'static str, bool); 6] {
-    let is_known_place = |p: &Option<Point3<f64>>| p.as_ref().is_none_or(is_place);
-    let is_unit = |norm: f64| (norm - 1.0).abs() <= 1e-6;
-    let anchors = references.anchors.iter().all(|anchor| {
-        is_known_place(&anchor.position_mm) && anchor.offset_mm.is_none_or(is_length)
-    });
-    let stations = references.stations.iter().all(|station| {
-        let turn = station.attitude.as_ref();
-        is_known_place(&station.position_mm) && turn.is_none_or(|q| is_unit(q.coords.norm()))
-    });
-    let planes = references.planes.iter().all(|plane| {
-        let stated = plane.stated.as_ref();
-        stated.is_none_or(|(normal, mm)| is_unit(normal.norm()) && is_length(*mm))
-    });
-    let mut sockets = references.sockets.iter();
-    let mut distances = references.socket_distances.iter();
-    let pointing = references.pointing.as_ref();
-    [
-        ("instrument.references.anchors", anchors),
-        ("instrument.references.stations", stations),
-        ("instrument.references.planes", planes),
-        (
-            "instrument.references.sockets",
-            sockets.all(|s| is_known_place(&s.position_mm)),
-        ),
-        (
-            "instrument.references.socket_distances",
-            distances.all(|d| is_length(d.distance_mm)),
-        ),
-        (
-            "instrument.references.pointing",
-            pointing.is_none_or(|p| is_unit(p.axis.norm())),
-        ),
-    ]
 }

@@ -3,8 +3,8 @@
 
 use crate::kinematics::Range;
 use crate::numeric::extent;
+use crate::refusal::Refusal;
 use crate::sessions::{Region, Session};
-use crate::text::Text;
 use crate::units::{deg_from_rad, rad_from_deg};
 
 /// How the joint's range is divided.
@@ -23,62 +23,21 @@ pub enum RegionChoice {
     Adaptive,
 }
 
-/// Why a division makes no sense.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub enum RegionError {
-    /// Uniform regions, but none.
-    Number(usize),
-    /// Boundaries that do not ascend.
-    NotAscending(String, String),
-    /// Boundaries that enclose nothing.
-    TooFewBoundaries(usize),
-    /// No range to divide.
-    NoRange,
-    /// A session that cannot be computed with.
-    Session(String),
-}
-
-impl RegionError {
-    /// In words.
-    pub fn describe(&self) -> Text {
-        match self {
-            Self::Number(regions) => text!(
-                "{regions} regions; expected a number from 1 to {most}",
-                regions,
-                most = MOST_REGIONS
-            ),
-            Self::NotAscending(first, next) => text!(
-                "region boundaries {first}° and {next}°; expected ascending numbers",
-                first,
-                next
-            ),
-            Self::TooFewBoundaries(count) => text!(
-                one "{count} region boundary; expected at least two", "{count} region boundary; expected at least two",
-                count
-            ),
-            Self::NoRange => text!(
-                "all samples are at the same angle and the joint has no limits: there is no range to divide"
-            ),
-            Self::Session(says) => Text::verbatim(says),
-        }
-    }
-}
-
-displays_what_it_says!(RegionError);
-
-impl std::error::Error for RegionError {}
-
 /// More regions than this are a slip of the keyboard.
 pub const MOST_REGIONS: usize = 100_000;
 /// Regions where neither session nor operator says otherwise: the paper's number.
 pub const DEFAULT_REGIONS: usize = 6;
 
 /// Equal regions over the joint's limits, else over the data's range, named 1…N upwards.
-pub fn uniform(session: &Session, number: usize) -> Result<Vec<Region>, RegionError> {
+pub fn uniform(session: &Session, number: usize) -> Result<Vec<Region>, Refusal> {
     if !(1..=MOST_REGIONS).contains(&number) {
-        return Err(RegionError::Number(number));
+        return Err(Refusal(text!(
+            "{regions} regions; expected a number from 1 to {most}",
+            regions = number,
+            most = MOST_REGIONS
+        )));
     }
-    let range = range_to_divide(session).ok_or(RegionError::NoRange)?;
+    let range = range_to_divide(session)?;
     // Divided in degrees, so that boundaries at whole degrees come out whole.
     let (from, to) = (deg_from_rad(range.from), deg_from_rad(range.to));
     let boundary = |k: usize| rad_from_deg(from + (to - from) * k as f64 / number as f64);
@@ -86,18 +45,26 @@ pub fn uniform(session: &Session, number: usize) -> Result<Vec<Region>, RegionEr
 }
 
 /// Limits of the first joint, else the range of its commands.
-pub fn range_to_divide(session: &Session) -> Option<Range> {
-    if let Some(limits) = session.robot.joints.first()?.limits {
-        return Some(limits);
+pub fn range_to_divide(session: &Session) -> Result<Range, Refusal> {
+    if let Some(limits) = session.robot.joints.first().and_then(|joint| joint.limits) {
+        return Ok(limits);
     }
-    let [from, to] = extent(session.samples.q.first()?.iter());
-    (from < to).then_some(Range { from, to })
+    let [from, to] = extent(session.samples.q.first().into_iter().flatten());
+    let range = (from < to).then_some(Range { from, to });
+    range.ok_or_else(|| {
+        Refusal(text!(
+            "all samples are at the same angle and the joint has no limits: there is no range to divide"
+        ))
+    })
 }
 
 /// Regions between neighbouring boundaries, named 1…N upwards.
-pub fn between(boundaries: &[f64]) -> Result<Vec<Region>, RegionError> {
+pub fn between(boundaries: &[f64]) -> Result<Vec<Region>, Refusal> {
     if boundaries.len() < 2 {
-        return Err(RegionError::TooFewBoundaries(boundaries.len()));
+        return Err(Refusal(text!(
+            one "{count} region boundary; expected at least two", "{count} region boundary; expected at least two",
+            count = boundaries.len()
+        )));
     }
     let degrees = |rad: f64| format!("{:.6}", deg_from_rad(rad));
     let pairs = boundaries.windows(2).enumerate();
@@ -110,10 +77,11 @@ pub fn between(boundaries: &[f64]) -> Result<Vec<Region>, RegionError> {
                     to_rad: pair[1],
                 })
             } else {
-                Err(RegionError::NotAscending(
-                    degrees(pair[0]),
-                    degrees(pair[1]),
-                ))
+                Err(Refusal(text!(
+                    "region boundaries {first}° and {next}°; expected ascending numbers",
+                    first = degrees(pair[0]),
+                    next = degrees(pair[1])
+                )))
             }
         })
         .collect()

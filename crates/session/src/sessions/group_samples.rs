@@ -1,5 +1,6 @@
 //! Which samples a group has, and how it is called.
 
+use super::columns::Quantity;
 use super::group::Group;
 use super::references::{Anchor, Plane, Socket, Station};
 use super::{Samples, Session, Target};
@@ -25,48 +26,42 @@ impl Group {
     /// Which of the groups of this kind a sample is in.
     pub fn of(self, session: &Session, sample: usize) -> Option<usize> {
         let samples: &Samples = &session.samples;
-        let observed = &samples.observed;
-        let named = |column: &Option<Vec<Option<u32>>>| *column.as_ref()?.get(sample)?;
         let index = match self {
             Self::Target => samples.target.as_ref()?.get(sample).copied(),
             Self::Setup => samples.setups.as_ref()?.index.get(sample).copied(),
-            Self::Socket => named(&observed.socket),
-            Self::Station => named(&observed.station),
-            Self::Plane => named(&observed.plane),
-            Self::Anchor => named(&observed.anchor),
+            _ => {
+                let mut columns = samples.observed.names().into_iter();
+                let own = columns.find(|column| column.label == self.name())?;
+                *own.values.as_ref()?.get(sample)?
+            }
         };
         index.map(|index| index as usize)
     }
 
-    /// How many of this kind a session has.
-    pub fn count(self, session: &Session) -> usize {
+    /// The names of all of this kind that a session has.
+    fn names(self, session: &Session) -> Vec<&str> {
         let references = &session.instrument.references;
         match self {
-            Self::Target => session.targets.len(),
-            Self::Setup => session.samples.setups.as_ref().map_or(0, |s| s.names.len()),
-            Self::Socket => references.sockets.len(),
-            Self::Station => references.stations.len(),
-            Self::Plane => references.planes.len(),
-            Self::Anchor => references.anchors.len(),
+            Self::Target => session.targets.iter().map(|t| &*t.name).collect(),
+            Self::Setup => {
+                let setups = session.samples.setups.iter();
+                setups.flat_map(|s| &s.names).map(String::as_str).collect()
+            }
+            Self::Socket => references.named(Quantity::Socket),
+            Self::Station => references.named(Quantity::Station),
+            Self::Plane => references.named(Quantity::Plane),
+            Self::Anchor => references.named(Quantity::Anchor),
         }
+    }
+
+    /// How many of this kind a session has.
+    pub fn count(self, session: &Session) -> usize {
+        self.names(session).len()
     }
 
     /// The name of one of them, as the session has it.
     pub fn name_of(self, session: &Session, index: usize) -> &str {
-        let references = &session.instrument.references;
-        let name = match self {
-            Self::Target => session.targets.get(index).map(|t| &t.name),
-            Self::Setup => session
-                .samples
-                .setups
-                .as_ref()
-                .and_then(|s| s.names.get(index)),
-            Self::Socket => references.sockets.get(index).map(|s| &s.name),
-            Self::Station => references.stations.get(index).map(|s| &s.name),
-            Self::Plane => references.planes.get(index).map(|p| &p.name),
-            Self::Anchor => references.anchors.get(index).map(|a| &a.name),
-        };
-        name.map_or("", String::as_str)
+        self.names(session).get(index).copied().unwrap_or_default()
     }
 
     /// From this row on the samples of one of them are those of another one, whose place is not known. Where a
@@ -116,32 +111,21 @@ impl Group {
             }
         }
         let samples = &mut session.samples;
-        let own = |index_of: &u32| *index_of as usize == index;
-        let in_names = |column: &mut Option<Vec<Option<u32>>>| {
-            let rows = column
-                .iter_mut()
-                .flat_map(|column| column.iter_mut().skip(from));
-            rows.flatten().filter(|i| own(i)).for_each(|i| *i = new);
-        };
-        match self {
-            Self::Target => {
-                let rows = samples
-                    .target
-                    .iter_mut()
-                    .flat_map(|column| column.iter_mut().skip(from));
-                rows.filter(|i| own(i)).for_each(|i| *i = new);
-            }
+        let rows: Vec<&mut u32> = match self {
+            Self::Target => samples.target.iter_mut().flatten().skip(from).collect(),
             Self::Setup => {
-                let rows = samples
-                    .setups
-                    .iter_mut()
-                    .flat_map(|s| s.index.iter_mut().skip(from));
-                rows.filter(|i| own(i)).for_each(|i| *i = new);
+                let setups = samples.setups.iter_mut();
+                setups.flat_map(|s| &mut s.index).skip(from).collect()
             }
-            Self::Socket => in_names(&mut samples.observed.socket),
-            Self::Station => in_names(&mut samples.observed.station),
-            Self::Plane => in_names(&mut samples.observed.plane),
-            Self::Anchor => in_names(&mut samples.observed.anchor),
+            _ => {
+                let columns = samples.observed.names_mut().into_iter();
+                let own = columns.filter(|column| column.label == self.name());
+                let cells = own.flat_map(|column| column.values).flatten();
+                cells.skip(from).flatten().collect()
+            }
+        };
+        for row in rows.into_iter().filter(|row| **row as usize == index) {
+            *row = new;
         }
     }
 
@@ -151,31 +135,26 @@ impl Group {
         match self {
             Self::Setup => {}
             Self::Target => {
-                if session.has_placed(index)
-                    && let Some(target) = session.targets.get(index)
-                {
-                    session.instrument.free_targets.push(target.name.clone());
+                if session.has_placed(index) {
+                    let name = session.targets[index].name.clone();
+                    session.instrument.free_targets.push(name);
                 }
             }
             Self::Socket => {
-                if let Some(socket) = references.sockets.get_mut(index) {
-                    socket.position_mm = None;
-                }
+                let one = references.sockets.get_mut(index).into_iter();
+                one.for_each(|s| s.position_mm = None);
             }
             Self::Station => {
-                if let Some(station) = references.stations.get_mut(index) {
-                    (station.position_mm, station.attitude) = (None, None);
-                }
+                let one = references.stations.get_mut(index).into_iter();
+                one.for_each(|s| (s.position_mm, s.attitude) = (None, None));
             }
             Self::Plane => {
-                if let Some(plane) = references.planes.get_mut(index) {
-                    plane.stated = None;
-                }
+                let one = references.planes.get_mut(index).into_iter();
+                one.for_each(|p| p.stated = None);
             }
             Self::Anchor => {
-                if let Some(anchor) = references.anchors.get_mut(index) {
-                    anchor.position_mm = None;
-                }
+                let one = references.anchors.get_mut(index).into_iter();
+                one.for_each(|a| a.position_mm = None);
             }
         }
     }
@@ -183,25 +162,15 @@ impl Group {
     /// Whether a session says where one of them is.
     pub fn is_stated(self, session: &Session, index: usize) -> bool {
         let references = &session.instrument.references;
-        match self {
-            Self::Target => session.has_placed(index),
-            Self::Setup => false,
-            Self::Socket => references
-                .sockets
-                .get(index)
-                .is_some_and(|s| s.position_mm.is_some()),
-            Self::Station => {
-                let own = references.stations.get(index);
-                own.is_some_and(|s| s.position_mm.is_some() || s.attitude.is_some())
-            }
-            Self::Plane => references
-                .planes
-                .get(index)
-                .is_some_and(|p| p.stated.is_some()),
-            Self::Anchor => references
-                .anchors
-                .get(index)
-                .is_some_and(|a| a.position_mm.is_some()),
-        }
+        let is_known = match self {
+            Self::Target => Some(session.has_placed(index)),
+            Self::Setup => None,
+            Self::Socket => (references.sockets.get(index)).map(|s| s.position_mm.is_some()),
+            Self::Station => (references.stations.get(index))
+                .map(|s| s.position_mm.is_some() || s.attitude.is_some()),
+            Self::Plane => (references.planes.get(index)).map(|p| p.stated.is_some()),
+            Self::Anchor => (references.anchors.get(index)).map(|a| a.position_mm.is_some()),
+        };
+        is_known.unwrap_or(false)
     }
 }

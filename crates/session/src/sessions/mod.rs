@@ -48,7 +48,7 @@ pub use crate::atomic::WriteError;
 pub use crate::tables::Lines;
 pub use correction::DAY_S;
 pub use correction::{Corrected, SessionCorrection};
-pub use division::{MOST_REGIONS, RegionChoice, RegionError, range_to_divide};
+pub use division::{MOST_REGIONS, RegionChoice, range_to_divide};
 pub use domain::default_targets;
 pub use domain::{
     Instrument, Region, Samples, Session, Setups, Sigma, Target, Tracker, UnknownColumn,

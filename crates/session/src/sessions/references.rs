@@ -154,22 +154,17 @@ pub struct ObservedColumn<C> {
     pub values: C,
 }
 
-macro_rules! column {
-    ($quantity:ident $label:literal, $values:expr) => {
-        ObservedColumn {
-            quantity: Quantity::$quantity,
-            label: $label,
-            values: $values,
-        }
-    };
-}
-
 /// Columns from one list: what each holds, its label in the hash, its field.
 macro_rules! columns {
-    ($all:ident, $count:literal of $cell:ty: $($quantity:ident $label:literal $column:ident,)*) => {
+    ($all:ident $all_mut:ident, $count:literal of $cell:ty: $($quantity:ident $label:literal $column:ident,)*) => {
         #[doc(hidden)]
         pub fn $all(&self) -> [ObservedColumn<&Option<Vec<$cell>>>; $count] {
-            [$(column!($quantity $label, &self.$column)),*]
+            [$(ObservedColumn { quantity: Quantity::$quantity, label: $label, values: &self.$column }),*]
+        }
+
+        /// The same, to be changed.
+        pub(crate) fn $all_mut(&mut self) -> [ObservedColumn<&mut Option<Vec<$cell>>>; $count] {
+            [$(ObservedColumn { quantity: Quantity::$quantity, label: $label, values: &mut self.$column }),*]
         }
     };
 }
@@ -177,26 +172,17 @@ macro_rules! columns {
 /// Whatever is done to every column asks these lists; the compiler finds a column that is missing here only where rows
 /// are picked (`rows.rs`).
 impl ObservedColumns {
-    columns!(numbers, 3 of f64:
+    columns!(numbers numbers_mut, 3 of f64:
         Distance "distance" distance_mm,
         Azimuth "azimuth" azimuth,
         Elevation "elevation" elevation,
     );
-    columns!(names, 4 of Option<u32>:
+    columns!(names names_mut, 4 of Option<u32>:
         Anchor "anchor" anchor,
         Station "station" station,
         Plane "plane" plane,
         Socket "socket" socket,
     );
-
-    /// The columns of numbers, to be changed.
-    pub(crate) fn numbers_mut(&mut self) -> [ObservedColumn<&mut Option<Vec<f64>>>; 3] {
-        [
-            column!(Distance "distance", &mut self.distance_mm),
-            column!(Azimuth "azimuth", &mut self.azimuth),
-            column!(Elevation "elevation", &mut self.elevation),
-        ]
-    }
 
     /// Whether no sample has anything here.
     pub fn is_empty(&self) -> bool {

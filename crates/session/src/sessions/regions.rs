@@ -14,23 +14,11 @@ const ON_BOUNDARY: f64 = 1e-9;
 #[derive(Debug, Clone)]
 pub struct Assignment<'a> {
     regions: &'a [Region],
-    /// Where regions do not overlap: the angle's place between the thresholds tells its region.
-    slots: Option<Slots>,
+    /// Their places in the list by their lower ends.
+    sorted: Vec<usize>,
+    /// Whether none overlaps another: then two at most touch an angle.
+    apart: bool,
 }
-
-/// The line of angles cut at thresholds; slot k lies above k of them. Who owns a boundary has
-/// gone into the thresholds, so that finding a slot is nothing but counting.
-#[derive(Debug, Clone)]
-struct Slots {
-    thresholds: Vec<f64>,
-    /// Place in the list of the region of each slot, or [`NO_REGION`].
-    owners: Vec<usize>,
-}
-
-/// Stands for angles outside all regions.
-const NO_REGION: usize = usize::MAX;
-/// Counting beats halving up to about so many thresholds.
-const FEW_THRESHOLDS: usize = 24;
 
 impl<'a> Assignment<'a> {
     /// Prepares the search.
@@ -42,99 +30,40 @@ impl<'a> Assignment<'a> {
             .all(|pair| regions[pair[0]].to_rad <= regions[pair[1]].from_rad + ON_BOUNDARY);
         Self {
             regions,
-            slots: apart.then(|| Slots::new(regions, &sorted)),
+            sorted,
+            apart,
         }
     }
 
-    /// Place in the list of the region that owns an angle in rad; `None` outside all regions.
+    /// Place in the list of the region that owns an angle in rad; `None` outside all regions: of those that it is
+    /// inside of, else of those on whose boundary it is on zero's side, else of those that it touches, the first.
     pub fn region_of(&self, q: f64) -> Option<usize> {
-        let Some(slots) = &self.slots else {
-            return self.one_by_one(q);
-        };
-        let owner = slots.owners[slots.thresholds.partition_point(|t| q > *t)];
-        (owner != NO_REGION).then_some(owner)
+        let begins = |k: &usize| self.regions[*k].from_rad - ON_BOUNDARY <= q;
+        let near = &self.sorted[..self.sorted.partition_point(begins)];
+        let near = &near[near
+            .len()
+            .saturating_sub(if self.apart { 2 } else { near.len() })..];
+        let owned = near.iter().filter_map(|&k| {
+            let [from, to] = [self.regions[k].from_rad, self.regions[k].to_rad];
+            let inner = from + ON_BOUNDARY < q && q < to - ON_BOUNDARY;
+            let inwards = if q > 0.0 {
+                from < q - ON_BOUNDARY
+            } else {
+                to > q + ON_BOUNDARY
+            };
+            let rank = match (inner, inwards || q.abs() <= ON_BOUNDARY) {
+                (true, _) => 0,
+                (_, true) => 1,
+                _ => 2,
+            };
+            (q <= to + ON_BOUNDARY).then_some((rank, k))
+        });
+        owned.min().map(|(_, k)| k)
     }
 
     /// The regions of a block of angles; the number of regions stands for none.
-    #[inline(always)]
-    #[allow(clippy::inline_always, reason = "a part of a wide loop")]
     pub fn regions_of(&self, q: &Lanes, to: &mut [usize; LANES]) {
-        match &self.slots {
-            Some(slots) if slots.thresholds.len() <= FEW_THRESHOLDS => {
-                let mut above = [0_usize; LANES];
-                for threshold in &slots.thresholds {
-                    for (count, q) in above.iter_mut().zip(q) {
-                        *count += usize::from(*q > *threshold);
-                    }
-                }
-                for (to, count) in to.iter_mut().zip(above) {
-                    *to = slots.owners[count].min(self.regions.len());
-                }
-            }
-            _ => {
-                for (to, q) in to.iter_mut().zip(q) {
-                    *to = self.region_of(*q).unwrap_or(self.regions.len());
-                }
-            }
-        }
-    }
-
-    /// Inner samples belong to the first region listed that contains them; a boundary counts for
-    /// the region on zero's side first.
-    fn one_by_one(&self, q: f64) -> Option<usize> {
-        let inner = |r: &Region| r.from_rad + ON_BOUNDARY < q && q < r.to_rad - ON_BOUNDARY;
-        let touches = |r: &Region| r.from_rad - ON_BOUNDARY <= q && q <= r.to_rad + ON_BOUNDARY;
-        let at_zero = q.abs() <= ON_BOUNDARY;
-        let reaches_to_zero = |r: &Region| {
-            let inwards = if q > 0.0 {
-                r.from_rad < q - ON_BOUNDARY
-            } else {
-                r.to_rad > q + ON_BOUNDARY
-            };
-            touches(r) && (at_zero || inwards)
-        };
-        let find = |test: &dyn Fn(&Region) -> bool| self.regions.iter().position(test);
-        find(&inner)
-            .or_else(|| find(&reaches_to_zero))
-            .or_else(|| find(&touches))
-    }
-}
-
-impl Slots {
-    fn new(regions: &[Region], sorted: &[usize]) -> Self {
-        let mut thresholds = Vec::new();
-        let mut owners = vec![NO_REGION];
-        let mut cut = |threshold: f64, owner: usize| {
-            thresholds.push(threshold);
-            owners.push(owner);
-        };
-        for (k, &place) in sorted.iter().enumerate() {
-            let region = &regions[place];
-            let next = sorted.get(k + 1).copied();
-            let joined = next.filter(|n| regions[*n].from_rad <= region.to_rad + ON_BOUNDARY);
-            let follows = k > 0 && regions[sorted[k - 1]].to_rad + ON_BOUNDARY >= region.from_rad;
-            if !follows {
-                cut(region.from_rad - ON_BOUNDARY, place);
-            }
-            match joined {
-                None => cut(region.to_rad + ON_BOUNDARY, NO_REGION),
-                Some(next) => {
-                    let boundary = region.to_rad;
-                    let below_owns = if boundary.abs() <= ON_BOUNDARY {
-                        place < next
-                    } else {
-                        boundary > 0.0
-                    };
-                    let side = if below_owns {
-                        ON_BOUNDARY
-                    } else {
-                        -ON_BOUNDARY
-                    };
-                    cut(boundary + side, next);
-                }
-            }
-        }
-        Self { thresholds, owners }
+        *to = q.map(|q| self.region_of(q).unwrap_or(self.regions.len()));
     }
 }
 

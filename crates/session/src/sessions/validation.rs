@@ -4,7 +4,7 @@
 //! warnings, because a strange session is still a session. Set-up errors (a joint's sign,
 //! a wrong unit) need a fit and are not looked for here.
 
-use crate::text::{Template, Text};
+use crate::text::Text;
 use std::collections::BTreeSet;
 
 use crate::diagnostic::{Diagnostic, Place};
@@ -16,29 +16,43 @@ use crate::units::deg_from_rad;
 /// How many samples are named before the rest is counted.
 const NAMED: usize = 8;
 
+/// What is said of a session, in the order of its parts.
+struct Said<'a> {
+    session: &'a Session,
+    file: &'a Place,
+    findings: Vec<Diagnostic>,
+}
+
 /// Looks at a whole session that was read from `file`.
 pub(crate) fn findings(session: &Session, file: &Place) -> Vec<Diagnostic> {
-    let mut findings = Vec::new();
-    robot(&session.robot, file, &mut findings);
-    sizes(session, file, &mut findings);
-    regions(session, file, &mut findings);
-    instrument(session, file, &mut findings);
-    targets(session, file, &mut findings);
-    free_targets(session, file, &mut findings);
-    completeness(&session.samples, file, &mut findings);
-    kinds(session, file, &mut findings);
-    limits(session, file, &mut findings);
-    conditions(&session.samples, file, &mut findings);
+    let findings = Vec::new();
+    let mut said = Said {
+        session,
+        file,
+        findings,
+    };
+    robot(&session.robot, file, &mut said.findings);
+    sizes(session, file, &mut said.findings);
+    said.regions();
+    said.instrument();
+    said.targets();
+    free_targets(session, file, &mut said.findings);
+    said.completeness();
+    // How many measurements of which kind there are, where points are not all.
+    if let Some(counts) = session.kinds_in_words() {
+        said.note("", text!("measured: {counts}", counts));
+    }
+    said.limits();
+    said.conditions();
     if let Some(model) = &session.compensated_by {
         let found = text!(
             "measured with the table of model {model} active: it shows what is left, and nothing \
              compensates it a second time",
             model = quoted(model)
         );
-        let place = file.clone().in_field("compensated_by");
-        findings.push(Diagnostic::note(place, found));
+        said.note("compensated_by", found);
     }
-    findings
+    said.findings
 }
 
 /// Looks at a robot alone.
@@ -107,98 +121,255 @@ fn overlaps(regions: &[Region]) -> Vec<[usize; 2]> {
     pairs
 }
 
-fn regions(session: &Session, file: &Place, findings: &mut Vec<Diagnostic>) {
-    let place = || file.clone().in_field("regions");
-    let named = |region: &Region| {
-        format!(
-            "{} ({}° to {}°)",
-            quoted(&region.name),
-            deg_from_rad(region.from_rad),
-            deg_from_rad(region.to_rad)
-        )
-    };
-    let all = &session.regions;
-    for [earlier, later] in overlaps(all) {
-        let (earlier, later) = (named(&all[earlier]), named(&all[later]));
-        findings.push(Diagnostic::warning(
-            place(),
-            text!("regions {earlier} and {later} overlap", earlier, later),
-            text!("regions that touch at most; the one listed first owns what both claim"),
-        ));
+impl Said<'_> {
+    fn place(&self, field: &str) -> Place {
+        let file = self.file.clone();
+        if field.is_empty() {
+            file
+        } else {
+            file.in_field(field)
+        }
     }
-    let mut names = BTreeSet::new();
-    for region in all.iter().filter(|region| !names.insert(&region.name)) {
-        findings.push(Diagnostic::warning(place(), twice(&region.name), ONCE));
-    }
-    let joints = &session.robot.joints;
-    let one_revolute = joints.len() == 1 && joints[0].kind == JointKind::Revolute;
-    if !session.regions.is_empty() && !one_revolute {
-        let found =
-            text!("regions are for a robot with a single revolute joint: they will not be used");
-        findings.push(Diagnostic::note(place(), found));
-    }
-}
 
-/// Every kind that was measured, and whether its noise is stated.
-fn instrument(session: &Session, file: &Place, findings: &mut Vec<Diagnostic>) {
-    let mut silent: Vec<&str> = if session.has_plain_points() {
-        // A million of them are not asked what else they might be.
-        let stated = session.instrument.sigma_mm.is_some();
-        if stated { Vec::new() } else { vec!["sigma_mm"] }
-    } else {
-        let kinds = session.measured_kinds().into_iter();
-        let silent = kinds.filter(|kind| !kind.stated).map(|kind| kind.sigma_key);
-        silent.collect()
-    };
-    silent.dedup();
-    for key in silent {
-        let place = file.clone().in_field(format!("instrument.{key}"));
-        let found =
-            text!("the noise of the instrument is not given: it is estimated from the samples");
-        findings.push(Diagnostic::note(place, found));
+    fn note(&mut self, field: &str, found: Text) {
+        let note = Diagnostic::note(self.place(field), found);
+        self.findings.push(note);
     }
-}
 
-/// How many measurements of which kind there are, where points are not all.
-fn kinds(session: &Session, file: &Place, findings: &mut Vec<Diagnostic>) {
-    if let Some(counts) = session.kinds_in_words() {
-        findings.push(Diagnostic::note(
-            file.clone(),
-            text!("measured: {counts}", counts),
-        ));
+    fn warn(&mut self, field: &str, found: Text, expected: Text) {
+        let warning = Diagnostic::warning(self.place(field), found, expected);
+        self.findings.push(warning);
     }
-}
 
-fn targets(session: &Session, file: &Place, findings: &mut Vec<Diagnostic>) {
-    let Some(used) = &session.samples.target else {
-        if session.targets.len() > 1 {
-            let place = file.clone().in_field("targets");
-            let found = text!(
-                "{targets} targets but no column target: every sample is taken to show {target}",
-                targets = session.targets.len(),
-                target = quoted(&session.targets[0].name)
+    /// Warns of samples, if there are any; `found` is given what names them.
+    fn warn_of(&mut self, field: &str, rows: &[usize], found: impl FnOnce(Text) -> Text) {
+        if !rows.is_empty() {
+            let found = found(which(&self.session.samples, rows));
+            let warning = Diagnostic::warning(self.place(field), found, Text::default());
+            self.findings.push(warning.about(rows));
+        }
+    }
+
+    /// As [`Self::warn_of`], where it is only worth knowing.
+    fn note_of(&mut self, field: &str, rows: &[usize], found: impl FnOnce(Text) -> Text) {
+        if !rows.is_empty() {
+            let found = found(which(&self.session.samples, rows));
+            let note = Diagnostic::note(self.place(field), found);
+            self.findings.push(note.about(rows));
+        }
+    }
+
+    fn regions(&mut self) {
+        let named = |region: &Region| {
+            let [from, to] = [region.from_rad, region.to_rad].map(deg_from_rad);
+            format!("{} ({from}° to {to}°)", quoted(&region.name))
+        };
+        let all = &self.session.regions;
+        for [earlier, later] in overlaps(all) {
+            let (earlier, later) = (named(&all[earlier]), named(&all[later]));
+            self.warn(
+                "regions",
+                text!("regions {earlier} and {later} overlap", earlier, later),
+                text!("regions that touch at most; the one listed first owns what both claim"),
             );
-            findings.push(Diagnostic::warning(place, found, Text::default()));
         }
-        return;
-    };
-    let mut seen = vec![false; session.targets.len()];
-    for &target in used {
-        if let Some(seen) = seen.get_mut(target as usize) {
-            *seen = true;
+        let mut names = BTreeSet::new();
+        for region in all.iter().filter(|region| !names.insert(&region.name)) {
+            self.warn("regions", twice(&region.name), ONCE.into());
+        }
+        let joints = &self.session.robot.joints;
+        if !all.is_empty() && !matches!(&joints[..], [one] if one.kind == JointKind::Revolute) {
+            let found = text!(
+                "regions are for a robot with a single revolute joint: they will not be used"
+            );
+            self.note("regions", found);
         }
     }
-    for (target, _) in session
-        .targets
-        .iter()
-        .zip(&seen)
-        .filter(|(_, seen)| !**seen)
-    {
-        let place = file.clone().in_field(format!("targets.{}", target.name));
-        findings.push(Diagnostic::note(
-            place,
-            text!("no sample shows this target"),
-        ));
+
+    /// Every kind that was measured, and whether its noise is stated.
+    fn instrument(&mut self) {
+        let session = self.session;
+        let mut silent: Vec<&str> = if session.has_plain_points() {
+            // A million of them are not asked what else they might be.
+            let stated = session.instrument.sigma_mm.is_some();
+            if stated { Vec::new() } else { vec!["sigma_mm"] }
+        } else {
+            let kinds = session.measured_kinds().into_iter();
+            let silent = kinds.filter(|kind| !kind.stated).map(|kind| kind.sigma_key);
+            silent.collect()
+        };
+        silent.dedup();
+        for key in silent {
+            let found =
+                text!("the noise of the instrument is not given: it is estimated from the samples");
+            self.note(&format!("instrument.{key}"), found);
+        }
+    }
+
+    fn targets(&mut self) {
+        let targets = &self.session.targets;
+        let Some(used) = &self.session.samples.target else {
+            if targets.len() > 1 {
+                let found = text!(
+                    "{targets} targets but no column target: every sample is taken to show {target}",
+                    targets = targets.len(),
+                    target = quoted(&targets[0].name)
+                );
+                self.warn("targets", found, Text::default());
+            }
+            return;
+        };
+        let mut seen = vec![false; targets.len()];
+        for &target in used {
+            if let Some(seen) = seen.get_mut(target as usize) {
+                *seen = true;
+            }
+        }
+        for (target, seen) in targets.iter().zip(seen) {
+            if !seen {
+                let field = format!("targets.{}", target.name);
+                self.note(&field, text!("no sample shows this target"));
+            }
+        }
+    }
+
+    fn completeness(&mut self) {
+        let samples = &self.session.samples;
+        let all = samples.len();
+        let incomplete = samples.incomplete();
+        let count = incomplete.len();
+        if count == all {
+            let found = text!("no sample has its commanded values and anything measured");
+            let error = Diagnostic::error(self.file.clone(), found, text!("at least one"));
+            self.findings.push(error);
+        } else {
+            self.warn_of("", &incomplete, |which| {
+                text!(
+                    one "{count} of {all} samples lacks a commanded value or everything measured and cannot be used: {which}",
+                    "{count} of {all} samples lack a commanded value or everything measured and cannot be used: {which}",
+                    count, all, which
+                )
+            });
+        }
+        let excluded = samples.excluded_by_hand();
+        let count = excluded.len();
+        self.warn_of("use", &excluded, |which| {
+            text!(
+                one "{count} of {all} samples is excluded by hand and counts in no figure: {which}",
+                "{count} of {all} samples are excluded by hand and count in no figure: {which}",
+                count, all, which
+            )
+        });
+        let partly = samples.partly_measured();
+        let count = partly.len();
+        self.note_of("", &partly, |which| {
+            text!(
+                one "{count} of {all} samples lacks single coordinates; the others of it are fitted: {which}",
+                "{count} of {all} samples lack single coordinates; the others of them are fitted: {which}",
+                count, all, which
+            )
+        });
+        if samples.z_mm.is_none() {
+            let found = text!("no column for the measured z: the session is planar");
+            self.note("", found);
+        }
+        let held_out = |i: usize| samples.held_out.as_ref().is_some_and(|h| h[i]);
+        if (samples.held_out.is_some() || samples.excluded.is_some())
+            && (0..all).all(|i| held_out(i) || samples.is_excluded(i))
+        {
+            let found = text!("every sample is held out or excluded: nothing is left to fit");
+            self.warn("use", found, Text::default());
+        }
+        if let Some([w, x, y, z]) = &samples.orientation_wxyz {
+            let norm = |i: usize| (w[i] * w[i] + x[i] * x[i] + y[i] * y[i] + z[i] * z[i]).sqrt();
+            // NaN, a missing orientation, is not off.
+            let off = rows_where(all, |i| (norm(i) - 1.0).abs() > 0.01);
+            self.warn_of("qw, qx, qy, qz", &off, |which| {
+                text!(
+                    one "{count} measured orientation is not of unit length: {which}",
+                    "{count} measured orientations are not of unit length: {which}",
+                    count = off.len(),
+                    which
+                )
+            });
+        }
+    }
+
+    fn limits(&mut self) {
+        let Session { robot, samples, .. } = self.session;
+        for (number, (joint, q)) in (1..).zip(robot.joints.iter().zip(&samples.q)) {
+            let Some(limits) = joint.limits else { continue };
+            // A limit of 90° and a command of 90.0° may differ in the last bit.
+            let slack = 1e-9 * (limits.to - limits.from);
+            let within = limits.from - slack..=limits.to + slack;
+            // A command that is missing is not beyond them.
+            let beyond = rows_where(q.len(), |i| !q[i].is_nan() && !within.contains(&q[i]));
+            self.warn_of("", &beyond, |which| {
+                text!(
+                    one "{count} sample is beyond the limits of joint {index}: {which}",
+                    "{count} samples are beyond the limits of joint {index}: {which}",
+                    count = beyond.len(),
+                    index = number,
+                    which
+                )
+            });
+        }
+    }
+
+    fn conditions(&mut self) {
+        let samples = &self.session.samples;
+        let loads = samples.load_kg.as_deref().unwrap_or_default();
+        let celsius = samples.temperature_c.as_deref().unwrap_or_default();
+        for (field, wrong, what) in [
+            (
+                "load_kg",
+                rows_where(loads.len(), |i| loads[i] < 0.0),
+                phrase!("negative loads"),
+            ),
+            (
+                "temperature_c",
+                rows_where(celsius.len(), |i| celsius[i] < -273.15),
+                phrase!("temperatures below absolute zero"),
+            ),
+        ] {
+            self.warn_of(field, &wrong, |name| {
+                text!("{found}: {name}", found = what, name)
+            });
+        }
+        let mut latest = f64::NEG_INFINITY;
+        let time_s = samples.time_s.as_deref().unwrap_or_default();
+        let back = rows_where(time_s.len(), |i| {
+            let is_back = time_s[i] < latest;
+            latest = latest.max(time_s[i]);
+            is_back
+        });
+        self.note_of("time_s", &back, |back| {
+            text!(
+                "the time does not increase at {back}; file order is taken as measuring order",
+                back
+            )
+        });
+        let setups = samples
+            .setups
+            .as_ref()
+            .map_or(0, |setups| setups.names.len());
+        if setups > 1 {
+            let found = text!(
+                "{names} setups: each has a measuring frame of its own",
+                names = setups
+            );
+            self.note("setup", found);
+        }
+        let lost = samples.lost_reflector();
+        self.warn_of("", &lost, |which| {
+            text!(
+                one "the instrument lost the reflector ({point}) in {count} measurement: {which}",
+                "the instrument lost the reflector ({point}) in {count} measurements: {which}",
+                point = "0, 0, 0",
+                count = lost.len(),
+                which
+            )
+        });
     }
 }
 
@@ -215,183 +386,8 @@ pub(super) fn free_targets(session: &Session, file: &Place, findings: &mut Vec<D
     }
 }
 
-fn completeness(samples: &Samples, file: &Place, findings: &mut Vec<Diagnostic>) {
-    let count = samples.len();
-    let incomplete = samples.incomplete();
-    if incomplete.len() == count {
-        let found = text!("no sample has its commanded values and anything measured");
-        findings.push(Diagnostic::error(
-            file.clone(),
-            found,
-            text!("at least one"),
-        ));
-    } else if !incomplete.is_empty() {
-        let found = text!(
-                one "{count} of {all} samples lacks a commanded value or everything measured and cannot be used: {which}",
-                "{count} of {all} samples lack a commanded value or everything measured and cannot be used: {which}",
-                count = incomplete.len(),
-                all = count,
-            which = which(samples, &incomplete)
-        );
-        findings.push(Diagnostic::warning(file.clone(), found, Text::default()).about(&incomplete));
-    }
-    let excluded = samples.excluded_by_hand();
-    if !excluded.is_empty() {
-        let found = text!(
-            one "{count} of {all} samples is excluded by hand and counts in no figure: {which}", "{count} of {all} samples are excluded by hand and count in no figure: {which}",
-            count = excluded.len(),
-            all = count,
-            which = which(samples, &excluded)
-        );
-        findings.push(
-            Diagnostic::warning(file.clone().in_field("use"), found, Text::default())
-                .about(&excluded),
-        );
-    }
-    let partly = samples.partly_measured();
-    if !partly.is_empty() {
-        let found = text!(
-            one "{count} of {all} samples lacks single coordinates; the others of it are fitted: {which}", "{count} of {all} samples lack single coordinates; the others of them are fitted: {which}",
-            count = partly.len(),
-            all = count,
-            which = which(samples, &partly)
-        );
-        findings.push(Diagnostic::note(file.clone(), found).about(&partly));
-    }
-    if samples.z_mm.is_none() {
-        let found = text!("no column for the measured z: the session is planar");
-        findings.push(Diagnostic::note(file.clone(), found));
-    }
-    let held_out = |i: usize| samples.held_out.as_ref().is_some_and(|h| h[i]);
-    if (samples.held_out.is_some() || samples.excluded.is_some())
-        && (0..count).all(|i| held_out(i) || samples.is_excluded(i))
-    {
-        let found = text!("every sample is held out or excluded: nothing is left to fit");
-        findings.push(Diagnostic::warning(
-            file.clone().in_field("use"),
-            found,
-            Text::default(),
-        ));
-    }
-    if let Some([w, x, y, z]) = &samples.orientation_wxyz {
-        let norm = |i: usize| (w[i] * w[i] + x[i] * x[i] + y[i] * y[i] + z[i] * z[i]).sqrt();
-        // NaN, a missing orientation, is not off.
-        let off: Vec<usize> = (0..count)
-            .filter(|&i| (norm(i) - 1.0).abs() > 0.01)
-            .collect();
-        if !off.is_empty() {
-            let found = text!(
-                one "{count} measured orientation is not of unit length: {which}", "{count} measured orientations are not of unit length: {which}",
-                count = off.len(),
-                which = which(samples, &off)
-            );
-            let place = file.clone().in_field("qw, qx, qy, qz");
-            findings.push(Diagnostic::warning(place, found, Text::default()).about(&off));
-        }
-    }
-}
-
-fn limits(session: &Session, file: &Place, findings: &mut Vec<Diagnostic>) {
-    for (index, (joint, q)) in session
-        .robot
-        .joints
-        .iter()
-        .zip(&session.samples.q)
-        .enumerate()
-    {
-        let Some(limits) = joint.limits else { continue };
-        // A limit of 90° and a command of 90.0° may differ in the last bit.
-        let slack = 1e-9 * (limits.to - limits.from);
-        let beyond: Vec<usize> = (0..q.len())
-            .filter(|&i| q[i] < limits.from - slack || q[i] > limits.to + slack)
-            .collect();
-        if !beyond.is_empty() {
-            let found = text!(
-                one "{count} sample is beyond the limits of joint {index}: {which}",
-                "{count} samples are beyond the limits of joint {index}: {which}",
-                count = beyond.len(),
-                index = index + 1,
-                which = which(&session.samples, &beyond)
-            );
-            findings.push(Diagnostic::warning(file.clone(), found, Text::default()).about(&beyond));
-        }
-    }
-}
-
-fn conditions(samples: &Samples, file: &Place, findings: &mut Vec<Diagnostic>) {
-    let mut warn = |field: &str, wrong: Vec<usize>, what: Template| {
-        if !wrong.is_empty() {
-            let found = text!(
-                "{found}: {name}",
-                found = what,
-                name = which(samples, &wrong)
-            );
-            let place = file.clone().in_field(field);
-            findings.push(Diagnostic::warning(place, found, Text::default()).about(&wrong));
-        }
-    };
-    let negative_load = rows_where(samples.load_kg.as_deref(), |kg| kg < 0.0);
-    warn("load_kg", negative_load, phrase!("negative loads"));
-    let too_cold = rows_where(samples.temperature_c.as_deref(), |celsius| {
-        celsius < -273.15
-    });
-    warn(
-        "temperature_c",
-        too_cold,
-        phrase!("temperatures below absolute zero"),
-    );
-    if let Some(time_s) = &samples.time_s {
-        let back = backwards(time_s);
-        if !back.is_empty() {
-            let found = text!(
-                "the time does not increase at {back}; file order is taken as measuring order",
-                back = which(samples, &back)
-            );
-            let place = file.clone().in_field("time_s");
-            findings.push(Diagnostic::note(place, found).about(&back));
-        }
-    }
-    if let Some(setups) = &samples.setups
-        && setups.names.len() > 1
-    {
-        let found = text!(
-            "{names} setups: each has a measuring frame of its own",
-            names = setups.names.len()
-        );
-        findings.push(Diagnostic::note(file.clone().in_field("setup"), found));
-    }
-    let lost = samples.lost_reflector();
-    if !lost.is_empty() {
-        let found = text!(
-            one "the instrument lost the reflector ({point}) in {count} measurement: {which}",
-            "the instrument lost the reflector ({point}) in {count} measurements: {which}",
-            point = "0, 0, 0",
-            count = lost.len(),
-            which = which(samples, &lost)
-        );
-        let warning = Diagnostic::warning(file.clone(), found, Text::default());
-        findings.push(warning.about(&lost));
-    }
-}
-
-fn rows_where(column: Option<&[f64]>, is_wrong: impl Fn(f64) -> bool) -> Vec<usize> {
-    let values = column.unwrap_or_default().iter().enumerate();
-    let wrong = values.filter(|(_, value)| is_wrong(**value));
-    wrong.map(|(row, _)| row).collect()
-}
-
-/// Samples whose time is before that of an earlier one.
-fn backwards(time_s: &[f64]) -> Vec<usize> {
-    let mut latest = f64::NEG_INFINITY;
-    let mut back = Vec::new();
-    for (index, &time) in time_s.iter().enumerate() {
-        if time < latest {
-            back.push(index);
-        } else if !time.is_nan() {
-            latest = time;
-        }
-    }
-    back
+fn rows_where(count: usize, mut is_wrong: impl FnMut(usize) -> bool) -> Vec<usize> {
+    (0..count).filter(|&row| is_wrong(row)).collect()
 }
 
 /// Names samples by their lines, or by their numbers where they have none.

@@ -64,6 +64,8 @@ pub struct Dialect {
     quotes_span_lines: bool,
     /// From so many bytes on no quote within a quoted cell is doubled: an open quote must not swallow the file.
     pub(crate) longest_quote: usize,
+    /// Whether only a line with nothing in it is blank, and blanks belong to their cells.
+    pub(super) keeps_blanks: bool,
 }
 
 /// Samples of a session: RFC 4180.
@@ -73,6 +75,7 @@ pub(crate) const SAMPLES: Dialect = Dialect {
     comments: &[],
     quotes_span_lines: true,
     longest_quote: usize::MAX,
+    keeps_blanks: true,
 };
 
 impl Dialect {
@@ -98,6 +101,7 @@ impl Dialect {
             comments: &[],
             quotes_span_lines: false,
             longest_quote: 1 << 16,
+            keeps_blanks: false,
         }
     }
 

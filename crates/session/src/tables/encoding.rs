@@ -105,7 +105,7 @@ pub(crate) fn decode<'a>(
             }
         },
     };
-    if let Some(line) = too_long(&text) {
+    if let Some(line) = too_long(text.as_bytes()) {
         let place = file.clone().at_line(line);
         let found = text!(
             "a line of more than {longest_line} bytes",
@@ -129,14 +129,14 @@ pub(crate) fn decode<'a>(
 
 /// A line of a table is shorter than this; what is longer is something else, and would take many
 /// times its size as cells.
-const LONGEST_LINE: usize = 1 << 22;
+pub(super) const LONGEST_LINE: usize = 1 << 22;
 
 /// The first line that is too long.
-fn too_long(text: &str) -> Option<u64> {
+pub(super) fn too_long(text: &[u8]) -> Option<u64> {
     if text.len() <= LONGEST_LINE {
         return None;
     }
-    let lines = text.split(['\n', '\r']).zip(1..);
+    let lines = text.split(|byte| matches!(byte, b'\n' | b'\r')).zip(1..);
     let mut long = lines.filter(|(line, _)| line.len() > LONGEST_LINE);
     long.next().map(|(_, number)| number)
 }

@@ -91,7 +91,8 @@ impl<'a> Rows<'a> {
             (row.line, row.start, row.number) = (self.line, self.at, self.number);
             row.cells.clear();
             self.take_cells(&mut row.cells)?;
-            if row.cells.iter().any(|cell| !cell.is_empty(self.bytes)) {
+            if self.dialect.keeps_blanks || row.cells.iter().any(|cell| !cell.is_empty(self.bytes))
+            {
                 return Ok(true);
             }
         }
@@ -101,6 +102,13 @@ impl<'a> Rows<'a> {
     /// Goes behind the line that begins here if it is blank or a comment.
     fn pass_over(&mut self) -> bool {
         let rest = &self.bytes[self.at..];
+        if self.dialect.keeps_blanks {
+            let blank = matches!(rest, [b'\n', ..] | [b'\r', b'\n', ..]);
+            if blank {
+                self.end_line();
+            }
+            return blank;
+        }
         let is_blank = |byte: &u8| matches!(byte, b' ' | b'\t');
         let first = rest.iter().position(|byte| !is_blank(byte));
         let first = first.map_or(&[][..], |first| &rest[first..]);
@@ -137,6 +145,10 @@ impl<'a> Rows<'a> {
         loop {
             let mut cell = Cell::read(bytes, self.at, dialect);
             match cell.quotes {
+                Quotes::None if dialect.keeps_blanks => {
+                    let returns = bytes[cell.start..cell.end].ends_with(b"\r");
+                    cell.end -= usize::from(returns && dialect.ends_line(bytes, cell.stop));
+                }
                 Quotes::None => cell = cell.trimmed(bytes),
                 Quotes::Around | Quotes::Doubled => {
                     self.line += dialect.line_ends(&bytes[cell.start..cell.end]);

@@ -16,7 +16,7 @@ pub struct Stage {
 }
 
 /// A session's samples at several stages.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub struct Stages {
     /// Where the nominal robot has the points, mm.
     pub nominal: Positions,

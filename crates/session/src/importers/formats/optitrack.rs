@@ -7,14 +7,13 @@
 
 use crate::diagnostic::Diagnostic;
 use crate::document::number::quoted;
-use crate::importers::columns::{Column, Columns};
+use crate::importers::columns::{COORDINATES, Column, Columns};
 use crate::importers::formats::{Importer, KnownBy, Meanings, Questions};
 use crate::importers::matching::listed_names_up_to;
-use crate::importers::reader::{fixed, number};
+use crate::importers::reader::{CellReader, fixed};
 use crate::importers::role::Role;
-use crate::importers::settings::{About, ColumnGuess, Known, ReadContext};
+use crate::importers::settings::{About, ColumnGuess, ReadContext};
 use crate::importers::units::{self, LengthUnit, Word};
-use crate::sessions::Lines;
 use crate::sessions::columns::{Quantity, Unit};
 use crate::tables::decimals::{Decimal, Decision, Votes};
 use crate::tables::{Cells, Names};
@@ -100,20 +99,11 @@ fn read(context: &mut ReadContext<'_>) -> Option<Columns> {
     let (Some(unit), Some(chosen)) = (unit, chosen) else {
         return None;
     };
-    let frames = frames(context, rows, &chosen, with_orientation);
+    let columns = frames(context, rows, &chosen, with_orientation, unit);
     if context.found.rows == 0 && !context.is_open() {
         context.refuse(text!("no sample"), text!("at least one"));
     }
-    let columns = frames.into_columns(&chosen, unit);
-    context.found.columns = columns
-        .list
-        .iter()
-        .map(|column| ColumnGuess {
-            heading: column.name.clone(),
-            meaning: column.role.to_string(),
-            confidence: Known::Certain,
-        })
-        .collect();
+    context.found.columns = ColumnGuess::certain(&columns).collect();
     (!context.is_open()).then_some(columns)
 }
 
@@ -354,34 +344,32 @@ fn first_rows(rows: &TextRows<'_>) -> Vec<Vec<String>> {
     first
 }
 
-/// The cells of the chosen columns: a row for each frame and each thing.
-#[derive(Default)]
-struct Frames {
-    frame: Vec<String>,
-    time_s: Vec<f64>,
-    position: [Vec<f64>; 3],
-    orientation: Option<[Vec<f64>; 4]>,
-    names: Names,
-    lines: Lines,
-}
-
+/// A row for each frame and each thing.
 fn frames(
     context: &mut ReadContext<'_>,
     rows: TextRows<'_>,
     chosen: &[Tracked],
     with_orientation: bool,
-) -> Frames {
+    unit: Unit,
+) -> Columns {
     let turned = |thing: &Tracked| thing.orientation.iter().all(Option::is_some);
     let with_orientation = with_orientation && chosen.iter().all(turned);
-    let mut frames = Frames {
-        orientation: with_orientation.then(Default::default),
-        ..Frames::default()
-    };
-    let mut complaints = Complaints::default();
-    let mut occluded = vec![0usize; chosen.len()];
-    let mut first_occluded = None;
+    let mut roles = COORDINATES.map(|quantity| fixed(quantity, unit)).to_vec();
+    if with_orientation {
+        roles.extend([0, 1, 2, 3].map(|part| fixed(Quantity::Orientation(part), Unit::Fixed)));
+    }
+    roles.extend([Role::Time(Some(1.0)), Role::Kept]);
+    let places = chosen.iter().map(|thing| {
+        let turn = thing.orientation.iter().filter(|_| with_orientation);
+        let parts = thing.position.iter().chain(turn).flatten();
+        parts.copied().chain([1, 0]).collect()
+    });
+    let places: Vec<Vec<usize>> = places.collect();
     let place = context.place.clone();
     let decimal = context.found.decimal.unwrap_or(Decimal::Point);
+    let mut reader = CellReader::new(&roles, decimal);
+    let mut complaints = Complaints::default();
+    let mut names = Names::default();
     let mut rows = rows.in_pass_of(context.part);
     let mut row = TextRow::default();
     loop {
@@ -393,88 +381,53 @@ fn frames(
                 break;
             }
         }
-        let line = row.line;
-        let mut read = |column: usize, role: Role| {
-            let cell = row.cells.get(column).map_or("", |cell| cell.as_ref());
-            if cell.is_empty() {
-                return f64::NAN;
-            }
-            number(cell, role, decimal).unwrap_or_else(|expected| {
-                let place = place.clone().at_line(line).at_column(column as u64 + 1);
-                complaints.add(|| Diagnostic::error(place, Text::verbatim(quoted(cell)), expected));
-                f64::NAN
-            })
-        };
-        let time = read(1, Role::Time(Some(1.0)));
-        for (index, thing) in chosen.iter().enumerate() {
-            frames.frame.push(row.cells[0].to_string());
-            frames.time_s.push(time);
-            frames.names.push(&thing.name);
-            frames.lines.add(line, 1);
-            let mut missing = false;
-            for (values, column) in frames.position.iter_mut().zip(thing.position) {
-                let value = column.map_or(f64::NAN, |at| read(at, fixed(Quantity::X, Unit::Fixed)));
-                missing |= value.is_nan();
-                values.push(value);
-            }
-            if let Some(parts) = &mut frames.orientation {
-                for (values, column) in parts.iter_mut().zip(thing.orientation) {
-                    let role = fixed(Quantity::Orientation(0), Unit::Fixed);
-                    values.push(column.map_or(f64::NAN, |at| read(at, role)));
-                }
-            }
-            if missing {
-                occluded[index] += 1;
-                first_occluded.get_or_insert(line);
-            }
+        for (thing, places) in chosen.iter().zip(&places) {
+            names.push(&thing.name);
+            reader.read(&row, places, &[], &place, &mut complaints);
         }
     }
-    context.found.rows = frames.frame.len();
     complaints.into(&place, &mut context.found.findings);
-    for (thing, count) in chosen.iter().zip(occluded).filter(|(_, count)| *count > 0) {
-        let found = text!(
-            "{thing} was occluded in {count} of {chosen} frames, first in line {unwrap_or}: these have no position",
-            thing = quoted(&thing.name),
-            count,
-            chosen = frames.frame.len() / chosen.len(),
-            unwrap_or = first_occluded.unwrap_or(0)
-        );
-        context.warn(found, Text::default());
+    let (lines, cells) = (reader.lines, reader.cells);
+    let column = |(role, cells): (&Role, Option<Cells>)| {
+        let name = match role {
+            Role::Kept => "frame".to_owned(),
+            role => role.to_string(),
+        };
+        Some(Column {
+            name,
+            number: 0,
+            role: *role,
+            cells: cells?,
+        })
+    };
+    let mut columns = Columns {
+        list: roles.iter().zip(cells).filter_map(column).collect(),
+        lines,
+        ..Columns::default()
+    };
+    if chosen.len() > 1 {
+        columns.list.push(Column::named(Quantity::Target, names));
     }
-    frames
+    say_occluded(context, &columns, chosen);
+    columns
 }
 
-impl Frames {
-    fn into_columns(self, chosen: &[Tracked], unit: Unit) -> Columns {
-        let numbers = |quantity, unit, values| Column::made(quantity, unit, values);
-        let mut list = Vec::new();
-        let coordinates = [Quantity::X, Quantity::Y, Quantity::Z];
-        for (quantity, values) in coordinates.into_iter().zip(self.position) {
-            list.push(numbers(quantity, unit, values));
-        }
-        if let Some(parts) = self.orientation {
-            for (part, values) in parts.into_iter().enumerate() {
-                list.push(numbers(Quantity::Orientation(part), Unit::Fixed, values));
-            }
-        }
-        if chosen.len() > 1 {
-            list.push(Column::named(Quantity::Target, self.names));
-        }
-        list.push(Column {
-            role: Role::Time(Some(1.0)),
-            ..numbers(Quantity::Time, Unit::Fixed, self.time_s)
-        });
-        list.push(Column {
-            name: "frame".to_owned(),
-            number: 1,
-            role: Role::Kept,
-            cells: Cells::Text(self.frame),
-        });
-        Columns {
-            list,
-            lines: self.lines,
-            commands: None,
-            directions: None,
+fn say_occluded(context: &mut ReadContext<'_>, columns: &Columns, chosen: &[Tracked]) {
+    let points = columns.places().unwrap_or_default();
+    context.found.rows = points.len();
+    for (first, thing) in chosen.iter().enumerate() {
+        let own = (first..points.len()).step_by(chosen.len());
+        let occluded = own.filter(|row| points[*row].iter().any(|v| v.is_nan()));
+        let occluded: Vec<usize> = occluded.collect();
+        if let [row, ..] = occluded[..] {
+            let found = text!(
+                "{thing} was occluded in {count} of {chosen} frames, first in line {line}: these have no position",
+                thing = quoted(&thing.name),
+                count = occluded.len(),
+                chosen = points.len() / chosen.len(),
+                line = columns.lines.get(row).unwrap_or(0)
+            );
+            context.warn(found, Text::default());
         }
     }
 }

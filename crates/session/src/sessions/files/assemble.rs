@@ -347,16 +347,11 @@ impl PlacedColumn<'_> {
         references: &References,
         samples: &mut Samples,
     ) {
-        let observed = &mut samples.observed;
-        let into = match quantity {
-            Quantity::Anchor => &mut observed.anchor,
-            Quantity::Station => &mut observed.station,
-            Quantity::Plane => &mut observed.plane,
-            Quantity::Socket => &mut observed.socket,
-            _ => return,
-        };
-        let declared = references.named(quantity);
-        *into = Some(self.named(cells, &declared, true));
+        let mut columns = samples.observed.names_mut().into_iter();
+        if let Some(into) = columns.find(|column| column.quantity == quantity) {
+            let declared = references.named(quantity);
+            *into.values = Some(self.named(cells, &declared, true));
+        }
     }
 
     /// Held out, and excluded. A file that excludes nothing has no marks of it.

@@ -1,6 +1,5 @@
 use proptest::prelude::*;
 
-use super::rows::MOST_COMPLAINTS;
 use super::*;
 use crate::progress::{Progress, unwatched};
 

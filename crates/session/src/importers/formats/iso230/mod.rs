@@ -350,8 +350,7 @@ fn columns(
     Columns {
         list: columns,
         lines,
-        commands: None,
-        directions: None,
+        ..Columns::default()
     }
 }
 

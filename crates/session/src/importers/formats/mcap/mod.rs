@@ -17,7 +17,7 @@ use crate::diagnostic::Diagnostic;
 use crate::document::number::quoted;
 use crate::importers::columns::Columns;
 use crate::importers::formats::{Importer, KnownBy, Meanings, OwnOption, Questions};
-use crate::importers::settings::{About, ColumnGuess, Known, ReadContext};
+use crate::importers::settings::{About, ColumnGuess, ReadContext};
 use crate::tables::foreign;
 
 use messages::Type;
@@ -107,15 +107,12 @@ fn read(context: &mut ReadContext<'_>) -> Option<Columns> {
     let mut columns = recorded::points(context, measured, start_ns)?;
     context.found.unit = text!("{unit}, as the format has it", unit = "m, rad");
     columns.commands = path.map(|path| Box::new(path.into_columns(start_ns)));
-    let listed = columns.commands.iter().flat_map(|path| &path.list);
-    context.found.columns = listed
-        .chain(&columns.list)
-        .map(|column| ColumnGuess {
-            heading: column.name.clone(),
-            meaning: column.role.to_string(),
-            confidence: Known::Certain,
-        })
-        .collect();
+    let all = columns
+        .commands
+        .iter()
+        .map(|path| &**path)
+        .chain([&columns]);
+    context.found.columns = all.flat_map(ColumnGuess::certain).collect();
     context.found.rows = columns.rows();
     (!context.is_open()).then_some(columns)
 }
