@@ -78,3 +78,42 @@ pub(super) fn alike(problem: &mut Problem, beside: &Solution) -> Option<Alike> {
         covariance,
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::effects::JointValues;
+    use crate::fit::example::unrepeated;
+    use crate::fit::{base_model, base_model::Fitted};
+    use crate::sessions::Session;
+
+    fn fitted(session: &Session) -> (f64, Option<f64>) {
+        let mut problem = Problem::new(session, JointValues::Commanded);
+        let start = base_model::start(session, &problem, |_| true);
+        let Fitted { solution, .. } = base_model::fit(&mut problem, &start, true);
+        let rows = Rows::of(&problem);
+        let left = |model: &crate::model::Model| rows.residual(model).norm_squared();
+        let beside = left(&solution.model);
+        let alike = alike(&mut problem.clone(), &solution);
+        (beside, alike.map(|alike| left(&alike.solution.model)))
+    }
+
+    /// Joints that do not repeat are believed; a sag that is there in every pose is none of that.
+    #[test]
+    fn joints_that_do_not_repeat_are_told_from_a_sag() {
+        for seed in 1..=6 {
+            assert!(fitted(&unrepeated(2e-4, seed)).1.is_none(), "{seed}");
+        }
+        let mut session = unrepeated(2e-5, 1);
+        let tilt = session.samples.q[0].clone();
+        let z = session.samples.z_mm.as_mut().unwrap();
+        for (z, q) in z.iter_mut().zip(tilt) {
+            *z -= 0.8 * (2.0 * q).cos() + 0.5 * (3.0 * q).sin();
+        }
+        let (beside, alike) = fitted(&session);
+        assert!(
+            alike.is_none_or(|alike| alike <= beside),
+            "{alike:?} {beside}"
+        );
+    }
+}

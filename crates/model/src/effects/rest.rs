@@ -253,3 +253,41 @@ fn seen_by(robot: &Robot, joint: usize, q: &[f64]) -> Option<[f64; 3]> {
     }
     Some(down)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::kinematics::{Pose, Robot, RobotSource};
+
+    #[test]
+    fn beyond_the_measured_range_a_condition_counts_as_its_end() {
+        let robot = Robot {
+            name: "none".to_owned(),
+            joints: Vec::new(),
+            base_from_tool: Pose::identity(),
+            gravity_m_s2: None,
+            source: RobotSource::default(),
+        };
+        let mut rest = Rest {
+            condition_ranges: vec![[0.0, 0.0], [0.0, 0.0], [-1.0, 1.0], [0.0, 0.0], [2.0, 4.0]],
+            ..Rest::default()
+        };
+        rest.along[0].conditions[4] = 0.5;
+        let at = |above_20_c: f64| {
+            let point = RestPoint {
+                robot: &robot,
+                joint: 0,
+                q: Vec::new(),
+                load_nm: 0.0,
+                torque_nm: 0.0,
+                side: 0.0,
+                speed: 0.0,
+                above_20_c,
+            };
+            rest.at(&point)[0]
+        };
+        assert_eq!([0.0, 3.0, 9.0].map(at), [1.0, 1.5, 2.0]);
+        rest.condition_ranges.pop();
+        assert!(matches!(rest.check(0), Err(RestError::ConditionRanges(4))));
+    }
+}
