@@ -136,26 +136,21 @@ impl<'a> Fresh<'a> {
         } = self;
         let is_arm = base != BaseModel::Absent && base_model::is_arm(session);
         let seen = by_pose.clone().or_else(|| covariance_of(&problem, &fitted));
-        let completed = is_arm.then(|| completed(&problem, &fitted, seen.as_ref()));
-        let completed = completed.flatten();
-        let shown = completed
-            .as_ref()
-            .map_or_else(|| fitted.clone(), |c| c.solution.clone());
-        let mut answer = report(session, &problem, shown, &nominal, not_identifiable);
+        let completed = is_arm
+            .then(|| completed(&problem, &fitted, seen.as_ref()))
+            .flatten();
+        let is_completed = completed.is_some();
+        let (shown, own) = completed.map_or((fitted, by_pose), |c| (c.solution, c.covariance));
+        let mut answer = report(session, &problem, shown.clone(), &nominal, not_identifiable);
         answer.notes.extend(notes);
-        if let (None, Some(own)) = (&completed, by_pose) {
-            answer.parameters = parameters_of(&problem, &fitted, Some(&own)).concat();
+        if let Some(own) = own {
+            answer.parameters = parameters_of(&problem, &shown, Some(&own)).concat();
             answer.covariance = Some(own);
-        }
-        if let Some(completed) = &completed {
-            let own = completed.covariance.as_ref();
-            answer.parameters = parameters_of(&problem, &completed.solution, own).concat();
-            answer.covariance = own.cloned();
         }
         if is_arm {
             answer.levels = levels(&problem, &answer.model);
             let own = answer.covariance.as_ref();
-            let expected = |c| expected_error(&problem, &answer.model, c, completed.is_some());
+            let expected = |c| expected_error(&problem, &answer.model, c, is_completed);
             answer.expected = own.and_then(expected);
         }
         answer

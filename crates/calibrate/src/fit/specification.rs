@@ -15,13 +15,15 @@
 //! C = (JᵀJ)⁻¹ (Σ_pose gᵢ gᵢᵀ) (JᵀJ)⁻¹,   gᵢ = Jᵢᵀ rᵢ
 //! ```
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DMatrix;
 
+use super::gap::lengths_mm;
 use super::noise::Noise;
 use super::problem::Problem;
-use super::regression::Rows;
 use super::solver::{Solution, solve};
 use crate::distributions::f_tail;
+use crate::model::Model;
+use crate::sessions::poses::ByPose;
 
 /// By chance noise that is what it is said to be is taken for another in one of a thousand sessions.
 const CHANCE: f64 = 1e-3;
@@ -35,43 +37,34 @@ pub(super) struct Alike {
 /// That fit where the one beside joints that do not repeat is another. The problem leaves with noise that all rows have
 /// alike.
 pub(super) fn alike(problem: &mut Problem, beside: &Solution) -> Option<Alike> {
-    problem
+    let shared = problem
         .noise
         .as_ref()
-        .filter(|noise| noise.joints_rad > 0.0)?;
-    let rows = Rows::of(problem);
-    let poses = rows.inputs.pose.clone()?;
-    let pose_of = |row: usize| poses[row % poses.len()];
-    let rss_beside = rows.residual(&beside.model).norm_squared();
-    let white = Noise::white((rss_beside / rows.len() as f64).sqrt());
+        .is_some_and(|noise| noise.joints_rad > 0.0);
+    let used: Vec<usize> = (0..problem.used.len())
+        .filter(|i| problem.used[*i])
+        .collect();
+    let pose = problem.inputs.pose.as_deref().filter(|_| shared)?;
+    let of_used: Vec<u32> = used.iter().map(|i| pose[*i]).collect();
+    let poses = ByPose::of(Some(&of_used), used.len()).first.len();
+    let rss_beside = rss(problem, &beside.model);
+    let variance = rss_beside / problem.rows() as f64;
     let mut trial = problem.clone();
-    trial.set_noise(&white, &beside.model);
+    trial.set_noise(&Noise::white(variance.sqrt()), &beside.model);
     let solution = solve(&trial, &beside.model);
-    let (left, columns) = rows.extract(&solution.model);
-    let rss = left.norm_squared();
-    let mut pulls = std::collections::BTreeMap::<u32, DVector<f64>>::new();
-    for row in 0..rows.len() {
-        let none = || DVector::zeros(columns.ncols());
-        let pull = pulls.entry(pose_of(row)).or_insert_with(none);
-        pull.axpy(left[row], &columns.row(row).transpose(), 1.0);
-    }
     let p = solution.spectrum.rank() as f64;
-    let rest = (pulls.len() * trial.axes()) as f64 - p;
-    let f = (rss_beside - rss) / p / (rss / rest);
-    if rest <= 0.0 || f <= 0.0 || f_tail(f, p, rest) > CHANCE {
+    let numbers = (poses * trial.axes()) as f64;
+    let alike = rss(&trial, &solution.model) / (numbers - p);
+    let f = (rss_beside - alike * (numbers - p)) / p / alike;
+    if numbers <= p || !f.is_finite() || f <= 0.0 || f_tail(f, p, numbers - p) > CHANCE {
         return None;
     }
     // The spectrum is that of rows in units of the noise.
-    let unit = white.sigma_mm[0].powi(2);
-    let inverse = solution.spectrum.inverse();
-    let of_pull = |pull: &DVector<f64>| &inverse * pull / unit;
-    let steps = pulls.values().map(of_pull);
-    let none = DMatrix::zeros(columns.ncols(), columns.ncols());
-    let sum = steps.fold(none, |sum, step| sum + &step * step.transpose());
+    let inverse = solution.spectrum.inverse() / variance;
+    let pulls = pulls(&trial, &solution.model);
     // Of few poses their own pulls are too small, as any residual is.
-    let count = pulls.len() as f64;
-    let covariance = sum * (count * trial.axes() as f64 / rest);
-    drop(rows);
+    let few = numbers / (numbers - p);
+    let covariance = &inverse * (&pulls * pulls.transpose()) * &inverse * few;
     *problem = trial;
     Some(Alike {
         solution,
@@ -79,41 +72,55 @@ pub(super) fn alike(problem: &mut Problem, beside: &Solution) -> Option<Alike> {
     })
 }
 
+/// Sum of the squares that a model leaves of the samples that count, mm².
+fn rss(problem: &Problem, model: &Model) -> f64 {
+    let each = lengths_mm(problem, model).into_iter().zip(&problem.used);
+    each.filter(|(_, used)| **used).map(|(mm, _)| mm * mm).sum()
+}
+
+/// Of each pose, a column: the sum over its rows of their derivatives times what is left of them.
+fn pulls(problem: &Problem, model: &Model) -> DMatrix<f64> {
+    let inputs = &problem.inputs;
+    let by_pose = ByPose::of(inputs.pose.as_deref(), inputs.len());
+    let mut pose_of = vec![0; inputs.len()];
+    for (pose, samples) in by_pose.samples().into_iter().enumerate() {
+        samples
+            .into_iter()
+            .for_each(|sample| pose_of[sample] = pose);
+    }
+    let mut pulls = DMatrix::zeros(model.coefficient_count(), by_pose.first.len());
+    model.visit(inputs, true, |start, block| {
+        let mask = problem.mask(start, block.len);
+        for axis in (0..3).filter(|axis| problem.axis_weights[*axis] > 0.0) {
+            let left = problem.residual(axis, start, block, &mask);
+            for i in 0..block.len {
+                let mut pull = pulls.column_mut(pose_of[start + i]);
+                for (pull, column) in pull.iter_mut().zip(&block.columns) {
+                    *pull += column[axis][i] * left[i];
+                }
+            }
+        }
+    });
+    pulls
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::effects::JointValues;
+    use crate::fit::base_model;
     use crate::fit::example::unrepeated;
-    use crate::fit::{base_model, base_model::Fitted};
-    use crate::sessions::Session;
 
-    fn fitted(session: &Session) -> (f64, Option<f64>) {
-        let mut problem = Problem::new(session, JointValues::Commanded);
-        let start = base_model::start(session, &problem, |_| true);
-        let Fitted { solution, .. } = base_model::fit(&mut problem, &start, true);
-        let rows = Rows::of(&problem);
-        let left = |model: &crate::model::Model| rows.residual(model).norm_squared();
-        let beside = left(&solution.model);
-        let alike = alike(&mut problem.clone(), &solution);
-        (beside, alike.map(|alike| left(&alike.solution.model)))
-    }
-
-    /// Joints that do not repeat are believed; a sag that is there in every pose is none of that.
+    /// What they are not is tested on an arm that sags (`unnamed.rs`).
     #[test]
-    fn joints_that_do_not_repeat_are_told_from_a_sag() {
+    fn joints_that_do_not_repeat_are_believed() {
         for seed in 1..=6 {
-            assert!(fitted(&unrepeated(2e-4, seed)).1.is_none(), "{seed}");
+            let session = unrepeated(2e-4, seed);
+            let mut problem = Problem::new(&session, JointValues::Commanded);
+            let start = base_model::start(&session, &problem, |_| true);
+            let beside = base_model::fit(&mut problem, &start, true).solution;
+            assert!(problem.noise.as_ref().unwrap().joints_rad > 0.0);
+            assert!(alike(&mut problem, &beside).is_none(), "{seed}");
         }
-        let mut session = unrepeated(2e-5, 1);
-        let tilt = session.samples.q[0].clone();
-        let z = session.samples.z_mm.as_mut().unwrap();
-        for (z, q) in z.iter_mut().zip(tilt) {
-            *z -= 0.8 * (2.0 * q).cos() + 0.5 * (3.0 * q).sin();
-        }
-        let (beside, alike) = fitted(&session);
-        assert!(
-            alike.is_none_or(|alike| alike <= beside),
-            "{alike:?} {beside}"
-        );
     }
 }

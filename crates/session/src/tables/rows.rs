@@ -32,7 +32,7 @@ pub struct OpenQuote {
 }
 
 /// Bytes between two looks at the watcher.
-const AT_ONCE: usize = 1 << 18;
+pub(super) const AT_ONCE: usize = 1 << 18;
 
 /// Comments that are kept to be looked at.
 const MOST_COMMENTS: usize = 20;

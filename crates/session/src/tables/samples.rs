@@ -17,16 +17,13 @@ use super::complaints::Complaints;
 use super::dialect::SAMPLES;
 use super::encoding::{LONGEST_LINE, Mark, mark, too_long};
 use super::lines::Lines;
-use super::rows::{Row, Rows};
+use super::rows::{AT_ONCE, Row, Rows};
 
 /// A session has fewer columns, with every quantity of a hundred joints.
 const MOST_COLUMNS: usize = 10_000;
 
 /// Complaints that are worth printing; the rest is counted.
 const MOST_COMPLAINTS: usize = 50;
-
-/// Bytes between two looks at the watcher.
-const AT_ONCE: usize = 1 << 18;
 
 /// Bytes that show whether a file is text.
 const START: usize = 1 << 18;
@@ -71,6 +68,9 @@ impl<'a> SampleTable<'a> {
         let at = match mark(bytes) {
             Some((Mark::Utf8, length)) => length,
             None => 0,
+            Some((Mark::Utf32, _)) => {
+                return wrong(text!("a file in {encoding}", encoding = "UTF-32"), UTF_8);
+            }
             Some(_) => return wrong(text!("a file in {encoding}", encoding = "UTF-16"), UTF_8),
         };
         if bytes[at..].trim_ascii().is_empty() {

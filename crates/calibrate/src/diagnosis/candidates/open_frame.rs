@@ -1,21 +1,24 @@
 //! Whether a free frame of the instrument is determined well enough for the direction of an error to mean anything.
 //!
 //! Points on one line (two poses in turn, for hours) leave open how the instrument is turned about that line. The fit takes
-//! some turn; seen so, the drift of one joint is that of another, and three names explain what one did.
+//! some turn; seen so, the drift of one joint is that of another, and three names explain what one did. What slides along
+//! the line is seen as it is.
+
+use std::collections::BTreeMap;
 
 use nalgebra::{Matrix3, Vector3};
 
-use crate::answers::rms_error::rms_error;
 use crate::decompose::eigen;
 use crate::effects::Role;
 use crate::fit::base_model;
 use crate::fit::gap::lengths_mm;
 use crate::fit::problem::Problem;
 use crate::model::Model;
+use crate::numeric::median;
 use crate::sessions::Group;
 
-/// Whether the points of every setup lie as near to a line as the nominal robot is to them: its error turns them by a radian
-/// about the line, or more.
+/// Whether the points of every setup lie as near to a line as the nominal robot is to them in the median: its error turns
+/// them by a radian about the line, or more.
 pub(super) fn is_open(problem: &Problem, base: &Model) -> bool {
     let session = problem.session;
     let mut terms = base.terms().iter();
@@ -25,19 +28,17 @@ pub(super) fn is_open(problem: &Problem, base: &Model) -> bool {
     }
     let nominal = base_model::nominal(&session.robot, session, problem);
     let lengths = lengths_mm(problem, &nominal);
-    let of_setup = |setup: usize| {
-        let is_there = |i: &usize| problem.used[*i] && lengths[*i].is_finite();
-        let rows = (0..lengths.len()).filter(is_there);
-        rows.filter(|i| Group::Setup.of(session, *i).unwrap_or(0) == setup)
-            .collect::<Vec<usize>>()
-    };
-    let setups = (0..Group::Setup.count(session).max(1)).map(of_setup);
-    setups.filter(|rows| !rows.is_empty()).all(|rows| {
-        let points = rows
-            .iter()
-            .map(|i| Vector3::from(session.samples.coordinates(*i)));
-        from_a_line_mm(&points.collect::<Vec<_>>())
-            <= rms_error(rows.iter().map(|i| lengths[*i])).unwrap_or(0.0)
+    let mut setups = BTreeMap::<Option<usize>, Vec<usize>>::new();
+    for i in (0..lengths.len()).filter(|i| problem.used[*i]) {
+        setups
+            .entry(Group::Setup.of(session, i))
+            .or_default()
+            .push(i);
+    }
+    setups.values().all(|rows| {
+        let points = rows.iter().map(|i| session.samples.coordinates(*i).into());
+        let off_mm = median(rows.iter().map(|i| lengths[*i]));
+        from_a_line_mm(&points.collect::<Vec<_>>()) <= off_mm.unwrap_or(0.0)
     })
 }
 

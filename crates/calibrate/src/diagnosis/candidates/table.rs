@@ -9,6 +9,7 @@ use crate::effects::{
 };
 use crate::fit::problem::Problem;
 use crate::fit::scan;
+use crate::kinematics::JointKind;
 use crate::model::Model;
 
 use super::columns::{ColumnBuilder, Columns};
@@ -268,7 +269,8 @@ fn names(
             if !allowed.exists(about.id) || !there || in_base(joint) {
                 continue;
             }
-            let turned = (on_a_line && about.owner == Owner::Robot).then(|| {
+            let turns = survey.joints[joint].kind == JointKind::Revolute;
+            let turned = (on_a_line && turns && about.owner == Owner::Robot).then(|| {
                 text!("the measured points lie on one line: how the instrument is turned about it is open, and with it what moved the robot so")
             });
             if let Some(because) = turned.or_else(|| effect.obstacle(survey, joint)) {
