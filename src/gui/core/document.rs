@@ -1,23 +1,23 @@
 //! What the window works on, as one value: everything in it can be undone; what each change makes of it, or why it
-//! cannot be made. Also how its regions came to be divided, and what the adaptive division decided and why.
+//! cannot be made.
 
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
-use crate::diagnosis::{Diagnosis, SessionCorrection};
+use crate::diagnosis::SessionCorrection;
 use crate::document::degrees;
-use crate::effects::{CATALOGUE, JointValues, Term};
+use crate::effects::{CATALOGUE, Term};
 use crate::export::{find, usual};
 use crate::fit::{DEFAULT_EFFECTS, regions_of};
-use crate::gui::core::answer::{self, LoadedModel, Search};
+use crate::gui::core::answer::LoadedModel;
+use crate::gui::core::division::{Decision, Division};
 use crate::gui::core::loaded_session::LoadedSession;
+use crate::gui::core::question::{Question, QuestionDetails};
 use crate::gui::core::regions;
 use crate::gui::core::setup::SetupForm;
 use crate::kinematics::{JointKind, Robot};
 use crate::language::spoken;
 use crate::model::RegionalCorrection;
-use crate::pipeline::{self, identify};
-use crate::present::units::Units;
 use crate::sessions::division::RegionChoice;
 use crate::sessions::{Region, Session};
 use crate::units::rad_from_deg;
@@ -190,158 +190,6 @@ impl Document {
             },
         })
     }
-}
-
-/// What to identify, from what.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Question {
-    pub(crate) loaded_session: Arc<LoadedSession>,
-    pub(crate) asks: QuestionDetails,
-}
-
-/// The part of a [`Question`] beside the session.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) enum QuestionDetails {
-    /// Exactly these effects.
-    Exact {
-        effects: Vec<&'static str>,
-        /// What a search found, with its settings.
-        with: Vec<Term>,
-        /// The search, where all of this is just what it found: its own values are the answer then.
-        found: Option<RequestedSearch>,
-    },
-    /// A correction for each of these regions.
-    Regional(Arc<[Region]>),
-    /// What this model says.
-    Given(Arc<LoadedModel>),
-}
-
-/// A search whose answer is asked for.
-#[derive(Debug, Clone)]
-pub(crate) struct RequestedSearch {
-    search: Arc<Search>,
-    /// Whether the smooth correction of what no name explains is asked for too.
-    corrected: bool,
-}
-
-impl PartialEq for RequestedSearch {
-    fn eq(&self, other: &Self) -> bool {
-        let same = Arc::ptr_eq(&self.search, &other.search);
-        self.corrected == other.corrected && (same || self.search.answer == other.search.answer)
-    }
-}
-
-impl RequestedSearch {
-    /// The search, where these terms are all that it found.
-    fn all_of(search: &Arc<Search>, with: &[Term]) -> Option<Self> {
-        let diagnosis = search.answer.as_ref().ok()?;
-        let mut terms: Vec<Term> = answer::terms(diagnosis).into_iter().flatten().collect();
-        let same = |terms: &[Term]| {
-            terms.len() == with.len() && terms.iter().all(|term| with.contains(term))
-        };
-        let corrected = diagnosis.correction().is_some();
-        let all = same(&terms);
-        let all_names = corrected && terms.pop().is_some() && same(&terms);
-        (all || all_names).then(|| Self {
-            search: Arc::clone(search),
-            corrected: corrected && all,
-        })
-    }
-
-    /// What it found, with no more of the smooth correction than is asked for.
-    pub(crate) fn diagnosis(&self) -> Option<Diagnosis> {
-        let diagnosis = self.search.answer.as_ref().ok()?.clone();
-        Some(if self.corrected {
-            diagnosis
-        } else {
-            diagnosis.uncorrected()
-        })
-    }
-}
-
-impl Question {
-    /// The same, answered by the search where it asks for all that the search found and nothing
-    /// else. A session with set-up errors was corrected before it was searched: its own fit is another.
-    pub(crate) fn found_by(mut self, search: &Arc<Search>) -> Self {
-        let QuestionDetails::Exact {
-            effects,
-            with,
-            found,
-        } = &mut self.asks
-        else {
-            return self;
-        };
-        let base = effects.len() == DEFAULT_EFFECTS.len()
-            && DEFAULT_EFFECTS.iter().all(|id| effects.contains(id));
-        let clean = |d: &Diagnosis| d.data_problems.is_empty();
-        let as_given = search.answer.as_ref().is_ok_and(clean);
-        if base && as_given && Arc::ptr_eq(&search.loaded_session, &self.loaded_session) {
-            *found = RequestedSearch::all_of(search, with);
-        }
-        self
-    }
-}
-
-/// How the regions came about.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub(crate) enum Division {
-    /// All of the same width.
-    Even,
-    /// The session's own, or changed by hand since.
-    #[default]
-    Given,
-    /// Where the samples ask for them.
-    Adaptive(Decision),
-}
-
-/// What the adaptive division decided.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Decision {
-    /// How many regions.
-    pub(crate) regions: usize,
-    /// The gap that they leave, mm; `None` where nothing can be identified by region.
-    pub(crate) left_mm: Option<f64>,
-    /// The gap that as many even ones leave, mm.
-    pub(crate) even_mm: Option<f64>,
-}
-
-impl Decision {
-    /// What was decided and why, in one line.
-    pub(crate) fn describe(&self, units: Units) -> String {
-        if self.regions == 1 {
-            return say!("One region: nowhere does the deviation change by more than the noise")
-                .to_owned();
-        }
-        let n = self.regions;
-        match (self.left_mm, self.even_mm) {
-            (Some(left), Some(even)) => say!(
-                "{n} regions: a boundary where the deviation changes by more than the noise. They leave {left}, {n} even ones {even}",
-                n,
-                left = units.length(left),
-                even = units.length(even)
-            ),
-            _ => say!(
-                "{n} regions: a boundary where the deviation changes by more than the noise",
-                n
-            ),
-        }
-    }
-}
-
-/// Divides where the samples ask for it. Takes its time with many samples.
-pub(crate) fn adapt(session: &Session) -> Result<(Vec<Region>, Decision), String> {
-    let regions = regions_of(&RegionChoice::Adaptive, session).map_err(|e| spoken(e.describe()))?;
-    let left = |choice| {
-        let method = pipeline::Method::Regional(choice);
-        let (found, _) = identify(session, &method, JointValues::Commanded).ok()?;
-        Some(found.gap.after.rms_mm)
-    };
-    let decision = Decision {
-        regions: regions.len(),
-        left_mm: left(RegionChoice::Given(regions.clone())),
-        even_mm: left(RegionChoice::Uniform(regions.len())),
-    };
-    Ok((regions, decision))
 }
 
 /// Whether the change was made; the reason where it cannot be.

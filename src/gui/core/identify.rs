@@ -14,8 +14,8 @@ use crate::sessions::Session;
 use crate::sessions::division::RegionChoice;
 
 use crate::gui::core::answer::Answer;
-use crate::gui::core::document::{Question, QuestionDetails, RequestedSearch};
 use crate::gui::core::loaded_session::LoadedSession;
+use crate::gui::core::question::{Question, QuestionDetails, RequestedSearch};
 use crate::gui::jobs::Watch;
 
 use super::answer::{of_model, suspected};

@@ -18,8 +18,9 @@ use crate::gui::cache::identified::{
 use crate::gui::cache::{Made, PlotInputs, Work};
 use crate::gui::core::answer::term_of;
 use crate::gui::core::answer::{Answer, LoadedModel, Search};
-use crate::gui::core::document::{Method, Question};
+use crate::gui::core::document::Method;
 use crate::gui::core::overview::measuring_from_base;
+use crate::gui::core::question::Question;
 use crate::gui::view::{Colouring, Facing, Message, Sorting, Step};
 use crate::present::numbers::notation;
 use crate::text::current;

@@ -8,7 +8,7 @@ use crate::sessions::Region;
 
 use crate::gui::cache::cloud::Cloud;
 use crate::gui::core::disk::name_of;
-use crate::gui::core::document::{Decision, adapt};
+use crate::gui::core::division::{Decision, adapt};
 use crate::gui::core::loaded_session::LoadedSession;
 use crate::gui::core::regions::Counts;
 use crate::gui::files;

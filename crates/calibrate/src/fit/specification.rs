@@ -84,9 +84,9 @@ fn pulls(problem: &Problem, model: &Model) -> DMatrix<f64> {
     let by_pose = ByPose::of(inputs.pose.as_deref(), inputs.len());
     let mut pose_of = vec![0; inputs.len()];
     for (pose, samples) in by_pose.samples().into_iter().enumerate() {
-        samples
-            .into_iter()
-            .for_each(|sample| pose_of[sample] = pose);
+        for sample in samples {
+            pose_of[sample] = pose;
+        }
     }
     let mut pulls = DMatrix::zeros(model.coefficient_count(), by_pose.first.len());
     model.visit(inputs, true, |start, block| {
