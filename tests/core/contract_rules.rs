@@ -25,6 +25,12 @@ fn number(of: &Value, key: &str) -> Option<f64> {
     of[key].as_f64()
 }
 
+/// Whether all joints of a session's robot turn.
+fn turns_everywhere(session: &Value) -> bool {
+    let joints = session["robot"]["joints"].as_array();
+    joints.is_some_and(|all| all.iter().all(|joint| joint["kind"] == "revolute"))
+}
+
 /// The rules of one answer, and that the model does what was said of it.
 fn holds(session: &Path, folder: &Path) {
     let path = session.to_str().unwrap();
@@ -74,6 +80,19 @@ fn holds(session: &Path, folder: &Path) {
             assert!((1..=joints as u64).contains(&joint), "{path}: {entry}");
         }
         places.push((entry["effect"].as_str().unwrap().to_owned(), joint, list));
+    }
+    // What was looked for on one joint and not found there is said of all: a coupling takes two.
+    let not_found = places.iter().filter(|place| place.2 == "not_found");
+    for (effect, joint, _) in not_found {
+        let first = 1 + u64::from(effect == "wrist-coupling");
+        let all = match joint {
+            Some(_) if turns_everywhere(&document) => first..=joints.unwrap_or(0) as u64,
+            _ => continue,
+        };
+        for one in all {
+            let said = places.iter().any(|p| p.0 == *effect && p.1 == Some(one));
+            assert!(said, "{path}: {effect} of joint {one} is in no list");
+        }
     }
     for (effect, joint, list) in &places {
         let elsewhere = |own: &&(String, Option<u64>, &str)| {

@@ -4,7 +4,7 @@
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 
 use truepose::compensation::{Compensation, VerifiedCalibration};
-use truepose::diagnosis::Options;
+use truepose::diagnosis::{NotTestable, Options};
 use truepose::effects::{Inputs, JointValues};
 use truepose::model::Model;
 use truepose::pipeline::{Method, compensate, diagnose, identify, verify};
@@ -289,4 +289,93 @@ fn the_frame_of_an_instrument_that_moved_is_fitted_to_the_next_session() {
     assert!(verified.notes.iter().any(is_said), "{:?}", verified.notes);
     // What drifted within the session is left, and not where it began.
     assert!(verified.model.rms_mm < 0.12, "{}", verified.model.rms_mm);
+}
+
+/// A grid of the first two joints, the others held: they are read back a hair off, which is no motion, and of every joint it
+/// is said whether it sags.
+#[test]
+fn joints_that_are_held_stand_still_whatever_is_read_back() {
+    let mut random = Random(12);
+    let rows: Vec<[f64; 6]> = (0..108)
+        .map(|i| {
+            let (first, second) = (f64::from(i % 12), f64::from(i / 12));
+            let held = [30.0, 10.0, 60.0, 20.0].map(|q| q + 1e-5 * random.normal());
+            let [a, b, c, d] = held;
+            [-80.0 + 14.0 * first, -50.0 + 12.0 * second, a, b, c, d]
+        })
+        .collect();
+    let (_, session) = measured(&rows, &mut random, 12);
+    let answer = diagnose(&session, &Options::default(), &|_| true).unwrap();
+    let stands = |joint: usize| {
+        let own = |n: &&NotTestable| n.effect == "joint-scale" && n.joint == Some(joint);
+        let said = answer.not_testable.iter().find(own);
+        said.is_some_and(|n| n.because.to_string().contains("measured at 1 value"))
+    };
+    assert!((2..6).all(stands), "{:?}", answer.not_testable);
+    let sags = |joint: usize| {
+        let found = answer.found.iter().map(|f| (f.effect, f.joint));
+        let not_found = answer.not_found.iter().map(|f| (f.effect, f.joint));
+        let not_testable = answer.not_testable.iter().map(|f| (f.effect, f.joint));
+        let mut all = found.chain(not_found).chain(not_testable);
+        all.any(|place| place == ("joint-compliance", Some(joint)))
+    };
+    assert!((0..6).all(sags), "{:?}", answer.not_found);
+}
+
+/// While the first joint is swept none of the others has come from a side yet. Where none has backlash these samples count
+/// as the others do; where one has, they are left out and named.
+#[test]
+fn samples_without_a_side_count_where_sides_do_not_matter() {
+    let mut random = Random(14);
+    let swept = (0..20).map(|i| {
+        let mut q = [0.0; 6];
+        q[0] = -95.0 + 10.0 * f64::from(i);
+        q
+    });
+    let others: Vec<_> = (0..110).map(|_| anywhere(&mut random, 1.0)).collect();
+    let rows: Vec<[f64; 6]> = swept.chain(others).collect();
+    let left_out = |width_rad: f64| {
+        let (scenario, mut session) = measured(&rows, &mut Random(15), 15);
+        let mut told = Inputs::new(&session, JointValues::Commanded);
+        let sides: Vec<Option<Vec<f64>>> = (0..6)
+            .map(|joint| {
+                let mut side = 0.0;
+                let side_of = |row: usize| {
+                    let before = rows[row.saturating_sub(1)][joint];
+                    let moved = rows[row][joint] - before;
+                    side = if moved == 0.0 { side } else { moved.signum() };
+                    side
+                };
+                Some((0..rows.len()).map(side_of).collect())
+            })
+            .collect();
+        let real = Model::new(scenario.robot.clone(), scenario.effects.clone());
+        let wanted = real.predict(&told);
+        // Of the true sides nothing is known before the first move.
+        for (row, q) in told.q[2].to_mut().iter_mut().enumerate() {
+            let side = sides[2].as_ref().unwrap()[row];
+            let unknown = if row % 2 == 0 { 1.0 } else { -1.0 };
+            *q += 0.5 * width_rad * if side == 0.0 { unknown } else { side };
+        }
+        let reached = real.predict(&told);
+        drop(told);
+        for row in 0..rows.len() {
+            let by = |k: usize| reached.get(row)[k] - wanted.get(row)[k];
+            session.samples.x_mm[row] += by(0);
+            session.samples.y_mm[row] += by(1);
+            session.samples.z_mm.as_mut().unwrap()[row] += by(2);
+        }
+        session.samples.dir = sides;
+        let answer = diagnose(&session, &Options::default(), &|_| true).unwrap();
+        let lacks = |p: &truepose::set_up_errors::DataProblem| p.what.to_string().contains("lack");
+        let names: Vec<&str> = answer.found.iter().map(|found| found.effect).collect();
+        (
+            names
+                .iter()
+                .any(|name| ["backlash", "lost-motion"].contains(name)),
+            answer.data_problems.iter().any(lacks),
+        )
+    };
+    assert_eq!(left_out(0.0), (false, false));
+    assert_eq!(left_out(1e-3), (true, true));
 }

@@ -17,7 +17,7 @@ use crate::diagnosis::evidence::Fit;
 use crate::diagnosis::search::mean_sigma_mm;
 use crate::diagnosis::search::prepare::PreparedSearch;
 use crate::diagnosis::verdict::not_testable;
-use crate::diagnosis::{DiagnoseError, NextPose, Watch, checked, searched};
+use crate::diagnosis::{DiagnoseError, NextPose, Watch, checked, prepared, searched};
 use crate::effects::{Inputs, called, find};
 use crate::kinematics::Robot;
 use crate::model::{Model, SetUp};
@@ -78,7 +78,8 @@ pub fn plan_session(
         poses_to_raw(&mut plan, session);
         return Ok(plan);
     }
-    let (prepared, found) = searched(session, &options.diagnosis, watch)?;
+    let first = prepared(session, &options.diagnosis, watch)?;
+    let (prepared, found) = searched(first, &options.diagnosis, watch)?;
     let (regression, fit) = (&prepared.regression, &found.fit);
     let sigma_mm = options
         .sigma_mm

@@ -38,17 +38,20 @@ pub use crate::answers::diagnosis::{
 pub use crate::answers::limits::{Detectability, Limit};
 pub use crate::answers::pose::NextPose;
 pub use crate::sessions::SessionCorrection;
+use candidates::incomplete;
 pub use candidates::table::Allowed;
 pub use error::DiagnoseError;
 pub use options::Options;
 pub use progress::{Cancelled, Progress, Watch};
+use search::prepare::PreparedSearch;
 use search::until_stopped;
-pub(crate) use search::{checked, searched};
+pub(crate) use search::{checked, prepared, searched};
 pub(crate) use verdict::Planner;
 
 use std::cell::Cell;
 
 use crate::sessions::Session;
+use crate::set_up_errors::CorrectedSession;
 
 /// Diagnoses a session; `planner` proposes poses for what stays undecided.
 ///
@@ -70,9 +73,32 @@ pub fn diagnose(
     };
     let watch: Watch = &asked;
     let mended = checked(session, options, watch)?;
-    let (prepared, found) = searched(&mended.session, options, watch)?;
+    let first = prepared(&mended.session, options, watch)?;
+    let (prepared, answer) = answered(&mended, first, options, planner, watch)?;
+    let sides_matter = prepared.incomplete.as_ref().is_none_or(|lacking| {
+        let (problem, noise_mm) = (&prepared.problem, answer.floor.mm);
+        !incomplete::only_sides_that_matter_little(problem, lacking, &answer.model, noise_mm)
+    });
+    if sides_matter || answer.stopped.is_some() {
+        return Ok(answer);
+    }
+    let all = PreparedSearch::of(&mended.session, options, |_| None)?;
+    Ok(answered(&mended, all, options, planner, watch)?.1)
+}
+
+/// The search of a session made ready, and what its end says.
+fn answered<'a>(
+    mended: &'a CorrectedSession,
+    prepared: PreparedSearch<'a>,
+    options: &Options,
+    planner: Planner,
+    watch: Watch,
+) -> Result<(PreparedSearch<'a>, Diagnosis), DiagnoseError> {
+    let (prepared, found) = searched(prepared, options, watch)?;
     let keep_going = until_stopped(&prepared.regression.work, options, watch);
-    verdict::answer(&mended, &prepared, &found, planner, &keep_going)
+    let answer = verdict::answer(mended, &prepared, &found, planner, &keep_going)?;
+    drop(keep_going);
+    Ok((prepared, answer))
 }
 
 #[cfg(test)]

@@ -6,7 +6,7 @@ use crate::text::Text;
 use nalgebra::Vector3;
 
 use crate::kinematics::{JointKind, Robot};
-use crate::sessions::Session;
+use crate::sessions::{Instrument, Session, Sigma};
 
 use super::inputs::Inputs;
 use super::joint_frame::JointFrame;
@@ -18,7 +18,8 @@ pub struct JointSurvey {
     pub kind: JointKind,
     /// Its frame.
     pub frame: JointFrame,
-    /// Number of different commanded values, counted up to `ENOUGH`.
+    /// Number of commanded values that the instrument can tell apart, counted up to `ENOUGH`: a joint that a
+    /// controller holds still is read back with jitter.
     pub values: usize,
     /// From the smallest to the largest commanded value, rad or mm.
     pub span: f64,
@@ -73,11 +74,12 @@ impl Survey {
         let mut used: Vec<u32> = inputs.target.as_deref().unwrap_or(&[0]).to_vec();
         used.sort_unstable();
         used.dedup();
+        let resolved_mm = resolved_mm(&session.instrument);
         Self {
             joints: joints
-                .map(|j| survey_joint(&session.robot, inputs, j))
+                .map(|j| survey_joint(&session.robot, inputs, j, resolved_mm))
                 .collect(),
-            loads: distinct(loads),
+            loads: distinct(loads, 0.0),
             largest_load_kg: extremes(loads).1.max(0.0),
             warming_c: inputs.above_20_c.as_ref().map(|_| warmest - coldest),
             duration_s: inputs.time_s.as_ref().map(|_| last - first),
@@ -127,7 +129,17 @@ pub(super) fn no_joint(joint: usize) -> Text {
     )
 }
 
-fn survey_joint(robot: &Robot, inputs: &Inputs, joint: usize) -> JointSurvey {
+/// What the instrument resolves of a point, mm: its smallest σ; nothing is known of one without.
+fn resolved_mm(instrument: &Instrument) -> f64 {
+    match (instrument.tracker, instrument.sigma_mm) {
+        (Some(tracker), _) => tracker.sigma_range_mm,
+        (None, Some(Sigma::Overall(sigma))) => sigma,
+        (None, Some(Sigma::PerAxis(sigma))) => extent(&sigma)[0],
+        (None, None) => 0.0,
+    }
+}
+
+fn survey_joint(robot: &Robot, inputs: &Inputs, joint: usize, resolved_mm: f64) -> JointSurvey {
     let q: &[f64] = inputs.q.get(joint).map_or(&[], AsRef::as_ref);
     let (low, high) = extremes(q);
     let dir = inputs.dir.get(joint).and_then(Option::as_deref);
@@ -136,19 +148,24 @@ fn survey_joint(robot: &Robot, inputs: &Inputs, joint: usize) -> JointSurvey {
     let speeds = speeds.unwrap_or(&[]);
     let (slowest, fastest) = extremes(speeds);
     let frame = JointFrame::new(robot, joint);
+    // No target is farther from the axis than the robot reaches.
+    let apart = match robot.joints[joint].kind {
+        JointKind::Revolute => resolved_mm / robot.reach_mm().max(resolved_mm),
+        JointKind::Prismatic => resolved_mm,
+    };
     let lever = robot
         .gravity_m_s2
         .is_some_and(|g| has_lever(robot, inputs, joint, g));
     JointSurvey {
         kind: robot.joints[joint].kind,
         frame,
-        values: distinct(q),
+        values: distinct(q, apart),
         span: high - low,
         from_sides: [
             dir.iter().filter(|d| **d < 0.0).count(),
             dir.iter().filter(|d| **d > 0.0).count(),
         ],
-        speeds: distinct(speeds),
+        speeds: distinct(speeds, 0.0),
         largest_speed: slowest.abs().max(fastest.abs()),
         gravity_lever: lever,
         warming_c: range(
@@ -211,11 +228,11 @@ fn range(values: Option<&[f64]>) -> Option<f64> {
     })
 }
 
-/// Number of different values, counted up to [`ENOUGH`].
-fn distinct(values: &[f64]) -> usize {
+/// Number of values that are farther than so much from each other, counted up to [`ENOUGH`].
+fn distinct(values: &[f64], apart: f64) -> usize {
     let mut seen: Vec<f64> = Vec::new();
     for value in values {
-        if !seen.contains(value) {
+        if seen.iter().all(|s| (s - value).abs() > apart) {
             seen.push(*value);
             if seen.len() == ENOUGH {
                 break;
@@ -223,4 +240,21 @@ fn distinct(values: &[f64]) -> usize {
         }
     }
     seen.len()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A joint that a controller holds is read back a hair off: for a tracker it stands still.
+    #[test]
+    fn values_that_the_instrument_cannot_tell_apart_are_one() {
+        let reach_mm = 500.0;
+        let jitter: Vec<f64> = (0..40).map(|k| 1e-6 * f64::from(k % 7)).collect();
+        let steps: Vec<f64> = (0..40).map(|k| 0.1 * f64::from(k)).collect();
+        assert_eq!(distinct(&jitter, 0.02 / reach_mm), 1);
+        assert_eq!(distinct(&steps, 0.02 / reach_mm), ENOUGH);
+        // Of an instrument of which nothing is known every value counts.
+        assert_eq!(distinct(&jitter, resolved_mm(&Instrument::default())), 7);
+    }
 }

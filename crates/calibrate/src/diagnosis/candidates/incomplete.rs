@@ -3,9 +3,13 @@
 //!
 //! An effect of that condition cannot act on them, so beside it they look like outliers, and a
 //! handful of them looks like something that no name explains. They are few as a rule and are left
-//! out aloud. Where they are many the column itself is at fault, and they stay.
+//! out aloud. Where they are many the column itself is at fault, and they stay. Where only sides are lacking and
+//! what is handed out hardly depends on them, the search is done again with all samples: a sweep of the first joint
+//! has no sides of the joints that have not moved yet, and says much of the geometry.
 
+use crate::effects::Inputs;
 use crate::fit::problem::Problem;
+use crate::model::Model;
 use crate::sessions::Samples;
 use crate::sessions::measuring_order::measuring_order;
 
@@ -61,6 +65,42 @@ pub(crate) fn leave_out(problem: &mut Problem) -> Option<DataProblem> {
         samples: lacking,
         mend: None,
     })
+}
+
+/// Whether the side from which a joint came changes what a model predicts of the samples that were left out by less
+/// than the noise, mm, and nothing else is lacking: then their error grows by less than a factor of √2 without it.
+pub(crate) fn only_sides_that_matter_little(
+    problem: &Problem,
+    lacking: &DataProblem,
+    model: &Model,
+    noise_mm: f64,
+) -> bool {
+    let left_out = lacking.samples.as_slice();
+    let all = conditions(&problem.session.samples);
+    let sides_only = |sample: &usize| all.iter().all(|c| c.zero_is_unknown || !c.lacks(*sample));
+    let from = |side: f64| {
+        let mut inputs = problem.inputs.select(left_out);
+        set_unknown_sides(&mut inputs, side);
+        model.predict(&inputs)
+    };
+    if !left_out.iter().all(sides_only) {
+        return false;
+    }
+    let (below, above) = (from(-1.0), from(1.0));
+    let squares = (0..left_out.len()).flat_map(|k| {
+        let (below, above) = (below.get(k), above.get(k));
+        (0..3).map(move |axis| (0.5 * (above[axis] - below[axis])).powi(2))
+    });
+    squares.sum::<f64>() <= noise_mm.powi(2) * left_out.len() as f64
+}
+
+/// Sides that are not known become this one.
+fn set_unknown_sides(inputs: &mut Inputs, side: f64) {
+    for dir in inputs.dir.iter_mut().flatten() {
+        for own in dir.to_mut().iter_mut().filter(|own| **own == 0.0) {
+            *own = side;
+        }
+    }
 }
 
 /// Whether only the sample that was measured first lacks something, and that is the side from which it

@@ -8,6 +8,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use crate::effects::{Form, Owner, Setting, Term, stated, stated_orders};
+use crate::kinematics::JointKind;
 use crate::linear::Basis;
 use crate::model::Model;
 use crate::model::shapes::Shape;
@@ -52,6 +53,24 @@ const CLEAR: f64 = 10.8;
 /// Rounding of the measured coordinates, mm: files carry a tenth of a micrometre or better.
 const ROUNDING_MM: f64 = 1e-6;
 
+/// The largest plausible size of a term, in the unit of its coefficients.
+fn plausible(term: &Term) -> f64 {
+    let about = term.effect.about();
+    let size = about.form.quantities().first();
+    match (about.implausible_above, size) {
+        (Some(limit), Some(size)) => limit * size.unit.scale,
+        _ => f64::INFINITY,
+    }
+}
+
+fn is_implausible(term: &Term) -> bool {
+    let squares = match term.effect.about().form {
+        Form::Harmonic(_) => term.coefficients.iter().map(|c| c * c).sum(),
+        Form::Plain(_) | Form::Fading(_) => term.coefficients[0].powi(2),
+    };
+    squares > plausible(term).powi(2)
+}
+
 impl Regression<'_> {
     pub(crate) fn ln_evidence(
         &self,
@@ -83,7 +102,8 @@ impl Regression<'_> {
 
     /// By how much too much the terms that were added pay: a vector of which one component is there
     /// carries the information of one column and not of three. Each pays for its best subset of
-    /// components, and for the choice of it. What cannot be negative and is pays everything.
+    /// components, and for the choice of it. What cannot be negative and is pays everything, and so does a size beyond
+    /// what is plausible of which the samples leave more than that open: it cancels another one.
     pub(super) fn subset_selection_credit(&self, model: &Model, basis: &Basis, rss: f64) -> f64 {
         let mut first = 0;
         let mut subset_selection_credit = 0.0;
@@ -98,6 +118,18 @@ impl Regression<'_> {
                 return f64::NEG_INFINITY;
             }
             let vector = matches!(term.effect.about().form, Form::Plain(q) if q.len() > 1);
+            let slides = term.effect.about().per_joint
+                && self.base.robot.joints[term.joint].kind == JointKind::Prismatic;
+            // No limit is known for what slides: its sizes have other units.
+            if !vector && !slides && is_implausible(term) {
+                let all = covariance.get_or_insert_with(|| basis.inverse_gram());
+                let scale = self.rounded(rss) / self.m();
+                let of_own = own.clone().filter(|k| basis.kept.contains(k));
+                let deviation = of_own.map(|k| (all[(k, k)] * scale).sqrt());
+                if deviation.fold(0.0, f64::max) > plausible(term) {
+                    return f64::NEG_INFINITY;
+                }
+            }
             if vector && term.effect.about().non_negative {
                 // What the effect is named for has to be there: the others alone are something else.
                 let all = covariance.get_or_insert_with(|| basis.inverse_gram());

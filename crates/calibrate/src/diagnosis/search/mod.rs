@@ -37,6 +37,6 @@ pub(crate) use forward::{CHANCE_OF_A_STEP, mean_sigma_mm};
 pub(crate) use found::SearchResult;
 pub(crate) use gross_error::{is_gross, size_mm};
 pub(crate) use orders::OrderSpread;
-pub(crate) use procedure::{checked, searched, until_stopped};
+pub(crate) use procedure::{checked, prepared, searched, until_stopped};
 pub(crate) use steps::{Next, Step, steps};
 pub(crate) use worth::{Worth, worth};

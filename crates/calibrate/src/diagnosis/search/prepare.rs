@@ -68,12 +68,22 @@ pub(crate) struct PreparedSearch<'a> {
 }
 
 impl<'a> PreparedSearch<'a> {
+    /// Without the samples that lack a condition.
     pub(crate) fn new(session: &'a Session, options: &Options) -> Result<Self, DiagnoseError> {
+        Self::of(session, options, incomplete::leave_out)
+    }
+
+    /// Without the samples that `leave_out` leaves out.
+    pub(crate) fn of(
+        session: &'a Session,
+        options: &Options,
+        leave_out: impl FnOnce(&mut Problem) -> Option<DataProblem>,
+    ) -> Result<Self, DiagnoseError> {
         let mut problem = Problem::observing(session, options.joint_values);
         if problem.samples() == 0 {
             return Err(DiagnoseError::NothingToFit);
         }
-        let incomplete = incomplete::leave_out(&mut problem);
+        let incomplete = leave_out(&mut problem);
         let locked = locked(&problem, options.held_out);
         problem.leave_out(&locked);
         problem.set_counted(problem.to_fit().to_vec());

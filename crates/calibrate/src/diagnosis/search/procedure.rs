@@ -45,42 +45,41 @@ pub(crate) fn checked<'a>(
     Ok(set_up_errors::mended(session, options.joint_values))
 }
 
-/// The whole search, in six steps. A step may be cut short where the work that it may cost is done ([`Work`]) or the
+/// The whole search, in five steps, of a session made ready ([`prepared`]). A step may be cut short where the work that it may cost is done ([`Work`]) or the
 /// user stops it; what is proven until then is the answer.
 pub(crate) fn searched<'a>(
-    session: &'a Session,
+    mut prepared: PreparedSearch<'a>,
     options: &Options,
     watch: Watch,
 ) -> Result<(PreparedSearch<'a>, SearchResult), DiagnoseError> {
-    // 1. The samples that count, the robust fit of the base, its noise, and the candidates.
-    let mut prepared = prepared(session, options, watch)?;
     let work = prepared.regression.work.clone();
     let keep_going = until_stopped(&work, options, watch);
     let watch: Watch = &keep_going;
-    // 2. Forward, swaps, drops and pairs: what noise would not do family-wise and what predicts unseen samples.
+    // 1. Forward, swaps, drops and pairs: what noise would not do family-wise and what predicts unseen samples.
     work.up_to(FIRST_SEARCH);
     let mut found = prepared.search(watch)?;
-    // 3. Again with the names known: outliers and noise look different then.
+    // 2. Again with the names known: outliers and noise look different then.
     work.up_to(SECOND_SEARCH);
     found = search_again(&mut prepared, found, watch)?;
-    // 4. Against a slow part of the noise and against free curves: the likelier end wins.
+    // 3. Against a slow part of the noise and against free curves: the likelier end wins.
     work.up_to(RIVALS);
     (prepared, found) = hold_rivals_against(prepared, found, watch)?;
     slowest::readings(&prepared, &mut found);
     free_curve::rival(&prepared, &mut found, true);
-    // 5. Each name against the rest, and against other sets that are as likely.
+    // 4. Each name against the rest, and against other sets that are as likely.
     work.up_to(OTHER_SETS);
     test_at_the_end(&prepared, &mut found, watch)?;
     slowest::readings(&prepared, &mut found);
-    // 6. No name for what the geometry, the rows or the set-up leave.
+    // 5. No name for what the geometry, the rows or the set-up leave.
     base_misfit::withdraw(&prepared, &mut found);
     gross_error::withdraw(&prepared, &mut found);
     work.up_to(1.0);
     Ok((prepared, found))
 }
 
-/// The session made ready to be searched.
-fn prepared<'a>(
+/// The session made ready to be searched: the samples that count, the robust fit of the base, its noise, and the
+/// candidates.
+pub(crate) fn prepared<'a>(
     session: &'a Session,
     options: &Options,
     watch: Watch,

@@ -50,15 +50,15 @@ pub(crate) fn limits(regression: &Regression, fit: &Fit) -> Vec<Limit> {
                 continue;
             };
             let k = candidate.size;
-            let nu = freedom - k as f64;
             let (factor, rank) = around.factor(candidate);
-            if rank < k || nu < 2.0 {
+            let nu = freedom - rank as f64;
+            if rank == 0 || nu < 2.0 {
                 continue;
             }
-            let test = regression.tests.of(k, nu);
+            let test = regression.tests.of(rank, nu);
             let share = test.share_for(threshold + weight_of(candidate));
             let critical = freedom * share / (1.0 - share).max(1e-12);
-            let size = noncentrality(critical, k).sqrt() * scale;
+            let size = noncentrality(critical, rank).sqrt() * scale;
             let energy = |i: usize| -> f64 { (0..=i).map(|j| factor[i * k + j].powi(2)).sum() };
             let sizes = match term.effect.about().form {
                 Form::Plain(quantities) => quantities
