@@ -11,14 +11,14 @@ use nalgebra::{Matrix3, Vector3};
 use crate::decompose::eigen;
 use crate::effects::Role;
 use crate::fit::base_model;
-use crate::fit::gap::lengths_mm;
+use crate::fit::gap::{GROSS_SHARE, lengths_mm};
 use crate::fit::problem::Problem;
 use crate::model::Model;
 use crate::numeric::median;
 use crate::sessions::Group;
 
 /// Whether the points of every setup lie as near to a line as the nominal robot is to them in the median: its error turns
-/// them by a radian about the line, or more.
+/// them by a radian about the line, or more. What is gross is of the set-up, a home that is off, and no geometry.
 pub(super) fn is_open(problem: &Problem, base: &Model) -> bool {
     let session = problem.session;
     let mut terms = base.terms().iter();
@@ -35,10 +35,12 @@ pub(super) fn is_open(problem: &Problem, base: &Model) -> bool {
             .or_default()
             .push(i);
     }
+    let gross_mm = GROSS_SHARE * session.robot.length_along_links_mm();
     setups.values().all(|rows| {
         let points = rows.iter().map(|i| session.samples.coordinates(*i).into());
         let off_mm = median(rows.iter().map(|i| lengths[*i]));
-        from_a_line_mm(&points.collect::<Vec<_>>()) <= off_mm.unwrap_or(0.0)
+        let error_mm = off_mm.unwrap_or(0.0).min(gross_mm);
+        from_a_line_mm(&points.collect::<Vec<_>>()) <= error_mm
     })
 }
 
