@@ -113,7 +113,8 @@ fn of_the_shapes_mm(regression: &Regression, fit: &Fit) -> f64 {
 /// What is left of a base model that does not fit.
 fn of_the_base(prepared: &PreparedSearch, end: &SearchEnd) -> Unexplained {
     let left = without_shapes(prepared, &end.fit);
-    let floor_mm = floor(prepared, &end.fit).mm;
+    // Estimated from what the base leaves, the floor would be all of it.
+    let floor_mm = floor(prepared, &end.named_effects_only).mm;
     let left_mm = left_mm(prepared, &end.fit);
     let robot = &prepared.problem.session.robot;
     let names = prepared.regression.added(&end.named_effects_only);
