@@ -1,7 +1,7 @@
 //! What the columns of such a table are.
 
 use crate::document::number::quoted;
-use crate::importers::headings::words_and_unit;
+use crate::importers::headings::{Words, is_among, words_and_unit};
 use crate::importers::reader::direction;
 use crate::importers::settings::{About, ReadContext};
 use crate::tables::Grid;
@@ -108,7 +108,10 @@ pub(super) fn parts(
             wide = long + wide,
             names = names.join(", ")
         );
-        let long = "target,direction,run,position";
+        let long = match grid.width {
+            2 => "target,position",
+            _ => "target,direction,run,position",
+        };
         let wide = "target,\"run 1 +\",\"run 1 -\"";
         context.ask(About::Columns, says, &[long, wide]);
         return None;
@@ -139,28 +142,20 @@ fn part_of(heading: &str) -> TableColumn {
         TableColumn::Direction
     } else if has(&["run", "cycle", "lauf", "zyklus", "repeat"]) {
         TableColumn::Run
-    } else if has(&[
-        "target",
-        "nominal",
-        "soll",
-        "sollposition",
-        "commanded",
-        "setpoint",
-    ]) {
+    } else if words.iter().any(|word| is_among(word, TARGET)) {
         TableColumn::Target
-    } else if has(&[
-        "position",
-        "actual",
-        "measured",
-        "ist",
-        "istposition",
-        "reading",
-    ]) {
+    } else if words.iter().any(|word| is_among(word, POSITION)) {
         TableColumn::Position
     } else {
         TableColumn::Other
     }
 }
+
+/// Words for where the axis was sent.
+const TARGET: Words = "target nominal soll sollposition sollwert commanded command cmd desired demand demanded setpoint set";
+/// Words for where it was measured. A reference is either, and is asked for.
+const POSITION: Words =
+    "position actual act measured meas measurement ist istposition istwert reading read encoder";
 
 /// The direction that a heading such as `Run 1 +`, `2↓` or `R3 fwd` names.
 fn direction_in(heading: &str) -> Option<f64> {
@@ -196,6 +191,11 @@ mod tests {
             ("Lauf 2 vor", of(2, 1.0)),
             ("Target [deg]", TableColumn::Target),
             ("Position (°)", TableColumn::Position),
+            ("desired", TableColumn::Target),
+            ("theta_cmd", TableColumn::Target),
+            ("angle_set", TableColumn::Target),
+            ("Pan encoder", TableColumn::Position),
+            ("ref_angle", TableColumn::Other),
             ("Deviation [arcsec]", TableColumn::Deviation),
             ("Direction", TableColumn::Direction),
             ("Cycle", TableColumn::Run),
