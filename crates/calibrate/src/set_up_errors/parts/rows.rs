@@ -1,7 +1,8 @@
 //! Which rows a change holds for.
 
 use crate::fit::problem::unusable;
-use crate::sessions::measuring_order::measuring_order;
+use crate::fit::spread::spread;
+use crate::row_checks::in_order;
 use crate::sessions::{Group, Session, in_rows};
 use crate::text::Text;
 
@@ -27,18 +28,13 @@ impl RowsInOrder {
     /// At most so many, spread evenly.
     pub(in crate::set_up_errors) fn of(session: &Session, most: usize) -> Self {
         let samples = &session.samples;
-        let n = samples.len();
-        let order = measuring_order(samples.time_s.as_deref());
-        let order: Vec<usize> = order.unwrap_or_else(|| (0..n).collect());
+        let order = in_order(samples);
         let held_out = samples.held_out.as_deref();
         let counts = |row: usize| {
             unusable(session, row).is_none() && !held_out.is_some_and(|held_out| held_out[row])
         };
-        let mut counted: Vec<usize> = (0..n).filter(|place| counts(order[*place])).collect();
-        let m = counted.len();
-        if m > most {
-            counted = (0..most).map(|k| counted[k * m / most]).collect();
-        }
+        let counts: Vec<bool> = order.iter().map(|row| counts(*row)).collect();
+        let counted = spread(&counts, most);
         Self { order, counted }
     }
 
