@@ -16,7 +16,7 @@ use crate::effects::JointValues;
 use crate::sessions::resolution::resolution_mm;
 use crate::sessions::{Samples, Session, Sigma};
 
-use super::listed;
+use super::rows::listed;
 
 /// Noise of a coordinate where nothing is stated, mm: rather too small, so that chance is not
 /// underrated.

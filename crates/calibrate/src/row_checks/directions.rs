@@ -6,7 +6,7 @@ use crate::effects::JointValues;
 use crate::numeric::likeliest_stretch;
 use crate::sessions::{Session, SessionCorrection, in_rows};
 
-use super::in_order;
+use super::rows::in_order;
 use super::speeds::{FEWEST, NEARLY_ALL, agreement};
 
 /// Every two joints whose commands say that each has the other's directions.

@@ -3,7 +3,7 @@
 
 use std::f64::consts::TAU;
 
-use super::listed;
+use super::rows::listed;
 use crate::answers::diagnosis::DataProblem;
 use crate::effects::JointValues;
 use crate::kinematics::JointKind;

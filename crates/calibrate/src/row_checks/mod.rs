@@ -14,17 +14,17 @@ mod midnight;
 mod missing_values;
 mod order;
 pub(crate) mod returns;
+mod rows;
 mod speeds;
 
 use std::borrow::Cow;
 
 use crate::answers::diagnosis::DataProblem;
 use crate::effects::JointValues;
-use crate::sessions::measuring_order::measuring_order;
-use crate::sessions::{Corrected, Samples, Session, SessionCorrection, hash_of_samples, in_rows};
-use crate::text::Text;
+use crate::sessions::{Corrected, Session, SessionCorrection, hash_of_samples};
 
 pub(crate) use digits::coarse;
+pub(crate) use rows::{in_order, listed};
 
 /// What looks for mistakes in a session; a correction that it proposes is made before the next.
 pub(crate) type Check = fn(&Session, JointValues) -> Vec<DataProblem>;
@@ -119,31 +119,6 @@ pub fn check(session: &Session, values: JointValues) -> CorrectedSession<'_> {
         }
         checked
     })
-}
-
-/// The rows in the order in which they were measured.
-pub(crate) fn in_order(samples: &Samples) -> Vec<usize> {
-    let order = measuring_order(samples.time_s.as_deref());
-    order.unwrap_or_else(|| (0..samples.len()).collect())
-}
-
-/// Rows for reading, counted from 1: "rows 3–12, 40 and 7 more".
-pub(crate) fn listed(rows: &[usize]) -> Text {
-    let runs = in_rows::ranges(rows);
-    let shown = runs.iter().take(4).map(|(first, end)| {
-        if first + 1 == *end {
-            format!("{end}")
-        } else {
-            format!("{}–{end}", first + 1)
-        }
-    });
-    let text = shown.collect::<Vec<_>>().join(", ");
-    let more = runs.iter().skip(4).map(|(first, end)| end - first);
-    match (rows.len(), more.sum::<usize>()) {
-        (1, _) => text!("row {rows}", rows = text),
-        (_, 0) => text!("rows {rows}", rows = text),
-        (_, more) => text!("rows {rows} and {more} more", rows = text, more),
-    }
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 
 use std::collections::BTreeMap;
 
-use super::listed;
+use super::rows::listed;
 use crate::answers::diagnosis::DataProblem;
 use crate::effects::JointValues;
 use crate::sessions::Session;

@@ -4,7 +4,7 @@
 //! A joint that is measured while it moves comes from the side from which it moves: the signs of speed
 //! and direction agree. While it is recorded along its way its values change by speed times time.
 
-use super::in_order;
+use super::rows::in_order;
 use crate::answers::diagnosis::DataProblem;
 use crate::effects::JointValues;
 use crate::sessions::{Session, SessionCorrection};

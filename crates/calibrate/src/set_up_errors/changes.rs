@@ -311,7 +311,7 @@ fn mistaken_angles() -> [Mistaken; 4] {
         (rad_from_deg(1.0), degrees, radians),
         (deg_from_rad(1.0), radians, degrees),
         (GRADIAN_DEG, phrase!("gradians"), degrees),
-        (TURN_DEG, phrase!(in "unit", "turns"), degrees),
+        (TURN_DEG, phrase!(in "angle", "turns"), degrees),
     ]
 }
 

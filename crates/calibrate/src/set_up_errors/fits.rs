@@ -14,7 +14,7 @@ use crate::numeric::whole;
 use crate::sessions::Session;
 use crate::units::rad_from_deg;
 
-use super::parts::RowsInOrder;
+use super::rows::RowsInOrder;
 use super::thresholds::{LARGEST_OFFSET_DEG, LARGEST_STRETCH, MOST_SAMPLES};
 
 /// At most so many of the samples that count, spread evenly.

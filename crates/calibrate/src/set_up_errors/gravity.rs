@@ -22,8 +22,8 @@ use crate::sessions::{Session, SessionCorrection};
 use crate::text::Text;
 
 use super::left::Beside;
+use super::looked::{Looked, Unstated};
 use super::thresholds::LIKELIER;
-use super::unstated::{Looked, Unstated};
 
 /// Directions that are tried first, evenly over the sphere: 5° apart.
 const DIRECTIONS: usize = 2000;

@@ -15,8 +15,8 @@ use nalgebra::Vector3;
 
 use super::gravity::torques_of_a_kilogram;
 use super::left::Beside;
+use super::looked::{Looked, Unstated};
 use super::thresholds::LIKELIER;
-use super::unstated::{Looked, Unstated};
 use crate::answers::diagnosis::DataProblem;
 use crate::effects::JointValues;
 use crate::kinematics::JointKind;

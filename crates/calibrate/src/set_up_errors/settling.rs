@@ -16,8 +16,8 @@ use crate::text::{Text, length};
 use nalgebra::{DVector, Vector3};
 
 use super::left::{Beside, Left, MOST};
+use super::looked::{Looked, Unstated};
 use super::thresholds::LIKELIER;
-use super::unstated::{Looked, Unstated};
 
 /// Times that are tried, as parts of the time that was measured: what settles faster is a few rows, what settles slower a
 /// straight line.

@@ -8,9 +8,9 @@
 use nalgebra::Vector3;
 
 use super::left::Beside;
-use super::parts::Part;
+use super::looked::{Looked, Unstated};
+use super::rows::Part;
 use super::thresholds::LIKELIER;
-use super::unstated::{Looked, Unstated};
 use crate::answers::diagnosis::DataProblem;
 use crate::effects::JointValues;
 use crate::sessions::{Group, Session, SessionCorrection};

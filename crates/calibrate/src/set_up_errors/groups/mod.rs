@@ -25,8 +25,6 @@ pub(super) use targets::problem as target_elsewhere;
 
 /// With fewer samples nothing is told.
 const FEWEST_SAMPLES: usize = 16;
-/// Of more places than these the trials, each a fit of all of them, would take longer than the answer.
-const MOST_PLACES: usize = 64;
 /// Names that are exchanged hide what else is elsewhere: so often the search begins anew with the right ones.
 const MOST_RENAMED: usize = 3;
 

@@ -15,7 +15,7 @@ use crate::observations::compared::{ComparedObservation, MOST_NUMBERS, compared_
 use crate::sessions::{Group, Session, SessionCorrection};
 use crate::text::Text;
 
-use super::MOST_PLACES;
+use super::evidence::MOST_PLACES;
 use super::evidence::{LEAVES, evidence, in_numbers, is_believed};
 use crate::set_up_errors::fits::fitted;
 use crate::set_up_errors::thresholds::{EVIDENCE, MOST_SAMPLES};

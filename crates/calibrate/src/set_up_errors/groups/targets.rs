@@ -12,7 +12,7 @@ use crate::model::Model;
 use crate::sessions::{Session, SessionCorrection};
 use crate::text::{Text, components, length};
 
-use super::MOST_PLACES;
+use super::evidence::MOST_PLACES;
 use super::evidence::{LEAVES, evidence, in_numbers, is_believed};
 use crate::set_up_errors::fits::{fitted, fitted_from, some_samples};
 use crate::set_up_errors::thresholds::{GROSS_SHARE, MENDED_SHARE};

@@ -20,11 +20,11 @@ use crate::numeric::{likeliest_stretch, median};
 use crate::sessions::{Group, Session, SessionCorrection};
 use crate::text::{Text, length};
 
-use super::rows::{Part, RowsInOrder};
 use crate::set_up_errors::changes::{Change, of_rows};
 use crate::set_up_errors::fits;
 use crate::set_up_errors::groups::{self, evidence};
 use crate::set_up_errors::nearest::{Nominal, Pair, cost, cost_of, left, motion};
+use crate::set_up_errors::rows::{Part, RowsInOrder};
 use crate::set_up_errors::thresholds::{EQUAL, EVIDENCE, GROSS_SHARE, PLAUSIBLE_SHARE};
 
 /// Rows that the search looks at …

@@ -11,11 +11,9 @@
 
 mod gross;
 mod moved;
-mod rows;
 mod steps;
 
 pub(super) use gross::gross;
-pub(super) use rows::{Part, RowsInOrder};
 pub(super) use steps::steps;
 
 #[cfg(test)]

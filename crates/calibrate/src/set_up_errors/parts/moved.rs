@@ -6,8 +6,8 @@ use crate::sessions::{Session, SessionCorrection};
 use crate::text::{angle, length};
 
 use super::gross::corrected_in_numbers;
-use super::rows::RowsInOrder;
 use crate::set_up_errors::left::MOST;
+use crate::set_up_errors::rows::RowsInOrder;
 
 /// What moved.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

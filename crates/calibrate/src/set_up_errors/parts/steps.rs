@@ -25,9 +25,9 @@ use crate::numeric;
 use crate::sessions::{Group, Session};
 
 use super::moved::{Step, What};
-use super::rows::{Part, RowsInOrder};
 use crate::set_up_errors::fits::fitted;
 use crate::set_up_errors::left::{Beside, Left, MOST, Motion, beside};
+use crate::set_up_errors::rows::{Part, RowsInOrder};
 use crate::set_up_errors::thresholds;
 
 /// Rows that are looked at.

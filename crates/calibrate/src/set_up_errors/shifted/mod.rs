@@ -38,7 +38,7 @@ use crate::text::length;
 
 use super::fits::{fit, start_of};
 use super::nearest::LEAST_SIGMA_MM;
-use path::{Path, Points};
+use path::{MEDIAN_LENGTH, Path, Points};
 use starts::starts;
 
 /// How often a path is improved by a fit.
@@ -47,8 +47,6 @@ const MOST_ROUNDS: usize = 4;
 const MOST_FITTED: usize = 3;
 /// … to so many rows; of a long session they are spread evenly.
 const MOST_ROWS: usize = 400;
-/// The median length of three coordinates with σ = 1.
-const MEDIAN_LENGTH: f64 = 1.538;
 /// The logarithm by which a shift has to be likelier.
 const EVIDENCE: f64 = 25.0;
 /// What the rows that move leave afterwards, as a share of before.
@@ -62,8 +60,6 @@ const GROSS_SHARE: f64 = 0.01;
 const HIDDEN_SHARE: f64 = 0.25;
 /// Where fewer than one row in so many has a longer step, no shift can be seen.
 const FEWEST_HIDDEN: usize = 1000;
-/// More changes than this are no points that were lost.
-const MOST_CHANGES: usize = 8;
 
 /// The shifts that are believed.
 pub(super) fn shifted(session: &Session, values: JointValues) -> Vec<DataProblem> {

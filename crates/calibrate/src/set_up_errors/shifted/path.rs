@@ -6,9 +6,12 @@ use crate::sessions::{Samples, Session};
 use crate::text::Text;
 use nalgebra::Vector3;
 
-use super::MOST_CHANGES;
 use crate::set_up_errors::nearest::cost_of;
 
+/// More changes than this are no points that were lost.
+const MOST_CHANGES: usize = 8;
+/// The median length of three coordinates with σ = 1.
+pub(super) const MEDIAN_LENGTH: f64 = 1.538;
 /// Shifts that are tried, to either side.
 pub(super) const MOST_SHIFT: isize = 3;
 const STATES: usize = 2 * MOST_SHIFT as usize + 1;

@@ -11,8 +11,7 @@ use crate::numeric::median;
 use crate::sessions::{Group, Session};
 use crate::set_up_errors::nearest::{LEAST_SIGMA_MM, moved};
 
-use super::MEDIAN_LENGTH;
-use super::path::{MOST_SHIFT, Path, Points, along, cost_of_shifted};
+use super::path::{MEDIAN_LENGTH, MOST_SHIFT, Path, Points, along, cost_of_shifted};
 
 /// Stretches that are tried.
 const STRETCHES: usize = 4;
