@@ -371,3 +371,30 @@ pub struct DataProblem {
     /// The samples that it is about, counted from 0; empty where it is about all of them.
     pub samples: Vec<usize>,
 }
+
+impl DataProblem {
+    /// A mistake in all samples; without a correction it is said only.
+    pub(crate) fn of_all(
+        what: Text,
+        evidence: Text,
+        proposal: Text,
+        mend: impl Into<Option<SessionCorrection>>,
+    ) -> Self {
+        Self {
+            what,
+            evidence,
+            proposal,
+            mend: mend.into(),
+            samples: Vec::new(),
+        }
+    }
+
+    /// Samples that are to be left out.
+    pub(crate) fn of_rows(what: Text, evidence: Text, proposal: Text, rows: Vec<usize>) -> Self {
+        Self {
+            mend: Some(SessionCorrection::Remove(rows.clone())),
+            samples: rows,
+            ..Self::of_all(what, evidence, proposal, None)
+        }
+    }
+}

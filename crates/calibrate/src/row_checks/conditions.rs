@@ -3,9 +3,8 @@
 
 use crate::answers::diagnosis::DataProblem;
 use crate::effects::JointValues;
+use crate::numeric::extent;
 use crate::sessions::{Session, SessionCorrection};
-
-use super::problem::without_correction;
 
 /// What a robot may carry, kg: so much …
 const LEAST_PAYLOAD_KG: f64 = 60.0;
@@ -30,57 +29,54 @@ pub(super) fn in_other_units(session: &Session, _: JointValues) -> Vec<DataProbl
 }
 
 fn load(session: &Session) -> Option<DataProblem> {
-    let (least, most) = range(session.samples.load_kg.as_deref()?, |v| v.abs() > 0.0)?;
+    let loads = session.samples.load_kg.as_deref()?.iter();
+    let [least, most] = extent(loads.filter(|kg| kg.abs() > 0.0));
     let reach_m = session.robot.length_along_links_mm() / 1000.0;
     let payload = LEAST_PAYLOAD_KG + PAYLOAD_KG_PER_M2 * reach_m * reach_m;
     if most <= payload || least * 0.001 < LEAST_LOAD_KG || most * 0.001 > payload {
         return None;
     }
-    Some(DataProblem {
-        what: text!(
+    Some(DataProblem::of_all(
+        text!(
             "load in grams: load_kg holds values up to {most}",
             most = format!("{most:.0}")
         ),
-        evidence: text!(
+        text!(
             "no robot that reaches {reach} m carries {most} kg; in grams the largest load is {load} kg",
             reach = format!("{reach_m:.2}"),
             most = format!("{most:.0}"),
             load = format!("{:.3}", most / 1000.0)
         ),
-        proposal: text!("the loads are read as grams; divide the column load_kg by 1000"),
-        mend: Some(SessionCorrection::ScaleLoad(0.001)),
-        samples: Vec::new(),
-    })
+        text!("the loads are read as grams; divide the column load_kg by 1000"),
+        SessionCorrection::ScaleLoad(0.001),
+    ))
 }
 
 fn temperature(session: &Session) -> Option<DataProblem> {
     let column = session.samples.temperature_c.as_deref()?;
-    let (least, most) = range(column, |_| true)?;
+    let [least, most] = extent(column);
     if KELVIN.contains(&least) && KELVIN.contains(&most) {
-        return Some(DataProblem {
-            what: text!(
+        return Some(DataProblem::of_all(
+            text!(
                 "temperature in kelvin: temperature_c runs from {least} to {most}",
                 least = format!("{least:.2}"),
                 most = format!("{most:.2}")
             ),
-            evidence: text!(
+            text!(
                 "no machine is as hot; in kelvin it is {least} to {most} °C",
                 least = format!("{:.1}", least - ZERO_KELVIN),
                 most = format!("{:.1}", most - ZERO_KELVIN)
             ),
-            proposal: text!("the temperatures are read as kelvin; subtract 273.15"),
-            mend: Some(SessionCorrection::ConvertTemperature {
+            text!("the temperatures are read as kelvin; subtract 273.15"),
+            SessionCorrection::ConvertTemperature {
                 factor: 1.0,
                 offset: -ZERO_KELVIN,
-            }),
-            samples: Vec::new(),
-        });
+            },
+        ));
     }
     let celsius = |f: f64| (f - 32.0) / 1.8;
-    let within = |range: &std::ops::Range<f64>, of: (f64, f64)| {
-        range.contains(&of.0) && range.contains(&of.1)
-    };
-    if !within(&FAHRENHEIT, (least, most)) {
+    let within = |range: &std::ops::Range<f64>| range.contains(&least) && range.contains(&most);
+    if !within(&FAHRENHEIT) {
         return None;
     }
     let evidence = text!(
@@ -91,12 +87,12 @@ fn temperature(session: &Session) -> Option<DataProblem> {
     // The correction is of all columns of temperature.
     let mut joints = session.samples.joint_temperature_c.iter().flatten();
     let alike = joints.all(|column| {
-        let of = range(column, |_| true);
-        of.is_none_or(|of| within(&FAHRENHEIT, of))
+        let known = column.iter().filter(|v| v.is_finite());
+        known.into_iter().all(|v| FAHRENHEIT.contains(v))
     });
-    if !alike || !within(&WORKSHOP_FAHRENHEIT, (least, most)) {
+    if !alike || !within(&WORKSHOP_FAHRENHEIT) {
         // A warm gear is as hot: it is asked, not changed.
-        return Some(without_correction(
+        return Some(DataProblem::of_all(
             text!(
                 "temperature may be in degrees Fahrenheit: {least} to {most}",
                 least = format!("{least:.1}"),
@@ -106,36 +102,24 @@ fn temperature(session: &Session) -> Option<DataProblem> {
             text!(
                 "check the unit of temperature_c; everything that depends on temperature refers to 20 °C"
             ),
+            None,
         ));
     }
-    Some(DataProblem {
-        what: text!(
+    Some(DataProblem::of_all(
+        text!(
             "temperature in degrees Fahrenheit: temperature_c runs from {least} to {most}",
             least = format!("{least:.1}"),
             most = format!("{most:.1}")
         ),
         evidence,
-        proposal: text!(
+        text!(
             "the temperatures are read as degrees Fahrenheit: what depends on temperature refers to 20 °C, far from where anything was measured otherwise"
         ),
-        mend: Some(SessionCorrection::ConvertTemperature {
+        SessionCorrection::ConvertTemperature {
             factor: 1.0 / 1.8,
             offset: -32.0 / 1.8,
-        }),
-        samples: Vec::new(),
-    })
-}
-
-/// The least and the largest of the values that count.
-fn range(column: &[f64], counts: impl Fn(f64) -> bool) -> Option<(f64, f64)> {
-    let all = column
-        .iter()
-        .copied()
-        .filter(|v| v.is_finite() && counts(*v));
-    let (low, high) = all.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| {
-        (low.min(v), high.max(v))
-    });
-    (low <= high).then_some((low, high))
+        },
+    ))
 }
 
 #[cfg(test)]

@@ -14,9 +14,9 @@
 use crate::answers::diagnosis::DataProblem;
 use crate::effects::JointValues;
 use crate::sessions::resolution::resolution_mm;
-use crate::sessions::{Samples, Session, SessionCorrection, Sigma};
+use crate::sessions::{Samples, Session, Sigma};
 
-use super::problem::listed;
+use super::rows::listed;
 
 /// Noise of a coordinate where nothing is stated, mm: rather too small, so that chance is not
 /// underrated.
@@ -59,19 +59,18 @@ pub(super) fn copied(session: &Session, _: JointValues) -> Vec<DataProblem> {
             count
         ),
     };
-    vec![DataProblem {
-        what: text!(
+    vec![DataProblem::of_rows(
+        text!(
             "copied rows: {copies} of {originals}",
             copies = listed(&copies),
             originals = listed(&origins)
         ),
         evidence,
-        proposal: text!(
+        text!(
             "copies are excluded: they are not returns to a pose and carry no information about the noise; remove them from the file"
         ),
-        mend: Some(SessionCorrection::Remove(copies.clone())),
-        samples: copies,
-    }]
+        copies,
+    )]
 }
 
 /// A row that agrees with an earlier one in everything.

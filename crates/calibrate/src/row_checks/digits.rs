@@ -10,12 +10,10 @@ use crate::fit::usual_noise::USUAL_NOISE_MM;
 use crate::sessions::{Session, SessionCorrection, Sigma};
 use crate::text::Text;
 
-use super::problem::without_correction;
-
 /// What rounding adds matters above this share of the noise otherwise expected.
 const MATTERS: f64 = 1.0 / 3.0;
 
-pub(super) fn coarse(session: &Session, _: JointValues) -> Vec<DataProblem> {
+pub(crate) fn coarse(session: &Session, _: JointValues) -> Vec<DataProblem> {
     let added_mm = digits_mm(session);
     let stated = session.instrument.sigma_mm;
     let expected = |axis: usize| match stated {
@@ -29,31 +27,17 @@ pub(super) fn coarse(session: &Session, _: JointValues) -> Vec<DataProblem> {
     if coarse.is_empty() {
         return Vec::new();
     }
-    let digit = |axis: usize| added_mm[axis] * 12.0_f64.sqrt();
-    let alike = coarse
-        .iter()
-        .all(|axis| (digit(*axis) / digit(coarse[0]) - 1.0).abs() < 1e-9);
-    let in_mm = |axis: usize| trimmed(digit(axis));
-    let names = |axes: &[usize]| -> String {
-        let names: Vec<&str> = axes.iter().map(|axis| ["x", "y", "z"][*axis]).collect();
-        names.join(", ")
-    };
-    let of = if alike {
+    // Axes of one digit together.
+    let digit = |axis: &usize| trimmed(added_mm[*axis] * 12.0_f64.sqrt());
+    let of = coarse.chunk_by(|a, b| digit(a) == digit(b)).map(|alike| {
+        let axes: Vec<&str> = alike.iter().map(|axis| ["x", "y", "z"][*axis]).collect();
         text!(
             "{size} mm in {axes}",
-            size = in_mm(coarse[0]),
-            axes = names(&coarse)
+            size = digit(&alike[0]),
+            axes = axes.join(", ")
         )
-    } else {
-        let each = coarse.iter();
-        each.fold(Text::default(), |mut all, a| {
-            if !all.is_empty() {
-                all += Text::verbatim(", ");
-            }
-            all += text!("{size} mm in {axes}", size = in_mm(*a), axes = names(&[*a]));
-            all
-        })
-    };
+    });
+    let of = Text::listed(of, ", ");
     let largest = coarse
         .iter()
         .map(|axis| added_mm[*axis])
@@ -69,18 +53,15 @@ pub(super) fn coarse(session: &Session, _: JointValues) -> Vec<DataProblem> {
             added
         ),
     };
-    let mut problem = without_correction(
+    vec![DataProblem::of_all(
         text!(
             "resolution: the coordinates are rounded to {digits}",
             digits = of
         ),
         evidence,
         text!("the digit counts as noise, and nothing below it can be told; record more digits"),
-    );
-    if stated.is_some() {
-        problem.mend = Some(SessionCorrection::WidenNoise(added_mm));
-    }
-    vec![problem]
+        stated.map(|_| SessionCorrection::WidenNoise(added_mm)),
+    )]
 }
 
 /// A length without the zeros behind.

@@ -4,9 +4,9 @@
 use crate::answers::diagnosis::DataProblem;
 use crate::effects::JointValues;
 use crate::numeric::likeliest_stretch;
-use crate::sessions::measuring_order::measuring_order;
 use crate::sessions::{Session, SessionCorrection, in_rows};
 
+use super::rows::in_order;
 use super::speeds::{FEWEST, NEARLY_ALL, agreement};
 
 /// Every two joints whose commands say that each has the other's directions.
@@ -23,8 +23,7 @@ pub(super) fn exchanged(session: &Session, _: JointValues) -> Vec<DataProblem> {
 pub(super) fn reversed_for_a_time(session: &Session, _: JointValues) -> Vec<DataProblem> {
     let samples = &session.samples;
     let n = samples.len();
-    let order = measuring_order(samples.time_s.as_deref());
-    let order: Vec<usize> = order.unwrap_or_else(|| (0..n).collect());
+    let order = in_order(samples);
     // Of each row joints that moved with their directions and against them.
     let of_row = |place: usize| {
         let (row, before) = (order[place], order[place.checked_sub(1)?]);
@@ -90,13 +89,13 @@ fn of_pair(session: &Session, first: usize, second: usize) -> Option<DataProblem
         return None;
     }
     let (a, b) = (first + 1, second + 1);
-    Some(DataProblem {
-        what: text!(
+    Some(DataProblem::of_all(
+        text!(
             "the directions of approach of joints {a} and {b} are exchanged",
             a,
             b
         ),
-        evidence: text!(
+        text!(
             "from row to row joint {a} moves as dir{b} says in {agree} of {moves}, and as its own column says in {own}",
             a,
             b,
@@ -104,14 +103,13 @@ fn of_pair(session: &Session, first: usize, second: usize) -> Option<DataProblem
             moves = crossed[0].1,
             own = own[0].0
         ),
-        proposal: text!(
+        text!(
             "they are exchanged; correct the headings dir{a} and dir{b}",
             a,
             b
         ),
-        mend: Some(SessionCorrection::ExchangeDirections { first, second }),
-        samples: Vec::new(),
-    })
+        SessionCorrection::ExchangeDirections { first, second },
+    ))
 }
 
 #[cfg(test)]

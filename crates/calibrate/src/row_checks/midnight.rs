@@ -20,21 +20,20 @@ pub(super) fn passed(session: &Session, _: JointValues) -> Vec<DataProblem> {
     let before = time_s[..first].iter().rev().find(|t| t.is_finite());
     let before = before.copied().unwrap_or(DAY_S);
     let seconds = |s: f64| format!("{s:.0}");
-    vec![DataProblem {
-        what: text!(
+    vec![DataProblem::of_all(
+        text!(
             "time of day: the clock passes midnight at sample {sample}",
             sample = first + 1
         ),
-        evidence: text!(
+        text!(
             "time_s falls from {before} s to {after} s, and goes on after {pause} s with a day added",
             before = seconds(before),
             after = seconds(time_s[first]),
             pause = seconds(time_s[first] + DAY_S - before)
         ),
-        proposal: text!("86400 s are added from there on; record seconds since the beginning"),
-        mend: Some(SessionCorrection::ContinueClock(midnights)),
-        samples: Vec::new(),
-    }]
+        text!("86400 s are added from there on; record seconds since the beginning"),
+        SessionCorrection::ContinueClock(midnights),
+    )]
 }
 
 /// The first samples of new days; none where the clock falls for another reason.

@@ -3,12 +3,12 @@
 
 use std::f64::consts::TAU;
 
-use super::problem::listed;
+use super::rows::listed;
 use crate::answers::diagnosis::DataProblem;
 use crate::effects::JointValues;
 use crate::kinematics::JointKind;
+use crate::sessions::Session;
 use crate::sessions::columns::Quantity;
-use crate::sessions::{Session, SessionCorrection};
 
 /// With fewer other values it is not known what is usual.
 const FEWEST_OTHERS: usize = 5;
@@ -86,23 +86,22 @@ fn repeated(
         let text = format!("{:.4}", shown(v));
         text.trim_end_matches('0').trim_end_matches('.').to_owned()
     };
-    Some(DataProblem {
-        what: text!(
+    Some(DataProblem::of_rows(
+        text!(
             "missing values: {column} is {code} in {count} samples",
             column = quantity.heading(Some(quantity.written_in(&session.robot.joints))),
             code = number(code),
             count = rows.len()
         ),
-        evidence: text!(
+        text!(
             "all other values are between {low} and {high}; {rows}",
             low = number(others[0]),
             high = number(others[1]),
             rows = listed(&rows)
         ),
-        proposal: text!("leave these samples out, or write their values"),
-        mend: Some(SessionCorrection::Remove(rows.clone())),
-        samples: rows,
-    })
+        text!("leave these samples out, or write their values"),
+        rows,
+    ))
 }
 
 #[cfg(test)]

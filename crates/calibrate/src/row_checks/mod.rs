@@ -1,17 +1,10 @@
-//! Mistakes in the rows of a session, looked for before anything is fitted: points beside the wrong
-//! commands, copies, an order that is not that of measuring, speeds and loads in another unit, digits.
+//! Mistakes in the rows of a session that show without any fit: copies, an order that is not that of measuring,
+//! speeds and loads in another unit, digits.
 //!
 //! A row that is wrong makes a model wrong that fits every sample, so these checks come before the
 //! set-up errors and the effects. Each says what it saw, how sure that is, and, where that is
 //! mechanical, the change of the session that takes it back. The caller goes on with that change made;
 //! no row changes its place, so that a sample keeps its number.
-
-#![allow(
-    clippy::cast_possible_truncation,
-    clippy::cast_possible_wrap,
-    clippy::cast_sign_loss,
-    reason = "shifts are small whole numbers, and states of them are few"
-)]
 
 mod conditions;
 mod copies;
@@ -20,31 +13,25 @@ mod directions;
 mod midnight;
 mod missing_values;
 mod order;
-mod problem;
 pub(crate) mod returns;
-mod shifted;
+mod rows;
 mod speeds;
 
 use std::borrow::Cow;
 
 use crate::answers::diagnosis::DataProblem;
 use crate::effects::JointValues;
-use crate::sessions::Session;
+use crate::sessions::{Corrected, Session, SessionCorrection, hash_of_samples};
 
-/// A session without the mistakes of its rows, and what they were.
-#[derive(Debug, Clone)]
-pub struct CheckedRows<'a> {
-    /// The session to go on with, its rows at their places.
-    pub session: Cow<'a, Session>,
-    /// What was wrong.
-    pub problems: Vec<DataProblem>,
-}
+pub(crate) use digits::coarse;
+pub(crate) use rows::{in_order, listed};
 
-/// A check: what it found in a session. A correction that it proposes is made before the next check.
-type RowCheck = fn(&Session, JointValues) -> Vec<DataProblem>;
+/// What looks for mistakes in a session; a correction that it proposes is made before the next.
+pub(crate) type Check = fn(&Session, JointValues) -> Vec<DataProblem>;
 
-/// Every check, in the order in which they are made: what others would stumble over comes first.
-const CHECKS: [RowCheck; 11] = [
+/// Every check of rows, in the order in which they are made: what others would stumble over comes first. What is
+/// rounded ([`coarse`]) is asked when the unit is known.
+pub(crate) const CHECKS: [Check; 9] = [
     midnight::passed,
     missing_values::coded,
     copies::copied,
@@ -54,55 +41,93 @@ const CHECKS: [RowCheck; 11] = [
     directions::exchanged,
     directions::reversed_for_a_time,
     speeds::turned_or_scaled,
-    digits::coarse,
-    shifted::shifted,
 ];
+
+/// A session with its mistakes corrected, and what they were.
+#[derive(Debug, Clone)]
+pub struct CorrectedSession<'a> {
+    /// The session to go on with, its rows at their places.
+    pub session: Cow<'a, Session>,
+    /// What was wrong.
+    pub problems: Vec<DataProblem>,
+}
+
+impl<'a> CorrectedSession<'a> {
+    /// A session as it is.
+    pub(crate) fn of(session: &'a Session) -> Self {
+        Self {
+            session: Cow::Borrowed(session),
+            problems: Vec::new(),
+        }
+    }
+
+    /// What `correct` makes of a session once it is whole; one that cannot be computed with
+    /// ([`Session::checked`] says why) stays as it is.
+    pub(crate) fn of_whole(
+        raw: &'a Session,
+        correct: impl for<'b> Fn(&'b Session) -> CorrectedSession<'b>,
+    ) -> Self {
+        match raw.whole() {
+            Ok(Cow::Borrowed(raw)) => correct(raw),
+            Ok(Cow::Owned(completed)) => {
+                let CorrectedSession { session, problems } = correct(&completed);
+                Self {
+                    session: Cow::Owned(session.into_owned()),
+                    problems,
+                }
+            }
+            Err(_) => Self::of(raw),
+        }
+    }
+
+    /// Corrects what a check finds, so often at most: one mistake may hide another.
+    pub(crate) fn look_for(&mut self, check: Check, values: JointValues, most: usize) {
+        for _ in 0..most {
+            let found = check(&self.session, values);
+            if found.is_empty() {
+                return;
+            }
+            for mend in found.iter().filter_map(|problem| problem.mend.as_ref()) {
+                mend.apply_keeping_rows(self.session.to_mut());
+            }
+            self.problems.extend(found);
+        }
+    }
+
+    /// Notes in the samples what was corrected: a model that is fitted to them carries it. `raw` is what was read.
+    pub(crate) fn note_corrections(&mut self, raw: &Session) {
+        let made = self
+            .problems
+            .iter()
+            .filter_map(|problem| problem.mend.clone());
+        let by: Vec<SessionCorrection> = made.collect();
+        if raw.samples.corrected.is_none() && !by.is_empty() {
+            let raw_hash = hash_of_samples(raw);
+            self.session.to_mut().samples.corrected = Some(Corrected { by, raw_hash });
+        }
+    }
+}
 
 /// Makes every check, one after the other.
 ///
 /// A session that cannot be computed with ([`Session::checked`] says why) has none.
-pub fn check(session: &Session, values: JointValues) -> CheckedRows<'_> {
-    match session.whole() {
-        Ok(Cow::Borrowed(session)) => checked(session, values),
-        Ok(Cow::Owned(completed)) => {
-            let CheckedRows { session, problems } = checked(&completed, values);
-            CheckedRows {
-                session: Cow::Owned(session.into_owned()),
-                problems,
-            }
+pub fn check(session: &Session, values: JointValues) -> CorrectedSession<'_> {
+    CorrectedSession::of_whole(session, |session| {
+        let mut checked = CorrectedSession::of(session);
+        for check in CHECKS.into_iter().chain([coarse as Check]) {
+            checked.look_for(check, values, 1);
         }
-        Err(_) => CheckedRows {
-            session: Cow::Borrowed(session),
-            problems: Vec::new(),
-        },
-    }
-}
-
-/// The same of a session that is whole.
-pub(crate) fn checked(session: &Session, values: JointValues) -> CheckedRows<'_> {
-    let mut checked = CheckedRows {
-        session: Cow::Borrowed(session),
-        problems: Vec::new(),
-    };
-    for check in CHECKS {
-        for problem in check(&checked.session, values) {
-            if let Some(mend) = &problem.mend {
-                mend.apply_keeping_rows(checked.session.to_mut());
-            }
-            checked.problems.push(problem);
-        }
-    }
-    checked
+        checked
+    })
 }
 
 #[cfg(test)]
-mod tests {
-    use super::problem::listed;
+pub(crate) mod tests {
     use super::*;
     use crate::simulation::{parse_scenario, simulate, unwatched};
 
     /// One axis, commands all over the place, so many samples of two targets, noise of 0.02 mm, zero offset 0.3°.
-    pub(in crate::row_checks) fn axis(n: usize) -> Session {
+    pub(crate) fn axis(n: usize) -> Session {
         let mut at: f64 = 0.0;
         // Two targets are seen at every pose.
         let poses: Vec<String> = (0..n.div_ceil(2))

@@ -11,8 +11,6 @@ use crate::sessions::measuring_order::falls_of_the_clock;
 use crate::sessions::{Samples, Session};
 use crate::text::Text;
 
-use super::problem::without_correction;
-
 pub(super) fn out_of_order(session: &Session, _: JointValues) -> Vec<DataProblem> {
     let samples = &session.samples;
     let Some(time_s) = samples.time_s.as_deref() else {
@@ -35,12 +33,13 @@ pub(super) fn out_of_order(session: &Session, _: JointValues) -> Vec<DataProblem
             by
         ),
     };
-    vec![without_correction(
+    vec![DataProblem::of_all(
         text!("rows out of order: the file is not in the order of its clock"),
         evidence,
         text!(
             "the samples are taken in the order of time_s, for directions of approach, drift and noise; keep the file in measuring order"
         ),
+        None,
     )]
 }
 

@@ -3,10 +3,10 @@
 
 use std::collections::BTreeMap;
 
-use super::problem::{listed, without_correction};
+use super::rows::listed;
 use crate::answers::diagnosis::DataProblem;
 use crate::effects::JointValues;
-use crate::sessions::{Session, SessionCorrection};
+use crate::sessions::Session;
 use crate::text::length;
 
 /// No robot that can be calibrated repeats worse than this share of its reach.
@@ -38,20 +38,19 @@ pub(super) fn far_apart(session: &Session, values: JointValues) -> Vec<DataProbl
     let samples = session.samples.len() as f64;
     if !contradicted.is_empty() && contradicted.len() as f64 <= MOST_SHARE * samples {
         contradicted.sort_unstable();
-        return vec![DataProblem {
+        return vec![DataProblem::of_rows(
             what,
-            evidence: text!(
+            text!(
                 one "{count} sample is far from others at the same command: {rows}",
                 "{count} samples are far from others at the same command: {rows}",
                 count = contradicted.len(),
                 rows = listed(&contradicted)
             ),
-            proposal: text!(
+            text!(
                 "leave these samples out: no robot repeats as badly, and a joint value may be missing"
             ),
-            mend: Some(SessionCorrection::Remove(contradicted.clone())),
-            samples: contradicted,
-        }];
+            contradicted,
+        )];
     }
     if returns.len() < FEWEST || (returns.len() as f64) < LEAST_SHARE * samples {
         return Vec::new();
@@ -61,7 +60,7 @@ pub(super) fn far_apart(session: &Session, values: JointValues) -> Vec<DataProbl
     if median_mm <= WORST_REPEATABILITY * session.robot.reach_mm() {
         return Vec::new();
     }
-    vec![without_correction(
+    vec![DataProblem::of_all(
         what,
         text!(
             "{returns} samples repeat a command and are {median} from the middle of their returns (median)",
@@ -71,6 +70,7 @@ pub(super) fn far_apart(session: &Session, values: JointValues) -> Vec<DataProbl
         text!(
             "no robot repeats as badly: check that the columns of the joints changed while the robot moved"
         ),
+        None,
     )]
 }
 

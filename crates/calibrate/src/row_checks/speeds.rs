@@ -4,9 +4,9 @@
 //! A joint that is measured while it moves comes from the side from which it moves: the signs of speed
 //! and direction agree. While it is recorded along its way its values change by speed times time.
 
+use super::rows::in_order;
 use crate::answers::diagnosis::DataProblem;
 use crate::effects::JointValues;
-use crate::sessions::measuring_order::measuring_order;
 use crate::sessions::{Session, SessionCorrection};
 use crate::text::Template;
 use crate::units::{deg_from_rad, rad_from_deg};
@@ -20,16 +20,13 @@ const CLOSE: f64 = 0.05;
 /// Half of the ratios have to be as near to their median as this.
 const ALIKE: f64 = 0.1;
 
-pub(super) fn turned_or_scaled(session: &Session, values: JointValues) -> Vec<DataProblem> {
-    let joints = 0..session.samples.q.len();
-    let of_joint = joints.filter_map(|joint| of_joint(session, joint, values));
-    of_joint.collect()
-}
-
-fn of_joint(session: &Session, joint: usize, _: JointValues) -> Option<DataProblem> {
-    let samples = &session.samples;
-    let speed = samples.speed.get(joint)?.as_deref()?;
-    sign(session, joint, speed).or_else(|| unit(session, joint, speed))
+pub(super) fn turned_or_scaled(session: &Session, _: JointValues) -> Vec<DataProblem> {
+    let speeds = session.samples.speed.iter().enumerate();
+    let found = speeds.filter_map(|(joint, speed)| {
+        let speed = speed.as_deref()?;
+        sign(session, joint, speed).or_else(|| unit(session, joint, speed))
+    });
+    found.collect()
 }
 
 fn sign(session: &Session, joint: usize, speed: &[f64]) -> Option<DataProblem> {
@@ -57,40 +54,39 @@ fn sign(session: &Session, joint: usize, speed: &[f64]) -> Option<DataProblem> {
         moves = of
     );
     if of_side {
-        return Some(super::problem::without_correction(
+        return Some(DataProblem::of_all(
             text!(
                 "the direction of approach of joint {joint} has the wrong sign beside its speed",
                 joint = number
             ),
             evidence,
             text!("reverse the sign of dir{joint}", joint = number),
+            None,
         ));
     }
-    Some(DataProblem {
-        what: text!(
+    Some(DataProblem::of_all(
+        text!(
             "the speed of joint {joint} has the wrong sign",
             joint = number
         ),
         evidence,
-        proposal: text!(
+        text!(
             "the sign of speed{joint} is reversed; correct the column",
             joint = number
         ),
-        mend: Some(SessionCorrection::ScaleSpeed {
+        SessionCorrection::ScaleSpeed {
             joint,
             factor: -1.0,
-        }),
-        samples: Vec::new(),
-    })
+        },
+    ))
 }
 
 /// In how many rows the joint has come from the side that is recorded, and of how many.
 pub(super) fn agreement(session: &Session, joint: usize, side: &[f64]) -> (usize, usize) {
     let samples = &session.samples;
-    let order = measuring_order(samples.time_s.as_deref());
-    let order = order.unwrap_or_else(|| (0..samples.len()).collect());
     let q = &samples.q[joint];
-    let moves = order
+    let moves = in_order(samples);
+    let moves = moves
         .windows(2)
         .map(|pair| (q[pair[1]] - q[pair[0]]) * side[pair[1]]);
     let moves: Vec<f64> = moves.filter(|v| *v != 0.0 && v.is_finite()).collect();
@@ -117,8 +113,6 @@ fn unit(session: &Session, joint: usize, speed: &[f64]) -> Option<DataProblem> {
     let number = joint + 1;
     let time_s = samples.time_s.as_deref()?;
     let q = &samples.q[joint];
-    let order = measuring_order(Some(time_s));
-    let order = order.unwrap_or_else(|| (0..samples.len()).collect());
     // The way from one row to the next in the time between, where both move at the same speed.
     let ratio = |pair: &[usize]| {
         let (a, b) = (pair[0], pair[1]);
@@ -128,7 +122,7 @@ fn unit(session: &Session, joint: usize, speed: &[f64]) -> Option<DataProblem> {
         let ratio = (q[b] - q[a]) / passed / mean;
         (alike && passed > 0.0 && ratio.is_finite()).then_some(ratio)
     };
-    let mut ratios: Vec<f64> = order.windows(2).filter_map(ratio).collect();
+    let mut ratios: Vec<f64> = in_order(samples).windows(2).filter_map(ratio).collect();
     if ratios.len() < FEWEST {
         return None;
     }
@@ -147,27 +141,26 @@ fn unit(session: &Session, joint: usize, speed: &[f64]) -> Option<DataProblem> {
         .into_iter()
         .filter(|(factor, _)| off(*factor) < CLOSE)
         .min_by(|(one, _), (other, _)| off(*one).total_cmp(&off(*other)))?;
-    Some(DataProblem {
-        what: text!(
+    Some(DataProblem::of_all(
+        text!(
             "the speed of joint {joint} is in another unit: {unit}",
             joint = number,
             unit = name
         ),
-        evidence: text!(
+        text!(
             "joint {joint} moves {median} times as fast from row to row as speed{joint} says, in {near} of {all} pairs of rows",
             joint = number,
             median = format!("{median:.4}"),
             near,
             all = ratios.len()
         ),
-        proposal: text!(
+        text!(
             "speed{joint} is multiplied by {factor}; correct its unit",
             joint = number,
             factor = format!("{factor:.6}")
         ),
-        mend: Some(SessionCorrection::ScaleSpeed { joint, factor }),
-        samples: Vec::new(),
-    })
+        SessionCorrection::ScaleSpeed { joint, factor },
+    ))
 }
 
 #[cfg(test)]

@@ -22,7 +22,7 @@ use crate::sessions::{Session, SessionCorrection};
 use crate::text::Text;
 
 use super::left::Beside;
-use super::looked::Looked;
+use super::looked::{Looked, Unstated};
 use super::thresholds::LIKELIER;
 
 /// Directions that are tried first, evenly over the sphere: 5° apart.
@@ -32,55 +32,52 @@ const HALVINGS: usize = 10;
 /// A robot that stands so level (the chord of 10°) sags as one that is level, within what is known of its compliance.
 const LEVEL: f64 = 0.17;
 
-/// The session with gravity as its joints feel it; `None` where that is as the session says, or not shown.
-pub(super) fn turned(
+/// Gravity as the joints feel it, where that is otherwise than the session says.
+pub(super) fn runs_otherwise(
     session: &Session,
     _: JointValues,
     looked: &Looked,
-    problems: &mut Vec<DataProblem>,
-) -> Option<Session> {
+) -> Option<Unstated> {
     let stated = session.robot.gravity_m_s2.filter(|g| g.norm() > 0.0)?;
     let sag = Sag::of(looked)?;
     let direction = sag.likeliest()?;
     let as_stated = stated.normalize();
     let needed = LIKELIER + sag.nats(&as_stated, 0).max(sag.foundation).max(0.0);
-    if sag.nats(&direction, 2) < needed || (direction - as_stated).norm() < LEVEL {
+    let more = sag.nats(&direction, 2) - needed;
+    if more < 0.0 || (direction - as_stated).norm() < LEVEL {
         return None;
     }
     let mend = SessionCorrection::TurnGravity((direction * stated.norm()).into());
     let along = |d: &Vector3<f64>| Text::verbatim(format!("({:.2}, {:.2}, {:.2})", d.x, d.y, d.z));
-    problems.push(DataProblem {
-        what: text!(
+    let problem = DataProblem::of_all(
+        text!(
             "gravity runs along {found} of the base, not along {stated}",
             found = along(&direction),
             stated = along(&as_stated)
         ),
-        evidence: text!(
-            "what the joints give under the changing load is more than 1000 times likelier so"
-        ),
-        proposal: text!("it is taken so; say in the session how the robot is mounted"),
-        mend: Some(mend.clone()),
-        samples: Vec::new(),
-    });
-    let mut better = session.clone();
-    mend.apply(&mut better);
-    Some(better)
+        text!("what the joints give under the changing load is more than 1000 times likelier so"),
+        text!("it is taken so; say in the session how the robot is mounted"),
+        mend,
+    );
+    Some((more, problem))
 }
 
 /// What the load turns the joints by, apart from everything else.
-struct Sag {
+struct Sag<'a> {
     /// Columns of joint j and gravity along g at 3 j + g: their products.
     gram: DMatrix<f64>,
     /// With what is left.
     pull: DVector<f64>,
-    beside: Beside,
+    beside: Beside<'a>,
+    /// By how much rows say less than as many that are independent.
+    dilution: f64,
     joints: usize,
     /// The logarithm by which a foundation that gives under the load is likelier than none.
     foundation: f64,
 }
 
-impl Sag {
-    fn of(Looked { few, left, .. }: &Looked) -> Option<Self> {
+impl<'a> Sag<'a> {
+    fn of(Looked { few, left, .. }: &'a Looked) -> Option<Self> {
         let load = few.samples.load_kg.as_ref()?;
         let [least, most] = extent(load);
         if least >= most || load.iter().any(|kg| !kg.is_finite()) {
@@ -102,12 +99,14 @@ impl Sag {
         let at = |i: usize, axis: usize| few.samples.coordinates(i)[axis] * load[i];
         let gives = (0..18).map(|k| left.column(|i| left.frame[i][k / 3] * at(i, k % 3)));
         let foundation = beside.with(&gives.collect::<Vec<_>>()).1;
+        let dilution = beside.dilution(&beside.own(&own));
         let own: Vec<_> = own.iter().map(|c| beside.basis.reject(c)).collect();
         let own = DMatrix::from_columns(&own);
         Some(Self {
             gram: own.tr_mul(&own),
             pull: own.tr_mul(&beside.free),
             beside,
+            dilution,
             joints: joints.len(),
             foundation,
         })
@@ -138,7 +137,7 @@ impl Sag {
         if given_way <= 0.0 {
             return 0.0;
         }
-        self.beside.nats(gains.sum(), self.joints + angles)
+        self.beside.nats(gains.sum(), self.joints + angles) / self.dilution
     }
 
     /// The likeliest direction; `None` where none is likelier than no compliance.

@@ -3,6 +3,7 @@
 use nalgebra::{DMatrix, DVector, Vector3};
 
 use crate::effects::JointValues;
+use crate::fit::noise::{Filter, Noise};
 use crate::fit::problem::Problem;
 use crate::fit::regression::Rows;
 use crate::kinematics::JointKind;
@@ -11,7 +12,7 @@ use crate::model::Model;
 use crate::numeric::{self, median};
 use crate::sessions::{Session, SessionCorrection};
 
-use super::groups::fitted;
+use super::fits::fitted;
 
 /// A turn by which a joint's motion is measured, rad; of a slide mm.
 const SMALL: f64 = 1e-5;
@@ -37,9 +38,13 @@ pub(super) struct Left {
     pub(super) expected: Vec<[f64; 3]>,
     /// Samples, and axes of each.
     pub(super) n: usize,
+    /// Whether something may have moved before a sample: not between those that share what the robot does not repeat.
+    pub(super) may_move_at: Vec<bool>,
     pub(super) axes: Vec<usize>,
     /// The noise along each axis, up to a common factor.
-    pub(super) scale: Vec<f64>,
+    scale: Vec<f64>,
+    /// Where rows of a pose share what the robot does not repeat, in the place of that.
+    filter: Option<Filter>,
 }
 
 impl Left {
@@ -56,7 +61,7 @@ impl Left {
         if rows.samples.iter().copied().ne(0..n) {
             return None;
         }
-        let (mut residual, mut base) = rows.extract(model);
+        let (residual, base) = rows.extract(model);
         let axes = rows.axes.clone();
         let turned = |joint: usize| {
             let mut moved = few.clone();
@@ -69,7 +74,7 @@ impl Left {
             let there = Rows::of_samples(&problem, (0..n).collect()).residual(model);
             (&residual - there) / SMALL
         };
-        let mut joints: Vec<DVector<f64>> = (0..few.robot.joints.len()).map(turned).collect();
+        let joints: Vec<DVector<f64>> = (0..few.robot.joints.len()).map(turned).collect();
         let points = rows.points(model);
         let mean = points
             .iter()
@@ -115,14 +120,7 @@ impl Left {
             .iter()
             .map(|axis| weights[*axis].sqrt().recip())
             .collect();
-        for (a, scale) in scale.iter().enumerate() {
-            residual.rows_mut(a * n, n).unscale_mut(*scale);
-            base.rows_mut(a * n, n).unscale_mut(*scale);
-            for joint in &mut joints {
-                joint.rows_mut(a * n, n).unscale_mut(*scale);
-            }
-        }
-        Some(Self {
+        let mut left = Self {
             residual,
             base,
             joints,
@@ -130,9 +128,73 @@ impl Left {
             target,
             expected: points,
             n,
+            may_move_at: vec![true; n],
             axes,
             scale,
-        })
+            filter: None,
+        };
+        left.whiten();
+        Some(left)
+    }
+
+    /// The same where rows of a pose share what the robot does not repeat, as far as that shows beside some columns: they
+    /// are one witness of what moves it.
+    pub(super) fn beside_poses(
+        mut self,
+        few: &Session,
+        values: JointValues,
+        model: &Model,
+        columns: &[DVector<f64>],
+    ) -> Self {
+        let problem = Problem::new(few, values);
+        let rows = Rows::of_samples(&problem, (0..self.n).collect()).seen_by(model);
+        // In mm, as the noise is.
+        let (residual, base) = rows.extract(model);
+        let (n, scale) = (self.n, self.scale.clone());
+        let in_mm = |column: &DVector<f64>| {
+            let mut column = column.clone();
+            for (a, scale) in scale.iter().enumerate() {
+                column.rows_mut(a * n, n).scale_mut(*scale);
+            }
+            column
+        };
+        let columns: Vec<_> = columns.iter().map(in_mm).collect();
+        let stated = few.instrument.sigma_mm;
+        let noise =
+            Noise::estimate(stated, &rows, &residual, &beside(&base, &columns)).made_white();
+        let poses = rows.inputs.pose.as_deref();
+        if let Some(poses) = poses.filter(|_| noise.joints_rad > 0.0) {
+            let begins = |i: usize| i == 0 || poses[i] != poses[i - 1];
+            self.may_move_at = (0..n).map(begins).collect();
+            self.filter = Some(noise.filter(&rows));
+            self.joints = self.joints.iter().map(in_mm).collect();
+            (self.residual, self.base) = (residual, base);
+            self.whiten();
+        }
+        self
+    }
+
+    /// Brings what is left and its columns to units of the noise.
+    fn whiten(&mut self) {
+        let all = std::mem::take(&mut self.joints).into_iter();
+        self.joints = all.map(|column| self.whitened(column)).collect();
+        self.residual = self.whitened(self.residual.clone());
+        for k in 0..self.base.ncols() {
+            let own = self.whitened(self.base.column(k).clone_owned());
+            self.base.set_column(k, &own);
+        }
+    }
+
+    /// A column in units of the noise.
+    fn whitened(&self, mut column: DVector<f64>) -> DVector<f64> {
+        if let Some(filter) = &self.filter {
+            filter.whiten(column.as_mut_slice());
+            return column;
+        }
+        for (a, scale) in self.scale.iter().enumerate() {
+            column.rows_mut(a * self.n, self.n).unscale_mut(*scale);
+        }
+        column
     }
 
     /// A column with each sample's part times a factor.
@@ -163,10 +225,14 @@ impl Left {
     }
 
     pub(super) fn column(&self, of: impl Fn(usize) -> Vector3<f64>) -> DVector<f64> {
-        DVector::from_fn(self.residual.len(), |row, _| {
-            let a = row / self.n;
-            of(row % self.n)[self.axes[a]] / self.scale[a]
-        })
+        let at = |row: usize| of(row % self.n)[self.axes[row / self.n]];
+        self.whitened(DVector::from_fn(self.residual.len(), |row, _| at(row)))
+    }
+
+    /// The first so many columns of what moves.
+    pub(super) fn moved(&self, motion: &Motion, count: usize) -> Vec<DVector<f64>> {
+        let columns = (0..count).map(|k| self.column(|i| motion[i][k]));
+        columns.collect()
     }
 }
 
@@ -188,7 +254,8 @@ pub(super) fn beside(base: &DMatrix<f64>, more: &[DVector<f64>]) -> DMatrix<f64>
 }
 
 /// What is left beside the base model and other columns.
-pub(super) struct Beside {
+pub(super) struct Beside<'a> {
+    left: &'a Left,
     pub(super) basis: Basis,
     /// Rows that are wrong in themselves count as what is usual.
     pub(super) free: DVector<f64>,
@@ -196,9 +263,9 @@ pub(super) struct Beside {
     freedom: f64,
 }
 
-impl Beside {
+impl<'a> Beside<'a> {
     /// `None` where no direction is left.
-    pub(super) fn of(left: &Left, columns: &[DVector<f64>]) -> Option<Self> {
+    pub(super) fn of(left: &'a Left, columns: &[DVector<f64>]) -> Option<Self> {
         let basis = Basis::new(&beside(&left.base, columns));
         let free = basis.reject(&left.residual);
         let freedom = free.len().checked_sub(basis.rank()).filter(|n| *n > 0)? as f64;
@@ -207,6 +274,7 @@ impl Beside {
         let free = basis.reject(&free);
         let square = free.norm_squared();
         Some(Self {
+            left,
             basis,
             free,
             square,
@@ -215,12 +283,13 @@ impl Beside {
     }
 
     /// The logarithm by which columns of so many numbers that take this square out of what is left are likelier than
-    /// none (BIC).
+    /// none: Zellner's prior with the weight of one row (Liang et al. 2008, equation 6). Of many rows it is the BIC; of
+    /// few it stays finite however little is left.
     pub(super) fn nats(&self, gain: f64, numbers: usize) -> f64 {
-        let remaining = (self.square - gain).max(1e-6 * self.square);
         let rows = self.free.len() as f64;
-        0.5 * self.freedom * (self.square / remaining.max(f64::MIN_POSITIVE)).ln()
-            - 0.5 * numbers as f64 * rows.ln()
+        let left = (1.0 - gain / self.square).clamp(0.0, 1.0);
+        let spent = self.freedom - numbers as f64;
+        0.5 * (spent * rows.ln_1p() - self.freedom * (rows * left).ln_1p())
     }
 
     /// The logarithm by which a column is likelier than none whose part of this square was taken out before.
@@ -232,10 +301,30 @@ impl Beside {
 
     /// What columns take out of what is left: their factors, and the logarithm by which they are likelier than none.
     pub(super) fn with(&self, columns: &[DVector<f64>]) -> (DVector<f64>, f64) {
-        let own: Vec<_> = columns.iter().map(|c| self.basis.reject(c)).collect();
-        let own = Basis::new(&DMatrix::from_columns(&own));
+        let own = self.own(columns);
         let taken = &self.free - own.reject(&self.free);
         let nats = self.nats(taken.norm_squared(), columns.len());
-        (own.solve(&self.free), nats)
+        (own.solve(&self.free), nats / self.dilution(&own))
+    }
+
+    /// What is the columns' own.
+    pub(super) fn own(&self, columns: &[DVector<f64>]) -> Basis {
+        let own: Vec<_> = columns.iter().map(|c| self.basis.reject(c)).collect();
+        Basis::new(&DMatrix::from_columns(&own))
+    }
+
+    /// By how much rows that follow one another say the same beside some columns: (1 + ρ)/(1 − ρ) with the correlation
+    /// ρ of neighbours, at least 1.
+    pub(super) fn dilution(&self, own: &Basis) -> f64 {
+        let left = own.reject(&self.free);
+        let n = self.left.n;
+        let of_axis = |a: usize| {
+            (a * n + 1..(a + 1) * n)
+                .map(|row| left[row] * left[row - 1])
+                .sum::<f64>()
+        };
+        let product: f64 = (0..self.left.axes.len()).map(of_axis).sum();
+        let correlation = (product / left.norm_squared().max(1e-300)).clamp(0.0, 0.95);
+        (1.0 + correlation) / (1.0 - correlation)
     }
 }

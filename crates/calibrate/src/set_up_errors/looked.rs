@@ -1,11 +1,18 @@
 //! What is looked at of an arm's session for what no session states.
 
+use nalgebra::DVector;
+
+use super::fits::fitted;
 use super::left::Left;
-use super::parts::RowsInOrder;
+use super::rows::RowsInOrder;
 use super::thresholds::MOST_SAMPLES;
+use crate::answers::diagnosis::DataProblem;
 use crate::effects::JointValues;
 use crate::fit::base_model;
 use crate::sessions::Session;
+
+/// What is found, and the logarithm by which it is likelier than it has to be.
+pub(super) type Unstated = (f64, DataProblem);
 
 /// Rows of an arm's session that are looked at, and what the base model leaves of them.
 pub(super) struct Looked {
@@ -24,12 +31,21 @@ impl Looked {
         }
         let rows = RowsInOrder::of(session, MOST_SAMPLES);
         let few = rows.select(session);
-        let (left, rms_mm) = Left::after_a_fit(&few, values)?;
+        let (model, rms_mm) = fitted(&few, values)?;
+        let left = Left::of(&few, values, &model)?.beside_poses(&few, values, &model, &[]);
         Some(Self {
             rows,
             few,
             left,
             rms_mm,
         })
+    }
+
+    /// Waves of one and two cycles a turn over each joint.
+    pub(super) fn waves(&self) -> Vec<DVector<f64>> {
+        let orders = [1.0, 2.0].into_iter();
+        orders
+            .flat_map(|order| self.left.waves(&self.few, order))
+            .collect()
     }
 }

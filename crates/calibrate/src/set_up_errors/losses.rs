@@ -1,107 +1,101 @@
-//! Samples in which the instrument did not see what it should.
+//! Samples in which the instrument did not see what it should. They are said, and no fit counts them anyway.
 
 use std::borrow::Cow;
 
 use nalgebra::Vector3;
 
-use crate::effects::{Inputs, JointValues, Term, joint_zero};
-use crate::fit::problem::{Problem, unusable};
-use crate::fit::{base_model, fit_without_outliers};
+use crate::answers::diagnosis::DataProblem;
+use crate::effects::{Inputs, JointValues};
+use crate::fit::problem::Problem;
 use crate::kinematics::Range;
 use crate::model::Model;
-use crate::sessions::{Samples, Session, SessionCorrection};
+use crate::sessions::Session;
 use crate::text::Text;
 
-use super::DataProblem;
+use super::fits::{fit, start_of};
 
 /// Points within this are the same, mm.
 const SAME_MM: f64 = 0.5;
-/// A robot that goes farther has moved, mm.
+/// A robot that goes farther has moved, and a point that is nearer to a reflector is its, mm.
 const MOVED_MM: f64 = 3.0;
 /// So many points at one place are no accident.
 const FEWEST_STUCK: usize = 3;
+/// Of fewer samples none is far off for sure, of more a fit takes long.
+const SAMPLES: std::ops::RangeInclusive<usize> = 8..=20_000;
 
 /// Samples where the instrument lost the reflector.
-pub(super) fn losses(session: &Session, problems: &mut Vec<DataProblem>) {
-    use crate::fit::problem::UnusableReason;
-    let lost: Vec<usize> = (0..session.samples.len())
-        .filter(|i| unusable(session, *i) == Some(UnusableReason::LostReflector))
-        .collect();
-    if lost.is_empty() {
-        return;
-    }
-    problems.push(DataProblem {
-        what: text!(
-            one "the instrument lost the reflector in {count} sample: {which}",
-            "the instrument lost the reflector in {count} samples: {which}",
-            count = lost.len(),
-            which = listed(&lost)
-        ),
-        evidence: text!("it wrote 0, 0, 0"),
-        proposal: text!("these samples are excluded; measure them again"),
-        mend: Some(SessionCorrection::Remove(lost.clone())),
-        samples: lost,
-    });
+pub(super) fn lost(session: &Session) -> Vec<DataProblem> {
+    let mut lost = session.samples.lost_reflector();
+    lost.retain(|row| !session.samples.is_excluded(*row));
+    some(lost, |rows, which| {
+        DataProblem::of_rows(
+            text!(
+                one "the instrument lost the reflector in {count} sample: {which}",
+                "the instrument lost the reflector in {count} samples: {which}",
+                count = rows.len(),
+                which
+            ),
+            text!("it wrote 0, 0, 0"),
+            text!("these samples are excluded; measure them again"),
+            rows,
+        )
+    })
+}
+
+/// What is said of some samples, if there are any: of them, and of them as a person reads them, counted from 1.
+fn some(rows: Vec<usize>, problem: impl Fn(Vec<usize>, Text) -> DataProblem) -> Vec<DataProblem> {
+    let first = rows.iter().take(8).map(|i| (i + 1).to_string());
+    let first = first.collect::<Vec<_>>().join(", ");
+    let which = match rows.len().saturating_sub(8) {
+        0 => Text::verbatim(first),
+        more => text!("{first} and {more} more", first, more),
+    };
+    let said = (!rows.is_empty()).then(|| problem(rows, which));
+    said.into_iter().collect()
 }
 
 /// Samples that are far off and lie where another reflector is, or all at one place.
-pub(super) fn mislocked(
-    session: &Session,
-    joint_values: JointValues,
-    problems: &mut Vec<DataProblem>,
-) {
-    if session.samples.len() > 20_000 || session.samples.len() < 8 {
-        return;
+pub(super) fn mislocked(session: &Session, values: JointValues) -> Vec<DataProblem> {
+    if !SAMPLES.contains(&session.samples.len()) {
+        return Vec::new();
     }
-    let mut problem = Problem::new(session, joint_values);
-    let fitted = if base_model::is_arm(session) {
-        let start = base_model::start(session, &problem, |_| true);
-        base_model::fit(&mut problem, &start, true).solution.model
-    } else {
-        let zero = Term::absent(joint_zero(), 0, 0.0);
-        let start = Model::new(session.robot.clone(), vec![zero]);
-        fit_without_outliers(&mut problem, &start).model
-    };
-    let off: Vec<usize> = (0..problem.fit.len())
-        .filter(|i| problem.fit[*i] && !problem.used[*i])
-        .collect();
+    let mut problem = Problem::new(session, values);
+    let start = start_of(session, &problem);
+    let fitted = fit(&mut problem, &start);
+    let is_off = |i: &usize| problem.fit[*i] && !problem.used[*i];
+    let off: Vec<usize> = (0..problem.fit.len()).filter(is_off).collect();
     if off.is_empty() || off.len() * 3 > problem.fit.len() {
-        return;
+        return Vec::new();
     }
-    let samples = &session.samples;
-    let at = |i: usize| point(samples, i);
-    for other in 0..session.targets.len() {
+    let mut problems = Vec::new();
+    for (other, target) in (0..).zip(&session.targets) {
         let mut inputs = problem.inputs.clone();
-        let n = inputs.len();
-        let number = u32::try_from(other).unwrap_or(0);
-        inputs.target = Some(Cow::Owned(vec![number; n]));
+        inputs.target = Some(Cow::Owned(vec![other; inputs.len()]));
         let elsewhere = fitted.predict(&inputs);
-        let here = |i: usize| problem.inputs.target.as_ref().map_or(0, |t| t[i]) != number;
-        let close: Vec<usize> = off
-            .iter()
-            .copied()
-            .filter(|i| here(*i) && (at(*i) - Vector3::from(elsewhere.get(*i))).norm() < 3.0)
-            .collect();
-        if !close.is_empty() {
-            let name = &session.targets[other].name;
-            problems.push(DataProblem {
-                what: text!(
+        let is_its = |i: usize| {
+            let own = problem.inputs.target.as_ref().map_or(0, |t| t[i]);
+            let apart = point(session, i) - Vector3::from(elsewhere.get(i));
+            own != other && apart.norm() < MOVED_MM
+        };
+        let close = off.iter().copied().filter(|i| is_its(*i)).collect();
+        let name = &target.name;
+        problems.extend(some(close, |rows, which| {
+            DataProblem::of_rows(
+                text!(
                     one "the instrument saw reflector {name} instead in {count} sample: {which}",
                     "the instrument saw reflector {name} instead in {count} samples: {which}",
                     name,
-                    count = close.len(),
-                    which = listed(&close)
+                    count = rows.len(),
+                    which
                 ),
-                evidence: text!("the points lie where {name} should be", name),
-                proposal: text!(
-                    "these samples are excluded; correct their target or measure them again"
-                ),
-                mend: Some(SessionCorrection::Remove(close.clone())),
-                samples: close,
-            });
-        }
+                text!("the points lie where {name} should be", name),
+                text!("these samples are excluded; correct their target or measure them again"),
+                rows,
+            )
+        }));
     }
-    at_one_place(session, &problem, &fitted, &off, problems);
+    problems.extend(at_one_place(session, &problem, &fitted, &off));
+    problems
 }
 
 /// The same point again and again while the commands move the robot. Where the robot was there at one of them, it is
@@ -111,10 +105,8 @@ fn at_one_place(
     problem: &Problem,
     fitted: &Model,
     off: &[usize],
-    problems: &mut Vec<DataProblem>,
-) {
-    let samples = &session.samples;
-    let at = |i: usize| point(samples, i);
+) -> Vec<DataProblem> {
+    let at = |i: usize| point(session, i);
     let predicted = fitted.predict(&problem.inputs);
     let place = |i: usize| Vector3::from(predicted.get(i));
     let is_same = |i: usize, j: usize| (at(i) - at(j)).norm() < SAME_MM;
@@ -123,55 +115,58 @@ fn at_one_place(
         let same = || off.iter().copied().filter(|j| is_same(*i, *j));
         same().count() >= FEWEST_STUCK && same().any(|j| moves(*i, j))
     });
-    let stuck: Vec<usize> = stuck.collect();
-    if stuck.is_empty() {
-        return;
-    }
     let at_the_limits = fitted.predict(&within_limits(session, &problem.inputs));
     let is_at_a_limit = |i: usize| {
         let limit = Vector3::from(at_the_limits.get(i));
         (at(i) - limit).norm() < MOVED_MM && (place(i) - limit).norm() > MOVED_MM
     };
-    let was_there = |i: usize| {
-        is_at_a_limit(i) || (0..problem.used.len()).any(|j| problem.used[j] && is_same(i, j))
+    let was_there = |i: &usize| {
+        is_at_a_limit(*i) || (0..problem.used.len()).any(|j| problem.used[j] && is_same(*i, j))
     };
-    let (still, stuck): (Vec<usize>, Vec<usize>) = stuck.into_iter().partition(|i| was_there(*i));
-    if !still.is_empty() {
-        problems.push(DataProblem {
-            what: text!(
+    let (still, stuck): (Vec<usize>, Vec<usize>) = stuck.partition(was_there);
+    let mut problems = some(still, |rows, which| {
+        DataProblem::of_rows(
+            text!(
                 one "the robot stood still in {count} sample: {which}",
                 "the robot stood still in {count} samples: {which}",
-                count = still.len(),
-                which = listed(&still)
+                count = rows.len(),
+                which
             ),
-            evidence: text!(
+            text!(
                 "the measured point stays where the robot is at another command or at the limit of a joint, while the commands move on"
             ),
-            proposal: text!("these samples are excluded; look for a stop or a limit, and measure them again"),
-            mend: Some(SessionCorrection::Remove(still.clone())),
-            samples: still,
-        });
-    }
-    if !stuck.is_empty() {
-        problems.push(DataProblem {
-            what: text!(
+            text!("these samples are excluded; look for a stop or a limit, and measure them again"),
+            rows,
+        )
+    });
+    problems.extend(some(stuck, |rows, which| {
+        DataProblem::of_rows(
+            text!(
                 one "the instrument was locked on a point that does not move in {count} sample: {which}",
                 "the instrument was locked on a point that does not move in {count} samples: {which}",
-                count = stuck.len(),
-                which = listed(&stuck)
+                count = rows.len(),
+                which
             ),
-            evidence: text!("the measured point stays while the robot moves"),
-            proposal: text!("these samples are excluded; measure them again"),
-            mend: Some(SessionCorrection::Remove(stuck.clone())),
-            samples: stuck,
-        });
-    }
+            text!("the measured point stays while the robot moves"),
+            text!("these samples are excluded; measure them again"),
+            rows,
+        )
+    }));
+    problems
 }
 
-/// Where a sample was measured, mm.
-fn point(samples: &Samples, i: usize) -> Vector3<f64> {
-    let z = samples.z_mm.as_ref().map_or(0.0, |z| z[i]);
-    Vector3::new(samples.x_mm[i], samples.y_mm[i], z)
+/// Where a sample was measured, mm; in a plane without height.
+fn point(session: &Session, i: usize) -> Vector3<f64> {
+    let [x, y, z] = session.samples.coordinates(i);
+    Vector3::new(
+        x,
+        y,
+        if session.samples.z_mm.is_some() {
+            z
+        } else {
+            0.0
+        },
+    )
 }
 
 /// The commands as far as the limits of the joints let them.
@@ -184,19 +179,4 @@ fn within_limits<'a>(session: &Session, inputs: &Inputs<'a>) -> Inputs<'a> {
         }
     }
     within
-}
-
-/// Sample numbers for reading, counted from 1.
-fn listed(samples: &[usize]) -> Text {
-    let first: Vec<String> = samples
-        .iter()
-        .take(8)
-        .map(|i| (i + 1).to_string())
-        .collect();
-    let more = samples.len().saturating_sub(8);
-    let first = first.join(", ");
-    match more {
-        0 => Text::verbatim(first),
-        more => text!("{first} and {more} more", first, more),
-    }
 }

@@ -6,20 +6,18 @@
 //! counts a turn, where one of these is near. The scale of a single joint that moves another part of what it is told (a
 //! hobby servo whose pulses were taken for degrees) is looked for on fits from the beginning.
 
-use super::thresholds::FEW_SAMPLES;
 use std::borrow::Cow;
 
-use crate::effects::{Inputs, JointValues, Term, joint_scale};
+use crate::effects::{JointValues, Term, joint_scale};
 use crate::fit::problem::Problem;
-use crate::fit::{base_model, fit_without_outliers};
 use crate::kinematics::JointKind;
-use crate::model::Model;
-use crate::sessions::correction::{LARGEST_SCALE, SCALE_FAR_FROM_ONE};
+use crate::numeric::extent;
+use crate::sessions::correction::{GRADIAN_DEG, LARGEST_SCALE, SCALE_FAR_FROM_ONE};
 use crate::sessions::{Session, SessionCorrection};
 
-use super::groups::start_of;
-use super::measured_points::MeasuredPoints;
-use super::thinned::thinned_to;
+use super::fits::{fit, start_of, thinned};
+use super::nearest::Nominal;
+use super::thresholds::FEW_SAMPLES;
 
 /// Values within so many times the limits are out of them for another reason.
 const BEYOND: f64 = 2.0;
@@ -45,17 +43,13 @@ pub(super) fn likely_ratios(
     values: JointValues,
     left: impl Fn(&Session) -> Option<f64>,
 ) -> Vec<(usize, f64)> {
-    let few = thinned_to(session, FEW_SAMPLES);
-    let Some(points) = MeasuredPoints::of(&few) else {
-        return Vec::new();
-    };
-    let inputs = Inputs::new(&few, values);
-    let nominal = Model::nominal(few.robot.clone());
+    let few = thinned(session, FEW_SAMPLES);
+    let nominal = Nominal::of(&few, values);
     let of_joint = |joint: usize| {
-        let least = least_ratio(&few, &inputs, joint)?;
+        let least = least_ratio(&nominal, &few, joint)?;
         // A motor may turn the other way, and a circle that turns over is the same circle.
         let both = [1.0, -1.0].map(|sign| {
-            let ratio = likeliest(&nominal, &inputs, &points, joint, sign * least)?;
+            let ratio = likeliest(&nominal, joint, sign * least)?;
             let left = |ratio| left(&by_ratio(session, joint, ratio)).unwrap_or(f64::INFINITY);
             let ratio = refined(ratio, left);
             Some((joint, plain(with_base_model(session, values, joint, ratio))))
@@ -73,9 +67,9 @@ pub(super) fn likely_scales(
     values: JointValues,
     left: impl Fn(&Session) -> Option<f64>,
 ) -> Vec<f64> {
-    let few = thinned_to(session, FEW_SAMPLES);
-    let inputs = Inputs::new(&few, values);
-    if few.robot.joints.len() != 1 || least_ratio(&few, &inputs, 0).is_some() {
+    let few = thinned(session, FEW_SAMPLES);
+    let is_of_a_motor = least_ratio(&Nominal::of(&few, values), &few, 0).is_some();
+    if few.robot.joints.len() != 1 || is_of_a_motor {
         return Vec::new();
     }
     let left = |ratio| left(&by_ratio(&few, 0, ratio)).unwrap_or(f64::INFINITY);
@@ -89,20 +83,19 @@ pub(super) fn likely_scales(
         Some(1.0 / with_base_model(session, values, 0, ratio))
     };
     let both = [1.0, -1.0].into_iter().filter_map(of_sign);
-    both.filter(|scale| (scale.abs() - 1.0).abs() > SCALE_FAR_FROM_ONE)
+    // Gradians are a unit, with a name of their own.
+    let is_far = |scale: f64, from: f64| (scale.abs() / from - 1.0).abs() > SCALE_FAR_FROM_ONE;
+    both.filter(|scale| is_far(*scale, 1.0) && is_far(*scale, GRADIAN_DEG))
         .collect()
 }
 
 /// The least ratio that brings the values of a joint within its limits; `None` where they are not far beyond them.
-fn least_ratio(session: &Session, inputs: &Inputs, joint: usize) -> Option<f64> {
+fn least_ratio(nominal: &Nominal, session: &Session, joint: usize) -> Option<f64> {
     let own = &session.robot.joints[joint];
     if own.kind != JointKind::Revolute {
         return None;
     }
-    let finite = inputs.q[joint].iter().filter(|q| q.is_finite());
-    let (low, high) = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), q| {
-        (low.min(*q), high.max(*q))
-    });
+    let [low, high] = extent(nominal.inputs.q[joint].iter());
     let span = own
         .limits
         .map_or(MOST_TURNS * std::f64::consts::TAU, |limits| {
@@ -113,33 +106,20 @@ fn least_ratio(session: &Session, inputs: &Inputs, joint: usize) -> Option<f64> 
 }
 
 /// The ratio of the sign of `least` with which the nominal robot is nearest to the points.
-fn likeliest(
-    nominal: &Model,
-    inputs: &Inputs,
-    points: &MeasuredPoints,
-    joint: usize,
-    least: f64,
-) -> Option<f64> {
+fn likeliest(nominal: &Nominal, joint: usize, least: f64) -> Option<f64> {
     let left = |ratio: f64| {
-        let mut inputs = inputs.clone();
+        let mut inputs = nominal.inputs.clone();
         let own = inputs.q[joint].iter().map(|q| q / ratio).collect();
         inputs.q[joint] = Cow::Owned(own);
-        points.left_mm(&nominal.predict(&inputs), false)
+        nominal.left_mm(&inputs, false)
     };
-    let mut best: Option<(f64, f64)> = None;
-    let mut keep = |ratio: f64| {
-        let left = left(ratio);
-        let better = best.is_none_or(|best| left < best.0);
-        if better && left.is_finite() {
-            best = Some((left, ratio));
-        }
-    };
-    let mut ratio = least;
-    while ratio.abs() <= LARGEST_RATIO * least.abs().max(1.0) {
-        keep(ratio);
-        ratio *= STEP;
-    }
-    best.map(|best| best.1)
+    let most = LARGEST_RATIO * least.abs().max(1.0);
+    let ratios = std::iter::successors(Some(least), |ratio| Some(ratio * STEP));
+    let tried = ratios
+        .take_while(|ratio| ratio.abs() <= most)
+        .map(|ratio| (left(ratio), ratio))
+        .filter(|tried| tried.0.is_finite());
+    tried.min_by(|a, b| a.0.total_cmp(&b.0)).map(|best| best.1)
 }
 
 /// The ratio near another that leaves least.
@@ -165,11 +145,7 @@ fn with_base_model(session: &Session, values: JointValues, joint: usize, ratio: 
     let mut problem = Problem::new(&scaled, values);
     let effect = joint_scale();
     let start = start_of(&scaled, &problem).with_term(Term::absent(effect, joint, 0.0));
-    let fitted = if base_model::is_arm(&scaled) {
-        base_model::fit(&mut problem, &start, true).solution.model
-    } else {
-        fit_without_outliers(&mut problem, &start).model
-    };
+    let fitted = fit(&mut problem, &start);
     let mut terms = fitted.terms().iter();
     let own = terms.find(|term| term.effect.about().id == effect.about().id);
     let scale = own.and_then(|term| term.coefficients.first().copied());

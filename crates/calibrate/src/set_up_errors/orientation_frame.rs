@@ -6,9 +6,9 @@
 
 use nalgebra::{DMatrix, DVector, Point3, Rotation3, UnitQuaternion, Vector3};
 
-use super::DataProblem;
 use super::orientations::{Pairs, joint_values};
 use super::thresholds::{FEWEST_SAMPLES, MENDED_SHARE, MOST_SAMPLES};
+use crate::answers::diagnosis::DataProblem;
 use crate::decompose::svd;
 use crate::effects::JointValues;
 use crate::fit::spread::places;
@@ -24,12 +24,12 @@ const TIMES_LEFT: f64 = 3.0;
 /// Alternations of frame and tool.
 const ROUNDS: usize = 30;
 
-/// The session without its orientations, where these are in another frame than the positions; by how much is said.
-pub(super) fn left_out(
-    session: &Session,
-    values: JointValues,
-    problems: &mut Vec<DataProblem>,
-) -> Option<Session> {
+/// Orientations in another frame than the positions: until they are stated in one only the positions are used.
+pub(super) fn of_another_frame(session: &Session, values: JointValues) -> Vec<DataProblem> {
+    turned(session, values).into_iter().collect()
+}
+
+fn turned(session: &Session, values: JointValues) -> Option<DataProblem> {
     let pairs = Pairs::of(session, values).filter(Pairs::are_of_one_frame)?;
     let fit = pairs.fit(&|q| vec![q])?;
     let points = Points::of(session, values)?;
@@ -42,27 +42,22 @@ pub(super) fn left_out(
     }
     let degrees = |rad: f64| format!("{:.2}", deg_from_rad(rad));
     let by: Vec<String> = log(&turn).iter().map(|part| degrees(*part)).collect();
-    let mend = SessionCorrection::LeaveOutOrientations;
-    let mut better = session.clone();
-    mend.apply(&mut better);
-    problems.push(DataProblem {
-        what: text!(
+    Some(DataProblem::of_all(
+        text!(
             "the orientations are turned by {angle}° against the positions",
             angle = degrees(turn.angle())
         ),
-        evidence: text!(
+        text!(
             "in the measuring frame of the orientations positions are off by {before} mm in the median, in their own by {after} mm",
             before = format!("{in_that_mm:.3}"),
             after = format!("{own_mm:.3}")
         ),
-        proposal: text!(
+        text!(
             "state both in one frame: turn each orientation from the left by the rotation vector ({by})°; until then only the positions are used",
             by = by.join(", ")
         ),
-        mend: Some(mend),
-        samples: Vec::new(),
-    });
-    Some(better)
+        SessionCorrection::LeaveOutOrientations,
+    ))
 }
 
 /// Measured points, and where the robot puts them: the point and the orientation of the tool.

@@ -9,8 +9,8 @@ use std::f64::consts::{PI, TAU};
 
 use nalgebra::{Matrix3, Quaternion, Rotation3, UnitQuaternion, Vector3};
 
-use super::DataProblem;
 use super::thresholds::{FEW_SAMPLES, FEWEST_SAMPLES, GROSS_TURN_RAD, MENDED_SHARE};
+use crate::answers::diagnosis::DataProblem;
 use crate::decompose::{eigen, svd};
 use crate::effects::JointValues;
 use crate::fit::spread::spread;
@@ -53,85 +53,13 @@ const SECOND_AXIS: f64 = 0.01;
 /// Pairs from which the measuring frame is guessed, each with the next one.
 const DRAWS: usize = 8;
 
-/// The session without its orientations, where these are of another convention; what it is, is said.
-pub(super) fn left_out(
-    session: &Session,
-    values: JointValues,
-    problems: &mut Vec<DataProblem>,
-) -> Option<Session> {
-    let pairs = Pairs::of(session, values)?;
-    let stands = pairs.fit(&|q| vec![q])?.left;
-    if stands < GROSS_TURN_RAD {
-        return None;
-    }
-    let fits = conventions().into_iter().filter_map(|(convention, name)| {
-        let fit = pairs.fit(&*convention)?;
-        (fit.left < (MENDED_SHARE * stands).min(GROSS_TURN_RAD)).then_some((fit, name))
-    });
-    let mut fits: Vec<(Fit, Text)> = fits.collect();
-    let least = fits
-        .iter()
-        .map(|(fit, _)| fit.left)
-        .fold(f64::INFINITY, f64::min);
-    // The inverse and an exchange of parts are the same but for two turns: of those that fit alike the one whose frame
-    // and tool are turned least is meant, and where they are turned anyway any of them may be.
-    fits.retain(|(fit, _)| fit.left <= (ALIKE * least).max(EQUAL_RAD));
-    // Where an angle stays zero, orders are one: the usual one stands first.
-    let turned = |fit: &Fit| (fit.turned / GROSS_TURN_RAD).round();
-    fits.sort_by(|a, b| turned(&a.0).total_cmp(&turned(&b.0)));
-    if fits.first().is_some_and(|(fit, _)| fit.turned < NEAR_RAD) {
-        fits.truncate(1);
-    }
-    let mut names: Vec<Text> = Vec::new();
-    for (_, name) in fits {
-        if !names.contains(&name) {
-            names.push(name);
-        }
-    }
-    let mrad = |rad: f64| format!("{:.1} mrad", 1e3 * rad);
-    let (what, evidence, proposal) = if !names.is_empty() {
-        names.truncate(MOST_NAMED);
-        let convention = Text::listed(names, " / ");
-        (
-            text!(
-                "the orientations are in another convention: {convention}",
-                convention = convention.clone()
-            ),
-            text!(
-                "turns between samples are off by {before} in the median as they stand, by {after} in that one",
-                before = mrad(stands),
-                after = mrad(least)
-            ),
-            text!(
-                "import them so ({convention}); until then only the positions are used",
-                convention
-            ),
-        )
-    } else if stands > WRONG_RAD {
-        (
-            text!("the orientations are not those of this robot in any convention"),
-            text!(
-                "turns between samples are off by {before} in the median, and no order of a quaternion's parts, of angles or of the pose brings them near",
-                before = mrad(stands)
-            ),
-            text!(
-                "check which frames the poses are between, and the joint values; until then only the positions are used"
-            ),
-        )
-    } else {
-        return None;
-    };
-    let mend = SessionCorrection::LeaveOutOrientations;
-    let mut better = session.clone();
-    mend.apply(&mut better);
-    problems.push(DataProblem {
-        what,
-        evidence,
-        proposal,
-        mend: Some(mend),
-        samples: Vec::new(),
-    });
-    Some(better)
+/// Orientations of another convention: until they are imported so only the positions are used.
+pub(super) fn of_another_convention(session: &Session, values: JointValues) -> Vec<DataProblem> {
+    let pairs = Pairs::of(session, values);
+    pairs
+        .and_then(|pairs| pairs.problem())
+        .into_iter()
+        .collect()
 }
 
 /// The orientations that one as it is read may have been.
@@ -314,6 +242,72 @@ impl Pairs {
                 .as_ref()
                 .map_or(1, |setups| setups.names.len()),
         })
+    }
+
+    fn problem(&self) -> Option<DataProblem> {
+        let stands = self.fit(&|q| vec![q])?.left;
+        if stands < GROSS_TURN_RAD {
+            return None;
+        }
+        let fits = conventions().into_iter().filter_map(|(convention, name)| {
+            let fit = self.fit(&*convention)?;
+            (fit.left < (MENDED_SHARE * stands).min(GROSS_TURN_RAD)).then_some((fit, name))
+        });
+        let mut fits: Vec<(Fit, Text)> = fits.collect();
+        let least = fits
+            .iter()
+            .map(|(fit, _)| fit.left)
+            .fold(f64::INFINITY, f64::min);
+        // The inverse and an exchange of parts are the same but for two turns: of those that fit alike the one whose frame
+        // and tool are turned least is meant, and where they are turned anyway any of them may be.
+        fits.retain(|(fit, _)| fit.left <= (ALIKE * least).max(EQUAL_RAD));
+        // Where an angle stays zero, orders are one: the usual one stands first.
+        let turned = |fit: &Fit| (fit.turned / GROSS_TURN_RAD).round();
+        fits.sort_by(|a, b| turned(&a.0).total_cmp(&turned(&b.0)));
+        if fits.first().is_some_and(|(fit, _)| fit.turned < NEAR_RAD) {
+            fits.truncate(1);
+        }
+        let mut names: Vec<Text> = Vec::new();
+        for (_, name) in fits {
+            if !names.contains(&name) {
+                names.push(name);
+            }
+        }
+        let mrad = |rad: f64| format!("{:.1} mrad", 1e3 * rad);
+        let (what, evidence, proposal) = if !names.is_empty() {
+            names.truncate(MOST_NAMED);
+            let convention = Text::listed(names, " / ");
+            (
+                text!(
+                    "the orientations are in another convention: {convention}",
+                    convention = convention.clone()
+                ),
+                text!(
+                    "turns between samples are off by {before} in the median as they stand, by {after} in that one",
+                    before = mrad(stands),
+                    after = mrad(least)
+                ),
+                text!(
+                    "import them so ({convention}); until then only the positions are used",
+                    convention
+                ),
+            )
+        } else if stands > WRONG_RAD {
+            (
+                text!("the orientations are not those of this robot in any convention"),
+                text!(
+                    "turns between samples are off by {before} in the median, and no order of a quaternion's parts, of angles or of the pose brings them near",
+                    before = mrad(stands)
+                ),
+                text!(
+                    "check which frames the poses are between, and the joint values; until then only the positions are used"
+                ),
+            )
+        } else {
+            return None;
+        };
+        let mend = SessionCorrection::LeaveOutOrientations;
+        Some(DataProblem::of_all(what, evidence, proposal, mend))
     }
 
     /// Whether the turns between samples tell one measuring frame: they are about several axes.

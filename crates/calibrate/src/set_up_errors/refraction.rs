@@ -15,7 +15,7 @@ use nalgebra::Vector3;
 
 use super::gravity::torques_of_a_kilogram;
 use super::left::Beside;
-use super::looked::Looked;
+use super::looked::{Looked, Unstated};
 use super::thresholds::LIKELIER;
 use crate::answers::diagnosis::DataProblem;
 use crate::effects::JointValues;
@@ -23,8 +23,6 @@ use crate::kinematics::JointKind;
 use crate::sessions::{Session, SessionCorrection};
 use crate::text::{Text, length};
 
-/// Waves over the joints that are no line of sight: cycles a turn.
-const ORDERS: [f64; 2] = [1.0, 2.0];
 /// No line of sight is bent by more than this part of its length: beside a furnace, at 100 K a metre, one of 10 m by half of
 /// it (10⁻⁶ a kelvin).
 const MOST: f64 = 1e-3;
@@ -41,19 +39,15 @@ const PRODUCTS: [[usize; 2]; 9] = [
     [2, 3],
 ];
 
-/// The session with straight lines of sight; `None` where they are.
-pub(super) fn straightened(
-    session: &Session,
-    _: JointValues,
-    Looked { few, left, .. }: &Looked,
-    problems: &mut Vec<DataProblem>,
-) -> Option<Session> {
-    if session.samples.setups.as_ref()?.names.len() != 1 {
+/// Lines of sight that are bent.
+pub(super) fn bends(_: &Session, _: JointValues, looked: &Looked) -> Option<Unstated> {
+    let Looked { few, left, .. } = looked;
+    if few.samples.setups.as_ref()?.names.len() != 1 {
         return None;
     }
     let point = |i: usize| Vector3::from(left.expected[i]);
     let farthest_mm = (0..left.n).map(|i| point(i).norm()).fold(0.0, f64::max);
-    let mut others: Vec<_> = ORDERS.iter().flat_map(|n| left.waves(few, *n)).collect();
+    let mut others = looked.waves();
     for (joint, motion) in left.joints.iter().enumerate() {
         if few.robot.joints[joint].kind == JointKind::Revolute {
             for along in 0..3 {
@@ -80,23 +74,20 @@ pub(super) fn straightened(
     }
     let mend = SessionCorrection::StraightenSight((by_mm / farthest_mm.powi(2)).into());
     let along = by_mm.normalize();
-    problems.push(DataProblem {
-        what: text!(
+    let problem = DataProblem::of_all(
+        text!(
             "the lines of sight are bent: at {distance} by {size} along {along} of the measuring frame",
             distance = length(farthest_mm, 0),
             size = length(by_mm.norm(), 3),
             along = Text::verbatim(format!("({:.2}, {:.2}, {:.2})", along.x, along.y, along.z))
         ),
-        evidence: text!(
+        text!(
             "more than 1000 times likelier than straight ones beside joints that turn unevenly or give"
         ),
-        proposal: text!(
+        text!(
             "the samples are taken without it; keep sights away from warm machines and short, or mix the air"
         ),
-        mend: Some(mend.clone()),
-        samples: Vec::new(),
-    });
-    let mut better = session.clone();
-    mend.apply(&mut better);
-    Some(better)
+        mend,
+    );
+    Some((nats - LIKELIER, problem))
 }

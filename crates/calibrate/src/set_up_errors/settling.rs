@@ -15,8 +15,8 @@ use crate::sessions::{Session, SessionCorrection};
 use crate::text::{Text, length};
 use nalgebra::{DVector, Vector3};
 
-use super::left::{Beside, Left};
-use super::looked::Looked;
+use super::left::{Beside, Left, MOST};
+use super::looked::{Looked, Unstated};
 use super::thresholds::LIKELIER;
 
 /// Times that are tried, as parts of the time that was measured: what settles faster is a few rows, what settles slower a
@@ -28,31 +28,26 @@ const LARGEST_MM: f64 = 5.0;
 /// How often the size is fitted again with what it corrected.
 const ROUNDS: usize = 2;
 
-/// The session with its distances as they are in the end; `None` where they do not settle.
-pub(super) fn corrected(
-    session: &Session,
-    values: JointValues,
-    looked: &Looked,
-    problems: &mut Vec<DataProblem>,
-) -> Option<Session> {
+/// Distances that settle.
+pub(super) fn settles(_: &Session, values: JointValues, looked: &Looked) -> Option<Unstated> {
     let few = &looked.few;
     let times_s = few.samples.time_s.as_ref()?;
-    let one_station = session.samples.setups.as_ref()?.names.len() == 1;
+    let one_station = few.samples.setups.as_ref()?.names.len() == 1;
     let [from_s, to_s] = extent(times_s);
     if !one_station || from_s >= to_s || times_s.iter().any(|t| !t.is_finite()) {
         return None;
     }
-    let (mut by_mm, tau_s) = settled(looked, [from_s, to_s])?;
+    let (more, mut by_mm, tau_s) = settled(looked, [from_s, to_s])?;
+    let mend = |by_mm: f64| SessionCorrection::Settle {
+        by_mm,
+        from_s,
+        tau_s,
+    };
     let mut left_mm = looked.rms_mm;
     // What was far off counted as little: sizes are fitted again with what they corrected.
     for _ in 0..ROUNDS {
         let mut corrected = few.clone();
-        let settle = SessionCorrection::Settle {
-            by_mm,
-            from_s,
-            tau_s,
-        };
-        settle.apply(&mut corrected);
+        mend(by_mm).apply(&mut corrected);
         let (left, after_mm) = Left::after_a_fit(&corrected, values)?;
         left_mm = after_mm;
         let beside = Beside::of(&left, &left.waves(&corrected, 1.0))?;
@@ -63,33 +58,26 @@ pub(super) fn corrected(
     if left_mm >= looked.rms_mm || by_mm.abs() > LARGEST_MM {
         return None;
     }
-    let mend = SessionCorrection::Settle {
-        by_mm,
-        from_s,
-        tau_s,
-    };
-    problems.push(DataProblem {
-        what: text!(
+    let problem = DataProblem::of_all(
+        text!(
             "the instrument's distances settle: {by} at the beginning, within {minutes} min",
             by = length(by_mm, 3),
             minutes = Text::verbatim(format!("{:.1}", tau_s / 60.0))
         ),
-        evidence: text!(
+        text!(
             "more than 1000 times likelier than a frame that moves or turns, or a joint whose home does"
         ),
-        proposal: text!(
-            "the samples are taken without it; let the instrument warm up before measuring"
-        ),
-        mend: Some(mend.clone()),
-        samples: Vec::new(),
-    });
-    let mut better = session.clone();
-    mend.apply(&mut better);
-    Some(better)
+        text!("the samples are taken without it; let the instrument warm up before measuring"),
+        mend(by_mm),
+    );
+    Some((more, problem))
 }
 
-/// What the instrument settles by, mm, and its time, s.
-fn settled(Looked { few, left, .. }: &Looked, [first_s, last_s]: [f64; 2]) -> Option<(f64, f64)> {
+/// By how much likelier the instrument settles than it has to be, by what, mm, and its time, s.
+fn settled(
+    Looked { few, left, .. }: &Looked,
+    [first_s, last_s]: [f64; 2],
+) -> Option<(f64, f64, f64)> {
     let beside = Beside::of(left, &left.waves(few, 1.0))?;
     let at_s = few.samples.time_s.as_ref()?;
     let (mut best, mut rivals) = ((0.0, 0.0, 0.0), 0.0_f64);
@@ -100,9 +88,8 @@ fn settled(Looked { few, left, .. }: &Looked, [first_s, last_s]: [f64; 2]) -> Op
         if nats > best.0 {
             best = (nats, by_mm[0], tau_s);
         }
-        let frame: Vec<_> = (0..6)
-            .map(|k| left.column(|i| left.frame[i][k] * settles(i)))
-            .collect();
+        let frame = left.moved(&left.frame, MOST);
+        let frame: Vec<_> = frame.iter().map(|own| left.times(own, settles)).collect();
         let homes = left.joints.iter();
         let homes = homes.map(|own| beside.with(&[left.times(own, settles)]).1);
         rivals = homes.fold(rivals, f64::max);
@@ -111,7 +98,8 @@ fn settled(Looked { few, left, .. }: &Looked, [first_s, last_s]: [f64; 2]) -> Op
             .max(beside.with(&frame).1);
     }
     let (nats, by_mm, tau_s) = best;
-    (nats >= LIKELIER.max(rivals + 1000.0_f64.ln())).then_some((by_mm, tau_s))
+    let more = nats - LIKELIER.max(rivals + 1000.0_f64.ln());
+    (more >= 0.0).then_some((more, by_mm, tau_s))
 }
 
 /// The column of distances that settle in this time.

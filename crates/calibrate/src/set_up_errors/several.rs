@@ -13,16 +13,15 @@
 use std::borrow::Cow;
 use std::f64::consts::FRAC_PI_2;
 
-use crate::effects::{Inputs, JointValues};
+use crate::effects::JointValues;
 use crate::kinematics::{JointKind, Robot};
-use crate::model::Model;
 use crate::sessions::Session;
 
-use super::arm_hypotheses::{
+use super::changes::{
     Change, axes_exchanged, exchange, home, is_parallel_to_the_one_before, parallelogram, sign,
 };
-use super::measured_points::MeasuredPoints;
-use super::thinned::thinned_to;
+use super::fits::thinned;
+use super::nearest::Nominal;
 use super::thresholds::{EQUAL, FEW_SAMPLES};
 
 /// Descents from choices that chance makes, beside those from the columns as they are and reversed.
@@ -125,26 +124,16 @@ impl Choice {
 
 /// The robot as it was drawn, beside the samples of a session.
 struct Judge<'a> {
-    nominal: Model,
+    nominal: Nominal<'a>,
     choices: Vec<Vec<JointChoice>>,
-    inputs: Inputs<'a>,
-    points: MeasuredPoints<'a>,
+    kinds: Vec<JointKind>,
 }
 
-impl<'a> Judge<'a> {
-    fn new(session: &'a Session, values: JointValues) -> Option<Self> {
-        Some(Self {
-            points: MeasuredPoints::of(session)?,
-            choices: JointChoice::of_each(&session.robot),
-            nominal: Model::nominal(session.robot.clone()),
-            inputs: Inputs::new(session, values),
-        })
-    }
-
+impl Judge<'_> {
     /// Root mean square of what a choice leaves, mm, without the samples that are farthest off.
     fn left_mm(&self, choice: &Choice) -> f64 {
-        let mut inputs = self.inputs.clone();
-        let raw = |joint: usize| &self.inputs.q[choice.columns[joint]];
+        let mut inputs = self.nominal.inputs.clone();
+        let raw = |joint: usize| &self.nominal.inputs.q[choice.columns[joint]];
         for (joint, own) in choice.joints.iter().enumerate() {
             let factor = if own.reversed { -1.0 } else { 1.0 };
             let turn = f64::from(own.quarter_turns) * FRAC_PI_2;
@@ -154,8 +143,7 @@ impl<'a> Judge<'a> {
             let values = values.map(|(q, before)| factor * (q + share * before) + turn);
             inputs.q[joint] = Cow::Owned(values.collect());
         }
-        let predicted = self.nominal.predict(&inputs);
-        self.points.left_mm(&predicted, choice.mirrored)
+        self.nominal.left_mm(&inputs, choice.mirrored)
     }
 
     /// What is chosen with every choice of these joints.
@@ -177,7 +165,7 @@ impl<'a> Judge<'a> {
 
     /// What is chosen with the columns of two joints exchanged, either way round.
     fn exchanged(&self, start: &Choice, first: usize, second: usize) -> Vec<Choice> {
-        if self.nominal.robot.joints[first].kind != self.nominal.robot.joints[second].kind {
+        if self.kinds[first] != self.kinds[second] {
             return Vec::new();
         }
         let mut swapped = start.clone();
@@ -235,21 +223,18 @@ impl<'a> Judge<'a> {
 
 /// The changes of an arm's samples that together explain them; none where no choice leaves less than `most_mm`.
 pub(super) fn several(part: &Session, values: JointValues, most_mm: f64) -> Vec<Change> {
-    let few = thinned_to(part, FEW_SAMPLES);
-    let Some(judge) = Judge::new(&few, values) else {
-        return Vec::new();
+    let few = thinned(part, FEW_SAMPLES);
+    let judge = Judge {
+        nominal: Nominal::of(&few, values),
+        choices: JointChoice::of_each(&few.robot),
+        kinds: few.robot.joints.iter().map(|joint| joint.kind).collect(),
     };
-    let n = part.robot.joints.len();
-    let kind = |joint: &usize| part.robot.joints[*joint].kind;
-    let forth: Vec<usize> = (0..n).collect();
-    let back: Vec<usize> = (0..n).rev().collect();
+    let n = judge.kinds.len();
     let plain = vec![JointChoice::default(); n];
-    let may_be_reversed = forth.iter().map(kind).eq(back.iter().map(kind));
-    let orders = if may_be_reversed {
-        vec![forth, back]
-    } else {
-        vec![forth]
-    };
+    let mut orders: Vec<Vec<usize>> = vec![(0..n).collect()];
+    if judge.kinds.iter().eq(judge.kinds.iter().rev()) {
+        orders.push((0..n).rev().collect());
+    }
     let with = |columns: &Vec<usize>, mirrored: bool| Choice {
         joints: plain.clone(),
         columns: columns.clone(),

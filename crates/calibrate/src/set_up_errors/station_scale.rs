@@ -8,8 +8,8 @@
 use nalgebra::Vector3;
 
 use super::left::Beside;
-use super::looked::Looked;
-use super::parts::Part;
+use super::looked::{Looked, Unstated};
+use super::rows::Part;
 use super::thresholds::LIKELIER;
 use crate::answers::diagnosis::DataProblem;
 use crate::effects::JointValues;
@@ -17,56 +17,42 @@ use crate::sessions::{Group, Session, SessionCorrection};
 
 /// More is no scale of a station: air changes it by a millionth a degree, and the steel of a robot grows by twelve.
 const LARGEST: f64 = 2e-3;
-/// Waves over the joints that are no scale: cycles a turn.
-const ORDERS: [f64; 2] = [1.0, 2.0];
 
-/// The session with the points of every station in the scale of the first; `None` where they have one.
-pub(super) fn corrected(
-    session: &Session,
-    _: JointValues,
-    Looked {
-        rows, few, left, ..
-    }: &Looked,
-    problems: &mut Vec<DataProblem>,
-) -> Option<Session> {
+/// The station whose scale differs most clearly.
+pub(super) fn differs(session: &Session, _: JointValues, looked: &Looked) -> Option<Unstated> {
+    let Looked { rows, left, .. } = looked;
     let names = &session.samples.setups.as_ref()?.names;
-    let stations = names.len();
-    if stations < 2 {
-        return None;
-    }
-    let mut others: Vec<_> = ORDERS.iter().flat_map(|n| left.waves(few, *n)).collect();
-    let mut better: Option<Session> = None;
-    for station in 1..stations {
+    let beside = Beside::of(left, &looked.waves())?;
+    let scale = |station: usize| {
         let part = Part::Group(Group::Setup, station);
         let is_own = rows.mask(session, part);
         let of_row = |i: usize| Vector3::from(left.expected[i]) * f64::from(u8::from(is_own[i]));
-        let column = [left.column(of_row)];
-        let (by, nats) = Beside::of(left, &others)?.with(&column);
-        let by = by[0];
-        if nats < LIKELIER + (stations as f64).ln() || by.abs() > LARGEST {
-            continue;
-        }
-        others.extend(column);
-        let mend = SessionCorrection::InRows {
+        let (by, nats) = beside.with(&[left.column(of_row)]);
+        (
+            nats - LIKELIER - (names.len() as f64).ln(),
+            part,
+            station,
+            by[0],
+        )
+    };
+    let scales = (1..names.len())
+        .map(scale)
+        .filter(|scale| scale.3.abs() <= LARGEST);
+    let (more, part, station, by) = scales.max_by(|a, b| a.0.total_cmp(&b.0))?;
+    let problem = DataProblem::of_all(
+        text!(
+            "the scale of {station} is {ppm} ppm off that of the first setup",
+            station = Group::Setup.called(names[station].clone()),
+            ppm = format!("{:.0}", 1e6 * by)
+        ),
+        text!("beside the base model the points of the setup are more than 1000 times likelier so"),
+        text!(
+            "its points are brought to the scale of the first; compare air temperature and pressure of both, and the robot's own temperature"
+        ),
+        SessionCorrection::InRows {
             rows: rows.ranges(session, part),
             by: Box::new(SessionCorrection::ScaleLengths(1.0 / (1.0 + by))),
-        };
-        mend.apply(better.get_or_insert_with(|| session.clone()));
-        problems.push(DataProblem {
-            what: text!(
-                "the scale of {station} is {ppm} ppm off that of the first setup",
-                station = Group::Setup.called(names[station].clone()),
-                ppm = format!("{:.0}", 1e6 * by)
-            ),
-            evidence: text!(
-                "beside the base model the points of the setup are more than 1000 times likelier so"
-            ),
-            proposal: text!(
-                "its points are brought to the scale of the first; compare air temperature and pressure of both, and the robot's own temperature"
-            ),
-            mend: Some(mend),
-            samples: Vec::new(),
-        });
-    }
-    better
+        },
+    );
+    (more >= 0.0).then_some((more, problem))
 }

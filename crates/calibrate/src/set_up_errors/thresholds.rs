@@ -24,6 +24,9 @@ pub(super) const MENDED_SHARE: f64 = 0.2;
 
 /// No joint is calibrated with a zero offset larger than this; its home is a quarter turn off.
 pub(super) const LARGEST_OFFSET_DEG: f64 = 45.0;
+/// No link is longer or shorter than it should be by more than this share of the robot's reach; one
+/// that is turned inside out stands for half a turn.
+pub(super) const LARGEST_STRETCH: f64 = 0.2;
 /// RMS errors within this ratio are equal, and the simpler change is named: noise alone moves the
 /// RMS of a hundred coordinates by 7 % (1/√(2n)).
 pub(super) const EQUAL: f64 = 1.02;

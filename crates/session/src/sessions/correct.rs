@@ -330,7 +330,7 @@ fn unit_of_joint(factor: f64) -> Option<Template> {
     let travel = TRAVEL_UNITS_MM.iter().find(|(mm, _)| *mm == factor);
     let angles = [
         (GRADIAN_DEG, phrase!("gradians")),
-        (TURN_DEG, phrase!("turns")),
+        (TURN_DEG, phrase!(in "angle", "turns")),
         (rad_from_deg(1.0), phrase!("degrees")),
         (deg_from_rad(1.0), phrase!("radians")),
     ];

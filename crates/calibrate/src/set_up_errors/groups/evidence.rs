@@ -7,6 +7,9 @@ use crate::text::length;
 /// The share of the error that a place that is elsewhere has to leave.
 pub(super) const LEAVES: f64 = 0.6;
 
+/// Of more places than these the trials, each a fit of all of them, would take longer than the answer.
+pub(super) const MOST_PLACES: usize = 64;
+
 /// How much likelier samples are of which so many leave less, beside more numbers.
 pub(in crate::set_up_errors) fn evidence(
     samples: usize,

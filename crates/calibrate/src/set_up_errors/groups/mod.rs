@@ -12,47 +12,45 @@
 )]
 
 mod evidence;
-mod fitted;
 mod moved;
 mod placed;
 mod targets;
 
+use crate::answers::diagnosis::DataProblem;
 use crate::effects::JointValues;
 use crate::sessions::Session;
 
 pub(super) use evidence::evidence;
-pub(super) use fitted::{fitted, left_mm, start_of};
 pub(super) use targets::problem as target_elsewhere;
 
-use super::DataProblem;
 /// With fewer samples nothing is told.
 const FEWEST_SAMPLES: usize = 16;
-
 /// Names that are exchanged hide what else is elsewhere: so often the search begins anew with the right ones.
 const MOST_RENAMED: usize = 3;
 
-/// The session with those places free that are elsewhere; `None` where none is.
-pub(super) fn freed(
-    session: &Session,
-    values: JointValues,
-    problems: &mut Vec<DataProblem>,
-) -> Option<Session> {
+/// The places that are elsewhere.
+pub(super) fn elsewhere(session: &Session, values: JointValues) -> Vec<DataProblem> {
+    let mut problems = Vec::new();
     if session.samples.len() < FEWEST_SAMPLES {
-        return None;
+        return problems;
     }
-    let mut now: Option<Session> = None;
+    let mut now = session.clone();
     for _ in 0..=MOST_RENAMED {
-        let here = now.as_ref().unwrap_or(session);
-        let Some(placed) = placed::placed(here, values) else {
+        let Some(placed) = placed::placed(&now, values) else {
             break;
         };
+        for mend in placed
+            .problems
+            .iter()
+            .filter_map(|problem| problem.mend.as_ref())
+        {
+            mend.apply(&mut now);
+        }
         problems.extend(placed.problems);
-        now = Some(placed.session);
         if !placed.is_renamed {
             break;
         }
     }
-    let here = now.as_ref().unwrap_or(session);
-    let elsewhere = targets::elsewhere(here, values, problems);
-    elsewhere.or(now)
+    problems.extend(targets::elsewhere(&now, values));
+    problems
 }

@@ -15,8 +15,9 @@ use crate::observations::compared::{ComparedObservation, MOST_NUMBERS, compared_
 use crate::sessions::{Group, Session, SessionCorrection};
 use crate::text::Text;
 
+use super::evidence::MOST_PLACES;
 use super::evidence::{LEAVES, evidence, in_numbers, is_believed};
-use super::fitted::{MOST_PLACES, fitted};
+use crate::set_up_errors::fits::fitted;
 use crate::set_up_errors::thresholds::{EVIDENCE, MOST_SAMPLES};
 
 /// At most so many groups are taken to have moved; of most of them none is known to stand still.

@@ -19,13 +19,12 @@ use crate::sessions::{Group, Session, SessionCorrection};
 use crate::text::{Text, length};
 
 use super::evidence::{LEAVES, evidence, in_numbers, is_believed};
-use super::fitted::{fitted, thinned};
 use super::moved::{Moved, moved};
 use super::targets::{self, AS_WELL, Contradicted, contradicted};
+use crate::set_up_errors::fits::left_mm;
 
 /// What was found elsewhere.
 pub(super) struct Placed {
-    pub(super) session: Session,
     pub(super) problems: Vec<DataProblem>,
     /// Whether names were corrected, and nothing else: what they hid is still to be found.
     pub(super) is_renamed: bool,
@@ -105,7 +104,6 @@ impl<'a> Shown<'a> {
         let sigma = self.session.instrument.targets_sigma_mm;
         let Some(sigma) = sigma.filter(|_| self.is_of_targets) else {
             return Some(Placed {
-                session: self.free,
                 problems: self.problems,
                 is_renamed: false,
             });
@@ -146,12 +144,11 @@ impl<'a> Shown<'a> {
         }
         let session = self.with(&problems);
         // What was taken for their places explains the samples as free ones do, or they are not.
-        let left = fitted(&thinned(&session), values).map_or(f64::INFINITY, |fitted| fitted.1);
+        let left = left_mm(&session, values).unwrap_or(f64::INFINITY);
         if left > AS_WELL * self.left_mm {
             return Some(self.open(&seen, &stated));
         }
         Some(Placed {
-            session,
             problems,
             is_renamed: false,
         })
@@ -182,24 +179,17 @@ impl<'a> Shown<'a> {
         let called =
             |target: &usize| Group::Target.called(Group::Target.name_of(self.session, *target));
         let mut problems = self.problems.clone();
-        problems.push(DataProblem {
-            what: text!(
+        problems.push(DataProblem::of_all(text!(
                 "{things}: nothing tells which is where the session states; their places in the tool disagree by {size}",
                 things = Text::listed(names.iter().map(called), ", "),
                 size = length(across, 3)
-            ),
-            evidence: in_numbers(self.before_mm, self.left_mm),
-            proposal: text!(
+            ), in_numbers(self.before_mm, self.left_mm), text!(
                 "where the tool is, is known no better than that; measure where the targets sit, and correct the session"
-            ),
-            mend: Some(SessionCorrection::TargetsWithin(sigma_between(
+            ), SessionCorrection::TargetsWithin(sigma_between(
                 across,
                 names.len(),
-            ))),
-            samples: Vec::new(),
-        });
+            ))));
         Placed {
-            session: self.with(&problems),
             problems,
             is_renamed: false,
         }
@@ -221,7 +211,7 @@ impl<'a> Shown<'a> {
         let mut session = self.session.clone();
         SessionCorrection::RenameTargets(rows.iter().map(|r| (r.0, r.2)).collect())
             .apply(&mut session);
-        let (_, left) = fitted(&thinned(&session), values)?;
+        let left = left_mm(&session, values)?;
         let samples = session.samples.len();
         let axes = session.samples.axes();
         let evidence = evidence(samples, axes, self.before_mm, left, 1 + pairs.len());
@@ -254,7 +244,6 @@ impl<'a> Shown<'a> {
             });
         }
         Some(Placed {
-            session,
             problems,
             is_renamed: true,
         })

@@ -12,8 +12,9 @@ use crate::model::Model;
 use crate::sessions::{Session, SessionCorrection};
 use crate::text::{Text, components, length};
 
+use super::evidence::MOST_PLACES;
 use super::evidence::{LEAVES, evidence, in_numbers, is_believed};
-use super::fitted::{MOST_PLACES, fitted, start_of, thinned, trimmed_rms_mm};
+use crate::set_up_errors::fits::{fitted, fitted_from, some_samples};
 use crate::set_up_errors::thresholds::{GROSS_SHARE, MENDED_SHARE};
 
 /// A place is off beyond so many standard deviations of what is known of it.
@@ -36,17 +37,14 @@ pub(super) struct Contradicted {
     pub(super) left_mm: f64,
 }
 
-/// The session with its targets moved, where they are elsewhere on a single axis.
-pub(super) fn elsewhere(
-    session: &Session,
-    values: JointValues,
-    problems: &mut Vec<DataProblem>,
-) -> Option<Session> {
-    let sigma = stated_sigma(session)?;
+/// The targets of a single axis that are elsewhere.
+pub(super) fn elsewhere(session: &Session, values: JointValues) -> Vec<DataProblem> {
     if base_model::is_arm(session) || !session.has_plain_points() {
-        return None;
+        return Vec::new();
     }
-    of_one_axis(session, &thinned(session), values, sigma, problems)
+    let known = stated_sigma(session);
+    let found = known.and_then(|sigma| of_one_axis(session, &some_samples(session), values, sigma));
+    found.unwrap_or_default()
 }
 
 /// How well the places of several targets are stated that a session has.
@@ -64,7 +62,7 @@ pub(super) fn contradicted(session: &Session, values: JointValues) -> Option<Con
     if !base_model::is_arm(session) {
         return None;
     }
-    let mut part = thinned(session);
+    let mut part = some_samples(session);
     let before = as_stated_mm(&part, values)?;
     let stated = part.clone();
     SessionCorrection::FreeTargets.apply(&mut part);
@@ -114,13 +112,7 @@ fn turned_mm(part: &Session, values: JointValues) -> Option<f64> {
 }
 
 fn left_mm(part: &Session, values: JointValues, change: impl Fn(Model) -> Model) -> Option<f64> {
-    let mut problem = Problem::observing(part, values);
-    if problem.samples() == 0 {
-        return None;
-    }
-    let start = change(start_of(part, &problem));
-    let model = base_model::fit(&mut problem, &start, true).solution.model;
-    Some(trimmed_rms_mm(&problem, &model))
+    Some(fitted_from(part, values, change)?.1)
 }
 
 fn of_one_axis(
@@ -128,8 +120,7 @@ fn of_one_axis(
     part: &Session,
     values: JointValues,
     sigma: f64,
-    problems: &mut Vec<DataProblem>,
-) -> Option<Session> {
+) -> Option<Vec<DataProblem>> {
     let (model, before) = fitted(part, values)?;
     let by = offsets(part, values, &model)?;
     let off: Vec<(usize, Vector3<f64>)> = by
@@ -140,33 +131,20 @@ fn of_one_axis(
     if off.is_empty() {
         return None;
     }
-    let moved = |session: &Session| {
-        let mut moved = session.clone();
-        for (target, by) in &off {
-            let by_mm = [by.x, by.y, by.z];
-            SessionCorrection::MoveTarget {
-                target: *target,
-                by_mm,
-            }
-            .apply(&mut moved);
-        }
-        moved
+    let mend = |(target, by): &(usize, Vector3<f64>)| SessionCorrection::MoveTarget {
+        target: *target,
+        by_mm: (*by).into(),
     };
-    let (_, after) = fitted(&moved(part), values)?;
+    let mut moved = part.clone();
+    off.iter().for_each(|one| mend(one).apply(&mut moved));
+    let (_, after) = fitted(&moved, values)?;
     let axes = part.samples.axes();
     let evidence = evidence(part.samples.len(), axes, before, after, axes * off.len());
-    if !is_believed(evidence, before, after, LEAVES) {
-        return None;
-    }
-    for (target, by) in &off {
-        let mend = SessionCorrection::MoveTarget {
-            target: *target,
-            by_mm: [by.x, by.y, by.z],
-        };
+    let of_target = |one: &(usize, Vector3<f64>)| {
         let numbers = in_numbers(before, after);
-        problems.push(problem(session, *target, *by, numbers, mend));
-    }
-    Some(moved(session))
+        problem(session, one.0, one.1, numbers, mend(one))
+    };
+    is_believed(evidence, before, after, LEAVES).then(|| off.iter().map(of_target).collect())
 }
 
 /// How far each target is from its place, tool frame, mm, beside the base model: as few as possible are

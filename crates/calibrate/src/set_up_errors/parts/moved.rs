@@ -5,8 +5,9 @@ use crate::kinematics::JointKind;
 use crate::sessions::{Session, SessionCorrection};
 use crate::text::{angle, length};
 
-use super::rows::RowsInOrder;
+use super::gross::corrected_in_numbers;
 use crate::set_up_errors::left::MOST;
+use crate::set_up_errors::rows::RowsInOrder;
 
 /// What moved.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -52,7 +53,7 @@ impl Step {
         &self,
         session: &Session,
         rows: &RowsInOrder,
-        mend: SessionCorrection,
+        before: Vec<(usize, usize)>,
         [before_mm, left_mm]: [f64; 2],
     ) -> DataProblem {
         let sample = rows.row(self.from) + 1;
@@ -85,19 +86,15 @@ impl Step {
                 ),
             ),
         };
+        let mend = self.correction(before);
         DataProblem {
-            what,
-            evidence: text!(
-                "the base model leaves {before} as it stands and {after} with these samples corrected; more than 1000 times likelier",
-                before = length(before_mm, 3),
-                after = length(left_mm, 3)
-            ),
-            proposal,
-            mend: Some(mend),
-            samples: (0..rows.len())
-                .filter(|k| *k < self.from)
-                .map(|k| rows.row(k))
-                .collect(),
+            samples: (0..self.from).map(|k| rows.row(k)).collect(),
+            ..DataProblem::of_all(
+                what,
+                corrected_in_numbers(before_mm, left_mm),
+                proposal,
+                mend,
+            )
         }
     }
 }

@@ -25,9 +25,9 @@ use crate::numeric;
 use crate::sessions::{Group, Session};
 
 use super::moved::{Step, What};
-use super::rows::{Part, RowsInOrder};
-use crate::set_up_errors::groups::fitted;
+use crate::set_up_errors::fits::fitted;
 use crate::set_up_errors::left::{Beside, Left, MOST, Motion, beside};
+use crate::set_up_errors::rows::{Part, RowsInOrder};
 use crate::set_up_errors::thresholds;
 
 /// Rows that are looked at.
@@ -48,22 +48,28 @@ const LIKELIER: f64 = 3.0;
 /// How often sizes are fitted again with what they corrected.
 const ROUNDS: usize = 3;
 
-/// The session with every row turned to the homes as they were in the end; `None` where none moved.
-pub(in crate::set_up_errors) fn corrected(
-    session: &Session,
-    values: JointValues,
-    problems: &mut Vec<DataProblem>,
-) -> Option<Session> {
+/// Everything that moved: homes to which the rows before are turned, and frames of their own.
+pub(in crate::set_up_errors) fn steps(session: &Session, values: JointValues) -> Vec<DataProblem> {
     let rows = RowsInOrder::of(session, MOST_ROWS).of_new_places(session);
     if rows.len() < FEWEST_ROWS || !session.has_plain_points() {
-        return None;
+        return Vec::new();
     }
-    let few = rows.select(session);
-    let (model, before_mm) = fitted(&few, values)?;
-    let mut steps = found(&few, values, &model)?;
+    sized(&rows.select(session), values).map_or_else(Vec::new, |(steps, left_mm)| {
+        let problem = |step: &Step| {
+            let before = rows.ranges(session, Part::Stretch(0, step.from));
+            step.problem(session, &rows, before, left_mm)
+        };
+        steps.iter().map(problem).collect()
+    })
+}
+
+/// The steps in the order in which they are corrected, and what the base model leaves before and behind, mm.
+fn sized(few: &Session, values: JointValues) -> Option<(Vec<Step>, [f64; 2])> {
+    let (model, before_mm) = fitted(few, values)?;
+    let mut steps = found(few, values, &model)?;
     // A frame is that of all rows before its step until an earlier one takes some: the last is made first.
     steps.sort_by_key(|step| match step.what {
-        What::Frame => (0, rows.len() - step.from),
+        What::Frame => (0, few.samples.len() - step.from),
         What::Home(_) => (1, step.from),
     });
     let mut left_mm = before_mm;
@@ -72,8 +78,8 @@ pub(in crate::set_up_errors) fn corrected(
         for step in &steps {
             step.correction(vec![(0, step.from)]).apply(&mut corrected);
         }
-        let (model, left) = fitted(&corrected, values)?;
-        left_mm = left;
+        let (model, after_mm) = fitted(&corrected, values)?;
+        left_mm = after_mm;
         let left = Left::of(&corrected, values, &model)?;
         refine(&left, &mut steps);
         // Beside large steps, before they are corrected, their curvature looks like small ones.
@@ -82,44 +88,22 @@ pub(in crate::set_up_errors) fn corrected(
             steps.retain(|step| still_likelier(&left, &all, *step));
         }
     }
-    if left_mm >= before_mm || steps.is_empty() {
-        return None;
-    }
-    let mut better = session.clone();
-    for step in &steps {
-        let before = rows.ranges(session, Part::Stretch(0, step.from));
-        let mend = step.correction(before);
-        mend.apply(&mut better);
-        problems.push(step.problem(session, &rows, mend, [before_mm, left_mm]));
-    }
-    Some(better)
+    (left_mm < before_mm).then_some((steps, [before_mm, left_mm]))
 }
 
 impl Left {
-    /// The columns of a step.
-    fn from(&self, what: What, first: usize) -> Vec<DVector<f64>> {
-        let is_after = |i: usize| f64::from(u8::from(i >= first));
+    /// The columns of what moves, and of a step of it.
+    fn columns_of(&self, what: What) -> Vec<DVector<f64>> {
         match what {
-            What::Home(joint) => vec![self.times(&self.joints[joint], is_after)],
-            What::Frame => (0..MOST)
-                .map(|k| self.column(|i| self.frame[i][k] * is_after(i)))
-                .collect(),
+            What::Home(joint) => vec![self.joints[joint].clone()],
+            What::Frame => self.moved(&self.frame, MOST),
         }
     }
 
-    /// What moves at a row, by sample.
-    fn motion(&self, what: What) -> Motion {
-        let What::Home(joint) = what else {
-            return self.frame.clone();
-        };
-        let of_sample = |i: usize| {
-            let mut own = [Vector3::zeros(); MOST];
-            for (a, axis) in self.axes.iter().enumerate() {
-                own[0][*axis] = self.joints[joint][a * self.n + i] * self.scale[a];
-            }
-            own
-        };
-        (0..self.n).map(of_sample).collect()
+    fn from(&self, what: What, first: usize) -> Vec<DVector<f64>> {
+        let is_after = |i: usize| f64::from(u8::from(i >= first));
+        let columns = self.columns_of(what).into_iter();
+        columns.map(|own| self.times(&own, is_after)).collect()
     }
 
     /// What else may look like a step: waves over each joint, its side of approach, a drift of its home and of the
@@ -166,42 +150,27 @@ impl Left {
     }
 }
 
-/// The gain in square of what moves from a row on, for each row: the first so many of its columns.
-fn gains(
-    left: &Left,
-    Beside { basis, free, .. }: &Beside,
-    motion: &Motion,
-    count: usize,
-    own: impl Fn(usize) -> bool,
-) -> Vec<f64> {
-    let n = left.n;
-    let rank = basis.rank();
+/// The gain in square of columns from a row on, for each row.
+fn gains(left: &Left, Beside { basis, free, .. }: &Beside, columns: &[DVector<f64>]) -> Vec<f64> {
+    let (n, count) = (left.n, columns.len());
     let mut gram = SMatrix::<f64, MOST, MOST>::zeros();
     let mut pull = SVector::<f64, MOST>::zeros();
-    let mut along = DMatrix::<f64>::zeros(rank, count);
+    let mut along = DMatrix::<f64>::zeros(basis.rank(), count);
     let mut gains = vec![0.0; n];
     for i in (0..n).rev() {
-        if own(i) {
-            for (a, axis) in left.axes.iter().enumerate() {
-                let row = a * n + i;
-                let by = SVector::<f64, MOST>::from_fn(|k, _| {
-                    if k < count {
-                        motion[i][k][*axis] / left.scale[a]
-                    } else {
-                        0.0
-                    }
-                });
-                gram += by * by.transpose();
-                pull += by * free[row];
-                let q = basis.q.row(row);
-                for k in 0..count {
-                    for (to, q) in along.column_mut(k).iter_mut().zip(q.iter()) {
-                        *to += by[k] * q;
-                    }
+        for row in (0..left.axes.len()).map(|a| a * n + i) {
+            let by = |k: usize| columns.get(k).map_or(0.0, |column| column[row]);
+            let by = SVector::<f64, MOST>::from_fn(|k, _| by(k));
+            gram += by * by.transpose();
+            pull += by * free[row];
+            let q = basis.q.row(row);
+            for k in 0..count {
+                for (to, q) in along.column_mut(k).iter_mut().zip(q.iter()) {
+                    *to += by[k] * q;
                 }
             }
         }
-        if i < FEWEST_BESIDE || i + FEWEST_BESIDE > n {
+        if i < FEWEST_BESIDE || i + FEWEST_BESIDE > n || !left.may_move_at[i] {
             continue;
         }
         let mut projected = gram;
@@ -224,25 +193,14 @@ fn gains(
 /// Everything that moved.
 fn found(few: &Session, values: JointValues, model: &Model) -> Option<Vec<Step>> {
     let left = Left::of(few, values, model)?;
-    let mut rivals = left.rivals(few);
-    // What matters most comes first.
-    let most = (left.residual.len() / ROWS_TO_A_COLUMN).checked_sub(left.base.ncols())?;
-    rivals.truncate(most);
     let mut all: Vec<What> = (0..left.joints.len()).map(What::Home).collect();
     let setups = few.samples.setups.as_ref();
     if base_model::is_arm(few) && setups.is_none_or(|setups| setups.names.len() < 2) {
         all.push(What::Frame);
     }
-    let beside_these = |steps: &[Step]| {
-        let own = steps
-            .iter()
-            .flat_map(|step| left.from(step.what, step.from));
-        let columns: Vec<_> = rivals.iter().cloned().chain(own).collect();
-        AtRows::beside(&left, &columns)
-    };
     let mut steps: Vec<Step> = Vec::new();
     while steps.len() < MOST_STEPS {
-        let beside = beside_these(&steps)?;
+        let beside = left.beside_steps(few, &steps)?;
         let each = all.iter().map(|what| (*what, beside.best(*what)));
         let price = |what| f64::from(u8::from(what == What::Frame)) * thresholds::LIKELIER;
         let likeliest = |(what, (_, nats)): &(What, (usize, f64))| nats - price(*what);
@@ -254,26 +212,56 @@ fn found(few: &Session, values: JointValues, model: &Model) -> Option<Vec<Step>>
         let by = 0.0;
         steps.push(Step { what, from, by });
     }
-    while !steps.is_empty() {
-        let evidence = |k: usize| {
-            let mut others = steps.clone();
-            let step = others.remove(k);
-            beside_these(&others).map_or(f64::MIN, |beside| beside.evidence(few, step))
-        };
-        let each = (0..steps.len()).map(|k| (k, evidence(k)));
-        let (weakest, evidence) = each.min_by(|a, b| a.1.total_cmp(&b.1))?;
-        if evidence >= thresholds::LIKELIER {
-            return Some(steps);
-        }
-        steps.remove(weakest);
+    left.keep_likely(few, &mut steps);
+    // What the robot does not repeat is judged beside what moved, which looks like it.
+    let columns: Vec<_> = steps
+        .iter()
+        .flat_map(|step| left.from(step.what, step.from))
+        .collect();
+    let left = left.beside_poses(few, values, model, &columns);
+    left.keep_likely(few, &mut steps);
+    (!steps.is_empty()).then_some(steps)
+}
+
+impl Left {
+    /// Beside what may look like steps, and these.
+    fn beside_steps(&self, few: &Session, steps: &[Step]) -> Option<AtRows<'_>> {
+        let mut columns = self.rivals(few);
+        // What matters most comes first.
+        let most = (self.residual.len() / ROWS_TO_A_COLUMN).checked_sub(self.base.ncols())?;
+        columns.truncate(most);
+        columns.extend(
+            steps
+                .iter()
+                .flat_map(|step| self.from(step.what, step.from)),
+        );
+        AtRows::beside(self, &columns)
     }
-    None
+
+    /// Drops the weakest step until each is likelier by far beside the others.
+    fn keep_likely(&self, few: &Session, steps: &mut Vec<Step>) {
+        loop {
+            let evidence = |k: usize| {
+                let mut others = steps.clone();
+                let step = others.remove(k);
+                self.beside_steps(few, &others)
+                    .map_or(f64::MIN, |beside| beside.evidence(few, step))
+            };
+            let each = (0..steps.len()).map(|k| (k, evidence(k)));
+            match each.min_by(|a, b| a.1.total_cmp(&b.1)) {
+                Some((weakest, evidence)) if evidence < thresholds::LIKELIER => {
+                    steps.remove(weakest)
+                }
+                _ => return,
+            };
+        }
+    }
 }
 
 /// What moved at which row, beside other columns.
 struct AtRows<'a> {
     left: &'a Left,
-    beside: Beside,
+    beside: Beside<'a>,
 }
 
 impl<'a> AtRows<'a> {
@@ -287,19 +275,15 @@ impl<'a> AtRows<'a> {
         self.beside.nats(gain, numbers) - (self.left.n as f64).ln()
     }
 
-    /// That of each row, for the first so many numbers of what moves in the samples that do.
-    fn of_rows(&self, motion: &Motion, count: usize, own: impl Fn(usize) -> bool) -> Vec<f64> {
-        gains(self.left, &self.beside, motion, count, own)
+    /// That of columns from each row on, at the price of so many numbers.
+    fn of_rows(&self, columns: &[DVector<f64>], numbers: usize) -> Vec<f64> {
+        let gains = gains(self.left, &self.beside, columns).into_iter();
+        gains.map(|gain| self.nats(gain, numbers)).collect()
     }
 
     /// That of a step, by row.
     fn by_row(&self, what: What) -> Vec<f64> {
-        let numbers = what.numbers();
-        let gains = self.of_rows(&self.left.motion(what), numbers, |_| true);
-        gains
-            .into_iter()
-            .map(|gain| self.nats(gain, numbers))
-            .collect()
+        self.of_rows(&self.left.columns_of(what), what.numbers())
     }
 
     /// The likeliest row of a step.
@@ -319,57 +303,35 @@ impl<'a> AtRows<'a> {
         let aside = numeric::whole((BESIDE_SHARE * n as f64).max(3.0));
         let about = from.saturating_sub(aside)..(from + aside + 1).min(n);
         let there = [from.checked_sub(aside), Some(from + aside)];
-        let there = there.into_iter().flatten().filter_map(|k| all.get(k));
-        let is_sharp = there.into_iter().all(|nats| own >= nats + SHARP);
+        let begin = |k: &usize| (0..=*k).rev().find(|i| left.may_move_at[*i]);
+        let mut there = there.iter().flatten().filter(|k| **k < n).filter_map(begin);
+        let is_sharp = there.all(|k| own >= all[k] + SHARP);
         let best = |nats: &[f64]| nats[about.clone()].iter().copied().fold(f64::MIN, f64::max);
         let gained =
-            |motion: &Motion, count: usize, is_own: &dyn Fn(usize) -> bool, numbers: usize| {
-                let gains = self.of_rows(motion, count, is_own);
-                let nats: Vec<f64> = gains.into_iter().map(|g| self.nats(g, numbers)).collect();
-                best(&nats)
-            };
+            |motion: &Motion, numbers: usize| best(&self.of_rows(&left.moved(motion, 3), numbers));
         let mut rivals = match what {
             // A slide's home is its frame along it: that has a name of its own, at the price of one number.
-            What::Home(_) => {
-                let moved = gained(&left.frame, 3, &|_| true, 1);
-                best(&self.by_row(What::Frame)).max(moved) + LIKELIER
-            }
+            What::Home(_) => best(&self.by_row(What::Frame)).max(gained(&left.frame, 1)) + LIKELIER,
             // A frame that moved and did not turn is an effect.
             What::Frame => {
-                let moved = gained(&left.frame, 3, &|_| true, 3);
                 let homes = (0..left.joints.len()).map(|j| best(&self.by_row(What::Home(j))));
-                homes.fold(moved, f64::max) + thresholds::LIKELIER
+                homes.fold(gained(&left.frame, 3), f64::max) + thresholds::LIKELIER
             }
         };
         for target in 0..Group::Target.count(few) {
-            let is_own = |i: usize| Group::Target.of(few, i) == Some(target);
-            rivals = rivals.max(gained(&left.target, 3, &is_own, 3) + LIKELIER);
+            let of_sample = |(i, motion): (usize, &[Vector3<f64>; MOST])| {
+                let is_own = Group::Target.of(few, i) == Some(target);
+                motion.map(|by| by * f64::from(u8::from(is_own)))
+            };
+            let own: Motion = left.target.iter().enumerate().map(of_sample).collect();
+            rivals = rivals.max(gained(&own, 3) + LIKELIER);
         }
         if !is_sharp || own <= rivals {
             return f64::MIN;
         }
-        let columns = left.from(what, from);
-        let columns: Vec<_> = columns
-            .iter()
-            .map(|own| self.beside.basis.reject(own))
-            .collect();
-        let along = Basis::new(&DMatrix::from_columns(&columns));
-        own / dilution(left, &along.reject(&self.beside.free))
+        let along = self.beside.own(&left.from(what, from));
+        own / self.beside.dilution(&along)
     }
-}
-
-/// By how much rows that follow one another say the same: (1 + ρ)/(1 − ρ) with the correlation ρ of neighbours, at
-/// least 1.
-fn dilution(left: &Left, residual: &DVector<f64>) -> f64 {
-    let n = left.n;
-    let mut product = 0.0;
-    for a in 0..left.axes.len() {
-        product += (1..n)
-            .map(|i| residual[a * n + i] * residual[a * n + i - 1])
-            .sum::<f64>();
-    }
-    let correlation = (product / residual.norm_squared().max(1e-300)).clamp(0.0, 0.95);
-    (1.0 + correlation) / (1.0 - correlation)
 }
 
 /// Adds to each home's step what the corrected rows leave of it.

@@ -6,11 +6,15 @@ use crate::sessions::{Samples, Session};
 use crate::text::Text;
 use nalgebra::Vector3;
 
+use crate::set_up_errors::nearest::cost_of;
+
+/// More changes than this are no points that were lost.
+const MOST_CHANGES: usize = 8;
+/// The median length of three coordinates with σ = 1.
+pub(super) const MEDIAN_LENGTH: f64 = 1.538;
 /// Shifts that are tried, to either side.
 pub(super) const MOST_SHIFT: isize = 3;
 const STATES: usize = 2 * MOST_SHIFT as usize + 1;
-/// Degrees of freedom of the heavy-tailed noise.
-const TAILS: f64 = 4.0;
 /// The logarithm of the price of a change, beside that of its place.
 const PRICE: f64 = 6.0;
 /// What a row without a point costs: as much as one 3 σ off.
@@ -94,6 +98,11 @@ impl Path {
     /// Whether no row is shifted.
     pub(super) fn is_none(&self) -> bool {
         self.changes.iter().all(|change| change.1 == 0)
+    }
+
+    /// Whether some row is, and not more often than points are lost.
+    pub(super) fn is_shift(&self) -> bool {
+        !self.is_none() && self.changes.len() <= MOST_CHANGES
     }
 
     fn shift_of(&self, row: usize) -> isize {
@@ -198,10 +207,7 @@ fn price_of(from: isize, to: isize, rows: usize) -> f64 {
 
 /// What a deviation costs.
 pub(super) fn cost(deviation_mm: Option<f64>, sigma_mm: f64) -> f64 {
-    deviation_mm.map_or(WITHOUT_A_POINT, |r| {
-        // Of a sum, as nothing depends on the digits that are lost beside 1: this is most of the work.
-        0.5 * (TAILS + 3.0) * (1.0 + r * r / (TAILS * sigma_mm * sigma_mm)).ln()
-    })
+    deviation_mm.map_or(WITHOUT_A_POINT, |r| cost_of(r, sigma_mm))
 }
 
 /// What the deviation of a point costs that is that of so many rows below.
@@ -224,8 +230,8 @@ pub(super) fn far_steps(predicted: &Positions, mm: f64) -> usize {
     (0..rows).filter(far).count()
 }
 
-/// The likeliest path of all rows beside where the robot is predicted; `None` where no row is shifted.
-pub(super) fn likeliest(points: &Points<'_>, predicted: &Positions, sigma_mm: f64) -> Option<Path> {
+/// The likeliest path of all rows beside where the robot is predicted.
+pub(super) fn likeliest(points: &Points<'_>, predicted: &Positions, sigma_mm: f64) -> Path {
     let deviation = |row: usize, by: isize| {
         let point = row.checked_add_signed(by)?;
         points.deviation_mm(predicted, row, point)
@@ -241,7 +247,7 @@ pub(super) fn likeliest(points: &Points<'_>, predicted: &Positions, sigma_mm: f6
             sigma_mm,
         )
     });
-    (!path.is_none()).then_some(path)
+    path
 }
 
 /// The likeliest path along some rows of so many, and its cost with the prices.
@@ -331,7 +337,7 @@ fn place_exactly(path: &mut Path, rows: usize, cost: &dyn Fn(usize, Option<usize
 }
 
 /// With fewer samples a shift cannot be told from anything else.
-pub(super) const FEWEST_SAMPLES: usize = 12;
+const FEWEST_SAMPLES: usize = 12;
 
 #[cfg(test)]
 mod tests {

@@ -1,12 +1,13 @@
 //! Which rows a change holds for.
 
 use crate::fit::problem::unusable;
-use crate::sessions::measuring_order::measuring_order;
+use crate::fit::spread::spread;
+use crate::row_checks::in_order;
 use crate::sessions::{Group, Session, in_rows};
 use crate::text::Text;
 
 /// The rows of a session in measuring order, and those of them that count.
-pub(in crate::set_up_errors) struct RowsInOrder {
+pub(super) struct RowsInOrder {
     /// Every row.
     order: Vec<usize>,
     /// Places in it of rows with a point that counts.
@@ -15,7 +16,7 @@ pub(in crate::set_up_errors) struct RowsInOrder {
 
 /// Rows for which something holds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(in crate::set_up_errors) enum Part {
+pub(super) enum Part {
     All,
     /// From one of the rows that count up to and without another, in measuring order.
     Stretch(usize, usize),
@@ -25,20 +26,15 @@ pub(in crate::set_up_errors) enum Part {
 
 impl RowsInOrder {
     /// At most so many, spread evenly.
-    pub(in crate::set_up_errors) fn of(session: &Session, most: usize) -> Self {
+    pub(super) fn of(session: &Session, most: usize) -> Self {
         let samples = &session.samples;
-        let n = samples.len();
-        let order = measuring_order(samples.time_s.as_deref());
-        let order: Vec<usize> = order.unwrap_or_else(|| (0..n).collect());
+        let order = in_order(samples);
         let held_out = samples.held_out.as_deref();
         let counts = |row: usize| {
             unusable(session, row).is_none() && !held_out.is_some_and(|held_out| held_out[row])
         };
-        let mut counted: Vec<usize> = (0..n).filter(|place| counts(order[*place])).collect();
-        let m = counted.len();
-        if m > most {
-            counted = (0..most).map(|k| counted[k * m / most]).collect();
-        }
+        let counts: Vec<bool> = order.iter().map(|row| counts(*row)).collect();
+        let counted = spread(&counts, most);
         Self { order, counted }
     }
 
@@ -61,7 +57,7 @@ impl RowsInOrder {
     }
 
     /// How many count.
-    pub(in crate::set_up_errors) fn len(&self) -> usize {
+    pub(super) fn len(&self) -> usize {
         self.counted.len()
     }
 
@@ -71,13 +67,13 @@ impl RowsInOrder {
     }
 
     /// The rows that count, of a session of their own.
-    pub(in crate::set_up_errors) fn select(&self, session: &Session) -> Session {
+    pub(super) fn select(&self, session: &Session) -> Session {
         let rows: Vec<Option<usize>> = (0..self.len()).map(|k| Some(self.row(k))).collect();
         session.of_rows(&rows)
     }
 
     /// Which of those that count are in a part.
-    pub(in crate::set_up_errors) fn mask(&self, session: &Session, part: Part) -> Vec<bool> {
+    pub(super) fn mask(&self, session: &Session, part: Part) -> Vec<bool> {
         let is_in = |k: usize| match part {
             Part::All => true,
             Part::Stretch(first, end) => (first..end).contains(&k),
@@ -87,11 +83,7 @@ impl RowsInOrder {
     }
 
     /// All rows of a part, those too that do not count, as stretches of the file.
-    pub(in crate::set_up_errors) fn ranges(
-        &self,
-        session: &Session,
-        part: Part,
-    ) -> Vec<(usize, usize)> {
+    pub(super) fn ranges(&self, session: &Session, part: Part) -> Vec<(usize, usize)> {
         let n = self.order.len();
         let mut rows: Vec<usize> = match part {
             Part::All => (0..n).collect(),
