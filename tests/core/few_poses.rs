@@ -394,3 +394,33 @@ fn a_target_stated_far_off_does_not_open_the_frame() {
     let on_a_line = |n: &&NotTestable| n.because.to_string().contains("lie on one line");
     assert_eq!(answer.not_testable.iter().find(on_a_line), None);
 }
+
+/// A controller that counts joint 3 from the horizontal, and poses one joint at a time in whole degrees: in the sweep of
+/// joint 2 alone, turns for degrees would explain the same, as they come back to where they began.
+#[test]
+fn a_joint_counted_from_the_horizontal_is_not_taken_for_one_in_turns() {
+    let mut random = Random(16);
+    let rows: Vec<[f64; 6]> = (0..54)
+        .map(|i| {
+            let mut q = [47.0, 0.0, 0.0, 0.0, 0.0, 0.0];
+            let (joint, step) = (i / 9, (i % 9) as f64 - 4.0);
+            q[joint] = (step * 0.2 * HALF_RANGES_DEG[joint]).round();
+            q
+        })
+        .collect();
+    let (_, mut session) = measured(&rows, &mut random, 16);
+    let second = session.samples.q[1].clone();
+    for (own, second) in session.samples.q[2].iter_mut().zip(second) {
+        *own += second;
+    }
+    let answer = diagnose(&session, &Options::default(), &|_| true).unwrap();
+    let said: Vec<String> = answer
+        .data_problems
+        .iter()
+        .map(|p| p.what.to_string())
+        .collect();
+    assert!(
+        said.len() == 1 && said[0].starts_with("joints 2 and 3 are coupled"),
+        "{said:?}"
+    );
+}

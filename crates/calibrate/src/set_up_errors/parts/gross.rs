@@ -270,9 +270,14 @@ impl<'a> Search<'a> {
             }
             trial.part = Part::Stretch(first, end);
         };
-        let corrected = typical(&mask, true, |k| after[k])?;
-        let others = typical(&mask, false, |k| after[k]).unwrap_or(corrected);
-        let stood = typical(&mask, true, |k| before[k].0)?;
+        // Rows that the change does not move say nothing of it, in the part or elsewhere.
+        let (of_part, of_change) = (&self.as_it_stands.pairs, &seen.pairs);
+        let moved: Vec<bool> = (0..mask.len())
+            .map(|k| mask[k] && (own || of_part[k] != of_change[k]))
+            .collect();
+        let corrected = typical(&moved, true, |k| after[k])?;
+        let others = typical(&moved, false, |k| after[k]).unwrap_or(corrected);
+        let stood = typical(&moved, true, |k| before[k].0)?;
         let alike = corrected <= ALIKE * others && stood >= ALIKE * corrected;
         trial.cost = self.cost(trial.change, &seen, trial.part);
         (alike && corrected.max(others) < self.plausible_mm()).then_some(trial)
