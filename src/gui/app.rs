@@ -223,13 +223,7 @@ impl App {
         let room = actions::layout(ui.ctx(), workbench);
         fixed(Panel::left("steps"), room.left, side(palette.surface))
             .show(ui, |ui| views::steps::show(ui, workbench, room));
-        if let Some(width) = room.samples {
-            fixed(Panel::right("samples"), width, side(palette.background))
-                .show(ui, |ui| views::results::samples(ui, workbench));
-        }
-        let results = |ui: &mut Ui| {
-            views::results::show(ui, workbench, room);
-        };
+        let results = |ui: &mut Ui| views::results::show(ui, workbench);
         if let Some(width) = room.right {
             fixed(Panel::right("results"), width, side(palette.background))
                 .show(ui, |ui| results(ui));

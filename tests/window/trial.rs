@@ -185,7 +185,7 @@ fn every_item_of_every_menu_comes_into_sight_in_a_small_window() {
         let whole = window.ctx.content_rect();
         for (menu, items) in [
             ("File", &["Save session as…", "Save model…", "Quit"][..]),
-            ("Edit", &["All commands…", "Preferences…"]),
+            ("Edit", &["Exclude samples", "Preferences…"]),
             ("View", &["Charts", "Reset zoom"]),
             ("Help", &["Glossary", "About truepose"]),
         ] {

@@ -1,4 +1,4 @@
-//! The samples as they are uploaded: where each was measured, how far off it was, under what conditions; and with
+//! The samples as they are uploaded: where each was measured and how far off it was; and with
 //! an answer what it leaves, and how sure its model is.
 //!
 //! Lengths are mm of the measuring frame, in single precision from the middle of the workspace:
@@ -15,15 +15,13 @@ use crate::fit::expected::uncertainties_mm;
 use crate::fit::problem::Problem;
 use crate::fit::ranges::{along_joint, over_the_ranges};
 use crate::model::Model;
-use crate::numeric::{extent, single};
-use crate::sessions::Samples;
+use crate::numeric::single;
 
 use crate::gui::core::answer::Answer;
 use crate::gui::core::loaded_session::LoadedSession;
 
-/// Measured point, deviation before, and load, temperature and time from 0 to 1, below 0 where
-/// there is none.
-pub(crate) type Place = [f32; 9];
+/// Measured point, and deviation before.
+pub(crate) type Place = [f32; 6];
 
 /// A row of the [`Remainder`].
 pub(crate) type RemainderRow = [f32; 5];
@@ -35,8 +33,6 @@ pub(crate) struct Cloud {
     pub(crate) samples: Vec<u32>,
     /// The middle of the workspace, mm of the measuring frame.
     pub(crate) centre_mm: [f64; 3],
-    /// Smallest and largest load (kg), temperature (°C) and time (s), where they differ.
-    pub(crate) conditions: [Option<[f64; 2]>; 3],
 }
 
 /// What an answer leaves of the deviations, mm, 1 where the sample is suspected, and the uncertainty of
@@ -64,20 +60,14 @@ impl Cloud {
             let middle = 0.5 * (low[k] + high[k]);
             if middle.is_finite() { middle } else { 0.0 }
         });
-        let columns = columns(&loaded_session.session.samples);
-        let conditions = columns.map(|column| column.and_then(|c| range(c, usable)));
         let place = |sample: &u32| {
             let sample = *sample as usize;
             let at = loaded_session.measured(sample);
             let before = loaded_session.deviation_before(sample);
-            let mut place = [-1.0; 9];
+            let mut place = [0.0; 6];
             for k in 0..3 {
                 place[k] = single(at[k] - centre_mm[k]);
                 place[3 + k] = single(before[k]);
-                if let (Some(column), Some([low, high])) = (columns[k], conditions[k]) {
-                    let part = (column[sample] - low) / (high - low);
-                    place[6 + k] = if part.is_finite() { single(part) } else { -1.0 };
-                }
             }
             place
         };
@@ -85,7 +75,6 @@ impl Cloud {
             places: samples.iter().map(place).collect(),
             samples,
             centre_mm,
-            conditions,
         }
     }
 
@@ -101,22 +90,6 @@ impl Cloud {
             rows: self.samples.iter().map(row).collect(),
         }
     }
-}
-
-/// Load, temperature and time.
-fn columns(samples: &Samples) -> [Option<&[f64]>; 3] {
-    [
-        samples.load_kg.as_deref(),
-        samples.temperature_c.as_deref(),
-        samples.time_s.as_deref(),
-    ]
-}
-
-/// Smallest and largest value, where there are two.
-fn range(column: &[f64], usable: &[u32]) -> Option<[f64; 2]> {
-    let values = usable.iter().map(|i| column[*i as usize]);
-    let [low, high] = extent(values);
-    (low < high && (high - low).is_finite()).then_some([low, high])
 }
 
 /// 0 … count in an order whose every beginning is spread evenly: multiples, modulo the count, of

@@ -83,7 +83,6 @@ fn shown(ui: &Ui, workbench: &Workbench, sheet: &mut Sheet) {
                 Sheet::Discard(typed) => unsaved::typed(ui, typed, workbench),
                 Sheet::Unsaved(then) => unsaved::losses(ui, workbench, then),
                 Sheet::Overwrite(path) => unsaved::overwrite(ui, path, workbench),
-                Sheet::Palette(typed) => help::palette(ui, workbench, typed),
                 Sheet::Import(foreign) => import::show(ui, workbench, foreign),
                 Sheet::Named(name) => match NAMED.iter().find(|(there, _)| there == name) {
                     Some((_, show)) => show(ui, workbench),

@@ -397,7 +397,7 @@ impl Target {
 mod tests {
     use std::sync::Arc;
 
-    use crate::gui::cache::cloud::{Cloud, Place};
+    use crate::gui::cache::cloud::{Cloud, Place, Remainder};
     use crate::gui::layers::tests::{as_parts, can_draw, drawn, frame, look, transform};
     use crate::gui::layers::{Frame, LayerOptions, scale_at};
     use crate::gui::style::LIGHT;
@@ -406,10 +406,12 @@ mod tests {
     use super::*;
 
     /// Two vectors along x at one place of the screen: where each is along the line of sight, mm, and
-    /// its load, which is its colour.
+    /// its uncertainty, which is its colour.
     fn middle(rows: [(f32, f32); 2], deep_mm: Option<f64>) -> [f64; 3] {
-        let place =
-            |(z, load): (f32, f32)| -> Place { [3.0, 0.0, z, 3.0, 0.0, 0.0, load, -1.0, -1.0] };
+        let place = |(z, _): (f32, f32)| -> Place { [3.0, 0.0, z, 3.0, 0.0, 0.0] };
+        let remainder = Arc::new(Remainder {
+            rows: rows.map(|(_, part)| [3.0, 0.0, 0.0, 0.0, part]).to_vec(),
+        });
         let cloud = Arc::new(Cloud {
             places: rows.map(place).to_vec(),
             samples: vec![0, 1],
@@ -417,12 +419,12 @@ mod tests {
         });
         let look = LayerOptions {
             deep_mm,
-            ..look(Colouring::Load, 0.0)
+            ..look(Colouring::Uncertainty, 0.0)
         };
         let picture = drawn(2.0, LIGHT.surface, move |_| {
             let layer = CloudLayer {
                 cloud: Arc::clone(&cloud),
-                remainder: None,
+                remainder: Some(Arc::clone(&remainder)),
                 frame: Frame::new(&look, &LIGHT, &transform(), 2.0),
                 counts: [2; 2],
                 ghosts: false,
@@ -438,9 +440,9 @@ mod tests {
         if !can_draw() {
             return;
         }
-        let color = |load: f32| as_parts(scale_at(Colouring::Load, &LIGHT, load));
-        let like = |seen: [f64; 3], load: f32| {
-            let expected = color(load);
+        let color = |part: f32| as_parts(scale_at(&LIGHT, part));
+        let like = |seen: [f64; 3], part: f32| {
+            let expected = color(part);
             assert!(
                 (0..3).all(|k| (seen[k] - expected[k]).abs() < 0.02),
                 "{seen:?} {expected:?}"

@@ -132,7 +132,7 @@ impl Frame {
         rows[15] = look.deep_mm.map_or([0.0; 4], |deep| {
             axis(look.facing.towards, 0.5 / deep.max(1e-9))
         });
-        for (row, stop) in rows[16..].iter_mut().zip(stops(look.colouring, palette)) {
+        for (row, stop) in rows[16..].iter_mut().zip(palette.scale) {
             *row = straight(stop, 1.0);
         }
         Self { rows }
@@ -157,7 +157,7 @@ pub(crate) fn heat_map(heat: &Heat, look: &LayerOptions, palette: &Palette) -> C
         let squared = (1.0 - t).powi(2) * bb + 2.0 * t * (1.0 - t) * ba + t * t * aa;
         let part = squared.max(0.0).sqrt() / single(look.long_mm.max(1e-12));
         // The map is of lengths, whatever the colour of vectors says.
-        scale_at(Colouring::Deviation, palette, part).gamma_multiply(HEAT * opacity)
+        scale_at(palette, part).gamma_multiply(HEAT * opacity)
     };
     let rows = heat.cells.chunks(heat.size[0]).rev();
     ColorImage::new(heat.size, rows.flatten().map(|cell| pixel(*cell)).collect())
@@ -181,38 +181,18 @@ fn viewport(frame: Rect, pixels: f32) -> Rect {
     Rect::from_min_max(corner(frame.min), corner(frame.max))
 }
 
-/// The scale that goes with what colour says.
-fn stops(colouring: Colouring, palette: &Palette) -> [Color32; STOPS] {
-    match colouring {
-        Colouring::Direction => palette.cycle,
-        _ => palette.scale,
-    }
-}
-
-/// A colour of a scale, at 0 to 1; the circle of directions begins again at 1.
-pub(crate) fn scale_at(colouring: Colouring, palette: &Palette, part: f32) -> Color32 {
-    let stops = stops(colouring, palette);
-    let around = colouring == Colouring::Direction;
-    let steps = if around { STOPS } else { STOPS - 1 };
-    let place = if around {
-        part.rem_euclid(1.0)
-    } else {
-        part.clamp(0.0, 1.0)
-    } * steps as f32;
-    let first = crate::numeric::whole(f64::from(place)).min(steps - 1);
-    let next = (first + 1) % STOPS;
-    stops[first].lerp_to_gamma(stops[next], place - first as f32)
+/// A colour of the scale, at 0 to 1.
+pub(crate) fn scale_at(palette: &Palette, part: f32) -> Color32 {
+    let place = part.clamp(0.0, 1.0) * (STOPS - 1) as f32;
+    let first = crate::numeric::whole(f64::from(place)).min(STOPS - 2);
+    palette.scale[first].lerp_to_gamma(palette.scale[first + 1], place - first as f32)
 }
 
 fn mode(colouring: Colouring) -> f32 {
     match colouring {
         Colouring::State => 0.0,
         Colouring::Deviation => 1.0,
-        Colouring::Direction => 2.0,
-        Colouring::Load => 3.0,
-        Colouring::Temperature => 4.0,
-        Colouring::Time => 5.0,
-        Colouring::Uncertainty => 6.0,
+        Colouring::Uncertainty => 2.0,
     }
 }
 
@@ -245,10 +225,10 @@ fn pipeline_layout(
 
 /// A [`Place`] and a row of a [`Remainder`], one of each for each instance.
 fn columns() -> [Option<wgpu::VertexBufferLayout<'static>>; 2] {
-    const PLACE: [wgpu::VertexAttribute; 3] =
-        wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3, 2 => Float32x3];
+    const PLACE: [wgpu::VertexAttribute; 2] =
+        wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3];
     const REMAINS: [wgpu::VertexAttribute; 3] =
-        wgpu::vertex_attr_array![3 => Float32x3, 4 => Float32, 5 => Float32];
+        wgpu::vertex_attr_array![2 => Float32x3, 3 => Float32, 4 => Float32];
     let layout = |stride: usize, attributes| wgpu::VertexBufferLayout {
         array_stride: stride as u64,
         step_mode: wgpu::VertexStepMode::Instance,
@@ -410,13 +390,9 @@ mod frames {
     }
 
     #[test]
-    fn a_scale_goes_through_its_colours_and_directions_go_around() {
-        let sequence = |part| scale_at(Colouring::Deviation, &LIGHT, part);
+    fn a_scale_goes_through_its_colours() {
+        let sequence = |part| scale_at(&LIGHT, part);
         assert_eq!(sequence(-1.0), LIGHT.scale[0]);
         assert_eq!(sequence(2.0), LIGHT.scale[STOPS - 1]);
-        let around = |part| scale_at(Colouring::Direction, &LIGHT, part);
-        assert_eq!(around(0.0), LIGHT.cycle[0]);
-        assert_eq!(around(1.0), LIGHT.cycle[0]);
-        assert_eq!(around(0.5), LIGHT.cycle[STOPS / 2]);
     }
 }

@@ -3,7 +3,7 @@
 //! Sizes are points, so that a larger size of text is a smaller window. The sides grow moderately
 //! with it; the plots get the rest, and are never narrower than [`MIDDLE`]: where there is no room
 //! for the results beside them the results are shut, and when they are opened they take the
-//! plots' place. Where there is more room than results need the samples stand beside them.
+//! plots' place.
 
 /// The narrowest that plots are, points.
 pub(crate) const MIDDLE: f32 = 380.0;
@@ -15,8 +15,6 @@ const LEFT: f32 = 260.0;
 const WIDEST: f32 = 720.0;
 /// From this width on results stand beside the plots unless they are shut, points.
 const BESIDE: f32 = 980.0;
-/// From this width on the samples stand beside the results, points.
-const SAMPLES_TOO: f32 = 2400.0;
 /// Below this height the list of steps has one line for each, points.
 const LOW: f32 = 640.0;
 
@@ -26,8 +24,6 @@ pub(crate) struct Layout {
     pub(crate) left: f32,
     /// Width of the results, where they stand beside the plots.
     pub(crate) right: Option<f32>,
-    /// Width of the samples, where they stand beside the results.
-    pub(crate) samples: Option<f32>,
     /// Whether the results take the place of the plots.
     pub(crate) instead: bool,
     /// Whether the steps have one line each.
@@ -79,7 +75,6 @@ impl Layout {
         Self {
             left,
             right: (open && beside).then_some(right),
-            samples: (open && width >= SAMPLES_TOO).then_some(SAMPLES),
             instead: open && !beside,
             low: height < LOW,
         }
@@ -90,9 +85,6 @@ impl Layout {
         self.right.is_some() || self.instead
     }
 }
-
-/// Width of the samples where they have a place of their own, points.
-const SAMPLES: f32 = 360.0;
 
 /// Between these points it is linear, outside it is what it is at the end.
 fn along(x: f32, points: [(f32, f32); 5]) -> f32 {
@@ -121,8 +113,7 @@ mod tests {
                 room.left >= last.left && room.right >= last.right,
                 "{width}"
             );
-            let beside = room.right.unwrap_or(0.0) + room.samples.unwrap_or(0.0);
-            let middle = width - room.left - beside;
+            let middle = width - room.left - room.right.unwrap_or(0.0);
             assert!(
                 room.instead || width < 700.0 || middle >= MIDDLE,
                 "{width}: {middle}"

@@ -78,9 +78,6 @@ pub(crate) struct Palette {
     pub(crate) shadow: Color32,
     /// From little to much, away from the surface: lightness alone tells the order.
     pub(crate) scale: [Color32; STOPS],
-    /// Around the circle, from the right over up: opposite directions differ in blue and orange,
-    /// or in lightness, which everybody sees.
-    pub(crate) cycle: [Color32; STOPS],
 }
 
 /// Colours of a scale; between them it is linear.
@@ -125,9 +122,6 @@ pub(crate) const LIGHT: Palette = Palette {
     scale: scale([
         0xDDC04E, 0xB9B551, 0x91A85F, 0x669A6E, 0x40887A, 0x2A7082, 0x2A547E, 0x2F3670,
     ]),
-    cycle: scale([
-        0x1B62B5, 0x2A4878, 0x33333D, 0x7C4D22, 0xC46A0C, 0xC59160, 0xBFB8AB, 0x6F8EB2,
-    ]),
 };
 
 /// For a dim one.
@@ -153,9 +147,6 @@ pub(crate) const DARK: Palette = Palette {
     shadow: Color32::from_black_alpha(120),
     scale: scale([
         0x4C5BA6, 0x4373B0, 0x408AB0, 0x4C9FA4, 0x68B295, 0x93C284, 0xC4D077, 0xF6DE72,
-    ]),
-    cycle: scale([
-        0x4E9CF0, 0x9CC3EC, 0xEDEBE4, 0xF0C392, 0xEF9435, 0xAE8152, 0x6B6B78, 0x5B84B6,
     ]),
 };
 
@@ -361,7 +352,7 @@ mod tests {
 
     use egui::Color32;
 
-    use super::{DARK, LIGHT, Palette, STOPS};
+    use super::{DARK, LIGHT, Palette};
     use crate::gui::style::testing::{ColourVision, colour_distance, contrast, lightness};
 
     const THEMES: [(&str, Palette); 2] = [("light", LIGHT), ("dark", DARK)];
@@ -464,18 +455,6 @@ mod tests {
             assert!(from_surface[0] >= 1.7, "{theme}: {from_surface:?}");
             for pair in from_surface.windows(2) {
                 assert!(pair[1] > 1.08 * pair[0], "{theme}: {from_surface:?}");
-            }
-        }
-    }
-
-    #[test]
-    fn opposite_directions_stay_apart_for_everybody() {
-        for (theme, p) in THEMES {
-            for sight in ColourVision::ALL {
-                for k in 0..STOPS / 2 {
-                    let found = colour_distance(p.cycle[k], p.cycle[k + STOPS / 2], sight);
-                    assert!(found > 20.0, "{theme}, {k}, {sight:?}: {found:.1}");
-                }
             }
         }
     }

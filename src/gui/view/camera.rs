@@ -352,33 +352,11 @@ named! {
         State = say!("before and after"),
         /// The deviation's length.
         Deviation = say!("deviation"),
-        /// Where it points to.
-        Direction = say!("direction"),
         /// One standard uncertainty of what the model predicts.
         Uncertainty = say!("uncertainty (1σ)"),
-        Load = say!("load"),
-        Temperature = say!("temperature"),
-        Time = say!("time"),
     }
     pub(crate) fn name;
     pub(crate) const ALL;
-}
-
-impl Colouring {
-    /// Whether the width of a vector says the same as its colour.
-    pub(crate) fn by_width(self) -> bool {
-        self.condition().is_some() || self == Self::Uncertainty
-    }
-
-    /// The condition that it shows, in the order of [`crate::gui::cache::cloud::Cloud`].
-    pub(crate) fn condition(self) -> Option<usize> {
-        match self {
-            Self::Load => Some(0),
-            Self::Temperature => Some(1),
-            Self::Time => Some(2),
-            Self::State | Self::Deviation | Self::Direction | Self::Uncertainty => None,
-        }
-    }
 }
 
 #[cfg(test)]

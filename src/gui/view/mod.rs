@@ -87,8 +87,6 @@ pub(crate) struct ViewState {
     pub(crate) aspect: Aspect,
     /// From where the space is looked at.
     pub(crate) camera: Camera,
-    /// The joint values that the robot was posed at by hand, rad or mm; `None`: those of a sample.
-    pub(crate) pose: Option<Vec<f64>>,
     /// How much longer than real error vectors are drawn; `None`: so that they are readable.
     pub(crate) magnification: Option<f64>,
     /// The workspace is drawn over so many points where all of it is in sight.
@@ -160,14 +158,12 @@ impl ViewState {
 
     pub(crate) fn select(&mut self, sample: Option<usize>) {
         self.selected = sample;
-        self.pose = None;
         self.marked.clear();
     }
 
     /// Chooses these samples: a finding is about them.
     pub(crate) fn mark(&mut self, samples: Vec<usize>) {
         self.selected = samples.first().copied();
-        self.pose = None;
         self.marked = samples;
         self.side = Side::Samples;
     }
@@ -183,14 +179,12 @@ impl ViewState {
         self.camera = self.camera.fitted();
     }
 
-    /// Leaves out what a session of so many samples and joints does not have.
-    pub(crate) fn stay_within(&mut self, samples: usize, joints: usize) {
+    /// Leaves out what a session of so many samples does not have.
+    pub(crate) fn stay_within(&mut self, samples: usize) {
         let there = |sample: &usize| *sample < samples;
         self.hovered = self.hovered.filter(there);
         self.selected = self.selected.filter(there);
         self.marked.retain(there);
-        let a_pose = |q: &Vec<f64>| q.len() == joints && q.iter().all(|v| v.is_finite());
-        self.pose = self.pose.take().filter(a_pose);
     }
 
     /// The samples that are chosen.
@@ -262,8 +256,6 @@ pub(crate) enum Sheet {
     Overwrite(PathBuf),
     /// A file that an instrument wrote.
     Import(Box<ImportDraft>),
-    /// All that can be done, by a word of its name.
-    Palette(PaletteInput),
     /// One that keeps nothing of its own: its file in `dialogs`.
     Named(&'static str),
 }
@@ -316,18 +308,10 @@ impl Sheet {
     /// not close it; Escape and *Cancel* do.
     pub(crate) fn holds_entries(&self) -> bool {
         match self {
-            Self::Palette(_) => false,
             Self::Named(name) => ["compensation", "details", "recovery"].contains(name),
             _ => true,
         }
     }
-}
-
-/// What was typed, and which of the actions that fit is chosen.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub(crate) struct PaletteInput {
-    pub(crate) text: String,
-    pub(crate) chosen: usize,
 }
 
 /// What is done next, when nothing is in the way any more.

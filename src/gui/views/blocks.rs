@@ -3,7 +3,6 @@
 //! effects and parameters, problems of the data with what mends them, and what no name explains.
 
 use std::fmt::Debug;
-use std::hash::Hash;
 
 use egui::{Color32, Grid, Response, RichText, TextStyle, TextWrapMode, Ui, WidgetText};
 
@@ -110,21 +109,6 @@ fn table(ui: &mut Ui, index: usize, table: &Table) {
     // As wide as the panel, so that tables below each other have their last columns below each other.
     let gaps = table.columns.len().saturating_sub(1).max(1);
     let apart = apart + (spare / gaps as f32).floor();
-    let color = Palette::of(ui).text;
-    let id = ("table of an answer", index);
-    grid(ui, id, table, (letters, apart), |_| color, |_, _| ());
-}
-
-/// The same with letters of this size and its columns so far apart, each cell in its colour; `about` hears of the first
-/// cell of each row.
-pub(crate) fn grid(
-    ui: &mut Ui,
-    id: impl Hash + Debug,
-    table: &Table,
-    (letters, apart): (f32, f32),
-    color: impl Fn(&str) -> Color32,
-    about: impl Fn(usize, Response),
-) {
     let muted = Palette::of(ui).muted;
     let aligned = |ui: &mut Ui, column: &Column, text: RichText| {
         if column.right {
@@ -133,20 +117,17 @@ pub(crate) fn grid(
             ui.label(text)
         }
     };
-    let grid = Grid::new(id).spacing([apart, 4.0]);
+    let grid = Grid::new(("table of an answer", index)).spacing([apart, 4.0]);
     grid.min_col_width(0.0).show(ui, |ui| {
         for column in &table.columns {
             let heading = RichText::new(&column.heading).size(size::SMALL);
             aligned(ui, column, heading.color(muted));
         }
         ui.end_row();
-        for (k, row) in table.rows.iter().enumerate() {
-            for (place, (cell, column)) in row.iter().zip(&table.columns).enumerate() {
+        for row in &table.rows {
+            for (cell, column) in row.iter().zip(&table.columns) {
                 let text = RichText::new(with_minus_signs(&cell.shown)).size(letters);
-                let cell = aligned(ui, column, text.color(color(&cell.shown)));
-                if place == 0 {
-                    about(k, cell);
-                }
+                aligned(ui, column, text);
             }
             ui.end_row();
         }
@@ -154,7 +135,7 @@ pub(crate) fn grid(
 }
 
 /// How much room a table takes without a line that breaks, points.
-pub(super) fn width_of(ui: &Ui, table: &Table, letters: f32, apart: f32) -> f32 {
+fn width_of(ui: &Ui, table: &Table, letters: f32, apart: f32) -> f32 {
     let width = |text: &str, letters: f32| {
         let text = WidgetText::from(RichText::new(text).size(letters));
         let galley = text.into_galley(

@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use egui::{Button, Id, Popup, PopupKind, RichText, Ui, vec2};
 
-use crate::diagnosis::{Detectability, Diagnosis, NextPose};
+use crate::diagnosis::{Detectability, Diagnosis};
 use crate::effects::find;
 use crate::fit::{Estimate, RegionResult};
 use crate::gui::charts::About;
@@ -13,7 +13,6 @@ use crate::gui::style::{size, space};
 use crate::gui::view::Key;
 use crate::gui::widgets::{self, Does};
 use crate::gui::workbench::Workbench;
-use crate::kinematics::Robot;
 use crate::present::limits::sight;
 use crate::present::names::parameter_in_english as parameter;
 use crate::present::table::{Cell, Table};
@@ -168,37 +167,6 @@ pub(super) fn limits(d: &Diagnosis) -> String {
             let effect = Cell::from(title(limit.effect));
             table.row([effect, joint.into(), name.into(), size.into(), unit.into()]);
         }
-    }
-    table.tabbed()
-}
-
-/// The poses to measure next, with everything that the measuring list holds.
-pub(super) fn poses(poses: &[NextPose], robot: &Robot) -> String {
-    let joints = || robot.joints.iter().enumerate();
-    let mut heads: Vec<String> = joints()
-        .map(|(j, joint)| format!("q{}, {}", j + 1, joint.kind.unit()))
-        .collect();
-    heads.extend(joints().map(|(j, _)| format!("from, joint {}", j + 1)));
-    heads.extend(joints().map(|(j, joint)| format!("speed{}, {}/s", j + 1, joint.kind.unit())));
-    let others = "load, kg | temperature, °C | reflector | x, mm | y, mm | z, mm | why";
-    heads.extend(others.split(" | ").map(str::to_owned));
-    let mut table = Table::new(heads);
-    for pose in poses {
-        let outer = |(j, value): (usize, &f64)| Cell::from(robot.joints[j].kind.to_display(*value));
-        let mut cells: Vec<Cell> = pose.q.iter().enumerate().map(outer).collect();
-        cells.extend(pose.dir.iter().map(|dir| Cell::from(*dir)));
-        match &pose.speed {
-            Some(speed) => cells.extend(speed.iter().enumerate().map(outer)),
-            None => cells.extend(joints().map(|_| Cell::default())),
-        }
-        cells.extend([
-            pose.load_kg.into(),
-            pose.temperature_c.into(),
-            pose.target.as_deref().into(),
-        ]);
-        cells.extend((0..3).map(|axis| Cell::from(pose.target_mm.map(|at| at[axis]))));
-        cells.push(pose.why.to_string().into());
-        table.rows.push(cells);
     }
     table.tabbed()
 }

@@ -4,12 +4,9 @@
 
 use std::borrow::Cow;
 
-use egui::{
-    CursorIcon, Label, Rect, Response, RichText, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2,
-    vec2,
-};
+use egui::{CursorIcon, Rect, RichText, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2};
 
-use crate::diagnosis::{Diagnosis, NextPose, Verdict};
+use crate::diagnosis::{Diagnosis, Verdict};
 use crate::effects::Term;
 use crate::explain::{Block, Detail, Section, Topic, found_effect};
 use crate::fit::Estimate;
@@ -27,8 +24,6 @@ use crate::gui::workbench::Workbench;
 use crate::kinematics::JointKind;
 use crate::present::names::{parameter, title_of};
 use crate::present::numbers::{significant, with_minus_signs};
-use crate::present::poses::{new_reflectors, table};
-use crate::present::table::Cell;
 
 pub(super) fn show(ui: &mut Ui, workbench: &Workbench) {
     widgets::heading(ui, say!("Diagnosis"));
@@ -104,7 +99,6 @@ fn all(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis) {
                 widgets::card(ui, |ui| {
                     heading(ui, section, d);
                     match section.topic {
-                        Topic::NextPoses => next_poses(ui, workbench, &d.next_poses),
                         Topic::Found(k) => effect_card(ui, workbench, (d, k, section)),
                         _ => blocks::show(ui, &section.blocks),
                     }
@@ -149,6 +143,11 @@ fn buttons(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis, section: &Section)
     match section.topic {
         Topic::DataProblem(index) => blocks::of_problem(ui, &d.data_problems[index], workbench),
         Topic::Unnamed => blocks::unexplained(ui, workbench, d),
+        Topic::NextPoses => {
+            widgets::secondary(ui, say!("Save measuring list…")).does(workbench, move |bench| {
+                bench.choose_where_to_export(What::Poses);
+            });
+        }
         _ => {}
     }
 }
@@ -243,62 +242,6 @@ fn one(ui: &mut Ui, workbench: &Workbench, term: &Term, d: &Diagnosis) {
         widgets::fact(ui, &name, with_minus_signs(&says));
     }
 }
-
-fn next_poses(ui: &mut Ui, workbench: &Workbench, poses: &[NextPose]) {
-    const MOST: usize = 24;
-    let robot = &workbench.loaded_session().session.robot;
-    let mut table = table(poses, robot);
-    table.rows.truncate(MOST);
-    // Why stands under the pointer; a column that holds nothing is left out.
-    table.columns.pop();
-    let why: Vec<Cell> = table.rows.iter_mut().filter_map(Vec::pop).collect();
-    for k in (0..table.columns.len()).rev() {
-        if table.rows.iter().all(|row| row[k].shown.is_empty()) {
-            table.columns.remove(k);
-            for row in &mut table.rows {
-                row.remove(k);
-            }
-        }
-    }
-    let about = |row: usize, pose: Response| {
-        pose.on_hover_text(&why[row].shown);
-    };
-    if blocks::width_of(ui, &table, size::BODY, APART) <= ui.available_width() {
-        let color = Palette::of(ui).text;
-        let look = (size::BODY, APART);
-        blocks::grid(ui, "next poses", &table, look, |_| color, about);
-    } else {
-        // The values of all joints on as many lines as they need, and the rest in small below them.
-        for (k, row) in table.rows.iter().enumerate() {
-            about(k, ui.add(Label::new(&row[0].shown).wrap()));
-            let rest = row.iter().zip(&table.columns).skip(1);
-            let rest = rest.filter(|(cell, _)| !cell.shown.is_empty());
-            let rest = rest.map(|(cell, column)| format!("{} {}", column.heading, cell.shown));
-            widgets::hint(ui, rest.collect::<Vec<_>>().join(", "));
-        }
-    }
-    for line in new_reflectors(poses) {
-        widgets::hint(ui, line);
-    }
-    let shown = &poses[..poses.len().min(MOST)];
-    if (1..shown.len()).any(|k| shown[..k].iter().any(|earlier| shown[k].repeats(earlier))) {
-        let says = say!(
-            "Second time: the same pose again, after another one, as once is not enough over the noise"
-        );
-        widgets::hint(ui, says);
-    }
-    if poses.len() > MOST {
-        let more = poses.len() - MOST;
-        widgets::hint(ui, say!("and {more} more, in the measuring list", more));
-    }
-    copies::button(ui, say!("poses"), || copies::poses(poses, robot));
-    widgets::secondary(ui, say!("Save measuring list…")).does(workbench, move |bench| {
-        bench.choose_where_to_export(What::Poses);
-    });
-}
-
-/// Between two columns of poses, points.
-const APART: f32 = 14.0;
 
 /// What stands below its title.
 fn effect_card(

@@ -6,7 +6,6 @@ use crate::compensation::decision::Outcome as Conformity;
 use crate::explain::{Detail, Topic, remarks_on_fit};
 use crate::fit::{Gap, RegionResult};
 use crate::gui::core::answer::{self, Answer};
-use crate::gui::style::layout::Layout;
 use crate::gui::style::{Palette, size, space, strong};
 use crate::gui::view::{Side, Step};
 use crate::gui::views::blocks::{self, Title};
@@ -18,14 +17,8 @@ use crate::present::decision;
 use crate::present::numbers::{grouped, trimmed, with_minus_signs};
 use crate::units::deg_from_rad;
 
-pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, room: Layout) {
-    // Samples that stand beside the results are not shown in their place as well.
-    let alone = room.samples.is_none();
-    let side = if alone {
-        workbench.view.side
-    } else {
-        Side::Results
-    };
+pub(crate) fn show(ui: &mut Ui, workbench: &Workbench) {
+    let side = workbench.view.side;
     if workbench.view.step == Step::Export {
         widgets::heading(ui, say!("Export"));
         ui.add_space(space::TIGHT);
@@ -43,13 +36,8 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, room: Layout) {
         // Where there is no room for both, what is chosen says where one is.
         let title = say!("Results");
         let of_title = widgets::width_of(ui, title, strong(size::HEADING)) + space::ROW;
-        let titled =
-            !alone || of_title + widgets::width_of_segments(ui, &sides) <= ui.available_width();
-        if titled {
+        if of_title + widgets::width_of_segments(ui, &sides) <= ui.available_width() {
             widgets::heading(ui, title);
-        }
-        if !alone {
-            return;
         }
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             if let Some(side) = widgets::segmented(ui, &sides, side) {
@@ -64,13 +52,6 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, room: Layout) {
             widgets::scroll(ui, "results", |ui| summary(ui, workbench));
         }
     }
-}
-
-/// Shows the samples, where they have a place of their own.
-pub(crate) fn samples(ui: &mut Ui, workbench: &Workbench) {
-    widgets::heading(ui, say!("Samples"));
-    ui.add_space(space::TIGHT);
-    samples::show(ui, workbench);
 }
 
 fn summary(ui: &mut Ui, workbench: &Workbench) {

@@ -261,7 +261,7 @@ impl Workbench {
         then: impl FnOnce(&mut Self, Option<PathBuf>) + Send + 'static,
     ) {
         let near = self.file().map(Path::to_path_buf);
-        let near = near.or_else(|| Some(self.recent().next()?.0.to_path_buf()));
+        let near = near.or_else(|| Some(self.recent().next()?.clone()));
         self.choose(what, move || ask(near.as_deref()), then);
     }
 

@@ -258,9 +258,7 @@ impl Workbench {
             // Another robot has no regions.
             self.view.step = Step::Identify;
         }
-        let session = &self.loaded_session().session;
-        let (samples, joints) = (session.samples.len(), session.robot.joint_count());
-        self.view.stay_within(samples, joints);
+        self.view.stay_within(self.loaded_session().len());
         self.stop_search_of_others();
         self.refresh_answer();
         self.keep_preparing();
@@ -441,7 +439,6 @@ impl Workbench {
             Aspect::Plane
         };
         self.view.camera = Camera::default();
-        self.view.pose = None;
         let steepest = (0..3).max_by(|a, b| along[*a].abs().total_cmp(&along[*b].abs()));
         self.view.plane = Plane::ALL
             .into_iter()

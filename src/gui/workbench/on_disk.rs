@@ -7,7 +7,7 @@ use crate::gui::charts::find;
 use crate::gui::core::disk::{FileChange, Fingerprint};
 use crate::gui::core::loaded_session::Origin;
 use crate::gui::file_state::recovery::{LeftBehind, RecoveryFile};
-use crate::gui::file_state::{self, Recent, Settings};
+use crate::gui::file_state::{self, Settings};
 use crate::gui::files;
 use crate::gui::jobs::{Kind, Watch};
 use crate::gui::view::{OnDisk, Sheet, What};
@@ -54,11 +54,10 @@ impl Workbench {
         }
     }
 
-    /// Recent files, newest first, and whether each is there.
-    pub(crate) fn recent(&self) -> impl Iterator<Item = (&Path, bool)> {
-        let missing = |path: &PathBuf| self.file_state.missing.contains(path);
-        let recent = self.file_state.recent.iter();
-        recent.map(move |path| (path.as_path(), !missing(path)))
+    /// Recent files that are there, newest first.
+    pub(crate) fn recent(&self) -> impl Iterator<Item = &PathBuf> {
+        let there = |path: &&PathBuf| !self.file_state.missing.contains(path);
+        self.file_state.recent.iter().filter(there)
     }
 
     /// What a window that is gone has left behind.
@@ -136,7 +135,7 @@ impl Workbench {
                 };
                 self.file_state.places.insert(loaded_session.lineage, place);
                 let path = path.clone();
-                self.use_recent(Recent::Used(path));
+                self.use_recent(path);
                 self.remember_on_file(Arc::clone(self.history.present()));
             }
             Origin::Bundled | Origin::Model(_) => {
@@ -167,16 +166,13 @@ impl Workbench {
         self.view.on_disk = None;
     }
 
-    /// Keeps a change of the recent files.
-    pub(crate) fn use_recent(&mut self, recent: Recent) {
+    /// This file was opened or saved.
+    pub(crate) fn use_recent(&mut self, path: PathBuf) {
         // Seen from another folder tomorrow, it has to be the same file.
-        let recent = match recent {
-            Recent::Used(path) => Recent::Used(std::path::absolute(&path).unwrap_or(path)),
-            forgotten @ Recent::Forgotten(_) => forgotten,
-        };
-        recent.apply(&mut self.file_state.recent);
+        let path = std::path::absolute(&path).unwrap_or(path);
+        file_state::use_recent(&mut self.file_state.recent, path.clone());
         self.look_at_disk();
-        self.keep(move |kept| recent.apply(&mut kept.recent));
+        self.keep(move |kept| file_state::use_recent(&mut kept.recent, path));
     }
 
     /// Reads the session's file again. Undo brings back what was here.

@@ -6,7 +6,6 @@ use std::sync::Arc;
 
 use crate::gui::core::document::Document;
 use crate::gui::core::loaded_session::{LoadedSession, Origin};
-use crate::gui::file_state::Recent;
 use crate::gui::file_state::recovery::{self, LeftBehind, SavedDocument};
 use crate::gui::files::{self, NotSaved, Opened, Replace, Saved};
 use crate::gui::jobs::{Kind, Running, Watch};
@@ -256,7 +255,7 @@ impl Workbench {
                     );
                 }
                 self.view.message = Some(Message::saved(&path, details));
-                self.use_recent(Recent::Used(path));
+                self.use_recent(path);
                 self.resume();
             }
         }

@@ -38,7 +38,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench) {
     );
     ui.data_mut(|data| data.insert_temp(picture_id(), (seen, pass)));
     if workbench.view.in_space() {
-        space::show(ui, workbench, toolbar::posing(ui));
+        space::show(ui, workbench);
     } else {
         plane(ui, workbench);
     }

@@ -272,12 +272,8 @@ fn colour_end_mm(workbench: &Workbench, magnification: f64) -> f64 {
 /// What colour can say of a session: a condition only where it changes, the uncertainty of a model
 /// only where there is one that says it.
 pub(crate) fn offers(workbench: &Workbench, colouring: Colouring) -> bool {
-    if colouring == Colouring::Uncertainty {
-        return workbench.answer().is_some_and(Uncertain::is_known);
-    }
-    let cloud = Cloud::of(workbench.loaded_session());
-    let known = |k: usize| cloud.conditions[k].is_some();
-    colouring.condition().is_none_or(known)
+    let known = || workbench.answer().is_some_and(Uncertain::is_known);
+    colouring != Colouring::Uncertainty || known()
 }
 
 /// What colour says now.
@@ -296,24 +292,12 @@ fn offered(workbench: &Workbench, colouring: Colouring) -> Colouring {
     reason = "a part of a scale needs no more"
 )]
 fn describe(workbench: &Workbench, look: &LayerOptions, sample: usize, e: [f64; 3]) -> Option<f32> {
-    let loaded_session = workbench.loaded_session();
     let part = match look.colouring {
         Colouring::State => return None,
         Colouring::Deviation => e.iter().map(|v| v * v).sum::<f64>().sqrt() / look.long_mm,
-        Colouring::Direction => {
-            let [right, up] = look.facing.flat(e);
-            up.atan2(right) / (2.0 * std::f64::consts::PI)
-        }
         Colouring::Uncertainty => {
             let uncertain = workbench.uncertain()?;
             uncertain.mm[sample] / uncertain.most_mm
-        }
-        Colouring::Load | Colouring::Temperature | Colouring::Time => {
-            let condition = look.colouring.condition()?;
-            let samples = &loaded_session.session.samples;
-            let columns = [&samples.load_kg, &samples.temperature_c, &samples.time_s];
-            let [low, high] = Cloud::of(loaded_session).conditions[condition]?;
-            (columns[condition].as_ref()?[sample] - low) / (high - low)
         }
     };
     part.is_finite().then_some(part as f32)

@@ -147,11 +147,7 @@ const GAP: f32 = 26.0;
 /// What is said of a sample, beside the pointer.
 fn card(response: &Response, workbench: &Workbench, sample: usize) {
     let chosen = workbench.view.selected == Some(sample);
-    let said = if chosen {
-        about(workbench, sample)
-    } else {
-        brief(workbench, sample)
-    };
+    let said = about(workbench, sample, chosen);
     let id = Id::unique("sample card");
     let ctx = response.ctx.clone();
     let tip = Tooltip::always_open(ctx, response.layer_id, id, PopupAnchor::Pointer);
@@ -177,74 +173,33 @@ fn spoken(title: &str, lines: &[Line]) -> String {
 /// One line of what is said about a sample: what, and how much.
 type Line = (String, String);
 
-/// What matters most of a sample.
-fn brief(workbench: &Workbench, sample: usize) -> (String, Vec<Line>) {
+/// What is said about a sample: all of it, or what matters most.
+fn about(workbench: &Workbench, sample: usize, all: bool) -> (String, Vec<Line>) {
     const MOST: usize = 3;
-    let loaded_session = &**workbench.loaded_session();
-    let (title, all) = about(workbench, sample);
-    let joints = loaded_session.session.robot.joints.len();
-    let mut lines: Vec<Line> = Vec::new();
-    if joints > MOST {
-        let values = all.iter().take(joints).map(|(_, value)| value.as_str());
-        let mut values: Vec<&str> = values.take(6).collect();
-        if joints > values.len() {
-            values.push("…");
-        }
-        lines.push((say!("joints").to_owned(), values.join(", ")));
-    } else {
-        lines.extend(all.iter().take(joints).cloned());
-    }
-    let colour = workbench.view.colouring;
-    let component = workbench.view.component;
-    let matters = |name: &str| {
-        [
-            say!("excluded"),
-            say!("deviation"),
-            say!("before"),
-            say!("after"),
-            say!("tolerance"),
-        ]
-        .contains(&name)
-            || name == colour.name()
-            || name == component.name()
-    };
-    let rest = all.into_iter().skip(joints);
-    lines.extend(rest.filter(|(name, _)| matters(name)));
-    // Before and after are one line where both are there.
-    if let Some(k) = lines.iter().position(|(name, _)| name == say!("before"))
-        && lines
-            .get(k + 1)
-            .is_some_and(|(name, _)| name == say!("after"))
-    {
-        let after = lines.remove(k + 1).1;
-        let before = lines[k].1.trim_end_matches(char::is_alphabetic).trim_end();
-        lines[k] = (
-            say!("before → after").to_owned(),
-            format!("{before} → {after}"),
-        );
-    }
-    (title, lines)
-}
-
-/// What is said about a sample.
-fn about(workbench: &Workbench, sample: usize) -> (String, Vec<Line>) {
     let loaded_session = &**workbench.loaded_session();
     let units = workbench.units();
     let title = say!("sample {sample}", sample = sample + 1);
     let mut lines = Vec::new();
     let joints = &loaded_session.session.robot.joints;
-    for (joint, q) in joints.iter().zip(&loaded_session.session.samples.q) {
-        lines.push((
-            joint.name.clone(),
-            joint_value(units, joint.kind, q[sample]),
-        ));
+    let joints = joints.iter().zip(&loaded_session.session.samples.q);
+    let joints = joints.map(|(joint, q)| {
+        let value = joint_value(units, joint.kind, q[sample]);
+        (joint.name.clone(), value)
+    });
+    if all || joints.len() <= MOST {
+        lines.extend(joints);
+    } else {
+        let values: Vec<String> = joints.map(|(_, value)| value).collect();
+        lines.push((say!("joints").to_owned(), values.join(", ")));
     }
-    let came = match loaded_session.side(sample) {
-        s if s > 0.0 => say!("approach +"),
-        s if s < 0.0 => say!("approach −"),
-        _ => say!("not known"),
-    };
-    lines.push((say!("approached").to_owned(), came.to_owned()));
+    if all {
+        let came = match loaded_session.side(sample) {
+            s if s > 0.0 => say!("approach +"),
+            s if s < 0.0 => say!("approach −"),
+            _ => say!("not known"),
+        };
+        lines.push((say!("approached").to_owned(), came.to_owned()));
+    }
     if !loaded_session.usable[sample] {
         lines.push((
             say!("excluded").to_owned(),
@@ -267,29 +222,32 @@ fn about(workbench: &Workbench, sample: usize) -> (String, Vec<Line>) {
         lines.push((Colouring::Uncertainty.name().to_owned(), units.length(u)));
     }
     for component in [Component::Tangential, Component::Radial, Component::Axial] {
-        if component.out_of_plane() && loaded_session.session.samples.z_mm.is_none() {
+        let measured = !component.out_of_plane() || loaded_session.session.samples.z_mm.is_some();
+        if !measured || !all && component != workbench.view.component {
             continue;
         }
         let value = loaded_session.component(shown, sample, component);
         lines.push((component.name().to_owned(), units.length(value)));
     }
-    let samples = &loaded_session.session.samples;
-    let conditions = [
-        (say!("load"), &samples.load_kg, "kg"),
-        (say!("temperature"), &samples.temperature_c, "°C"),
-        (say!("time"), &samples.time_s, "s"),
-    ];
-    for (name, column, unit) in conditions {
-        if let Some(value) = column.as_ref().map(|c| c[sample]).filter(|v| v.is_finite()) {
-            lines.push((name.to_owned(), format!("{} {unit}", trimmed(value, 2))));
+    if all {
+        let samples = &loaded_session.session.samples;
+        let conditions = [
+            (say!("load"), &samples.load_kg, "kg"),
+            (say!("temperature"), &samples.temperature_c, "°C"),
+            (say!("time"), &samples.time_s, "s"),
+        ];
+        for (name, column, unit) in conditions {
+            if let Some(value) = column.as_ref().map(|c| c[sample]).filter(|v| v.is_finite()) {
+                lines.push((name.to_owned(), format!("{} {unit}", trimmed(value, 2))));
+            }
         }
+        let [right, up] = workbench.facing().flat(shown);
+        let direction = up.atan2(right).to_degrees();
+        lines.push((
+            say!("direction").to_owned(),
+            format!("{}°", trimmed(direction, 0)),
+        ));
     }
-    let [right, up] = workbench.facing().flat(shown);
-    let direction = up.atan2(right).to_degrees();
-    lines.push((
-        say!("direction").to_owned(),
-        format!("{}°", trimmed(direction, 0)),
-    ));
     if let Some(tolerance_mm) = workbench.document().tolerance_mm {
         let within = loaded_session.component(shown, sample, Component::Length) <= tolerance_mm;
         let says = judged(workbench, within);
@@ -441,7 +399,7 @@ mod tests {
     #[test]
     fn the_hover_names_the_sample_its_angle_and_its_deviation() {
         let workbench = workbench();
-        let (title, lines) = about(&workbench, 0);
+        let (title, lines) = about(&workbench, 0, true);
         assert_eq!(title, "sample 1");
         let says = |what: &str| lines.iter().any(|(name, _)| name == what);
         assert!(says("pan") && says("deviation") && says("direction") && says("tolerance"));

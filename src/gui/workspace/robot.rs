@@ -69,7 +69,7 @@ pub(crate) struct Real {
 pub(crate) struct Drawn {
     /// The sample; `None`: the pose was not measured.
     pub(crate) sample: Option<usize>,
-    /// Whether the user points at that sample, chose it, or posed the robot.
+    /// Whether the user points at that sample, or chose it.
     pub(crate) asked_for: bool,
     /// The joint values, rad or mm.
     pub(crate) q: Vec<f64>,
@@ -97,10 +97,8 @@ impl Drawn {
             let columns = loaded_session.session.samples.q.iter();
             columns.map(|q| q[sample]).collect()
         };
-        let posed = view.pose.clone();
-        let sample = asked.or(middle).filter(|_| posed.is_none());
-        let q = posed.or_else(|| sample.map(pose));
-        let q = q.unwrap_or_else(|| home(robot));
+        let sample = asked.or(middle);
+        let q = sample.map_or_else(|| home(robot), pose);
         let targets = &loaded_session.session.targets;
         let target = sample.and_then(|s| Some(loaded_session.session.samples.target.as_ref()?[s]));
         let target = targets.get(target.map_or(0, |t| t as usize));
@@ -116,7 +114,7 @@ impl Drawn {
             .map(|(joint, q)| (joint.name.clone(), joint_value(units, joint.kind, *q)));
         Some(Self {
             sample,
-            asked_for: asked.is_some() || view.pose.is_some(),
+            asked_for: asked.is_some(),
             q: q.clone(),
             real: sample.and_then(|sample| real(workbench, sample, &corners)),
             signs: signs(robot, &q, &base, &corners),
@@ -148,8 +146,7 @@ impl Drawn {
                 "robot at sample {sample}, as an example",
                 sample = sample + 1
             ),
-            (None, true) => say!("robot as posed").to_owned(),
-            (None, false) => say!("robot at home").to_owned(),
+            (None, _) => say!("robot at home").to_owned(),
         };
         for (k, (name, value)) in self.values.iter().enumerate() {
             says += if k == 0 { ": " } else { ", " };

@@ -105,7 +105,7 @@ fn heat(pen: &mut Pen<'_>, workbench: &Workbench, shown: &Shown, camera: &Camera
 /// The way of each reflector on the nominal robot, with how sure the model is of it.
 fn path(pen: &mut Pen<'_>, shown: &Shown, camera: &Camera) {
     let palette = pen.palette;
-    let sure = |part: f32| scale_at(Colouring::Uncertainty, palette, part);
+    let sure = |part: f32| scale_at(palette, part);
     for (at, part) in &shown.over {
         pen.square(camera.at(*at), sure(*part));
     }
@@ -167,10 +167,14 @@ fn vectors(pen: &mut Pen<'_>, shown: &Shown, all: &[VisibleSample], camera: &Cam
         let stroke = match one.shade {
             Some(part) => {
                 let wedge = WEDGE[0] + part * (WEDGE[1] - WEDGE[0]);
-                let width = if colouring.by_width() { wedge } else { WIDTH };
-                Stroke::new(width, scale_at(colouring, palette, part))
+                let width = if colouring == Colouring::Uncertainty {
+                    wedge
+                } else {
+                    WIDTH
+                };
+                Stroke::new(width, scale_at(palette, part))
             }
-            None if colouring.by_width() => Stroke::new(WIDTH, ghost),
+            None if colouring == Colouring::Uncertainty => Stroke::new(WIDTH, ghost),
             None => Stroke::new(WIDTH, flat),
         };
         pen.arrow(ends(one, one.vector_mm), stroke);

@@ -5,20 +5,17 @@
 //! legend and robot are the same in both; only what has a depth is added here.
 
 use egui::{
-    Color32, EventFilter, Key, Panel, PointerButton, Rect, Response, RichText, Role, ScrollArea,
-    Sense, Slider, Stroke, Ui, Vec2, WidgetInfo,
+    Color32, EventFilter, Key, PointerButton, Rect, Response, Role, Sense, Stroke, Ui, Vec2,
+    WidgetInfo,
 };
 use nalgebra::Isometry3;
 
-use crate::gui::core::quantity::joint_value;
-use crate::gui::core::scale::stride;
 use crate::gui::plots;
-use crate::gui::style::{Palette, size, space};
+use crate::gui::style::{Palette, space};
 use crate::gui::view::{Ball, Camera};
-use crate::gui::widgets::{self, caption, fine};
+use crate::gui::widgets;
 use crate::gui::workbench::Workbench;
-use crate::kinematics::{JointKind, Robot};
-use crate::numeric::extent;
+use crate::kinematics::Robot;
 
 use super::pen::{self, Pen};
 use super::pointer::{Seen, tell_plot_size};
@@ -28,19 +25,9 @@ use super::scene::{self, Space};
 /// A direction in space is drawn so much shorter on average.
 const FORESHORTENED: f64 = std::f64::consts::FRAC_PI_4;
 
-/// Width of the sliders that pose the robot, points.
-const SLIDERS: f32 = 176.0;
-
 /// Shows the view in the space that is left, and sends what the pointer does.
-pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, posing: bool) {
+pub(crate) fn show(ui: &mut Ui, workbench: &Workbench) {
     let seen = Seen::of(ui, workbench);
-    if posing && let Some(robot) = &seen.robot {
-        Panel::right("joints of the robot")
-            .resizable(false)
-            .exact_size(SLIDERS)
-            .frame(egui::Frame::NONE.inner_margin(egui::Margin::symmetric(8, 4)))
-            .show(ui, |ui| pose(ui, workbench, &robot.q));
-    }
     let (rect, response) = ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
     let space = Space::new(workbench, rect);
     let camera = &space.camera;
@@ -88,68 +75,6 @@ fn describe(response: &Response, workbench: &Workbench) {
         say!("arrow keys orbit, plus and minus zoom, Home fits; 0, 1, 3 and 7 are standard views");
     let ctx = &response.ctx;
     ctx.accesskit_node_builder(response.id, |node| node.set_description(how));
-}
-
-/// Smallest and largest value of a joint's slider, rad or mm: its limits; where it has none, what
-/// was measured; where nothing was, a turn to either side or 500 mm.
-fn range(workbench: &Workbench, joint: usize) -> [f64; 2] {
-    /// Samples that are looked at: a frame must not look at all.
-    const SOME: usize = 2_000;
-    let session = &workbench.loaded_session().session;
-    let one = &session.robot.joints[joint];
-    let whole = match one.kind {
-        JointKind::Revolute => std::f64::consts::PI,
-        JointKind::Prismatic => 500.0,
-    };
-    if let Some(limits) = one.limits.filter(|l| l.from < l.to) {
-        return [limits.from, limits.to];
-    }
-    let q = &session.samples.q[joint];
-    let some = q.iter().step_by(stride(q.len(), SOME));
-    let [low, high] = extent(some);
-    if low < high {
-        [low, high]
-    } else {
-        [-whole, whole]
-    }
-}
-
-/// A slider for each joint; `now` is where the robot is drawn.
-fn pose(ui: &mut Ui, workbench: &Workbench, now: &[f64]) {
-    let units = workbench.units();
-    let joints = &workbench.loaded_session().session.robot.joints;
-    ui.horizontal(|ui| {
-        widgets::title(ui, say!("Pose"));
-        if workbench.view.pose.is_some() && ui.button(say!("Back to sample")).clicked() {
-            workbench.then(move |bench| bench.view.pose = None);
-        }
-    });
-    ScrollArea::vertical().id_salt("joints").show(ui, |ui| {
-        ui.spacing_mut().item_spacing.y = 2.0;
-        ui.spacing_mut().interact_size.y = 16.0;
-        for (k, (joint, q)) in joints.iter().zip(now).enumerate() {
-            caption(
-                ui,
-                &format!("{}  {}", joint.name, joint_value(units, joint.kind, *q)),
-            );
-            let [low, high] = range(workbench, k);
-            let mut next = *q;
-            fine(ui, ui.available_width());
-            let slider = Slider::new(&mut next, low.min(*q)..=high.max(*q)).show_value(false);
-            let slider = ui.add(slider);
-            let name = say!("Pose of joint {k}, {joint}", k = k + 1, joint = joint.name);
-            widgets::label(&slider, name);
-            if slider.changed() && next != *q {
-                let mut pose = now.to_vec();
-                pose[k] = next;
-                workbench.then(move |bench| bench.view.pose = Some(pose));
-            }
-        }
-        if workbench.view.pose.is_none() {
-            ui.label(RichText::new(say!("from the sample that is shown")).size(size::NOTE));
-        }
-        widgets::focus_in_sight(ui);
-    });
 }
 
 /// Room around the robot, a part of its ball.
@@ -360,43 +285,5 @@ mod tests {
         workbench.execute(|bench| bench.view.camera = closer);
         workbench.execute(|bench| bench.view.fit_workspace());
         assert_eq!(workbench.view.camera.zoom, 1.0);
-    }
-
-    #[test]
-    fn a_posed_robot_stands_there_until_a_sample_is_chosen_or_the_robot_is_another() {
-        let mut workbench = arm();
-        let pose = vec![0.1, -0.2, 0.3, 0.0, 0.5, 0.0];
-        workbench.execute(|bench| bench.view.pose = Some(pose.clone()));
-        let drawn = Drawn::of(&workbench).expect("a robot");
-        assert!(drawn.q == pose && drawn.asked_for && drawn.real.is_none());
-        assert!(
-            drawn.describe().starts_with("robot as posed"),
-            "{}",
-            drawn.describe()
-        );
-        workbench.execute(|bench| bench.view.select(Some(3)));
-        assert_eq!(Drawn::of(&workbench).expect("a robot").sample, Some(3));
-        workbench.execute(|bench| bench.view.pose = Some(pose));
-        workbench.execute(|bench| bench.view.pose = Some(vec![0.0]));
-        assert_eq!(
-            workbench.view.pose, None,
-            "one value is no pose of six joints"
-        );
-    }
-
-    #[test]
-    fn a_slider_reaches_over_the_limits_or_what_was_measured() {
-        let workbench = arm();
-        let session = &workbench.loaded_session().session;
-        for (k, joint) in session.robot.joints.iter().enumerate() {
-            let [low, high] = range(&workbench, k);
-            assert!(low < high);
-            if let Some(limits) = joint.limits {
-                assert_eq!([low, high], [limits.from, limits.to]);
-            } else {
-                let q = &session.samples.q[k];
-                assert!(q.iter().all(|v| (low..=high).contains(v)));
-            }
-        }
     }
 }

@@ -1,5 +1,5 @@
 //! The bar over the workspace plot: from where it is looked at, what is shown, and how: from before to after, how long
-//! vectors are, the heat map, what colour says; the side and the pose in space.
+//! vectors are, the heat map, what colour says; the side in space.
 
 use egui::{Align, ComboBox, Layout, Popup, PopupCloseBehavior, RichText, Slider, Ui, vec2};
 
@@ -293,25 +293,6 @@ fn beneath(ui: &mut Ui, workbench: &Workbench) {
     if let Some(from) = widgets::list(ui, say!("Standard view"), list, offered, shown) {
         workbench.then(move |bench| bench.view.look_from(from));
     }
-    let mut open = posing(ui);
-    let text = RichText::new(say!("pose")).size(size::SMALL);
-    let checkbox = ui
-        .checkbox(&mut open, text)
-        .on_hover_text(say!("sliders that pose the robot"));
-    widgets::label(&checkbox, say!("Pose the robot"));
-    if checkbox.changed() {
-        ui.data_mut(|data| data.insert_temp(posing_id(), open));
-    }
-}
-
-fn posing_id() -> egui::Id {
-    egui::Id::unique("sliders that pose the robot")
-}
-
-/// Whether the sliders that pose the robot are open.
-pub(super) fn posing(ui: &Ui) -> bool {
-    ui.data(|data| data.get_temp(posing_id()))
-        .unwrap_or_default()
 }
 
 /// Whether the error between the samples is shown.

@@ -65,7 +65,7 @@ const KINDS: &[&str] = &[
     "Fit",
     "FitChart",
     "FitWorkspace",
-    "Forget",
+    "UseRecent",
     "ForgetRobot",
     "GoTo",
     "Heat",
