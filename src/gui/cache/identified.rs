@@ -15,7 +15,7 @@ use crate::gui::core::identify::answer;
 use crate::gui::core::loaded_session::LoadedSession;
 use crate::gui::core::question::{Question, QuestionDetails};
 use crate::gui::core::scale::Readable;
-use crate::gui::jobs::Watch;
+use crate::gui::jobs::{Follows, Watch};
 use crate::language::spoken;
 use crate::numeric::Ascending;
 use crate::pipeline;
@@ -67,9 +67,17 @@ impl PartialEq for IdentifiedAnswer {
     }
 }
 
+impl Follows for IdentifiedAnswer {
+    type Of = Question;
+
+    fn of(&self) -> &Question {
+        &self.question
+    }
+}
+
 impl IdentifiedAnswer {
     /// Works the answer out. Takes its time with many samples.
-    pub(crate) fn of(question: Question, watch: &Watch) -> Self {
+    pub(crate) fn to(question: Question, watch: &Watch) -> Self {
         let answer = answer(&question, watch);
         let after = answer.as_ref().ok();
         let after = after.map(|answer| AnswerSummary::new(&question.loaded_session, answer));
@@ -130,9 +138,17 @@ pub(crate) struct ExportPreview {
     pub(crate) error: Option<Spread>,
 }
 
+impl Follows for Preview {
+    type Of = PreviewRequest;
+
+    fn of(&self) -> &PreviewRequest {
+        &self.wanted
+    }
+}
+
 impl Preview {
     /// Makes the export in memory.
-    pub(crate) fn of(wanted: PreviewRequest) -> Self {
+    pub(crate) fn to(wanted: PreviewRequest) -> Self {
         let made = preview(&wanted);
         Self { wanted, made }
     }

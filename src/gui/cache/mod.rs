@@ -20,6 +20,7 @@ use crate::compensation::decision::FittedErrors;
 use crate::gui::core::answer::Answer;
 use crate::gui::core::loaded_session::{Component, LoadedSession};
 use crate::gui::core::quantity::Quantity;
+use crate::gui::jobs::Follows;
 use crate::gui::view::Plane;
 
 /// The session and the answer that something is worked out for.
@@ -30,11 +31,18 @@ pub(crate) struct PlotInputs {
 }
 
 /// Something that was worked out.
-#[derive(Debug, Clone)]
+#[derive(Debug)]
 pub(crate) struct Made {
     pub(crate) inputs: PlotInputs,
-    key: WorkKey,
     pub(crate) result: ChartResult,
+}
+
+impl Follows for Made {
+    type Of = PlotInputs;
+
+    fn of(&self) -> &PlotInputs {
+        &self.inputs
+    }
 }
 
 /// What was worked out last, and of what: the same is not worked out again.
@@ -53,46 +61,6 @@ impl<K: PartialEq, V: Clone> Memo<K, V> {
         let (of, made) = last.unwrap_or_else(|| (of, make()));
         self.0.replace(Some((of, made.clone())));
         made
-    }
-}
-
-/// What was worked out, the newest of each key, and what is under way.
-#[derive(Debug, Default)]
-pub(crate) struct PlotCache {
-    pub(crate) made: Vec<Made>,
-    under_way: Vec<WorkKey>,
-}
-
-impl PlotCache {
-    /// What came of a work, for the newest answer that it was worked out for.
-    pub(crate) fn made(&self, work: &Work) -> Option<&Made> {
-        self.made.iter().find(|made| made.key == work.key)
-    }
-
-    /// Keeps what is wanted; what is to be begun now. What is under way for other inputs is begun again once it is there.
-    pub(crate) fn begin(&mut self, inputs: &PlotInputs, mut wanted: Vec<Work>) -> Vec<Work> {
-        self.made.retain(|made| {
-            let of_this = made.inputs.loaded_session == inputs.loaded_session;
-            // Other steps say the figures of the export step as well, of the same answer.
-            let figures = matches!(made.key, WorkKey::Figures(_)) && made.inputs == *inputs;
-            of_this && (figures || wanted.iter().any(|work| work.key == made.key))
-        });
-        wanted.retain(|work| {
-            let there = self.made(work).is_some_and(|made| made.inputs == *inputs);
-            !there && !self.under_way.contains(&work.key)
-        });
-        self.under_way
-            .extend(wanted.iter().map(|work| work.key.clone()));
-        wanted
-    }
-
-    /// Takes what came of a work; what there was of it before.
-    pub(crate) fn take(&mut self, made: Made) -> Option<Made> {
-        self.under_way.retain(|key| *key != made.key);
-        let there = self.made.iter().position(|before| before.key == made.key);
-        let before = there.map(|place| self.made.swap_remove(place));
-        self.made.push(made);
-        before
     }
 }
 
@@ -148,7 +116,7 @@ pub(crate) enum WorkKey {
 /// Something that is worked out in the background. Two are the same if they have the same key.
 #[derive(Clone)]
 pub(crate) struct Work {
-    key: WorkKey,
+    pub(crate) key: WorkKey,
     make: Arc<Make>,
 }
 
@@ -165,7 +133,6 @@ impl Work {
     pub(crate) fn made(&self, inputs: PlotInputs) -> Made {
         Made {
             result: (self.make)(&inputs),
-            key: self.key.clone(),
             inputs,
         }
     }

@@ -13,16 +13,17 @@ use crate::gui::cache::cloud::Remainder;
 use crate::gui::cache::cloud::Uncertain;
 use crate::gui::cache::heat::Heat;
 use crate::gui::cache::identified::{
-    AnswerSummary, ExportPreview, IdentifiedAnswer, PreviewRequest,
+    AnswerSummary, ExportPreview, IdentifiedAnswer, Preview, PreviewRequest,
 };
-use crate::gui::cache::{Made, PlotInputs, Work};
+use crate::gui::cache::{Made, PlotInputs, Work, WorkKey};
 use crate::gui::core::answer::term_of;
 use crate::gui::core::answer::{Answer, LoadedModel, Search};
 use crate::gui::core::document::Method;
 use crate::gui::core::overview::measuring_from_base;
 use crate::gui::core::question::Question;
+use crate::gui::jobs::{Kind, Slot};
 use crate::gui::view::{Colouring, Facing, Message, Sorting, Step};
-use crate::present::numbers::notation;
+use crate::present::numbers::{grouped, notation};
 use crate::text::current;
 
 use super::{HeatLook, Workbench};
@@ -53,22 +54,25 @@ impl Workbench {
     /// being answered it is the answer to the one before.
     pub(crate) fn identified(&self) -> Option<&IdentifiedAnswer> {
         let document = self.document();
-        self.derived.identified.as_deref().filter(|outcome| {
-            let question = &outcome.question;
-            document.identified
-                && Arc::ptr_eq(&question.loaded_session, &document.loaded_session)
-                && document.question().is_some_and(|asked| {
-                    std::mem::discriminant(&asked.asks) == std::mem::discriminant(&question.asks)
-                })
-        })
+        self.derived
+            .identified
+            .made()
+            .map(|made| &**made)
+            .filter(|outcome| {
+                let question = &outcome.question;
+                document.identified
+                    && Arc::ptr_eq(&question.loaded_session, &document.loaded_session)
+                    && document.question().is_some_and(|asked| {
+                        std::mem::discriminant(&asked.asks)
+                            == std::mem::discriminant(&question.asks)
+                    })
+            })
     }
 
     /// The newest answer, to be held where it is one that is shown.
     pub(super) fn shown_outcome(&self) -> Option<Arc<IdentifiedAnswer>> {
-        self.derived
-            .identified
-            .clone()
-            .filter(|_| self.answer().is_some())
+        let newest = self.derived.identified.made().cloned();
+        newest.filter(|_| self.answer().is_some())
     }
 
     /// The newest answer.
@@ -88,8 +92,11 @@ impl Workbench {
 
     /// What came of a work, for the newest answer that it was worked out for.
     pub(super) fn made(&self, work: &Work) -> Option<&Made> {
-        let made = self.derived.plot_cache.made(work)?;
-        Arc::ptr_eq(&made.inputs.loaded_session, self.loaded_session()).then_some(made)
+        let mut plots = self.derived.plots.iter();
+        let (_, slot) = plots.find(|(key, _)| *key == work.key)?;
+        let of_this =
+            |made: &&Made| Arc::ptr_eq(&made.inputs.loaded_session, self.loaded_session());
+        slot.made().map(|made| &**made).filter(of_this)
     }
 
     /// The identified pose of the base in the measuring frame, where the instrument stands in a frame
@@ -164,7 +171,7 @@ impl Workbench {
     /// is the one before; the figures of another format say nothing of this one.
     pub(crate) fn export(&self) -> Option<Result<&ExportPreview, &String>> {
         self.answer()?;
-        let preview = self.derived.preview.as_ref()?;
+        let preview = self.derived.preview.made()?;
         let PreviewRequest {
             identified, choice, ..
         } = &preview.wanted;
@@ -176,11 +183,8 @@ impl Workbench {
     /// The RMS error that the controller is left with by the table of what is shown, mm; `None` until that is made.
     pub(crate) fn left_by_table_mm(&self) -> Option<f64> {
         let made = self.export()?.ok()?;
-        let (of, shown) = (
-            &self.derived.preview.as_ref()?.wanted.identified,
-            &self.derived.identified,
-        );
-        let is_of_this = shown.as_ref().is_some_and(|shown| Arc::ptr_eq(shown, of));
+        let of = &self.derived.preview.made()?.wanted.identified;
+        let is_of_this = Arc::ptr_eq(self.derived.identified.made()?, of);
         let error = made.error.filter(|_| made.export.robot.is_none());
         error.filter(|_| is_of_this).map(|error| error.rms_mm)
     }
@@ -188,7 +192,7 @@ impl Workbench {
     /// Whether the preparation of the export was cancelled: it is not begun again by itself.
     pub(crate) fn is_unprepared(&self) -> bool {
         let choice = self.document().export;
-        let cancelled = self.derived.asked.previews.declined();
+        let cancelled = self.derived.preview.declined();
         cancelled.is_some_and(|wanted| wanted.choice.is_of_the_table(choice))
     }
 
@@ -206,14 +210,14 @@ impl Workbench {
 
     /// Whether the identification was cancelled: it is not repeated by itself.
     pub(crate) fn is_declined(&self) -> bool {
-        let declined = self.derived.asked.questions.declined();
+        let declined = self.derived.identified.declined();
         declined.is_some() && self.question().as_ref() == declined
     }
 
     /// Whether the answer that is shown belongs to the document as it is.
     #[cfg(any(test, debug_assertions))]
     pub(crate) fn settled(&self) -> bool {
-        match (self.question(), &self.derived.identified) {
+        match (self.question(), self.derived.identified.made()) {
             (None, _) => true,
             (Some(asked), Some(outcome)) => outcome.question == asked,
             (Some(_), None) => false,
@@ -289,7 +293,7 @@ impl Workbench {
 
     /// Prepares the export whose preparation was cancelled.
     pub(crate) fn prepare_again(&mut self) {
-        self.derived.asked.previews.resume();
+        self.derived.preview.resume();
     }
 
     /// Asks for the preview that the export step shows.
@@ -310,13 +314,13 @@ impl Workbench {
             choice,
             name: saved.map(|(_, name)| name.clone()),
         };
-        let made = self
-            .derived
-            .preview
-            .as_ref()
-            .is_some_and(|p| p.wanted == wanted);
-        if !made && let Some(wanted) = self.derived.asked.previews.want(wanted) {
-            self.prepare(wanted);
+        if self.derived.preview.want(&wanted) {
+            self.jobs.start(
+                Kind::Prepares,
+                say!("preparing the table"),
+                move |_| Preview::to(wanted),
+                |bench: &mut Self, preview| drop(bench.derived.preview.take(preview)),
+            );
         }
     }
 
@@ -367,24 +371,38 @@ impl Workbench {
 
     /// Asks for what the plots stand on, if it is not there and not on its way.
     pub(super) fn keep_drawing(&mut self) {
-        let outcome = self
-            .derived
-            .identified
-            .clone()
-            .filter(|_| self.identified().is_some());
+        let newest = self.derived.identified.made().cloned();
         let inputs = PlotInputs {
             loaded_session: Arc::clone(self.loaded_session()),
-            identified: outcome,
+            identified: newest.filter(|_| self.identified().is_some()),
         };
-        for work in self.derived.plot_cache.begin(&inputs, self.works()) {
-            let inputs = inputs.clone();
-            self.jobs.quietly(
-                move || work.made(inputs),
-                |bench: &mut Self, made| {
-                    let before = bench.derived.plot_cache.take(made);
-                    bench.let_go(before);
-                },
-            );
+        let works = self.works();
+        let plots = &mut self.derived.plots;
+        plots.retain(|(key, slot)| {
+            let of = slot.made().map(|made| &made.inputs);
+            let of_this = of.is_some_and(|of| of.loaded_session == inputs.loaded_session);
+            // Other steps say the figures of the export step as well, of the same answer.
+            let figures = matches!(key, WorkKey::Figures(_)) && of == Some(&inputs);
+            slot.busy() || of_this && (figures || works.iter().any(|work| work.key == *key))
+        });
+        for work in works {
+            let here = plots.iter().position(|(key, _)| *key == work.key);
+            let here = here.unwrap_or_else(|| {
+                plots.push((work.key.clone(), Slot::default()));
+                plots.len() - 1
+            });
+            if plots[here].1.want(&inputs) {
+                let (key, inputs) = (work.key.clone(), inputs.clone());
+                self.jobs.quietly(
+                    move || work.made(inputs),
+                    move |bench: &mut Self, made| {
+                        let mut plots = bench.derived.plots.iter_mut();
+                        let slot = plots.find(|(one, _)| *one == key);
+                        let before = slot.and_then(|(_, slot)| slot.take(made));
+                        bench.let_go(before);
+                    },
+                );
+            }
         }
     }
 
@@ -393,13 +411,17 @@ impl Workbench {
         let Some(question) = self.question() else {
             return;
         };
-        let answered = self
-            .derived
-            .identified
-            .as_ref()
-            .is_some_and(|o| o.question == question);
-        if !answered && let Some(question) = self.derived.asked.questions.want(question) {
-            self.answer_question(question);
+        if self.derived.identified.want(&question) {
+            let samples = say!(one "{count} sample", "{count} samples", count = grouped(question.loaded_session.len()));
+            self.jobs.start(
+                Kind::Identifies,
+                say!("identifying, {samples}", samples),
+                move |watch| IdentifiedAnswer::to(question, watch),
+                |bench: &mut Self, answer| {
+                    let before = bench.derived.identified.take(answer);
+                    bench.let_go(before);
+                },
+            );
         }
     }
 

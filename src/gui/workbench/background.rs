@@ -3,7 +3,6 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use crate::gui::cache::identified::{IdentifiedAnswer, Preview, PreviewRequest};
 use crate::gui::core::answer::Search;
 use crate::gui::core::document::ExportChoice;
 use crate::gui::core::loaded_session::LoadedSession;
@@ -13,7 +12,6 @@ use crate::gui::jobs::{Jobs, Kind, Running, Watch};
 use crate::gui::view::{Message, What};
 use crate::gui::workbench::Chooser;
 use crate::gui::workbench::Workbench;
-use crate::present::numbers::grouped;
 
 impl Workbench {
     /// Jobs that are under way.
@@ -36,42 +34,12 @@ impl Workbench {
             }
             any = true;
             for (kind, outcome) in arrived {
-                match kind {
-                    Kind::Identifies => self.derived.asked.questions.answered(),
-                    Kind::Prepares => self.derived.asked.previews.answered(),
-                    Kind::Searches => self.derived.asked.searched = None,
-                    _ => {}
-                }
                 self.execute(|bench| match outcome {
                     Some(take) => take(bench),
-                    None => bench.broke_off(),
+                    None => bench.broke_off(kind),
                 });
             }
         }
-    }
-
-    /// Answers a question.
-    pub(super) fn answer_question(&mut self, question: Question) {
-        let samples = say!(one "{count} sample", "{count} samples", count = grouped(question.loaded_session.len()));
-        self.jobs.start(
-            Kind::Identifies,
-            say!("identifying, {samples}", samples),
-            move |watch| IdentifiedAnswer::of(question, watch),
-            |bench: &mut Self, outcome| {
-                let before = bench.derived.identified.replace(Arc::new(outcome));
-                bench.let_go(before);
-            },
-        );
-    }
-
-    /// Prepares an export.
-    pub(super) fn prepare(&mut self, wanted: PreviewRequest) {
-        self.jobs.start(
-            Kind::Prepares,
-            say!("preparing the table"),
-            move |_| Preview::of(wanted),
-            |bench: &mut Self, preview| bench.derived.preview = Some(Arc::new(preview)),
-        );
     }
 
     /// Searches a session for what is missing, unless a search is under way.
@@ -80,13 +48,16 @@ impl Workbench {
             return;
         }
         self.derived.stopped = None;
-        self.derived.asked.searched = Some(Arc::clone(&loaded_session));
+        self.derived.searching = Some(Arc::clone(&loaded_session));
         self.jobs.start(
             Kind::Searches,
             say!("searching"),
             move |watch| Search::of(loaded_session, watch),
             // What is in the model may be just what was found, with the search's values.
-            |bench: &mut Self, search| bench.derived.searched = Some(Arc::new(search)),
+            |bench: &mut Self, search| {
+                bench.derived.searching = None;
+                bench.derived.searched = Some(Arc::new(search));
+            },
         );
     }
 
@@ -95,7 +66,7 @@ impl Workbench {
     pub(crate) fn stop_search(&mut self) {
         let found = self.jobs.running(Kind::Searches).map(Running::found);
         self.jobs.cancel(|kind| kind == Kind::Searches);
-        let searched = self.derived.asked.searched.take();
+        let searched = self.derived.searching.take();
         self.derived.stopped = searched.zip(found);
     }
 
@@ -107,8 +78,7 @@ impl Workbench {
         };
         if self
             .derived
-            .asked
-            .searched
+            .searching
             .as_ref()
             .is_some_and(|one| !here(one))
         {
@@ -131,9 +101,17 @@ impl Workbench {
         if self.jobs.newest().is_some_and(Running::searches) {
             return self.stop_search();
         }
-        match self.jobs.cancel(Kind::has_a_name) {
-            Some(Kind::Identifies) => self.derived.asked.questions.decline(),
-            Some(Kind::Prepares) => self.derived.asked.previews.decline(),
+        if let Some(kind) = self.jobs.cancel(Kind::has_a_name) {
+            self.decline(kind);
+        }
+    }
+
+    /// Nothing comes of a job of this kind.
+    fn decline(&mut self, kind: Kind) {
+        match kind {
+            Kind::Identifies => self.derived.identified.decline(),
+            Kind::Prepares => self.derived.preview.decline(),
+            Kind::Searches => self.derived.searching = None,
             _ => {}
         }
     }
@@ -232,7 +210,8 @@ impl Workbench {
         );
     }
 
-    fn broke_off(&mut self) {
+    fn broke_off(&mut self, kind: Kind) {
+        self.decline(kind);
         self.complain(
             say!("Something went wrong inside the program"),
             [say!(

@@ -207,7 +207,7 @@ impl Workbench {
     }
 
     fn report(&self, about: About) -> Result<Write, [&'static str; 2]> {
-        let source = match (about, &self.derived.identified, self.answer()) {
+        let source = match (about, self.derived.identified.made(), self.answer()) {
             (About::Model, Some(outcome), Some(_)) => Source::Model(Arc::clone(outcome)),
             (About::Session, ..) if !self.loaded_session().is_empty() => {
                 let answered = |search: &&Arc<Search>| search.answer.is_ok();

@@ -29,8 +29,8 @@ use egui::{Color32, ColorImage, TextureHandle};
 use crate::effects::Term;
 use crate::explain::Section;
 use crate::gui::cache::heat::Heat;
-use crate::gui::cache::identified::{IdentifiedAnswer, Preview, PreviewRequest};
-use crate::gui::cache::{Memo, PlotCache, PlotInputs};
+use crate::gui::cache::identified::{IdentifiedAnswer, Preview};
+use crate::gui::cache::{Made, Memo, PlotInputs, WorkKey};
 use crate::gui::core::answer::Search;
 use crate::gui::core::compensated::{Compensated, CompensationRequest};
 use crate::gui::core::disk::Fingerprint;
@@ -86,17 +86,19 @@ pub(crate) struct Workbench {
 /// A session, and how it is divided.
 type Divided = (Arc<LoadedSession>, Arc<[Region]>);
 
-/// What the background has worked out about the document, and what it is asked.
+/// What the background has worked out about the document, and works out.
 #[derive(Default)]
 pub(super) struct Derived {
-    pub(super) identified: Option<Arc<IdentifiedAnswer>>,
+    pub(super) identified: Slot<IdentifiedAnswer>,
     pub(super) searched: Option<Arc<Search>>,
+    /// The session that is being searched: only that one can be given its answer.
+    pub(super) searching: Option<Arc<LoadedSession>>,
     /// What a search that was stopped had found until then, and in which session.
     pub(super) stopped: Option<(Arc<LoadedSession>, Vec<String>)>,
-    pub(super) preview: Option<Arc<Preview>>,
-    pub(super) plot_cache: PlotCache,
+    pub(super) preview: Slot<Preview>,
+    /// What plots stand on.
+    pub(super) plots: Vec<(WorkKey, Slot<Made>)>,
     pub(super) compensated: Option<Arc<Compensated>>,
-    pub(super) asked: PendingQueries,
     /// What a diagnosis says, and how it is said.
     pub(super) sections: Memo<(Arc<Search>, Voice), Arc<[Section]>>,
     /// The samples of each region, and those in none.
@@ -179,15 +181,6 @@ pub(super) struct FileState {
     pub(super) saves_all: bool,
     /// The document as recovery has it.
     pub(super) kept: Option<Arc<Document>>,
-}
-
-/// What is asked faster than it is answered.
-#[derive(Default)]
-pub(super) struct PendingQueries {
-    pub(super) questions: Slot<Question>,
-    pub(super) previews: Slot<PreviewRequest>,
-    /// The session that is being searched: only that one can be given its answer.
-    pub(super) searched: Option<Arc<LoadedSession>>,
 }
 
 /// A map, and how it is looked at: the blend, the upper end of its scale, mm, and what it stands on.
@@ -352,7 +345,7 @@ impl Workbench {
     /// Identifies from now on, by this method or as it is chosen.
     pub(crate) fn identify(&mut self, method: Option<Method>) {
         self.edit(phrase!("identify"), |document| document.identify(method));
-        self.derived.asked.questions.resume();
+        self.derived.identified.resume();
     }
 
     /// Adds what a search found to the exact fit.
