@@ -5,7 +5,7 @@ use egui::{Align, ComboBox, Layout, Popup, PopupCloseBehavior, RichText, Slider,
 
 use crate::gui::plots::{self, picture};
 use crate::gui::style::{Palette, size, space};
-use crate::gui::view::{Aspect, Colouring, Plane, Plot, Standard};
+use crate::gui::view::{Aspect, Colouring, Plane, Plot};
 use crate::gui::widgets::{self, caption, fine, title};
 use crate::gui::workbench::Workbench;
 use crate::present::numbers::{significant, trimmed};
@@ -29,18 +29,9 @@ pub(crate) fn show(
     extra: Option<ExtraControls>,
     first: First<'_>,
 ) {
-    let view = &workbench.view;
     let drawn = !workbench.loaded_session().is_empty();
     let blends = drawn && workbench.answer().is_some();
-    let mut room = ui.available_size();
-    room.x /= stretch();
-    let least = match (view.in_space(), blends) {
-        (true, _) => SPACE,
-        (false, true) => ANSWERED,
-        (false, false) => PLANE,
-    };
-    let tight = room.y < TIGHT || room.x - FIRST < least;
-    let roomy = room.x - FIRST > if tight { ROOMY_FOLDED } else { ROOMY };
+    let roomy = ui.available_width() / stretch() - FIRST > ROOMY;
     // Beside what stands above the bar, in the bar, or below it.
     let below = blends && extra.is_none() && !roomy;
     if let Some(extra) = extra {
@@ -63,7 +54,7 @@ pub(crate) fn show(
         if ui.available_width() > titled * stretch() {
             title(ui, say!("Workspace"));
         }
-        ways(ui, workbench, tight);
+        ways(ui, workbench);
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             if drawn {
                 picture(ui, Plot::Workspace, None, workbench);
@@ -71,10 +62,8 @@ pub(crate) fn show(
             if plots::fit(ui, say!("Fit to view")) {
                 workbench.then(|bench| bench.view.fit_workspace());
             }
-            if drawn && tight {
-                folded(ui, say!("display"), say!("How it is drawn"), |ui| {
-                    everything(ui, workbench);
-                });
+            if drawn {
+                display(ui, workbench);
             }
             if blends && roomy && extra.is_none() {
                 ui.add_space(space::TIGHT);
@@ -82,14 +71,6 @@ pub(crate) fn show(
             }
         });
     });
-    if drawn && !tight {
-        ui.horizontal_wrapped(|ui| {
-            magnification(ui, workbench);
-            scale_for(ui, workbench);
-            beneath(ui, workbench);
-            colouring(ui, workbench);
-        });
-    }
     if below {
         ui.horizontal(|ui| {
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
@@ -100,14 +81,13 @@ pub(crate) fn show(
 }
 
 /// The ways to look at the workspace.
-fn ways(ui: &mut Ui, workbench: &Workbench, tight: bool) {
+fn ways(ui: &mut Ui, workbench: &Workbench) {
     let view = &workbench.view;
     let planes = Plane::ALL.map(|plane| ((Aspect::Plane, plane), plane.name()));
     let space = ((Aspect::Space, view.plane), say!("3-D"));
     let views = [planes[0], planes[1], planes[2], space];
     let now = (view.aspect, view.plane);
-    let beside = if tight { ICONS + DISPLAY } else { ICONS };
-    let room = ui.available_width() - beside * stretch();
+    let room = ui.available_width() - BESIDE * stretch();
     let chosen = if widgets::width_of_segments(ui, &views) <= room {
         widgets::segmented(ui, &views, now)
     } else {
@@ -124,71 +104,40 @@ fn ways(ui: &mut Ui, workbench: &Workbench, tight: bool) {
     }
 }
 
-/// Widths in the same row as the choice of view, points: two icons, and the *display* button. The choice becomes a list
-/// where the row is too narrow for all of them.
-const ICONS: f32 = 76.0;
-
-const DISPLAY: f32 = 78.0;
-
+/// Width of what stands in the same row as the choice of view, points: two icons, and the *display* button. The choice
+/// becomes a list where the row is too narrow for all of them.
+const BESIDE: f32 = 154.0;
 const NARROW_LIST: f32 = 64.0;
-
-/// With less room the plot has no title, and before and after stand in a row of their own, points.
+/// From these widths on the plot is titled: without before and after in the row, and with them, points.
 const TITLED: f32 = 440.0;
-
 const WITH_BLEND: f32 = 590.0;
+/// From this width on before and after is in the row, points.
+const ROOMY: f32 = 570.0;
 
-const ROOMY: f32 = 420.0;
-
-/// The same with a button for how anything is drawn.
-const ROOMY_FOLDED: f32 = 570.0;
-
-/// With less room how anything is drawn stands behind a button: in space, in a plane, and where there is an answer,
-/// points.
-const SPACE: f32 = 500.0;
-
-const PLANE: f32 = 350.0;
-
-const ANSWERED: f32 = 560.0;
-
-/// With less height it does as well, points.
-const TIGHT: f32 = 270.0;
-
-/// With less room the list of colours goes without its name, points.
-const COLOUR: f32 = 172.0;
-
-/// A button that opens what there is no room for; `name` is what it is called.
-fn folded(ui: &mut Ui, text: &str, name: &str, contents: impl FnOnce(&mut Ui)) {
-    let text = RichText::new(format!("{text} \u{2026}")).size(size::SMALL);
+/// How vectors, map and colours are drawn.
+fn display(ui: &mut Ui, workbench: &Workbench) {
+    let text = RichText::new(say!("display").to_owned() + " …").size(size::SMALL);
     let button = ui.button(text);
-    widgets::label(&button, name);
-    Popup::menu(&button)
-        .close_behavior(PopupCloseBehavior::CloseOnClickOutside)
-        .show(|ui| {
-            ui.spacing_mut().item_spacing = vec2(space::ROW, space::ROW);
-            contents(ui);
-        });
-}
-
-/// How vectors, map and colours are drawn, one below the other.
-fn everything(ui: &mut Ui, workbench: &Workbench) {
-    widgets::row(ui, |ui| magnification(ui, workbench));
-    widgets::row(ui, |ui| scale_for(ui, workbench));
-    beneath(ui, workbench);
-    caption(ui, say!("colour"));
-    let shown = coloured(workbench);
-    for colouring in Colouring::ALL {
-        if offers(workbench, colouring) {
-            let text = RichText::new(colouring.name()).size(size::SMALL);
-            if ui.radio(colouring == shown, text).clicked() && colouring != shown {
-                workbench.then(move |bench| bench.view.colouring = colouring);
+    widgets::label(&button, say!("How it is drawn"));
+    let menu = Popup::menu(&button).close_behavior(PopupCloseBehavior::CloseOnClickOutside);
+    menu.show(|ui| {
+        ui.spacing_mut().item_spacing = vec2(space::ROW, space::ROW);
+        widgets::row(ui, |ui| magnification(ui, workbench));
+        widgets::row(ui, |ui| scale_for(ui, workbench));
+        if !workbench.view.in_space() {
+            heat(ui, workbench);
+        }
+        caption(ui, say!("colour"));
+        let shown = coloured(workbench);
+        for colouring in Colouring::ALL {
+            if offers(workbench, colouring) {
+                let text = RichText::new(colouring.name()).size(size::SMALL);
+                if ui.radio(colouring == shown, text).clicked() && colouring != shown {
+                    workbench.then(move |bench| bench.view.colouring = colouring);
+                }
             }
         }
-    }
-}
-
-/// A list of the bar's size, with what is chosen in it.
-fn listed<'a>(salt: &str, shown: &str) -> ComboBox<'a> {
-    ComboBox::from_id_salt(salt).selected_text(RichText::new(shown).size(size::SMALL))
+    });
 }
 
 /// From before to after. What stands at the end that is shown is written stronger.
@@ -278,23 +227,6 @@ fn scale_for(ui: &mut Ui, workbench: &Workbench) {
     }
 }
 
-/// What only one way of looking has: the heat map of a plane; the side and the pose in space.
-fn beneath(ui: &mut Ui, workbench: &Workbench) {
-    let view = &workbench.view;
-    if !view.in_space() {
-        heat(ui, workbench);
-        return;
-    }
-    caption(ui, say!(in "toolbar", "from"));
-    let shown = view.camera.standard();
-    let list = listed("view in space", shown.map_or(say!("free"), Standard::name)).width(76.0);
-    let offered = Standard::ALL.into_iter();
-    let offered = offered.map(|from| (Some(from), from.name()));
-    if let Some(from) = widgets::list(ui, say!("Standard view"), list, offered, shown) {
-        workbench.then(move |bench| bench.view.look_from(from));
-    }
-}
-
 /// Whether the error between the samples is shown.
 fn heat(ui: &mut Ui, workbench: &Workbench) {
     let mut shown = workbench.view.heat;
@@ -304,23 +236,6 @@ fn heat(ui: &mut Ui, workbench: &Workbench) {
     widgets::label(&checkbox, say!("heat map"));
     if checkbox.changed() {
         workbench.then(move |bench| bench.view.heat = shown);
-    }
-}
-
-/// What the colour of the vectors says.
-fn colouring(ui: &mut Ui, workbench: &Workbench) {
-    let shown = coloured(workbench);
-    if ui.available_width() > COLOUR {
-        caption(ui, say!("colour"));
-    }
-    let list = listed("colouring", shown.name());
-    let list = list.width(112.0).truncate().height(280.0);
-    let offered = Colouring::ALL.into_iter();
-    let offered = offered.filter(|colouring| offers(workbench, *colouring));
-    let offered = offered.map(|colouring| (colouring, colouring.name()));
-    let chosen = widgets::list(ui, say!("Colour of vectors"), list, offered, shown);
-    if let Some(colouring) = chosen.filter(|colouring| *colouring != shown) {
-        workbench.then(move |bench| bench.view.colouring = colouring);
     }
 }
 
