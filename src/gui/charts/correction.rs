@@ -16,13 +16,13 @@ pub(crate) struct Correction;
 
 impl ChartKind for Correction {
     fn about(&self) -> About {
-        About {
-            id: "correction table",
-            short: phrase!("table"),
-            name: phrase!("Correction table"),
-            word: help::CORRECTION,
-            of: ChartChoice::All,
-        }
+        let names = [phrase!("table"), phrase!("Correction table")];
+        About::new(
+            "correction table",
+            names,
+            help::CORRECTION,
+            ChartChoice::All,
+        )
     }
 
     fn is_offered(&self, scene: &Scene) -> bool {

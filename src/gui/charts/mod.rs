@@ -76,6 +76,18 @@ pub(crate) enum ChartChoice {
 }
 
 impl About {
+    /// `names` are that of the list and that of the plot.
+    const fn new(id: &'static str, names: [Template; 2], word: Word, of: ChartChoice) -> Self {
+        let [short, name] = names;
+        Self {
+            id,
+            short,
+            name,
+            word,
+            of,
+        }
+    }
+
     /// Its name where there is little room.
     pub(crate) fn short(&self) -> &'static str {
         spoken(self.short)

@@ -48,13 +48,8 @@ pub(crate) struct Polar;
 
 impl ChartKind for Polar {
     fn about(&self) -> About {
-        About {
-            id: "polar",
-            short: phrase!("polar"),
-            name: phrase!("Polar view"),
-            word: help::POLAR,
-            of: ChartChoice::Component,
-        }
+        let names = [phrase!("polar"), phrase!("Polar view")];
+        About::new("polar", names, help::POLAR, ChartChoice::Component)
     }
 
     fn work(&self, scene: &Scene) -> Option<Work> {

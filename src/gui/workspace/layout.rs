@@ -5,7 +5,7 @@ use egui_plot::PlotTransform;
 
 use crate::text::{Template, filled};
 
-use crate::gui::core::scale::round_down;
+use crate::gui::core::scale::{FEW, round_down};
 
 use super::model::{Dial, Shown};
 
@@ -122,10 +122,18 @@ pub(crate) fn counts(shown: &Shown, transform: &PlotTransform) -> [usize; 2] {
         }
     };
     let [vectors, points] = APART;
-    let vectors = match &shown.extent {
-        _ if shown.vectors.is_some() => 0.0,
-        Some(extent) => extent.cells(side_mm(transform)),
-        None => vectors * (wide * tall).sqrt(),
+    let vectors = match shown.vectors {
+        Some(_) => 0.0,
+        None if shown.samples <= FEW => vectors * (wide * tall).sqrt(),
+        None => {
+            let cells = [0, 1].map(|k| (high[k] - low[k]) / side_mm(transform));
+            let over = if shown.along_a_path {
+                cells[0] + cells[1]
+            } else {
+                cells[0] * cells[1]
+            };
+            over.max(1.0)
+        }
     };
     [points * wide * tall, vectors].map(at_most)
 }

@@ -52,13 +52,8 @@ pub(crate) fn sketches(search: &Arc<Search>) -> Work {
 
 impl ChartKind for Effect {
     fn about(&self) -> About {
-        About {
-            id: ID,
-            short: phrase!("effect"),
-            name: phrase!("Effect's own curve"),
-            word: help::EFFECT_CURVE,
-            of: ChartChoice::Component,
-        }
+        let names = [phrase!("effect"), phrase!("Effect's own curve")];
+        About::new(ID, names, help::EFFECT_CURVE, ChartChoice::Component)
     }
 
     fn is_offered(&self, scene: &Scene) -> bool {
