@@ -10,7 +10,7 @@ use egui::{Button, Context, Key, KeyboardShortcut, Modifiers, Response, Role, Ui
 use crate::gui::core::disk::EXAMPLES;
 use crate::gui::core::simulate::Form;
 use crate::gui::preferences::{Preferences, Theme};
-use crate::gui::style::layout::Layout;
+use crate::gui::style::Layout;
 use crate::gui::view::{About, Edge, Plane, Sheet, Standard, What};
 use crate::gui::workbench::Workbench;
 

@@ -5,7 +5,6 @@
 pub(crate) mod cloud;
 pub(crate) mod heat;
 pub(crate) mod identified;
-pub(crate) mod points;
 
 use std::any::Any;
 use std::cell::RefCell;

@@ -4,7 +4,7 @@
 
 use super::{About, ChartChoice, ChartKind, ChartPlaceholder, HoverTarget, Samples, Scene, Shown};
 use crate::gui::core::loaded_session::Component;
-use crate::gui::core::scale::{FEW, stride, thinned};
+use crate::gui::core::overview::{FEW, stride, thinned};
 use crate::gui::help::Word;
 use crate::numeric::extent;
 use crate::present::chart::{Axis, Deviation, Entry, Form, LegendSymbol, Series, Ticks, shortened};

@@ -1,7 +1,7 @@
 //! Any two quantities of the samples over each other, before and after where one of them is a deviation.
 
 use crate::gui::cache::Work;
-use crate::gui::cache::points::{When, at};
+use crate::gui::charts::{When, at};
 use crate::gui::charts::{
     About, ChartChoice, ChartKind, ChartPlaceholder, HoverTarget, Scene, Seen, Shown,
 };

@@ -10,7 +10,7 @@ use crate::gui::core::document::ExportChoice;
 use crate::gui::help;
 use crate::gui::style::{Palette, size, space, strong};
 use crate::gui::view::{About, Sheet, Step, What};
-use crate::gui::views::{blocks, copies};
+use crate::gui::views::blocks;
 use crate::gui::widgets::{self, Does};
 use crate::gui::workbench::Workbench;
 use crate::language::spoken;
@@ -371,7 +371,7 @@ fn standards(ui: &mut Ui, workbench: &Workbench) {
 
 fn tables(ui: &mut Ui, made: &StandardsFigures) {
     if made.groups.iter().any(|group| !group.rows.is_empty()) {
-        copies::button(ui, say!("figures"), || as_text(made));
+        blocks::button(ui, say!("figures"), || as_text(made));
     }
     let mut explained = "";
     for group in &made.groups {

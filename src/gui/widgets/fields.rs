@@ -5,7 +5,7 @@ use std::cell::RefCell;
 use std::rc::Rc;
 
 use super::buttons::{Does, other, primary, segmented};
-use super::text::{label, wrong};
+use super::{label, wrong};
 use egui::text::{CCursor, CCursorRange};
 use egui::text_edit::TextEditState;
 use egui::{

@@ -16,11 +16,11 @@ use crate::gui::cache::identified::{
     AnswerSummary, ExportPreview, IdentifiedAnswer, Preview, PreviewRequest,
 };
 use crate::gui::cache::{Made, PlotInputs, Work, WorkKey};
+use crate::gui::core::answer::Question;
 use crate::gui::core::answer::term_of;
 use crate::gui::core::answer::{Answer, LoadedModel, Search};
 use crate::gui::core::document::Method;
 use crate::gui::core::overview::measuring_from_base;
-use crate::gui::core::question::Question;
 use crate::gui::jobs::{Kind, Slot};
 use crate::gui::view::{Colouring, Facing, Message, Sorting, Step};
 use crate::present::numbers::{grouped, notation};

@@ -3,10 +3,10 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use crate::gui::core::answer::Question;
 use crate::gui::core::answer::Search;
 use crate::gui::core::document::ExportChoice;
 use crate::gui::core::loaded_session::LoadedSession;
-use crate::gui::core::question::Question;
 use crate::gui::files::{self, Opened};
 use crate::gui::jobs::{Jobs, Kind, Running, Watch};
 use crate::gui::view::{Message, What};

@@ -15,8 +15,7 @@ use crate::gui::core::answer::Search;
 use crate::gui::core::compensated::{Compensated, CompensationRequest, MOST_KG};
 use crate::gui::core::disk::name_of;
 use crate::gui::core::document::{ExportChoice, plain};
-use crate::gui::files::writing::{self, Source};
-use crate::gui::files::{self, Replace};
+use crate::gui::files::{self, Replace, Source};
 use crate::gui::jobs::{Kind, Watch};
 use crate::gui::view::{About, Plot, Sheet, Step, What};
 use crate::kinematics::Robot;
@@ -225,7 +224,7 @@ impl Workbench {
         let stated = self.stated();
         let folder = self.folder().filter(|_| !stated.without_history);
         let robot = self.loaded_session().session.robot.name.clone();
-        let wanted = writing::ReportRequest {
+        let wanted = files::ReportRequest {
             source,
             past: folder.map(|folder| (folder, robot)),
             stated,
@@ -233,7 +232,7 @@ impl Workbench {
             inputs: self.inputs(),
         };
         let work = move |path: &Path, replace: bool, watch: &Watch| {
-            writing::write_report(&wanted, path, replace, watch)
+            files::write_report(&wanted, path, replace, watch)
         };
         Ok(later(work, Self::take_written))
     }

@@ -13,7 +13,6 @@ mod machine;
 mod on_disk;
 #[cfg(test)]
 mod tests;
-mod unsaved;
 /// What the tests of the window do at random; no release has it.
 #[cfg(debug_assertions)]
 #[path = "../../../tests/support/walk/mod.rs"]
@@ -31,13 +30,13 @@ use crate::explain::Section;
 use crate::gui::cache::heat::Heat;
 use crate::gui::cache::identified::{IdentifiedAnswer, Preview};
 use crate::gui::cache::{Made, Memo, PlotInputs, WorkKey};
+use crate::gui::core::answer::Question;
 use crate::gui::core::answer::Search;
 use crate::gui::core::compensated::{Compensated, CompensationRequest};
 use crate::gui::core::disk::Fingerprint;
 use crate::gui::core::document::{Document, ExportChoice, Method};
 use crate::gui::core::history::History;
 use crate::gui::core::loaded_session::LoadedSession;
-use crate::gui::core::question::Question;
 use crate::gui::core::regions::Counts;
 use crate::gui::core::robot_table::RobotTable;
 use crate::gui::core::simulate::Form;

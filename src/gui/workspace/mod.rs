@@ -2,20 +2,18 @@
 //! measured points, error vectors.
 
 pub(crate) mod handles;
-mod layout;
 mod legend;
 mod model;
 mod pen;
 mod pointer;
 mod robot;
 mod scene;
-mod space;
 mod toolbar;
 
-pub(crate) use layout::nearest;
 pub(crate) use model::judged;
+pub(crate) use model::nearest;
 pub(crate) use pointer::{hover, marked};
-pub(crate) use space::robot_alone;
+pub(crate) use scene::robot_alone;
 pub(crate) use toolbar::show as bar;
 
 use egui::{ColorImage, Context, Id, Pos2, Rect, Role, Ui, WidgetInfo, vec2};
@@ -38,7 +36,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench) {
     );
     ui.data_mut(|data| data.insert_temp(picture_id(), (seen, pass)));
     if workbench.view.in_space() {
-        space::show(ui, workbench);
+        scene::show(ui, workbench);
     } else {
         plane(ui, workbench);
     }
@@ -80,7 +78,7 @@ fn plane(ui: &mut Ui, workbench: &Workbench) {
     let editing = view.step == Step::Regions && !workbench.loaded_session().is_empty();
     let seen = Seen::of(ui, workbench);
     let (shown, robot) = (&seen.shown, seen.robot.as_ref());
-    let bounds = layout::bounds(shown);
+    let bounds = model::bounds(shown);
     let plot = plots::plot(("workspace", view.plane.name(), view.fitted.workspace))
         .data_aspect(1.0)
         .set_margin_fraction(egui::Vec2::splat(0.02))
@@ -104,7 +102,7 @@ fn plane(ui: &mut Ui, workbench: &Workbench) {
     let frame = camera.frame();
     tell_plot_size(
         workbench,
-        layout::fitted(bounds, [frame.width(), frame.height()].map(f64::from)),
+        model::fitted(bounds, [frame.width(), frame.height()].map(f64::from)),
     );
     let samples = workbench.loaded_session().overview.usable.len();
     response.widget_info(|| {
@@ -118,7 +116,7 @@ fn plane(ui: &mut Ui, workbench: &Workbench) {
     seen.finish(ui, workbench, &camera, (&response, pointer));
     if editing && let Some(dial) = &shown.dial {
         let handles = Handles {
-            at: &|angle| camera.at_flat(dial.at(angle, layout::HANDLE * dial.radius_mm)),
+            at: &|angle| camera.at_flat(dial.at(angle, model::HANDLE * dial.radius_mm)),
             angle: &|at, near| {
                 let point = transform.value_from_position(at);
                 dial.angle_of([point.x, point.y], near)

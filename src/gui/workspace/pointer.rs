@@ -18,9 +18,8 @@ use crate::gui::widgets;
 use crate::gui::workbench::Workbench;
 use crate::present::numbers::trimmed;
 
-use super::layout;
 use super::legend::{self, Notes};
-use super::model::{Shown, judged};
+use super::model::{self, Shown, judged};
 use super::pen::Camera;
 use super::robot::Drawn;
 
@@ -36,7 +35,7 @@ pub(super) fn under(
 ) -> Option<usize> {
     let transform = &camera.transform;
     let at = transform.value_from_position(at);
-    let [points, _] = layout::counts(shown, transform);
+    let [points, _] = model::counts(shown, transform);
     let scale = camera.points_per_mm();
     drawn_at(
         workbench,

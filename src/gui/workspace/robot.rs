@@ -9,8 +9,8 @@ use std::f64::consts::TAU;
 use egui::{Color32, Pos2, Stroke};
 use nalgebra::{Isometry3, Point3, Vector3};
 
+use crate::gui::core::overview::round_down;
 use crate::gui::core::quantity::joint_value;
-use crate::gui::core::scale::round_down;
 use crate::gui::core::skeleton::Skeleton;
 use crate::gui::style::Palette;
 use crate::gui::workbench::Workbench;
@@ -473,7 +473,7 @@ mod tests {
         for plane in Plane::ALL {
             workbench.execute(|bench| bench.view.look_in(plane));
             let shown = crate::gui::workspace::model::Shown::of(&workbench);
-            let [low, high] = crate::gui::workspace::layout::bounds(&shown);
+            let [low, high] = crate::gui::workspace::model::bounds(&shown);
             let drawn = Drawn::of(&workbench).expect("there are samples");
             for p in &drawn.corners_mm {
                 let p = workbench.facing().flat(p.coords.into());

@@ -15,7 +15,7 @@ use crate::gui::workbench::Workbench;
 use crate::gui::workspace::handles::{self, Handles};
 use crate::gui::workspace::{self, marked, nearest};
 
-use super::super::copies;
+use super::super::blocks;
 
 /// Room for the handle, and for the marks at the right end of the bar, points.
 const HANDLE: f32 = 32.0;
@@ -375,6 +375,6 @@ fn signs(ui: &mut Ui, (place, kind): (Place<'_>, &dyn ChartKind), workbench: &Wo
     if plots::fit(ui, &place.own(say!("Fit chart to view"))) {
         workbench.then(move |bench| bench.view.panes.fit(key));
     }
-    copies::chart_button(ui, &about, key, workbench);
+    blocks::chart_button(ui, &about, key, workbench);
     widgets::question(ui, about.word);
 }

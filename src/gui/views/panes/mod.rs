@@ -14,7 +14,7 @@ use egui_tiles::{
 };
 
 use crate::gui::actions::{self, CHART_BELOW, CHART_BESIDE, CLOSE_CHART};
-use crate::gui::style::layout::MIDDLE;
+use crate::gui::style::MIDDLE;
 use crate::gui::style::{Palette, space};
 use crate::gui::view::{ChartPane, Edge, Key, Pane, Plot, What};
 use crate::gui::widgets;
