@@ -2,7 +2,7 @@
 
 use super::{About, ChartChoice, ChartKind, ChartPlaceholder, HoverTarget, Scene, Shown};
 use crate::compensation::SortedTable;
-use crate::gui::cache::identified::ExportPreview;
+use crate::gui::cache::ExportPreview;
 use crate::gui::core::overview::{MOST_POINTS, stride, thinned};
 use crate::gui::help;
 use crate::gui::view::Step;

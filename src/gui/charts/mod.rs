@@ -8,8 +8,8 @@ use std::borrow::Cow;
 use std::sync::Arc;
 
 use crate::diagnosis::Diagnosis;
-use crate::gui::cache::identified::{ExportPreview, IdentifiedAnswer, Preview};
 use crate::gui::cache::{ChartResult, PlotInputs, Work, WorkKey};
+use crate::gui::cache::{ExportPreview, IdentifiedAnswer, Preview};
 use crate::gui::core::answer::{Answer, Search};
 use crate::gui::core::document::Document;
 use crate::gui::core::loaded_session::{Component, LoadedSession};

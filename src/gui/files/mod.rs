@@ -15,7 +15,7 @@ use crate::atomic::{
 use crate::export::{Document, Job};
 use crate::fonts;
 use crate::gui::cache::cloud::Cloud;
-use crate::gui::cache::identified::{IdentifiedAnswer, PreviewRequest};
+use crate::gui::cache::{IdentifiedAnswer, PreviewRequest};
 use crate::gui::core::answer::{self, LoadedModel, Search};
 use crate::gui::core::compensated::Compensated;
 use crate::gui::core::disk::{EXAMPLES, FileChange, Fingerprint, name_of};

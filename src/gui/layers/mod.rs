@@ -22,8 +22,8 @@ use egui_wgpu::{Callback, CallbackResources, CallbackTrait, RenderState, ScreenD
 use wgpu::util::{BufferInitDescriptor, DeviceExt as _};
 use wgpu::{Buffer, BufferUsages, Device, Queue};
 
+use crate::gui::cache::cloud::Heat;
 use crate::gui::cache::cloud::{Cloud, Place, Remainder, RemainderRow};
-use crate::gui::cache::heat::Heat;
 use crate::gui::style::{Palette, STOPS};
 use crate::gui::view::{Colouring, Facing};
 use crate::numeric::single;
@@ -294,12 +294,7 @@ impl Drawer {
     }
 
     /// Draws the first `count` samples with this pipeline.
-    fn draw(
-        &self,
-        pass: &mut wgpu::RenderPass<'_>,
-        pipeline: &wgpu::RenderPipeline,
-        count: usize,
-    ) {
+    fn draw(&self, pass: &mut wgpu::RenderPass<'_>, pipeline: &wgpu::RenderPipeline, count: usize) {
         pass.set_pipeline(pipeline);
         let mut left = count;
         for (places, remains) in self.places.1.iter().zip(&self.remains.2) {

@@ -16,8 +16,8 @@ use crate::gui::view::{Colouring, Plane};
 
 use super::{CloudLayer, register};
 use super::{Frame, HEAT, LayerOptions, OUTLINE, WIDTH, heat_map, map_in_plot, scale_at};
+use crate::gui::cache::cloud::Heat;
 use crate::gui::cache::cloud::{Cloud, Place, Remainder};
-use crate::gui::cache::heat::Heat;
 
 const SIZE: Vec2 = egui::vec2(240.0, 160.0);
 

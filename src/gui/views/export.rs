@@ -5,7 +5,7 @@ use egui::{DragValue, Grid, RichText, ScrollArea, Ui};
 
 use crate::explain::{self, Block, Detail, Exported, Section, Topic};
 use crate::export::{EXPORTERS, find};
-use crate::gui::cache::identified::{ExportPreview, StandardsFigures, as_text};
+use crate::gui::cache::{ExportPreview, StandardsFigures, as_text};
 use crate::gui::core::document::ExportChoice;
 use crate::gui::help;
 use crate::gui::style::{Palette, size, space, strong};

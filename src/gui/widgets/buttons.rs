@@ -187,7 +187,7 @@ pub(crate) fn width_of_segments<T>(ui: &Ui, options: &[(T, &str)]) -> f32 {
     let padding = 2.0 * ui.spacing().button_padding.x;
     let each = options
         .iter()
-        .map(|(_, name)| super::width_of(ui, name, strong(size::SMALL)) + padding);
+        .map(|(_, name)| width_of(ui, name, strong(size::SMALL)) + padding);
     // The frame around them and the gaps between them.
     each.sum::<f32>() + 6.0 + 2.0 * options.len() as f32
 }

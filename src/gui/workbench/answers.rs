@@ -1,6 +1,6 @@
 //! What the background has worked out about the document, and what is asked of it next.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use egui::TextureHandle;
@@ -9,24 +9,21 @@ use nalgebra::{Isometry3, Vector3};
 use crate::diagnosis::Diagnosis;
 use crate::effects::Term;
 use crate::explain::{Detail, Section, diagnosis};
-use crate::gui::cache::cloud::Remainder;
-use crate::gui::cache::cloud::Uncertain;
-use crate::gui::cache::heat::Heat;
-use crate::gui::cache::identified::{
-    AnswerSummary, ExportPreview, IdentifiedAnswer, Preview, PreviewRequest,
+use crate::gui::cache::cloud::{Heat, Remainder, Uncertain};
+use crate::gui::cache::{
+    AnswerSummary, ExportPreview, IdentifiedAnswer, Made, PlotInputs, Preview, PreviewRequest,
+    Work, WorkKey,
 };
-use crate::gui::cache::{Made, PlotInputs, Work, WorkKey};
-use crate::gui::core::answer::Question;
-use crate::gui::core::answer::term_of;
-use crate::gui::core::answer::{Answer, LoadedModel, Search};
-use crate::gui::core::document::Method;
+use crate::gui::core::answer::{Answer, LoadedModel, Question, Search, term_of};
+use crate::gui::core::document::{ExportChoice, Method};
+use crate::gui::core::loaded_session::LoadedSession;
 use crate::gui::core::overview::measuring_from_base;
-use crate::gui::jobs::{Kind, Slot};
-use crate::gui::view::{Colouring, Facing, Message, Sorting, Step};
+use crate::gui::files::{self, Opened};
+use crate::gui::jobs::{Jobs, Kind, Running, Slot, Watch};
+use crate::gui::view::{Colouring, Facing, Message, Sorting, Step, What};
+use crate::gui::workbench::{Chooser, HeatLook, Workbench};
 use crate::present::numbers::{grouped, notation};
 use crate::text::current;
-
-use super::{HeatLook, Workbench};
 
 impl Workbench {
     /// Whether a model can be held against the open session: both are of the same robot. The
@@ -435,4 +432,296 @@ impl Workbench {
         let say = || diagnosis(found, Detail::window(units)).into();
         self.derived.sections.get(of, say)
     }
+}
+
+// What is done in the background, and what becomes of it; dialogs of the system, one at a time.
+
+impl Workbench {
+    /// Jobs that are under way.
+    pub(crate) fn jobs(&self) -> &Jobs<Self> {
+        &self.jobs
+    }
+
+    /// The search that is under way.
+    pub(crate) fn searching(&self) -> Option<&Running> {
+        self.jobs.running(Kind::Searches)
+    }
+
+    /// Takes what was done in the background. Whether there was anything.
+    pub(crate) fn receive(&mut self) -> bool {
+        let mut any = false;
+        loop {
+            let arrived = self.jobs.poll();
+            if arrived.is_empty() {
+                return any;
+            }
+            any = true;
+            for (kind, outcome) in arrived {
+                self.execute(|bench| match outcome {
+                    Some(take) => take(bench),
+                    None => bench.broke_off(kind),
+                });
+            }
+        }
+    }
+
+    /// Searches a session for what is missing, unless a search is under way.
+    pub(super) fn search_in(&mut self, loaded_session: Arc<LoadedSession>) {
+        if self.searching().is_some() {
+            return;
+        }
+        self.derived.stopped = None;
+        self.derived.searching = Some(Arc::clone(&loaded_session));
+        self.jobs.start(
+            Kind::Searches,
+            say!("searching"),
+            move |watch| Search::of(loaded_session, watch),
+            // What is in the model may be just what was found, with the search's values.
+            |bench: &mut Self, search| {
+                bench.derived.searching = None;
+                bench.derived.searched = Some(Arc::new(search));
+            },
+        );
+    }
+
+    /// Stops the search. The names that it had found until then stay in sight, and a diagnosis that was complete
+    /// stays what it was: what is stopped half-way answers nothing.
+    pub(crate) fn stop_search(&mut self) {
+        let found = self.jobs.running(Kind::Searches).map(Running::found);
+        self.jobs.cancel(|kind| kind == Kind::Searches);
+        let searched = self.derived.searching.take();
+        self.derived.stopped = searched.zip(found);
+    }
+
+    /// Stops the search where it is about other samples than those that are here now, or what it began from was
+    /// undone.
+    pub(super) fn stop_search_of_others(&mut self) {
+        let here = |searched: &Arc<LoadedSession>| {
+            Arc::ptr_eq(searched, self.loaded_session()) && self.document().identified
+        };
+        if self
+            .derived
+            .searching
+            .as_ref()
+            .is_some_and(|one| !here(one))
+        {
+            self.stop_search();
+            let title = say!("The diagnosis was stopped: what it was about has changed").to_owned();
+            let again = say!("Run it again for what is here now").to_owned();
+            self.view.message = Some(Message::done(title, vec![again]));
+        }
+    }
+
+    /// Names that a search of the open session had found when it was stopped.
+    pub(crate) fn stopped(&self) -> Option<&[String]> {
+        let (loaded_session, found) = self.derived.stopped.as_ref()?;
+        Arc::ptr_eq(loaded_session, self.loaded_session()).then_some(found)
+    }
+
+    /// Drops the newest job that the status bar names; what was to be done after it is not wanted any more either.
+    pub(crate) fn cancel_newest(&mut self) {
+        self.cancel_pending_action();
+        if self.jobs.newest().is_some_and(Running::searches) {
+            return self.stop_search();
+        }
+        if let Some(kind) = self.jobs.cancel(Kind::has_a_name) {
+            self.decline(kind);
+        }
+    }
+
+    /// Nothing comes of a job of this kind.
+    fn decline(&mut self, kind: Kind) {
+        match kind {
+            Kind::Identifies => self.derived.identified.decline(),
+            Kind::Prepares => self.derived.preview.decline(),
+            Kind::Searches => self.derived.searching = None,
+            _ => {}
+        }
+    }
+
+    /// Gives the memory of what was worked out before back elsewhere: with many samples that takes
+    /// longer than a frame may.
+    pub(super) fn let_go(&mut self, before: Option<impl Send + 'static>) {
+        const MANY: usize = 100_000;
+        if before.is_some() && self.loaded_session().len() > MANY {
+            self.jobs.quietly(move || drop(before), |_, ()| ());
+        }
+    }
+
+    pub(super) fn take_opened(&mut self, opened: Result<Opened, Message>) {
+        match opened {
+            Ok(Opened::Session(loaded_session)) => {
+                self.open_session(loaded_session);
+            }
+            Ok(Opened::Foreign(draft)) => self.ask_about(draft),
+            Ok(Opened::Model(given)) => {
+                let beside = self.has_a_session_for(&given);
+                self.edit(phrase!("open model"), |document| {
+                    document.open_model(given, beside);
+                    Ok(())
+                });
+            }
+            Err(message) => self.take_written(message),
+        }
+    }
+
+    /// Writes a file in the background.
+    pub(super) fn write<T: Send + 'static>(
+        &mut self,
+        path: PathBuf,
+        work: impl FnOnce(&Path, &Watch) -> T + Send + 'static,
+        then: impl FnOnce(&mut Self, T) + Send + 'static,
+    ) {
+        let says = say!("writing {path}", path = path.display());
+        let work = move |watch: &Watch| work(&path, watch);
+        self.jobs.start(Kind::Writes, says, work, then);
+    }
+
+    /// A table or a model was written, of the answer to this question, or not.
+    pub(super) fn take_exported(
+        &mut self,
+        exported: Result<PathBuf, Message>,
+        question: Option<Question>,
+        choice: ExportChoice,
+    ) {
+        match exported {
+            Ok(path) => {
+                self.file_state.model_on_file.clone_from(&question);
+                self.view.message = Some(Message::saved(&path, Vec::new()));
+                if question == self.question() {
+                    self.remember_name(&path, choice);
+                }
+                self.file_state.exported.retain(|(other, _)| *other != path);
+                self.file_state.exported.push((path, question));
+                self.resume();
+            }
+            Err(message) => self.take_written(message),
+        }
+    }
+
+    /// Something was written, or not: what was to be done then is done, or is not.
+    pub(super) fn take_written(&mut self, message: Message) {
+        let written = !message.wrong;
+        self.view.message = Some(message);
+        if written {
+            self.resume();
+        } else {
+            self.cancel_pending_action();
+        }
+    }
+
+    /// Opens a file with the system's program for it, or shows it in its folder.
+    pub(crate) fn open_outside(&mut self, path: PathBuf, in_folder: bool) {
+        self.jobs.quietly(
+            move || files::open_outside(&path, in_folder).map_err(|because| (path, because)),
+            |bench: &mut Self, opened| {
+                if let Err((path, because)) = opened {
+                    let title = say!("{path} could not be opened", path = path.display());
+                    bench.complain(&title, vec![because]);
+                }
+            },
+        );
+    }
+
+    /// What was worked out is about another session than the one that is open now, and is not taken.
+    pub(super) fn is_of_another(&mut self, title: &str) {
+        self.complain(
+            title,
+            [say!(
+                "The session is another one now: ask for it again where it is still wanted"
+            )],
+        );
+    }
+
+    fn broke_off(&mut self, kind: Kind) {
+        self.decline(kind);
+        self.complain(
+            say!("Something went wrong inside the program"),
+            [say!(
+                "Nothing was changed; save your work, and please report what you did last"
+            )],
+        );
+    }
+}
+
+impl Workbench {
+    /// Asks for a file to open.
+    pub(crate) fn choose_file(&mut self, ask: fn(Option<&Path>) -> Option<PathBuf>) {
+        let says = say!("waiting for a file to be chosen");
+        self.choose_near(says, ask, |bench, path| match path {
+            Some(path) => bench.open_file(path),
+            // Cancelled, or there is no dialog on this system: the two look alike.
+            None => bench.view.message = Some(no_file_was_chosen()),
+        });
+    }
+
+    /// Asks for something beside the file in hand, or the latest.
+    pub(super) fn choose_near(
+        &mut self,
+        what: &str,
+        ask: fn(Option<&Path>) -> Option<PathBuf>,
+        then: impl FnOnce(&mut Self, Option<PathBuf>) + Send + 'static,
+    ) {
+        let near = self.file().map(Path::to_path_buf);
+        let near = near.or_else(|| Some(self.recent().next()?.clone()));
+        self.choose(what, move || ask(near.as_deref()), then);
+    }
+
+    /// Asks where to export to: what is there now is written, whatever is open by then.
+    pub(crate) fn choose_where_to_export(&mut self, what: What) {
+        if self.needs_picture(what) {
+            return self.wait_for_picture(move |bench| bench.choose_where_to_export(what));
+        }
+        let Some(write) = self.prepared(what) else {
+            return;
+        };
+        let path = self.placed(self.name_of(what).as_ref());
+        let ask = move || files::choose_to_export(what, &path);
+        self.choose(say!("waiting for a file name"), ask, move |bench, path| {
+            if let Some(path) = path {
+                // The dialog has asked.
+                return write(bench, path, true);
+            }
+            bench.type_path(what);
+        });
+    }
+
+    /// Waits for the system's dialog, of which there is one at a time.
+    pub(super) fn choose(
+        &mut self,
+        what: &str,
+        ask: impl FnOnce() -> Option<PathBuf> + Send + 'static,
+        then: impl FnOnce(&mut Self, Option<PathBuf>) + Send + 'static,
+    ) {
+        if self.asking().is_some() {
+            return;
+        }
+        let instead = self.chooser.clone();
+        let ask = move || instead.map_or_else(ask, |chosen| chosen());
+        self.jobs.start(Kind::Asks, what, move |_| ask(), then);
+    }
+
+    /// The dialog of the system that is open: until it is answered the window takes no commands.
+    pub(crate) fn asking(&self) -> Option<&Running> {
+        self.jobs.running(Kind::Asks)
+    }
+
+    /// Goes on without an answer: a dialog that the system does not show must not hold the window for ever.
+    pub(crate) fn stop_asking(&mut self) {
+        self.cancel_pending_action();
+        self.jobs.cancel(|kind| kind == Kind::Asks);
+    }
+
+    /// Takes this for the answer of every dialog of the system.
+    pub(crate) fn choose_by(&mut self, chooser: Chooser) {
+        self.chooser = Some(chooser);
+    }
+}
+
+/// Cancelled, or there is no dialog on this system.
+pub(super) fn no_file_was_chosen() -> Message {
+    Message::done(
+        say!("No file was chosen").to_owned(),
+        vec![say!("If no dialog appeared, drop the file on the window, or type its path in the Session step").to_owned()],
+    )
 }

@@ -9,7 +9,7 @@ use egui::ColorImage;
 use crate::compensation::decision::FittedErrors;
 use crate::export::find;
 use crate::gui::cache::Work;
-use crate::gui::cache::identified::{IdentifiedAnswer, PreviewRequest, StandardsFigures};
+use crate::gui::cache::{IdentifiedAnswer, PreviewRequest, StandardsFigures};
 use crate::gui::charts;
 use crate::gui::core::answer::Search;
 use crate::gui::core::compensated::{Compensated, CompensationRequest, MOST_KG};
@@ -26,7 +26,7 @@ use crate::robots::named;
 use crate::sessions::{robot_document, samples_path};
 
 use super::Workbench;
-use crate::gui::workbench::background::no_file_was_chosen;
+use crate::gui::workbench::answers::no_file_was_chosen;
 
 impl Workbench {
     /// What an export's file is called unless the user says otherwise.

@@ -5,7 +5,6 @@
 //! before and half after a change. What follows from the state is asked for after each change.
 
 mod answers;
-mod background;
 mod charts;
 mod drafts;
 mod exports;
@@ -27,8 +26,8 @@ use egui::{Color32, ColorImage, TextureHandle};
 
 use crate::effects::Term;
 use crate::explain::Section;
-use crate::gui::cache::heat::Heat;
-use crate::gui::cache::identified::{IdentifiedAnswer, Preview};
+use crate::gui::cache::cloud::Heat;
+use crate::gui::cache::{IdentifiedAnswer, Preview};
 use crate::gui::cache::{Made, Memo, PlotInputs, WorkKey};
 use crate::gui::core::answer::Question;
 use crate::gui::core::answer::Search;
