@@ -120,10 +120,10 @@ fn the_heat_map_and_the_colours_are_switched_in_the_bar() {
     choose(&mut window, "heat map");
     assert!(there(&window, "legend: heat map, mm"));
     assert!(!there(&window, uncertainty), "there is no model yet");
-    keys(&mut window, Modifiers::NONE, Key::Escape);
-    keys(&mut window, Modifiers::COMMAND, Key::I);
+    keys(&mut window, egui::Modifiers::NONE, egui::Key::Escape);
+    keys(&mut window, egui::Modifiers::COMMAND, egui::Key::I);
     choose(&mut window, uncertainty);
-    keys(&mut window, Modifiers::NONE, Key::Escape);
+    keys(&mut window, egui::Modifiers::NONE, egui::Key::Escape);
     window.get_by_label("x z").click();
     window.run_steps(4);
     window.get_by_label("workspace plot, 208 samples");

@@ -670,7 +670,7 @@ mod layout_tests {
             "{points} {closer}"
         );
         assert!(at(0.02) > at(0.1));
-        assert_eq!(at(0.0001), [1_000_000, 1_000_000]);
+        assert_eq!(at(0.000_01), [1_000_000, 1_000_000]);
         let says = drawn(&shown, at(1.5));
         assert!(says[1].ends_with(" vectors; zoom in for more"), "{says:?}");
         assert!(drawn(&shown, [1_000_000; 2]).is_empty());
