@@ -334,8 +334,8 @@ fn the_curve_of_an_effect_is_looked_at_once() {
 /// An arm of the library with an eccentricity of joint 2 alone: it gets its own name, or stands beside it.
 #[test]
 fn an_eccentricity_of_joint_2_of_an_arm_is_not_called_its_compliance() {
-    let mut window = window(None);
     for seed in ["1", "2"] {
+        let mut window = window_of([1280.0, 800.0], None, Runner::AtOnce);
         keys(&mut window, SHIFTED, Key::N);
         window.event(egui::Event::Text("ur5e".to_owned()));
         window.run_steps(4);
