@@ -8,17 +8,14 @@
 
 use std::sync::Arc;
 
-use nalgebra::DMatrix;
-
 use crate::effects::JointValues;
 use crate::fit::expected::uncertainties_mm;
 use crate::fit::problem::Problem;
-use crate::fit::ranges::{along_joint, over_the_ranges};
+use crate::fit::ranges::along_joint;
 use crate::gui::core::answer::Answer;
 use crate::gui::core::loaded_session::LoadedSession;
 use crate::gui::view::Plane;
 use crate::lanes::dot;
-use crate::model::Model;
 use crate::numeric::{single, whole};
 
 /// Measured point, and deviation before.
@@ -125,9 +122,6 @@ pub(crate) struct Uncertain {
     pub(crate) mm: Vec<f64>,
     /// Of each reflector at the values of [`LoadedSession::over_travel`], mm; none of other robots.
     pub(crate) along_mm: Vec<Vec<f64>>,
-    /// At poses over the ranges of several joints: where the model says that the reflector is, in the
-    /// measuring frame, mm, and how sure it is of that, mm.
-    pub(crate) over: Vec<([f64; 3], f64)>,
     /// The largest, mm.
     pub(crate) most_mm: f64,
     /// What is left of the deviations, with the uncertainty, as it is uploaded.
@@ -166,15 +160,9 @@ impl Uncertain {
         let along = along.flatten().unwrap_or_default();
         let along = along.chunks(values.len().max(1)).map(<[f64]>::to_vec);
         let along_mm: Vec<Vec<f64>> = along.collect();
-        let over = if loaded_session.session.robot.joint_count() > 1 {
-            over_the_workspace(&found.model, &problem, covariance)
-        } else {
-            Vec::new()
-        };
         let most_mm = mm
             .iter()
             .chain(along_mm.iter().flatten())
-            .chain(over.iter().map(|(_, mm)| mm))
             .copied()
             .filter(|v| v.is_finite())
             .fold(0.0, f64::max);
@@ -188,26 +176,10 @@ impl Uncertain {
         (most_mm > 0.0).then(|| Self {
             mm,
             along_mm,
-            over,
             most_mm,
             remainder: Arc::new(remainder),
         })
     }
-}
-
-/// See [`Uncertain::over`].
-fn over_the_workspace(
-    model: &Model,
-    problem: &Problem,
-    covariance: &DMatrix<f64>,
-) -> Vec<([f64; 3], f64)> {
-    let inputs = over_the_ranges(problem);
-    let sure = uncertainties_mm(model, &inputs, covariance).unwrap_or_default();
-    let at = model.predict(&inputs);
-    let all = sure.into_iter().enumerate();
-    let all = all.map(|(k, mm)| ([at.x_mm[k], at.y_mm[k], at.z_mm[k]], mm));
-    all.filter(|(at, mm)| mm.is_finite() && at.iter().all(|v| v.is_finite()))
-        .collect()
 }
 
 // The error between the samples: a map of the root mean square deviation over the plane.
@@ -396,6 +368,7 @@ mod tests {
     use super::*;
     use crate::gui::testing::workbench;
     use crate::gui::view::Colouring;
+    use crate::model::Model;
 
     #[test]
     fn every_beginning_of_the_order_is_spread_evenly() {
@@ -530,31 +503,6 @@ mod tests {
             let (way, own) = (of(sample), uncertain.mm[sample]);
             assert!((way / own - 1.0).abs() < 0.02, "{way} {own}");
         }
-    }
-
-    #[test]
-    fn of_several_joints_it_is_known_over_their_ranges_as_the_answer_says() {
-        let mut workbench = workbench();
-        let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/arms");
-        workbench.execute(|bench| bench.open_file(folder.join("six-60.json")));
-        workbench.receive();
-        workbench.execute(|bench| bench.identify(None));
-        workbench.execute(|bench| bench.view.colouring = Colouring::Uncertainty);
-        workbench.receive();
-        let uncertain = workbench.uncertain().expect("it is known");
-        let said = workbench
-            .answer()
-            .expect("an answer")
-            .identification
-            .expected
-            .as_ref();
-        let squares: f64 = uncertain.over.iter().map(|(_, mm)| mm * mm).sum();
-        let rms_mm = (squares / uncertain.over.len() as f64).sqrt();
-        let most_mm = uncertain.over.iter().map(|(_, mm)| *mm).fold(0.0, f64::max);
-        let said = said.expect("it says so");
-        assert!((rms_mm / said.rms_mm - 1.0).abs() < 1e-9);
-        assert!((most_mm / said.max_mm - 1.0).abs() < 1e-9);
-        assert!(uncertain.most_mm >= most_mm);
     }
 }
 

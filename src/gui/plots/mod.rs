@@ -371,8 +371,8 @@ pub(crate) fn show_chart(
     // No closer than their numbers need, which are left out otherwise.
     let room = (ui.available_width() - beside.max(40.0)) / 50.0;
     let most = f64::from(room.clamp(3.0, 9.0));
-    let plot_of = plot_of(id, chart, beside, most, &palette);
-    show(ui, plot_of, chart.bounds, |painter, transform| {
+    let plot = plot_of(id, chart, beside, most, &palette);
+    show(ui, plot, chart.bounds, |painter, transform| {
         let canvas = Canvas {
             transform,
             painter,
@@ -542,7 +542,7 @@ const HIGH: f32 = 220.0;
 const BETWEEN: f32 = 12.0;
 
 /// The line between a chart's bar and the chart: what the marks are, and what has to be said. It stands beside
-/// the plot_of, not on it, so that it covers no sample. What was before can be left out where there is something
+/// the plot, not on it, so that it covers no sample. What was before can be left out where there is something
 /// after: `shown` says whether it is there.
 pub(crate) fn legend(ui: &mut Ui, chart: &Chart, shown: Option<bool>, workbench: &Workbench) {
     let font = FontId::proportional(size::SMALL);

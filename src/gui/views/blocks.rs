@@ -301,23 +301,32 @@ fn correction(ui: &mut Ui, workbench: &Workbench, found: &Correction) {
         workbench.loaded_session().session.robot.joints[found.term.joint].kind,
         &found.term,
     );
+    // It is what the names leave: without them it would correct something else.
+    let mut terms = workbench.not_added();
+    terms.push(found.term.clone());
+    let says = [
+        say!("Add smooth correction"),
+        say!("smooth correction in the model"),
+    ];
+    in_the_model(ui, workbench, terms, says);
+}
+
+/// Adds terms to the model, or switches the last of them on and off there.
+pub(super) fn in_the_model(
+    ui: &mut Ui,
+    workbench: &Workbench,
+    terms: Vec<Term>,
+    [add, there]: [&str; 2],
+) {
+    let Some(term) = terms.last() else { return };
     let mut added = workbench.document().added.iter();
-    match added.position(|a| a.term.same_column(&found.term)) {
-        None => {
-            if widgets::secondary(ui, say!("Add smooth correction")).clicked() {
-                // It is what the names leave: without them it would correct something else.
-                let mut terms = workbench.not_added();
-                terms.push(found.term.clone());
-                workbench.then(move |bench| bench.add(&terms));
-            }
+    if let Some(index) = added.position(|a| a.term.same_column(term)) {
+        let mut on = workbench.document().added[index].on;
+        if ui.checkbox(&mut on, there).changed() {
+            workbench.then(move |bench| bench.switch(index, on));
         }
-        Some(index) => {
-            let mut on = workbench.document().added[index].on;
-            let checkbox = ui.checkbox(&mut on, say!("smooth correction in the model"));
-            if checkbox.changed() {
-                workbench.then(move |bench| bench.switch(index, on));
-            }
-        }
+    } else {
+        widgets::secondary(ui, add).does(workbench, move |bench| bench.add(&terms));
     }
 }
 
@@ -441,7 +450,7 @@ fn id_of(chart: &str) -> Id {
     Id::unique("copied").with(chart)
 }
 
-/// The effect_title of an effect: what is copied is English, as files are.
+/// The title of an effect: what is copied is English, as files are.
 fn effect_title(id: &str) -> &str {
     find(id).map_or(id, |effect| effect.about().title.english())
 }

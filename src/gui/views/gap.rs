@@ -144,26 +144,18 @@ fn stages(ui: &mut Ui, workbench: &Workbench) {
         // The results name them, where they are in sight.
         let named = crate::gui::actions::layout(ui.ctx(), workbench).results();
         if k == SEARCHING && !named {
-            names_so_far(ui, &found);
+            ui.indent("found so far", |ui| names(ui, &found));
+            if !found.is_empty() {
+                widgets::hint(
+                    ui,
+                    say!("Found so far; a likelier name may take the place of one"),
+                );
+            }
         }
     }
     let bar = ProgressBar::new(running.progress().unwrap_or(0.0));
     ui.add(bar.desired_height(8.0).fill(palette.accent));
     widgets::look_again_soon(ui);
-}
-
-/// What was found so far; a later step may exchange it for something likelier.
-fn names_so_far(ui: &mut Ui, found: &[String]) {
-    for name in found {
-        let title = crate::present::names::title_of(name);
-        ui.indent((say!("found so far"), name), |ui| ui.label(title));
-    }
-    if !found.is_empty() {
-        widgets::hint(
-            ui,
-            say!("so far; a likelier name may take the place of one"),
-        );
-    }
 }
 
 /// What each effect is worth: switched off and on.
@@ -289,12 +281,16 @@ fn so_far(ui: &mut Ui, name: &str, says: &str, found: &[String]) {
     widgets::card(ui, |ui| {
         widgets::bold(ui, name);
         widgets::hint(ui, says);
-        for name in found {
-            let label = ui.label(title_of(name));
-            let id = name.split(' ').next().unwrap_or(name);
-            widgets::explained_effect(label, id);
-        }
+        names(ui, found);
     });
+}
+
+fn names(ui: &mut Ui, found: &[String]) {
+    for name in found {
+        let label = ui.label(title_of(name));
+        let id = name.split(' ').next().unwrap_or(name);
+        widgets::explained_effect(label, id);
+    }
 }
 
 fn all(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis) {
@@ -381,7 +377,7 @@ fn hidden(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis) {
     let id = egui::Id::unique("hidden").with(loaded_session.lineage);
     let shown: bool = ui.data(|data| data.get_temp(id)).unwrap_or(false);
     let says = if shown {
-        say!("Do not findings what was hidden")
+        say!("Do not show what was hidden")
     } else {
         say!("Show what was hidden")
     };
@@ -467,7 +463,10 @@ fn effect_card(
         Some(curve) => sketch(ui, workbench, (index, curve)),
         None => curve_link(ui, workbench, index),
     }
-    in_the_model(ui, workbench, d, index);
+    // The button that stands out is the one at the foot of the step, which adds all of them.
+    let term = term_of(d, &d.found[index]).into_iter().collect();
+    let says = [say!("Add to model"), say!("in the model")];
+    blocks::in_the_model(ui, workbench, term, says);
     ui.push_id(index, |ui| {
         widgets::folded(ui, say!("More"), size::SMALL, |ui| blocks::show(ui, more));
     });
@@ -551,25 +550,4 @@ fn drawn(room: Rect, curve: &EffectCurve, palette: &Palette) -> Vec<Shape> {
         }
     }
     shapes
-}
-
-/// Adds the effect to the model, or switches it off there.
-fn in_the_model(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis, index: usize) {
-    let Some(term) = term_of(d, &d.found[index]) else {
-        return;
-    };
-    let mut added = workbench.document().added.iter();
-    match added.position(|a| a.term.same_column(&term)) {
-        None => {
-            // The button that stands out is the one at the foot of the step, which adds all of them.
-            widgets::secondary(ui, say!("Add to model"))
-                .does(workbench, move |bench| bench.add(&[term]));
-        }
-        Some(index) => {
-            let mut on = workbench.document().added[index].on;
-            if ui.checkbox(&mut on, say!("in the model")).changed() {
-                workbench.then(move |bench| bench.switch(index, on));
-            }
-        }
-    }
 }

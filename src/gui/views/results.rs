@@ -430,8 +430,8 @@ fn effects(ui: &mut Ui, workbench: &Workbench) {
         return;
     }
     let title = say!(
-        one "{count} that this session cannot controls",
-        "{count} that this session cannot controls",
+        one "{count} that this session cannot show",
+        "{count} that this session cannot show",
         count = loaded_session.coverage.not_testable.len()
     );
     widgets::folded(ui, &title, size::SMALL, |ui| {

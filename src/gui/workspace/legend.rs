@@ -219,10 +219,6 @@ fn meanings(all: &mut Vec<Entry>, workbench: &Workbench, shown: &Shown, palette:
     } else {
         all.push(disc(say!("measured"), palette.text));
     }
-    if !shown.over.is_empty() {
-        let name = say!("poses over the joints’ ranges");
-        all.push(Entry::new(name, move |pen, at| pen.square(at, middle)));
-    }
 }
 
 /// What the legend says of what is not drawn. It stands above the plot, and what is drawn follows

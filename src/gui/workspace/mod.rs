@@ -291,7 +291,7 @@ fn blend(ui: &mut Ui, workbench: &Workbench) {
     }
 }
 
-/// What the vectors, the marks and the heat map bar.
+/// What the vectors, the marks and the heat map show.
 fn blend_says(blend: f32) -> String {
     if blend <= 0.0 {
         say!("shown: the deviation before, measured − nominal robot").to_owned()

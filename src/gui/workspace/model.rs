@@ -8,7 +8,7 @@ use crate::gui::cache::cloud::{Cloud, Uncertain};
 use crate::gui::core::loaded_session::LoadedSession;
 use crate::gui::core::overview::{FEW, long_mm, round_down};
 use crate::gui::layers::LayerOptions;
-use crate::gui::view::{Ball, Colouring, Facing, Plane};
+use crate::gui::view::{Ball, Colouring, Plane};
 use crate::gui::workbench::Workbench;
 use crate::numeric::single;
 use crate::text::{Template, filled};
@@ -74,8 +74,6 @@ pub(crate) struct Shown {
     /// How sure the model is along each of them, as a part of the colour scale; none where colour says
     /// something else.
     pub(crate) sure: Vec<Vec<f32>>,
-    /// The same at poses over the ranges of several joints, with where they are, mm.
-    pub(crate) over: Vec<([f64; 3], f32)>,
     /// Where joint 1 turns in this plane.
     pub(crate) dial: Option<Dial>,
     /// How much longer than real the vectors are drawn.
@@ -130,7 +128,6 @@ impl Shown {
             vectors: telling.map(|samples| samples.iter().map(visible).collect()),
             paths_mm: paths(loaded_session, &workbench.base()),
             sure: sure(workbench),
-            over: over(workbench, &facing),
             dial: (!view.in_space())
                 .then(|| dial(loaded_session, view.plane))
                 .flatten(),
@@ -318,17 +315,6 @@ fn sure(workbench: &Workbench) -> Vec<Vec<f32>> {
     let part = |mm: &f64| single(mm / uncertain.most_mm);
     let along = uncertain.along_mm.iter();
     along.map(|way| way.iter().map(part).collect()).collect()
-}
-
-/// The uncertainty over the ranges of several joints, the farthest first.
-fn over(workbench: &Workbench, facing: &Facing) -> Vec<([f64; 3], f32)> {
-    let Some(uncertain) = workbench.uncertain() else {
-        return Vec::new();
-    };
-    let mut all: Vec<_> = uncertain.over.iter().collect();
-    all.sort_by(|(a, _), (b, _)| facing.nearness(*a).total_cmp(&facing.nearness(*b)));
-    let part = |(at, mm): &([f64; 3], f64)| (*at, single(mm / uncertain.most_mm));
-    all.into_iter().map(part).collect()
 }
 
 /// Points on the way of the nominal robot: an arc of each reflector for a single joint that turns.

@@ -3,10 +3,9 @@
 //! is drawn.
 
 use egui::accesskit::{Action, ActionData};
-use egui::text::{LayoutJob, TextFormat};
 use egui::{
-    CursorIcon, EventFilter, FontId, Id, Key, PopupAnchor, Pos2, Rect, Response, Role, Sense,
-    Stroke, Tooltip, Ui, Vec2, WidgetInfo, vec2,
+    CursorIcon, EventFilter, Id, Key, PopupAnchor, Pos2, Rect, Response, Role, Sense, Stroke,
+    Tooltip, Ui, Vec2, WidgetInfo,
 };
 
 use crate::gui::actions::EXCLUDE;
@@ -14,7 +13,7 @@ use crate::gui::cache::cloud::Cloud;
 use crate::gui::core::loaded_session::Component;
 use crate::gui::core::quantity::joint_value;
 use crate::gui::core::regions::{self, SNAP_DEG};
-use crate::gui::style::{Palette, size};
+use crate::gui::style::Palette;
 use crate::gui::view::{Colouring, ViewState};
 use crate::gui::widgets;
 use crate::gui::workbench::Workbench;
@@ -302,80 +301,22 @@ fn over(ui: &mut Ui, workbench: &Workbench, seen: &Seen, camera: &Camera) {
         above.set_clip_rect(room.expand(40.0));
         legend::scale_in(&above, room, workbench, all, camera);
     }
-    let Some(robot) = &seen.robot else {
-        return;
-    };
-    let written = robot.asked_for && workbench.view.hovered.is_none();
-    values(ui, camera, robot, written, &Palette::of(ui));
+    if let Some(robot) = &seen.robot {
+        label(ui, camera, robot);
+    }
 }
 
-/// The joint values beside the tool; only said, not `written`, where the card at the pointer has them.
-fn values(ui: &mut Ui, camera: &Camera, drawn: &Drawn, written: bool, palette: &Palette) {
-    const MOST: usize = 8;
-    let says = drawn.describe();
+/// Where the robot's tool is, for a screen reader.
+fn label(ui: &Ui, camera: &Camera, drawn: &Drawn) {
     let frame = camera.frame();
     let tool = drawn.corners_mm.last();
     let tool = tool.map(|p| camera.at(p.coords.into()));
-    let Some(tool) = tool.filter(|t| written && frame.contains(*t)) else {
-        label(
-            ui,
-            Rect::from_min_size(frame.left_top(), Vec2::splat(1.0)),
-            &says,
-        );
-        return;
-    };
-    let font = FontId::proportional(size::SMALL);
-    let mut text = LayoutJob::default();
-    let mut row = |words: String, color| {
-        let line = if text.is_empty() {
-            words
-        } else {
-            format!("\n{words}")
-        };
-        text.append(&line, 0.0, TextFormat::simple(font.clone(), color));
-    };
-    if let Some(sample) = drawn.sample {
-        row(say!("sample {sample}", sample = sample + 1), palette.muted);
-    }
-    for (name, value) in drawn.values.iter().take(MOST) {
-        row(format!("{name} {value}"), palette.text);
-    }
-    if drawn.values.len() > MOST {
-        let more = drawn.values.len() - MOST;
-        row(say!("and {more} more", more), palette.muted);
-    }
-    if let Some(real) = &drawn.real {
-        let what = if real.identified {
-            say!("identified")
-        } else {
-            say!("measured")
-        };
-        row(
-            format!("{what} × {}", trimmed(real.times, 2)),
-            palette.muted,
-        );
-    }
-    let text = ui.painter().layout_job(text);
-    let card = text.size() + vec2(12.0, 6.0);
-    let most = (frame.max - card).max(frame.min);
-    let place = Rect::from_min_size((tool + Vec2::splat(16.0)).clamp(frame.min, most), card);
-    let painter = ui.painter().with_clip_rect(frame);
-    painter.rect(
-        place,
-        4.0,
-        palette.surface.gamma_multiply(0.9),
-        Stroke::new(1.0, palette.line),
-        egui::StrokeKind::Inside,
-    );
-    painter.galley(place.min + vec2(6.0, 3.0), text, palette.text);
-    label(ui, place, &says);
-}
-
-/// A line for screen readers.
-fn label(ui: &Ui, place: Rect, says: &str) {
+    let at = tool.filter(|tool| frame.contains(*tool));
+    let place = Rect::from_min_size(at.unwrap_or(frame.left_top()), Vec2::splat(1.0));
     let id = ui.scope_id().with("robot");
     let response = ui.interact(place, id, egui::Sense::hover());
-    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, says));
+    let says = drawn.describe();
+    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, &says));
 }
 
 /// The points has to be another by this share for vectors to be drawn for it.

@@ -109,9 +109,6 @@ fn heat(pen: &mut Pen<'_>, workbench: &Workbench, shown: &Shown, camera: &Camera
 fn path(pen: &mut Pen<'_>, shown: &Shown, camera: &Camera) {
     let palette = pen.palette;
     let sure = |part: f32| scale_at(palette, part);
-    for (at, part) in &shown.over {
-        pen.square(camera.at(*at), sure(*part));
-    }
     for (k, path) in shown.paths_mm.iter().enumerate() {
         let parts = shown.sure.get(k).map_or(&[][..], Vec::as_slice);
         for (pair, part) in path.windows(2).zip(parts) {
