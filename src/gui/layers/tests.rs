@@ -186,7 +186,7 @@ fn compare_arrows(pixels: f32, palette: Palette, colouring: Colouring, blend: f3
                 scale_at(&palette, (length / 2.0) as f32)
             }
             Colouring::Uncertainty => scale_at(&palette, 0.75),
-            _ => palette.after,
+            Colouring::State => palette.after,
         });
         let width = point
             * match colouring {
@@ -291,7 +291,7 @@ fn compare_marks(pixels: f32, palette: Palette, colouring: Colouring) {
             Colouring::Uncertainty => scale_at(&palette, 0.75),
             Colouring::State if within => palette.within,
             // No temperature is known.
-            _ => palette.surface,
+            Colouring::State => palette.surface,
         };
         let (edge, half) = match (within, colouring) {
             (false, _) => (palette.outside, 0.7 * point),

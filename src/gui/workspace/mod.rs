@@ -9,6 +9,7 @@ use egui_plot::Axis;
 use pen::{Camera, Pen};
 use pointer::{Seen, tell_plot_size};
 
+use crate::gui::core::overview::Readable;
 use crate::gui::plots::{self, axis, picture, steps_in};
 use crate::gui::style::{Palette, size, space};
 use crate::gui::view::{Aspect, Colouring, Plane, Plot, Step};
@@ -243,7 +244,9 @@ fn display(ui: &mut Ui, workbench: &Workbench) {
     menu.show(|ui| {
         ui.spacing_mut().item_spacing = vec2(space::ROW, space::ROW);
         widgets::row(ui, |ui| magnification(ui, workbench));
-        widgets::row(ui, |ui| scale_for(ui, workbench));
+        if let Some(after) = workbench.after() {
+            widgets::row(ui, |ui| scale_for(ui, workbench, after.readable));
+        }
         if !workbench.view.in_space() {
             heat(ui, workbench);
         }
@@ -324,14 +327,10 @@ fn magnification(ui: &mut Ui, workbench: &Workbench) {
 }
 
 /// Whose lengths vectors and colours are made for.
-fn scale_for(ui: &mut Ui, workbench: &Workbench) {
-    let Some(after) = workbench.after() else {
-        return;
-    };
+fn scale_for(ui: &mut Ui, workbench: &Workbench, after: Readable) {
     let loaded_session = workbench.loaded_session();
     let room = room(workbench);
-    let [before, left] =
-        [loaded_session.overview.readable, after.readable].map(|r| r.magnification(room));
+    let [before, left] = [loaded_session.overview.readable, after].map(|r| r.magnification(room));
     let now = magnification_of(workbench);
     let says = say!(
         "how long vectors are drawn and where the colours of lengths end: so that the deviations before can be read, or those that are left after"

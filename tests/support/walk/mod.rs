@@ -93,7 +93,6 @@ const KINDS: &[&str] = &[
     "OpenExample",
     "OpenFile",
     "PlotSize",
-    "Pose",
     "Prefer",
     "Prepare",
     "Pull",
