@@ -16,8 +16,8 @@ use super::{
 use crate::gui::cache::Work;
 use crate::gui::charts::When;
 use crate::gui::core::loaded_session::{Component, LoadedSession};
-use crate::gui::core::quantity::Over;
 use crate::gui::core::overview::round_down;
+use crate::gui::core::quantity::Over;
 use crate::gui::help;
 use crate::gui::view::Plane;
 use crate::numeric::whole;

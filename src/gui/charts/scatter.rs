@@ -1,10 +1,10 @@
 //! Any two quantities of the samples over each other, before and after where one of them is a deviation.
 
 use crate::gui::cache::Work;
-use crate::gui::charts::{When, at};
 use crate::gui::charts::{
     About, ChartChoice, ChartKind, ChartPlaceholder, HoverTarget, Scene, Seen, Shown,
 };
+use crate::gui::charts::{When, at};
 use crate::gui::core::loaded_session::Component;
 use crate::gui::core::quantity::Quantity;
 use crate::gui::help::Word;

@@ -1,15 +1,18 @@
 //! The library of robots and one's own: found by typing, drawn as they are chosen, simulated, saved.
 
-use egui::{Align, Button, Grid, Key, Layout, Modifiers, RichText, Role, ScrollArea, Sense, TextEdit, Ui, Vec2, WidgetInfo, vec2};
+use egui::{
+    Align, Button, Grid, Key, Layout, Modifiers, RichText, Role, ScrollArea, Sense, TextEdit, Ui,
+    Vec2, WidgetInfo, vec2,
+};
 
-use crate::kinematics;
 use crate::gui::core::robot_table::{RobotTable, Row, TableForm};
-use crate::gui::core::simulate::{Form, SimulatedRobot, self};
+use crate::gui::core::simulate::{self, Form, SimulatedRobot};
 use crate::gui::style::{Palette, size, space};
 use crate::gui::view::{Camera, Sheet, What};
-use crate::gui::widgets::{Does, self};
+use crate::gui::widgets::{self, Does};
 use crate::gui::workbench::Workbench;
 use crate::gui::workspace::robot_alone;
+use crate::kinematics;
 use crate::language::spoken;
 use crate::present::robots_v1::figure;
 use crate::robots::{LibraryRobot, find, library, source};
@@ -625,4 +628,3 @@ fn typed_ends(ui: &mut Ui, typed: &RobotTable, sound: bool, workbench: &Workbenc
         }
     });
 }
-

@@ -2,24 +2,25 @@
 
 use std::sync::Arc;
 
-
 use crate::diagnosis::Diagnosis;
 use crate::effects::{Inputs, JointValues, Over as Follows, Term};
-use crate::gui::help;
 use crate::gui::cache::{Work, WorkKey};
-use crate::gui::charts::{About, ChartChoice, ChartKind, ChartPlaceholder, HoverTarget, Samples, Scene, Shown};
+use crate::gui::charts::{
+    About, ChartChoice, ChartKind, ChartPlaceholder, HoverTarget, Samples, Scene, Shown,
+};
 use crate::gui::core::answer::{Search, terms};
 use crate::gui::core::loaded_session::{Component, LoadedSession};
 use crate::gui::core::overview::{FEW, stride, thinned};
 use crate::gui::core::quantity::{Over, Scale, Variable};
+use crate::gui::help;
 use crate::gui::view::Step;
 use crate::lanes::minus;
 use crate::model::{Model, Positions};
-use crate::present::chart::{Axis, Chart, ColourRole, Entry, Form, Item, LEAST_SPAN, LegendSymbol, Mark};
+use crate::present::chart::{
+    Axis, Chart, ColourRole, Entry, Form, Item, LEAST_SPAN, LegendSymbol, Mark,
+};
 use crate::present::table::{Cell, Table};
 use crate::text::{spoken, within};
-
-
 
 pub(crate) struct Effect;
 
