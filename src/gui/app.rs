@@ -96,7 +96,7 @@ impl App {
     #[must_use]
     pub fn drawn_by(mut self, state: Option<&egui_wgpu::RenderState>) -> Self {
         if let Some(state) = state {
-            self.workbench.draw_at_most(layers::gpu::register(state));
+            self.workbench.draw_at_most(layers::register(state));
         }
         self
     }
@@ -166,7 +166,7 @@ impl App {
         if self.workbench.receive() || any {
             ui.ctx().request_repaint();
         }
-        views::copies::chart(ui, &mut self.workbench);
+        views::blocks::chart(ui, &mut self.workbench);
         self.keep_picture(ui.ctx());
     }
 
@@ -223,13 +223,7 @@ impl App {
         let room = actions::layout(ui.ctx(), workbench);
         fixed(Panel::left("steps"), room.left, side(palette.surface))
             .show(ui, |ui| views::steps::show(ui, workbench, room));
-        if let Some(width) = room.samples {
-            fixed(Panel::right("samples"), width, side(palette.background))
-                .show(ui, |ui| views::results::samples(ui, workbench));
-        }
-        let results = |ui: &mut Ui| {
-            views::results::show(ui, workbench, room);
-        };
+        let results = |ui: &mut Ui| views::results::show(ui, workbench);
         if let Some(width) = room.right {
             fixed(Panel::right("results"), width, side(palette.background))
                 .show(ui, |ui| results(ui));

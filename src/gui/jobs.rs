@@ -295,20 +295,29 @@ impl Kind {
     }
 }
 
-/// What is asked faster than it is answered: one question at a time, and what is wanted once that is answered. One that
-/// was cancelled is not begun again by itself.
-#[derive(Debug)]
-pub(crate) struct Slot<Q> {
-    /// Whether a question is being answered.
-    busy: bool,
-    /// What was wanted last.
-    wanted: Option<Q>,
-    declined: Option<Q>,
+/// What follows from something else.
+pub(crate) trait Follows {
+    type Of: PartialEq + Clone;
+
+    /// What it was worked out of.
+    fn of(&self) -> &Self::Of;
 }
 
-impl<Q> Default for Slot<Q> {
+/// What follows from something that changes faster than it can be worked out: one at a time, and the latest after it.
+/// One that was cancelled is not begun again by itself.
+#[derive(Debug)]
+pub(crate) struct Slot<V: Follows> {
+    made: Option<Arc<V>>,
+    busy: bool,
+    /// Of what it was wanted last.
+    wanted: Option<V::Of>,
+    declined: Option<V::Of>,
+}
+
+impl<V: Follows> Default for Slot<V> {
     fn default() -> Self {
         Self {
+            made: None,
             busy: false,
             wanted: None,
             declined: None,
@@ -316,15 +325,32 @@ impl<Q> Default for Slot<Q> {
     }
 }
 
-impl<Q: PartialEq + Clone> Slot<Q> {
-    /// The question, if it is to be worked on now.
-    pub(crate) fn want(&mut self, question: Q) -> Option<Q> {
-        if self.declined.as_ref() == Some(&question) {
-            return None;
+impl<V: Follows> Slot<V> {
+    /// What was worked out last, be it of what was there before.
+    pub(crate) fn made(&self) -> Option<&Arc<V>> {
+        self.made.as_ref()
+    }
+
+    /// Whether something is under way.
+    pub(crate) fn busy(&self) -> bool {
+        self.busy
+    }
+
+    /// It is wanted of this: whether it is to be begun now.
+    pub(crate) fn want(&mut self, of: &V::Of) -> bool {
+        let there = self.made.as_ref().is_some_and(|made| made.of() == of);
+        if there || self.declined.as_ref() == Some(of) {
+            return false;
         }
         self.declined = None;
-        self.wanted = Some(question.clone());
-        (!std::mem::replace(&mut self.busy, true)).then_some(question)
+        self.wanted = Some(of.clone());
+        !std::mem::replace(&mut self.busy, true)
+    }
+
+    /// It is there; what there was before.
+    pub(crate) fn take(&mut self, made: V) -> Option<Arc<V>> {
+        self.busy = false;
+        self.made.replace(Arc::new(made))
     }
 
     /// What was wanted last is cancelled.
@@ -333,18 +359,13 @@ impl<Q: PartialEq + Clone> Slot<Q> {
         self.declined = self.wanted.take().or(self.declined.take());
     }
 
-    /// What was cancelled.
-    pub(crate) fn declined(&self) -> Option<&Q> {
+    /// Of what it was cancelled.
+    pub(crate) fn declined(&self) -> Option<&V::Of> {
         self.declined.as_ref()
     }
 
-    /// What was cancelled may be asked again.
+    /// What was cancelled may be begun again.
     pub(crate) fn resume(&mut self) {
         self.declined = None;
-    }
-
-    /// The question is answered: what is wanted by now is asked next.
-    pub(crate) fn answered(&mut self) {
-        self.busy = false;
     }
 }

@@ -29,15 +29,6 @@ impl Theme {
             Self::Dark => ThemePreference::Dark,
         }
     }
-
-    /// The one that is not shown, and its name.
-    pub(crate) fn other(dark: bool) -> (Self, &'static str) {
-        if dark {
-            (Self::Light, say!("Light"))
-        } else {
-            (Self::Dark, say!("Dark"))
-        }
-    }
 }
 
 /// Smallest and largest size of text, in parts of the usual one.

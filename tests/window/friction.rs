@@ -214,29 +214,6 @@ fn lengths_and_angles_are_shown_in_arcsec_and_mrad_too() {
 }
 
 #[test]
-fn every_command_is_found_by_a_word_of_its_name_and_done_with_enter() {
-    let mut window = window(None);
-    keys(&mut window, Modifiers::COMMAND, Key::K);
-    assert!(there(&window, "Run diagnosis") && there(&window, "Save table…"));
-    assert!(
-        says(&window, "Identify the robot first"),
-        "why it cannot be done"
-    );
-    window.get_by_label("Command").type_text("workspace side");
-    window.run_steps(3);
-    assert!(there(&window, "Workspace from the side") && !there(&window, "Run diagnosis"));
-    keys(&mut window, Modifiers::NONE, Key::Enter);
-    assert!(!there(&window, "Command"), "it closes");
-    assert!(says(&window, "x z") || says(&window, "z, mm"));
-    // What cannot be done stays undone; the arrows choose another.
-    keys(&mut window, Modifiers::COMMAND, Key::K);
-    window.get_by_label("Command").type_text("save");
-    window.run_steps(3);
-    keys(&mut window, Modifiers::NONE, Key::Escape);
-    assert!(!there(&window, "Command"));
-}
-
-#[test]
 fn the_file_menu_has_import_and_report() {
     let mut window = window(None);
     press(&mut window, "File");

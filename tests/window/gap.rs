@@ -175,9 +175,6 @@ fn poses_that_decide_are_saved_as_a_measuring_list() {
         !says(&window, "next_poses"),
         "no names of files' keys on the screen"
     );
-    crate::window::into_sight(&mut window, "Copy table of poses");
-    let poses = copied(&mut window, "Copy table of poses");
-    assert_eq!(poses[0][0], "q1, deg");
     let list = folder.path().join("next.csv");
     window.state_mut().type_path("poses", &list);
     window.run_steps(4);
@@ -190,7 +187,6 @@ fn poses_that_decide_are_saved_as_a_measuring_list() {
     let angles: Vec<f64> = angles
         .map(|a| a.expect("a cell").expect("an angle"))
         .collect();
-    assert_eq!(angles.len() + 1, poses.len(), "as many as on the list");
     assert!(!angles.is_empty() && angles.iter().all(|a| a.abs() <= 150.0));
 }
 

@@ -101,7 +101,6 @@ fn open_all(window: &mut Window, see: &mut dyn FnMut(&Window, &str)) {
         ("keys", SHIFTED, Key::K),
         ("glossary", Modifiers::NONE, Key::F1),
         ("about", Modifiers::SHIFT, Key::F1),
-        ("palette", Modifiers::COMMAND, Key::K),
     ] {
         keys(window, modifiers, key);
         see(window, name);

@@ -99,16 +99,13 @@ fn the_search_before_it_begins_in_light() {
 }
 
 #[test]
-fn the_heat_map_and_the_load_in_light() {
+fn the_heat_map_and_the_deviation_in_light() {
     let Some(mut window) = window(Theme::Light, None) else {
         return;
     };
+    press(&mut window, "How it is drawn");
     press(&mut window, "heat map");
-    press(&mut window, "Colour of vectors");
-    // A chart is called so too; the list that is open comes last.
-    let loads = window.get_all_by_label("load");
-    loads.last().expect("an entry of the list").click();
-    window.run_steps(4);
+    press(&mut window, "deviation");
     looks_like(&mut window, "layers-light");
 }
 

@@ -215,24 +215,3 @@ fn the_keyboard_turns_the_view_that_has_the_focus() {
         "{back}"
     );
 }
-
-#[test]
-fn sliders_pose_the_robot_and_a_sample_takes_it_back() {
-    let mut window = window_of([1280.0, 800.0], Some(ARM.into()), Runner::AtOnce);
-    assert!(
-        !there(&window, "Pose of joint 1, j1"),
-        "they are shut until they are wanted"
-    );
-    press(&mut window, "Pose the robot");
-    for joint in 1..=6 {
-        assert!(there(&window, &format!("Pose of joint {joint}, j{joint}")));
-    }
-    assert!(!there(&window, "Back to sample"));
-    window.get_by_label("Pose of joint 2, j2").focus();
-    window.run_steps(2);
-    keys(&mut window, Modifiers::NONE, Key::ArrowRight);
-    assert!(says(&window, "robot as posed: j1"));
-    assert!(window.unnamed_widgets().is_empty());
-    press(&mut window, "Back to sample");
-    assert!(says(&window, "robot at sample"));
-}

@@ -11,6 +11,7 @@ use crate::window::{
     Window, go_to, into_sight, keys, press, says, seconds, status, there, type_into, until, window,
     window_at, window_choosing, window_of,
 };
+use egui::accesskit::Role;
 use egui::{Key, Modifiers};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
@@ -185,7 +186,7 @@ fn every_item_of_every_menu_comes_into_sight_in_a_small_window() {
         let whole = window.ctx.content_rect();
         for (menu, items) in [
             ("File", &["Save session as…", "Save model…", "Quit"][..]),
-            ("Edit", &["All commands…", "Preferences…"]),
+            ("Edit", &["Exclude samples", "Preferences…"]),
             ("View", &["Charts", "Reset zoom"]),
             ("Help", &["Glossary", "About truepose"]),
         ] {
@@ -328,4 +329,52 @@ fn the_curve_of_an_effect_is_looked_at_once() {
     let mut window = window_at(None, Some(home.path()));
     keys(&mut window, Modifiers::COMMAND, Key::G);
     assert!(!says(&window, "curve of "), "tomorrow");
+}
+
+/// An arm of the library with an eccentricity of joint 2 alone: it gets its own name, or stands beside it.
+#[test]
+fn an_eccentricity_of_joint_2_of_an_arm_is_not_called_its_compliance() {
+    for seed in ["1", "2"] {
+        let mut window = window_of([1280.0, 800.0], None, Runner::AtOnce);
+        keys(&mut window, SHIFTED, Key::N);
+        window.event(egui::Event::Text("ur5e".to_owned()));
+        window.run_steps(4);
+        keys(&mut window, Modifiers::NONE, Key::Enter);
+        // The simulation begins with other effects; only this one is to be hidden.
+        while says(&window, "Remove ") {
+            let first = window.get_all_by_label_contains("Remove ").next();
+            first.expect("it is there").click();
+            window.run_steps(4);
+        }
+        for joint in [1, 2] {
+            window.get_by_label("Add an effect").click();
+            window.run_steps(4);
+            let row = window.get_by_role_and_label(Role::Button, "Encoder eccentricity");
+            row.click();
+            window.run_steps(4);
+            assert_eq!(
+                window
+                    .query_all_by_label("Remove Encoder eccentricity")
+                    .count(),
+                joint
+            );
+        }
+        let first = window
+            .get_all_by_label("Remove Encoder eccentricity")
+            .next();
+        first.expect("that of joint 1").click();
+        window.run_steps(4);
+        type_into(&mut window, "random seed", seed);
+        press(&mut window, "Simulate");
+        go_to(&mut window, "Diagnose");
+        press(&mut window, "Run diagnosis");
+        assert!(says(&window, "Explained: the remaining error"), "{seed}");
+        let named = there(&window, "Encoder eccentricity, joint 2");
+        let rivals = there(&window, "Effects that the samples cannot tell apart");
+        assert!(named || rivals, "{seed}");
+        // Its own card has the curve; a name of the same shape would have one as well.
+        let steps = window.get_by_label_contains("gap by step: ");
+        let steps = steps.accesskit_node().label().unwrap_or_default();
+        assert!(rivals || !steps.contains("compliance"), "{steps}");
+    }
 }

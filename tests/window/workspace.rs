@@ -220,15 +220,11 @@ fn the_legend_never_covers_the_plot() {
     for (width, height) in [(1600.0, 900.0), (1440.0, 900.0)] {
         let mut window = sized(None, width, height);
         keys(&mut window, Modifiers::COMMAND, Key::I);
+        press(&mut window, "How it is drawn");
         press(&mut window, "heat map");
-        for colour in ["direction", "load", "deviation", "before and after"] {
-            window.get_by_label("Colour of vectors").click();
-            window.run_steps(4);
-            window
-                .get_all_by_label(colour)
-                .last()
-                .expect("offered")
-                .click();
+        for colour in ["uncertainty (1σ)", "deviation", "before and after"] {
+            let offered = window.get_all_by_label(colour).last();
+            offered.expect("offered").click();
             window.run_steps(4);
             let frame = plot(&window);
             assert!(frame.width() > 200.0 && frame.height() > 120.0, "{frame:?}");
@@ -383,7 +379,9 @@ fn one_sample_and_samples_that_are_all_the_same_are_drawn() {
         polar(&mut window);
         assert!(says(&window, &format!("{count} samples")));
         press(&mut window, "x y");
+        press(&mut window, "How it is drawn");
         press(&mut window, "heat map");
+        keys(&mut window, Modifiers::NONE, Key::Escape);
         keys(&mut window, Modifiers::COMMAND, Key::I);
         assert!(says(&window, &format!("workspace plot, {count} samples")));
         assert!(window.unnamed_widgets().is_empty());

@@ -18,18 +18,14 @@ struct Sorted(Vec<f64>);
 
 impl ChartKind for Cumulative {
     fn about(&self) -> About {
-        About {
-            id: "cumulative deviations",
-            short: phrase!("cumulative"),
+        let names = [phrase!("cumulative"), phrase!("Cumulative deviations")];
+        let word = Word {
             name: phrase!("Cumulative deviations"),
-            word: Word {
-                name: phrase!("Cumulative deviations"),
-                means: phrase!(
-                    "The share of the samples whose deviation is no larger than a length: where the curve passes 95 % is the deviation that one of twenty samples exceeds"
-                ),
-            },
-            of: ChartChoice::Component,
-        }
+            means: phrase!(
+                "The share of the samples whose deviation is no larger than a length: where the curve passes 95 % is the deviation that one of twenty samples exceeds"
+            ),
+        };
+        About::new("cumulative deviations", names, word, ChartChoice::Component)
     }
 
     fn work(&self, scene: &Scene) -> Option<Work> {

@@ -2,25 +2,37 @@
 //! stand on: the heat map, what the charts are made of. A few samples are simply looked at
 //! anew in every frame, so that nothing has to be waited for.
 
-pub(crate) mod cloud;
-pub(crate) mod heat;
-pub(crate) mod identified;
-pub(crate) mod points;
-
 use std::any::Any;
 use std::cell::RefCell;
 use std::fmt;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
+use cloud::Heat;
 use cloud::Uncertain;
-use heat::Heat;
-use identified::{IdentifiedAnswer, figures};
 
-use crate::compensation::decision::FittedErrors;
-use crate::gui::core::answer::Answer;
+use crate::compensation::decision::{FittedErrors, MeasuredDeviation};
+use crate::compensation::{self, VerifiedCalibration};
+use crate::effects::{Inputs, JointValues};
+use crate::export::poses::measured_poses;
+use crate::export::{Export, Job};
+use crate::fit::gap::Spread;
+use crate::gui::cache::cloud::{Cloud, Remainder};
+use crate::gui::core::answer::{Answer, Question, QuestionDetails, answer};
+use crate::gui::core::document::ExportChoice;
 use crate::gui::core::loaded_session::{Component, LoadedSession};
+use crate::gui::core::overview::Readable;
 use crate::gui::core::quantity::Quantity;
+use crate::gui::jobs::{Follows, Watch};
 use crate::gui::view::Plane;
+use crate::language::spoken;
+use crate::numeric::Ascending;
+use crate::pipeline;
+use crate::present::standards::{Group, groups};
+use crate::present::table::{Cell, Table};
+use crate::sessions::Session;
+use crate::text::Text;
+
+pub(crate) mod cloud;
 
 /// The session and the answer that something is worked out for.
 #[derive(Debug, Clone, PartialEq)]
@@ -30,11 +42,18 @@ pub(crate) struct PlotInputs {
 }
 
 /// Something that was worked out.
-#[derive(Debug, Clone)]
+#[derive(Debug)]
 pub(crate) struct Made {
     pub(crate) inputs: PlotInputs,
-    key: WorkKey,
     pub(crate) result: ChartResult,
+}
+
+impl Follows for Made {
+    type Of = PlotInputs;
+
+    fn of(&self) -> &PlotInputs {
+        &self.inputs
+    }
 }
 
 /// What was worked out last, and of what: the same is not worked out again.
@@ -53,46 +72,6 @@ impl<K: PartialEq, V: Clone> Memo<K, V> {
         let (of, made) = last.unwrap_or_else(|| (of, make()));
         self.0.replace(Some((of, made.clone())));
         made
-    }
-}
-
-/// What was worked out, the newest of each key, and what is under way.
-#[derive(Debug, Default)]
-pub(crate) struct PlotCache {
-    pub(crate) made: Vec<Made>,
-    under_way: Vec<WorkKey>,
-}
-
-impl PlotCache {
-    /// What came of a work, for the newest answer that it was worked out for.
-    pub(crate) fn made(&self, work: &Work) -> Option<&Made> {
-        self.made.iter().find(|made| made.key == work.key)
-    }
-
-    /// Keeps what is wanted; what is to be begun now. What is under way for other inputs is begun again once it is there.
-    pub(crate) fn begin(&mut self, inputs: &PlotInputs, mut wanted: Vec<Work>) -> Vec<Work> {
-        self.made.retain(|made| {
-            let of_this = made.inputs.loaded_session == inputs.loaded_session;
-            // Other steps say the figures of the export step as well, of the same answer.
-            let figures = matches!(made.key, WorkKey::Figures(_)) && made.inputs == *inputs;
-            of_this && (figures || wanted.iter().any(|work| work.key == made.key))
-        });
-        wanted.retain(|work| {
-            let there = self.made(work).is_some_and(|made| made.inputs == *inputs);
-            !there && !self.under_way.contains(&work.key)
-        });
-        self.under_way
-            .extend(wanted.iter().map(|work| work.key.clone()));
-        wanted
-    }
-
-    /// Takes what came of a work; what there was of it before.
-    pub(crate) fn take(&mut self, made: Made) -> Option<Made> {
-        self.under_way.retain(|key| *key != made.key);
-        let there = self.made.iter().position(|before| before.key == made.key);
-        let before = there.map(|place| self.made.swap_remove(place));
-        self.made.push(made);
-        before
     }
 }
 
@@ -148,7 +127,7 @@ pub(crate) enum WorkKey {
 /// Something that is worked out in the background. Two are the same if they have the same key.
 #[derive(Clone)]
 pub(crate) struct Work {
-    key: WorkKey,
+    pub(crate) key: WorkKey,
     make: Arc<Make>,
 }
 
@@ -165,7 +144,6 @@ impl Work {
     pub(crate) fn made(&self, inputs: PlotInputs) -> Made {
         Made {
             result: (self.make)(&inputs),
-            key: self.key.clone(),
             inputs,
         }
     }
@@ -207,4 +185,223 @@ impl fmt::Debug for Work {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.key.fmt(f)
     }
+}
+
+// An answer to a question, made ready for drawing, and what is worked out of it in the background: the
+// export as it would be written, and the standards' figures.
+
+/// An answer to a question.
+#[derive(Debug, Clone)]
+pub(crate) struct IdentifiedAnswer {
+    pub(crate) question: Question,
+    /// The answer, or why there is none.
+    pub(crate) answer: Result<Answer, String>,
+    /// What follows from it for drawing.
+    pub(crate) after: Option<AnswerSummary>,
+    /// What files are made of, or why none are; worked out when it is first asked for.
+    handed_out: OnceLock<Result<Arc<VerifiedCalibration>, String>>,
+}
+
+/// What every frame needs to know of an answer, worked out once.
+#[derive(Debug, Clone)]
+pub(crate) struct AnswerSummary {
+    /// What is left, as it is uploaded.
+    pub(crate) remainder: Arc<Remainder>,
+    /// Ascending of what is left.
+    pub(crate) lengths: Ascending,
+    /// What decides at which magnification what is left can be read.
+    pub(crate) readable: Readable,
+}
+
+impl AnswerSummary {
+    fn new(loaded_session: &LoadedSession, answer: &Answer) -> Self {
+        let remainder = Cloud::of(loaded_session).remainder(&answer.after_mm, &answer.suspected);
+        Self {
+            remainder: Arc::new(remainder),
+            lengths: Ascending::new(&answer.lengths_mm),
+            readable: Readable::new(loaded_session.overview.radius_mm, &answer.lengths_mm),
+        }
+    }
+}
+
+/// Only itself.
+impl PartialEq for IdentifiedAnswer {
+    fn eq(&self, other: &Self) -> bool {
+        std::ptr::eq(self, other)
+    }
+}
+
+impl Follows for IdentifiedAnswer {
+    type Of = Question;
+
+    fn of(&self) -> &Question {
+        &self.question
+    }
+}
+
+impl IdentifiedAnswer {
+    /// Works the answer out. Takes its time with many samples.
+    pub(crate) fn to(question: Question, watch: &Watch) -> Self {
+        let answer = answer(&question, watch);
+        let after = answer.as_ref().ok();
+        let after = after.map(|answer| AnswerSummary::new(&question.loaded_session, answer));
+        Self {
+            question,
+            answer,
+            after,
+            handed_out: OnceLock::new(),
+        }
+    }
+
+    /// The model that files are made of: verified on the session that it came from, or read from a file.
+    /// Takes its time with many samples.
+    pub(crate) fn handed_out(&self) -> Result<Arc<VerifiedCalibration>, String> {
+        let verified = || {
+            let answer = self.answer.as_ref().map_err(Clone::clone)?;
+            if let QuestionDetails::Given(given) = &self.question.asks {
+                return Ok(Arc::new(given.calibration.clone()));
+            }
+            let session = &self.question.loaded_session.session;
+            let verified = pipeline::hand_out(&answer.calibration, session);
+            verified
+                .map(Arc::new)
+                .map_err(|error| spoken(error.describe()))
+        };
+        self.handed_out.get_or_init(verified).clone()
+    }
+}
+
+/// What is to be exported.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct PreviewRequest {
+    /// The identification that it comes from.
+    pub(crate) identified: Arc<IdentifiedAnswer>,
+    pub(crate) choice: ExportChoice,
+    /// What the file is called, where it was saved already: what is to be entered in the controller
+    /// names it.
+    pub(crate) name: Option<String>,
+}
+
+/// An export as it would be written: made ready to be looked at before it is saved.
+#[derive(Debug, Clone)]
+pub(crate) struct Preview {
+    pub(crate) wanted: PreviewRequest,
+    /// What it gives, or why it gives nothing.
+    pub(crate) made: Result<ExportPreview, String>,
+}
+
+/// An export and what it does.
+#[derive(Debug, Clone)]
+pub(crate) struct ExportPreview {
+    /// Name of the joint whose table it is.
+    pub(crate) joint: String,
+    pub(crate) export: Export,
+    /// What no joint can remove.
+    pub(crate) remainder: compensation::Remainder,
+    /// RMS error of the session with this export, the controller's own interpolation in it.
+    pub(crate) error: Option<Spread>,
+}
+
+impl Follows for Preview {
+    type Of = PreviewRequest;
+
+    fn of(&self) -> &PreviewRequest {
+        &self.wanted
+    }
+}
+
+impl Preview {
+    /// Makes the export in memory.
+    pub(crate) fn to(wanted: PreviewRequest) -> Self {
+        let made = preview(&wanted);
+        Self { wanted, made }
+    }
+}
+
+fn preview(wanted: &PreviewRequest) -> Result<ExportPreview, String> {
+    let PreviewRequest {
+        identified: outcome,
+        choice,
+        name,
+    } = wanted;
+    let session = &outcome.question.loaded_session.session;
+    let calibration = &*outcome.handed_out()?;
+    let name = name.clone();
+    let name = name.unwrap_or_else(|| choice.file_name(&session.name));
+    let job = Job {
+        joint: choice.joint,
+        step: choice.step,
+        ..Job::new(calibration, &name)
+    };
+    let inputs = if outcome.question.loaded_session.is_empty() {
+        measured_poses(&job)
+    } else {
+        Inputs::new(session, JointValues::Commanded)
+    };
+    let made =
+        pipeline::export_for(choice.format, &job, session).map_err(|e| spoken(e.describe()))?;
+    let export = made.export;
+    Ok(ExportPreview {
+        remainder: compensation::Remainder::new(calibration, &inputs),
+        error: made.gaps.map(|[_, after]| after),
+        joint: session.robot.joints[choice.joint].name.clone(),
+        export,
+    })
+}
+
+/// What the standards say.
+#[derive(Debug, Clone)]
+pub(crate) struct StandardsFigures {
+    /// The deviation that is held against the tolerance, or why there is none.
+    pub(crate) measured: Result<MeasuredDeviation, Text>,
+    /// One for each axis, and one for the poses.
+    pub(crate) groups: Vec<Group>,
+    /// What else there is to say.
+    pub(crate) notes: Vec<Text>,
+}
+
+/// The standards' figures of a session, as the window shows them. Takes its time with many samples.
+///
+/// # Errors
+/// Why there are none.
+pub(super) fn figures(
+    session: &Session,
+    answer: Option<&Answer>,
+    diagnosed: Option<FittedErrors>,
+) -> Result<StandardsFigures, String> {
+    let answer = answer.ok_or(say!("Identify the robot first"))?;
+    let figures = pipeline::standards(session, Some(&answer.calibration))
+        .map_err(|e| spoken(e.describe()))?;
+    let found = &answer.identification;
+    let identified = FittedErrors {
+        fit_mm: found.gap.after.rms_mm,
+        held_out_mm: found.held_out.as_ref().map(|gap| gap.after.rms_mm),
+        floor_mm: None,
+    };
+    let fitted = diagnosed.unwrap_or(identified);
+    Ok(StandardsFigures {
+        measured: pipeline::conformity(session, &answer.calibration, fitted),
+        groups: groups(&figures, 1),
+        notes: figures.notes,
+    })
+}
+
+/// The figures as a table for a spreadsheet, tabs between the columns.
+pub(crate) fn as_text(made: &StandardsFigures) -> String {
+    let mut table =
+        Table::headed("standard | of | symbol | figure | unit | as measured | corrected commands");
+    for group in &made.groups {
+        for row in &group.rows {
+            table.row([
+                group.standard.into(),
+                group.title.to_string().into(),
+                row.symbol.into(),
+                row.name.english().into(),
+                group.unit.into(),
+                row.before.into(),
+                Cell::from(row.after),
+            ]);
+        }
+    }
+    table.tabbed()
 }

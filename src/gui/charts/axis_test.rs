@@ -19,18 +19,17 @@ const ID: &str = "deviation over position";
 
 impl ChartKind for OfAxis {
     fn about(&self) -> About {
-        About {
-            id: ID,
-            short: phrase!("position"),
-            name: phrase!("Deviation over position, run by run"),
-            word: Word {
-                name: phrase!("Deviation over position"),
-                means: phrase!(
-                    "The picture that a laser's software shows: the deviation along the motion of one axis, a line for each run, whole where the position was approached in positive direction and dashed in negative. The thick line is what the table corrects, with the interval that holds it in 19 of 20 calibrations; what the model leaves is the same runs without it"
-                ),
-            },
-            of: ChartChoice::All,
-        }
+        let names = [
+            phrase!("position"),
+            phrase!("Deviation over position, run by run"),
+        ];
+        let word = Word {
+            name: phrase!("Deviation over position"),
+            means: phrase!(
+                "The picture that a laser's software shows: the deviation along the motion of one axis, a line for each run, whole where the position was approached in positive direction and dashed in negative. The thick line is what the table corrects, with the interval that holds it in 19 of 20 calibrations; what the model leaves is the same runs without it"
+            ),
+        };
+        About::new(ID, names, word, ChartChoice::All)
     }
 
     /// Where the sides are known: a run has a direction.

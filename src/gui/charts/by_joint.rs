@@ -4,7 +4,7 @@
 
 use super::{About, ChartChoice, ChartKind, ChartPlaceholder, HoverTarget, Samples, Scene, Shown};
 use crate::gui::core::loaded_session::Component;
-use crate::gui::core::scale::{FEW, stride, thinned};
+use crate::gui::core::overview::{FEW, stride, thinned};
 use crate::gui::help::Word;
 use crate::numeric::extent;
 use crate::present::chart::{Axis, Deviation, Entry, Form, LegendSymbol, Series, Ticks, shortened};
@@ -92,18 +92,14 @@ impl<'a> Panels<'a> {
 
 impl ChartKind for ByJoint {
     fn about(&self) -> About {
-        About {
-            id: "deviation by joint",
-            short: phrase!("joints"),
+        let names = [phrase!("joints"), phrase!("Deviation by joint")];
+        let word = Word {
             name: phrase!("Deviation by joint"),
-            word: Word {
-                name: phrase!("Deviation by joint"),
-                means: phrase!(
-                    "The deviation over every joint, each from its smallest to its largest value. A curve in one panel is an error of that joint"
-                ),
-            },
-            of: ChartChoice::Component,
-        }
+            means: phrase!(
+                "The deviation over every joint, each from its smallest to its largest value. A curve in one panel is an error of that joint"
+            ),
+        };
+        About::new("deviation by joint", names, word, ChartChoice::Component)
     }
 
     fn is_offered(&self, scene: &Scene) -> bool {

@@ -2,8 +2,8 @@
 
 use super::{About, ChartChoice, ChartKind, ChartPlaceholder, HoverTarget, Scene, Shown};
 use crate::compensation::SortedTable;
-use crate::gui::cache::identified::ExportPreview;
-use crate::gui::core::scale::{MOST_POINTS, stride, thinned};
+use crate::gui::cache::ExportPreview;
+use crate::gui::core::overview::{MOST_POINTS, stride, thinned};
 use crate::gui::help;
 use crate::gui::view::Step;
 use crate::kinematics::JointKind;
@@ -16,13 +16,13 @@ pub(crate) struct Correction;
 
 impl ChartKind for Correction {
     fn about(&self) -> About {
-        About {
-            id: "correction table",
-            short: phrase!("table"),
-            name: phrase!("Correction table"),
-            word: help::CORRECTION,
-            of: ChartChoice::All,
-        }
+        let names = [phrase!("table"), phrase!("Correction table")];
+        About::new(
+            "correction table",
+            names,
+            help::CORRECTION,
+            ChartChoice::All,
+        )
     }
 
     fn is_offered(&self, scene: &Scene) -> bool {

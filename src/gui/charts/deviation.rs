@@ -18,14 +18,7 @@ pub(crate) struct Along {
 }
 
 const fn along(variable: Variable, id: &'static str, names: [Template; 2], word: Word) -> Along {
-    let [short, name] = names;
-    let about = About {
-        id,
-        short,
-        name,
-        word,
-        of: ChartChoice::Joint,
-    };
+    let about = About::new(id, names, word, ChartChoice::Joint);
     Along { variable, about }
 }
 

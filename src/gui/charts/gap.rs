@@ -31,13 +31,8 @@ fn proposed(scene: &Scene) -> &[ResidualStep] {
 
 impl ChartKind for Gap {
     fn about(&self) -> About {
-        About {
-            id: "gap by step",
-            short: phrase!("gap"),
-            name: phrase!("Gap by step"),
-            word: help::GAP,
-            of: ChartChoice::All,
-        }
+        let names = [phrase!("gap"), phrase!("Gap by step")];
+        About::new("gap by step", names, help::GAP, ChartChoice::All)
     }
 
     fn is_offered(&self, scene: &Scene) -> bool {

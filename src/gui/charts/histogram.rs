@@ -25,13 +25,8 @@ pub(crate) struct Histogram;
 
 impl ChartKind for Histogram {
     fn about(&self) -> About {
-        About {
-            id: "histogram",
-            short: phrase!("histogram"),
-            name: phrase!("Histogram"),
-            word: help::HISTOGRAM,
-            of: ChartChoice::Component,
-        }
+        let names = [phrase!("histogram"), phrase!("Histogram")];
+        About::new("histogram", names, help::HISTOGRAM, ChartChoice::Component)
     }
 
     fn work(&self, scene: &Scene) -> Option<Work> {

@@ -8,18 +8,19 @@ use std::borrow::Cow;
 use std::sync::Arc;
 
 use crate::diagnosis::Diagnosis;
-use crate::gui::cache::identified::{ExportPreview, IdentifiedAnswer, Preview};
-use crate::gui::cache::points::{Cloud, Points, When, at};
 use crate::gui::cache::{ChartResult, PlotInputs, Work, WorkKey};
-use crate::gui::core::answer::Answer;
-use crate::gui::core::answer::Search;
+use crate::gui::cache::{ExportPreview, IdentifiedAnswer, Preview};
+use crate::gui::core::answer::{Answer, Search};
 use crate::gui::core::document::Document;
 use crate::gui::core::loaded_session::{Component, LoadedSession};
+use crate::gui::core::overview::FEW;
 use crate::gui::core::quantity::{Over, Quantity, Scale};
-use crate::gui::core::scale::FEW;
 use crate::gui::help::Word;
 use crate::gui::view::{Plane, Step};
-use crate::present::chart::{Chart, ColourRole, Entry, Form, Item, LegendSymbol, Lengths, Mark};
+use crate::numeric::whole;
+use crate::present::chart::{
+    Chart, ColourRole, Entry, Form, Item, LEAST_SPAN, LegendSymbol, Lengths, Mark,
+};
 use crate::present::numbers::grouped;
 use crate::present::table::Table;
 use crate::present::units::Units;
@@ -76,6 +77,18 @@ pub(crate) enum ChartChoice {
 }
 
 impl About {
+    /// `names` are that of the list and that of the plot.
+    const fn new(id: &'static str, names: [Template; 2], word: Word, of: ChartChoice) -> Self {
+        let [short, name] = names;
+        Self {
+            id,
+            short,
+            name,
+            word,
+            of,
+        }
+    }
+
     /// Its name where there is little room.
     pub(crate) fn short(&self) -> &'static str {
         spoken(self.short)
@@ -437,6 +450,154 @@ impl Samples for Seen<'_> {
     }
 }
 
+// Samples over two quantities, before and after. Of many one stands for all in its small cell of the chart, until few
+// are in sight.
+
+/// Cells across and upwards, in which one of many samples is drawn.
+const CELLS: [usize; 2] = [160, 60];
+
+/// As many in sight are all drawn.
+const MOST_MARKS: usize = 1500;
+
+/// Before, 0, or after, 1.
+pub(crate) type When = usize;
+
+/// Where a sample is, inner units; NaN where that is not known.
+pub(crate) fn at(
+    loaded_session: &LoadedSession,
+    answer: Option<&Answer>,
+    axes: [Quantity; 2],
+    when: When,
+    sample: usize,
+) -> [f64; 2] {
+    axes.map(|axis| {
+        let (before, after) = axis.of(loaded_session, answer, sample);
+        if when == 0 {
+            before
+        } else {
+            after.unwrap_or(f64::NAN)
+        }
+    })
+}
+
+/// Samples that have both quantities, before and after.
+#[derive(Clone, Default)]
+pub(crate) struct Cloud(pub(crate) [Points; 2]);
+
+#[derive(Clone, Default)]
+pub(crate) struct Points {
+    /// From the left to the right.
+    pub(crate) samples: Vec<u32>,
+    /// One for each cell in which there are any; all where they are few.
+    pub(crate) drawn: Vec<u32>,
+    /// Smallest and largest value across and upwards.
+    pub(crate) extent: Option<[[f64; 2]; 2]>,
+    /// Pearson's correlation, where both quantities change.
+    pub(crate) correlation: Option<f64>,
+}
+
+impl Cloud {
+    pub(crate) fn of(inputs: &PlotInputs, axes: [Quantity; 2]) -> Self {
+        // What rounding alone scatters is one cell high.
+        let least = axes.map(|axis| if axis.changes() { LEAST_SPAN } else { 0.0 });
+        Self([0, 1].map(|when| {
+            let place =
+                |sample: usize| at(&inputs.loaded_session, inputs.answer(), axes, when, sample);
+            let known = when == 0 || inputs.answer().is_some() && axes.iter().any(|a| a.changes());
+            let usable = inputs
+                .loaded_session
+                .overview
+                .usable
+                .iter()
+                .filter(|_| known);
+            Points::of(usable.copied(), place, least)
+        }))
+    }
+}
+
+impl Points {
+    pub(crate) fn of(
+        samples: impl Iterator<Item = u32>,
+        place: impl Fn(usize) -> [f64; 2],
+        least: [f64; 2],
+    ) -> Self {
+        let placed = samples.map(|sample| (place(sample as usize), sample));
+        let mut placed: Vec<([f64; 2], u32)> = placed
+            .filter(|(at, _)| at.iter().all(|v| v.is_finite()))
+            .collect();
+        placed.sort_unstable_by(|a, b| a.0[0].total_cmp(&b.0[0]).then(a.1.cmp(&b.1)));
+        let extent = [0, 1].map(|k| crate::numeric::extent(placed.iter().map(|(at, _)| at[k])));
+        let samples: Vec<u32> = placed.iter().map(|(_, sample)| *sample).collect();
+        let drawn = if samples.len() > MOST_MARKS {
+            one_in_each_cell(&placed, extent, least)
+        } else {
+            samples.clone()
+        };
+        Self {
+            extent: (!samples.is_empty()).then_some(extent),
+            correlation: correlation(&placed),
+            samples,
+            drawn,
+        }
+    }
+
+    /// Those to be drawn between two values across.
+    pub(crate) fn between(&self, x: [f64; 2], across: impl Fn(u32) -> f64) -> &[u32] {
+        let within = |samples: &'_ [u32]| {
+            let from = samples.partition_point(|s| across(*s) < x[0]);
+            let to = samples.partition_point(|s| across(*s) <= x[1]);
+            [from, to.max(from)]
+        };
+        let [from, to] = within(&self.samples);
+        if to - from <= MOST_MARKS {
+            return &self.samples[from..to];
+        }
+        let [from, to] = within(&self.drawn);
+        &self.drawn[from..to]
+    }
+}
+
+fn one_in_each_cell(
+    placed: &[([f64; 2], u32)],
+    extent: [[f64; 2]; 2],
+    least: [f64; 2],
+) -> Vec<u32> {
+    let mut taken = vec![false; CELLS[0] * CELLS[1]];
+    let mut drawn = Vec::new();
+    for (at, sample) in placed {
+        let cell = |k: usize| {
+            let [low, high] = extent[k];
+            let span = (high - low).max(least[k]);
+            let part = if span > 0.0 {
+                (at[k] - low) / span
+            } else {
+                0.0
+            };
+            whole((part * CELLS[k] as f64).floor()).min(CELLS[k] - 1)
+        };
+        let taken = &mut taken[cell(0) + CELLS[0] * cell(1)];
+        if !std::mem::replace(taken, true) {
+            drawn.push(*sample);
+        }
+    }
+    drawn
+}
+
+/// r = Σ (x − x̄)(y − ȳ) / √(Σ (x − x̄)² Σ (y − ȳ)²)
+fn correlation(placed: &[([f64; 2], u32)]) -> Option<f64> {
+    let n = placed.len() as f64;
+    let mean = [0, 1].map(|k| placed.iter().map(|(at, _)| at[k]).sum::<f64>() / n);
+    let mut sums = [0.0; 3];
+    for (at, _) in placed {
+        let [x, y] = [0, 1].map(|k| at[k] - mean[k]);
+        sums[0] += x * x;
+        sums[1] += y * y;
+        sums[2] += x * y;
+    }
+    let r = sums[2] / (sums[0] * sums[1]).sqrt();
+    (placed.len() > 2 && r.is_finite()).then_some(r)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -465,5 +626,41 @@ mod tests {
             let there = file == "mod" || code.contains(&format!("    {file}: "));
             assert!(there, "{file} is not in the register");
         }
+    }
+}
+
+#[cfg(test)]
+mod points_tests {
+    use super::*;
+
+    #[test]
+    fn what_goes_together_correlates_and_what_does_not_does_not() {
+        let placed = |of: &dyn Fn(f64) -> f64| {
+            let points = (0..100_u32).map(|i| ([f64::from(i), of(f64::from(i))], i));
+            correlation(&points.collect::<Vec<_>>())
+        };
+        assert!(placed(&|x| 3.0 - 2.0 * x).is_some_and(|r| (r + 1.0).abs() < 1e-12));
+        assert!(placed(&|x| (x - 49.5).powi(2)).is_some_and(|r| r.abs() < 1e-12));
+        assert_eq!(placed(&|_| 7.0), None, "it never changes");
+    }
+
+    #[test]
+    fn of_many_one_is_drawn_for_each_cell_and_all_where_few_are_in_sight() {
+        let n = 200_000_u32;
+        let place = |i: usize| [i as f64, ((i * 7919) % 1000) as f64];
+        let points = Points::of(0..n, place, [0.0; 2]);
+        assert!(
+            points.drawn.len() <= CELLS[0] * CELLS[1],
+            "{}",
+            points.drawn.len()
+        );
+        assert!(points.drawn.len() > CELLS[0] * CELLS[1] / 2);
+        let across = |s: u32| place(s as usize)[0];
+        assert_eq!(points.between([0.0, 1e9], across), points.drawn);
+        assert_eq!(points.between([1000.0, 1099.0], across).len(), 100);
+        assert!(points.between([5.0, 4.0], across).is_empty());
+        // Within what counts as nothing there is one row of cells.
+        let flat = Points::of(0..n, place, [0.0, 1e9]);
+        assert_eq!(flat.drawn.len(), CELLS[0]);
     }
 }

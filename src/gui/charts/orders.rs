@@ -28,13 +28,8 @@ pub(crate) struct Orders;
 
 impl ChartKind for Orders {
     fn about(&self) -> About {
-        About {
-            id: "order spectrum",
-            short: phrase!("orders"),
-            name: phrase!("Order spectrum"),
-            word: help::ORDERS,
-            of: ChartChoice::Joint,
-        }
+        let names = [phrase!("orders"), phrase!("Order spectrum")];
+        About::new("order spectrum", names, help::ORDERS, ChartChoice::Joint)
     }
 
     fn work(&self, scene: &Scene) -> Option<Work> {

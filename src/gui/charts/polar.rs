@@ -14,10 +14,10 @@ use super::{
     About, ChartChoice, ChartKind, ChartPlaceholder, HoverTarget, Samples, Scene, Seen, Shown,
 };
 use crate::gui::cache::Work;
-use crate::gui::cache::points::When;
+use crate::gui::charts::When;
 use crate::gui::core::loaded_session::{Component, LoadedSession};
+use crate::gui::core::overview::round_down;
 use crate::gui::core::quantity::Over;
-use crate::gui::core::scale::round_down;
 use crate::gui::help;
 use crate::gui::view::Plane;
 use crate::numeric::whole;
@@ -48,13 +48,8 @@ pub(crate) struct Polar;
 
 impl ChartKind for Polar {
     fn about(&self) -> About {
-        About {
-            id: "polar",
-            short: phrase!("polar"),
-            name: phrase!("Polar view"),
-            word: help::POLAR,
-            of: ChartChoice::Component,
-        }
+        let names = [phrase!("polar"), phrase!("Polar view")];
+        About::new("polar", names, help::POLAR, ChartChoice::Component)
     }
 
     fn work(&self, scene: &Scene) -> Option<Work> {

@@ -31,18 +31,14 @@ struct Ranked(Vec<(usize, f64, f64)>);
 
 impl ChartKind for Quantiles {
     fn about(&self) -> About {
-        About {
-            id: "normal quantiles",
-            short: phrase!("quantiles"),
+        let names = [phrase!("quantiles"), phrase!("Normal quantiles")];
+        let word = Word {
             name: phrase!("Normal quantiles"),
-            word: Word {
-                name: phrase!("Normal quantiles"),
-                means: phrase!(
-                    "Each sample's residual over the place that noise would give it. On the line there is nothing but noise; ends that turn away from it are outliers, a bend or a step in the middle is an error that the model lacks"
-                ),
-            },
-            of: ChartChoice::Component,
-        }
+            means: phrase!(
+                "Each sample's residual over the place that noise would give it. On the line there is nothing but noise; ends that turn away from it are outliers, a bend or a step in the middle is an error that the model lacks"
+            ),
+        };
+        About::new("normal quantiles", names, word, ChartChoice::Component)
     }
 
     fn is_offered(&self, scene: &Scene) -> bool {

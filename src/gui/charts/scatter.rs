@@ -1,10 +1,10 @@
 //! Any two quantities of the samples over each other, before and after where one of them is a deviation.
 
 use crate::gui::cache::Work;
-use crate::gui::cache::points::{When, at};
 use crate::gui::charts::{
     About, ChartChoice, ChartKind, ChartPlaceholder, HoverTarget, Scene, Seen, Shown,
 };
+use crate::gui::charts::{When, at};
 use crate::gui::core::loaded_session::Component;
 use crate::gui::core::quantity::Quantity;
 use crate::gui::help::Word;
@@ -106,18 +106,14 @@ fn describe(seen: &Seen<'_>, extent: [[f64; 2]; 2]) -> String {
 
 impl ChartKind for Scatter {
     fn about(&self) -> About {
-        About {
-            id: "scatter",
-            short: phrase!("scatter"),
+        let names = [phrase!("scatter"), phrase!("Scatter")];
+        let word = Word {
             name: phrase!("Scatter"),
-            word: Word {
-                name: phrase!("Scatter"),
-                means: phrase!(
-                    "Any two quantities of the samples over each other, one mark for each sample. A band or a curve says that one follows the other, and r how nearly along a line: near 1 or −1 they go together, near 0 they do not"
-                ),
-            },
-            of: ChartChoice::Quantities,
-        }
+            means: phrase!(
+                "Any two quantities of the samples over each other, one mark for each sample. A band or a curve says that one follows the other, and r how nearly along a line: near 1 or −1 they go together, near 0 they do not"
+            ),
+        };
+        About::new("scatter", names, word, ChartChoice::Quantities)
     }
 
     fn work(&self, scene: &Scene) -> Option<Work> {

@@ -6,22 +6,27 @@
 //! [`verify`](crate::compensation::verify), as the terminal does it. Without one there is nothing to
 //! hold it against: its parameters, its table and its history are shown by themselves.
 
+use std::cell::Cell;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use crate::answers::diagnosis::DataProblem;
-use crate::compensation::{Verification, VerifiedCalibration};
+use crate::compensation::{Regional, Verification, VerifiedCalibration};
 use crate::diagnosis::{DiagnoseError, Diagnosis, FoundEffect, Options, Progress};
-use crate::effects::Term;
-use crate::fit::gap::Spread;
+use crate::effects::{Inputs, JointValues, Term};
+use crate::fit::gap::{Spread, deviations};
+use crate::fit::problem::Problem;
 use crate::fit::uncertainty::{NORMAL_95, all_estimates};
-use crate::fit::{Gap, Identification, Outlier, Quality, RegionResult};
+use crate::fit::{DEFAULT_EFFECTS, Gap, Identification, Outlier, Quality, RegionResult};
 use crate::gui::core::disk::name_of;
 use crate::gui::core::loaded_session::{LoadedSession, Origin};
 use crate::gui::jobs::Watch;
 use crate::language::spoken;
 use crate::model::{Calibration, RegionalCorrection};
-use crate::pipeline::{diagnose, verify};
+use crate::pipeline::{
+    Identified, Method, diagnose, identify_checked, identify_checked_unless, verify,
+};
+use crate::sessions::division::RegionChoice;
 use crate::sessions::regions::Assignment;
 use crate::sessions::{Instrument, Region, Samples, Session, hash_of_samples};
 use crate::text::Template;
@@ -352,4 +357,218 @@ pub(crate) fn term_of(diagnosis: &Diagnosis, found: &FoundEffect) -> Option<Term
     });
     same.min_by(|a, b| distance(a).total_cmp(&distance(b)))
         .cloned()
+}
+
+// What is asked of an identification: by value, so that the same is not answered twice; and where a search has answered it.
+
+/// What to identify, from what.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Question {
+    pub(crate) loaded_session: Arc<LoadedSession>,
+    pub(crate) asks: QuestionDetails,
+}
+
+/// The part of a [`Question`] beside the session.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum QuestionDetails {
+    /// Exactly these effects.
+    Exact {
+        effects: Vec<&'static str>,
+        /// What a search found, with its settings.
+        with: Vec<Term>,
+        /// The search, where all of this is just what it found: its own values are the answer then.
+        found: Option<RequestedSearch>,
+    },
+    /// A correction for each of these regions.
+    Regional(Arc<[Region]>),
+    /// What this model says.
+    Given(Arc<LoadedModel>),
+}
+
+/// A search whose answer is asked for.
+#[derive(Debug, Clone)]
+pub(crate) struct RequestedSearch {
+    search: Arc<Search>,
+    /// Whether the smooth correction of what no name explains is asked for too.
+    corrected: bool,
+}
+
+impl PartialEq for RequestedSearch {
+    fn eq(&self, other: &Self) -> bool {
+        let same = Arc::ptr_eq(&self.search, &other.search);
+        self.corrected == other.corrected && (same || self.search.answer == other.search.answer)
+    }
+}
+
+impl RequestedSearch {
+    /// The search, where these terms are all that it found.
+    fn all_of(search: &Arc<Search>, with: &[Term]) -> Option<Self> {
+        let diagnosis = search.answer.as_ref().ok()?;
+        let mut terms: Vec<Term> = terms(diagnosis).into_iter().flatten().collect();
+        let same = |terms: &[Term]| {
+            terms.len() == with.len() && terms.iter().all(|term| with.contains(term))
+        };
+        let corrected = diagnosis.correction().is_some();
+        let all = same(&terms);
+        let all_names = corrected && terms.pop().is_some() && same(&terms);
+        (all || all_names).then(|| Self {
+            search: Arc::clone(search),
+            corrected: corrected && all,
+        })
+    }
+
+    /// What it found, with no more of the smooth correction than is asked for.
+    pub(crate) fn diagnosis(&self) -> Option<Diagnosis> {
+        let diagnosis = self.search.answer.as_ref().ok()?.clone();
+        Some(if self.corrected {
+            diagnosis
+        } else {
+            diagnosis.uncorrected()
+        })
+    }
+}
+
+impl Question {
+    /// The same, answered by the search where it asks for all that the search found and nothing
+    /// else. A session with set-up errors was corrected before it was searched: its own fit is another.
+    pub(crate) fn found_by(mut self, search: &Arc<Search>) -> Self {
+        let QuestionDetails::Exact {
+            effects,
+            with,
+            found,
+        } = &mut self.asks
+        else {
+            return self;
+        };
+        let base = effects.len() == DEFAULT_EFFECTS.len()
+            && DEFAULT_EFFECTS.iter().all(|id| effects.contains(id));
+        let clean = |d: &Diagnosis| d.data_problems.is_empty();
+        let as_given = search.answer.as_ref().is_ok_and(clean);
+        if base && as_given && Arc::ptr_eq(&search.loaded_session, &self.loaded_session) {
+            *found = RequestedSearch::all_of(search, with);
+        }
+        self
+    }
+}
+
+// The work behind an answer: the identification that a question asks for.
+
+/// Works the answer to a question out. Takes its time with many samples.
+pub(crate) fn answer(question: &Question, watch: &Watch) -> Result<Answer, String> {
+    let loaded_session = &*question.loaded_session;
+    let session = &loaded_session.session;
+    let values = JointValues::Commanded;
+    let Identified {
+        identification,
+        calibration,
+        data_problems,
+    } = match &question.asks {
+        QuestionDetails::Given(given) => return of_model(given, loaded_session),
+        QuestionDetails::Exact {
+            effects,
+            with,
+            found,
+        } => {
+            let searched = found.as_ref().and_then(RequestedSearch::diagnosis);
+            match searched {
+                Some(diagnosis) => of_search(session, &diagnosis),
+                None => fitted(session, effects, with, watch)?,
+            }
+        }
+        QuestionDetails::Regional(regions) => {
+            let method = Method::Regional(RegionChoice::Given(regions.to_vec()));
+            identify_checked(session, &method, values).map_err(|e| spoken(e.describe()))?
+        }
+    };
+    let after_mm = if let QuestionDetails::Regional(_) = &question.asks {
+        after_regional(loaded_session, &identification)
+    } else if data_problems.iter().any(|problem| problem.mend.is_some()) {
+        // The model reads the samples as they were corrected.
+        let verification = verify(&calibration, session).map_err(|e| spoken(e.describe()))?;
+        verification.after.axes_mm
+    } else {
+        deviations(&Problem::new(session, values), &identification.model).axes_mm
+    };
+    let length = |i: usize| after_mm.iter().map(|e| e[i] * e[i]).sum::<f64>().sqrt();
+    let lengths_mm = (0..loaded_session.len()).map(length).collect();
+    let suspected = suspected(&identification, loaded_session.len());
+    Ok(Answer {
+        identification,
+        calibration,
+        data_problems,
+        loaded: None,
+        after_mm,
+        lengths_mm,
+        suspected,
+    })
+}
+
+/// What a search says, where all that it found is asked for: its own fit, and the smooth correction
+/// where that is asked for too.
+fn of_search(session: &Session, diagnosis: &Diagnosis) -> Identified {
+    let calibration = diagnosis.calibration(session);
+    let mut identification = diagnosis.identification.clone();
+    if diagnosis.correction().is_some() {
+        // The correction was made beside the fit: only the error that remains is another.
+        let problem = Problem::new(session, JointValues::Commanded);
+        let left = deviations(&problem, &calibration.model).length_mm;
+        let suspected = suspected(&identification, left.len());
+        let after = Spread::of(&left, |i| problem.fit[i], |i| suspected[i]);
+        identification.gap.after = after.unwrap_or(identification.gap.after);
+        identification.model = calibration.model.clone();
+    }
+    Identified {
+        identification,
+        calibration,
+        data_problems: Vec::new(),
+    }
+}
+
+/// A fit of these effects, with some of what a search found, of the session without its set-up errors.
+fn fitted(
+    session: &Session,
+    effects: &[&'static str],
+    with: &[Term],
+    watch: &Watch,
+) -> Result<Identified, String> {
+    // The number of passes is not known; each takes a part of what is left.
+    let left = Cell::new(1.0_f64);
+    let go_on = || {
+        left.set(left.get() * 0.85);
+        watch.done(1.0 - left.get());
+        !watch.stopped()
+    };
+    let method = Method::Exact {
+        effects: effects.iter().map(|&id| id.to_owned()).collect(),
+        with: with.to_vec(),
+        priors: true,
+    };
+    identify_checked_unless(session, &method, JointValues::Commanded, &go_on)
+        .map_err(|e| spoken(e.describe()))
+}
+
+/// Deviations after the paper's correction (8): e + M Δρ of the sample's region, in the plane of
+/// motion at home. A sample in no region keeps its deviation: nothing corrects it.
+fn after_regional(
+    loaded_session: &LoadedSession,
+    identification: &Identification,
+) -> [Vec<f64>; 3] {
+    let session = &loaded_session.session;
+    let inputs = Inputs::new(session, JointValues::Commanded);
+    let corrections = identification.regions.iter().map(|r| r.correction.clone());
+    let regional = Regional::new(&session.robot, &corrections.collect::<Vec<_>>());
+    let mut after = loaded_session.before.axes_mm.clone();
+    let by_sample = regional.corrections_at(&inputs.q[0]);
+    for (sample, correction) in by_sample.into_iter().enumerate() {
+        let Some(correction) = correction else {
+            continue;
+        };
+        let target = inputs.target.as_deref().map_or(0, |t| t[sample] as usize);
+        let home = inputs.reflectors_at_home[target];
+        let shift = regional.position_correction(correction, home);
+        for axis in 0..3 {
+            after[axis][sample] += shift[axis];
+        }
+    }
+    after
 }

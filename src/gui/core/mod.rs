@@ -2,20 +2,12 @@
 //! follows from it, the document, its changes and their history.
 
 pub(crate) mod answer;
-pub(crate) mod choices;
 pub(crate) mod compensated;
 pub(crate) mod disk;
-pub(crate) mod division;
 pub(crate) mod document;
-pub(crate) mod history;
-pub(crate) mod identify;
 pub(crate) mod loaded_session;
 pub(crate) mod overview;
 pub(crate) mod quantity;
-pub(crate) mod question;
 pub(crate) mod regions;
 pub(crate) mod robot_table;
-pub(crate) mod scale;
-pub(crate) mod setup;
 pub(crate) mod simulate;
-pub(crate) mod skeleton;

@@ -4,16 +4,16 @@
 use std::any::Any;
 use std::sync::{Arc, OnceLock};
 
-use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
+use nalgebra::{Isometry3, Point3, Translation3, UnitQuaternion, Vector3};
 
 use crate::effects::term::travel_of;
 use crate::effects::{CATALOGUE, Inputs, Role, Survey};
-use crate::gui::core::scale::{Readable, stride};
-use crate::gui::core::skeleton::robot_extent;
+use crate::kinematics::{Axis, Robot};
 use crate::model::{Model, Positions};
 use crate::numeric::{Ascending, extent, whole};
+use crate::present::chart::{among, decade};
 use crate::sessions::{Session, Sigma};
-use crate::text::Text;
+use crate::text::{Template, Text, filled};
 
 /// What others work out about something and keep with it, so that it lives as long: what is drawn
 /// of a session stays with the session, which need not know what that is. Holds things of one type.
@@ -286,6 +286,221 @@ pub(crate) fn measuring_from_base(model: &Model, far_mm: f64) -> Option<Isometry
     far.then(|| Isometry3::from_parts(Translation3::from(shift), rotation))
 }
 
+// How much of something a plot shows, and round numbers for its scales.
+
+/// Up to here samples are few.
+pub(crate) const FEW: usize = 1_000;
+
+/// Arrows in one plot; beyond it they are thinned evenly, and the plot says so.
+const MOST_ARROWS: usize = 10_000;
+/// Points in one plot.
+pub(crate) const MOST_POINTS: usize = 100_000;
+
+/// Every how many of `count` things one is shown, so that there are at most `most`.
+pub(crate) fn stride(count: usize, most: usize) -> usize {
+    count.div_ceil(most).max(1)
+}
+
+/// What a plot says when it shows one thing in so many: a sentence with the argument `stride`.
+pub(crate) fn thinned(stride: usize, says: Template) -> Option<String> {
+    (stride > 1).then(|| filled(says, &[("stride", &stride)]))
+}
+
+/// The nearest of 1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8 × 10ⁿ, by ratio; for what is a factor and no scale.
+fn round(value: f64) -> f64 {
+    const LEADS: [f64; 11] = [1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0];
+    if !(value.is_finite() && value > 0.0) {
+        return 1.0;
+    }
+    let decade = decade(value);
+    let off = |lead: f64| (value / decade / lead).ln().abs();
+    let nearest = LEADS.into_iter().min_by(|a, b| off(*a).total_cmp(&off(*b)));
+    nearest.unwrap_or(1.0) * decade
+}
+
+/// The largest of 1, 2, 5 × 10ⁿ that is not above `value`.
+pub(crate) fn round_down(value: f64) -> f64 {
+    among(value, &[5.0, 2.0])
+}
+
+/// The part of the workspace's radius that a long deviation is drawn over.
+const LONG: f64 = 0.32;
+
+/// The median one is drawn so long, points …
+const USUAL_POINTS: f64 = 25.0;
+/// … in a large plot longer, so that it is no less than this part of the radius: it would be lost there.
+const LEAST: f64 = 0.1;
+/// The part of the radius over which the longer ones are drawn at most.
+const LONGEST: f64 = 0.4;
+
+/// The workspace is drawn over so many points where nothing is known of the plot: in a window of 1280 × 800.
+pub(crate) const ROOM: f64 = 310.0;
+
+/// What decides at which magnification deviations can be read.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Readable {
+    radius_mm: f64,
+    median_mm: f64,
+    /// Nine of ten are shorter.
+    long_mm: f64,
+}
+
+impl Readable {
+    /// Of these deviations in a workspace of this radius.
+    pub(crate) fn new(radius_mm: f64, lengths_mm: &[f64]) -> Self {
+        let step = stride(lengths_mm.len(), MOST_ARROWS);
+        let some = lengths_mm.iter().copied().step_by(step);
+        let mut some: Vec<f64> = some.filter(|l| l.is_finite()).collect();
+        // One sample that is far off must not shrink all others.
+        let mut of_rank = |tenths: usize| {
+            let place = some.len().checked_sub(1).map(|last| last * tenths / 10);
+            place.map_or(0.0, |place| {
+                *some.select_nth_unstable_by(place, f64::total_cmp).1
+            })
+        };
+        Self {
+            radius_mm,
+            median_mm: of_rank(5),
+            long_mm: of_rank(9),
+        }
+    }
+
+    /// The magnification at which the median one is some 25 points long where the workspace is drawn over
+    /// `room` points, and nine of ten stay within it.
+    pub(crate) fn magnification(&self, room: f64) -> f64 {
+        if self.long_mm < 1e-9 {
+            return 1.0;
+        }
+        let part = f64::max(2.0 * USUAL_POINTS / room, LEAST);
+        let usual = part / self.median_mm.max(1e-12);
+        round(f64::min(usual, LONGEST / self.long_mm) * self.radius_mm)
+    }
+}
+
+/// The deviation that is drawn long at this magnification, mm: the upper end of colour scales, so
+/// that colour and length say the same.
+pub(crate) fn long_mm(radius_mm: f64, magnification: f64) -> f64 {
+    LONG * radius_mm / magnification
+}
+
+// The robot at one pose, as strokes from base to tool.
+
+/// Axes that enclose less than this (its sine) have no common perpendicular worth drawing.
+const PARALLEL: f64 = 0.02;
+
+/// A corner of the chain at home, and how many joints move it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Node {
+    at_home: Point3<f64>,
+    joints: usize,
+}
+
+/// The robot at one pose as strokes from base to tool, mm of the base frame.
+///
+/// A chain of axes has no links of its own, so that they are drawn where the axes put them: along
+/// an axis, and from one to the next on their common perpendicular,
+///
+/// ```text
+/// base → a₁ … b₁ → a₂ … b₂ → … → tool,   aᵢ, bᵢ on axis i,
+/// ```
+///
+/// aᵢ nearest to what comes before, bᵢ nearest to what comes after; both are moved from home by
+/// the product of exponentials ([`Robot::motions_from_home`]). For a column that is its mast and
+/// its arm.
+///
+/// The corners from base to tool: base, two on each axis, tool.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Skeleton<'a> {
+    robot: &'a Robot,
+    nodes: Vec<Node>,
+}
+
+impl<'a> Skeleton<'a> {
+    /// The chain of a robot up to a point of its tool, mm of the tool frame.
+    pub(crate) fn new(robot: &'a Robot, target_mm: &Point3<f64>) -> Self {
+        let tool = robot.base_from_tool * target_mm;
+        let base = Point3::origin();
+        let axes: Vec<&Axis> = robot.joints.iter().map(|joint| &joint.axis).collect();
+        let mut nodes = vec![Node {
+            at_home: base,
+            joints: 0,
+        }];
+        let mut last = base;
+        let mut enters = axes.first().map(|axis| on_axis(axis, &base));
+        for (k, axis) in axes.iter().enumerate() {
+            let enter = enters.unwrap_or_else(|| on_axis(axis, &last));
+            let (leave, next) = match axes.get(k + 1) {
+                None => (on_axis(axis, &tool), None),
+                Some(next) => match nearest(axis, next) {
+                    Some((here, there)) => (here, Some(there)),
+                    None => (enter, Some(on_axis(next, &enter))),
+                },
+            };
+            nodes.push(Node {
+                at_home: enter,
+                joints: k,
+            });
+            nodes.push(Node {
+                at_home: leave,
+                joints: k + 1,
+            });
+            (last, enters) = (leave, next);
+        }
+        nodes.push(Node {
+            at_home: tool,
+            joints: axes.len(),
+        });
+        Self { robot, nodes }
+    }
+
+    /// Where the corners are at a pose, mm of the base frame; `None` where the pose is not one.
+    pub(crate) fn at(&self, q: &[f64]) -> Option<Vec<Point3<f64>>> {
+        if q.len() != self.robot.joints.len() || !q.iter().all(|v| v.is_finite()) {
+            return None;
+        }
+        let motions = self.robot.motions_from_home(q);
+        let moved = self.nodes.iter();
+        Some(moved.map(|n| motions[n.joints] * n.at_home).collect())
+    }
+}
+
+/// The point of an axis that is nearest to a point.
+fn on_axis(axis: &Axis, to: &Point3<f64>) -> Point3<f64> {
+    let along = axis.direction.into_inner();
+    axis.point_mm + along * along.dot(&(to - axis.point_mm))
+}
+
+/// The points of two axes that are nearest to each other; `None` where they are parallel.
+fn nearest(a: &Axis, b: &Axis) -> Option<(Point3<f64>, Point3<f64>)> {
+    let (u, v) = (a.direction.into_inner(), b.direction.into_inner());
+    let cosine = u.dot(&v);
+    let squared_sine = 1.0 - cosine * cosine;
+    if squared_sine < PARALLEL * PARALLEL {
+        return None;
+    }
+    let between = b.point_mm - a.point_mm;
+    let (p, r) = (u.dot(&between), v.dot(&between));
+    let s = (p - cosine * r) / squared_sine;
+    let t = (cosine * p - r) / squared_sine;
+    Some((a.point_mm + u * s, b.point_mm + v * t))
+}
+
+/// Smallest and largest corner of the robot at some of these poses, mm.
+pub(crate) fn robot_extent<'q>(
+    robot: &Robot,
+    poses: impl Iterator<Item = Vec<f64>> + 'q,
+) -> [[f64; 3]; 2] {
+    let skeleton = Skeleton::new(robot, &Point3::origin());
+    let mut ends = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
+    for corner in poses.filter_map(|q| skeleton.at(&q)).flatten() {
+        for k in 0..3 {
+            ends[0][k] = ends[0][k].min(corner[k]);
+            ends[1][k] = ends[1][k].max(corner[k]);
+        }
+    }
+    ends
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -344,5 +559,152 @@ mod tests {
             "{from} {to}"
         );
         assert_eq!(found(&[7.0]), None);
+    }
+}
+
+#[cfg(test)]
+mod scale_tests {
+    use super::*;
+
+    #[test]
+    fn no_plot_shows_more_than_it_can_draw() {
+        for count in [0, 1, 9_999, 10_000, 10_001, 1_000_000] {
+            let stride = stride(count, MOST_ARROWS);
+            assert!(count.div_ceil(stride) <= MOST_ARROWS);
+        }
+    }
+
+    #[test]
+    fn a_thinned_plot_says_so() {
+        let one = phrase!("one point in {stride} shown"; stride);
+        assert_eq!(thinned(1, one), None);
+        let says = |n| thinned(n, one).expect("thinned");
+        assert_eq!(says(100), "one point in 100 shown");
+    }
+
+    #[test]
+    fn scales_are_round_numbers() {
+        assert_eq!(round_down(2.3), 2.0);
+        assert_eq!(round_down(0.7), 0.5);
+        assert_eq!(round_down(1000.0), 1000.0);
+        assert_eq!(round_down(f64::NAN), 1.0);
+    }
+
+    #[test]
+    fn vectors_are_magnified_by_a_round_number_that_shows_the_longer_ones() {
+        let at = |lengths: &[f64], room| Readable::new(250.0, lengths).magnification(room);
+        assert_eq!(at(&[13.8; 30], ROOM), 3.0);
+        assert_eq!(at(&[0.05; 30], ROOM), 800.0);
+        // A part of them that is long stays within the workspace.
+        let mixed: Vec<f64> = (0..30)
+            .map(|k| if k % 5 == 0 { 5.0 } else { 0.1 })
+            .collect();
+        assert_eq!(at(&mixed, ROOM), 20.0);
+        let exact: Vec<f64> = (0..30)
+            .map(|k| if k % 5 == 0 { 5.0 } else { 0.0 })
+            .collect();
+        assert_eq!(at(&exact, ROOM), 20.0);
+        assert_eq!(at(&[f64::NAN, 0.0], ROOM), 1.0);
+        assert_eq!(at(&[], ROOM), 1.0);
+        // Half the room: twice as much, as far as the longer ones allow.
+        assert_eq!(at(&[0.05; 30], 0.5 * ROOM), 1500.0);
+        assert_eq!(at(&mixed, 0.5 * ROOM), 20.0);
+        // In a large plot a tenth of the radius.
+        assert_eq!(at(&[0.05; 30], 5.0 * ROOM), 500.0);
+    }
+}
+
+#[cfg(test)]
+mod skeleton_tests {
+    use super::*;
+    use crate::gui::testing::workbench;
+    use crate::kinematics::{Joint, JointKind, Pose};
+    use nalgebra::Vector3;
+
+    /// An arm with six joints: base, shoulder, elbow and a wrist whose axes meet.
+    fn arm() -> Robot {
+        let joint = |name: &str, along: [f64; 3], at: [f64; 3]| {
+            let axis = Axis::through(Vector3::from(along), Point3::from(at)).expect("an axis");
+            Joint::new(name, JointKind::Revolute, axis)
+        };
+        Robot {
+            name: "arm".to_owned(),
+            joints: vec![
+                joint("base", [0.0, 0.0, 1.0], [0.0, 0.0, 0.0]),
+                joint("shoulder", [0.0, 1.0, 0.0], [150.0, 0.0, 450.0]),
+                joint("elbow", [0.0, 1.0, 0.0], [150.0, 0.0, 1050.0]),
+                joint("roll", [1.0, 0.0, 0.0], [150.0, 0.0, 1150.0]),
+                joint("pitch", [0.0, 1.0, 0.0], [800.0, 0.0, 1150.0]),
+                joint("flange", [1.0, 0.0, 0.0], [800.0, 0.0, 1150.0]),
+            ],
+            base_from_tool: Pose::translation(900.0, 0.0, 1150.0),
+            gravity_m_s2: None,
+            source: crate::kinematics::RobotSource::Axes,
+        }
+    }
+
+    #[test]
+    fn a_column_is_a_mast_and_an_arm() {
+        let workbench = workbench();
+        let robot = &workbench.loaded_session().session.robot;
+        let corners = Skeleton::new(robot, &Point3::origin()).at(&[0.0]);
+        let expected = [
+            [0.0, 0.0, 0.0],
+            [0.0, 0.0, 0.0],
+            [0.0, 0.0, 300.0],
+            [250.0, 0.0, 300.0],
+        ];
+        let corners = corners.expect("a pose");
+        for (corner, expected) in corners.iter().zip(expected) {
+            assert!(
+                (corner - Point3::from(expected)).norm() < 1e-9,
+                "{corners:?}"
+            );
+        }
+    }
+
+    #[test]
+    fn the_chain_of_an_arm_ends_where_its_kinematics_say_and_links_keep_their_lengths() {
+        let robot = arm();
+        let target = Point3::new(10.0, 20.0, 30.0);
+        let skeleton = Skeleton::new(&robot, &target);
+        let lengths = |corners: &[Point3<f64>]| -> Vec<f64> {
+            corners.windows(2).map(|p| (p[1] - p[0]).norm()).collect()
+        };
+        let home = lengths(&skeleton.at(&[0.0; 6]).expect("a pose"));
+        assert!(home.iter().sum::<f64>() < 3_000.0, "{home:?}");
+        for q in [
+            [0.3, -0.4, 0.5, -0.6, 0.7, -0.8],
+            [2.0, 0.1, -1.2, 3.0, 1.0, 0.2],
+        ] {
+            let corners = skeleton.at(&q).expect("a pose");
+            assert_eq!(corners.len(), 2 * 6 + 2);
+            let tool = robot.point_in_base(&q, &target);
+            assert!((corners[13] - tool).norm() < 1e-9);
+            for (here, at_home) in lengths(&corners).iter().zip(&home) {
+                assert!((here - at_home).abs() < 1e-9, "a rigid link");
+            }
+        }
+    }
+
+    #[test]
+    fn a_joint_that_slides_draws_its_way() {
+        let axis = Axis::through(Vector3::x(), Point3::origin()).expect("an axis");
+        let robot = Robot {
+            joints: vec![Joint::new("rail", JointKind::Prismatic, axis)],
+            ..arm()
+        };
+        let corners = Skeleton::new(&robot, &Point3::origin()).at(&[500.0]);
+        let corners = corners.expect("a pose");
+        let tool = corners.last().expect("a tool");
+        assert!((tool - Point3::new(1400.0, 0.0, 1150.0)).norm() < 1e-9);
+    }
+
+    #[test]
+    fn what_is_no_pose_draws_no_robot() {
+        let robot = arm();
+        let skeleton = Skeleton::new(&robot, &Point3::origin());
+        assert_eq!(skeleton.at(&[0.0; 5]), None);
+        assert_eq!(skeleton.at(&[0.0, 0.0, f64::NAN, 0.0, 0.0, 0.0]), None);
     }
 }

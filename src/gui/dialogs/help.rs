@@ -1,17 +1,13 @@
-//! What this program is and what can be done in it: by its keys, by a word of its name, and what the words mean.
+//! What this program is, what can be done in it by keys and mouse, and what the words mean.
 
-use egui::{
-    Align, Button, Context, Key, Label, Layout, Modifiers, Response, RichText, Role, ScrollArea,
-    TextEdit, TextStyle, Ui, WidgetInfo, vec2,
-};
+use egui::{Align, Label, Layout, RichText, ScrollArea, TextStyle, Ui, vec2};
 
 use crate::text::spoken;
 
-use crate::gui::actions::{self, Action, WindowState};
+use crate::gui::actions;
 use crate::gui::charts::CHARTS;
 use crate::gui::plots;
-use crate::gui::style::{Palette, size, space};
-use crate::gui::view::PaletteInput;
+use crate::gui::style::{Palette, space};
 use crate::gui::workbench::Workbench;
 use crate::gui::{help, widgets};
 
@@ -100,86 +96,6 @@ fn key_rows(ui: &mut Ui, rows: &[(String, &str)]) {
             ui.vertical(|ui| ui.add(Label::new(*what).wrap()));
         });
     }
-}
-
-/// Everything that can be done, by a word of its name: typed, chosen with the arrows, done with Enter.
-pub(super) fn palette(ui: &mut Ui, workbench: &Workbench, typed: &mut PaletteInput) {
-    widgets::wide(ui, 460.0);
-    let ctx = ui.ctx().clone();
-    let [up, down, enter] = [Key::ArrowUp, Key::ArrowDown, Key::Enter]
-        .map(|key| ui.input_mut(|i| i.consume_key(Modifiers::NONE, key)));
-    let field = TextEdit::singleline(&mut typed.text).hint_text(say!("what to do"));
-    let room = egui::vec2(ui.available_width(), space::PRIMARY);
-    let field = ui.add_sized(room, field.align(egui::Align2::LEFT_CENTER));
-    widgets::label(&field, say!("Command"));
-    if !field.has_focus() {
-        field.request_focus();
-    }
-    if field.changed() {
-        typed.chosen = 0;
-    }
-    let now = WindowState::of(&ctx, workbench);
-    let fitting: Vec<(&Action, String)> = fitting(&ctx, &now, &typed.text);
-    let last = fitting.len().saturating_sub(1);
-    typed.chosen = (typed.chosen + usize::from(down)).min(last);
-    typed.chosen = typed.chosen.saturating_sub(usize::from(up));
-    let mut done = None;
-    ScrollArea::vertical().max_height(320.0).show(ui, |ui| {
-        ui.spacing_mut().item_spacing.y = 0.0;
-        for (k, (action, name)) in fitting.iter().enumerate() {
-            let row = row(ui, &now, action, name, k == typed.chosen);
-            if k == typed.chosen && (up || down) {
-                row.scroll_to_me(None);
-            }
-            let meant = row.clicked() || enter && k == typed.chosen;
-            if meant && action.enabled(&now) {
-                done = Some(*action);
-            }
-        }
-        if fitting.is_empty() {
-            widgets::hint(ui, say!("No command has this in its name"));
-        }
-    });
-    if let Some(action) = done {
-        workbench.then(|bench| bench.show_sheet(None));
-        action.ask_for(&now);
-    }
-}
-
-/// What has every word that was typed in its name or in what the list of keys says of it.
-fn fitting<'a>(ctx: &Context, now: &WindowState<'_>, typed: &str) -> Vec<(&'a Action, String)> {
-    let typed = typed.to_lowercase();
-    let named = actions::ALL
-        .iter()
-        .map(|action| (action, action.label(now)));
-    let fits = |(action, name): &(&Action, String)| {
-        let said = format!("{name} {}", action.help(ctx).1).to_lowercase();
-        // The palette itself is open, and what has no name has its keys only.
-        !name.is_empty()
-            && !action.keys(ctx).is_empty()
-            && action.help(ctx) != actions::PALETTE.help(ctx)
-            && typed.split_whitespace().all(|word| said.contains(word))
-    };
-    named.filter(fits).collect()
-}
-
-fn row(ui: &mut Ui, now: &WindowState<'_>, action: &Action, name: &str, chosen: bool) -> Response {
-    let enabled = action.enabled(now);
-    let button = Button::selectable(chosen, name).shortcut_text(action.keys(ui.ctx()));
-    let room = egui::vec2(ui.available_width(), space::CONTROL);
-    let row = ui.add_enabled(enabled, button.min_size(room));
-    row.widget_info(|| WidgetInfo::selected(Role::ListBoxOption, enabled, chosen, name));
-    if chosen {
-        let ring = egui::Stroke::new(1.0, Palette::of(ui).outline);
-        let inside = egui::StrokeKind::Inside;
-        ui.painter()
-            .rect_stroke(row.rect, space::ROUND, ring, inside);
-    }
-    if !enabled {
-        let because = RichText::new(action.first()).size(size::SMALL);
-        ui.indent(name, |ui| ui.label(because.color(Palette::of(ui).muted)));
-    }
-    row
 }
 
 /// Height of what stands around the list, points.

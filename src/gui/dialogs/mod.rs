@@ -2,7 +2,6 @@
 
 mod import;
 mod new_session;
-mod robot_table;
 
 use egui::style::NumberFormatter;
 use egui::{Align2, Context, Id, LayerId, Margin, Modal, Popup, ScrollArea, Ui, vec2};
@@ -79,11 +78,10 @@ fn shown(ui: &Ui, workbench: &Workbench, sheet: &mut Sheet) {
                     replace,
                 } => unsaved::path(ui, workbench, *what, (path, replace)),
                 Sheet::Simulate(form) => new_session::simulation(ui, form, workbench),
-                Sheet::RobotTable { table, .. } => robot_table::typed(ui, table, workbench),
+                Sheet::RobotTable { table, .. } => robots::typed(ui, table, workbench),
                 Sheet::Discard(typed) => unsaved::typed(ui, typed, workbench),
                 Sheet::Unsaved(then) => unsaved::losses(ui, workbench, then),
                 Sheet::Overwrite(path) => unsaved::overwrite(ui, path, workbench),
-                Sheet::Palette(typed) => help::palette(ui, workbench, typed),
                 Sheet::Import(foreign) => import::show(ui, workbench, foreign),
                 Sheet::Named(name) => match NAMED.iter().find(|(there, _)| there == name) {
                     Some((_, show)) => show(ui, workbench),

@@ -59,26 +59,11 @@ fn panes<'de, D: Deserializer<'de>>(reader: D) -> Result<Panes, D::Error> {
     Ok(serde_json::from_value(kept).unwrap_or_default())
 }
 
-/// A change of the recent files.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) enum Recent {
-    /// This file was opened or saved.
-    Used(PathBuf),
-    /// This one is not wanted in the list.
-    Forgotten(PathBuf),
-}
-
-impl Recent {
-    pub(crate) fn apply(&self, recent: &mut Vec<PathBuf>) {
-        match self {
-            Self::Used(path) => {
-                recent.retain(|other| other != path);
-                recent.insert(0, path.clone());
-                recent.truncate(MOST_RECENT);
-            }
-            Self::Forgotten(path) => recent.retain(|other| other != path),
-        }
-    }
+/// This file was opened or saved: it is the first of the recent ones.
+pub(crate) fn use_recent(recent: &mut Vec<PathBuf>, path: PathBuf) {
+    recent.retain(|other| *other != path);
+    recent.insert(0, path);
+    recent.truncate(MOST_RECENT);
 }
 
 fn file(folder: &Path) -> PathBuf {
@@ -317,24 +302,19 @@ mod tests {
         };
         change(&folder, |kept| kept.preferences = inches).unwrap();
         for name in ["a.json", "b.json", "a.json"] {
-            let used = Recent::Used(name.into());
-            change(&folder, |kept| used.apply(&mut kept.recent)).unwrap();
+            change(&folder, |kept| use_recent(&mut kept.recent, name.into())).unwrap();
         }
         let (settings, says) = read(&folder).unwrap();
         assert_eq!(settings.preferences, inches);
         assert_eq!(settings.recent, [PathBuf::from("a.json"), "b.json".into()]);
         assert!(says.is_none());
-        let forgotten = Recent::Forgotten("a.json".into());
-        change(&folder, |kept| forgotten.apply(&mut kept.recent)).unwrap();
-        assert_eq!(read(&folder).unwrap().0.recent, [PathBuf::from("b.json")]);
-        assert_eq!(read(&folder).unwrap().0.preferences, inches);
     }
 
     #[test]
     fn the_list_has_an_end() {
         let list = (0..30).fold(Vec::new(), |list, k| {
             let mut list = list;
-            Recent::Used(format!("{k}").into()).apply(&mut list);
+            use_recent(&mut list, format!("{k}").into());
             list
         });
         assert_eq!(list.len(), MOST_RECENT);

@@ -49,7 +49,7 @@ fn arrow(@builtin(vertex_index) corner: u32, sample: Sample) -> Arrow {
     if colour_says() {
         let said = said_of(shown, sample);
         color = select(frame.ghost, said, said.a > 0.5);
-        let part = condition_of(sample);
+        let part = uncertainty_of(sample);
         if part >= 0.0 {
             width = mix(frame.style_2.x, frame.style_2.y, part);
         }

@@ -29,9 +29,6 @@ struct Frame {
 
 @group(0) @binding(0) var<uniform> frame: Frame;
 
-const DIRECTION: f32 = 2.0;
-const TURN: f32 = 6.283185307;
-
 // A vector of the measuring frame as it lies in the plane.
 fn flat_of(v: vec3f) -> vec2f {
     return vec2f(dot(frame.right.xyz, v), dot(frame.up.xyz, v));
@@ -75,11 +72,9 @@ fn shown_of(before: vec3f, after: vec3f) -> vec3f {
 }
 
 fn scale_of(part: f32) -> vec4f {
-    let around = frame.style.x == DIRECTION;
-    let steps = select(7.0, 8.0, around);
-    let place = select(clamp(part, 0.0, 1.0), fract(part), around) * steps;
-    let first = min(u32(place), u32(steps) - 1u);
-    return mix(frame.stops[first], frame.stops[(first + 1u) % 8u], place - f32(first));
+    let place = clamp(part, 0.0, 1.0) * 7.0;
+    let first = min(u32(place), 6u);
+    return mix(frame.stops[first], frame.stops[first + 1u], place - f32(first));
 }
 
 fn linear_of(c: vec3f) -> vec3f {

@@ -14,10 +14,10 @@ use egui_wgpu::RendererOptions;
 use crate::gui::style::{DARK, LIGHT, Palette};
 use crate::gui::view::{Colouring, Plane};
 
-use super::gpu::{CloudLayer, register};
+use super::{CloudLayer, register};
 use super::{Frame, HEAT, LayerOptions, OUTLINE, WIDTH, heat_map, map_in_plot, scale_at};
+use crate::gui::cache::cloud::Heat;
 use crate::gui::cache::cloud::{Cloud, Place, Remainder};
-use crate::gui::cache::heat::Heat;
 
 const SIZE: Vec2 = egui::vec2(240.0, 160.0);
 
@@ -110,9 +110,7 @@ const ARROWS: [([f32; 2], [f32; 2], [f32; 2]); 5] = [
 
 fn cloud() -> (Arc<Cloud>, Arc<Remainder>) {
     let place = |(at, before, _): &([f32; 2], [f32; 2], [f32; 2])| -> Place {
-        [
-            at[0], at[1], 3.0, before[0], before[1], 0.2, 0.25, -1.0, -1.0,
-        ]
+        [at[0], at[1], 3.0, before[0], before[1], 0.2]
     };
     let row = |(_, _, after): &([f32; 2], [f32; 2], [f32; 2])| [after[0], after[1], 0.1, 0.0, 0.75];
     let cloud = Cloud {
@@ -185,19 +183,13 @@ fn compare_arrows(pixels: f32, palette: Palette, colouring: Colouring, blend: f3
         let color = as_parts(match colouring {
             Colouring::Deviation => {
                 let length = (e[0] * e[0] + e[1] * e[1] + z * z).sqrt();
-                scale_at(colouring, &palette, (length / 2.0) as f32)
+                scale_at(&palette, (length / 2.0) as f32)
             }
-            Colouring::Direction => {
-                let turn = e[1].atan2(e[0]) / std::f64::consts::TAU;
-                scale_at(colouring, &palette, turn as f32)
-            }
-            Colouring::Load => scale_at(colouring, &palette, 0.25),
-            Colouring::Uncertainty => scale_at(colouring, &palette, 0.75),
-            _ => palette.after,
+            Colouring::Uncertainty => scale_at(&palette, 0.75),
+            Colouring::State => palette.after,
         });
         let width = point
             * match colouring {
-                Colouring::Load => 0.9 + 0.25 * (3.2 - 0.9),
                 Colouring::Uncertainty => 0.9 + 0.75 * (3.2 - 0.9),
                 _ => f64::from(WIDTH),
             };
@@ -249,8 +241,8 @@ fn arrows_cover_what_their_outline_covers() {
     }
     compare_arrows(1.0, LIGHT, Colouring::State, 0.0);
     compare_arrows(1.0, DARK, Colouring::Deviation, 1.0);
-    compare_arrows(2.0, LIGHT, Colouring::Direction, 0.5);
-    compare_arrows(1.5, DARK, Colouring::Load, 0.25);
+    compare_arrows(2.0, LIGHT, Colouring::State, 0.5);
+    compare_arrows(1.5, DARK, Colouring::Deviation, 0.25);
     compare_arrows(1.0, LIGHT, Colouring::Uncertainty, 1.0);
 }
 
@@ -295,15 +287,11 @@ fn compare_marks(pixels: f32, palette: Palette, colouring: Colouring) {
         kinds[usize::from(within)] += 1;
         #[allow(clippy::cast_possible_truncation, reason = "a part of a scale")]
         let said = match colouring {
-            Colouring::Deviation => scale_at(colouring, &palette, (length / 2.0) as f32),
-            Colouring::Direction => {
-                let turn = e[1].atan2(e[0]) / std::f64::consts::TAU;
-                scale_at(colouring, &palette, turn as f32)
-            }
-            Colouring::Load => scale_at(colouring, &palette, 0.25),
+            Colouring::Deviation => scale_at(&palette, (length / 2.0) as f32),
+            Colouring::Uncertainty => scale_at(&palette, 0.75),
             Colouring::State if within => palette.within,
             // No temperature is known.
-            _ => palette.surface,
+            Colouring::State => palette.surface,
         };
         let (edge, half) = match (within, colouring) {
             (false, _) => (palette.outside, 0.7 * point),
@@ -353,9 +341,7 @@ fn marks_carry_what_colour_says_and_their_shape_says_whether_they_are_within() {
     }
     compare_marks(1.0, LIGHT, Colouring::State);
     compare_marks(2.0, DARK, Colouring::Deviation);
-    compare_marks(1.5, LIGHT, Colouring::Direction);
-    compare_marks(1.0, DARK, Colouring::Load);
-    compare_marks(2.0, LIGHT, Colouring::Temperature);
+    compare_marks(1.5, LIGHT, Colouring::Uncertainty);
 }
 
 #[test]
@@ -398,7 +384,7 @@ fn the_heat_map_has_the_colour_of_the_error_at_every_sample() {
             }
             #[allow(clippy::cast_possible_truncation, reason = "a part of a scale")]
             let part = ((squares / weights).sqrt() / 20.0) as f32;
-            let color = as_parts(scale_at(Colouring::Deviation, &palette, part));
+            let color = as_parts(scale_at(&palette, part));
             let surface = as_parts(palette.surface);
             let screen = transform.position_from_point(&egui_plot::PlotPoint::new(at[0], at[1]));
             let pixel = |v: f32| crate::numeric::whole(f64::from(2.0 * v));
@@ -423,7 +409,7 @@ fn a_cloud_that_has_changed_is_uploaded_again() {
     }
     let (first, remainder) = cloud();
     let second = Arc::new(Cloud {
-        places: vec![[0.0, 0.0, 0.0, 3.0, 0.0, 0.0, -1.0, -1.0, -1.0]],
+        places: vec![[0.0, 0.0, 0.0, 3.0, 0.0, 0.0]],
         samples: vec![0],
         ..Cloud::default()
     });

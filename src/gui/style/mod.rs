@@ -16,16 +16,10 @@
 //! | regions | two greys, in turn | number and boundary line of each |
 //! | a step is done | filled circle | a tick in place of the number, and a caption in words |
 //! | size of a deviation | a scale | ordered by lightness; the legend has numbers, the vector its length |
-//! | direction of a deviation | a circle of colours | the vector itself points there |
 //!
 //! Tests hold text to a contrast of 4.5 : 1 and marks, outlines and the focus ring to 3 : 1 on
 //! everything they stand on, in both themes, and pairs of meanings apart for people who see some
 //! colours alike (`vision`). No other file of the window has a colour or a size of type in it.
-
-pub(crate) mod layout;
-#[cfg(test)]
-#[path = "../../../tests/support/vision.rs"]
-pub(crate) mod testing;
 
 use std::sync::Arc;
 
@@ -34,6 +28,10 @@ use egui::{
     Color32, Context, CornerRadius, FontData, FontDefinitions, FontFamily, FontId, Margin, Shadow,
     Stroke, Style, TextStyle, Theme, Ui, Vec2, Visuals,
 };
+
+#[cfg(test)]
+#[path = "../../../tests/support/vision.rs"]
+pub(crate) mod testing;
 
 /// What every colour is for.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -78,9 +76,6 @@ pub(crate) struct Palette {
     pub(crate) shadow: Color32,
     /// From little to much, away from the surface: lightness alone tells the order.
     pub(crate) scale: [Color32; STOPS],
-    /// Around the circle, from the right over up: opposite directions differ in blue and orange,
-    /// or in lightness, which everybody sees.
-    pub(crate) cycle: [Color32; STOPS],
 }
 
 /// Colours of a scale; between them it is linear.
@@ -125,9 +120,6 @@ pub(crate) const LIGHT: Palette = Palette {
     scale: scale([
         0xDDC04E, 0xB9B551, 0x91A85F, 0x669A6E, 0x40887A, 0x2A7082, 0x2A547E, 0x2F3670,
     ]),
-    cycle: scale([
-        0x1B62B5, 0x2A4878, 0x33333D, 0x7C4D22, 0xC46A0C, 0xC59160, 0xBFB8AB, 0x6F8EB2,
-    ]),
 };
 
 /// For a dim one.
@@ -153,9 +145,6 @@ pub(crate) const DARK: Palette = Palette {
     shadow: Color32::from_black_alpha(120),
     scale: scale([
         0x4C5BA6, 0x4373B0, 0x408AB0, 0x4C9FA4, 0x68B295, 0x93C284, 0xC4D077, 0xF6DE72,
-    ]),
-    cycle: scale([
-        0x4E9CF0, 0x9CC3EC, 0xEDEBE4, 0xF0C392, 0xEF9435, 0xAE8152, 0x6B6B78, 0x5B84B6,
     ]),
 };
 
@@ -353,6 +342,107 @@ fn dressed(palette: &Palette, mut visuals: Visuals) -> Visuals {
     visuals
 }
 
+// How the window is divided at its size: how wide the sides are, and what stands there at all.
+//
+// Sizes are points, so that a larger size of text is a smaller window. The sides grow moderately
+// with it; the plots get the rest, and are never narrower than [`MIDDLE`]: where there is no room
+// for the results beside them the results are shut, and when they are opened they take the
+// plots' place.
+
+/// The narrowest that plots are, points.
+pub(crate) const MIDDLE: f32 = 380.0;
+/// The narrowest that results are, points.
+const RIGHT: f32 = 288.0;
+/// The narrowest that steps are, points.
+const LEFT: f32 = 260.0;
+/// The widest that either can be pulled, points.
+const WIDEST: f32 = 720.0;
+/// From this width on results stand beside the plots unless they are shut, points.
+const BESIDE: f32 = 980.0;
+/// Below this height the list of steps has one line for each, points.
+const LOW: f32 = 640.0;
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Layout {
+    /// Width of the steps and their controls.
+    pub(crate) left: f32,
+    /// Width of the results, where they stand beside the plots.
+    pub(crate) right: Option<f32>,
+    /// Whether the results take the place of the plots.
+    pub(crate) instead: bool,
+    /// Whether the steps have one line each.
+    pub(crate) low: bool,
+}
+
+impl Layout {
+    /// In a window of this size; `wanted` is whether the results are opened or shut by hand, `pulled`
+    /// the widths of steps and results where they were pulled.
+    pub(crate) fn of(
+        width: f32,
+        height: f32,
+        wanted: Option<bool>,
+        pulled: [Option<f32>; 2],
+    ) -> Self {
+        let usual_left = along(
+            width,
+            [
+                (900.0, 280.0),
+                (1024.0, 280.0),
+                (1280.0, 304.0),
+                (1920.0, 344.0),
+                (3840.0, 440.0),
+            ],
+        );
+        let usual_right = along(
+            width,
+            [
+                (900.0, RIGHT),
+                (1024.0, RIGHT),
+                (1280.0, 344.0),
+                (1920.0, 420.0),
+                (3840.0, 560.0),
+            ],
+        );
+        let least = LEFT + MIDDLE + RIGHT;
+        let mut sides = (usual_left, usual_right);
+        // Pulled widths never shut what has room at its least.
+        if width >= least && pulled.iter().any(Option::is_some) {
+            let left = pulled[0].unwrap_or(usual_left);
+            let left = left.clamp(LEFT, (width - MIDDLE - RIGHT).clamp(LEFT, WIDEST));
+            let right = pulled[1].unwrap_or(usual_right);
+            let right = right.clamp(RIGHT, (width - MIDDLE - left).clamp(RIGHT, WIDEST));
+            sides = (left, right);
+        }
+        let (left, right) = sides;
+        let open = wanted.unwrap_or(width >= BESIDE);
+        let beside = width - left - MIDDLE >= right;
+        Self {
+            left,
+            right: (open && beside).then_some(right),
+            instead: open && !beside,
+            low: height < LOW,
+        }
+    }
+
+    /// Whether the results are in sight.
+    pub(crate) fn results(&self) -> bool {
+        self.right.is_some() || self.instead
+    }
+}
+
+/// Between these points it is linear, outside it is what it is at the end.
+fn along(x: f32, points: [(f32, f32); 5]) -> f32 {
+    let [first, .., last] = points;
+    if x <= first.0 {
+        return first.1;
+    }
+    let pairs = points.windows(2).find(|pair| x <= pair[1].0);
+    pairs.map_or(last.1, |pair| {
+        let t = (x - pair[0].0) / (pair[1].0 - pair[0].0);
+        (pair[0].1 + t * (pair[1].1 - pair[0].1)).round()
+    })
+}
+
 #[cfg(test)]
 mod tests {
     //! What the colours are held to.
@@ -361,7 +451,7 @@ mod tests {
 
     use egui::Color32;
 
-    use super::{DARK, LIGHT, Palette, STOPS};
+    use super::{DARK, LIGHT, Palette};
     use crate::gui::style::testing::{ColourVision, colour_distance, contrast, lightness};
 
     const THEMES: [(&str, Palette); 2] = [("light", LIGHT), ("dark", DARK)];
@@ -468,18 +558,6 @@ mod tests {
         }
     }
 
-    #[test]
-    fn opposite_directions_stay_apart_for_everybody() {
-        for (theme, p) in THEMES {
-            for sight in ColourVision::ALL {
-                for k in 0..STOPS / 2 {
-                    let found = colour_distance(p.cycle[k], p.cycle[k + STOPS / 2], sight);
-                    assert!(found > 20.0, "{theme}, {k}, {sight:?}: {found:.1}");
-                }
-            }
-        }
-    }
-
     /// Files of the window, without this one and what only tests see.
     fn sources() -> Vec<PathBuf> {
         fn walk(folder: &Path, found: &mut Vec<PathBuf>) {
@@ -545,8 +623,9 @@ mod tests {
             // What stands below the tests' line draws nothing.
             let shown = text.split("#[cfg(test)]").next().unwrap_or_default();
             for (k, line) in shown.lines().enumerate() {
-                // A spinner's size is no type.
-                if has_a_literal(line) && !line.contains("Spinner") {
+                // A spinner's size is no type, and a picture has its own colours.
+                let other = ["Spinner", "Shape::image"].iter().any(|o| line.contains(o));
+                if has_a_literal(line) && !other {
                     found.push(format!("{}:{}: {}", path.display(), k + 1, line.trim()));
                 }
             }
@@ -554,5 +633,65 @@ mod tests {
         assert!(found.is_empty(), "{}", found.join("\n"));
         assert!(has_a_literal("text.size(12.0)") && has_a_literal("Color32::from_rgb(1, 2, 3)"));
         assert!(!has_a_literal("text.size(size::SMALL)"));
+    }
+}
+
+#[cfg(test)]
+mod layout_tests {
+    use super::*;
+
+    #[test]
+    fn the_sides_never_shrink_as_the_window_grows_and_the_plots_grow_with_it() {
+        let mut last = Layout::of(600.0, 700.0, None, [None; 2]);
+        for width in (600..4000).step_by(7) {
+            let width = width as f32;
+            let room = Layout::of(width, 700.0, None, [None; 2]);
+            assert!(
+                room.left >= last.left && room.right >= last.right,
+                "{width}"
+            );
+            let middle = width - room.left - room.right.unwrap_or(0.0);
+            assert!(
+                room.instead || width < 700.0 || middle >= MIDDLE,
+                "{width}: {middle}"
+            );
+            if width >= 1280.0 {
+                assert!(middle >= 0.48 * width, "{width}: {middle}");
+            }
+            last = room;
+        }
+    }
+
+    #[test]
+    fn results_that_have_no_room_beside_the_plots_can_be_opened_in_their_place() {
+        let narrow = |wanted| Layout::of(683.0, 384.0, wanted, [None; 2]);
+        assert!(!narrow(None).results());
+        assert!(narrow(Some(true)).instead && narrow(Some(true)).right.is_none());
+        assert!(
+            Layout::of(960.0, 540.0, Some(true), [None; 2])
+                .right
+                .is_some()
+        );
+        assert!(!Layout::of(1920.0, 1080.0, Some(false), [None; 2]).results());
+        assert!(Layout::of(1024.0, 700.0, None, [None; 2]).right.is_some());
+    }
+
+    #[test]
+    fn a_low_window_has_one_line_for_each_step() {
+        assert!(Layout::of(911.0, 512.0, None, [None; 2]).low);
+        assert!(!Layout::of(1024.0, 700.0, None, [None; 2]).low);
+    }
+
+    #[test]
+    fn pulled_widths_hold_within_what_can_be_read_and_leave_room_for_the_plots() {
+        let pulled = |left, right| Layout::of(1280.0, 800.0, None, [Some(left), Some(right)]);
+        let room = pulled(380.0, 420.0);
+        assert_eq!((room.left, room.right), (380.0, Some(420.0)));
+        for (left, right) in [(1.0, 1.0), (5000.0, 5000.0), (700.0, 10.0), (10.0, 900.0)] {
+            let room = pulled(left, right);
+            let right = room.right.expect("there is room for them");
+            assert!(room.left >= LEFT && right >= RIGHT, "{left} {room:?}");
+            assert!(1280.0 - room.left - right >= MIDDLE, "{left} {room:?}");
+        }
     }
 }

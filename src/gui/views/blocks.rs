@@ -3,27 +3,32 @@
 //! effects and parameters, problems of the data with what mends them, and what no name explains.
 
 use std::fmt::Debug;
-use std::hash::Hash;
+use std::time::Duration;
 
-use egui::{Color32, Grid, Response, RichText, TextStyle, TextWrapMode, Ui, WidgetText};
+use egui::{
+    Button, Color32, Grid, Id, Popup, PopupKind, Response, RichText, TextStyle, TextWrapMode, Ui,
+    WidgetText, vec2,
+};
 
-use crate::diagnosis::{Correction, Diagnosis};
-use crate::effects::Term;
+use crate::diagnosis::{Correction, Detectability, Diagnosis};
+use crate::effects::{Term, find};
 use crate::explain::{Block, Detail, Section, problems_of_data};
+use crate::fit::{Estimate, RegionResult};
+use crate::gui::charts::{About, effect};
+use crate::gui::style::{Palette, size, space, strong};
+use crate::gui::view::Key;
+use crate::gui::widgets::{self, Does};
+use crate::gui::workbench::Workbench;
 use crate::kinematics::JointKind;
 use crate::language::spoken;
 use crate::model::Model;
-use crate::present::names::title_on;
+use crate::present::limits::sight;
+use crate::present::names::{parameter_in_english as parameter, title_on};
 use crate::present::numbers::{significant, trimmed, with_minus_signs};
-use crate::present::table::{Column, Table};
+use crate::present::table::{Cell, Column, Table};
 use crate::sessions::SessionCorrection;
 use crate::set_up_errors::DataProblem;
 use crate::units::deg_from_rad;
-
-use crate::gui::charts::effect;
-use crate::gui::style::{Palette, size, strong};
-use crate::gui::widgets::{self, Does};
-use crate::gui::workbench::Workbench;
 
 /// How a section's title looks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -110,21 +115,6 @@ fn table(ui: &mut Ui, index: usize, table: &Table) {
     // As wide as the panel, so that tables below each other have their last columns below each other.
     let gaps = table.columns.len().saturating_sub(1).max(1);
     let apart = apart + (spare / gaps as f32).floor();
-    let color = Palette::of(ui).text;
-    let id = ("table of an answer", index);
-    grid(ui, id, table, (letters, apart), |_| color, |_, _| ());
-}
-
-/// The same with letters of this size and its columns so far apart, each cell in its colour; `about` hears of the first
-/// cell of each row.
-pub(crate) fn grid(
-    ui: &mut Ui,
-    id: impl Hash + Debug,
-    table: &Table,
-    (letters, apart): (f32, f32),
-    color: impl Fn(&str) -> Color32,
-    about: impl Fn(usize, Response),
-) {
     let muted = Palette::of(ui).muted;
     let aligned = |ui: &mut Ui, column: &Column, text: RichText| {
         if column.right {
@@ -133,20 +123,17 @@ pub(crate) fn grid(
             ui.label(text)
         }
     };
-    let grid = Grid::new(id).spacing([apart, 4.0]);
+    let grid = Grid::new(("table of an answer", index)).spacing([apart, 4.0]);
     grid.min_col_width(0.0).show(ui, |ui| {
         for column in &table.columns {
             let heading = RichText::new(&column.heading).size(size::SMALL);
             aligned(ui, column, heading.color(muted));
         }
         ui.end_row();
-        for (k, row) in table.rows.iter().enumerate() {
-            for (place, (cell, column)) in row.iter().zip(&table.columns).enumerate() {
+        for row in &table.rows {
+            for (cell, column) in row.iter().zip(&table.columns) {
                 let text = RichText::new(with_minus_signs(&cell.shown)).size(letters);
-                let cell = aligned(ui, column, text.color(color(&cell.shown)));
-                if place == 0 {
-                    about(k, cell);
-                }
+                aligned(ui, column, text);
             }
             ui.end_row();
         }
@@ -154,7 +141,7 @@ pub(crate) fn grid(
 }
 
 /// How much room a table takes without a line that breaks, points.
-pub(super) fn width_of(ui: &Ui, table: &Table, letters: f32, apart: f32) -> f32 {
+fn width_of(ui: &Ui, table: &Table, letters: f32, apart: f32) -> f32 {
     let width = |text: &str, letters: f32| {
         let text = WidgetText::from(RichText::new(text).size(letters));
         let galley = text.into_galley(
@@ -314,23 +301,32 @@ fn correction(ui: &mut Ui, workbench: &Workbench, found: &Correction) {
         workbench.loaded_session().session.robot.joints[found.term.joint].kind,
         &found.term,
     );
+    // It is what the names leave: without them it would correct something else.
+    let mut terms = workbench.not_added();
+    terms.push(found.term.clone());
+    let says = [
+        say!("Add smooth correction"),
+        say!("smooth correction in the model"),
+    ];
+    in_the_model(ui, workbench, terms, says);
+}
+
+/// Adds terms to the model, or switches the last of them on and off there.
+pub(super) fn in_the_model(
+    ui: &mut Ui,
+    workbench: &Workbench,
+    terms: Vec<Term>,
+    [add, there]: [&str; 2],
+) {
+    let Some(term) = terms.last() else { return };
     let mut added = workbench.document().added.iter();
-    match added.position(|a| a.term.same_column(&found.term)) {
-        None => {
-            if widgets::secondary(ui, say!("Add smooth correction")).clicked() {
-                // It is what the names leave: without them it would correct something else.
-                let mut terms = workbench.not_added();
-                terms.push(found.term.clone());
-                workbench.then(move |bench| bench.add(&terms));
-            }
+    if let Some(index) = added.position(|a| a.term.same_column(term)) {
+        let mut on = workbench.document().added[index].on;
+        if ui.checkbox(&mut on, there).changed() {
+            workbench.then(move |bench| bench.switch(index, on));
         }
-        Some(index) => {
-            let mut on = workbench.document().added[index].on;
-            let checkbox = ui.checkbox(&mut on, say!("smooth correction in the model"));
-            if checkbox.changed() {
-                workbench.then(move |bench| bench.switch(index, on));
-            }
-        }
+    } else {
+        widgets::secondary(ui, add).does(workbench, move |bench| bench.add(&terms));
     }
 }
 
@@ -372,4 +368,219 @@ pub(super) fn smooth_corrections(ui: &mut Ui, model: &Model) {
             range(ui, model.robot.joints[term.joint].kind, term);
         });
     }
+}
+
+// What is copied from the window: tables as text for a spreadsheet (tabs between the columns, full
+// digits, the decimal sign that the user chose).
+
+/// A button that copies a table.
+pub(super) fn button(ui: &mut Ui, of: &str, text: impl FnOnce() -> String) {
+    ui.add_space(space::TIGHT);
+    let id = ui.scope_id().with(("copied", of));
+    let copied = is_recent(ui, id);
+    // Higher than the rows of a dense table: it is pressed, not read. As wide as its longest text.
+    let says = if copied {
+        say!("Copied")
+    } else {
+        say!("Copy table")
+    };
+    let button = Button::new(RichText::new(says).size(size::SMALL));
+    let button = ui.add(button.min_size(vec2(78.0, 22.0)));
+    let name = if copied {
+        say!("Copied table of {of}", of)
+    } else {
+        say!("Copy table of {of}", of)
+    };
+    widgets::label(&button, name);
+    if button.clicked() {
+        ui.copy_text(text());
+        remember(ui, id);
+    }
+}
+
+/// How long a copy says that it was made, s.
+const SAID: f64 = 2.0;
+
+fn remember(ui: &Ui, id: Id) {
+    let now = ui.input(|input| input.time);
+    ui.data_mut(|data| data.insert_temp(id, now));
+    ui.ctx().request_repaint();
+}
+
+/// Whether this was copied a moment ago.
+fn is_recent(ui: &Ui, id: Id) -> bool {
+    let copied: Option<f64> = ui.data(|data| data.get_temp(id));
+    let now = ui.input(|input| input.time);
+    let left = copied.map(|copied| copied + SAID - now);
+    let Some(left) = left.filter(|left| (0.0..=SAID).contains(left)) else {
+        return false;
+    };
+    ui.ctx()
+        .request_repaint_after(Duration::from_secs_f64(left));
+    true
+}
+
+/// The mark in a chart's bar that copies its numbers.
+pub(super) fn chart_button(ui: &mut Ui, about: &About, key: Key, workbench: &Workbench) {
+    let id = about.id;
+    let says = say!("Copy numbers: {of}", of = about.name().to_lowercase());
+    let button = widgets::icon_button(ui, widgets::COPY, &says).on_hover_text(&says);
+    button.does(workbench, move |bench| {
+        bench.view.panes.activate(key);
+        bench.copy_numbers(id);
+    });
+    if is_recent(ui, id_of(about.id)) {
+        // What lies beneath it can be clicked all the same.
+        Popup::from_response(&button)
+            .kind(PopupKind::Tooltip)
+            .interactable(false)
+            .show(|ui| ui.label(say!("Copied")));
+    }
+}
+
+/// Copies a chart's numbers, which were made in the background.
+pub(crate) fn chart(ui: &Ui, workbench: &mut Workbench) {
+    if let Some((chart, text)) = workbench.take_copied() {
+        ui.copy_text(text);
+        remember(ui, id_of(chart));
+    }
+}
+
+fn id_of(chart: &str) -> Id {
+    Id::unique("copied").with(chart)
+}
+
+/// The title of an effect: what is copied is English, as files are.
+fn effect_title(id: &str) -> &str {
+    find(id).map_or(id, |effect| effect.about().title.english())
+}
+
+/// The columns of a parameter with its interval.
+const PARAMETER: &str = "effect | joint | parameter | value | 95 % from | 95 % to | unit";
+
+/// The cells of a parameter with its interval.
+fn estimate(one: &Estimate) -> Vec<Cell> {
+    let (name, unit) = parameter(one.name);
+    let [from, to] = ends(one.ci95);
+    let (effect, value) = (effect_title(one.effect).into(), one.value.into());
+    vec![
+        effect,
+        one.joint.into(),
+        name.into(),
+        value,
+        from,
+        to,
+        unit.into(),
+    ]
+}
+
+fn ends(interval: Option<[f64; 2]>) -> [Cell; 2] {
+    interval.map_or_else(Default::default, |ends| ends.map(Cell::from))
+}
+
+/// Every parameter with its interval.
+pub(super) fn parameters(estimates: &[Estimate]) -> String {
+    let mut table = Table::headed(PARAMETER);
+    table.rows = estimates.iter().map(estimate).collect();
+    table.tabbed()
+}
+
+/// What was found, parameter by parameter, each with the evidence of its name.
+pub(super) fn found(d: &Diagnosis) -> String {
+    let mut table = Table::headed(format!(
+        "{PARAMETER} | noise alone, 1 of | odds over the next candidate | share | RMS error before, mm \
+         | RMS error after, mm | cross-validated before, mm | cross-validated after, mm"
+    ));
+    for found in &d.found {
+        for one in &found.parameters {
+            let mut cells = estimate(one);
+            let odds = [
+                (1.0 / found.p_familywise.p).round(),
+                found.odds_over_next,
+                found.share,
+            ];
+            cells.extend(odds.into_iter().chain(found.gap_mm).map(Cell::from));
+            cells.extend(ends(found.held_out_mm));
+            table.rows.push(cells);
+        }
+    }
+    table.tabbed()
+}
+
+/// How large each effect could be without having been seen; an empty size was not to be seen at all.
+pub(super) fn limits(d: &Diagnosis) -> String {
+    let mut table = Table::headed("effect | joint | parameter | detection limit (95 %) | unit");
+    for limit in &d.not_found {
+        for (full, size) in &limit.sizes {
+            let (name, unit) = parameter(full);
+            let size = match sight(limit.effect, full, *size) {
+                Detectability::Above(size) => Some(size),
+                Detectability::AtAnySize => Some(0.0),
+                Detectability::AtNoSize => None,
+            };
+            let joint = limit.joint.map(|joint| joint + 1);
+            let effect = Cell::from(effect_title(limit.effect));
+            table.row([effect, joint.into(), name.into(), size.into(), unit.into()]);
+        }
+    }
+    table.tabbed()
+}
+
+/// Sample by sample: what was commanded and measured, and how far that is from the simulation.
+pub(super) fn samples(workbench: &Workbench) -> String {
+    let loaded_session = workbench.loaded_session();
+    let (session, answer) = (&loaded_session.session, workbench.answer());
+    let mut heads = vec!["sample".to_owned()];
+    let joints = session.robot.joints.iter().enumerate();
+    heads.extend(joints.map(|(j, joint)| format!("q{}, {}", j + 1, joint.kind.unit())));
+    let others = "reflector | x, mm | y, mm | z, mm | before, mm | after, mm";
+    heads.extend(others.split(" | ").map(str::to_owned));
+    let mut table = Table::new(heads);
+    let samples = &session.samples;
+    for sample in 0..loaded_session.len() {
+        let mut cells = vec![Cell::from(sample + 1)];
+        let joints = session.robot.joints.iter().zip(&samples.q);
+        cells.extend(joints.map(|(joint, q)| Cell::from(joint.kind.to_display(q[sample]))));
+        let target = samples
+            .target
+            .as_ref()
+            .map(|target| target[sample] as usize);
+        let target = target.and_then(|target| session.targets.get(target));
+        cells.push(target.map(|target| target.name.as_str()).into());
+        let z = samples.z_mm.as_ref().map_or(f64::NAN, |z| z[sample]);
+        let before = loaded_session.before.length_mm[sample];
+        let after = answer.map_or(f64::NAN, |answer| answer.lengths_mm[sample]);
+        let numbers = [samples.x_mm[sample], samples.y_mm[sample], z, before, after];
+        cells.extend(numbers.map(Cell::from));
+        table.rows.push(cells);
+    }
+    table.tabbed()
+}
+
+/// Every region's correction with its intervals.
+pub(super) fn regions(results: &[RegionResult]) -> String {
+    let mut table = Table::headed(
+        "region | from, deg | to, deg | samples | dtheta, rad | 95 % from \
+ | 95 % to | dl1, mm | 95 % from | 95 % to | RMS error before, mm | RMS error after, mm",
+    );
+    for result in results {
+        let c = &result.correction;
+        let [theta_from, theta_to] = ends(result.theta_ci95);
+        let [l1_from, l1_to] = ends(result.l1_ci95);
+        table.row([
+            c.name.as_str().into(),
+            deg_from_rad(c.from_rad).into(),
+            deg_from_rad(c.to_rad).into(),
+            c.samples.into(),
+            c.theta_rad.into(),
+            theta_from,
+            theta_to,
+            c.l1_mm.into(),
+            l1_from,
+            l1_to,
+            result.rms_before_mm.into(),
+            Cell::from(result.rms_after_mm),
+        ]);
+    }
+    table.tabbed()
 }

@@ -5,12 +5,12 @@ use egui::{DragValue, Grid, RichText, ScrollArea, Ui};
 
 use crate::explain::{self, Block, Detail, Exported, Section, Topic};
 use crate::export::{EXPORTERS, find};
-use crate::gui::cache::identified::{ExportPreview, StandardsFigures, as_text};
+use crate::gui::cache::{ExportPreview, StandardsFigures, as_text};
 use crate::gui::core::document::ExportChoice;
 use crate::gui::help;
 use crate::gui::style::{Palette, size, space, strong};
 use crate::gui::view::{About, Sheet, Step, What};
-use crate::gui::views::{blocks, copies};
+use crate::gui::views::blocks;
 use crate::gui::widgets::{self, Does};
 use crate::gui::workbench::Workbench;
 use crate::language::spoken;
@@ -371,7 +371,7 @@ fn standards(ui: &mut Ui, workbench: &Workbench) {
 
 fn tables(ui: &mut Ui, made: &StandardsFigures) {
     if made.groups.iter().any(|group| !group.rows.is_empty()) {
-        copies::button(ui, say!("figures"), || as_text(made));
+        blocks::button(ui, say!("figures"), || as_text(made));
     }
     let mut explained = "";
     for group in &made.groups {

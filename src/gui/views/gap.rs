@@ -1,17 +1,31 @@
 //! Step 4: search for what is missing.
 
-use crate::text::{spoken, within};
-use egui::{ProgressBar, RichText, Ui};
+use std::borrow::Cow;
 
-use super::blocks::in_words;
-use super::coverage::count_testable;
-use crate::diagnosis::Verdict;
-use crate::gui::core::answer::{SEARCHING, STAGES};
+use egui::{
+    CursorIcon, ProgressBar, Rect, RichText, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2,
+};
+
+use crate::diagnosis::{Diagnosis, Verdict};
+use crate::effects::Term;
+use crate::explain::{Block, Detail, Section, Topic, found_effect};
+use crate::fit::Estimate;
+use crate::gui::charts::effect::{self, EffectCurve};
+use crate::gui::core::answer::{SEARCHING, STAGES, term_of};
 use crate::gui::core::document::Method;
-use crate::gui::style::{Palette, size, strong};
-use crate::gui::view::Step;
+use crate::gui::core::overview::stride;
+use crate::gui::jobs::Running;
+use crate::gui::plots::disc;
+use crate::gui::style::{Palette, size, space, strong};
+use crate::gui::view::{Step, What};
+use crate::gui::views::blocks::{self, Title, curve_link, in_words};
+use crate::gui::views::coverage::count_testable;
 use crate::gui::widgets::{self, Does};
 use crate::gui::workbench::Workbench;
+use crate::kinematics::JointKind;
+use crate::present::names::{parameter, title_of};
+use crate::present::numbers::{significant, with_minus_signs};
+use crate::text::{spoken, within};
 
 pub(super) fn show(ui: &mut Ui, workbench: &Workbench) {
     if workbench.loaded_session().is_empty() {
@@ -130,26 +144,18 @@ fn stages(ui: &mut Ui, workbench: &Workbench) {
         // The results name them, where they are in sight.
         let named = crate::gui::actions::layout(ui.ctx(), workbench).results();
         if k == SEARCHING && !named {
-            names_so_far(ui, &found);
+            ui.indent("found so far", |ui| names(ui, &found));
+            if !found.is_empty() {
+                widgets::hint(
+                    ui,
+                    say!("Found so far; a likelier name may take the place of one"),
+                );
+            }
         }
     }
     let bar = ProgressBar::new(running.progress().unwrap_or(0.0));
     ui.add(bar.desired_height(8.0).fill(palette.accent));
     widgets::look_again_soon(ui);
-}
-
-/// What was found so far; a later step may exchange it for something likelier.
-fn names_so_far(ui: &mut Ui, found: &[String]) {
-    for name in found {
-        let title = crate::present::names::title_of(name);
-        ui.indent((say!("found so far"), name), |ui| ui.label(title));
-    }
-    if !found.is_empty() {
-        widgets::hint(
-            ui,
-            say!("so far; a likelier name may take the place of one"),
-        );
-    }
 }
 
 /// What each effect is worth: switched off and on.
@@ -214,4 +220,334 @@ pub(super) fn next(ui: &mut Ui, workbench: &Workbench) {
     } else if widgets::primary(ui, say!("Continue to export")).clicked() {
         workbench.then(move |bench| bench.view.step = Step::Export);
     }
+}
+
+// What a search found: the verdict, names with their evidence and what can be done about them, what
+// cannot be told apart, what no name explains, what to measure next, and what was hidden where the session was
+// simulated.
+
+pub(super) fn findings(ui: &mut Ui, workbench: &Workbench) {
+    widgets::heading(ui, say!("Diagnosis"));
+    ui.add_space(space::TIGHT);
+    widgets::scroll(ui, "findings", |ui| {
+        ui.spacing_mut().item_spacing.y = space::ROW;
+        let beneath = if workbench.searching().is_some() {
+            under_way(ui, workbench);
+            None
+        } else {
+            stopped(ui, workbench);
+            workbench.searched()
+        };
+        match beneath {
+            None => crate::gui::views::coverage::show(ui, workbench),
+            Some(Err(because)) => widgets::hint(ui, because),
+            Some(Ok(diagnosis)) => all(ui, workbench, diagnosis),
+        }
+    });
+}
+
+/// A diagnosis is running: what it has found so far.
+fn under_way(ui: &mut Ui, workbench: &Workbench) {
+    let found = workbench.searching().map(Running::found);
+    let says = match found.as_ref().map_or(0, Vec::len) {
+        0 => say!("Nothing found so far"),
+        _ => say!("Found so far; a likelier name may take the place of one"),
+    };
+    so_far(
+        ui,
+        say!("Diagnosis is running"),
+        says,
+        &found.unwrap_or_default(),
+    );
+}
+
+/// What a diagnosis that was stopped had found until then.
+fn stopped(ui: &mut Ui, workbench: &Workbench) {
+    let Some(found) = workbench.stopped() else {
+        return;
+    };
+    let says = match found.len() {
+        0 => say!("It had found nothing until then"),
+        _ => {
+            say!(
+                "Found until then, not yet tested against other names: run the diagnosis again to test them"
+            )
+        }
+    };
+    so_far(ui, say!("Diagnosis stopped"), says, found);
+}
+
+fn so_far(ui: &mut Ui, name: &str, says: &str, found: &[String]) {
+    widgets::card(ui, |ui| {
+        widgets::bold(ui, name);
+        widgets::hint(ui, says);
+        names(ui, found);
+    });
+}
+
+fn names(ui: &mut Ui, found: &[String]) {
+    for name in found {
+        let label = ui.label(title_of(name));
+        let id = name.split(' ').next().unwrap_or(name);
+        widgets::explained_effect(label, id);
+    }
+}
+
+fn all(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis) {
+    let sections = workbench.diagnosis_sections();
+    for section in sections.iter() {
+        match section.topic {
+            Topic::NotIdentifiable | Topic::Limits | Topic::NotTestable => {
+                in_small(ui, section, d);
+            }
+            _ => {
+                widgets::card(ui, |ui| {
+                    heading(ui, section, d);
+                    match section.topic {
+                        Topic::Found(k) => effect_card(ui, workbench, (d, k, section)),
+                        _ => blocks::show(ui, &section.blocks),
+                    }
+                    buttons(ui, workbench, d, section);
+                });
+            }
+        }
+        match section.topic {
+            Topic::Answer => hidden(ui, workbench, d),
+            Topic::DataProblem(index) if index + 1 == d.data_problems.len() => {
+                blocks::mend_all(ui, &d.data_problems, workbench);
+            }
+            Topic::Found(index) if index + 1 == d.found.len() => {
+                blocks::button(ui, say!("found effects"), || blocks::found(d));
+            }
+            _ => {}
+        }
+    }
+}
+
+/// The title of a card: in the colour of the verdict, of a mistake; an effect is explained under the pointer.
+fn heading(ui: &mut Ui, section: &Section, d: &Diagnosis) {
+    let palette = Palette::of(ui);
+    let look = match section.topic {
+        Topic::Answer => Title::Large(match d.verdict {
+            Verdict::Noise | Verdict::Explained => palette.within,
+            Verdict::PartlyExplained | Verdict::Unexplained => palette.warning,
+        }),
+        Topic::DataProblem(_) => Title::Large(palette.outside),
+        Topic::Unexplained => Title::Large(palette.warning),
+        Topic::Found(_) => Title::Large(palette.text),
+        _ => Title::Plain,
+    };
+    let label = blocks::title(ui, section, look);
+    if let Topic::Found(index) = section.topic {
+        widgets::explained_effect(label, d.found[index].effect);
+    }
+}
+
+/// What the window can do about a section.
+fn buttons(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis, section: &Section) {
+    match section.topic {
+        Topic::DataProblem(index) => blocks::of_problem(ui, &d.data_problems[index], workbench),
+        Topic::Unnamed => blocks::unexplained(ui, workbench, d),
+        Topic::NextPoses => {
+            widgets::secondary(ui, say!("Save measuring list…")).does(workbench, move |bench| {
+                bench.choose_where_to_export(What::Poses);
+            });
+        }
+        _ => {}
+    }
+}
+
+/// What is looked up once in a while, folded below its title.
+fn in_small(ui: &mut Ui, section: &Section, d: &Diagnosis) {
+    widgets::folded(ui, &section.title, size::SMALL, |ui| {
+        blocks::show(ui, &section.blocks);
+        if section.topic == Topic::Limits {
+            blocks::button(ui, say!("detection limits"), || blocks::limits(d));
+        }
+    });
+}
+
+/// What was hidden in the simulation, beside what was found of it: a button, and behind it the truth; nothing for a session that was not simulated here.
+fn hidden(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis) {
+    let loaded_session = workbench.loaded_session();
+    let Some(hidden) = loaded_session.hidden.as_deref() else {
+        return;
+    };
+    // The truth of this opening: another simulation hides it again.
+    let id = egui::Id::unique("hidden").with(loaded_session.lineage);
+    let shown: bool = ui.data(|data| data.get_temp(id)).unwrap_or(false);
+    let says = if shown {
+        say!("Do not show what was hidden")
+    } else {
+        say!("Show what was hidden")
+    };
+    if widgets::secondary(ui, says).clicked() {
+        ui.data_mut(|data| data.insert_temp(id, !shown));
+    }
+    if !shown {
+        return;
+    }
+    widgets::card(ui, |ui| {
+        widgets::bold(ui, say!("Hidden in this simulation"));
+        if hidden.is_empty() {
+            widgets::hint(ui, say!("Nothing"));
+        } else {
+            widgets::hint(ui, say!("hidden → found"));
+        }
+        for term in hidden {
+            one(ui, workbench, term, d);
+        }
+    });
+}
+
+/// One effect that was hidden: whether the diagnosis has it, and each size beside what was found of it.
+fn one(ui: &mut Ui, workbench: &Workbench, term: &Term, d: &Diagnosis) {
+    let about = term.effect.about();
+    let joint = about.per_joint.then_some(term.joint + 1);
+    let of_this = |one: &&Estimate| one.effect == about.id && one.joint == joint;
+    let found = d
+        .found
+        .iter()
+        .find(|f| f.effect == about.id && f.joint == joint);
+    let palette = Palette::of(ui);
+    let (says, color) = if found.is_some() {
+        (say!("found"), palette.within)
+    } else if about.role.is_of_every_calibration() {
+        (say!("identified"), palette.within)
+    } else {
+        (say!("not found"), palette.warning)
+    };
+    ui.horizontal_wrapped(|ui| {
+        let name = in_words(about.id, joint, workbench);
+        ui.label(RichText::new(name).font(strong(size::SMALL)));
+        ui.label(RichText::new(says).color(color));
+    });
+    let estimates: Vec<&Estimate> = match found {
+        Some(found) => found.parameters.iter().collect(),
+        None => d.identified.iter().filter(of_this).collect(),
+    };
+    let units = workbench.units();
+    let joints = &workbench.loaded_session().session.robot.joints;
+    let kind = joints
+        .get(term.joint)
+        .map_or(JointKind::Revolute, |j| j.kind);
+    for hidden in term.parameters_on(kind) {
+        let (name, unit) = parameter(hidden.name);
+        let gap = |unit: &str| if ["", "°"].contains(&unit) { "" } else { " " }.to_owned() + unit;
+        let mut says = significant(hidden.value, 3) + &gap(unit);
+        if let Some(one) = estimates.iter().find(|one| one.name == hidden.name) {
+            let (value, half, unit) = units.estimate(one, unit);
+            let half = if half.is_empty() {
+                half
+            } else {
+                format!(" {half}")
+            };
+            says += &format!(" → {value}{half}{}", gap(unit));
+        }
+        widgets::fact(ui, &name, with_minus_signs(&says));
+    }
+}
+
+/// What stands below its title.
+fn effect_card(
+    ui: &mut Ui,
+    workbench: &Workbench,
+    (d, index, section): (&Diagnosis, usize, &Section),
+) {
+    let section = in_use(workbench, d, index).map_or(Cow::Borrowed(section), Cow::Owned);
+    let is_facts = |block: &&Block| matches!(block, Block::Facts(_));
+    let rest = section.blocks.iter().skip(1).position(|b| is_facts(&b));
+    let (first, more) = section.blocks.split_at(rest.map_or(0, |rest| rest + 1));
+    blocks::show(ui, first);
+    match workbench.sketch(index) {
+        Some(curve) => sketch(ui, workbench, (index, curve)),
+        None => curve_link(ui, workbench, index),
+    }
+    // The button that stands out is the one at the foot of the step, which adds all of them.
+    let term = term_of(d, &d.found[index]).into_iter().collect();
+    let says = [say!("Add to model"), say!("in the model")];
+    blocks::in_the_model(ui, workbench, term, says);
+    ui.push_id(index, |ui| {
+        widgets::folded(ui, say!("More"), size::SMALL, |ui| blocks::show(ui, more));
+    });
+}
+
+/// The same with the sizes that the model in use has: with fewer effects in it, it is another fit than the search's.
+fn in_use(workbench: &Workbench, d: &Diagnosis, index: usize) -> Option<Section> {
+    let found = &d.found[index];
+    let term = term_of(d, found)?;
+    let mut added = workbench.document().in_the_model();
+    added.find(|t| t.same_column(&term))?;
+    let all = &workbench.answer()?.identification.parameters;
+    let of_it = |one: &&Estimate| one.effect == found.effect && one.joint == found.joint;
+    let sizes: Vec<Estimate> = all.iter().filter(of_it).cloned().collect();
+    let detail = Detail::window(workbench.units());
+    (!sizes.is_empty()).then(|| found_effect(d, detail, index, &sizes))
+}
+
+/// Height of a small curve, points, and how many samples are behind it at most.
+const HIGH: f32 = 46.0;
+const MOST: usize = 240;
+
+/// What is left without the effect, and what it does; a click shows the chart of it.
+fn sketch(ui: &mut Ui, workbench: &Workbench, (index, curve): (usize, &EffectCurve)) {
+    let palette = Palette::of(ui);
+    let view = &workbench.view;
+    let shown = workbench.shows(effect::ID) && view.effect == index;
+    let sense = if shown {
+        Sense::hover()
+    } else {
+        Sense::click()
+    };
+    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), HIGH), sense);
+    response.widget_info(|| WidgetInfo::labeled(Role::Button, !shown, say!("Show its curve")));
+    let edge = if shown || response.hovered() || response.has_focus() {
+        palette.accent
+    } else {
+        palette.line
+    };
+    let round = f32::from(space::ROUND);
+    let inside = egui::StrokeKind::Inside;
+    ui.painter()
+        .rect(rect, round, palette.surface, Stroke::new(1.0, edge), inside);
+    ui.painter()
+        .extend(drawn(rect.shrink2(vec2(6.0, 4.0)), curve, &palette));
+    response.does(workbench, move |bench| bench.show_effect(index));
+    if !shown {
+        let response = response.on_hover_cursor(CursorIcon::PointingHand);
+        response.on_hover_text(say!("Show its curve"));
+    }
+}
+
+fn drawn(room: Rect, curve: &EffectCurve, palette: &Palette) -> Vec<Shape> {
+    let [from, to] = curve.ends();
+    let [low, high] = curve.extent_mm;
+    let part = |value: f64, low: f64, high: f64| {
+        crate::numeric::single((value - low) / (high - low).max(1e-12))
+    };
+    let at = |x: f64, mm: f64| {
+        let across = egui::lerp(room.left()..=room.right(), part(x, from, to));
+        pos2(
+            across,
+            egui::lerp(room.bottom()..=room.top(), part(mm, low, high)),
+        )
+    };
+    let zero = [at(from, 0.0), at(to, 0.0)];
+    let mut shapes = vec![Shape::line_segment(zero, Stroke::new(1.0, palette.line))];
+    let some = || curve.spots.iter().step_by(stride(curve.spots.len(), MOST));
+    let residual = palette.before.gamma_multiply(0.55);
+    shapes.extend(some().map(|s| disc(at(s.x, s.residual_mm), 1.4, residual)));
+    if curve.lines.is_empty() {
+        shapes.extend(some().map(|s| disc(at(s.x, s.effect_mm), 1.6, palette.accent)));
+    }
+    let stroke = Stroke::new(1.8, palette.accent);
+    for line in &curve.lines {
+        let points: Vec<_> = line.points.iter().map(|[x, mm]| at(*x, *mm)).collect();
+        if line.side < 0.0 {
+            shapes.extend(Shape::dashed_line(&points, stroke, 4.0, 3.0));
+        } else {
+            shapes.push(Shape::line(points, stroke));
+        }
+    }
+    shapes
 }

@@ -1,6 +1,5 @@
 //! The bar at the top: menus, the session's name, undo and redo.
 
-use crate::gui::file_state::Recent;
 use egui::containers::menu::MenuButton;
 use egui::gui_zoom::{kb_shortcuts, zoom_in, zoom_out};
 use egui::{
@@ -233,47 +232,27 @@ fn file(ui: &mut Ui, workbench: &Workbench) {
     items(ui, workbench, &[actions::QUIT]);
 }
 
-/// Files that were opened before. One that is not there any more says so, and can be taken out.
 fn recent(ui: &mut Ui, workbench: &Workbench) {
-    let recent: Vec<_> = workbench.recent().collect();
-    if recent.is_empty() {
+    let mut recent = workbench.recent().peekable();
+    if recent.peek().is_none() {
         ui.add_enabled(false, Button::new(say!("Recent files")));
         return;
     }
     ui.menu_button(say!("Recent files"), |ui| {
-        ui.set_min_width(300.0);
-        for (k, (path, there)) in recent.iter().enumerate() {
+        for (k, path) in recent.enumerate() {
             let name = name_of(path);
-            let folder = path.parent().map(|f| f.display().to_string());
-            ui.horizontal(|ui| {
-                let keys = if k == 0 {
-                    OPEN_LATEST.keys(ui.ctx())
-                } else {
-                    String::new()
-                };
-                let button = Button::new(name.clone()).shortcut_text(keys);
-                let button = actions::item(ui, button, &name, *there);
-                let button = button.on_hover_text(path.display().to_string());
-                if button.clicked() {
-                    let path = path.to_path_buf();
-                    workbench.then(move |bench| bench.open_file(path));
-                    ui.close();
-                }
-                if *there {
-                    let muted = Palette::of(ui).muted;
-                    let folder = RichText::new(folder.unwrap_or_default());
-                    let folder = folder.size(size::SMALL).color(muted);
-                    ui.add(egui::Label::new(folder).truncate());
-                } else {
-                    let warning = Palette::of(ui).warning;
-                    let says = RichText::new(say!("file not found")).size(size::SMALL);
-                    ui.label(says.color(warning));
-                    if ui.small_button(say!("Forget {name}", name)).clicked() {
-                        let path = path.to_path_buf();
-                        workbench.then(move |bench| bench.use_recent(Recent::Forgotten(path)));
-                    }
-                }
-            });
+            let keys = if k == 0 {
+                OPEN_LATEST.keys(ui.ctx())
+            } else {
+                String::new()
+            };
+            let button = Button::new(name.clone()).shortcut_text(keys);
+            let button = actions::item(ui, button, &name, true);
+            if button.on_hover_text(path.display().to_string()).clicked() {
+                let path = path.clone();
+                workbench.then(move |bench| bench.open_file(path));
+                ui.close();
+            }
         }
     });
 }
@@ -290,7 +269,7 @@ fn edit(ui: &mut Ui, workbench: &Workbench) {
         &[actions::IDENTIFY, actions::SEARCH, actions::CANCEL],
     );
     ui.separator();
-    items(ui, workbench, &[actions::PALETTE, actions::PREFERENCES]);
+    items(ui, workbench, &[actions::PREFERENCES]);
 }
 
 fn view(ui: &mut Ui, workbench: &Workbench) {

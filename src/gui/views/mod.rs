@@ -1,13 +1,10 @@
 //! What stands around the plots. Panels read the workbench and leave changes in it.
 
 pub(crate) mod blocks;
-pub(crate) mod copies;
 mod coverage;
 mod export;
-mod findings;
 mod gap;
 pub(super) mod menu;
-mod model;
 pub(super) mod panes;
 mod regions;
 pub(super) mod results;

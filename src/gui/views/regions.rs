@@ -2,8 +2,8 @@
 
 use egui::{Align, Button, DragValue, Layout, RichText, Ui, vec2};
 
-use crate::gui::core::division::Division;
 use crate::gui::core::document::Method;
+use crate::gui::core::regions::Division;
 use crate::gui::core::regions::{self, Count, End, SNAP_DEG};
 use crate::gui::style::{Palette, size, space};
 use crate::gui::view::Step;

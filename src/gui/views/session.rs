@@ -11,9 +11,8 @@ use crate::gui::core::disk::name_of;
 use crate::gui::core::loaded_session::Origin;
 use crate::gui::core::quantity::joint_value;
 use crate::gui::core::robot_table::Row;
-use crate::gui::core::setup::{Field, Problem, SetupForm};
+use crate::gui::core::robot_table::{Field, Problem, SetupForm};
 use crate::gui::core::simulate::Form;
-use crate::gui::file_state::Recent;
 use crate::gui::import_draft::in_the_windows_words;
 use crate::gui::style::{Palette, size, space, strong};
 use crate::gui::view::{Sheet, Step};
@@ -62,27 +61,13 @@ fn recent(ui: &mut Ui, workbench: &Workbench) {
     if recent.is_empty() {
         return;
     }
-    let palette = Palette::of(ui);
     widgets::section(ui, say!("Recent files"));
     ui.spacing_mut().item_spacing.y = space::TIGHT;
-    for (path, there) in recent {
-        let name = name_of(path);
-        let whole = path.display().to_string();
-        if there {
-            let link = ui.link(name.as_ref()).on_hover_text(whole);
-            if link.clicked() {
-                let path = path.to_path_buf();
-                workbench.then(move |bench| bench.open_file(path));
-            }
-            continue;
-        }
-        let says = say!("{name}: file not found", name);
-        let says = RichText::new(says).size(size::NOTE);
-        let says = ui.add(egui::Label::new(says.color(palette.muted)).wrap());
-        says.on_hover_text(whole);
-        if ui.link(say!("Forget {name}", name)).clicked() {
-            let path = path.to_path_buf();
-            workbench.then(move |bench| bench.use_recent(Recent::Forgotten(path)));
+    for path in recent {
+        let link = ui.link(name_of(path).as_ref());
+        if link.on_hover_text(path.display().to_string()).clicked() {
+            let path = path.clone();
+            workbench.then(move |bench| bench.open_file(path));
         }
     }
 }

@@ -7,13 +7,13 @@ use egui::{
 };
 
 use crate::gui::preferences::{Preferences, Sizes};
-use crate::gui::style::layout::Layout;
+use crate::gui::style::Layout;
 use crate::gui::style::{Palette, size, space, strong};
 use crate::gui::view::Step;
 use crate::gui::widgets::{self, Does, Gripped};
 use crate::gui::workbench::Workbench;
 
-use super::{export, gap, model, regions, session};
+use super::{export, gap, regions, results, session};
 
 type Show = fn(&mut Ui, &Workbench);
 type State = fn(&Workbench) -> (String, bool);
@@ -23,7 +23,7 @@ fn of(step: Step) -> (Show, Show, State) {
     match step {
         Step::Session => (session::show, session::next, session::state),
         Step::Regions => (regions::show, regions::next, regions::state),
-        Step::Identify => (model::show, model::next, model::state),
+        Step::Identify => (results::controls, results::next, results::state),
         Step::Gap => (gap::show, gap::next, gap::state),
         Step::Export => (export::show, export::next, export::state),
     }

@@ -4,8 +4,7 @@ use crate::gui::workbench::Workbench;
 use std::cell::RefCell;
 use std::rc::Rc;
 
-use super::buttons::{Does, other, primary, segmented};
-use super::text::{label, wrong};
+use super::buttons::{Does, label, other, primary, segmented, wrong};
 use egui::text::{CCursor, CCursorRange};
 use egui::text_edit::TextEditState;
 use egui::{

@@ -3,22 +3,9 @@
 
 mod buttons;
 mod fields;
-mod text;
 
-pub(crate) use buttons::{
-    COPY, DATA, Does, FIT, GRIP, NEXT, REDO, SAVE, SIDE, UNDO, bare_button, has_stood, icon,
-    icon_button, other, primary, read_next, secondary, segmented, segmented_named,
-    width_of_segments,
-};
-pub(crate) use fields::{
-    buttons_or_back, cell_number, choice, choice_row, done, done_beside, entered, form_row, list,
-    number, number_in_a_grid, numbers, or_none, room_of_a_sheet, row, select_all, sheet_buttons,
-    sheet_buttons_without_enter, text_when_complete, wide,
-};
-pub(crate) use text::{
-    bold, caption, cell_right, cut, dense, explained, explained_effect, fact, fact_of, facts, fine,
-    folded, heading, hint, hint_above_the_button, label, question, section, title, width_of, wrong,
-};
+pub(crate) use buttons::*;
+pub(crate) use fields::*;
 
 use egui::text_edit::TextEditState;
 use egui::{

@@ -1,6 +1,6 @@
 //! What the background has worked out about the document, and what is asked of it next.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use egui::TextureHandle;
@@ -9,23 +9,21 @@ use nalgebra::{Isometry3, Vector3};
 use crate::diagnosis::Diagnosis;
 use crate::effects::Term;
 use crate::explain::{Detail, Section, diagnosis};
-use crate::gui::cache::cloud::Remainder;
-use crate::gui::cache::cloud::Uncertain;
-use crate::gui::cache::heat::Heat;
-use crate::gui::cache::identified::{
-    AnswerSummary, ExportPreview, IdentifiedAnswer, PreviewRequest,
+use crate::gui::cache::cloud::{Heat, Remainder, Uncertain};
+use crate::gui::cache::{
+    AnswerSummary, ExportPreview, IdentifiedAnswer, Made, PlotInputs, Preview, PreviewRequest,
+    Work, WorkKey,
 };
-use crate::gui::cache::{Made, PlotInputs, Work};
-use crate::gui::core::answer::term_of;
-use crate::gui::core::answer::{Answer, LoadedModel, Search};
-use crate::gui::core::document::Method;
+use crate::gui::core::answer::{Answer, LoadedModel, Question, Search, term_of};
+use crate::gui::core::document::{ExportChoice, Method};
+use crate::gui::core::loaded_session::LoadedSession;
 use crate::gui::core::overview::measuring_from_base;
-use crate::gui::core::question::Question;
-use crate::gui::view::{Colouring, Facing, Message, Sorting, Step};
-use crate::present::numbers::notation;
+use crate::gui::files::{self, Opened};
+use crate::gui::jobs::{Jobs, Kind, Running, Slot, Watch};
+use crate::gui::view::{Colouring, Facing, Message, Sorting, Step, What};
+use crate::gui::workbench::{Chooser, HeatLook, Workbench};
+use crate::present::numbers::{grouped, notation};
 use crate::text::current;
-
-use super::{HeatLook, Workbench};
 
 impl Workbench {
     /// Whether a model can be held against the open session: both are of the same robot. The
@@ -53,22 +51,25 @@ impl Workbench {
     /// being answered it is the answer to the one before.
     pub(crate) fn identified(&self) -> Option<&IdentifiedAnswer> {
         let document = self.document();
-        self.derived.identified.as_deref().filter(|outcome| {
-            let question = &outcome.question;
-            document.identified
-                && Arc::ptr_eq(&question.loaded_session, &document.loaded_session)
-                && document.question().is_some_and(|asked| {
-                    std::mem::discriminant(&asked.asks) == std::mem::discriminant(&question.asks)
-                })
-        })
+        self.derived
+            .identified
+            .made()
+            .map(|made| &**made)
+            .filter(|outcome| {
+                let question = &outcome.question;
+                document.identified
+                    && Arc::ptr_eq(&question.loaded_session, &document.loaded_session)
+                    && document.question().is_some_and(|asked| {
+                        std::mem::discriminant(&asked.asks)
+                            == std::mem::discriminant(&question.asks)
+                    })
+            })
     }
 
     /// The newest answer, to be held where it is one that is shown.
     pub(super) fn shown_outcome(&self) -> Option<Arc<IdentifiedAnswer>> {
-        self.derived
-            .identified
-            .clone()
-            .filter(|_| self.answer().is_some())
+        let newest = self.derived.identified.made().cloned();
+        newest.filter(|_| self.answer().is_some())
     }
 
     /// The newest answer.
@@ -88,8 +89,11 @@ impl Workbench {
 
     /// What came of a work, for the newest answer that it was worked out for.
     pub(super) fn made(&self, work: &Work) -> Option<&Made> {
-        let made = self.derived.plot_cache.made(work)?;
-        Arc::ptr_eq(&made.inputs.loaded_session, self.loaded_session()).then_some(made)
+        let mut plots = self.derived.plots.iter();
+        let (_, slot) = plots.find(|(key, _)| *key == work.key)?;
+        let of_this =
+            |made: &&Made| Arc::ptr_eq(&made.inputs.loaded_session, self.loaded_session());
+        slot.made().map(|made| &**made).filter(of_this)
     }
 
     /// The identified pose of the base in the measuring frame, where the instrument stands in a frame
@@ -164,7 +168,7 @@ impl Workbench {
     /// is the one before; the figures of another format say nothing of this one.
     pub(crate) fn export(&self) -> Option<Result<&ExportPreview, &String>> {
         self.answer()?;
-        let preview = self.derived.preview.as_ref()?;
+        let preview = self.derived.preview.made()?;
         let PreviewRequest {
             identified, choice, ..
         } = &preview.wanted;
@@ -176,11 +180,8 @@ impl Workbench {
     /// The RMS error that the controller is left with by the table of what is shown, mm; `None` until that is made.
     pub(crate) fn left_by_table_mm(&self) -> Option<f64> {
         let made = self.export()?.ok()?;
-        let (of, shown) = (
-            &self.derived.preview.as_ref()?.wanted.identified,
-            &self.derived.identified,
-        );
-        let is_of_this = shown.as_ref().is_some_and(|shown| Arc::ptr_eq(shown, of));
+        let of = &self.derived.preview.made()?.wanted.identified;
+        let is_of_this = Arc::ptr_eq(self.derived.identified.made()?, of);
         let error = made.error.filter(|_| made.export.robot.is_none());
         error.filter(|_| is_of_this).map(|error| error.rms_mm)
     }
@@ -188,7 +189,7 @@ impl Workbench {
     /// Whether the preparation of the export was cancelled: it is not begun again by itself.
     pub(crate) fn is_unprepared(&self) -> bool {
         let choice = self.document().export;
-        let cancelled = self.derived.asked.previews.declined();
+        let cancelled = self.derived.preview.declined();
         cancelled.is_some_and(|wanted| wanted.choice.is_of_the_table(choice))
     }
 
@@ -206,14 +207,14 @@ impl Workbench {
 
     /// Whether the identification was cancelled: it is not repeated by itself.
     pub(crate) fn is_declined(&self) -> bool {
-        let declined = self.derived.asked.questions.declined();
+        let declined = self.derived.identified.declined();
         declined.is_some() && self.question().as_ref() == declined
     }
 
     /// Whether the answer that is shown belongs to the document as it is.
     #[cfg(any(test, debug_assertions))]
     pub(crate) fn settled(&self) -> bool {
-        match (self.question(), &self.derived.identified) {
+        match (self.question(), self.derived.identified.made()) {
             (None, _) => true,
             (Some(asked), Some(outcome)) => outcome.question == asked,
             (Some(_), None) => false,
@@ -289,7 +290,7 @@ impl Workbench {
 
     /// Prepares the export whose preparation was cancelled.
     pub(crate) fn prepare_again(&mut self) {
-        self.derived.asked.previews.resume();
+        self.derived.preview.resume();
     }
 
     /// Asks for the preview that the export step shows.
@@ -310,13 +311,13 @@ impl Workbench {
             choice,
             name: saved.map(|(_, name)| name.clone()),
         };
-        let made = self
-            .derived
-            .preview
-            .as_ref()
-            .is_some_and(|p| p.wanted == wanted);
-        if !made && let Some(wanted) = self.derived.asked.previews.want(wanted) {
-            self.prepare(wanted);
+        if self.derived.preview.want(&wanted) {
+            self.jobs.start(
+                Kind::Prepares,
+                say!("preparing the table"),
+                move |_| Preview::to(wanted),
+                |bench: &mut Self, preview| drop(bench.derived.preview.take(preview)),
+            );
         }
     }
 
@@ -367,24 +368,38 @@ impl Workbench {
 
     /// Asks for what the plots stand on, if it is not there and not on its way.
     pub(super) fn keep_drawing(&mut self) {
-        let outcome = self
-            .derived
-            .identified
-            .clone()
-            .filter(|_| self.identified().is_some());
+        let newest = self.derived.identified.made().cloned();
         let inputs = PlotInputs {
             loaded_session: Arc::clone(self.loaded_session()),
-            identified: outcome,
+            identified: newest.filter(|_| self.identified().is_some()),
         };
-        for work in self.derived.plot_cache.begin(&inputs, self.works()) {
-            let inputs = inputs.clone();
-            self.jobs.quietly(
-                move || work.made(inputs),
-                |bench: &mut Self, made| {
-                    let before = bench.derived.plot_cache.take(made);
-                    bench.let_go(before);
-                },
-            );
+        let works = self.works();
+        let plots = &mut self.derived.plots;
+        plots.retain(|(key, slot)| {
+            let of = slot.made().map(|made| &made.inputs);
+            let of_this = of.is_some_and(|of| of.loaded_session == inputs.loaded_session);
+            // Other steps say the figures of the export step as well, of the same answer.
+            let figures = matches!(key, WorkKey::Figures(_)) && of == Some(&inputs);
+            slot.busy() || of_this && (figures || works.iter().any(|work| work.key == *key))
+        });
+        for work in works {
+            let here = plots.iter().position(|(key, _)| *key == work.key);
+            let here = here.unwrap_or_else(|| {
+                plots.push((work.key.clone(), Slot::default()));
+                plots.len() - 1
+            });
+            if plots[here].1.want(&inputs) {
+                let (key, inputs) = (work.key.clone(), inputs.clone());
+                self.jobs.quietly(
+                    move || work.made(inputs),
+                    move |bench: &mut Self, made| {
+                        let mut plots = bench.derived.plots.iter_mut();
+                        let slot = plots.find(|(one, _)| *one == key);
+                        let before = slot.and_then(|(_, slot)| slot.take(made));
+                        bench.let_go(before);
+                    },
+                );
+            }
         }
     }
 
@@ -393,13 +408,17 @@ impl Workbench {
         let Some(question) = self.question() else {
             return;
         };
-        let answered = self
-            .derived
-            .identified
-            .as_ref()
-            .is_some_and(|o| o.question == question);
-        if !answered && let Some(question) = self.derived.asked.questions.want(question) {
-            self.answer_question(question);
+        if self.derived.identified.want(&question) {
+            let samples = say!(one "{count} sample", "{count} samples", count = grouped(question.loaded_session.len()));
+            self.jobs.start(
+                Kind::Identifies,
+                say!("identifying, {samples}", samples),
+                move |watch| IdentifiedAnswer::to(question, watch),
+                |bench: &mut Self, answer| {
+                    let before = bench.derived.identified.take(answer);
+                    bench.let_go(before);
+                },
+            );
         }
     }
 
@@ -413,4 +432,296 @@ impl Workbench {
         let say = || diagnosis(found, Detail::window(units)).into();
         self.derived.sections.get(of, say)
     }
+}
+
+// What is done in the background, and what becomes of it; dialogs of the system, one at a time.
+
+impl Workbench {
+    /// Jobs that are under way.
+    pub(crate) fn jobs(&self) -> &Jobs<Self> {
+        &self.jobs
+    }
+
+    /// The search that is under way.
+    pub(crate) fn searching(&self) -> Option<&Running> {
+        self.jobs.running(Kind::Searches)
+    }
+
+    /// Takes what was done in the background. Whether there was anything.
+    pub(crate) fn receive(&mut self) -> bool {
+        let mut any = false;
+        loop {
+            let arrived = self.jobs.poll();
+            if arrived.is_empty() {
+                return any;
+            }
+            any = true;
+            for (kind, outcome) in arrived {
+                self.execute(|bench| match outcome {
+                    Some(take) => take(bench),
+                    None => bench.broke_off(kind),
+                });
+            }
+        }
+    }
+
+    /// Searches a session for what is missing, unless a search is under way.
+    pub(super) fn search_in(&mut self, loaded_session: Arc<LoadedSession>) {
+        if self.searching().is_some() {
+            return;
+        }
+        self.derived.stopped = None;
+        self.derived.searching = Some(Arc::clone(&loaded_session));
+        self.jobs.start(
+            Kind::Searches,
+            say!("searching"),
+            move |watch| Search::of(loaded_session, watch),
+            // What is in the model may be just what was found, with the search's values.
+            |bench: &mut Self, search| {
+                bench.derived.searching = None;
+                bench.derived.searched = Some(Arc::new(search));
+            },
+        );
+    }
+
+    /// Stops the search. The names that it had found until then stay in sight, and a diagnosis that was complete
+    /// stays what it was: what is stopped half-way answers nothing.
+    pub(crate) fn stop_search(&mut self) {
+        let found = self.jobs.running(Kind::Searches).map(Running::found);
+        self.jobs.cancel(|kind| kind == Kind::Searches);
+        let searched = self.derived.searching.take();
+        self.derived.stopped = searched.zip(found);
+    }
+
+    /// Stops the search where it is about other samples than those that are here now, or what it began from was
+    /// undone.
+    pub(super) fn stop_search_of_others(&mut self) {
+        let here = |searched: &Arc<LoadedSession>| {
+            Arc::ptr_eq(searched, self.loaded_session()) && self.document().identified
+        };
+        if self
+            .derived
+            .searching
+            .as_ref()
+            .is_some_and(|one| !here(one))
+        {
+            self.stop_search();
+            let title = say!("The diagnosis was stopped: what it was about has changed").to_owned();
+            let again = say!("Run it again for what is here now").to_owned();
+            self.view.message = Some(Message::done(title, vec![again]));
+        }
+    }
+
+    /// Names that a search of the open session had found when it was stopped.
+    pub(crate) fn stopped(&self) -> Option<&[String]> {
+        let (loaded_session, found) = self.derived.stopped.as_ref()?;
+        Arc::ptr_eq(loaded_session, self.loaded_session()).then_some(found)
+    }
+
+    /// Drops the newest job that the status bar names; what was to be done after it is not wanted any more either.
+    pub(crate) fn cancel_newest(&mut self) {
+        self.cancel_pending_action();
+        if self.jobs.newest().is_some_and(Running::searches) {
+            return self.stop_search();
+        }
+        if let Some(kind) = self.jobs.cancel(Kind::has_a_name) {
+            self.decline(kind);
+        }
+    }
+
+    /// Nothing comes of a job of this kind.
+    fn decline(&mut self, kind: Kind) {
+        match kind {
+            Kind::Identifies => self.derived.identified.decline(),
+            Kind::Prepares => self.derived.preview.decline(),
+            Kind::Searches => self.derived.searching = None,
+            _ => {}
+        }
+    }
+
+    /// Gives the memory of what was worked out before back elsewhere: with many samples that takes
+    /// longer than a frame may.
+    pub(super) fn let_go(&mut self, before: Option<impl Send + 'static>) {
+        const MANY: usize = 100_000;
+        if before.is_some() && self.loaded_session().len() > MANY {
+            self.jobs.quietly(move || drop(before), |_, ()| ());
+        }
+    }
+
+    pub(super) fn take_opened(&mut self, opened: Result<Opened, Message>) {
+        match opened {
+            Ok(Opened::Session(loaded_session)) => {
+                self.open_session(loaded_session);
+            }
+            Ok(Opened::Foreign(draft)) => self.ask_about(draft),
+            Ok(Opened::Model(given)) => {
+                let beside = self.has_a_session_for(&given);
+                self.edit(phrase!("open model"), |document| {
+                    document.open_model(given, beside);
+                    Ok(())
+                });
+            }
+            Err(message) => self.take_written(message),
+        }
+    }
+
+    /// Writes a file in the background.
+    pub(super) fn write<T: Send + 'static>(
+        &mut self,
+        path: PathBuf,
+        work: impl FnOnce(&Path, &Watch) -> T + Send + 'static,
+        then: impl FnOnce(&mut Self, T) + Send + 'static,
+    ) {
+        let says = say!("writing {path}", path = path.display());
+        let work = move |watch: &Watch| work(&path, watch);
+        self.jobs.start(Kind::Writes, says, work, then);
+    }
+
+    /// A table or a model was written, of the answer to this question, or not.
+    pub(super) fn take_exported(
+        &mut self,
+        exported: Result<PathBuf, Message>,
+        question: Option<Question>,
+        choice: ExportChoice,
+    ) {
+        match exported {
+            Ok(path) => {
+                self.file_state.model_on_file.clone_from(&question);
+                self.view.message = Some(Message::saved(&path, Vec::new()));
+                if question == self.question() {
+                    self.remember_name(&path, choice);
+                }
+                self.file_state.exported.retain(|(other, _)| *other != path);
+                self.file_state.exported.push((path, question));
+                self.resume();
+            }
+            Err(message) => self.take_written(message),
+        }
+    }
+
+    /// Something was written, or not: what was to be done then is done, or is not.
+    pub(super) fn take_written(&mut self, message: Message) {
+        let written = !message.wrong;
+        self.view.message = Some(message);
+        if written {
+            self.resume();
+        } else {
+            self.cancel_pending_action();
+        }
+    }
+
+    /// Opens a file with the system's program for it, or shows it in its folder.
+    pub(crate) fn open_outside(&mut self, path: PathBuf, in_folder: bool) {
+        self.jobs.quietly(
+            move || files::open_outside(&path, in_folder).map_err(|because| (path, because)),
+            |bench: &mut Self, opened| {
+                if let Err((path, because)) = opened {
+                    let title = say!("{path} could not be opened", path = path.display());
+                    bench.complain(&title, vec![because]);
+                }
+            },
+        );
+    }
+
+    /// What was worked out is about another session than the one that is open now, and is not taken.
+    pub(super) fn is_of_another(&mut self, title: &str) {
+        self.complain(
+            title,
+            [say!(
+                "The session is another one now: ask for it again where it is still wanted"
+            )],
+        );
+    }
+
+    fn broke_off(&mut self, kind: Kind) {
+        self.decline(kind);
+        self.complain(
+            say!("Something went wrong inside the program"),
+            [say!(
+                "Nothing was changed; save your work, and please report what you did last"
+            )],
+        );
+    }
+}
+
+impl Workbench {
+    /// Asks for a file to open.
+    pub(crate) fn choose_file(&mut self, ask: fn(Option<&Path>) -> Option<PathBuf>) {
+        let says = say!("waiting for a file to be chosen");
+        self.choose_near(says, ask, |bench, path| match path {
+            Some(path) => bench.open_file(path),
+            // Cancelled, or there is no dialog on this system: the two look alike.
+            None => bench.view.message = Some(no_file_was_chosen()),
+        });
+    }
+
+    /// Asks for something beside the file in hand, or the latest.
+    pub(super) fn choose_near(
+        &mut self,
+        what: &str,
+        ask: fn(Option<&Path>) -> Option<PathBuf>,
+        then: impl FnOnce(&mut Self, Option<PathBuf>) + Send + 'static,
+    ) {
+        let near = self.file().map(Path::to_path_buf);
+        let near = near.or_else(|| Some(self.recent().next()?.clone()));
+        self.choose(what, move || ask(near.as_deref()), then);
+    }
+
+    /// Asks where to export to: what is there now is written, whatever is open by then.
+    pub(crate) fn choose_where_to_export(&mut self, what: What) {
+        if self.needs_picture(what) {
+            return self.wait_for_picture(move |bench| bench.choose_where_to_export(what));
+        }
+        let Some(write) = self.prepared(what) else {
+            return;
+        };
+        let path = self.placed(self.name_of(what).as_ref());
+        let ask = move || files::choose_to_export(what, &path);
+        self.choose(say!("waiting for a file name"), ask, move |bench, path| {
+            if let Some(path) = path {
+                // The dialog has asked.
+                return write(bench, path, true);
+            }
+            bench.type_path(what);
+        });
+    }
+
+    /// Waits for the system's dialog, of which there is one at a time.
+    pub(super) fn choose(
+        &mut self,
+        what: &str,
+        ask: impl FnOnce() -> Option<PathBuf> + Send + 'static,
+        then: impl FnOnce(&mut Self, Option<PathBuf>) + Send + 'static,
+    ) {
+        if self.asking().is_some() {
+            return;
+        }
+        let instead = self.chooser.clone();
+        let ask = move || instead.map_or_else(ask, |chosen| chosen());
+        self.jobs.start(Kind::Asks, what, move |_| ask(), then);
+    }
+
+    /// The dialog of the system that is open: until it is answered the window takes no commands.
+    pub(crate) fn asking(&self) -> Option<&Running> {
+        self.jobs.running(Kind::Asks)
+    }
+
+    /// Goes on without an answer: a dialog that the system does not show must not hold the window for ever.
+    pub(crate) fn stop_asking(&mut self) {
+        self.cancel_pending_action();
+        self.jobs.cancel(|kind| kind == Kind::Asks);
+    }
+
+    /// Takes this for the answer of every dialog of the system.
+    pub(crate) fn choose_by(&mut self, chooser: Chooser) {
+        self.chooser = Some(chooser);
+    }
+}
+
+/// Cancelled, or there is no dialog on this system.
+pub(super) fn no_file_was_chosen() -> Message {
+    Message::done(
+        say!("No file was chosen").to_owned(),
+        vec![say!("If no dialog appeared, drop the file on the window, or type its path in the Session step").to_owned()],
+    )
 }

@@ -65,11 +65,10 @@ impl Workbench {
             units: self.units(),
             identified: self.shown_outcome(),
             search: self.search_of_this().cloned(),
-            preview: self
-                .derived
-                .preview
-                .clone()
-                .filter(|_| self.export().is_some()),
+            preview: {
+                let newest = self.derived.preview.made().cloned();
+                newest.filter(|_| self.export().is_some())
+            },
             worked_out: None,
         }
     }
@@ -362,7 +361,8 @@ mod tests {
         let mut workbench = workbench();
         choose(&mut workbench, HISTOGRAM);
         let made = |workbench: &Workbench| {
-            let made = workbench.derived.plot_cache.made.first();
+            let made = workbench.derived.plots.last();
+            let made = made.and_then(|(_, slot)| slot.made());
             Arc::clone(&made.expect("it is charted").result)
         };
         let first = made(&workbench);
@@ -393,7 +393,8 @@ mod tests {
         let mut workbench = workbench();
         choose(&mut workbench, HISTOGRAM);
         let made = |workbench: &Workbench| {
-            let made = workbench.derived.plot_cache.made.iter();
+            let made = workbench.derived.plots.iter();
+            let made = made.filter_map(|(_, slot)| slot.made());
             made.map(|made| Arc::clone(&made.result))
                 .collect::<Vec<_>>()
         };

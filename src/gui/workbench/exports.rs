@@ -9,14 +9,13 @@ use egui::ColorImage;
 use crate::compensation::decision::FittedErrors;
 use crate::export::find;
 use crate::gui::cache::Work;
-use crate::gui::cache::identified::{IdentifiedAnswer, PreviewRequest, StandardsFigures};
+use crate::gui::cache::{IdentifiedAnswer, PreviewRequest, StandardsFigures};
 use crate::gui::charts;
 use crate::gui::core::answer::Search;
 use crate::gui::core::compensated::{Compensated, CompensationRequest, MOST_KG};
 use crate::gui::core::disk::name_of;
 use crate::gui::core::document::{ExportChoice, plain};
-use crate::gui::files::writing::{self, Source};
-use crate::gui::files::{self, Replace};
+use crate::gui::files::{self, Replace, Source};
 use crate::gui::jobs::{Kind, Watch};
 use crate::gui::view::{About, Plot, Sheet, Step, What};
 use crate::kinematics::Robot;
@@ -27,7 +26,7 @@ use crate::robots::named;
 use crate::sessions::{robot_document, samples_path};
 
 use super::Workbench;
-use crate::gui::workbench::background::no_file_was_chosen;
+use crate::gui::workbench::answers::no_file_was_chosen;
 
 impl Workbench {
     /// What an export's file is called unless the user says otherwise.
@@ -207,7 +206,7 @@ impl Workbench {
     }
 
     fn report(&self, about: About) -> Result<Write, [&'static str; 2]> {
-        let source = match (about, &self.derived.identified, self.answer()) {
+        let source = match (about, self.derived.identified.made(), self.answer()) {
             (About::Model, Some(outcome), Some(_)) => Source::Model(Arc::clone(outcome)),
             (About::Session, ..) if !self.loaded_session().is_empty() => {
                 let answered = |search: &&Arc<Search>| search.answer.is_ok();
@@ -225,7 +224,7 @@ impl Workbench {
         let stated = self.stated();
         let folder = self.folder().filter(|_| !stated.without_history);
         let robot = self.loaded_session().session.robot.name.clone();
-        let wanted = writing::ReportRequest {
+        let wanted = files::ReportRequest {
             source,
             past: folder.map(|folder| (folder, robot)),
             stated,
@@ -233,7 +232,7 @@ impl Workbench {
             inputs: self.inputs(),
         };
         let work = move |path: &Path, replace: bool, watch: &Watch| {
-            writing::write_report(&wanted, path, replace, watch)
+            files::write_report(&wanted, path, replace, watch)
         };
         Ok(later(work, Self::take_written))
     }

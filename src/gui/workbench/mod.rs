@@ -5,15 +5,12 @@
 //! before and half after a change. What follows from the state is asked for after each change.
 
 mod answers;
-mod background;
 mod charts;
 mod drafts;
 mod exports;
-mod machine;
 mod on_disk;
 #[cfg(test)]
 mod tests;
-mod unsaved;
 /// What the tests of the window do at random; no release has it.
 #[cfg(debug_assertions)]
 #[path = "../../../tests/support/walk/mod.rs"]
@@ -28,16 +25,16 @@ use egui::{Color32, ColorImage, TextureHandle};
 
 use crate::effects::Term;
 use crate::explain::Section;
-use crate::gui::cache::heat::Heat;
-use crate::gui::cache::identified::{IdentifiedAnswer, Preview, PreviewRequest};
-use crate::gui::cache::{Memo, PlotCache, PlotInputs};
+use crate::gui::cache::cloud::Heat;
+use crate::gui::cache::{IdentifiedAnswer, Preview};
+use crate::gui::cache::{Made, Memo, PlotInputs, WorkKey};
+use crate::gui::core::answer::Question;
 use crate::gui::core::answer::Search;
 use crate::gui::core::compensated::{Compensated, CompensationRequest};
 use crate::gui::core::disk::Fingerprint;
+use crate::gui::core::document::History;
 use crate::gui::core::document::{Document, ExportChoice, Method};
-use crate::gui::core::history::History;
 use crate::gui::core::loaded_session::LoadedSession;
-use crate::gui::core::question::Question;
 use crate::gui::core::regions::Counts;
 use crate::gui::core::robot_table::RobotTable;
 use crate::gui::core::simulate::Form;
@@ -86,17 +83,19 @@ pub(crate) struct Workbench {
 /// A session, and how it is divided.
 type Divided = (Arc<LoadedSession>, Arc<[Region]>);
 
-/// What the background has worked out about the document, and what it is asked.
+/// What the background has worked out about the document, and works out.
 #[derive(Default)]
 pub(super) struct Derived {
-    pub(super) identified: Option<Arc<IdentifiedAnswer>>,
+    pub(super) identified: Slot<IdentifiedAnswer>,
     pub(super) searched: Option<Arc<Search>>,
+    /// The session that is being searched: only that one can be given its answer.
+    pub(super) searching: Option<Arc<LoadedSession>>,
     /// What a search that was stopped had found until then, and in which session.
     pub(super) stopped: Option<(Arc<LoadedSession>, Vec<String>)>,
-    pub(super) preview: Option<Arc<Preview>>,
-    pub(super) plot_cache: PlotCache,
+    pub(super) preview: Slot<Preview>,
+    /// What plots stand on.
+    pub(super) plots: Vec<(WorkKey, Slot<Made>)>,
     pub(super) compensated: Option<Arc<Compensated>>,
-    pub(super) asked: PendingQueries,
     /// What a diagnosis says, and how it is said.
     pub(super) sections: Memo<(Arc<Search>, Voice), Arc<[Section]>>,
     /// The samples of each region, and those in none.
@@ -181,15 +180,6 @@ pub(super) struct FileState {
     pub(super) kept: Option<Arc<Document>>,
 }
 
-/// What is asked faster than it is answered.
-#[derive(Default)]
-pub(super) struct PendingQueries {
-    pub(super) questions: Slot<Question>,
-    pub(super) previews: Slot<PreviewRequest>,
-    /// The session that is being searched: only that one can be given its answer.
-    pub(super) searched: Option<Arc<LoadedSession>>,
-}
-
 /// A map, and how it is looked at: the blend, the upper end of its scale, mm, and what it stands on.
 pub(super) type HeatLook = (Arc<Heat>, f32, f64, Color32);
 /// How it is said.
@@ -258,9 +248,7 @@ impl Workbench {
             // Another robot has no regions.
             self.view.step = Step::Identify;
         }
-        let session = &self.loaded_session().session;
-        let (samples, joints) = (session.samples.len(), session.robot.joint_count());
-        self.view.stay_within(samples, joints);
+        self.view.stay_within(self.loaded_session().len());
         self.stop_search_of_others();
         self.refresh_answer();
         self.keep_preparing();
@@ -354,7 +342,7 @@ impl Workbench {
     /// Identifies from now on, by this method or as it is chosen.
     pub(crate) fn identify(&mut self, method: Option<Method>) {
         self.edit(phrase!("identify"), |document| document.identify(method));
-        self.derived.asked.questions.resume();
+        self.derived.identified.resume();
     }
 
     /// Adds what a search found to the exact fit.
@@ -441,7 +429,6 @@ impl Workbench {
             Aspect::Plane
         };
         self.view.camera = Camera::default();
-        self.view.pose = None;
         let steepest = (0..3).max_by(|a, b| along[*a].abs().total_cmp(&along[*b].abs()));
         self.view.plane = Plane::ALL
             .into_iter()

@@ -9,7 +9,6 @@ use egui::{
 };
 use egui_plot::PlotTransform;
 
-use crate::gui::cache::cloud::Cloud;
 use crate::gui::layers::{OUTLINE, WEDGE, scale_at};
 use crate::gui::style::{Palette, size};
 use crate::gui::view::Colouring;
@@ -19,8 +18,7 @@ use crate::numeric::single;
 use crate::present::chart::Form;
 use crate::present::numbers::{significant, trimmed};
 
-use super::layout;
-use super::model::{Shown, judged};
+use super::model::{self, Shown, judged};
 use super::pen::{Camera, Label, Pen};
 use super::robot::Drawn;
 
@@ -106,7 +104,7 @@ pub(super) fn scale_in(ui: &Ui, room: Rect, workbench: &Workbench, shown: &Shown
     let points_per_mm = camera.points_per_mm();
     // Round in the unit in which it is written.
     let per_mm = units.length_value(1.0);
-    let round = layout::scale_mm(shown.magnification, points_per_mm / per_mm, LONGEST_SCALE);
+    let round = model::scale_mm(shown.magnification, points_per_mm / per_mm, LONGEST_SCALE);
     let mm = round / per_mm;
     let long = single(mm * shown.magnification * points_per_mm);
     let length = trimmed(units.length_value(mm), 6);
@@ -203,7 +201,7 @@ fn meanings(all: &mut Vec<Entry>, workbench: &Workbench, shown: &Shown, palette:
     // Where colour says something else, shape alone says what is within the tolerance.
     let colouring = shown.look.colouring;
     let plain = colouring == Colouring::State;
-    let middle = scale_at(colouring, palette, 0.5);
+    let middle = scale_at(palette, 0.5);
     let disc = |name: &str, color: Color32| {
         if plain {
             Entry::mark(name, (Form::Disc, 2.8), color, Stroke::NONE)
@@ -220,10 +218,6 @@ fn meanings(all: &mut Vec<Entry>, workbench: &Workbench, shown: &Shown, palette:
         all.push(Entry::mark(outside, (Form::Diamond, 3.2), inner, edge));
     } else {
         all.push(disc(say!("measured"), palette.text));
-    }
-    if !shown.over.is_empty() {
-        let name = say!("poses over the joints’ ranges");
-        all.push(Entry::new(name, move |pen, at| pen.square(at, middle)));
     }
 }
 
@@ -245,7 +239,7 @@ impl Notes {
     }
 
     pub(super) fn keep(&self, ui: &Ui, shown: &Shown, transform: &PlotTransform) {
-        let now = layout::drawn(shown, layout::counts(shown, transform));
+        let now = model::drawn(shown, model::counts(shown, transform));
         if now != self.before {
             ui.data_mut(|data| data.insert_temp(self.id, now));
             ui.ctx().request_repaint();
@@ -256,8 +250,6 @@ impl Notes {
 /// Length of a scale, points; and in a low plot.
 const LONG: f32 = 96.0;
 const SHORT: f32 = 64.0;
-/// Length of a row of directions, points.
-const DIRECTIONS: f32 = 136.0;
 /// Thickness of a scale that says nothing by it, points.
 const THICK: f32 = 7.0;
 /// How much thicker than the vectors a wedge is drawn.
@@ -270,7 +262,7 @@ const PIECES: u16 = 48;
 struct Scale {
     name: String,
     /// Its ends; none for directions.
-    ends: Option<[String; 2]>,
+    ends: [String; 2],
     /// What its colour says.
     colouring: Colouring,
 }
@@ -283,38 +275,19 @@ fn scales(workbench: &Workbench, shown: &Shown) -> Vec<Scale> {
     let long = significant(units.length_value(shown.look.long_mm), 2);
     let lengths = |name: &str| Scale {
         name: format!("{name}, {}", units.length_name()),
-        ends: Some(["0".to_owned(), format!("≥ {long}")]),
+        ends: ["0".to_owned(), format!("≥ {long}")],
         colouring: Colouring::Deviation,
     };
     let mut scales = Vec::new();
     match colouring {
         Colouring::State => {}
         Colouring::Deviation => scales.push(lengths(say!("deviation"))),
-        Colouring::Direction => scales.push(Scale {
-            name: say!("direction").to_owned(),
-            ends: None,
-            colouring,
-        }),
         Colouring::Uncertainty => {
             let most = workbench.uncertain().map_or(0.0, |u| u.most_mm);
             let most = significant(units.length_value(most), 2);
             scales.push(Scale {
                 name: format!("{}, {}", colouring.name(), units.length_name()),
-                ends: Some(["0".to_owned(), most]),
-                colouring,
-            });
-        }
-        Colouring::Load | Colouring::Temperature | Colouring::Time => {
-            let unit = match colouring {
-                Colouring::Load => "kg",
-                Colouring::Temperature => "°C",
-                _ => "s",
-            };
-            let conditions = Cloud::of(workbench.loaded_session()).conditions;
-            let range = colouring.condition().and_then(|k| conditions[k]);
-            scales.push(Scale {
-                name: format!("{}, {unit}", colouring.name()),
-                ends: range.map(|ends| ends.map(|end| trimmed(end, 2))),
+                ends: ["0".to_owned(), most],
                 colouring,
             });
         }
@@ -335,19 +308,18 @@ fn colour_bars(ui: &Ui, workbench: &Workbench, shown: &Shown, low: bool) -> Vec<
 
 fn colour_bar(ui: &Ui, scale: Scale, long: f32) -> Entry {
     let width = |text: &str| widgets::width_of(ui, text, FontId::proportional(size::SMALL));
-    let Some([low, high]) = scale.ends else {
-        return Entry {
-            wide: DIRECTIONS,
-            ..Entry::new(scale.name, arrows)
-        };
-    };
+    let [low, high] = scale.ends;
     let before = width(&low) + 4.0;
     let wide = before + long + 4.0 + width(&high);
     let left = before - 0.5 * wide;
     let colouring = scale.colouring;
     let half = move |part: f32| {
         let wide = WEDGE_BY * (WEDGE[0] + part * (WEDGE[1] - WEDGE[0]));
-        0.5 * if colouring.by_width() { wide } else { THICK }
+        0.5 * if colouring == Colouring::Uncertainty {
+            wide
+        } else {
+            THICK
+        }
     };
     let sign = move |pen: &mut Pen<'_>, at: Pos2| {
         for (x, says) in [(-0.5 * wide, &low), (left + long + 4.0, &high)] {
@@ -357,7 +329,7 @@ fn colour_bar(ui: &Ui, scale: Scale, long: f32) -> Entry {
         let mut mesh = Mesh::default();
         for k in 0..=PIECES {
             let part = f32::from(k) / f32::from(PIECES);
-            let color = scale_at(colouring, pen.palette, part);
+            let color = scale_at(pen.palette, part);
             for up in [-1.0, 1.0] {
                 mesh.colored_vertex(at + vec2(left + part * long, up * half(part)), color);
             }
@@ -372,20 +344,6 @@ fn colour_bar(ui: &Ui, scale: Scale, long: f32) -> Entry {
     Entry {
         wide,
         ..Entry::new(scale.name, sign)
-    }
-}
-
-/// From the right around over up.
-fn arrows(pen: &mut Pen<'_>, at: Pos2) {
-    const NUMBER: u8 = 8;
-    let step = DIRECTIONS / f32::from(NUMBER);
-    for k in 0..NUMBER {
-        let part = f32::from(k) / f32::from(NUMBER);
-        let (sin, cos) = (part * std::f32::consts::TAU).sin_cos();
-        let middle = at + vec2(step * (f32::from(k) + 0.5) - 0.5 * DIRECTIONS, 0.0);
-        let half = 6.5 * vec2(cos, -sin);
-        let color = scale_at(Colouring::Direction, pen.palette, part);
-        pen.arrow([middle - half, middle + half], Stroke::new(2.0, color));
     }
 }
 
@@ -432,8 +390,8 @@ mod tests {
         workbench.receive();
         // The same scale for both.
         assert_eq!(named(&workbench), ["deviation, mm"]);
-        workbench.execute(|bench| bench.view.colouring = Colouring::Direction);
-        assert_eq!(named(&workbench), ["direction", "heat map, mm"]);
+        workbench.execute(|bench| bench.view.colouring = Colouring::State);
+        assert_eq!(named(&workbench), ["heat map, mm"]);
     }
 
     #[test]
@@ -445,7 +403,7 @@ mod tests {
         let mut end_mm = |blend: f32| {
             workbench.execute(|bench| bench.view.blend = blend);
             let scale = scales(&workbench, &Shown::of(&workbench)).pop();
-            let [_, end] = scale.and_then(|s| s.ends).expect("the heat map's");
+            let [_, end] = scale.expect("the heat map's").ends;
             end.trim_start_matches("≥ ")
                 .parse::<f64>()
                 .expect("a number")
@@ -470,21 +428,12 @@ mod tests {
         let scale = scales(&workbench, &shown).pop().expect("a scale");
         assert_eq!(scale.name, "uncertainty (1σ), mm");
         let most = workbench.uncertain().expect("it is known").most_mm;
-        let [low, high] = scale.ends.expect("its ends");
+        let [low, high] = scale.ends;
         assert_eq!([low, high], ["0".to_owned(), significant(most, 2)]);
         let drawn = workbench.remainder().expect("it is known");
         let parts: Vec<f32> = drawn.rows.iter().map(|row| row[4]).collect();
         assert_eq!(parts.len(), workbench.loaded_session().len());
         assert!(parts.iter().all(|p| (0.0..=1.0).contains(p)) && parts.contains(&1.0));
-    }
-
-    #[test]
-    fn a_condition_that_was_not_recorded_is_not_offered() {
-        let mut workbench = workbench();
-        workbench.execute(|bench| bench.view.colouring = Colouring::Temperature);
-        let shown = Shown::of(&workbench);
-        assert_eq!(shown.look.colouring, Colouring::State);
-        assert!(scales(&workbench, &shown).is_empty());
     }
 
     const THEMES: [(&str, Palette); 2] = [("light", LIGHT), ("dark", DARK)];
@@ -494,7 +443,7 @@ mod tests {
         for (theme, palette) in THEMES {
             for sight in ColourVision::ALL {
                 let lightness: Vec<f64> = (0..=20_u8)
-                    .map(|k| scale_at(Colouring::Deviation, &palette, f32::from(k) / 20.0))
+                    .map(|k| scale_at(&palette, f32::from(k) / 20.0))
                     .map(|color| lightness(color, sight))
                     .collect();
                 let way = (lightness[20] - lightness[0]).signum();
@@ -509,52 +458,17 @@ mod tests {
     }
 
     #[test]
-    fn neighbouring_steps_of_every_scale_can_be_told_apart_by_everybody() {
+    fn neighbouring_steps_of_the_scale_can_be_told_apart_by_everybody() {
         // About 2.3 is just noticeable (Mahy et al. 1994).
         const NOTICEABLE: f64 = 4.6;
         for (theme, palette) in THEMES {
             for sight in ColourVision::ALL {
-                for (colouring, around) in
-                    [(Colouring::Deviation, false), (Colouring::Direction, true)]
-                {
-                    let steps = if around { STOPS } else { STOPS - 1 };
-                    for k in 0..steps {
-                        let at = |k: usize| {
-                            let part = k as f32 / steps as f32;
-                            scale_at(colouring, &palette, part)
-                        };
-                        let found = colour_distance(at(k), at(k + 1), sight);
-                        assert!(
-                            found > NOTICEABLE,
-                            "{theme}, {sight:?}, {colouring:?} {k}: {found}"
-                        );
-                    }
+                for k in 0..STOPS - 1 {
+                    let at = |k: usize| scale_at(&palette, k as f32 / (STOPS - 1) as f32);
+                    let found = colour_distance(at(k), at(k + 1), sight);
+                    assert!(found > NOTICEABLE, "{theme}, {sight:?}, {k}: {found}");
                 }
             }
-        }
-    }
-
-    #[test]
-    fn opposite_directions_can_be_told_apart_by_everybody() {
-        for (theme, palette) in THEMES {
-            for sight in ColourVision::ALL {
-                for k in 0..STOPS / 2 {
-                    let at = |k: usize| {
-                        let part = k as f32 / STOPS as f32;
-                        scale_at(Colouring::Direction, &palette, part)
-                    };
-                    let found = colour_distance(at(k), at(k + STOPS / 2), sight);
-                    assert!(found > 20.0, "{theme}, {sight:?}, {k}: {found}");
-                }
-            }
-        }
-    }
-
-    #[test]
-    fn a_circle_of_directions_closes() {
-        for (_, palette) in THEMES {
-            let at = |part: f32| scale_at(Colouring::Direction, &palette, part);
-            assert_eq!(at(0.0), at(1.0));
         }
     }
 }

@@ -1,16 +1,17 @@
 //! What the workspace plot shows, in mm of the measuring frame, projected on a plane or along the
 //! camera's line of sight.
 
+use egui_plot::PlotTransform;
 use nalgebra::{Isometry3, Point3};
 
-use crate::gui::cache::cloud::Cloud;
-use crate::gui::cache::cloud::Uncertain;
+use crate::gui::cache::cloud::{Cloud, Uncertain};
 use crate::gui::core::loaded_session::LoadedSession;
-use crate::gui::core::scale::{FEW, long_mm};
+use crate::gui::core::overview::{FEW, long_mm, round_down};
 use crate::gui::layers::LayerOptions;
-use crate::gui::view::{Ball, Colouring, Facing, Plane};
+use crate::gui::view::{Ball, Colouring, Plane};
 use crate::gui::workbench::Workbench;
 use crate::numeric::single;
+use crate::text::{Template, filled};
 
 /// A sample whose vectors are drawn by themselves.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -73,8 +74,6 @@ pub(crate) struct Shown {
     /// How sure the model is along each of them, as a part of the colour scale; none where colour says
     /// something else.
     pub(crate) sure: Vec<Vec<f32>>,
-    /// The same at poses over the ranges of several joints, with where they are, mm.
-    pub(crate) over: Vec<([f64; 3], f32)>,
     /// Where joint 1 turns in this plane.
     pub(crate) dial: Option<Dial>,
     /// How much longer than real the vectors are drawn.
@@ -89,8 +88,8 @@ pub(crate) struct Shown {
     pub(crate) look: LayerOptions,
     /// How many samples can be used.
     pub(crate) samples: usize,
-    /// Where they lie, where they are many and a layer draws them.
-    pub(crate) extent: Option<Extent>,
+    /// Whether the points lie along a path, as those of a single joint do, and not all over the plot.
+    pub(crate) along_a_path: bool,
     /// How many can be drawn at once.
     pub(crate) most: usize,
 }
@@ -104,15 +103,6 @@ impl Shown {
         let look = look(workbench);
         let shown = |sample: usize| shown(workbench, sample);
         let usable = &loaded_session.overview.usable;
-        let cloud = Cloud::of(loaded_session);
-        let spread = &cloud.samples;
-        let extent = (usable.len() > FEW).then(|| {
-            let some = spread.iter().take(SOME);
-            let some: Vec<_> = some
-                .map(|s| facing.flat(loaded_session.measured(*s as usize)))
-                .collect();
-            Extent::of(&some)
-        });
         let telling = is_sparse(workbench).then(|| {
             let mut telling = most_telling(workbench);
             if view.in_space() {
@@ -138,7 +128,6 @@ impl Shown {
             vectors: telling.map(|samples| samples.iter().map(visible).collect()),
             paths_mm: paths(loaded_session, &workbench.base()),
             sure: sure(workbench),
-            over: over(workbench, &facing),
             dial: (!view.in_space())
                 .then(|| dial(loaded_session, view.plane))
                 .flatten(),
@@ -148,7 +137,7 @@ impl Shown {
             robot_mm: facing.flat_box(loaded_session.overview.robot_mm),
             look,
             samples: usable.len(),
-            extent: extent.flatten(),
+            along_a_path: loaded_session.session.robot.joint_count() == 1,
             most: view.most_drawn,
         }
     }
@@ -272,12 +261,8 @@ fn colour_end_mm(workbench: &Workbench, magnification: f64) -> f64 {
 /// What colour can say of a session: a condition only where it changes, the uncertainty of a model
 /// only where there is one that says it.
 pub(crate) fn offers(workbench: &Workbench, colouring: Colouring) -> bool {
-    if colouring == Colouring::Uncertainty {
-        return workbench.answer().is_some_and(Uncertain::is_known);
-    }
-    let cloud = Cloud::of(workbench.loaded_session());
-    let known = |k: usize| cloud.conditions[k].is_some();
-    colouring.condition().is_none_or(known)
+    let known = || workbench.answer().is_some_and(Uncertain::is_known);
+    colouring != Colouring::Uncertainty || known()
 }
 
 /// What colour says now.
@@ -296,24 +281,12 @@ fn offered(workbench: &Workbench, colouring: Colouring) -> Colouring {
     reason = "a part of a scale needs no more"
 )]
 fn describe(workbench: &Workbench, look: &LayerOptions, sample: usize, e: [f64; 3]) -> Option<f32> {
-    let loaded_session = workbench.loaded_session();
     let part = match look.colouring {
         Colouring::State => return None,
         Colouring::Deviation => e.iter().map(|v| v * v).sum::<f64>().sqrt() / look.long_mm,
-        Colouring::Direction => {
-            let [right, up] = look.facing.flat(e);
-            up.atan2(right) / (2.0 * std::f64::consts::PI)
-        }
         Colouring::Uncertainty => {
             let uncertain = workbench.uncertain()?;
             uncertain.mm[sample] / uncertain.most_mm
-        }
-        Colouring::Load | Colouring::Temperature | Colouring::Time => {
-            let condition = look.colouring.condition()?;
-            let samples = &loaded_session.session.samples;
-            let columns = [&samples.load_kg, &samples.temperature_c, &samples.time_s];
-            let [low, high] = Cloud::of(loaded_session).conditions[condition]?;
-            (columns[condition].as_ref()?[sample] - low) / (high - low)
         }
     };
     part.is_finite().then_some(part as f32)
@@ -342,17 +315,6 @@ fn sure(workbench: &Workbench) -> Vec<Vec<f32>> {
     let part = |mm: &f64| single(mm / uncertain.most_mm);
     let along = uncertain.along_mm.iter();
     along.map(|way| way.iter().map(part).collect()).collect()
-}
-
-/// The uncertainty over the ranges of several joints, the farthest first.
-fn over(workbench: &Workbench, facing: &Facing) -> Vec<([f64; 3], f32)> {
-    let Some(uncertain) = workbench.uncertain() else {
-        return Vec::new();
-    };
-    let mut all: Vec<_> = uncertain.over.iter().collect();
-    all.sort_by(|(a, _), (b, _)| facing.nearness(*a).total_cmp(&facing.nearness(*b)));
-    let part = |(at, mm): &([f64; 3], f64)| (*at, single(mm / uncertain.most_mm));
-    all.into_iter().map(part).collect()
 }
 
 /// Points on the way of the nominal robot: an arc of each reflector for a single joint that turns.
@@ -402,73 +364,179 @@ fn most_telling(workbench: &Workbench) -> Vec<u32> {
 
 /// Over how many points vectors are made for, see [`Readable::magnification`]: fewer make them longer.
 ///
-/// [`Readable::magnification`]: crate::gui::core::scale::Readable::magnification
+/// [`Readable::magnification`]: crate::gui::core::overview::Readable::magnification
 pub(super) fn room(workbench: &Workbench) -> f64 {
     let longer = if is_sparse(workbench) { LONGER } else { 1.0 };
     workbench.view.plot_size / longer
 }
 
-/// Cells along the longer side of where samples lie, in which they are counted.
-const COUNTED: usize = 32;
-/// The last of them lie on the edge of one cell more.
-const SIDE: usize = COUNTED + 1;
-/// So many samples show where all of them lie.
-pub(crate) const SOME: usize = 2_048;
+// Where the parts of the workspace plot go: bounds, sectors, the scale, what is under the pointer, and which of many
+// vectors are drawn. Rectangles and points only, so that it is tested without pixels.
 
-/// How many cells of a grid the samples lie in, whatever the size of the cells:
-///
-/// ```text
-/// N(cell) = N(side) · (side / cell)^d,   d = log₂( N(side) / N(2 side) )
-/// ```
-///
-/// the box dimension of where they lie: 1 along a path, 2 over an area.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Extent {
-    side_mm: f64,
-    cells: f64,
-    dimension: f64,
+/// Sectors reach from the path's inside to its outside, in parts of the radius.
+pub(crate) const SECTOR: (f64, f64) = (0.0, 1.10);
+/// Boundaries' handles and region names stand outside it.
+pub(crate) const HANDLE: f64 = 1.17;
+/// Room for the handles.
+const ROOM: f64 = 1.22;
+/// Chords of a sector are no longer than this, rad.
+const CHORD_RAD: f64 = 0.05;
+
+/// Smallest and largest corner of everything, mm, with room for handles.
+pub(crate) fn bounds(shown: &Shown) -> [[f64; 2]; 2] {
+    let mut low = [f64::INFINITY; 2];
+    let mut high = [f64::NEG_INFINITY; 2];
+    let mut take = |p: [f64; 2]| {
+        for k in 0..2 {
+            if p[k].is_finite() {
+                low[k] = low[k].min(p[k]);
+                high[k] = high[k].max(p[k]);
+            }
+        }
+    };
+    shown.measured_mm.into_iter().for_each(&mut take);
+    shown.robot_mm.into_iter().for_each(&mut take);
+    let paths = shown.paths_mm.iter().flatten();
+    let paths: Vec<[f64; 2]> = paths.map(|p| shown.look.facing.flat(*p)).collect();
+    paths.iter().copied().for_each(&mut take);
+    if let Some(dial) = &shown.dial {
+        take(dial.centre_mm);
+        for p in &paths {
+            let arm = [p[0] - dial.centre_mm[0], p[1] - dial.centre_mm[1]];
+            let out = ROOM * dial.radius_mm / arm[0].hypot(arm[1]).max(1e-9);
+            take([
+                dial.centre_mm[0] + out * arm[0],
+                dial.centre_mm[1] + out * arm[1],
+            ]);
+        }
+    }
+    if !low[0].is_finite() || !low[1].is_finite() {
+        return [[-1.0, -1.0], [1.0, 1.0]];
+    }
+    let margin = 0.03 * shown.reach_mm;
+    [low.map(|v| v - margin), high.map(|v| v + margin)]
 }
 
-impl Extent {
-    /// Of some points that show the whole, mm; `None` where they are one.
-    pub(crate) fn of(points_mm: &[[f64; 2]]) -> Option<Self> {
-        let end = |axis: usize, pick: fn(f64, f64) -> f64, start: f64| {
-            points_mm.iter().map(|p| p[axis]).fold(start, pick)
-        };
-        let low = [0, 1].map(|k| end(k, f64::min, f64::INFINITY));
-        let high = [0, 1].map(|k| end(k, f64::max, f64::NEG_INFINITY));
-        let long_mm = f64::max(high[0] - low[0], high[1] - low[1]);
-        if !(long_mm.is_finite() && long_mm > 0.0) {
-            return None;
-        }
-        let side_mm = long_mm / COUNTED as f64;
-        let count = |side_mm: f64| {
-            let mut seen = [false; SIDE * SIDE];
-            for p in points_mm {
-                #[allow(
-                    clippy::cast_possible_truncation,
-                    clippy::cast_sign_loss,
-                    reason = "a place on a grid that begins at the lowest of them"
-                )]
-                let [across, up] = [0, 1].map(|k| ((p[k] - low[k]) / side_mm) as usize);
-                seen[up.min(COUNTED) * SIDE + across.min(COUNTED)] = true;
-            }
-            seen.iter().filter(|seen| **seen).count() as f64
-        };
-        let cells = count(side_mm);
-        let dimension = (cells / count(2.0 * side_mm)).log2().clamp(0.0, 2.0);
-        Some(Self {
-            side_mm,
-            cells,
-            dimension,
-        })
-    }
+/// Points for each mm where a plot of this size shows all of it.
+pub(crate) fn fitted([low, high]: [[f64; 2]; 2], size: [f64; 2]) -> f64 {
+    let side = |k: usize| size[k] / (high[k] - low[k]).max(1e-9);
+    f64::min(side(0), side(1))
+}
 
-    /// How many cells of this size there are; at least one.
-    pub(crate) fn cells(&self, side_mm: f64) -> f64 {
-        let cells = self.cells * (self.side_mm / side_mm.max(1e-9)).powf(self.dimension);
-        cells.max(1.0)
+/// The corners of a sector as quadrilaterals, mm.
+pub(crate) fn sector(dial: &Dial, from_rad: f64, to_rad: f64) -> Vec<[[f64; 2]; 4]> {
+    let pieces = ((to_rad - from_rad).abs() / CHORD_RAD)
+        .ceil()
+        .clamp(1.0, 400.0);
+    let at = |k: f64| from_rad + (to_rad - from_rad) * k / pieces;
+    let (inner, outer) = (SECTOR.0 * dial.radius_mm, SECTOR.1 * dial.radius_mm);
+    (0..crate::numeric::whole(pieces))
+        .map(|k| {
+            let (a, b) = (at(k as f64), at(k as f64 + 1.0));
+            [
+                dial.at(a, inner),
+                dial.at(a, outer),
+                dial.at(b, outer),
+                dial.at(b, inner),
+            ]
+        })
+        .collect()
+}
+
+/// The scale's arrow: the deviation that it stands for, mm, such that it is drawn at most
+/// `most_points` long where one mm takes `points_per_mm`.
+pub(crate) fn scale_mm(magnification: f64, points_per_mm: f64, most_points: f64) -> f64 {
+    round_down(most_points / (magnification * points_per_mm))
+}
+
+/// The sample nearest to the pointer, of those within `reach` points of it.
+pub(crate) fn nearest(
+    candidates: impl Iterator<Item = (usize, [f32; 2])>,
+    pointer: [f32; 2],
+    reach: f32,
+) -> Option<usize> {
+    let distance = |p: [f32; 2]| (p[0] - pointer[0]).hypot(p[1] - pointer[1]);
+    candidates
+        .map(|(sample, at)| (sample, distance(at)))
+        .filter(|(_, d)| *d <= reach)
+        .min_by(|a, b| a.1.total_cmp(&b.1))
+        .map(|(sample, _)| sample)
+}
+
+/// So many vectors and points can be told apart where all of the workspace is in sight.
+const APART: [f64; 2] = [1_500.0, 7_500.0];
+
+/// How many points and how many vectors a layer draws: the nearer one looks the more. Points move
+/// apart along both axes; vectors become longer as well, and so fewer of them fit.
+pub(crate) fn counts(shown: &Shown, transform: &PlotTransform) -> [usize; 2] {
+    let [low, high] = shown.measured_mm;
+    let side = |k: usize, points_per_mm: f64, frame: f32| {
+        let drawn = (high[k] - low[k]) * points_per_mm.abs();
+        (drawn / f64::from(frame.max(1.0))).max(1.0)
+    };
+    let frame = transform.frame();
+    let wide = side(0, transform.dpos_dvalue_x(), frame.width());
+    let tall = side(1, transform.dpos_dvalue_y(), frame.height());
+    let most = shown.samples.min(shown.most);
+    let at_most = |apart: f64| {
+        if apart < most as f64 {
+            crate::numeric::whole(apart)
+        } else {
+            most
+        }
+    };
+    let [vectors, points] = APART;
+    let vectors = match shown.vectors {
+        Some(_) => 0.0,
+        None if shown.samples <= FEW => vectors * (wide * tall).sqrt(),
+        None => {
+            let cells = [0, 1].map(|k| (high[k] - low[k]) / side_mm(transform));
+            let over = if shown.along_a_path {
+                cells[0] + cells[1]
+            } else {
+                cells[0] * cells[1]
+            };
+            over.max(1.0)
+        }
+    };
+    [points * wide * tall, vectors].map(at_most)
+}
+
+/// What a layer says when it does not draw everything.
+pub(crate) fn drawn(shown: &Shown, [points, vectors]: [usize; 2]) -> Vec<String> {
+    if shown.vectors.is_some() {
+        return Vec::new();
     }
+    let one_of = |count: usize| shown.samples.div_ceil(count.max(1));
+    let note = |(count, says): (usize, Template)| {
+        let why = if count == shown.most {
+            say!("this computer draws in software")
+        } else {
+            say!("zoom in for more")
+        };
+        let one_of = one_of(count);
+        (count < shown.samples).then(|| filled(says, &[("one_of", &one_of), ("why", &why)]))
+    };
+    let layers = [
+        (
+            points,
+            phrase!("showing 1 in {one_of} points; {why}"; one_of, why),
+        ),
+        (
+            vectors,
+            phrase!("showing 1 in {one_of} vectors; {why}"; one_of, why),
+        ),
+    ];
+    layers.into_iter().filter_map(note).collect()
+}
+
+/// Many vectors, one to so many points of the screen, so that each can be read: as many as there are cells of a grid
+/// with samples in them, in the order of the cloud, which is spread evenly.
+const CELL: f64 = 14.0;
+
+/// The side of a cell, mm.
+fn side_mm(transform: &PlotTransform) -> f64 {
+    CELL / transform.dpos_dvalue_x().abs()
 }
 
 #[cfg(test)]
@@ -537,32 +605,98 @@ mod tests {
         workbench.execute(|bench| bench.view.look_in(Plane::Xz));
         assert_eq!(Shown::of(&workbench).dial, None);
     }
+}
+
+#[cfg(test)]
+mod layout_tests {
+    use super::*;
+    use crate::gui::testing::{lamp, workbench, workbench_on};
+    use egui_plot::PlotBounds;
 
     #[test]
-    fn cells_are_counted_along_a_path_and_over_an_area() {
-        let turn = |k: usize| (k as f64 * 0.618_034 * std::f64::consts::TAU).sin_cos();
-        let ring: Vec<[f64; 2]> = (0..SOME)
-            .map(turn)
-            .map(|(x, y): (f64, f64)| [250.0 * x, 250.0 * y])
-            .collect();
-        let ring = Extent::of(&ring).expect("they are many");
-        // A circle of 1571 mm crosses 4/π cells to its length in cells.
-        for side_mm in [2.0, 15.0, 40.0] {
-            let expected = 8.0 * 250.0 / side_mm;
-            let found = ring.cells(side_mm);
-            assert!((found / expected - 1.0).abs() < 0.25, "{found} {expected}");
+    fn everything_that_is_drawn_is_within_the_bounds() {
+        let workbench = workbench();
+        let shown = Shown::of(&workbench);
+        let [low, high] = bounds(&shown);
+        let dial = shown.dial.expect("it turns");
+        let handle = dial.at(0.0, HANDLE * dial.radius_mm);
+        let loaded_session = workbench.loaded_session();
+        let flat = |sample: usize| shown.look.facing.flat(loaded_session.measured(sample));
+        for p in (0..loaded_session.len()).map(flat).chain([handle]) {
+            assert!((0..2).all(|k| low[k] <= p[k] && p[k] <= high[k]), "{p:?}");
         }
-        let area: Vec<[f64; 2]> = (0..SOME)
-            .map(|k| [1.0, 0.618_034, 0.754_877_7].map(|step| (k as f64 * step).fract() * 320.0))
-            .map(|[_, x, y]| [x, y])
-            .collect();
-        let area = Extent::of(&area).expect("they are many");
-        for side_mm in [5.0_f64, 10.0, 20.0] {
-            let expected = (320.0 / side_mm).powi(2);
-            let found = area.cells(side_mm);
-            assert!((found / expected - 1.0).abs() < 0.35, "{found} {expected}");
+    }
+
+    #[test]
+    fn the_scale_is_round_and_fits() {
+        for magnification in [1.0, 20.0, 500.0] {
+            let mm = scale_mm(magnification, 1.7, 80.0);
+            let drawn = mm * magnification * 1.7;
+            assert!(drawn <= 80.0 + 1e-9 && drawn > 80.0 / 2.6, "{drawn}");
         }
-        assert_eq!(Extent::of(&[[1.0, 2.0]; 5]), None);
-        assert_eq!(Extent::of(&[]), None);
+    }
+
+    #[test]
+    fn the_nearer_one_looks_the_more_vectors_are_drawn() {
+        let mut shown = Shown::of(&workbench());
+        shown.samples = 1_000_000;
+        let at = |scale: f64| {
+            let frame = egui::Rect::from_min_size(egui::Pos2::ZERO, egui::vec2(500.0, 400.0));
+            let bounds = PlotBounds::from_min_max(
+                [-300.0 * scale, -240.0 * scale],
+                [300.0 * scale, 240.0 * scale],
+            );
+            counts(&shown, &PlotTransform::new(frame, bounds, false))
+        };
+        let [points, vectors] = at(1.5);
+        assert!(points == 7_500 && vectors < 100, "{points} {vectors}");
+        let [points, closer] = at(0.1);
+        assert!(
+            points > 100_000 && closer > 10 * vectors,
+            "{points} {closer}"
+        );
+        assert!(at(0.02) > at(0.1));
+        assert_eq!(at(0.000_01), [1_000_000, 1_000_000]);
+        let says = drawn(&shown, at(1.5));
+        assert!(says[1].ends_with(" vectors; zoom in for more"), "{says:?}");
+        assert!(drawn(&shown, [1_000_000; 2]).is_empty());
+    }
+
+    #[test]
+    fn the_nearest_sample_is_found_within_reach_only() {
+        let at = [(7, [0.0, 0.0]), (8, [10.0, 0.0])];
+        assert_eq!(nearest(at.into_iter(), [8.0, 1.0], 12.0), Some(8));
+        assert_eq!(nearest(at.into_iter(), [50.0, 50.0], 12.0), None);
+    }
+
+    #[test]
+    fn a_sector_is_cut_into_pieces_that_cover_it() {
+        let shown = Shown::of(&workbench());
+        let dial = shown.dial.expect("it turns");
+        let pieces = sector(&dial, -0.4, 0.6);
+        let first = pieces.first().expect("at least one");
+        let last = pieces.last().expect("at least one");
+        assert_eq!(first[1], dial.at(-0.4, SECTOR.1 * dial.radius_mm));
+        let end = dial.at(0.6, SECTOR.1 * dial.radius_mm);
+        assert!((last[2][0] - end[0]).abs() < 1e-9);
+    }
+
+    fn transform(scale: f64) -> PlotTransform {
+        let frame = egui::Rect::from_min_size(egui::Pos2::ZERO, egui::vec2(500.0, 400.0));
+        let (x, y) = (300.0 * scale, 240.0 * scale);
+        PlotTransform::new(frame, PlotBounds::from_min_max([-x, -y], [x, y]), false)
+    }
+
+    #[test]
+    fn of_many_vectors_one_is_drawn_for_every_cell() {
+        let workbench = workbench_on(lamp(0.05, &[]));
+        let shown = Shown::of(&workbench);
+        let [points, vectors] = super::counts(&shown, &transform(1.0));
+        assert!(
+            points > 2_000 && (30..250).contains(&vectors),
+            "{points} {vectors}"
+        );
+        let [_, closer] = super::counts(&shown, &transform(0.1));
+        assert!(closer > 3 * vectors, "{closer}");
     }
 }

@@ -13,9 +13,6 @@ use crate::gui::view::Facing;
 use crate::numeric::single;
 use crate::present::chart::Form;
 
-/// Side of the square of a pose that was not measured, points.
-const SQUARE: f32 = 5.0;
-
 /// Planes and the view in space are parallel projections of mm of the measuring frame along the line of sight; in a
 /// plane the camera is locked. A plot's coordinates are mm.
 #[derive(Clone, Copy)]
@@ -145,12 +142,6 @@ impl<'a> Pen<'a> {
         edge: Stroke,
     ) {
         self.shapes.push(mark(at, radius, form, fill, edge));
-    }
-
-    /// A pose that was not measured.
-    pub(super) fn square(&mut self, at: Pos2, fill: Color32) {
-        let square = Rect::from_center_size(at, Vec2::splat(SQUARE));
-        self.shapes.push(Shape::rect_filled(square, 0.0, fill));
     }
 
     /// An arrow with a head that grows with it, up to a point.

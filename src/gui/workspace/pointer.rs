@@ -2,27 +2,27 @@
 //! everything once it is chosen; the robot's values on a card beside its tool; and over how many points the workspace
 //! is drawn.
 
-use egui::text::{LayoutJob, TextFormat};
+use egui::accesskit::{Action, ActionData};
 use egui::{
-    CursorIcon, FontId, Id, PopupAnchor, Pos2, Rect, Response, Role, Stroke, Tooltip, Ui, Vec2,
-    WidgetInfo, vec2,
+    CursorIcon, EventFilter, Id, Key, PopupAnchor, Pos2, Rect, Response, Role, Sense, Stroke,
+    Tooltip, Ui, Vec2, WidgetInfo,
 };
 
 use crate::gui::actions::EXCLUDE;
 use crate::gui::cache::cloud::Cloud;
 use crate::gui::core::loaded_session::Component;
 use crate::gui::core::quantity::joint_value;
-use crate::gui::style::{Palette, size};
+use crate::gui::core::regions::{self, SNAP_DEG};
+use crate::gui::style::Palette;
 use crate::gui::view::{Colouring, ViewState};
 use crate::gui::widgets;
 use crate::gui::workbench::Workbench;
+use crate::gui::workspace::legend::{self, Notes};
+use crate::gui::workspace::model::{self, Shown, judged};
+use crate::gui::workspace::pen::Camera;
+use crate::gui::workspace::robot::Drawn;
 use crate::present::numbers::trimmed;
-
-use super::layout;
-use super::legend::{self, Notes};
-use super::model::{Shown, judged};
-use super::pen::Camera;
-use super::robot::Drawn;
+use crate::units::{deg_from_rad, rad_from_deg};
 
 /// A sample is under the pointer within this many points.
 const REACH: f32 = 14.0;
@@ -36,7 +36,7 @@ pub(super) fn under(
 ) -> Option<usize> {
     let transform = &camera.transform;
     let at = transform.value_from_position(at);
-    let [points, _] = layout::counts(shown, transform);
+    let [points, _] = model::counts(shown, transform);
     let scale = camera.points_per_mm();
     drawn_at(
         workbench,
@@ -147,11 +147,7 @@ const GAP: f32 = 26.0;
 /// What is said of a sample, beside the pointer.
 fn card(response: &Response, workbench: &Workbench, sample: usize) {
     let chosen = workbench.view.selected == Some(sample);
-    let said = if chosen {
-        about(workbench, sample)
-    } else {
-        brief(workbench, sample)
-    };
+    let said = about(workbench, sample, chosen);
     let id = Id::unique("sample card");
     let ctx = response.ctx.clone();
     let tip = Tooltip::always_open(ctx, response.layer_id, id, PopupAnchor::Pointer);
@@ -177,74 +173,33 @@ fn spoken(title: &str, lines: &[Line]) -> String {
 /// One line of what is said about a sample: what, and how much.
 type Line = (String, String);
 
-/// What matters most of a sample.
-fn brief(workbench: &Workbench, sample: usize) -> (String, Vec<Line>) {
+/// What is said about a sample: all of it, or what matters most.
+fn about(workbench: &Workbench, sample: usize, all: bool) -> (String, Vec<Line>) {
     const MOST: usize = 3;
-    let loaded_session = &**workbench.loaded_session();
-    let (title, all) = about(workbench, sample);
-    let joints = loaded_session.session.robot.joints.len();
-    let mut lines: Vec<Line> = Vec::new();
-    if joints > MOST {
-        let values = all.iter().take(joints).map(|(_, value)| value.as_str());
-        let mut values: Vec<&str> = values.take(6).collect();
-        if joints > values.len() {
-            values.push("…");
-        }
-        lines.push((say!("joints").to_owned(), values.join(", ")));
-    } else {
-        lines.extend(all.iter().take(joints).cloned());
-    }
-    let colour = workbench.view.colouring;
-    let component = workbench.view.component;
-    let matters = |name: &str| {
-        [
-            say!("excluded"),
-            say!("deviation"),
-            say!("before"),
-            say!("after"),
-            say!("tolerance"),
-        ]
-        .contains(&name)
-            || name == colour.name()
-            || name == component.name()
-    };
-    let rest = all.into_iter().skip(joints);
-    lines.extend(rest.filter(|(name, _)| matters(name)));
-    // Before and after are one line where both are there.
-    if let Some(k) = lines.iter().position(|(name, _)| name == say!("before"))
-        && lines
-            .get(k + 1)
-            .is_some_and(|(name, _)| name == say!("after"))
-    {
-        let after = lines.remove(k + 1).1;
-        let before = lines[k].1.trim_end_matches(char::is_alphabetic).trim_end();
-        lines[k] = (
-            say!("before → after").to_owned(),
-            format!("{before} → {after}"),
-        );
-    }
-    (title, lines)
-}
-
-/// What is said about a sample.
-fn about(workbench: &Workbench, sample: usize) -> (String, Vec<Line>) {
     let loaded_session = &**workbench.loaded_session();
     let units = workbench.units();
     let title = say!("sample {sample}", sample = sample + 1);
     let mut lines = Vec::new();
     let joints = &loaded_session.session.robot.joints;
-    for (joint, q) in joints.iter().zip(&loaded_session.session.samples.q) {
-        lines.push((
-            joint.name.clone(),
-            joint_value(units, joint.kind, q[sample]),
-        ));
+    let joints = joints.iter().zip(&loaded_session.session.samples.q);
+    let joints = joints.map(|(joint, q)| {
+        let value = joint_value(units, joint.kind, q[sample]);
+        (joint.name.clone(), value)
+    });
+    if all || joints.len() <= MOST {
+        lines.extend(joints);
+    } else {
+        let values: Vec<String> = joints.map(|(_, value)| value).collect();
+        lines.push((say!("joints").to_owned(), values.join(", ")));
     }
-    let came = match loaded_session.side(sample) {
-        s if s > 0.0 => say!("approach +"),
-        s if s < 0.0 => say!("approach −"),
-        _ => say!("not known"),
-    };
-    lines.push((say!("approached").to_owned(), came.to_owned()));
+    if all {
+        let came = match loaded_session.side(sample) {
+            s if s > 0.0 => say!("approach +"),
+            s if s < 0.0 => say!("approach −"),
+            _ => say!("not known"),
+        };
+        lines.push((say!("approached").to_owned(), came.to_owned()));
+    }
     if !loaded_session.usable[sample] {
         lines.push((
             say!("excluded").to_owned(),
@@ -267,29 +222,32 @@ fn about(workbench: &Workbench, sample: usize) -> (String, Vec<Line>) {
         lines.push((Colouring::Uncertainty.name().to_owned(), units.length(u)));
     }
     for component in [Component::Tangential, Component::Radial, Component::Axial] {
-        if component.out_of_plane() && loaded_session.session.samples.z_mm.is_none() {
+        let measured = !component.out_of_plane() || loaded_session.session.samples.z_mm.is_some();
+        if !measured || !all && component != workbench.view.component {
             continue;
         }
         let value = loaded_session.component(shown, sample, component);
         lines.push((component.name().to_owned(), units.length(value)));
     }
-    let samples = &loaded_session.session.samples;
-    let conditions = [
-        (say!("load"), &samples.load_kg, "kg"),
-        (say!("temperature"), &samples.temperature_c, "°C"),
-        (say!("time"), &samples.time_s, "s"),
-    ];
-    for (name, column, unit) in conditions {
-        if let Some(value) = column.as_ref().map(|c| c[sample]).filter(|v| v.is_finite()) {
-            lines.push((name.to_owned(), format!("{} {unit}", trimmed(value, 2))));
+    if all {
+        let samples = &loaded_session.session.samples;
+        let conditions = [
+            (say!("load"), &samples.load_kg, "kg"),
+            (say!("temperature"), &samples.temperature_c, "°C"),
+            (say!("time"), &samples.time_s, "s"),
+        ];
+        for (name, column, unit) in conditions {
+            if let Some(value) = column.as_ref().map(|c| c[sample]).filter(|v| v.is_finite()) {
+                lines.push((name.to_owned(), format!("{} {unit}", trimmed(value, 2))));
+            }
         }
+        let [right, up] = workbench.facing().flat(shown);
+        let direction = up.atan2(right).to_degrees();
+        lines.push((
+            say!("direction").to_owned(),
+            format!("{}°", trimmed(direction, 0)),
+        ));
     }
-    let [right, up] = workbench.facing().flat(shown);
-    let direction = up.atan2(right).to_degrees();
-    lines.push((
-        say!("direction").to_owned(),
-        format!("{}°", trimmed(direction, 0)),
-    ));
     if let Some(tolerance_mm) = workbench.document().tolerance_mm {
         let within = loaded_session.component(shown, sample, Component::Length) <= tolerance_mm;
         let says = judged(workbench, within);
@@ -343,80 +301,22 @@ fn over(ui: &mut Ui, workbench: &Workbench, seen: &Seen, camera: &Camera) {
         above.set_clip_rect(room.expand(40.0));
         legend::scale_in(&above, room, workbench, all, camera);
     }
-    let Some(robot) = &seen.robot else {
-        return;
-    };
-    let written = robot.asked_for && workbench.view.hovered.is_none();
-    values(ui, camera, robot, written, &Palette::of(ui));
+    if let Some(robot) = &seen.robot {
+        label(ui, camera, robot);
+    }
 }
 
-/// The joint values beside the tool; only said, not `written`, where the card at the pointer has them.
-fn values(ui: &mut Ui, camera: &Camera, drawn: &Drawn, written: bool, palette: &Palette) {
-    const MOST: usize = 8;
-    let says = drawn.describe();
+/// Where the robot's tool is, for a screen reader.
+fn label(ui: &Ui, camera: &Camera, drawn: &Drawn) {
     let frame = camera.frame();
     let tool = drawn.corners_mm.last();
     let tool = tool.map(|p| camera.at(p.coords.into()));
-    let Some(tool) = tool.filter(|t| written && frame.contains(*t)) else {
-        label(
-            ui,
-            Rect::from_min_size(frame.left_top(), Vec2::splat(1.0)),
-            &says,
-        );
-        return;
-    };
-    let font = FontId::proportional(size::SMALL);
-    let mut text = LayoutJob::default();
-    let mut row = |words: String, color| {
-        let line = if text.is_empty() {
-            words
-        } else {
-            format!("\n{words}")
-        };
-        text.append(&line, 0.0, TextFormat::simple(font.clone(), color));
-    };
-    if let Some(sample) = drawn.sample {
-        row(say!("sample {sample}", sample = sample + 1), palette.muted);
-    }
-    for (name, value) in drawn.values.iter().take(MOST) {
-        row(format!("{name} {value}"), palette.text);
-    }
-    if drawn.values.len() > MOST {
-        let more = drawn.values.len() - MOST;
-        row(say!("and {more} more", more), palette.muted);
-    }
-    if let Some(real) = &drawn.real {
-        let what = if real.identified {
-            say!("identified")
-        } else {
-            say!("measured")
-        };
-        row(
-            format!("{what} × {}", trimmed(real.times, 2)),
-            palette.muted,
-        );
-    }
-    let text = ui.painter().layout_job(text);
-    let card = text.size() + vec2(12.0, 6.0);
-    let most = (frame.max - card).max(frame.min);
-    let place = Rect::from_min_size((tool + Vec2::splat(16.0)).clamp(frame.min, most), card);
-    let painter = ui.painter().with_clip_rect(frame);
-    painter.rect(
-        place,
-        4.0,
-        palette.surface.gamma_multiply(0.9),
-        Stroke::new(1.0, palette.line),
-        egui::StrokeKind::Inside,
-    );
-    painter.galley(place.min + vec2(6.0, 3.0), text, palette.text);
-    label(ui, place, &says);
-}
-
-/// A line for screen readers.
-fn label(ui: &Ui, place: Rect, says: &str) {
+    let at = tool.filter(|tool| frame.contains(*tool));
+    let place = Rect::from_min_size(at.unwrap_or(frame.left_top()), Vec2::splat(1.0));
     let id = ui.scope_id().with("robot");
     let response = ui.interact(place, id, egui::Sense::hover());
-    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, says));
+    let says = drawn.describe();
+    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, &says));
 }
 
 /// The points has to be another by this share for vectors to be drawn for it.
@@ -431,6 +331,157 @@ pub(super) fn tell_plot_size(workbench: &Workbench, points_per_mm: f64) {
     }
 }
 
+// Region boundaries that the hand moves: real widgets on top of the plots. They can be dragged,
+// focused with the tabulator and moved with the arrow keys; a screen reader sees sliders.
+
+/// Size of a handle, points: large enough for a finger.
+const SIZE: f32 = 22.0;
+/// Steps of the keyboard: with and without shift.
+const STEPS_DEG: (f64, f64) = (5.0, SNAP_DEG);
+
+/// Where the handles of a plot are, and what angle a place on it is, near another angle; rad.
+pub(crate) struct Handles<'a> {
+    pub(crate) at: &'a dyn Fn(f64) -> Pos2,
+    pub(crate) angle: &'a dyn Fn(Pos2, f64) -> f64,
+    pub(crate) frame: Rect,
+    /// What a screen reader calls the handle of a boundary at this angle.
+    pub(crate) name: fn(String) -> String,
+}
+
+fn id(ui: &Ui, index: usize) -> Id {
+    ui.scope_id().with(("boundary", index))
+}
+
+/// Gives a press on a handle to that handle. egui gives it to what the pointer is on by the time of the frame, and a
+/// quick hand has left the handle by then, so that the plot would be moved. To be asked before the plot is shown.
+pub(crate) fn grab(ui: &Ui, workbench: &Workbench) {
+    let press = ui.input(|i| {
+        let (from, to) = (i.pointer.press_origin()?, i.pointer.latest_pos()?);
+        i.pointer.primary_pressed().then_some((from, to))
+    });
+    let Some((from, to)) = press else { return };
+    let count = regions::boundaries(&workbench.document().regions).len();
+    let left = |id: &Id| {
+        let rect = ui.ctx().read_response(*id).map(|handle| handle.rect);
+        rect.is_some_and(|rect| rect.contains(from) && !rect.contains(to))
+    };
+    let mut handles = (0..count).map(|index| id(ui, index));
+    if ui.ctx().layer_id_at(from) == Some(ui.layer_id())
+        && let Some(handle) = handles.find(left)
+    {
+        ui.ctx().set_dragged_id(handle);
+    }
+}
+
+/// Shows a handle for every boundary and sends what the hand does with it.
+pub(crate) fn boundary_handles(ui: &mut Ui, workbench: &Workbench, handles: &Handles<'_>) {
+    let document = workbench.document();
+    let within = document.loaded_session.travel();
+    for (index, boundary) in regions::boundaries(&document.regions).iter().enumerate() {
+        let centre = (handles.at)(boundary.at_rad);
+        if !handles.frame.contains(centre) {
+            continue;
+        }
+        let rect = Rect::from_center_size(centre, Vec2::splat(SIZE));
+        let id = id(ui, index);
+        let response = ui
+            .interact(rect, id, Sense::click_and_drag())
+            .on_hover_cursor(CursorIcon::Grab);
+        let at_deg = deg_from_rad(boundary.at_rad);
+        response.widget_info(|| {
+            let label = (handles.name)(workbench.units().angle(boundary.at_rad));
+            let mut info = WidgetInfo::slider(ui.is_enabled(), at_deg, label);
+            info.role = Role::Slider;
+            info
+        });
+        let room = regions::allowed_range(&document.regions, index, within);
+        if let Some((low, high)) = room {
+            ui.ctx().accesskit_node_builder(id, |node| {
+                node.set_min_numeric_value(deg_from_rad(low));
+                node.set_max_numeric_value(deg_from_rad(high));
+                node.set_numeric_value_step(SNAP_DEG);
+                node.add_action(Action::SetValue);
+                node.add_action(Action::Increment);
+                node.add_action(Action::Decrement);
+            });
+        }
+        if response.drag_started() || response.clicked() {
+            response.request_focus();
+        }
+        if response.dragged()
+            && let Some(pointer) = response.interact_pointer_pos()
+        {
+            let to = regions::snapped_rad((handles.angle)(pointer, boundary.at_rad));
+            workbench.edits(phrase!("move boundary"), move |document| {
+                document.move_boundary(index, to)
+            });
+        }
+        if let Some(to_deg) = moved_by_keys(ui, &response, at_deg) {
+            let to = rad_from_deg(to_deg);
+            workbench.edits(phrase!("move boundary"), move |document| {
+                document.move_boundary(index, to)
+            });
+        }
+        paint(ui, &response);
+        response.on_hover_text(say!(
+            "drag, or press the arrow keys; shift takes larger steps"
+        ));
+    }
+}
+
+fn moved_by_keys(ui: &Ui, response: &Response, at_deg: f64) -> Option<f64> {
+    let mut steps = 0.0;
+    let mut step_deg = STEPS_DEG.1;
+    if response.has_focus() {
+        ui.memory_mut(|memory| {
+            let filter = EventFilter {
+                horizontal_arrows: true,
+                vertical_arrows: true,
+                ..EventFilter::default()
+            };
+            memory.set_focus_lock_filter(response.id, filter);
+        });
+        ui.input(|input| {
+            let presses = |key: Key| input.num_presses(key) as f64;
+            steps += presses(Key::ArrowUp) + presses(Key::ArrowRight);
+            steps -= presses(Key::ArrowDown) + presses(Key::ArrowLeft);
+            if input.modifiers.shift {
+                step_deg = STEPS_DEG.0;
+            }
+        });
+    }
+    let asked = ui.input(|input| {
+        steps += input.num_accesskit_action_requests(response.id, Action::Increment) as f64;
+        steps -= input.num_accesskit_action_requests(response.id, Action::Decrement) as f64;
+        let values = input.accesskit_action_requests(response.id, Action::SetValue);
+        values
+            .filter_map(|request| match request.data {
+                Some(ActionData::NumericValue(value)) => Some(value),
+                _ => None,
+            })
+            .last()
+    });
+    asked.or_else(|| (steps != 0.0).then_some(at_deg + steps * step_deg))
+}
+
+fn paint(ui: &Ui, response: &Response) {
+    let palette = Palette::of(ui);
+    let busy = response.hovered() || response.dragged() || response.has_focus();
+    let fill = if busy {
+        palette.accent
+    } else {
+        palette.surface
+    };
+    let painter = ui.painter();
+    let radius = if busy { 7.5 } else { 6.0 };
+    let edge = Stroke::new(2.0, palette.accent);
+    painter.circle(response.rect.center(), radius, fill, edge);
+    if response.has_focus() {
+        let ring = Stroke::new(1.5, palette.accent);
+        painter.circle_stroke(response.rect.center(), radius + 3.5, ring);
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use crate::gui::testing::workbench;
@@ -441,7 +492,7 @@ mod tests {
     #[test]
     fn the_hover_names_the_sample_its_angle_and_its_deviation() {
         let workbench = workbench();
-        let (title, lines) = about(&workbench, 0);
+        let (title, lines) = about(&workbench, 0, true);
         assert_eq!(title, "sample 1");
         let says = |what: &str| lines.iter().any(|(name, _)| name == what);
         assert!(says("pan") && says("deviation") && says("direction") && says("tolerance"));

@@ -9,9 +9,9 @@ use std::f64::consts::TAU;
 use egui::{Color32, Pos2, Stroke};
 use nalgebra::{Isometry3, Point3, Vector3};
 
+use crate::gui::core::overview::Skeleton;
+use crate::gui::core::overview::round_down;
 use crate::gui::core::quantity::joint_value;
-use crate::gui::core::scale::round_down;
-use crate::gui::core::skeleton::Skeleton;
 use crate::gui::style::Palette;
 use crate::gui::workbench::Workbench;
 use crate::kinematics::{JointKind, Robot};
@@ -69,7 +69,7 @@ pub(crate) struct Real {
 pub(crate) struct Drawn {
     /// The sample; `None`: the pose was not measured.
     pub(crate) sample: Option<usize>,
-    /// Whether the user points at that sample, chose it, or posed the robot.
+    /// Whether the user points at that sample, or chose it.
     pub(crate) asked_for: bool,
     /// The joint values, rad or mm.
     pub(crate) q: Vec<f64>,
@@ -97,10 +97,8 @@ impl Drawn {
             let columns = loaded_session.session.samples.q.iter();
             columns.map(|q| q[sample]).collect()
         };
-        let posed = view.pose.clone();
-        let sample = asked.or(middle).filter(|_| posed.is_none());
-        let q = posed.or_else(|| sample.map(pose));
-        let q = q.unwrap_or_else(|| home(robot));
+        let sample = asked.or(middle);
+        let q = sample.map_or_else(|| home(robot), pose);
         let targets = &loaded_session.session.targets;
         let target = sample.and_then(|s| Some(loaded_session.session.samples.target.as_ref()?[s]));
         let target = targets.get(target.map_or(0, |t| t as usize));
@@ -116,7 +114,7 @@ impl Drawn {
             .map(|(joint, q)| (joint.name.clone(), joint_value(units, joint.kind, *q)));
         Some(Self {
             sample,
-            asked_for: asked.is_some() || view.pose.is_some(),
+            asked_for: asked.is_some(),
             q: q.clone(),
             real: sample.and_then(|sample| real(workbench, sample, &corners)),
             signs: signs(robot, &q, &base, &corners),
@@ -148,8 +146,7 @@ impl Drawn {
                 "robot at sample {sample}, as an example",
                 sample = sample + 1
             ),
-            (None, true) => say!("robot as posed").to_owned(),
-            (None, false) => say!("robot at home").to_owned(),
+            (None, _) => say!("robot at home").to_owned(),
         };
         for (k, (name, value)) in self.values.iter().enumerate() {
             says += if k == 0 { ": " } else { ", " };
@@ -476,7 +473,7 @@ mod tests {
         for plane in Plane::ALL {
             workbench.execute(|bench| bench.view.look_in(plane));
             let shown = crate::gui::workspace::model::Shown::of(&workbench);
-            let [low, high] = crate::gui::workspace::layout::bounds(&shown);
+            let [low, high] = crate::gui::workspace::model::bounds(&shown);
             let drawn = Drawn::of(&workbench).expect("there are samples");
             for p in &drawn.corners_mm {
                 let p = workbench.facing().flat(p.coords.into());

@@ -14,9 +14,8 @@ use crate::gui::core::compensated::{CompensationRequest, PrecedenceChoice};
 use crate::gui::core::document::{ExportChoice, Method};
 use crate::gui::core::loaded_session::LoadedSession;
 use crate::gui::core::robot_table::RobotTable;
-use crate::gui::core::setup::SetupForm;
+use crate::gui::core::robot_table::SetupForm;
 use crate::gui::core::simulate::Form;
-use crate::gui::file_state::Recent;
 use crate::gui::import_draft::{ImportAnswers, ImportDraft, RobotFrom};
 use crate::gui::preferences::{Preferences, Sizes, Theme};
 use crate::gui::view::{About, NextAction, Sheet, What};
@@ -518,8 +517,8 @@ pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Fi
         80 if random.random() => compensation(random, files),
         80 => deed("KeepMine", (), |bench, ()| bench.keep_mine()),
         81 | 82 => deed(
-            "Forget",
-            Recent::Forgotten(files.any(random)),
+            "UseRecent",
+            files.any(random),
             super::super::Workbench::use_recent,
         ),
         83 => deed("Left Restore", (), |bench, ()| bench.restore()),

@@ -59,7 +59,7 @@ pub(super) fn way_to_look(random: &mut ChaCha8Rng) -> Deed {
             one_of(random, &Standard::ALL).copied(),
             |bench, it| bench.view.look_from(it),
         ),
-        1 => deed(
+        _ => deed(
             "Turn",
             Camera {
                 azimuth_rad: pick(random, &[0.3, -7.0, f64::NAN]),
@@ -68,11 +68,6 @@ pub(super) fn way_to_look(random: &mut ChaCha8Rng) -> Deed {
             }
             .sound(),
             |bench, it| bench.view.camera = it,
-        ),
-        _ => deed(
-            "Pose",
-            one_of(random, &[vec![0.3], vec![f64::NAN], vec![0.1; 6]]).cloned(),
-            |bench, it| bench.view.pose = it,
         ),
     }
 }

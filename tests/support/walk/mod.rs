@@ -19,8 +19,8 @@ use super::Workbench;
 use crate::compensation::verify;
 use crate::diagnostic::{Place, Severity};
 use crate::gui::App;
-use crate::gui::core::division::Division;
 use crate::gui::core::document::Document;
+use crate::gui::core::regions::Division;
 use crate::gui::core::simulate::Form;
 use crate::gui::testing::workbench;
 use crate::gui::view::{NextAction, What};
@@ -65,7 +65,7 @@ const KINDS: &[&str] = &[
     "Fit",
     "FitChart",
     "FitWorkspace",
-    "Forget",
+    "UseRecent",
     "ForgetRobot",
     "GoTo",
     "Heat",
@@ -93,7 +93,6 @@ const KINDS: &[&str] = &[
     "OpenExample",
     "OpenFile",
     "PlotSize",
-    "Pose",
     "Prefer",
     "Prepare",
     "Pull",

@@ -6,16 +6,14 @@ use crate::gui::charts::{
     Bars, CHARTS, ChartChoice, ChartKind, HoverTarget, Samples, Scene, Shown, deviation, scatter,
 };
 use crate::gui::core::loaded_session::Component;
-use crate::gui::plots::chart::{self, Canvas};
-use crate::gui::plots::{self, figure, picture, ring};
+use crate::gui::plots::{self, Canvas, figure, picture, ring};
 use crate::gui::style::{size, space};
 use crate::gui::view::{ChartPane, Key, Plot, Step, What};
 use crate::gui::widgets::{self, Does};
 use crate::gui::workbench::Workbench;
-use crate::gui::workspace::handles::{self, Handles};
-use crate::gui::workspace::{self, marked, nearest};
+use crate::gui::workspace::{self, Handles, marked, nearest};
 
-use super::super::copies;
+use super::super::blocks;
 
 /// Room for the handle, and for the marks at the right end of the bar, points.
 const HANDLE: f32 = 32.0;
@@ -54,7 +52,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, place: Place<'_>, first: 
     bar(ui, workbench, (place, kind, &scene), first);
     match kind.show(&scene) {
         Ok(shown) => plotted(ui, workbench, (place, kind), &shown),
-        Err(missing) => chart::empty(ui, &missing.title, missing.why),
+        Err(missing) => plots::empty(ui, &missing.title, missing.why),
     }
 }
 
@@ -66,7 +64,7 @@ fn plotted(
 ) {
     let view = &workbench.view;
     let before = workbench.answer().map(|_| !view.only_after);
-    chart::legend(ui, &shown.chart, before, workbench);
+    plots::legend(ui, &shown.chart, before, workbench);
     let title = format!("{} {}", kind.about().id, shown.chart.title);
     let fitted = view.fitted.charts + place.pane.fitted;
     let id = (&*title, workbench.only_after(), fitted);
@@ -88,9 +86,9 @@ fn plotted(
         && kind.about().id == deviation::ANGLE.about().id
         && workbench.loaded_session().single_revolute();
     if divided {
-        handles::grab(ui, workbench);
+        workspace::grab(ui, workbench);
     }
-    let (response, transform) = chart::show(ui, id, &shown.chart, more);
+    let (response, transform) = plots::show_chart(ui, id, &shown.chart, more);
     if divided {
         let per_rad = workbench.units().angle_value(1.0);
         let frame = *transform.frame();
@@ -104,7 +102,7 @@ fn plotted(
             frame,
             name: |at| say!("in the chart, boundary at {at}", at),
         };
-        handles::show(ui, workbench, &handles);
+        workspace::boundary_handles(ui, workbench, &handles);
     }
     figure(&response, &shown.name, shown.description.clone());
     match &shown.pointed {
@@ -375,6 +373,6 @@ fn signs(ui: &mut Ui, (place, kind): (Place<'_>, &dyn ChartKind), workbench: &Wo
     if plots::fit(ui, &place.own(say!("Fit chart to view"))) {
         workbench.then(move |bench| bench.view.panes.fit(key));
     }
-    copies::chart_button(ui, &about, key, workbench);
+    blocks::chart_button(ui, &about, key, workbench);
     widgets::question(ui, about.word);
 }

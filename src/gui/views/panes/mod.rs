@@ -13,8 +13,8 @@ use egui_tiles::{
     UiResponse,
 };
 
-use crate::gui::actions::{self, CHART_BELOW, CHART_BESIDE, CLOSE_CHART, WindowState};
-use crate::gui::style::layout::MIDDLE;
+use crate::gui::actions::{self, CHART_BELOW, CHART_BESIDE, CLOSE_CHART};
+use crate::gui::style::MIDDLE;
 use crate::gui::style::{Palette, space};
 use crate::gui::view::{ChartPane, Edge, Key, Pane, Plot, What};
 use crate::gui::widgets;
@@ -336,7 +336,7 @@ fn grip(ui: &mut Ui, workbench: &Workbench, (key, pane): (Key, &Pane)) -> Respon
     let name = name_of(workbench, pane);
     let says = say!("Arrange {plot}", plot = name);
     let button = widgets::icon_button(ui, widgets::GRIP, &says);
-    menu(ui, workbench, (key, pane), &button);
+    menu(workbench, (key, pane), &button);
     button.on_hover_text(say!("Drag to move it; click to split, move or close it"))
 }
 
@@ -379,8 +379,7 @@ pub(super) fn name_of(workbench: &Workbench, pane: &Pane) -> String {
 }
 
 /// What can be done with a pane: the menu of its handle.
-fn menu(ui: &Ui, workbench: &Workbench, (key, pane): (Key, &Pane), handle: &Response) {
-    let now = WindowState::of(ui.ctx(), workbench);
+fn menu(workbench: &Workbench, (key, pane): (Key, &Pane), handle: &Response) {
     Popup::menu(handle).show(|ui| {
         ui.set_min_width(220.0);
         let item = |ui: &mut Ui, name: &str, keys: Option<String>, enabled: bool| {
@@ -413,7 +412,12 @@ fn menu(ui: &Ui, workbench: &Workbench, (key, pane): (Key, &Pane), handle: &Resp
         // The keys are for the active pane.
         let keys = |action: &actions::Action| active.then(|| action.keys(&handle.ctx));
         for (action, edge) in [(CHART_BESIDE, Edge::Right), (CHART_BELOW, Edge::Bottom)] {
-            if item(ui, &action.label(&now), keys(&action), panes.has_room()) {
+            if item(
+                ui,
+                &action.label(workbench),
+                keys(&action),
+                panes.has_room(),
+            ) {
                 workbench.then(move |bench| bench.add_chart(key, edge));
             }
         }
@@ -433,7 +437,7 @@ fn menu(ui: &Ui, workbench: &Workbench, (key, pane): (Key, &Pane), handle: &Resp
         }
         if *pane != Pane::Workspace {
             ui.separator();
-            if item(ui, &CLOSE_CHART.label(&now), keys(&CLOSE_CHART), true) {
+            if item(ui, &CLOSE_CHART.label(workbench), keys(&CLOSE_CHART), true) {
                 workbench.then(move |bench| bench.rearrange(|panes| panes.close(key)));
             }
         }
