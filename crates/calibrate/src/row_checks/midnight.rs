@@ -76,7 +76,7 @@ mod tests {
             .collect();
         assert_eq!(midnights(&two_days).len(), 2);
         let mut session = crate::row_checks::tests::axis(60);
-        session.samples.time_s = Some((0..session.samples.len() as u32).map(of_day).collect());
+        session.samples.time_s = Some((0_u32..).take(session.samples.len()).map(of_day).collect());
         let found = passed(&session, JointValues::Commanded);
         let correction = found[0].mend.as_ref().expect("mechanical");
         correction.apply(&mut session);

@@ -64,7 +64,9 @@ pub(super) fn of_all_rows(session: &Session, values: JointValues) -> Vec<DataPro
 /// A session with these changes.
 fn changed(part: &Session, mends: &[SessionCorrection]) -> Session {
     let mut changed = part.clone();
-    mends.iter().for_each(|mend| mend.apply(&mut changed));
+    for mend in mends {
+        mend.apply(&mut changed);
+    }
     changed
 }
 

@@ -94,7 +94,9 @@ impl<'a> Nominal<'a> {
     pub(super) fn left_mm(&self, inputs: &Inputs, mirrored: bool) -> f64 {
         let mut pairs = self.pairs(inputs);
         if mirrored {
-            pairs.iter_mut().for_each(|pair| pair.1.swap_rows(0, 1));
+            for (_, measured) in &mut pairs {
+                measured.swap_rows(0, 1);
+            }
         }
         let of_setup = |own: &Vec<Pair>| {
             let motion = rigid_motion(own)?;

@@ -7,8 +7,10 @@ use crate::answers::diagnosis::DataProblem;
 use crate::effects::JointValues;
 use crate::sessions::Session;
 
+type Hypothesis = fn(&Session, JointValues, &Looked) -> Option<Unstated>;
+
 /// Every hypothesis.
-const HYPOTHESES: [fn(&Session, JointValues, &Looked) -> Option<Unstated>; 4] = [
+const HYPOTHESES: [Hypothesis; 4] = [
     settling::settles,
     refraction::bends,
     station_scale::differs,

@@ -136,7 +136,9 @@ fn of_one_axis(
         by_mm: (*by).into(),
     };
     let mut moved = part.clone();
-    off.iter().for_each(|one| mend(one).apply(&mut moved));
+    for one in &off {
+        mend(one).apply(&mut moved);
+    }
     let (_, after) = fitted(&moved, values)?;
     let axes = part.samples.axes();
     let evidence = evidence(part.samples.len(), axes, before, after, axes * off.len());

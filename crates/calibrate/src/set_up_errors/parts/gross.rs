@@ -392,7 +392,9 @@ impl<'a> Search<'a> {
         let few = fits::some_samples(self.session);
         let fitted = |mends: &[&SessionCorrection]| {
             let mut changed = self.session.clone();
-            mends.iter().for_each(|mend| mend.apply(&mut changed));
+            for mend in mends {
+                mend.apply(&mut changed);
+            }
             fits::fitted(&fits::some_samples(&changed), self.values)
         };
         let (_, before) = fits::fitted(&few, self.values)?;
