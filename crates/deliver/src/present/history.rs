@@ -10,6 +10,9 @@ use super::table::Table;
 use crate::fit::Estimate;
 use crate::history::{Change, Entry, RobotHistory, Source};
 
+/// Changes of an entry that are listed; `--json` has all.
+const MOST: usize = 3;
+
 /// A parameter's name with all that tells it from others.
 fn name(one: &Estimate, joints: usize) -> String {
     let mut name = title_on(one.effect, one.joint, joints);
@@ -42,14 +45,23 @@ pub fn entries(robot: &RobotHistory) -> Table {
     let joints = all.filter_map(|one| one.joint).max().unwrap_or(1);
     let dash = || "–".to_owned();
     for entry in &robot.entries {
-        let change = |change: &Change| {
+        let mut changes: Vec<&Change> = entry.changes.iter().collect();
+        changes.retain(|change| change.is_significant());
+        // Those that exceed their interval by most come first.
+        let half = |change: &Change| change.ci95.map_or(f64::INFINITY, |[from, to]| to - from);
+        let times = |change: &Change| change.difference.abs() / half(change);
+        changes.sort_by(|a, b| times(b).total_cmp(&times(a)));
+        let more = changes.len().saturating_sub(MOST);
+        let said = |change: &&Change| {
             let one = &entry.parameters[change.parameter];
             let [by, half, _] = with_interval(change.difference, change.ci95);
             let (name, unit) = (name(one, joints), parameter(one.name).1);
-            format!("{name} {by} {half} {unit}")
+            format!("{name} {by} {half} {unit}").trim_end().to_owned()
         };
-        let changes = entry.changes.iter().filter(|c| c.is_significant());
-        let changes: Vec<String> = changes.map(change).collect();
+        let mut changes: Vec<String> = changes.iter().take(MOST).map(said).collect();
+        if more > 0 {
+            changes.push(say!("and {more} more", more));
+        }
         table.row([
             short_name(entry),
             source(entry).to_owned(),
