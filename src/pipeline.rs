@@ -44,7 +44,7 @@ use crate::standards::Standards;
 use crate::text::Text;
 
 pub use crate::design::{plan_robot, plan_session};
-pub use crate::history::{history, history_of_robot, history_watched};
+pub use crate::history::{history, history_watched};
 pub use crate::importers::{import, import_watched};
 pub use crate::model::format_v1::is_model;
 pub use crate::paper::{RegionalStart, regional_start};

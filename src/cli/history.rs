@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use crate::explain::{self, Detail};
+use crate::explain;
 use crate::history::RobotHistory;
 use crate::language::spoken;
 use crate::pipeline::history;
@@ -38,8 +38,5 @@ impl History {
 }
 
 fn in_words(robots: &[RobotHistory]) -> String {
-    let sections = robots
-        .iter()
-        .map(|robot| explain::history(robot, Detail::TERMINAL));
-    blocks::sections(&sections.collect::<Vec<_>>())
+    blocks::sections(&robots.iter().map(explain::history).collect::<Vec<_>>())
 }

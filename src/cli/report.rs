@@ -30,9 +30,6 @@ pub(crate) struct Report {
     /// what it lacks is a line to fill in
     #[arg(long, value_name = "DETAILS.json")]
     details: Option<PathBuf>,
-    /// Add what became of the machine: the sessions and models of its robot in this folder
-    #[arg(long, value_name = "FOLDER")]
-    history: Option<PathBuf>,
     /// Date to print, in place of the one of the details
     #[arg(long, value_name = "TEXT")]
     date: Option<String>,
@@ -70,7 +67,6 @@ impl Report {
         let tables = tables.collect::<Result<_, _>>();
         let extras = Extras {
             details,
-            history: self.history.as_deref().map(pipeline::history).transpose()?,
             tables: tables.map_err(|error| Failure::refused(error.describe()))?,
         };
         let report = if pipeline::is_model(&self.file) {

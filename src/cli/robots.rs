@@ -123,14 +123,20 @@ fn described(robot: &LibraryRobot) -> String {
         line(&mut text, sentence);
     }
     let references = [
-        (say!("geometry and ranges"), Some(&robot.geometry)),
-        (say!("reach, load, repeatability"), robot.figures.as_ref()),
-        (say!("gear ratios"), robot.gears.as_ref()),
+        (say!("geometry and ranges"), Some(&robot.sources.geometry)),
+        (
+            say!("reach, load, repeatability"),
+            robot.sources.figures.as_ref(),
+        ),
+        (say!("gear ratios"), robot.sources.gears.as_ref()),
         (
             say!("positions checked against"),
-            robot.checked_positions.as_ref(),
+            robot.sources.checked_positions.as_ref(),
         ),
-        (say!("reach checked against"), robot.checked_reach.as_ref()),
+        (
+            say!("reach checked against"),
+            robot.sources.checked_reach.as_ref(),
+        ),
     ];
     for (what, reference) in references {
         if let Some(reference) = reference {

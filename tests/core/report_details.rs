@@ -129,34 +129,6 @@ fn details_and_logo_stand_in_both_formats_and_the_bytes_stay_the_same() {
 }
 
 #[test]
-fn the_history_of_the_machine_stands_in_its_report() {
-    let folder = tempfile::tempdir().unwrap();
-    let mut session = lamp();
-    session.name = "first".to_owned();
-    let save = |session: &Session, name: &str| {
-        let path = folder.path().join(name);
-        truepose::sessions::save(session, &path, truepose::sessions::Replacing::default()).unwrap();
-    };
-    save(&session, "run 9.json");
-    for x in &mut session.samples.x_mm {
-        *x += 0.5;
-    }
-    save(&session, "run 10.json");
-    let found = pipeline::diagnose(&session, &Options::default(), &|_| true).unwrap();
-    let extras = Extras {
-        history: Some(pipeline::history(folder.path()).unwrap()),
-        ..Extras::default()
-    };
-    let made = pipeline::report_of_diagnosis(&session, &found, None, &Options::default(), &extras);
-    let page = html(&made.unwrap());
-    let (_, section) = page.split_once("History of the machine").unwrap();
-    let (section, _) = section.split_once("</section>").unwrap();
-    let at = |part: &str| section.find(part).unwrap_or_else(|| panic!("{part}"));
-    assert!(at("run 9") < at("run 10"), "ordered as people count");
-    assert!(section.contains("Joint zero offset: offset"));
-}
-
-#[test]
 fn wrong_details_are_refused_with_their_places() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("details.json");

@@ -99,12 +99,16 @@ fn at_least_forty_robots_have_names_kinds_ranges_and_sources() {
             robot.id
         );
         let references = [
-            &robot.figures,
-            &robot.gears,
-            &robot.checked_positions,
-            &robot.checked_reach,
+            &robot.sources.figures,
+            &robot.sources.gears,
+            &robot.sources.checked_positions,
+            &robot.sources.checked_reach,
         ];
-        for reference in references.into_iter().flatten().chain([&robot.geometry]) {
+        for reference in references
+            .into_iter()
+            .flatten()
+            .chain([&robot.sources.geometry])
+        {
             assert!(
                 source(&reference.source).is_some() && !reference.place.is_empty(),
                 "{}",
@@ -112,9 +116,9 @@ fn at_least_forty_robots_have_names_kinds_ranges_and_sources() {
             );
         }
         let has_figures = robot.reach_mm.is_some() || robot.repeatability_mm.is_some();
-        assert_eq!(robot.figures.is_some(), has_figures, "{}", robot.id);
+        assert_eq!(robot.sources.figures.is_some(), has_figures, "{}", robot.id);
         assert_eq!(
-            robot.gears.is_some(),
+            robot.sources.gears.is_some(),
             !robot.gear_ratios.is_empty(),
             "{}",
             robot.id
@@ -169,6 +173,7 @@ fn forward_positions_are_those_of_a_second_source() {
         };
         let robot = of_id(&case.id);
         let own = robot
+            .sources
             .checked_positions
             .as_ref()
             .expect("the file says what it was checked against");
@@ -267,6 +272,7 @@ fn reaches_are_the_published_ones() {
         let Some(reach) = case.reach else { continue };
         let robot = of_id(&case.id);
         let own = robot
+            .sources
             .checked_reach
             .as_ref()
             .expect("the file says what it was checked against");
@@ -295,7 +301,7 @@ fn what_was_not_checked_is_said() {
     for robot in library() {
         let case = checked.iter().find(|case| case.id == robot.id);
         let says = robot.not_checked.iter().any(|what| what == "link lengths");
-        let is_own = robot.geometry.source == "own";
+        let is_own = robot.sources.geometry.source == "own";
         assert_eq!(says, case.is_none() && !is_own, "{}", robot.id);
     }
 }
@@ -543,14 +549,17 @@ fn the_terminal_shows_every_robot_with_its_figures_sources_and_checks() {
 
         let shown = answered(&["robots", &robot.id]);
         let references = [
-            ("geometry and ranges", Some(&robot.geometry)),
-            ("reach, load, repeatability", robot.figures.as_ref()),
-            ("gear ratios", robot.gears.as_ref()),
+            ("geometry and ranges", Some(&robot.sources.geometry)),
+            ("reach, load, repeatability", robot.sources.figures.as_ref()),
+            ("gear ratios", robot.sources.gears.as_ref()),
             (
                 "positions checked against",
-                robot.checked_positions.as_ref(),
+                robot.sources.checked_positions.as_ref(),
             ),
-            ("reach checked against", robot.checked_reach.as_ref()),
+            (
+                "reach checked against",
+                robot.sources.checked_reach.as_ref(),
+            ),
         ];
         for (what, reference) in references {
             let Some(reference) = reference else { continue };

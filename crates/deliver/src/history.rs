@@ -12,8 +12,7 @@
 //! never a change. No clock and no date of a file is asked: order comes from what the documents hold.
 
 use crate::text::Text;
-use std::cmp::Ordering;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::io;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
@@ -159,7 +158,6 @@ impl Change {
 /// An entry before it is compared.
 struct Read {
     entry: Entry,
-    robot: String,
     calibration: Calibration,
     loaded: Option<Session>,
     start_s: Option<f64>,
@@ -189,34 +187,6 @@ pub fn history_watched(
     folder: &Path,
     watch: &dyn Fn(f64) -> ControlFlow<()>,
 ) -> Result<History, ReadError> {
-    compare(folder, None, watch)
-}
-
-/// What became of the robot of this name, by the sessions and models of a folder; `None` where they
-/// were all measured at once: fewer than two have samples of their own.
-///
-/// # Errors
-/// As [`history_watched`], but nothing to read is no error.
-pub fn history_of_robot(
-    folder: &Path,
-    robot: &str,
-    watch: &dyn Fn(f64) -> ControlFlow<()>,
-) -> Result<Option<History>, ReadError> {
-    let history = match compare(folder, Some(robot), watch) {
-        Ok(history) => history,
-        Err(ReadError::Rejected(_)) => return Ok(None),
-        Err(cancelled) => return Err(cancelled),
-    };
-    let entries = history.robots.iter().flat_map(|one| &one.entries);
-    let samples: BTreeSet<&str> = entries.map(|entry| &*entry.samples_hash).collect();
-    Ok((samples.len() > 1).then_some(history))
-}
-
-fn compare(
-    folder: &Path,
-    only: Option<&str>,
-    watch: &dyn Fn(f64) -> ControlFlow<()>,
-) -> Result<History, ReadError> {
     let progress = Progress::new(watch);
     let whole = progress.whole();
     let mut not_read = Vec::new();
@@ -233,14 +203,12 @@ fn compare(
             .to_string_lossy()
             .into_owned();
         let entry = match source_of(&bytes) {
-            Some(Source::Session) => of_session(path, &file, only),
-            Some(Source::Model) => of_model(path, &file).map(Some),
+            Some(Source::Session) => of_session(path, &file),
+            Some(Source::Model) => of_model(path, &file),
             None => continue,
         };
         match entry {
-            Ok(entry) => {
-                read.extend(entry.filter(|read| only.is_none_or(|robot| read.robot == robot)));
-            }
+            Ok(entry) => read.push(entry),
             Err(because) => not_read.push(NotRead { file, because }),
         }
     }
@@ -259,7 +227,8 @@ fn compare(
     }
     let mut robots: BTreeMap<String, Vec<Read>> = BTreeMap::new();
     for entry in read {
-        robots.entry(entry.robot.clone()).or_default().push(entry);
+        let robot = entry.calibration.model.robot.name.clone();
+        robots.entry(robot).or_default().push(entry);
     }
     let robots = robots
         .into_iter()
@@ -308,16 +277,12 @@ fn documents(folder: &Path) -> Result<Vec<PathBuf>, Rejected> {
             paths.push(path);
         }
     }
-    paths.sort_by(|a, b| by_name(&a.to_string_lossy(), &b.to_string_lossy()));
+    paths.sort_by_cached_key(|path| as_people_count(&path.to_string_lossy()));
     Ok(paths)
 }
 
-/// A session; `None` where it is of another robot than the `only` one that is wanted.
-fn of_session(path: &Path, file: &str, only: Option<&str>) -> Result<Option<Read>, Text> {
+fn of_session(path: &Path, file: &str) -> Result<Read, Text> {
     let session = load(path).map_err(|rejected| rejected.describe())?.session;
-    if only.is_some_and(|robot| session.robot.name != robot) {
-        return Ok(None);
-    }
     let values = JointValues::Commanded;
     let identified = identify_exact(&session, &DEFAULT_EFFECTS.map(str::to_owned), values);
     let identification = identified.map_err(|error| error.describe())?;
@@ -327,7 +292,7 @@ fn of_session(path: &Path, file: &str, only: Option<&str>) -> Result<Option<Read
     } = identification;
     let times = session.samples.time_s.iter().flatten();
     let start_s = times.copied().find(|time| *time >= EPOCH_S);
-    Ok(Some(Read {
+    Ok(Read {
         entry: Entry {
             file: file.to_owned(),
             source: Source::Session,
@@ -341,11 +306,10 @@ fn of_session(path: &Path, file: &str, only: Option<&str>) -> Result<Option<Read
             parameters,
             changes: Vec::new(),
         },
-        robot: session.robot.name.clone(),
         calibration,
         loaded: Some(session),
         start_s,
-    }))
+    })
 }
 
 fn of_model(path: &Path, file: &str) -> Result<Read, Text> {
@@ -366,7 +330,6 @@ fn of_model(path: &Path, file: &str) -> Result<Read, Text> {
             parameters: all_estimates(&calibration, NORMAL_95),
             changes: Vec::new(),
         },
-        robot: calibration.model.robot.name.clone(),
         calibration,
         loaded: None,
         start_s: None,
@@ -421,12 +384,12 @@ fn compared(robot: String, mut read: Vec<Read>) -> RobotHistory {
 }
 
 /// Whether a parameter belongs to the measuring set-up, which is new in every session.
-pub(crate) fn is_of_set_up(estimate: &Estimate) -> bool {
+fn is_of_set_up(estimate: &Estimate) -> bool {
     find(estimate.effect).is_some_and(|effect| effect.about().setting == Setting::Setup)
 }
 
 /// Whether two estimates are of one parameter.
-pub(crate) fn is_same(a: &Estimate, b: &Estimate) -> bool {
+fn is_same(a: &Estimate, b: &Estimate) -> bool {
     (a.effect, a.joint, a.name) == (b.effect, b.joint, b.name)
         && (&a.setup, &a.target, &a.place) == (&b.setup, &b.target, &b.place)
 }
@@ -465,41 +428,33 @@ pub fn changes(before: &Entry, now: &Entry) -> Vec<Change> {
     each.collect()
 }
 
-/// Compares names as people order them: `run 9` before `run 10`.
-fn by_name(a: &str, b: &str) -> Ordering {
-    // Digits without zeros before them are the larger number the more there are of them.
-    let parts = |name: &str| -> Vec<(Option<(usize, String)>, String)> {
-        let mut parts: Vec<String> = Vec::new();
-        let mut in_number = None;
-        for letter in name.chars() {
-            let is_digit = letter.is_ascii_digit();
-            match parts.last_mut().filter(|_| in_number == Some(is_digit)) {
-                Some(part) => part.push(letter),
-                None => parts.push(letter.to_string()),
-            }
-            in_number = Some(is_digit);
+/// A name to be sorted by, numbers in it by their value: `run 9` before `run 10`.
+fn as_people_count(name: &str) -> (String, String) {
+    let (mut key, mut digits) = (String::new(), String::new());
+    for letter in name.chars().chain(['\0']) {
+        if letter.is_ascii_digit() {
+            digits.push(letter);
+            continue;
         }
-        let with_value = |part: String| {
-            let number = part.starts_with(|c: char| c.is_ascii_digit());
-            let digits = part.trim_start_matches('0').to_owned();
-            (number.then_some((digits.len(), digits)), part)
-        };
-        parts.into_iter().map(with_value).collect()
-    };
-    let (first, second) = (parts(a), parts(b));
-    let each = first.iter().zip(&second).map(|(a, b)| match (&a.0, &b.0) {
-        (Some(x), Some(y)) => x.cmp(y),
-        _ => a.1.cmp(&b.1),
-    });
-    let lengths = first.len().cmp(&second.len());
-    each.fold(Ordering::Equal, Ordering::then)
-        .then(lengths)
-        .then_with(|| a.cmp(b))
+        if !digits.is_empty() {
+            // Without zeros before them the more digits are the larger number.
+            let plain = digits.trim_start_matches('0');
+            key += &format!("{:05}{plain}", plain.len());
+            digits.clear();
+        }
+        key.push(letter);
+    }
+    (key, name.to_owned())
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::cmp::Ordering;
+
+    fn by_name(a: &str, b: &str) -> Ordering {
+        as_people_count(a).cmp(&as_people_count(b))
+    }
 
     #[test]
     fn names_have_one_order_however_long_their_numbers_are() {

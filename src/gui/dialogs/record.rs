@@ -1,10 +1,10 @@
-//! The record of a machine: what its report states besides its measurements, and what became of it, its parameters by
-//! session with their intervals and what changed beyond its uncertainty.
+//! The record of a machine: what its report states besides its measurements, and what changed from session to session
+//! beyond its uncertainty.
 
-use egui::{Checkbox, Grid, RichText, TextEdit, Ui};
+use egui::{Grid, RichText, TextEdit, Ui};
 
 use crate::compensation::decision::Rule;
-use crate::explain::{self, Detail};
+use crate::explain;
 use crate::gui::style::{Palette, size, space, strong};
 use crate::gui::view::{About, What};
 use crate::gui::views::{self, blocks};
@@ -28,7 +28,7 @@ pub(super) fn history(ui: &mut Ui, workbench: &Workbench) {
     for robot in robots {
         let name = &robot.robot;
         widgets::heading(ui, &say!("History of {robot}", robot = name));
-        let section = explain::history(robot, Detail::window(workbench.units()));
+        let section = explain::history(robot);
         ui.push_id(name, |ui| blocks::show(ui, &section.blocks));
     }
     for file in &past.history.not_read {
@@ -77,8 +77,6 @@ pub(super) fn details(ui: &mut Ui, workbench: &Workbench) {
                     .does(workbench, Workbench::choose_logo);
             });
             ui.end_row();
-            with_history(ui, workbench, &mut stated.without_history);
-            ui.end_row();
             // In the same columns as what is above it.
             let decided = RichText::new(say!("Pass or fail"));
             ui.label(decided.font(strong(size::SMALL)).color(muted));
@@ -124,22 +122,6 @@ pub(super) fn details(ui: &mut Ui, workbench: &Workbench) {
         widgets::primary(&mut columns[1], say!("Done"))
             .does(workbench, move |bench| bench.show_sheet(None));
     });
-}
-
-/// Whether the report says what became of the machine.
-fn with_history(ui: &mut Ui, workbench: &Workbench, without: &mut bool) {
-    ui.label(RichText::new(say!("History of the machine")).color(Palette::of(ui).muted));
-    let in_file = workbench.folder().is_some();
-    let mut with = in_file && !*without;
-    let text = if in_file {
-        say!("Compare the sessions of this robot in the folder of the session")
-    } else {
-        say!("The session is in no folder yet: save it first")
-    };
-    let switch = ui.add_enabled(in_file, Checkbox::new(&mut with, text));
-    if switch.changed() {
-        *without = !with;
-    }
 }
 
 /// What choosing a rule means.

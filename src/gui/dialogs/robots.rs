@@ -286,7 +286,7 @@ fn known_of(ui: &mut Ui, robot: &LibraryRobot) {
         phrase!("repeatability (ISO 9283)"),
         with(robot.repeatability_mm, "mm"),
     );
-    let geometry = source(&robot.geometry.source);
+    let geometry = source(&robot.sources.geometry.source);
     let geometry = geometry.map_or("", |source| source.what.as_str());
     widgets::fact_of(ui, phrase!("geometry from"), geometry);
     if !robot.not_checked.is_empty() {

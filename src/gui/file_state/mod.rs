@@ -128,8 +128,6 @@ pub(crate) struct Stated {
     pub(crate) details: Details,
     /// Path of the logo, as it is typed; may be empty.
     pub(crate) logo: String,
-    /// Whether the report leaves out what became of the machine.
-    pub(crate) without_history: bool,
 }
 
 impl Stated {
@@ -172,8 +170,6 @@ pub(crate) struct Machine {
     folder: PathBuf,
     #[serde(default)]
     logo: String,
-    #[serde(default)]
-    without_history: bool,
     /// A `truepose-details/1` document.
     details: serde_json::Value,
 }
@@ -196,7 +192,6 @@ impl Machine {
             session: of.session.to_owned(),
             folder: of.folder.to_owned(),
             logo: stated.logo.clone(),
-            without_history: stated.without_history,
             details: document.unwrap_or_default(),
         }
     }
@@ -206,7 +201,6 @@ impl Machine {
         Some(Stated {
             details: Details::parse(Place::default(), &text).ok()?,
             logo: self.logo.clone(),
-            without_history: self.without_history,
         })
     }
 
@@ -257,7 +251,6 @@ pub(crate) fn proposed(machines: &[Machine], of: Of<'_>) -> Stated {
     Stated {
         details,
         logo: String::new(),
-        without_history: false,
     }
 }
 
@@ -409,7 +402,6 @@ mod tests_of_machines {
         stated.details.machine_serial = serial.to_owned();
         stated.details.report_number = "R-1".to_owned();
         stated.details.operator = "A. Meier".to_owned();
-        stated.without_history = true;
         stated.details.instrument = "tracker".to_owned();
         stated.details.instrument_serial = "T-4".to_owned();
         stated

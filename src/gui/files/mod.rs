@@ -26,7 +26,6 @@ use crate::gui::file_state::Stated;
 use crate::gui::import_draft::{Companion, ImportDraft, ROBOTS, TABLES, listed};
 use crate::gui::jobs::Watch;
 use crate::gui::view::{Message, What};
-use crate::history::History;
 use crate::language::{self, finding};
 use crate::pipeline::{self, load_model};
 use crate::programs::LANGUAGES;
@@ -691,8 +690,6 @@ pub(crate) struct ReportRequest {
     pub(crate) source: Source,
     /// What the certificate states besides its measurements.
     pub(crate) stated: Stated,
-    /// Where the machine's other sessions lie, and the name of its robot; `None`: without its history.
-    pub(crate) past: Option<(PathBuf, String)>,
     /// Tables that were exported from this session.
     pub(crate) tables: Vec<PathBuf>,
     /// Files that it may not replace.
@@ -723,7 +720,6 @@ fn make(
     can_be_written(path, replace, &wanted.inputs)?;
     let extras = Extras {
         details: wanted.stated.complete()?,
-        history: past(wanted, watch)?,
         tables: named_tables(&wanted.tables, details),
     };
     let report = match &wanted.source {
@@ -757,15 +753,6 @@ fn make(
         ));
     }
     write_one(path, replace, &written.bytes, watch)
-}
-
-/// What became of the machine, where its folder has more than one measurement of it.
-fn past(wanted: &ReportRequest, watch: &Watch) -> Result<Option<History>, String> {
-    let Some((folder, robot)) = &wanted.past else {
-        return Ok(None);
-    };
-    let report_progress = watch.progress_callback();
-    pipeline::history_of_robot(folder, robot, &report_progress).map_err(|_| cancelled())
 }
 
 /// The tables with their hashes; what cannot be named any more is said.
@@ -853,7 +840,6 @@ mod writing_tests {
                 None,
             ),
             stated: Stated::default(),
-            past: None,
             tables: Vec::new(),
             inputs: Vec::new(),
         }

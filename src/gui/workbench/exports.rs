@@ -222,11 +222,8 @@ impl Workbench {
             }
         };
         let stated = self.stated();
-        let folder = self.folder().filter(|_| !stated.without_history);
-        let robot = self.loaded_session().session.robot.name.clone();
         let wanted = files::ReportRequest {
             source,
-            past: folder.map(|folder| (folder, robot)),
             stated,
             tables: self.exported().cloned().collect(),
             inputs: self.inputs(),

@@ -26,7 +26,7 @@
 //! - `at_run_time`: what the program computes or takes from elsewhere; it is not corrected.
 
 use crate::text::Text;
-use serde::ser::{Serialize, SerializeMap, SerializeSeq, Serializer};
+use serde::{Serialize, Serializer};
 
 use super::displayed;
 use super::json::{Json, list, object};
@@ -67,44 +67,37 @@ const MRAD: f64 = 1e3;
 
 /// The document of an answer. What it says of a target is worked out as it is written: of a large program
 /// there is never a whole tree of it in memory.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Serialize)]
 pub struct Document<'a> {
-    answer: &'a Answer,
-    robot: &'a Robot,
-    /// Names of the model's file and of the targets'.
-    names: [&'a str; 2],
+    format: &'static str,
+    model: &'a str,
+    file: &'a str,
+    #[serde(rename = "as")]
     language: &'a str,
-    frame: Pose,
+    frame: Json,
+    summary: Json,
+    targets: Targets<'a>,
+    at_run_time: Json,
+    remarks: Json,
+    notes: Json,
 }
 
 /// The document of an answer; `model` and `file` are the names of the inputs.
 pub fn document<'a>(
     answer: &'a Answer,
     robot: &'a Robot,
-    names: [&'a str; 2],
+    [model, file]: [&'a str; 2],
     language: &'a str,
     frame: &Pose,
 ) -> Document<'a> {
+    let s = Summary::new(answer);
     Document {
-        answer,
-        robot,
-        names,
+        format: "truepose-compensation/1",
+        model,
+        file,
         language,
-        frame: *frame,
-    }
-}
-
-impl Serialize for Document<'_> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let s = Summary::new(self.answer);
-        let [model, file] = self.names;
-        let mut map = serializer.serialize_map(None)?;
-        map.serialize_entry("format", "truepose-compensation/1")?;
-        map.serialize_entry("model", model)?;
-        map.serialize_entry("file", file)?;
-        map.serialize_entry("as", self.language)?;
-        map.serialize_entry("frame", &pose(&self.frame))?;
-        let summary = object! {
+        frame: pose(frame),
+        summary: object! {
             "targets": s.targets,
             "corrected": s.corrected,
             "left": s.left,
@@ -115,28 +108,21 @@ impl Serialize for Document<'_> {
             "max_after_mm": s.max_after_mm,
             "orientation_in_part": s.turned,
             "max_after_mrad": MRAD * s.max_after_rad,
-        };
-        map.serialize_entry("summary", &summary)?;
-        map.serialize_entry("targets", &Targets(self))?;
-        map.serialize_entry("at_run_time", &placed(&self.answer.at_run_time))?;
-        map.serialize_entry("remarks", &placed(&self.answer.remarks))?;
-        let notes = self.answer.notes.iter().map(ToString::to_string);
-        map.serialize_entry("notes", &notes.collect::<Vec<_>>())?;
-        map.end()
+        },
+        targets: Targets(&answer.targets, robot),
+        at_run_time: placed(&answer.at_run_time),
+        remarks: placed(&answer.remarks),
+        notes: (&answer.notes).into(),
     }
 }
 
 /// The targets of a document.
-struct Targets<'a>(&'a Document<'a>);
+#[derive(Debug)]
+struct Targets<'a>(&'a [Outcome], &'a Robot);
 
 impl Serialize for Targets<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let targets = &self.0.answer.targets;
-        let mut seq = serializer.serialize_seq(Some(targets.len()))?;
-        for target in targets {
-            seq.serialize_element(&entry(target, self.0.robot))?;
-        }
-        seq.end()
+        serializer.collect_seq(self.0.iter().map(|target| entry(target, self.1)))
     }
 }
 

@@ -20,13 +20,13 @@ pub fn document(robots: &[&LibraryRobot]) -> Json {
 
 fn references(robot: &LibraryRobot) -> Vec<&str> {
     let optional = [
-        &robot.figures,
-        &robot.gears,
-        &robot.checked_positions,
-        &robot.checked_reach,
+        &robot.sources.figures,
+        &robot.sources.gears,
+        &robot.sources.checked_positions,
+        &robot.sources.checked_reach,
     ];
     let optional = optional.into_iter().flatten();
-    let all = std::iter::once(&robot.geometry).chain(optional);
+    let all = std::iter::once(&robot.sources.geometry).chain(optional);
     all.map(|reference| reference.source.as_str()).collect()
 }
 
@@ -56,11 +56,11 @@ fn entry(robot: &LibraryRobot) -> Json {
         "repeatability_mm": robot.repeatability_mm,
         "gear_ratios": optional(robot.gear_ratios.as_slice()),
         "note": optional(robot.note.as_deref()),
-        "geometry": at(&robot.geometry),
-        "figures": at_some(&robot.figures),
-        "gears": at_some(&robot.gears),
-        "checked_positions": at_some(&robot.checked_positions),
-        "checked_reach": at_some(&robot.checked_reach),
+        "geometry": at(&robot.sources.geometry),
+        "figures": at_some(&robot.sources.figures),
+        "gears": at_some(&robot.sources.gears),
+        "checked_positions": at_some(&robot.sources.checked_positions),
+        "checked_reach": at_some(&robot.sources.checked_reach),
         "not_checked": list(&robot.not_checked, |what| what.as_str().into()),
     }
 }

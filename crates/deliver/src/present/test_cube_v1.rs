@@ -14,8 +14,9 @@ use super::displayed;
 use super::json::{Json, keyed, list, object};
 use super::parts::pose;
 use crate::kinematics::Robot;
+use crate::standards::path::PATH_CYCLES;
 use crate::standards::pose::STANDARD_CYCLES;
-use crate::standards::test_cube::{PATH_CYCLES, TestCube, TestPose};
+use crate::standards::test_cube::{TestCube, TestPose};
 
 /// The document of a robot's test cube.
 pub fn document(cube: &TestCube, robot: &Robot) -> Json {

@@ -11,9 +11,7 @@ use crate::units::deg_from_rad;
 
 use super::Extras;
 use super::document::{Block, Figure, Report, Section, Table, clean};
-use super::parts::{
-    details, foot, gap, of_machine, or_unnamed, robot_facts, signatures, tables, tolerance,
-};
+use super::parts::{details, foot, gap, or_unnamed, robot_facts, signatures, tables, tolerance};
 use super::plots::gap as gap_plot;
 use crate::present::chart::in_words;
 use crate::present::numbers::{mm, plain};
@@ -35,7 +33,6 @@ impl Report {
             sections.insert(0, details);
         }
         sections.extend(tables(extras, &calibration.samples_hash, &hash));
-        sections.extend(of_machine(extras, &calibration.model.robot.name));
         sections.push(missing());
         sections.push(signatures(extras));
         let subject = or_unnamed(&calibration.session);

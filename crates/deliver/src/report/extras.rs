@@ -1,7 +1,5 @@
 //! What the one who hands a report out adds to it.
 
-use crate::history::History;
-
 use super::details::Details;
 use super::exported::ExportedTable;
 
@@ -10,8 +8,6 @@ use super::exported::ExportedTable;
 pub struct Extras {
     /// What the certificate states besides its measurements.
     pub details: Details,
-    /// Sessions and models of the same machine.
-    pub history: Option<History>,
     /// Tables that were written for the controller.
     pub tables: Vec<ExportedTable>,
 }

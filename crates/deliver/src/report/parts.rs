@@ -6,7 +6,7 @@ use crate::text::capital;
 
 use super::document::{Block, Section, clean};
 use super::{Details, Extras};
-use crate::explain::{self, Detail, fact};
+use crate::explain::fact;
 use crate::language::spoken;
 use crate::present::numbers::{plain, short};
 
@@ -62,13 +62,6 @@ pub(super) fn instrument(instrument: &Instrument) -> String {
 /// A gap, or a dash where there is none.
 pub(super) fn gap(value: Option<f64>) -> String {
     value.map_or_else(|| "–".to_owned(), plain)
-}
-
-/// What became of the robot of this name since its earlier sessions, if its folder was given.
-pub(super) fn of_machine(extras: &Extras, robot: &str) -> Option<Section> {
-    let mut robots = extras.history.iter().flat_map(|history| &history.robots);
-    let own = robots.find(|one| one.robot == robot)?;
-    Some(explain::history(own, Detail::REPORT))
 }
 
 /// The exported tables, if any.

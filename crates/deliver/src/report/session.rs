@@ -25,8 +25,7 @@ use crate::text::{capital, current};
 use super::calibration::values;
 use super::document::{Block, Figure, Report, Section, Table, clean, clean_note};
 use super::parts::{
-    details, foot, gap, instrument, of_machine, or_unnamed, robot_facts, signatures, tables,
-    tolerance,
+    details, foot, gap, instrument, or_unnamed, robot_facts, signatures, tables, tolerance,
 };
 use super::plots::gap as gap_plot;
 use super::stages::{section as deviations_of, stages};
@@ -94,7 +93,6 @@ impl Report {
             Ok(figures) => accuracy::section(figures),
             Err(error) => return Err(error.clone().into()),
         });
-        sections.extend(of_machine(extras, &given.robot.name));
         sections.push(findings.sight);
         sections.extend(tables(extras, &hash, &known.model_hash));
         sections.push(signatures(extras));

@@ -32,8 +32,6 @@ use super::pose::STANDARD_CYCLES;
 
 /// Sides of the cube that the standard lists, mm.
 pub(crate) const SIDES_MM: [f64; 4] = [1000.0, 630.0, 400.0, 250.0];
-/// Cycles of a path that the standard asks for.
-pub(crate) const PATH_CYCLES: usize = 10;
 /// P2 … P5 stand at this part of the way from the centre to their corners.
 const OUT: f64 = 0.8;
 /// Ways from the centre to a corner are followed in so many steps.

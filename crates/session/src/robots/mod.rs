@@ -4,14 +4,12 @@
 //! the geometry, of the figures and of what they were checked against, and what could not be checked. Forward
 //! positions of a second source are held in `tests/data/robots/library.json`.
 //!
-//! - `asset`: the file as it is read.
 //! - `search`: robots by typed text, whatever its case, spaces and signs.
 
-mod asset;
 mod entry;
 pub(crate) mod library;
 mod search;
 
-pub use entry::{LibraryRobot, Reference, RobotKind, Source};
+pub use entry::{LibraryRobot, Reference, RobotKind, Source, Sources};
 pub use library::{library, source, sources};
 pub use search::{find, named};

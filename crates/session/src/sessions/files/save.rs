@@ -12,13 +12,10 @@ use std::io::{self, Write};
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
-use serde::Serialize;
-use serde::ser::{SerializeMap, Serializer};
-
 use crate::atomic::{
     StagedFile, WriteError, commit_both, refuse_one_file_for_two, refuse_to_replace_inputs,
 };
-use crate::document::{Value, object, text_of, write_document, write_number};
+use crate::document::{Member, Value, object, text_of, write_document, write_number};
 use crate::kinematics::Robot;
 use crate::progress::{Cancelled, Progress, ProgressSpan, unwatched};
 use crate::sessions::consistency;
@@ -26,7 +23,7 @@ use crate::sessions::domain::Session;
 use crate::sessions::files::file_hash::Hashed;
 use crate::sessions::files::format_v1::head;
 use crate::sessions::files::format_v1::robot::ROBOT;
-use crate::sessions::files::saved_columns::{Column, Values, columns};
+use crate::sessions::files::saved_columns::{Values, columns};
 use crate::tables::as_cell;
 
 /// What an output may replace.
@@ -115,10 +112,8 @@ fn save_pair(
         sha256 = hashed.finish();
         Ok(())
     })?;
-    let document = Document {
-        head: head::write(session),
-        samples: object! { "file": csv_name, "sha256": sha256.as_str() },
-    };
+    let samples_there = object! { "file": csv_name, "sha256": sha256.as_str() };
+    let document = head::write(session).with(object! { "samples": samples_there });
     let document = StagedFile::write(path, replacing.force, |output| {
         write_document(output, &document)
     })?;
@@ -145,11 +140,10 @@ fn name_of<'a>(path: &Path, csv: &'a Path) -> Result<&'a str, WriteError> {
 /// What writing to `output` says.
 pub fn write_inline(session: &Session, output: impl Write) -> io::Result<()> {
     columns_fit(session)?;
-    let columns = ColumnsJson(columns(session));
-    let document = Document {
-        head: head::write(session),
-        samples: InlineJson { columns },
-    };
+    let columns = columns(session).into_iter();
+    let columns = columns.map(|column| Member::new(column.name, column.values.inline()));
+    let samples = object! { "columns": Value::Object(columns.collect()) };
+    let document = head::write(session).with(object! { "samples": samples });
     write_document(output, &document)
 }
 
@@ -208,30 +202,6 @@ fn write_rows(session: &Session, output: &mut dyn Write, part: ProgressSpan<'_>)
 /// A cell, in quotes where it would not come back without.
 fn write_text(output: &mut dyn Write, text: &str) -> io::Result<()> {
     output.write_all(as_cell(text).as_bytes())
-}
-
-#[derive(Serialize)]
-struct Document<S> {
-    #[serde(flatten)]
-    head: Value,
-    samples: S,
-}
-
-#[derive(Serialize)]
-struct InlineJson<'a> {
-    columns: ColumnsJson<'a>,
-}
-
-struct ColumnsJson<'a>(Vec<Column<'a>>);
-
-impl Serialize for ColumnsJson<'_> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut map = serializer.serialize_map(Some(self.0.len()))?;
-        for column in &self.0 {
-            map.serialize_entry(&column.name, &column.values)?;
-        }
-        map.end()
-    }
 }
 
 #[cfg(test)]

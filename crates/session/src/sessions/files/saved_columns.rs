@@ -1,9 +1,6 @@
 //! The columns of a session as they go into a file: headings, and values in outer units.
 
-use serde::Serialize;
-use serde::ser::{SerializeSeq, Serializer};
-
-use crate::document::degrees;
+use crate::document::{Value, degrees};
 use crate::sessions::columns::{Quantity, Unit};
 use crate::sessions::domain::{Samples, Session, Setups, Target};
 
@@ -55,29 +52,19 @@ impl<'a> Values<'a> {
         }
     }
 
-    fn len(&self) -> usize {
-        match self {
-            Self::Numbers { values, .. } => values.len(),
+    /// The cells as a document has them.
+    pub(crate) fn inline(&self) -> Value {
+        let rows = match self {
+            Self::Numbers { values, outside } => {
+                return Value::Numbers(values.iter().map(|value| outside(*value)).collect());
+            }
             Self::Targets(index, _) => index.len(),
             Self::Setups(setups) => setups.index.len(),
             Self::Use(uses) => uses.iter().flatten().next().map_or(0, |all| all.len()),
             Self::Text(cells) => cells.len(),
             Self::References(index, ..) => index.len(),
-        }
-    }
-}
-
-impl Serialize for Values<'_> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut list = serializer.serialize_seq(Some(self.len()))?;
-        for row in 0..self.len() {
-            match self {
-                Self::Numbers { values, .. } if values[row].is_nan() => list.serialize_element(&()),
-                Self::Numbers { values, outside } => list.serialize_element(&outside(values[row])),
-                other => list.serialize_element(other.text(row)),
-            }?;
-        }
-        list.end()
+        };
+        (0..rows).map(|row| self.text(row)).collect()
     }
 }
 
