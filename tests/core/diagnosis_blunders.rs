@@ -430,3 +430,21 @@ fn a_joint_that_truly_lags_is_no_mistake_of_reading() {
     assert_eq!(names(&answer), ["tracking-lag"]);
     assert_eq!(from_read_values(&session(&rig)).verdict, Verdict::Noise);
 }
+
+/// A base that is off by millimetres on an axis whose zero is off by degrees has its name: no frame that nobody aligned.
+#[test]
+fn a_base_offset_beside_a_zero_offset_keeps_its_name() {
+    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("sessions/paper-30.json");
+    for off_mm in [2.0, 20.0] {
+        let mut session = load(&path).unwrap().session;
+        session.samples.x_mm.iter_mut().for_each(|x| *x += off_mm);
+        let answer = diagnose(&session, &Options::default(), &|_| true).unwrap();
+        let names: Vec<&str> = answer.found.iter().map(|found| found.effect).collect();
+        assert_eq!(names, ["base-offset"]);
+        assert!(
+            answer.data_problems.is_empty(),
+            "{:?}",
+            answer.data_problems
+        );
+    }
+}

@@ -20,6 +20,7 @@ use crate::fit::gap::lengths_mm;
 use crate::fit::problem::Problem;
 use crate::kinematics::JointKind;
 use crate::model::Model;
+use crate::numeric::extent;
 use crate::sessions::{Session, SessionCorrection};
 use crate::text::{Text, length};
 use crate::units::{deg_from_rad, rad_from_deg};
@@ -87,6 +88,8 @@ struct Judge<'a> {
     /// What it is off by as it stands, and may be off by with a change, mm.
     before_mm: f64,
     most_mm: f64,
+    /// Whether the nominal robot moves its points along x, y, z by more than it may be off.
+    moves: [bool; 3],
 }
 
 impl<'a> Judge<'a> {
@@ -101,6 +104,10 @@ impl<'a> Judge<'a> {
             share,
             before_mm,
             most_mm: (MENDED_SHARE * before_mm).min(PLAUSIBLE_SHARE * spread),
+            moves: nominal_mm(part, values).map(|along| {
+                let [low, high] = extent(&along);
+                high - low > gross
+            }),
         })
     }
 
@@ -143,6 +150,14 @@ impl<'a> Judge<'a> {
             // One coordinate that is too small leaves the others as they are: no robot follows it.
             let of_one = change.mends.iter().any(is_of_one_coordinate);
             if !of_one && !is_to_scale(part, &then, self.values) {
+                return None;
+            }
+            // What no motion changes has no unit that shows.
+            let still = |mend: &SessionCorrection| match mend {
+                SessionCorrection::ScaleCoordinate { axis, .. } => !self.moves[*axis],
+                _ => false,
+            };
+            if change.mends.iter().any(still) {
                 return None;
             }
             let end = trial(&then, self.values, frame_is_free(part))?;
@@ -315,14 +330,19 @@ fn is_to_scale(part: &Session, changed: &Session, values: JointValues) -> bool {
     !is_scaled || has_the_robots_size(changed, values) && !has_the_robots_size(part, values)
 }
 
-/// Whether the points are spread as widely as the nominal robot spreads them.
-fn has_the_robots_size(session: &Session, values: JointValues) -> bool {
+/// Where the nominal robot has the points.
+fn nominal_mm(session: &Session, values: JointValues) -> [Vec<f64>; 3] {
     let problem = Problem::new(session, values);
     let nominal = Model::nominal(session.robot.clone()).predict(&problem.inputs);
+    [nominal.x_mm, nominal.y_mm, nominal.z_mm]
+}
+
+/// Whether the points are spread as widely as the nominal robot spreads them.
+fn has_the_robots_size(session: &Session, values: JointValues) -> bool {
+    let [x_mm, y_mm, z_mm] = nominal_mm(session, values);
     let mut seen = session.samples.clone();
-    seen.x_mm = nominal.x_mm;
-    seen.y_mm = nominal.y_mm;
-    seen.z_mm = session.samples.z_mm.is_some().then_some(nominal.z_mm);
+    (seen.x_mm, seen.y_mm) = (x_mm, y_mm);
+    seen.z_mm = session.samples.z_mm.is_some().then_some(z_mm);
     let ratio = session.samples.spread_mm() / seen.spread_mm().max(1e-12);
     (1.0 / TO_SCALE..=TO_SCALE).contains(&ratio)
 }
@@ -339,17 +359,23 @@ fn never_aligned(part: &Session, values: JointValues) -> Option<DataProblem> {
     let frame = free.model.terms().iter().find(is_frame)?;
     let turn = Vector3::from_column_slice(&frame.coefficients[..3]);
     let shift = Vector3::from_column_slice(&frame.coefficients[3..]);
+    let first = &part.robot.joints[0];
+    let axis = first.axis.direction.into_inner();
+    let point = first.axis.point_mm.coords;
+    // Where the motion takes a point of the axis.
+    let to = Rotation3::new(turn) * point + shift;
     let is_turned = turn.norm() > rad_from_deg(LEAST_TURN_DEG);
-    let far = is_turned || shift.norm() > LEAST_MOVE_MM;
+    let far = if base_model::is_arm(part) {
+        is_turned || shift.norm() > LEAST_MOVE_MM
+    } else {
+        // Of a single axis a turn about it is its zero offset, and what is small is a base offset or a tilt.
+        let tilt = turn - axis * axis.dot(&turn);
+        tilt.norm() > rad_from_deg(LEAST_TURN_DEG) || (to - point).norm() > LEAST_MOVE_MM
+    };
     let gross = fixed_mm > GROSS_SHARE * part.samples.spread_mm();
     if !far || !gross || free_mm > MENDED_SHARE * fixed_mm {
         return None;
     }
-    let first = &part.robot.joints[0];
-    let axis = first.axis.direction.into_inner();
-    let point = first.axis.point_mm.coords;
-    // Where the motion takes a point of the axis, across it.
-    let to = Rotation3::new(turn) * point + shift;
     let about_axis = is_turned
         && turn.cross(&axis).norm() < 0.02 * turn.norm()
         && first.kind == JointKind::Revolute

@@ -134,7 +134,7 @@ fn resolved_mm(instrument: &Instrument) -> f64 {
     match (instrument.tracker, instrument.sigma_mm) {
         (Some(tracker), _) => tracker.sigma_range_mm,
         (None, Some(Sigma::Overall(sigma))) => sigma,
-        (None, Some(Sigma::PerAxis(sigma))) => extent(&sigma)[0],
+        (None, Some(Sigma::PerAxis(sigma))) => extent(sigma)[0],
         (None, None) => 0.0,
     }
 }
