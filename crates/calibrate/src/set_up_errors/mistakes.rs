@@ -106,7 +106,7 @@ impl<'a> Judge<'a> {
             most_mm: (MENDED_SHARE * before_mm).min(PLAUSIBLE_SHARE * spread),
             moves: nominal_mm(part, values).map(|along| {
                 let [low, high] = extent(&along);
-                high - low > gross
+                high - low > GROSS_SHARE * part.robot.length_along_links_mm()
             }),
         })
     }
