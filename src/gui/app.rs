@@ -96,7 +96,7 @@ impl App {
     #[must_use]
     pub fn drawn_by(mut self, state: Option<&egui_wgpu::RenderState>) -> Self {
         if let Some(state) = state {
-            self.workbench.draw_at_most(layers::register(state));
+            self.workbench.draw_at_most(layers::gpu::register(state));
         }
         self
     }

@@ -33,7 +33,7 @@ fn other_programs_are_started_by_the_window_alone_to_open_what_was_saved() {
         "libc::",
         "extern \"C\"",
     ]);
-    assert_eq!(starts, ["gui/files/mod.rs"]);
+    assert_eq!(starts, ["gui/files/system.rs"]);
 }
 
 #[test]

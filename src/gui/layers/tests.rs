@@ -14,7 +14,7 @@ use egui_wgpu::RendererOptions;
 use crate::gui::style::{DARK, LIGHT, Palette};
 use crate::gui::view::{Colouring, Plane};
 
-use super::{CloudLayer, register};
+use super::gpu::{CloudLayer, register};
 use super::{Frame, HEAT, LayerOptions, OUTLINE, WIDTH, heat_map, map_in_plot, scale_at};
 use crate::gui::cache::cloud::Heat;
 use crate::gui::cache::cloud::{Cloud, Place, Remainder};

@@ -11,7 +11,7 @@ use crate::gui::core::disk::name_of;
 use crate::gui::core::loaded_session::Origin;
 use crate::gui::core::quantity::joint_value;
 use crate::gui::core::robot_table::Row;
-use crate::gui::core::robot_table::{Field, Problem, SetupForm};
+use crate::gui::core::setup::{Field, Problem, SetupForm};
 use crate::gui::core::simulate::Form;
 use crate::gui::import_draft::in_the_windows_words;
 use crate::gui::style::{Palette, size, space, strong};

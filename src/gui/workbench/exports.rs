@@ -15,7 +15,8 @@ use crate::gui::core::answer::Search;
 use crate::gui::core::compensated::{Compensated, CompensationRequest, MOST_KG};
 use crate::gui::core::disk::name_of;
 use crate::gui::core::document::{ExportChoice, plain};
-use crate::gui::files::{self, Replace, Source};
+use crate::gui::files;
+use crate::gui::files::writing::{self, Replace, Source};
 use crate::gui::jobs::{Kind, Watch};
 use crate::gui::view::{About, Plot, Sheet, Step, What};
 use crate::kinematics::Robot;
@@ -222,14 +223,14 @@ impl Workbench {
             }
         };
         let stated = self.stated();
-        let wanted = files::ReportRequest {
+        let wanted = writing::ReportRequest {
             source,
             stated,
             tables: self.exported().cloned().collect(),
             inputs: self.inputs(),
         };
         let work = move |path: &Path, replace: bool, watch: &Watch| {
-            files::write_report(&wanted, path, replace, watch)
+            writing::write_report(&wanted, path, replace, watch)
         };
         Ok(later(work, Self::take_written))
     }

@@ -8,6 +8,7 @@ mod answers;
 mod charts;
 mod drafts;
 mod exports;
+mod machine;
 mod on_disk;
 #[cfg(test)]
 mod tests;
@@ -32,8 +33,8 @@ use crate::gui::core::answer::Question;
 use crate::gui::core::answer::Search;
 use crate::gui::core::compensated::{Compensated, CompensationRequest};
 use crate::gui::core::disk::Fingerprint;
-use crate::gui::core::document::History;
 use crate::gui::core::document::{Document, ExportChoice, Method};
+use crate::gui::core::history::History;
 use crate::gui::core::loaded_session::LoadedSession;
 use crate::gui::core::regions::Counts;
 use crate::gui::core::robot_table::RobotTable;

@@ -15,7 +15,7 @@ use crate::fit::Estimate;
 use crate::gui::core::answer;
 use crate::gui::core::document::{ExportChoice, Method};
 use crate::gui::core::loaded_session::{LoadedSession, Origin};
-use crate::gui::core::robot_table::SetupForm;
+use crate::gui::core::setup::SetupForm;
 use crate::gui::jobs::{Jobs, Runner};
 use crate::gui::testing::workbench;
 use crate::gui::view::{About, NextAction, OnDisk, Step, What};

@@ -9,9 +9,9 @@ use std::f64::consts::TAU;
 use egui::{Color32, Pos2, Stroke};
 use nalgebra::{Isometry3, Point3, Vector3};
 
-use crate::gui::core::overview::Skeleton;
 use crate::gui::core::overview::round_down;
 use crate::gui::core::quantity::joint_value;
+use crate::gui::core::skeleton::Skeleton;
 use crate::gui::style::Palette;
 use crate::gui::workbench::Workbench;
 use crate::kinematics::{JointKind, Robot};

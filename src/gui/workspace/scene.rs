@@ -13,7 +13,7 @@ use nalgebra::{Isometry3, Point3, UnitQuaternion, Vector3};
 
 use crate::gui::cache::cloud::Cloud;
 use crate::gui::core::overview::round_down;
-use crate::gui::layers::CloudLayer;
+use crate::gui::layers::gpu::CloudLayer;
 use crate::gui::layers::{Frame, WEDGE, WIDTH, heat_map, map_in_plot, scale_at};
 use crate::gui::style::{Palette, size, space, strong};
 use crate::gui::view::{Ball, Camera as ViewCamera, Colouring};

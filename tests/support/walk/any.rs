@@ -14,7 +14,7 @@ use crate::gui::core::compensated::{CompensationRequest, PrecedenceChoice};
 use crate::gui::core::document::{ExportChoice, Method};
 use crate::gui::core::loaded_session::LoadedSession;
 use crate::gui::core::robot_table::RobotTable;
-use crate::gui::core::robot_table::SetupForm;
+use crate::gui::core::setup::SetupForm;
 use crate::gui::core::simulate::Form;
 use crate::gui::import_draft::{ImportAnswers, ImportDraft, RobotFrom};
 use crate::gui::preferences::{Preferences, Sizes, Theme};

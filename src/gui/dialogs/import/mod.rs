@@ -2,6 +2,7 @@
 //! first rows, what is not known is asked, and nothing is guessed in silence. What the import would
 //! bring stands at the end before it is done.
 
+mod columns;
 mod file;
 
 use std::sync::Arc;
@@ -49,7 +50,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, draft: &mut ImportDraft) 
         // Beside what scrolls, not over it.
         ui.set_width(ui.available_width() - f32::from(space::PANEL));
         file::show(ui, draft);
-        file::columns(ui, draft);
+        columns::show(ui, draft);
         file::questions(ui, draft);
         for finding in seen.inspection.findings.iter().take(MOST) {
             line(ui, finding.severity, &in_the_windows_words(finding));

@@ -6,7 +6,8 @@ use crate::gui::charts::{
     Bars, CHARTS, ChartChoice, ChartKind, HoverTarget, Samples, Scene, Shown, deviation, scatter,
 };
 use crate::gui::core::loaded_session::Component;
-use crate::gui::plots::{self, Canvas, figure, picture, ring};
+use crate::gui::plots::chart::Canvas;
+use crate::gui::plots::{self, figure, picture, ring};
 use crate::gui::style::{size, space};
 use crate::gui::view::{ChartPane, Key, Plot, Step, What};
 use crate::gui::widgets::{self, Does};
@@ -52,7 +53,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, place: Place<'_>, first: 
     bar(ui, workbench, (place, kind, &scene), first);
     match kind.show(&scene) {
         Ok(shown) => plotted(ui, workbench, (place, kind), &shown),
-        Err(missing) => plots::empty(ui, &missing.title, missing.why),
+        Err(missing) => plots::chart::empty(ui, &missing.title, missing.why),
     }
 }
 
@@ -64,7 +65,7 @@ fn plotted(
 ) {
     let view = &workbench.view;
     let before = workbench.answer().map(|_| !view.only_after);
-    plots::legend(ui, &shown.chart, before, workbench);
+    plots::chart::legend(ui, &shown.chart, before, workbench);
     let title = format!("{} {}", kind.about().id, shown.chart.title);
     let fitted = view.fitted.charts + place.pane.fitted;
     let id = (&*title, workbench.only_after(), fitted);
@@ -88,7 +89,7 @@ fn plotted(
     if divided {
         workspace::grab(ui, workbench);
     }
-    let (response, transform) = plots::show_chart(ui, id, &shown.chart, more);
+    let (response, transform) = plots::chart::show(ui, id, &shown.chart, more);
     if divided {
         let per_rad = workbench.units().angle_value(1.0);
         let frame = *transform.frame();

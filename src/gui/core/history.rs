@@ -1,0 +1,254 @@
+//! Undo and redo: documents as they were, and what led from one to the next.
+
+use std::sync::{Arc, Weak};
+
+use crate::text::Template;
+
+use crate::gui::core::document::Document;
+use crate::gui::core::loaded_session::LoadedSession;
+
+/// Entries that are kept; the oldest goes first.
+const MOST_ENTRIES: usize = 200;
+
+/// A document of the history: as little of it as it can be made again from.
+pub(crate) trait Keep: PartialEq + Sized {
+    type Kept;
+    fn kept(document: Arc<Self>) -> Self::Kept;
+    fn whole(kept: Self::Kept) -> Arc<Self>;
+}
+
+/// A document and, where its session differs from another in nothing but what is excluded, that other session and
+/// what: a million samples are not kept once for each that was excluded.
+#[derive(Debug)]
+pub(crate) struct KeptDocument {
+    document: Document,
+    /// The session as it was, for as long as anybody looks at it, and what is excluded of the one in the document.
+    excluding: Option<(Weak<LoadedSession>, Vec<usize>)>,
+}
+
+impl Keep for Document {
+    type Kept = KeptDocument;
+
+    fn kept(document: Arc<Self>) -> KeptDocument {
+        let mut document = Arc::unwrap_or_clone(document);
+        let made_of = document.loaded_session.made_of();
+        let made_of = made_of.map(|(whole, excluded)| (Arc::clone(whole), excluded));
+        let excluding = made_of.map(|(whole, excluded)| {
+            let session = std::mem::replace(&mut document.loaded_session, whole);
+            (Arc::downgrade(&session), excluded)
+        });
+        KeptDocument {
+            document,
+            excluding,
+        }
+    }
+
+    fn whole(kept: KeptDocument) -> Arc<Self> {
+        let mut document = kept.document;
+        if let Some((session, excluded)) = kept.excluding {
+            let again = || {
+                Arc::new(LoadedSession::excluding(
+                    &document.loaded_session,
+                    &excluded,
+                ))
+            };
+            document.loaded_session = session.upgrade().unwrap_or_else(again);
+        }
+        Arc::new(document)
+    }
+}
+
+#[derive(Debug)]
+struct Entry<K> {
+    document: K,
+    what: Template,
+}
+
+/// Undo and redo: whole documents, one entry for each finished gesture.
+///
+/// Documents share what did not change behind `Arc`s, so that keeping many costs little ([`Keep`]). While a
+/// gesture (a drag) is under way the document changes many times; only its state before the
+/// gesture is kept.
+pub(crate) struct History<D: Keep> {
+    present: Arc<D>,
+    past: Vec<Entry<D::Kept>>,
+    future: Vec<Entry<D::Kept>>,
+    /// The document before the gesture that is under way.
+    gesture: Option<Entry<Arc<D>>>,
+}
+
+impl<D: Keep> History<D> {
+    /// A history that starts here.
+    pub(crate) fn new(document: D) -> Self {
+        Self {
+            present: Arc::new(document),
+            past: Vec::new(),
+            future: Vec::new(),
+            gesture: None,
+        }
+    }
+
+    /// The document as it is now.
+    pub(crate) fn present(&self) -> &Arc<D> {
+        &self.present
+    }
+
+    /// A finished change.
+    pub(crate) fn change(&mut self, document: D, what: Template) {
+        self.finish_gesture();
+        if *self.present == document {
+            return;
+        }
+        let document = std::mem::replace(&mut self.present, Arc::new(document));
+        self.keep(Entry { document, what });
+    }
+
+    /// A change within a gesture; the first one begins it.
+    pub(crate) fn change_within_gesture(&mut self, document: D, what: Template) {
+        if self.gesture.as_ref().is_some_and(|g| g.what != what) {
+            self.finish_gesture();
+        }
+        if *self.present == document {
+            return;
+        }
+        let document = std::mem::replace(&mut self.present, Arc::new(document));
+        self.gesture.get_or_insert(Entry { document, what });
+    }
+
+    /// Ends the gesture that is under way: one entry, unless it came back to where it began.
+    pub(crate) fn finish_gesture(&mut self) {
+        if let Some(entry) = self.gesture.take()
+            && *entry.document != *self.present
+        {
+            self.keep(entry);
+        }
+    }
+
+    fn keep(&mut self, entry: Entry<Arc<D>>) {
+        let document = D::kept(entry.document);
+        let what = entry.what;
+        self.past.push(Entry { document, what });
+        self.future.clear();
+        if self.past.len() > MOST_ENTRIES {
+            self.past.remove(0);
+        }
+    }
+
+    /// What the next undo takes back.
+    pub(crate) fn undoes(&self) -> Option<Template> {
+        let open = self.gesture.as_ref().map(|entry| entry.what);
+        open.or_else(|| Some(self.past.last()?.what))
+    }
+
+    /// What the next redo brings back.
+    pub(crate) fn redoes(&self) -> Option<Template> {
+        self.future.last().map(|entry| entry.what)
+    }
+
+    /// Takes the last change back. Whether there was one.
+    pub(crate) fn undo(&mut self) -> bool {
+        self.finish_gesture();
+        step(&mut self.present, &mut self.past, &mut self.future)
+    }
+
+    /// Brings the last undone change back. Whether there was one.
+    pub(crate) fn redo(&mut self) -> bool {
+        self.finish_gesture();
+        step(&mut self.present, &mut self.future, &mut self.past)
+    }
+}
+
+/// The newest entry of one side is the present one now, which is kept on the other. Whether there was one.
+fn step<D: Keep>(
+    present: &mut Arc<D>,
+    from: &mut Vec<Entry<D::Kept>>,
+    to: &mut Vec<Entry<D::Kept>>,
+) -> bool {
+    let Some(Entry { document, what }) = from.pop() else {
+        return false;
+    };
+    let document = std::mem::replace(present, D::whole(document));
+    to.push(Entry {
+        document: D::kept(document),
+        what,
+    });
+    true
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    impl Keep for i32 {
+        type Kept = Arc<Self>;
+
+        fn kept(document: Arc<Self>) -> Arc<Self> {
+            document
+        }
+
+        fn whole(kept: Arc<Self>) -> Arc<Self> {
+            kept
+        }
+    }
+
+    /// A name that no person reads.
+    fn step(name: &'static str) -> Template {
+        Template::new("", name, "")
+    }
+
+    #[test]
+    fn a_gesture_is_one_entry_however_many_steps_it_has() {
+        let mut history = History::new(0);
+        for k in 1..=50 {
+            history.change_within_gesture(k, step("drag"));
+        }
+        history.finish_gesture();
+        assert_eq!(history.undoes(), Some(step("drag")));
+        assert!(history.undo());
+        assert_eq!(**history.present(), 0);
+        assert!(!history.undo());
+        assert!(history.redo());
+        assert_eq!(**history.present(), 50);
+    }
+
+    #[test]
+    fn a_gesture_that_comes_back_leaves_no_entry() {
+        let mut history = History::new(7);
+        history.change_within_gesture(8, step("drag"));
+        history.change_within_gesture(7, step("drag"));
+        history.finish_gesture();
+        assert_eq!(history.undoes(), None);
+    }
+
+    #[test]
+    fn undo_in_the_middle_of_a_gesture_takes_the_gesture_back() {
+        let mut history = History::new(1);
+        history.change(2, step("type"));
+        history.change_within_gesture(3, step("drag"));
+        assert!(history.undo());
+        assert_eq!(**history.present(), 2);
+    }
+
+    #[test]
+    fn a_new_change_after_undo_forgets_what_was_undone() {
+        let mut history = History::new(1);
+        history.change(2, step("a"));
+        history.undo();
+        history.change(3, step("b"));
+        assert!(!history.redo());
+        assert_eq!(**history.present(), 3);
+    }
+
+    #[test]
+    fn the_history_does_not_grow_without_end() {
+        let mut history = History::new(0);
+        for k in 1..=2 * i32::try_from(MOST_ENTRIES).unwrap() {
+            history.change(k, step("count"));
+        }
+        let mut undone = 0;
+        while history.undo() {
+            undone += 1;
+        }
+        assert_eq!(undone, MOST_ENTRIES);
+    }
+}

@@ -1,0 +1,230 @@
+//! What the system does with files: its dialogs that choose them, its programs that show them, and what
+//! is said where it did not read or write one.
+
+use std::io::ErrorKind;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+use crate::atomic::WriteError;
+use crate::gui::import_draft::{Companion, ROBOTS, TABLES};
+use crate::gui::view::What;
+use crate::language;
+use crate::programs::LANGUAGES;
+use crate::text::{Template, spoken};
+
+/// Asks the user for a file of one of these kinds, beside this one.
+fn pick(near: Option<&Path>, title: &str, kinds: &[(&str, &[&str])]) -> Option<PathBuf> {
+    let dialog = dialog_beside(near).set_title(title);
+    let with = |dialog: rfd::FileDialog, (name, endings): &(&str, &[&str])| {
+        dialog.add_filter(*name, endings)
+    };
+    let dialog = kinds.iter().fold(dialog, with);
+    dialog.add_filter(say!("All files"), &["*"]).pick_file()
+}
+
+/// Asks the user for a session, a model or measurements.
+pub(crate) fn choose_to_open(near: Option<&Path>) -> Option<PathBuf> {
+    let kinds: [(&str, &[&str]); 2] = [
+        (say!("Sessions and models (*.json)"), &["json"]),
+        (spoken(MEASUREMENTS), TABLES),
+    ];
+    pick(near, say!("Open session, model or measurements"), &kinds)
+}
+
+/// Asks the user for a table of targets or a robot program.
+pub(crate) fn choose_targets(near: Option<&Path>) -> Option<PathBuf> {
+    let all = LANGUAGES.iter().flat_map(|l| l.extensions);
+    let all: Vec<&str> = all.copied().collect();
+    let mut kinds = vec![(say!("Targets and programs"), &*all)];
+    kinds.extend(LANGUAGES.iter().map(|l| (l.title, l.extensions)));
+    pick(near, say!("Targets or program to correct"), &kinds)
+}
+
+/// Asks the user for a folder of sessions.
+pub(crate) fn choose_folder(near: Option<&Path>) -> Option<PathBuf> {
+    let dialog = dialog_beside(near).set_title(say!("Folder with the sessions of a machine"));
+    dialog.pick_folder()
+}
+
+/// Asks the user for a picture for the head of a report.
+pub(crate) fn choose_logo(near: Option<&Path>) -> Option<PathBuf> {
+    let dialog = dialog_beside(near).set_title(say!("Logo of the report"));
+    dialog
+        .add_filter(say!("PNG pictures"), &["png"])
+        .pick_file()
+}
+
+/// Asks the user for a file that an instrument wrote.
+pub(crate) fn choose_to_import(near: Option<&Path>) -> Option<PathBuf> {
+    let kinds = [(spoken(MEASUREMENTS), TABLES)];
+    pick(near, say!("Import measurements"), &kinds)
+}
+
+/// Asks the user for a file that goes with a measured one, beside that.
+pub(crate) fn choose_beside(which: Companion, measured: Option<&Path>) -> Option<PathBuf> {
+    let title = match which {
+        Companion::Robot => say!("Robot model"),
+        Companion::Commands => say!("Commanded positions"),
+        Companion::Reference => say!("Reference points (base frame)"),
+        Companion::Targets => say!("Reflectors in the tool frame"),
+    };
+    let kind = if which == Companion::Robot {
+        (say!("Robots and sessions (*.json, *.urdf, *.xml)"), ROBOTS)
+    } else {
+        (say!("Tables (*.csv, *.txt, *.tsv, *.dat, *.asc)"), TABLES)
+    };
+    pick(measured, title, &[kind])
+}
+
+const MEASUREMENTS: Template = phrase!("Measurements (*.csv, *.txt, *.tsv, *.dat, *.asc)");
+
+/// A dialog that begins in the folder of this file.
+fn dialog_beside(file: Option<&Path>) -> rfd::FileDialog {
+    let dialog = rfd::FileDialog::new();
+    match file.and_then(Path::parent).filter(|folder| folder.is_dir()) {
+        Some(folder) => dialog.set_directory(folder),
+        None => dialog,
+    }
+}
+
+/// A dialog that begins in the folder where the file belongs, with its name.
+fn dialog_at(path: &Path) -> rfd::FileDialog {
+    let name = path.file_name().unwrap_or_default();
+    dialog_beside(Some(path)).set_file_name(name.to_string_lossy())
+}
+
+/// Asks the user where to export to.
+pub(crate) fn choose_to_export(what: What, path: &Path) -> Option<PathBuf> {
+    let dialog = dialog_at(path).set_title(what.title());
+    let dialog = match what {
+        What::Report(_) => dialog
+            .add_filter(say!("HTML or PDF (*.html, *.pdf)"), &["html", "pdf"])
+            .add_filter(say!("PDF (*.pdf)"), &["pdf"]),
+        What::Picture(plot) => {
+            let ending = plot.ending();
+            dialog.add_filter(say!("Picture (*.{ending})", ending), &[ending])
+        }
+        What::Session => dialog.add_filter(say!("Session (*.json)"), &["json"]),
+        What::Model => dialog.add_filter(say!("Model (*.json)"), &["json"]),
+        What::Robot(_) | What::TypedRobot => dialog.add_filter(say!("Robot (*.json)"), &["json"]),
+        What::Poses | What::Numbers(_) => dialog.add_filter(say!("CSV table (*.csv)"), &["csv"]),
+        What::Table | What::Targets => match path.extension().and_then(|ending| ending.to_str()) {
+            Some(ending) => {
+                let name = if what == What::Table {
+                    say!("Table")
+                } else {
+                    say!("Targets")
+                };
+                dialog.add_filter(format!("{name} (*.{ending})"), &[ending])
+            }
+            None => dialog,
+        },
+    };
+    dialog.save_file()
+}
+
+/// What opens a file with the system's program for it, or shows it in its folder. The path is one
+/// argument: no shell reads it.
+fn command(path: &Path, in_folder: bool) -> Command {
+    let folder = path.parent().unwrap_or(path);
+    if cfg!(target_os = "windows") {
+        let mut command = Command::new("explorer");
+        if in_folder {
+            command.arg("/select,");
+        }
+        command.arg(path);
+        command
+    } else if cfg!(target_os = "macos") {
+        let mut command = Command::new("open");
+        if in_folder {
+            command.arg("-R");
+        }
+        command.arg(path);
+        command
+    } else {
+        let mut command = Command::new("xdg-open");
+        command.arg(if in_folder { folder } else { path });
+        command
+    }
+}
+
+/// Opens a file with the system's program for it, or shows it in its folder. Takes its time.
+///
+/// # Errors
+/// The system has no program for it, in words.
+pub(crate) fn open_outside(path: &Path, in_folder: bool) -> Result<(), String> {
+    let mut command = command(path, in_folder);
+    let quiet = command.stdin(Stdio::null()).stdout(Stdio::null());
+    match quiet.stderr(Stdio::null()).status() {
+        // The explorer answers 1 although it has opened.
+        Ok(status) if status.success() || cfg!(target_os = "windows") => Ok(()),
+        Ok(_) => Err(say!("the system has no program for it").to_owned()),
+        Err(error) => Err(error.to_string()),
+    }
+}
+
+/// Why something was not read or written.
+pub(crate) fn cancelled() -> String {
+    say!("it was cancelled").to_owned()
+}
+
+/// What the system says, and what to do about it.
+pub(super) fn advice(error: &WriteError) -> String {
+    let source = match error {
+        WriteError::Io { source, .. } => source,
+        WriteError::Exists(path) => {
+            return say!(
+                "{path} exists already; allow replacing it, or choose another name",
+                path = path.display()
+            );
+        }
+        WriteError::NotAFile(path) => {
+            return say!(
+                "{path} is a folder or a device and cannot be replaced; choose another name",
+                path = path.display()
+            );
+        }
+        WriteError::ReplacesInput { .. } | WriteError::SameName(_) => {
+            return language::spoken(error.describe());
+        }
+        WriteError::Cancelled(_) => return cancelled(),
+    };
+    let what_to_do = match source.kind() {
+        ErrorKind::StorageFull | ErrorKind::QuotaExceeded => {
+            say!("the disk is full: make room on it, or save to another disk")
+        }
+        ErrorKind::ReadOnlyFilesystem => say!("the disk can only be read: save to another disk"),
+        ErrorKind::PermissionDenied => say!("no permission to write there: save to another folder"),
+        ErrorKind::NotFound | ErrorKind::NotADirectory => {
+            say!("folder not found: choose another, or create it first")
+        }
+        ErrorKind::InvalidFilename => {
+            say!("the name is too long or has a character that is not allowed: choose another name")
+        }
+        _ => return language::spoken(error.describe()),
+    };
+    format!("{what_to_do} ({source})")
+}
+
+/// How a file's name ends, in small letters.
+pub(crate) fn ending(path: &Path) -> Option<String> {
+    let ending = path.extension()?.to_str()?;
+    Some(ending.to_ascii_lowercase())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_path_is_one_argument_whatever_is_in_it() {
+        let path = Path::new("/tmp/a b; rm -rf $HOME & 'c'.html");
+        for in_folder in [false, true] {
+            let command = command(path, in_folder);
+            let last = command.get_args().last().expect("the path");
+            assert!(last == path.as_os_str() || last == "/tmp", "{last:?}");
+            let program = command.get_program().to_string_lossy().into_owned();
+            assert!(["xdg-open", "open", "explorer"].contains(&&*program));
+        }
+    }
+}

@@ -1,0 +1,474 @@
+//! Writing sessions, tables, models, lists and pictures, whole or not at all.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use egui::{Color32, ColorImage};
+
+use crate::atomic::{
+    StagedFile, WriteError, commit_both, refuse_to_replace_inputs, write_atomically,
+};
+use crate::export::{Document, Job};
+use crate::gui::cache::{IdentifiedAnswer, PreviewRequest};
+use crate::gui::core::answer::{self, Search};
+use crate::gui::core::compensated::Compensated;
+use crate::gui::core::disk::{FileChange, Fingerprint, name_of};
+use crate::gui::core::document;
+use crate::gui::file_state::Stated;
+use crate::gui::files::system::{advice, ending};
+use crate::gui::jobs::Watch;
+use crate::gui::view::{Message, What};
+use crate::language::spoken;
+use crate::progress::Cancelled;
+use crate::report::exported::sidecar_of;
+use crate::report::{ExportedTable, Extras, Kind};
+use crate::sessions::{Replacing, samples_path};
+use crate::{fonts, pipeline};
+
+/// What saving may replace.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Replace {
+    Nothing,
+    /// What has that name: the user was asked. But not what changed since it was read.
+    Named,
+    /// The files that the session came from, and no others.
+    Own,
+    /// Whatever is there: the user was asked about that as well.
+    Whatever,
+}
+
+/// How saving went.
+#[derive(Debug)]
+pub(crate) struct Saved {
+    /// The document that was saved.
+    pub(crate) document: Arc<document::Document>,
+    pub(crate) path: PathBuf,
+    /// The files as they look now, the document first; or why there are none.
+    pub(crate) result: Result<Vec<Fingerprint>, NotSaved>,
+}
+
+/// Why a session was not saved.
+#[derive(Debug)]
+pub(crate) enum NotSaved {
+    /// This file changed since it was read.
+    Changed(PathBuf),
+    /// Something else.
+    Because(Message),
+}
+
+/// Writes a session: the document, and its samples beside it. `known` are the files that it came
+/// from, as they looked then: what changed since is replaced only where that was asked for.
+pub(crate) fn save(
+    document: Arc<document::Document>,
+    path: &Path,
+    replace: Replace,
+    mut known: Vec<Fingerprint>,
+    watch: &Watch,
+) -> Saved {
+    let path = if path.extension().is_none() {
+        path.with_extension("json")
+    } else {
+        path.to_path_buf()
+    };
+    let outputs = [path.clone(), samples_path(&path)];
+    let changed = outputs.iter().find(|output| {
+        let print = known.iter_mut().find(|k| same_file(&k.path, output));
+        print.is_some_and(|print| print.look() == Some(FileChange::Changed))
+    });
+    let result = if let (Some(changed), true) = (changed, replace != Replace::Whatever) {
+        Err(NotSaved::Changed(changed.clone()))
+    } else {
+        let is_own = |output: &PathBuf| known.iter().any(|k| same_file(&k.path, output));
+        let force = match replace {
+            Replace::Nothing => false,
+            Replace::Named | Replace::Whatever => true,
+            Replace::Own => outputs.iter().all(|o| is_own(o) || !o.exists()),
+        };
+        let replacing = Replacing { force, inputs: &[] };
+        let session = document.session_to_save();
+        match pipeline::save_watched(&session, &path, replacing, watch.progress_callback()) {
+            Ok(_) => Ok(outputs.iter().filter_map(|o| Fingerprint::of(o)).collect()),
+            Err(error) => Err(NotSaved::Because(Message::wrong(
+                say!("{path} could not be saved", path = path.display()),
+                vec![
+                    advice(&error),
+                    say!("What was there before is there still").to_owned(),
+                ],
+            ))),
+        }
+    };
+    Saved {
+        document,
+        path,
+        result,
+    }
+}
+
+fn same_file(a: &Path, b: &Path) -> bool {
+    a == b || matches!((a.canonicalize(), b.canonicalize()), (Ok(a), Ok(b)) if a == b)
+}
+
+/// Writes a table with what stands beside it, or a model: all of it, or nothing.
+pub(crate) fn export(
+    wanted: &PreviewRequest,
+    what: What,
+    path: &Path,
+    replace: bool,
+) -> Result<PathBuf, Message> {
+    let written =
+        documents(wanted, what, path).and_then(|documents| write_all(&documents, path, replace));
+    written
+        .map(|()| path.to_path_buf())
+        .map_err(|problem| not_written(path, problem))
+}
+
+fn documents(wanted: &PreviewRequest, what: What, path: &Path) -> Result<Vec<Document>, String> {
+    let name = path.file_name().and_then(|name| name.to_str());
+    let name = name.ok_or(say!("expected the name of a file, in UTF-8"))?;
+    let choice = wanted.choice;
+    let verified = wanted.identified.handed_out()?;
+    if what == What::Model {
+        return Ok(vec![Document {
+            name: name.to_owned(),
+            bytes: pipeline::write_model(&verified).into_bytes(),
+        }]);
+    }
+    // Not as it is shown: the documents say what the file is called.
+    let job = Job {
+        joint: choice.joint,
+        step: choice.step,
+        ..Job::new(&verified, name)
+    };
+    let session = &wanted.identified.question.loaded_session.session;
+    let export =
+        pipeline::export_for(choice.format, &job, session).map_err(|e| spoken(e.describe()))?;
+    Ok(export.export.documents)
+}
+
+fn write_all(documents: &[Document], path: &Path, replace: bool) -> Result<(), String> {
+    let folder = path.parent().unwrap_or(Path::new(""));
+    let place = |k: usize, document: &Document| {
+        if k == 0 {
+            path.to_path_buf()
+        } else {
+            folder.join(&document.name)
+        }
+    };
+    let places = documents.iter().enumerate();
+    let places: Vec<PathBuf> = places.map(|(k, d)| place(k, d)).collect();
+    if let Some(there) = places.iter().find(|place| !replace && place.exists()) {
+        return Err(advice(&WriteError::Exists(there.clone())));
+    }
+    // All of them are on the disk before the first has its name.
+    let write = |(place, document): (&PathBuf, &Document)| {
+        StagedFile::write(place, replace, |file| file.write_all(&document.bytes))
+    };
+    let written: Result<Vec<StagedFile>, WriteError> =
+        places.iter().zip(documents).map(write).collect();
+    let mut written = written.map_err(|error| advice(&error))?;
+    let committed = if written.len() == 2
+        && let (Some(second), Some(first)) = (written.pop(), written.pop())
+    {
+        commit_both(first, second)
+    } else {
+        written.into_iter().try_for_each(StagedFile::commit)
+    };
+    committed.map_err(|error| advice(&error))
+}
+
+/// Writes a measuring list.
+pub(crate) fn write_list(list: String, path: &Path, replace: bool) -> Message {
+    let document = Document {
+        name: String::new(),
+        bytes: list.into_bytes(),
+    };
+    told(path, write_all(&[document], path, replace), Vec::new())
+}
+
+/// Writes corrected targets, and what was changed beside them.
+pub(crate) fn write_targets(
+    compensated: &Compensated,
+    path: &Path,
+    replace: bool,
+    inputs: &[PathBuf],
+) -> Message {
+    let sidecar_path = sidecar_of(path);
+    let name = name_of(&sidecar_path);
+    let written = match &compensated.result {
+        Err(not_corrected) => Err(not_corrected.problems.join("\n")),
+        Ok(corrected) => can_be_written(path, replace, inputs).and_then(|()| {
+            let documents = [
+                Document {
+                    name: String::new(),
+                    bytes: corrected.answer.bytes.clone(),
+                },
+                Document {
+                    name: name.into_owned(),
+                    bytes: corrected.sidecar.clone(),
+                },
+            ];
+            write_all(&documents, path, replace)
+        }),
+    };
+    told(path, written, Vec::new())
+}
+
+/// Writes one file, unless it was cancelled meanwhile.
+pub(crate) fn write_one(
+    path: &Path,
+    replace: bool,
+    bytes: &[u8],
+    watch: &Watch,
+) -> Result<(), String> {
+    let written = write_atomically(path, replace, |file| {
+        file.write_all(bytes)?;
+        // Until here nothing stands under its name; what was written goes away again.
+        if watch.stopped() {
+            return Err(Cancelled.into());
+        }
+        Ok(())
+    });
+    written.map_err(|error| advice(&error))
+}
+
+/// Whether a file may stand there: told before the work that it takes is begun.
+pub(crate) fn can_be_written(path: &Path, replace: bool, inputs: &[PathBuf]) -> Result<(), String> {
+    let inputs: Vec<&Path> = inputs.iter().map(PathBuf::as_path).collect();
+    refuse_to_replace_inputs(path, &inputs).map_err(|error| advice(&error))?;
+    if path.exists() && !path.is_file() {
+        return Err(advice(&WriteError::NotAFile(path.to_path_buf())));
+    }
+    if path.exists() && !replace {
+        return Err(advice(&WriteError::Exists(path.to_path_buf())));
+    }
+    let folder = path.parent().filter(|f| !f.as_os_str().is_empty());
+    match folder {
+        Some(folder) if !folder.is_dir() => {
+            Err(say!("folder not found: choose another, or create it first").to_owned())
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Says how the writing of a file went.
+fn told(path: &Path, written: Result<(), String>, details: Vec<String>) -> Message {
+    match written {
+        Ok(()) => Message::saved(path, details),
+        Err(problem) => not_written(path, problem),
+    }
+}
+
+/// Says that a file was not written.
+pub(crate) fn not_written(path: &Path, problem: String) -> Message {
+    Message::wrong(
+        say!("{path} was not written", path = path.display()),
+        vec![
+            problem,
+            say!("What was there before is there still").to_owned(),
+        ],
+    )
+}
+
+/// Makes a picture, and writes it under a name with its ending, where none of `inputs` stands.
+pub(crate) fn write_picture(
+    picture: impl FnOnce() -> Result<Vec<u8>, String>,
+    (path, form): (&Path, &str),
+    replace: bool,
+    inputs: &[PathBuf],
+    watch: &Watch,
+) -> Message {
+    let make = || {
+        if ending(path).as_deref() != Some(form) {
+            return Err(say!(
+                "expected a file name that ends in .{ending}",
+                ending = form
+            ));
+        }
+        can_be_written(path, replace, inputs)?;
+        write_one(path, replace, &picture()?, watch)
+    };
+    told(path, make(), Vec::new())
+}
+
+/// An image as a file.
+pub(crate) fn png(image: &ColorImage) -> Result<Vec<u8>, String> {
+    let [width, height] = image
+        .size
+        .map(|side| u32::try_from(side).unwrap_or(u32::MAX));
+    let rgba: Vec<u8> = image.pixels.iter().flat_map(Color32::to_array).collect();
+    let mut bytes = Vec::new();
+    let mut encoder = png::Encoder::new(&mut bytes, width, height);
+    encoder.set_color(png::ColorType::Rgba);
+    let written = encoder.write_header();
+    let written = written.and_then(|mut writer| writer.write_image_data(&rgba));
+    written.map(|()| bytes).map_err(|error| error.to_string())
+}
+
+/// Where a report comes from.
+#[derive(Debug, Clone)]
+pub(crate) enum Source {
+    /// A session, with its search if there was one, and the model in use if there is one.
+    Session(
+        Arc<document::Document>,
+        Option<Arc<Search>>,
+        Option<Arc<IdentifiedAnswer>>,
+    ),
+    Model(Arc<IdentifiedAnswer>),
+}
+
+/// A report to be written.
+#[derive(Debug, Clone)]
+pub(crate) struct ReportRequest {
+    /// Where it comes from.
+    pub(crate) source: Source,
+    /// What the certificate states besides its measurements.
+    pub(crate) stated: Stated,
+    /// Tables that were exported from this session.
+    pub(crate) tables: Vec<PathBuf>,
+    /// Files that it may not replace.
+    pub(crate) inputs: Vec<PathBuf>,
+}
+
+/// Writes it, whole or not at all.
+pub(crate) fn write_report(
+    wanted: &ReportRequest,
+    path: &Path,
+    replace: bool,
+    watch: &Watch,
+) -> Message {
+    let mut details = Vec::new();
+    let written = make(wanted, path, replace, watch, &mut details);
+    told(path, written, details)
+}
+
+fn make(
+    wanted: &ReportRequest,
+    path: &Path,
+    replace: bool,
+    watch: &Watch,
+    details: &mut Vec<String>,
+) -> Result<(), String> {
+    let kind = Kind::of(path).map_err(spoken)?;
+    // A long search is not begun for a file that cannot be written.
+    can_be_written(path, replace, &wanted.inputs)?;
+    let extras = Extras {
+        details: wanted.stated.complete()?,
+        tables: named_tables(&wanted.tables, details),
+    };
+    let report = match &wanted.source {
+        Source::Model(outcome) => pipeline::report_of_model(&*outcome.handed_out()?, &extras),
+        Source::Session(document, searched, in_use) => {
+            let session = document.session_to_save();
+            let options = answer::options();
+            let there = searched.as_ref().and_then(|s| s.answer.as_ref().ok());
+            let made;
+            let found = if let Some(found) = there {
+                // The tolerance may have been changed since: it decides nothing in a search.
+                found
+            } else {
+                details.push(say!("The diagnosis was run for it").to_owned());
+                made = pipeline::diagnose(&session, &options, &answer::progress_callback(watch))
+                    .map_err(|e| spoken(e.describe()))?;
+                &made
+            };
+            let in_use = in_use.as_ref().filter(|o| o.answer.is_ok());
+            let in_use = in_use.map(|o| o.handed_out()).transpose()?;
+            pipeline::report_of_diagnosis(&session, found, in_use.as_deref(), &options, &extras)
+                .map_err(|e| spoken(e.describe()))?
+        }
+    };
+    let written = pipeline::write_report(&report, kind).map_err(|e| e.to_string())?;
+    if !written.unshown.is_empty() {
+        let says = spoken(fonts::cannot_be_shown(&written.unshown));
+        details.push(say!(
+            "Some letters are written in it as codes: {says}",
+            says
+        ));
+    }
+    write_one(path, replace, &written.bytes, watch)
+}
+
+/// The tables with their hashes; what cannot be named any more is said.
+fn named_tables(paths: &[PathBuf], details: &mut Vec<String>) -> Vec<ExportedTable> {
+    let mut tables = Vec::new();
+    // A model has no sidecar; it is no table.
+    for path in paths.iter().filter(|path| sidecar_of(path).exists()) {
+        match ExportedTable::read(path) {
+            Ok(table) => {
+                details.push(say!(
+                    "Names the table {table} with its hash",
+                    table = table.name
+                ));
+                tables.push(table);
+            }
+            Err(because) => details.push(say!(
+                "A table is not named in it: {because}",
+                because = spoken(because.describe())
+            )),
+        }
+    }
+    tables
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gui::files::first_example;
+
+    fn wanted() -> ReportRequest {
+        ReportRequest {
+            source: Source::Session(
+                Arc::new(document::Document::new(first_example())),
+                None,
+                None,
+            ),
+            stated: Stated::default(),
+            tables: Vec::new(),
+            inputs: Vec::new(),
+        }
+    }
+
+    fn files_in(folder: &Path) -> usize {
+        std::fs::read_dir(folder).expect("it can be listed").count()
+    }
+
+    #[test]
+    fn a_cancelled_report_leaves_nothing_behind() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let watch = Watch::default();
+        watch.stop();
+        write_report(&wanted(), &folder.path().join("report.pdf"), false, &watch);
+        assert_eq!(files_in(folder.path()), 0);
+    }
+
+    #[test]
+    fn a_file_that_is_cancelled_at_its_end_leaves_nothing_behind() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = folder.path().join("report.html");
+        let watch = Watch::default();
+        watch.stop();
+        assert!(write_one(&path, false, b"text", &watch).is_err());
+        assert_eq!(files_in(folder.path()), 0);
+        let watch = Watch::default();
+        assert_eq!(write_one(&path, false, b"text", &watch), Ok(()));
+        assert_eq!(files_in(folder.path()), 1);
+    }
+
+    #[test]
+    fn a_file_that_cannot_be_written_is_refused_before_the_search() {
+        let folder = tempfile::tempdir().expect("a folder");
+        for (name, says) in [
+            ("report.txt", ".html or .pdf"),
+            ("report", ".html or .pdf"),
+            ("not there/report.pdf", "folder not found"),
+        ] {
+            let watch = Watch::default();
+            let message = write_report(&wanted(), &folder.path().join(name), false, &watch);
+            assert!(
+                message.wrong && message.details[0].contains(says),
+                "{message:?}"
+            );
+            assert!(!watch.begun(), "the search was not begun");
+        }
+    }
+}

@@ -1,0 +1,368 @@
+//! A chart on the screen, and its legend above it.
+
+use crate::gui::workbench::Workbench;
+use egui::epaint::Mesh;
+use egui::{
+    Align, Align2, Color32, FontId, Layout, Painter, Pos2, Rect, Response, Role, Sense, Shape,
+    Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2,
+};
+use egui_plot::{Axis, Plot, PlotPoint, PlotTransform};
+
+use crate::present::chart::{Chart, ColourRole, Entry, Item, LegendSymbol, Ticks};
+use crate::present::drawing::Anchor;
+
+use crate::gui::style::{Palette, size, space};
+use crate::gui::widgets;
+
+use crate::gui::plots::{self, many, mark, of_chart, places};
+
+/// What something that stands for this is drawn in.
+pub(super) fn color(stands: ColourRole, palette: &Palette) -> Color32 {
+    match stands {
+        ColourRole::Before => palette.before,
+        ColourRole::After | ColourRole::Corrected => palette.after,
+        ColourRole::Reference => palette.nominal,
+        ColourRole::Tolerance => palette.within,
+        ColourRole::Noise => palette.muted,
+        ColourRole::Curve => palette.accent,
+    }
+}
+
+/// Shows a chart, and more on top of it: what was done with it, and where it is. Charts of another
+/// `id` are looked at anew.
+pub(crate) fn show(
+    ui: &mut Ui,
+    id: (&str, bool, u64),
+    chart: &Chart,
+    more: impl FnOnce(&Canvas<'_>, &mut Vec<Shape>),
+) -> (Response, PlotTransform) {
+    let palette = Palette::of(ui);
+    let alone = !chart
+        .items
+        .iter()
+        .any(|item| item.colour_role() == Some(ColourRole::After));
+    let beside = label_width(ui.painter(), chart, &palette);
+    // No closer than their numbers need, which are left out otherwise.
+    let room = (ui.available_width() - beside.max(40.0)) / 50.0;
+    let most = f64::from(room.clamp(3.0, 9.0));
+    let plot = plot(id, chart, beside, most, &palette);
+    plots::show(ui, plot, chart.bounds, |painter, transform| {
+        let canvas = Canvas {
+            transform,
+            painter,
+            palette: &palette,
+            alone,
+        };
+        let mut shapes = Vec::new();
+        for item in &chart.items {
+            canvas.draw(item, &mut shapes);
+        }
+        more(&canvas, &mut shapes);
+        shapes
+    })
+}
+
+/// Room for the words beside a chart, points; none where it has numbers.
+fn label_width(painter: &Painter, chart: &Chart, palette: &Palette) -> f32 {
+    let Ticks::Words(words) = &chart.upwards.ticks else {
+        return 0.0;
+    };
+    let font = FontId::proportional(size::SMALL);
+    let wide = words.iter().map(|(_, word)| {
+        let galley = painter.layout_no_wrap(word.clone(), font.clone(), palette.text);
+        galley.size().x + 12.0
+    });
+    wide.fold(0.0, f32::max)
+}
+
+fn plot<'a>(
+    id: impl std::hash::Hash + std::fmt::Debug,
+    chart: &Chart,
+    label_width: f32,
+    most: f64,
+    palette: &Palette,
+) -> Plot<'a> {
+    let [across, upwards] = [&chart.across, &chart.upwards];
+    let lines = [across, upwards].map(|axis| !matches!(axis.ticks, Ticks::Words(_)));
+    let [x, y] = [across.ticks.clone(), upwards.ticks.clone()];
+    if y == Ticks::Plane {
+        return plots::plot(id)
+            .data_aspect(1.0)
+            .show_axes(false)
+            .show_grid(false)
+            .set_margin_fraction(egui::Vec2::ZERO);
+    }
+    plots::plot(id)
+        .set_margin_fraction(egui::Vec2::ZERO)
+        .grid_color(palette.line)
+        .show_grid(lines)
+        .x_grid_spacer(move |input| places(&x, input.bounds, most))
+        .y_grid_spacer(move |input| places(&y, input.bounds, 4.0))
+        .custom_x_axes(of_chart(Axis::X, across, palette, 0.0))
+        .custom_y_axes(of_chart(Axis::Y, upwards, palette, label_width))
+}
+
+/// What a chart is drawn on.
+pub(crate) struct Canvas<'a> {
+    pub(crate) transform: &'a PlotTransform,
+    painter: &'a Painter,
+    pub(crate) palette: &'a Palette,
+    /// Whether there is nothing after to be seen through what was before.
+    alone: bool,
+}
+
+/// A dash and the gap after it, points.
+const DASH: [f32; 2] = [5.0, 3.5];
+
+impl Canvas<'_> {
+    pub(crate) fn at(&self, [x, y]: [f64; 2]) -> Pos2 {
+        self.transform.position_from_point(&PlotPoint::new(x, y))
+    }
+
+    pub(crate) fn draw(&self, item: &Item, shapes: &mut Vec<Shape>) {
+        let palette = self.palette;
+        let color = item
+            .colour_role()
+            .map_or(palette.muted, |s| color(s, palette));
+        match item {
+            Item::Band([low, high], _) => {
+                let frame = self.transform.frame();
+                let (low, high) = (self.at([0.0, *low]).y, self.at([0.0, *high]).y);
+                let corners = [pos2(frame.left(), high), pos2(frame.right(), low)];
+                let rect = Rect::from_two_pos(corners[0], corners[1]);
+                shapes.push(Shape::rect_filled(rect, 0.0, color.gamma_multiply(0.14)));
+            }
+            Item::Bars(bars, _, filled) => {
+                for [from, to] in bars {
+                    let rect = Rect::from_two_pos(self.at(*from), self.at(*to));
+                    if *filled {
+                        shapes.push(Shape::rect_filled(rect, 0.0, color.gamma_multiply(0.85)));
+                    } else {
+                        let stroke = Stroke::new(1.3, color);
+                        shapes.push(Shape::rect_filled(rect, 0.0, color.gamma_multiply(0.10)));
+                        shapes.push(Shape::rect_stroke(rect, 0.0, stroke, StrokeKind::Inside));
+                    }
+                }
+            }
+            Item::Ribbon(places, _) => shapes.push(self.ribbon(places, color.gamma_multiply(0.28))),
+            Item::Line(points, _, width, dashed) => {
+                let points = points.iter().map(|p| self.at(*p));
+                let points: Vec<Pos2> = points.filter(|p| p.is_finite()).collect();
+                let stroke = Stroke::new(*width, color);
+                if *dashed {
+                    shapes.extend(Shape::dashed_line(&points, stroke, DASH[0], DASH[1]));
+                } else {
+                    shapes.push(Shape::line(points, stroke));
+                }
+            }
+            Item::Marks(marks, _, filled) => {
+                let (fill, stroke, radius) = if *filled {
+                    (color, Stroke::new(0.8, palette.surface), 3.4)
+                } else if self.alone {
+                    (color.gamma_multiply(0.35), Stroke::new(1.2, color), 3.2)
+                } else {
+                    let edge = Stroke::new(1.2, color.gamma_multiply(0.75));
+                    (Color32::TRANSPARENT, edge, 3.2)
+                };
+                let places = marks.iter().map(|m| (self.at(m.at), m.form));
+                let ctx = self.painter.ctx();
+                many(ctx, places, (radius, fill, stroke), shapes);
+            }
+            Item::Word(word) => {
+                let font = FontId::proportional(size::SMALL);
+                let galley = self.painter.layout_no_wrap(word.text.clone(), font, color);
+                let [across, upwards] = [
+                    match word.anchor {
+                        Anchor::Start => egui::Align::Min,
+                        Anchor::Middle => egui::Align::Center,
+                        Anchor::End => egui::Align::Max,
+                    },
+                    if word.below {
+                        egui::Align::Min
+                    } else {
+                        egui::Align::Center
+                    },
+                ];
+                let anchor = Align2([across, upwards]);
+                let rect = anchor.anchor_size(self.at(word.at), galley.size());
+                shapes.push(Shape::galley(rect.min, galley, color));
+            }
+        }
+    }
+
+    /// The area between two lines.
+    fn ribbon(&self, places: &[[f64; 3]], color: Color32) -> Shape {
+        let mut mesh = Mesh::default();
+        for ([x, low, high], k) in places.iter().zip(0_u32..) {
+            mesh.colored_vertex(self.at([*x, *low]), color);
+            mesh.colored_vertex(self.at([*x, *high]), color);
+            if k > 0 {
+                let [a, b, c, d] = [2 * k - 2, 2 * k - 1, 2 * k, 2 * k + 1];
+                mesh.add_triangle(a, b, c);
+                mesh.add_triangle(c, b, d);
+            }
+        }
+        Shape::mesh(mesh)
+    }
+}
+
+/// Height of the line, points.
+const HEIGHT: f32 = 18.0;
+/// Width of a mark, points.
+const MARK: f32 = 16.0;
+/// A chart of this height has room for a line more, points.
+const HIGH: f32 = 220.0;
+/// Between names, points.
+const BETWEEN: f32 = 12.0;
+
+/// The line between a chart's bar and the chart: what the marks are, and what has to be said. It stands beside
+/// the plot, not on it, so that it covers no sample. What was before can be left out where there is something
+/// after: `shown` says whether it is there.
+pub(crate) fn legend(ui: &mut Ui, chart: &Chart, shown: Option<bool>, workbench: &Workbench) {
+    let font = FontId::proportional(size::SMALL);
+    let wide = |one: &Entry| MARK + widgets::width_of(ui, &one.name, font.clone()) + BETWEEN;
+    let names = chart.legend.iter().map(wide).sum::<f32>();
+    let said = widgets::width_of(ui, &chart.note, font.clone());
+    // In a high chart what has to be said is not cut.
+    let cut = names + said > ui.available_width() && ui.available_height() > HIGH;
+    if names > ui.available_width() || cut {
+        return in_lines(ui, chart, shown, workbench);
+    }
+    let room = vec2(ui.available_width(), HEIGHT);
+    ui.allocate_ui_with_layout(room, Layout::right_to_left(Align::Center), |ui| {
+        ui.spacing_mut().item_spacing.x = BETWEEN;
+        for one in chart.legend.iter().rev() {
+            let shown = shown.filter(|_| one.may_go);
+            if entry(ui, one, shown) {
+                workbench.then(move |bench| bench.view.only_after = shown == Some(true));
+            }
+        }
+        ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+            if !chart.note.is_empty() {
+                ui.add(note(ui, chart).truncate());
+            }
+        });
+    });
+    ui.add_space(-space::TIGHT);
+}
+
+/// The same in a narrow chart: as many lines as it takes, and the note below them.
+fn in_lines(ui: &mut Ui, chart: &Chart, shown: Option<bool>, workbench: &Workbench) {
+    ui.scope(|ui| {
+        ui.spacing_mut().interact_size.y = HEIGHT;
+        ui.spacing_mut().item_spacing = vec2(BETWEEN, 0.0);
+        ui.horizontal_wrapped(|ui| {
+            for one in &chart.legend {
+                let shown = shown.filter(|_| one.may_go);
+                if entry(ui, one, shown) {
+                    workbench.then(move |bench| bench.view.only_after = shown == Some(true));
+                }
+            }
+        });
+    });
+    if !chart.note.is_empty() {
+        ui.add(note(ui, chart).wrap());
+    }
+}
+
+fn note(ui: &Ui, chart: &Chart) -> egui::Label {
+    let text = egui::RichText::new(&chart.note);
+    egui::Label::new(text.size(size::SMALL).color(Palette::of(ui).muted))
+}
+
+/// A name with its mark; whether it was pressed.
+fn entry(ui: &mut Ui, entry: &Entry, shown: Option<bool>) -> bool {
+    let palette = Palette::of(ui);
+    let off = shown == Some(false);
+    let color = if off { palette.nominal } else { palette.muted };
+    let font = FontId::proportional(size::SMALL);
+    let painter = ui.painter().clone();
+    let galley = painter.layout_no_wrap(entry.name.clone(), font, color);
+    let sense = if shown.is_some() {
+        Sense::click()
+    } else {
+        Sense::hover()
+    };
+    let wide = vec2(MARK + galley.size().x, HEIGHT);
+    let (rect, response) = ui.allocate_exact_size(wide, sense);
+    let name = &entry.name;
+    match shown {
+        Some(shown) => response.widget_info(|| {
+            WidgetInfo::selected(Role::CheckBox, true, shown, say!("show {name}", name))
+        }),
+        None => response.widget_info(|| WidgetInfo::labeled(Role::Label, true, name)),
+    }
+    if shown.is_some() && (response.hovered() || response.has_focus()) {
+        painter.rect_filled(rect.expand2(vec2(4.0, 0.0)), 3.0, palette.inset);
+    }
+    let middle = pos2(rect.left() + 5.0, rect.center().y);
+    let full = self::color(entry.role, &palette);
+    let faded = if off { full.gamma_multiply(0.35) } else { full };
+    painter.extend(symbol(middle, entry, faded));
+    let at = pos2(rect.left() + MARK, rect.center().y - 0.5 * galley.size().y);
+    let right = at.x + galley.size().x;
+    painter.galley(at, galley, color);
+    if off {
+        let through = [pos2(at.x, rect.center().y), pos2(right, rect.center().y)];
+        painter.line_segment(through, Stroke::new(1.0, color));
+    }
+    let clicked = response.clicked();
+    if let Some(shown) = shown {
+        response.on_hover_text(if shown {
+            say!("Leave it out, so that what is left can be seen")
+        } else {
+            say!("Show it as well")
+        });
+    }
+    clicked
+}
+
+fn symbol(at: egui::Pos2, entry: &Entry, color: Color32) -> Vec<Shape> {
+    match entry.sign {
+        LegendSymbol::Mark(form) => {
+            let fill = if entry.filled {
+                color
+            } else {
+                Color32::TRANSPARENT
+            };
+            vec![mark(at, 3.4, form, fill, Stroke::new(1.2, color))]
+        }
+        LegendSymbol::Bar | LegendSymbol::Band => {
+            let rect = Rect::from_center_size(at, vec2(9.0, 9.0));
+            vec![if entry.sign == LegendSymbol::Band {
+                Shape::rect_filled(rect, 1.0, color.gamma_multiply(0.3))
+            } else if entry.filled {
+                Shape::rect_filled(rect, 1.0, color)
+            } else {
+                let inside = egui::StrokeKind::Inside;
+                Shape::rect_stroke(rect, 1.0, Stroke::new(1.5, color), inside)
+            }]
+        }
+        LegendSymbol::Line => {
+            let ends = [at - vec2(6.0, 0.0), at + vec2(6.0, 0.0)];
+            let stroke = Stroke::new(1.8, color);
+            if entry.filled {
+                vec![Shape::line_segment(ends, stroke)]
+            } else {
+                Shape::dashed_line(&ends, stroke, 3.5, 2.0)
+            }
+        }
+    }
+}
+
+/// What stands in the place of a chart that cannot be drawn.
+pub(crate) fn empty(ui: &mut Ui, title: &str, why: &str) {
+    let room = ui.available_size();
+    let (rect, response) = ui.allocate_exact_size(room, Sense::hover());
+    response.widget_info(|| WidgetInfo::labeled(Role::Figure, true, format!("{title}. {why}")));
+    let inner = rect.shrink2(vec2(24.0, 0.0));
+    let wide = inner.width().min(460.0);
+    let area = Rect::from_center_size(inner.center(), vec2(wide, inner.height()));
+    let top = area.top() + 0.3 * area.height();
+    let area = area.with_min_y(top);
+    let layout = Layout::top_down(Align::Center);
+    ui.scope_builder(egui::UiBuilder::new().max_rect(area).layout(layout), |ui| {
+        widgets::title(ui, title);
+        widgets::hint(ui, why);
+    });
+}

@@ -1,0 +1,214 @@
+//! The record of the machine: what its report states, whether it is within its tolerance and what became
+//! of it, and robots that were typed. Remembered from one day to the next.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use crate::compensation::decision::{Outcome, Rule};
+use crate::gui::core::robot_table::{RobotTable, remember};
+use crate::gui::file_state::{self, Machine, Of, Stated};
+use crate::gui::files;
+use crate::gui::jobs::{Kind, Watch};
+use crate::gui::view::{Message, Sheet, What};
+use crate::language::{finding, spoken};
+use crate::pipeline;
+use crate::present::decision::rests_on;
+use crate::progress::ReadError;
+
+use super::Workbench;
+use crate::gui::workbench::Past;
+
+impl Workbench {
+    /// Report details: as they were typed, or as they are proposed.
+    pub(crate) fn stated(&self) -> Stated {
+        let typed = self
+            .file_state
+            .stated
+            .get(&self.loaded_session().lineage)
+            .cloned();
+        typed.unwrap_or_else(|| {
+            let folder = self.folder().unwrap_or_default();
+            let mut stated = file_state::proposed(&self.file_state.machines, self.machine(&folder));
+            if let (true, Some(today)) = (stated.details.date.is_empty(), &self.file_state.today) {
+                stated.details.date.clone_from(today);
+            }
+            stated
+        })
+    }
+
+    /// Proposes this date for reports from now on.
+    pub(crate) fn propose_date(&mut self, date: Option<String>) {
+        self.file_state.today = date;
+    }
+
+    fn machine<'a>(&'a self, folder: &'a Path) -> Of<'a> {
+        let session = &self.loaded_session().session;
+        Of {
+            robot: &session.robot.name,
+            session: &session.name,
+            folder,
+            instrument: &session.instrument.name,
+        }
+    }
+
+    /// Report details are these now; remembered once their sheet is closed.
+    pub(crate) fn state(&mut self, stated: Stated) {
+        self.file_state
+            .stated
+            .insert(self.loaded_session().lineage, stated);
+    }
+
+    /// Remembers them for the next session of this machine.
+    pub(super) fn keep_stated(&mut self) {
+        let Some(mut stated) = self
+            .file_state
+            .stated
+            .get(&self.loaded_session().lineage)
+            .cloned()
+        else {
+            return;
+        };
+        stated.details.tolerance_mm = self.document().tolerance_mm;
+        let folder = self.folder().unwrap_or_default();
+        let machine = Machine::new(self.machine(&folder), &stated);
+        file_state::remember(&mut self.file_state.machines, machine.clone());
+        self.keep(move |kept| file_state::remember(&mut kept.machines, machine));
+    }
+
+    /// Asks for a picture.
+    pub(crate) fn choose_logo(&mut self) {
+        let of = self.loaded_session().lineage;
+        let says = say!("waiting for a file to be chosen");
+        self.choose_near(says, files::choose_logo, move |bench, path| {
+            if let Some(path) = path.filter(|_| bench.loaded_session().lineage == of) {
+                let logo = path.display().to_string();
+                bench.state(Stated {
+                    logo,
+                    ..bench.stated()
+                });
+                bench.keep_stated();
+            }
+        });
+    }
+
+    /// Whether the robot is within its tolerance by the rule that was chosen, and what that rests on;
+    /// `None` where no rule is chosen, no tolerance stated, or it is being worked out.
+    pub(crate) fn decision(&self) -> Option<Result<(Outcome, String), String>> {
+        let (rule, tolerance) = self.rule_and_tolerance()?;
+        let measured = match self.figures()? {
+            Ok(made) => made.measured.clone().map_err(spoken),
+            Err(because) => Err(because.clone()),
+        };
+        Some(measured.map(|m| (m.decided(rule, tolerance), rests_on(&m, rule, tolerance))))
+    }
+
+    /// How many samples are within the tolerance with corrected commands, where that was worked out.
+    pub(crate) fn corrected_within(&self) -> Option<usize> {
+        let made = self.figures()?.as_ref().ok()?;
+        made.measured.as_ref().ok()?.within?.corrected
+    }
+
+    /// Whether more samples are within the tolerance by the model than with corrected commands: marks show the model.
+    pub(crate) fn model_promises_more(&self) -> bool {
+        let tolerance_mm = self.document().tolerance_mm;
+        let promised = tolerance_mm.and_then(|mm| Some(self.after()?.lengths.within(mm).0));
+        let kept = self.corrected_within();
+        kept.zip(promised)
+            .is_some_and(|(kept, promised)| kept < promised)
+    }
+
+    pub(super) fn rule_and_tolerance(&self) -> Option<(Rule, f64)> {
+        Some((self.stated().details.rule?, self.document().tolerance_mm?))
+    }
+
+    /// The sessions that were compared last.
+    pub(crate) fn past(&self) -> Option<&Past> {
+        self.file_state.past.as_deref()
+    }
+
+    /// Compares the sessions that lie beside the open one; asks for a folder where it is in no file.
+    pub(crate) fn compare_here(&mut self) {
+        match self.folder() {
+            Some(folder) => self.compare_sessions(folder),
+            None => self.choose_folder(),
+        }
+    }
+
+    /// Asks for a folder of sessions.
+    pub(crate) fn choose_folder(&mut self) {
+        let says = say!("waiting for a folder to be chosen");
+        self.choose_near(says, files::choose_folder, |bench, folder| {
+            if let Some(folder) = folder {
+                bench.compare_sessions(folder);
+            }
+        });
+    }
+
+    /// Compares the sessions of a folder, and shows what changed.
+    pub(crate) fn compare_sessions(&mut self, folder: PathBuf) {
+        let says = say!(
+            "comparing the sessions of {folder}",
+            folder = folder.display()
+        );
+        let work = move |watch: &Watch| {
+            let told = pipeline::history_watched(&folder, &watch.progress_callback());
+            (folder, told)
+        };
+        self.jobs.start(
+            Kind::Once,
+            says,
+            work,
+            |bench: &mut Self, (folder, told)| match told {
+                Ok(history) => {
+                    bench.file_state.past = Some(Arc::new(Past { folder, history }));
+                    bench.view.sheet = Some(Sheet::HISTORY);
+                }
+                Err(ReadError::Cancelled(_)) => {}
+                Err(ReadError::Rejected(rejected)) => {
+                    let lines = rejected.diagnostics.iter().take(5);
+                    let title = say!("There are no sessions to compare").to_owned();
+                    let details = lines.map(finding).collect();
+                    bench.view.message = Some(Message::wrong(title, details));
+                }
+            },
+        );
+    }
+
+    /// Robots that were typed, newest first.
+    pub(crate) fn typed_robots(&self) -> &[RobotTable] {
+        &self.file_state.robots
+    }
+
+    /// Remembers one, and asks for a file to save it to where that is wanted.
+    pub(crate) fn keep_robot(&mut self, table: RobotTable, save: bool) {
+        remember(&mut self.file_state.robots, table.clone());
+        self.keep(move |kept| remember(&mut kept.robots, table));
+        if save {
+            self.choose_where_to_export(What::TypedRobot);
+        }
+    }
+
+    /// Forgets the one of this name.
+    pub(crate) fn forget_robot(&mut self, name: &str) {
+        self.file_state.robots.retain(|own| own.name != name);
+        let name = name.to_owned();
+        self.keep(move |kept| kept.robots.retain(|own| own.name != name));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::gui::testing::workbench;
+
+    #[test]
+    fn the_date_of_a_report_is_proposed_and_can_be_another() {
+        let mut workbench = workbench();
+        assert_eq!(workbench.stated().details.date, "");
+        workbench.propose_date(Some("2026-11-23".to_owned()));
+        let mut stated = workbench.stated();
+        assert_eq!(stated.details.date, "2026-11-23");
+        stated.details.date.clear();
+        workbench.state(stated);
+        assert_eq!(workbench.stated().details.date, "", "it was taken away");
+    }
+}
