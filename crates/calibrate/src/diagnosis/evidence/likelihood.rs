@@ -8,7 +8,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use crate::effects::{Form, Owner, Setting, Term, stated, stated_orders};
-use crate::kinematics::JointKind;
+use crate::kinematics::{JointKind, Robot};
 use crate::linear::Basis;
 use crate::model::Model;
 use crate::model::shapes::Shape;
@@ -63,12 +63,19 @@ fn plausible(term: &Term) -> f64 {
     }
 }
 
-fn is_implausible(term: &Term) -> bool {
-    let squares = match term.effect.about().form {
-        Form::Harmonic(_) => term.coefficients.iter().map(|c| c * c).sum(),
-        Form::Plain(_) | Form::Fading(_) => term.coefficients[0].powi(2),
-    };
-    squares > plausible(term).powi(2)
+/// Whether a term has a size so many times as large as what is implausible. No limit is known for what slides: its
+/// sizes have other units, and other names.
+pub(crate) fn is_beyond(robot: &Robot, term: &Term, times: f64) -> bool {
+    let about = term.effect.about();
+    let sizes = about.form.quantities();
+    let kind = robot.joints.get(term.joint).map(|joint| joint.kind);
+    let parameters = term.parameters_on(kind.unwrap_or(JointKind::Revolute));
+    about.implausible_above.is_some_and(|limit| {
+        parameters.iter().any(|own| {
+            let is_size = sizes.iter().any(|size| size.name == own.name);
+            is_size && own.value.abs() > times * limit
+        })
+    })
 }
 
 impl Regression<'_> {
@@ -118,10 +125,7 @@ impl Regression<'_> {
                 return f64::NEG_INFINITY;
             }
             let vector = matches!(term.effect.about().form, Form::Plain(q) if q.len() > 1);
-            let slides = term.effect.about().per_joint
-                && self.base.robot.joints[term.joint].kind == JointKind::Prismatic;
-            // No limit is known for what slides: its sizes have other units.
-            if !vector && !slides && is_implausible(term) {
+            if !vector && is_beyond(&self.base.robot, term, 1.0) {
                 let all = covariance.get_or_insert_with(|| basis.inverse_gram());
                 let scale = self.rounded(rss) / self.m();
                 let of_own = own.clone().filter(|k| basis.kept.contains(k));

@@ -38,7 +38,7 @@ pub(crate) use familywise::FamilyP;
 pub(crate) use fit::Fit;
 pub(crate) use grams::units_beside;
 pub(crate) use held_out::Folds;
-pub(crate) use likelihood::EFFECT_PRIOR_PENALTY;
+pub(crate) use likelihood::{EFFECT_PRIOR_PENALTY, is_beyond};
 pub(crate) use regression::Regression;
 pub(crate) use score::{Score, by_odds, weight_of};
 pub(crate) use significance::Significance;

@@ -12,9 +12,9 @@ use super::prepare::PreparedSearch;
 use super::{aliases, final_set};
 use crate::answers::diagnosis::FloorFrom;
 use crate::diagnosis::evidence::Fit;
+use crate::diagnosis::evidence::is_beyond;
 use crate::diagnosis::evidence::rival::Rival;
 use crate::effects::Term;
-use crate::kinematics::{JointKind, Robot};
 
 /// So many names are several.
 const SEVERAL: usize = 2;
@@ -74,21 +74,6 @@ pub(crate) fn withdraw(prepared: &PreparedSearch, found: &mut SearchResult) {
     }
 }
 
-/// Whether a term has a size so many times as large as what is implausible. No limit is known for what slides: its
-/// sizes have other units, and other names.
-fn is_beyond(robot: &Robot, term: &Term, times: f64) -> bool {
-    let about = term.effect.about();
-    let sizes = about.form.quantities();
-    let kind = robot.joints.get(term.joint).map(|joint| joint.kind);
-    let parameters = term.parameters_on(kind.unwrap_or(JointKind::Revolute));
-    about.implausible_above.is_some_and(|limit| {
-        parameters.iter().any(|own| {
-            let is_size = sizes.iter().any(|size| size.name == own.name);
-            is_size && own.value.abs() > times * limit
-        })
-    })
-}
-
 /// The likeliest set of names that can be said of a robot with several joints: others take the place of those
 /// in hand where they are likelier and stand when they are held against what is said of them. A rival that
 /// does not stand itself is no reason to doubt.
@@ -134,6 +119,7 @@ pub(crate) fn left_mm(prepared: &PreparedSearch, fit: &Fit) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::kinematics::JointKind;
     use crate::sessions::load;
 
     #[test]
