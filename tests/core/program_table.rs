@@ -132,7 +132,18 @@ const TABLE: &[Row] = &[
     ("two scopes", "rapid", "MODULE m\nPROC a()\nCONST jointtarget j:=@JNT;\nMoveAbsJ j,v9,fine,t;\nENDPROC\nPROC b()\nCONST jointtarget j:=@JNT;\nMoveAbsJ Shifted(j),v9,fine,t;\nENDPROC\nENDMODULE\n", &["j"], &[("j", "unused", "Shifted")], &["Shifted(j)"]),
     ("two scopes", "krl", "DEF a()\nDECL E6AXIS P\nP={@AXS}\nPTP P\nEND\nDEF b()\nDECL E6AXIS P\nP={@AXS}\nPTP_REL P\nEND\n", &["P"], &[("P", "relative", "PTP_REL")], &["relative"]),
     ("two scopes", "urscript", "def a():\n q=@ULI\n movej(q)\nend\ndef b():\n q=[1,2,3]\n x=q\nend\n", &["q"], &[], &[]),
-    ("two scopes", "rapid", "PROC go(robtarget p)\nMoveL p,v9,fine,t;\nENDPROC\nPROC main()\nCONST robtarget p:=@ROB;\ngo p;\nENDPROC\n", &[], &[("p", "unused", "go uses it")], &["p is a parameter"]),
+    // A routine that moves to what it is handed.
+    ("parameter", "rapid", "PROC go(robtarget p)\nMoveL p,v9,fine,t;\nENDPROC\nPROC main()\nCONST robtarget p:=@ROB;\nCONST robtarget q{2}:=[@ROB,@ROB];\ngo p;\ngo(q{2});\nENDPROC\n", &["p", "q{2}"], &[("q{1}", "unused", "no motion")], &[]),
+    ("parameter", "rapid", "PROC main()\nCONST robtarget p:=@ROB;\nCONST robtarget r:=@ROB;\nupper p\\fast;\nmoved r;\nENDPROC\nPROC upper(robtarget a\\switch fast)\nlower 5,a;\nENDPROC\nPROC lower(num n,robtarget b)\nMoveL Offs(b,0,0,n),v9,fine,t;\nMoveL b,v9,fine,t;\nENDPROC\nPROC moved(robtarget c)\nc.trans.z:=c.trans.z+9;\nMoveL c,v9,fine,t;\nENDPROC\n", &["p"], &[("r", "changed", "run time")], &["Offs(b,0,0,n)"]),
+    ("parameter", "rapid", "PROC go(robtarget p)\nMoveL RelTool(p,0,0,9),v9,fine,t;\nENDPROC\nPROC main()\nCONST robtarget r:=@ROB;\ngo r;\nother r;\nENDPROC\n", &[], &[("r", "unused", "uses it")], &["RelTool"]),
+    ("parameter", "rapid", "PROC go(robtarget p,PERS tooldata u)\nMoveL p,v9,fine,u;\nENDPROC\nPROC main()\nCONST robtarget r:=@ROB;\ngo r,t1;\ngo r,t2;\nENDPROC\n", &[], &[("r", "frame", "u is a parameter")], &[]),
+    ("parameter", "rapid", "PROC go(robtarget p)\nMoveL p,v9,fine,t;\nENDPROC\nPROC go(num n)\nENDPROC\nPROC main()\nCONST robtarget r:=@ROB;\ngo r;\nENDPROC\n", &[], &[("r", "unused", "go uses it")], &["p is a parameter"]),
+    ("parameter", "krl", "DEF m()\nDECL E6POS XP\nXP={@XYZ,@ST}\nGO_TO(XP)\nEND\nDEF GO_TO(P:IN)\nDECL E6POS P\nLIN P\nEND\n", &["XP"], &[], &[]),
+    ("parameter", "urscript", "def m():\n def go(q, v=1):\n  movej(q, v=v)\n end\n home=@ULI\n go(home)\n go(home, v=2)\nend\n", &["home"], &[], &[]),
+    // A configuration that is not kept: its numbers are those of another one.
+    ("configuration", "rapid", "ConfL\\Off;\nConfJ \\Off;\nMoveAbsJ @JNT,v9,fine,t;\nMoveL [[162.222,61.710,586.163],[0.2102361,-0.3256699,0.2949246,-0.8733609],[0,-1,-1,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v9,fine,t;\n", &["target of MoveAbsJ", "target of MoveL"], &[], &[]),
+    ("configuration", "rapid", "ConfL\\Off;\nMoveAbsJ @JNT,v9,fine,t;\nMoveJ [[162.222,61.710,586.163],[0.2102361,-0.3256699,0.2949246,-0.8733609],[0,-1,-1,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v9,fine,t;\n", &["target of MoveAbsJ"], &[("target of MoveJ", "unreachable", "configuration")], &[]),
+    ("configuration", "rapid", "CONST robtarget p:=[[162.222,61.710,586.163],[0.2102361,-0.3256699,0.2949246,-0.8733609],[0,-1,-1,0],[9E9,9E9,9E9,9E9,9E9,9E9]];\nConfL\\Off;\nMoveAbsJ @JNT,v9,fine,t;\nMoveL p,v9,fine,t;\nConfL\\On;\n", &["target of MoveAbsJ"], &[("p", "unreachable", "configuration")], &[]),
     // What is worked out at run time.
     ("expression", "rapid", "CONST jointtarget j:=[[106,65+1,-25,-63,-53,-18],[9E9,9E9,9E9,9E9,9E9,9E9]];\nMoveAbsJ j,v9,fine,t;\n", &[], &[], &["computed at run time", "j is computed"]),
     ("expression", "krl", "PTP {A1 106+2,A2 65,A3 -25,A4 -63,A5 -53,A6 -18}\nPTP {A1 5}\n", &[], &[], &["from where the robot is", "from where the robot is"]),
@@ -170,6 +181,8 @@ const TABLE: &[Row] = &[
     ("array of names", "rapid", "CONST robtarget p:=@ROB;\nCONST robtarget q{2}:=[p,@ROB];\nMoveL q{2},v9,fine,t;\n", &["q{2}"], &[("p", "unused", "q{1} uses it")], &["q{1} is computed"]),
     ("sensor", "rapid", "MoveL @ROB,v9,fine,t\\WObj:=wobj0\\Corr;\nMoveL @ROB,v9,fine,t;\n", &["target of MoveL"], &[("target of MoveL", "frame", "Corr")], &[]),
     ("sensor", "fanuc-ls", "/MN\n 1:Touch Offset PR[1] ;\n 2:L P[1] 9mm/sec FINE ;\n 3:Touch Offset End ;\n 4:L P[2] 9mm/sec FINE ;\n/POS\nP[1]{ GP1: UF : 0, UT : 1, @FXY };\nP[2]{ GP1: UF : 0, UT : 1, @FXY };\n", &["P[2]"], &[("P[1]", "frame", "Touch shifts")], &["Touch shifts"]),
+    ("stationary tool", "fanuc-ls", "/MN\n 1:L P[1] 9mm/sec FINE RTCP ;\n 2:L P[2] 9mm/sec FINE ;\n/POS\nP[1]{ GP1: UF : 1, UT : 2, CONFIG : 'N U T, 0, 0, 0', RX = 1 mm, RY = 2 mm, RZ = 3 mm, RW = 1 deg, RP = 2 deg, RR = 3 deg };\nP[2]{ GP1: UF : 0, UT : 1, @FXY };\n", &["P[2]"], &[], &["RTCP", "P[1]"]),
+    ("lines without numbers", "fanuc-ls", "/MN\n    :  !gripper open ;\n    :L P[1] 9mm/sec FINE ;\n    :  !close ;\n    :L P[2] 9mm/sec FINE INC ;\n/POS\nP[1]{ GP1: UF : 0, UT : 1, @FXY };\nP[2]{ GP1: UF : 0, UT : 1, @FXY };\n", &["P[1]"], &[("P[2]", "relative", "INC")], &[]),
     ("stationary tool", "fanuc-ls", "/MN\n 1:L P[1] 9mm/sec FINE RTCP ;\n/POS\nP[1]{ GP1: UF : 0, UT : 1, @FXY };\n", &[], &[("P[1]", "frame", "RTCP")], &[]),
     ("computed target", "fanuc-ls", "/MN\n 1:PR[1]=P[1] ;\n 2:L PR[1] 9mm/sec FINE ;\n/POS\nP[1]{ GP1: UF : 0, UT : 1, @FXY };\n", &[], &[("P[1]", "unused", "PR[1] uses it")], &["PR[…]"]),
     ("computed target", "urscript", "def m():\n q=@ULI\n q[5]=q[5]+0.1\n movej(q)\nend\n", &[], &[("q", "changed", "run time")], &[]),

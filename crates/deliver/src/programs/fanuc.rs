@@ -117,7 +117,10 @@ fn motion(walk: &mut Walk, words: &Words) -> Result<(), Problem> {
     if !words.is_sign(k, b':') && k > 0 {
         return Ok(());
     }
-    k += usize::from(words.is_sign(k, b':'));
+    // A comment hides the semicolon of its line, so that the colon of the next may follow; lines need no numbers.
+    k += (k..words.len())
+        .take_while(|j| words.is_sign(*j, b':'))
+        .count();
     let (first, at) = (words.name(k), words.at(k));
     let letter = is_one_of(&first, "j l c a s") && words.is_name(k + 1);
     let touching = is_one_of(&first, "jp lp cp ap sp");

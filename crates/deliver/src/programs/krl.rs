@@ -158,6 +158,7 @@ fn call(walk: &mut Walk, words: &Words, k: usize) {
     if !walk.call(&words.name(k), &command) {
         walk.routine_elsewhere(words.at(k), &command);
     }
+    walk.hand_over(&words.name(k), words, k + 2);
 }
 
 /// `DECL GLOBAL E6POS P1={…}, P2[10]`

@@ -7,7 +7,8 @@
 //!
 //! `cf1`, `cf4`, `cf6` are the quadrants of axes 1, 4 and 6. `cfx` says in bit 0 that axis 5 is
 //! negative, in bit 1 that the wrist is behind the lower arm, in bit 2 that it is behind axis 1. An
-//! external axis that is not there has 9E9.
+//! external axis that is not there has 9E9. After `ConfJ \Off` (`ConfL \Off` for lines) a motion comes in the
+//! configuration that is nearest to where it starts, whatever its target states.
 //!
 //! ```text
 //! tooldata   [robhold, [[x, y, z], [q1 … q4]], …]                      on the flange
@@ -108,7 +109,7 @@ fn statement(walk: &mut Walk, words: &Words) -> Result<(), Problem> {
             if word == "trap" {
                 walk.anytime(&name);
             }
-            walk.begin_routine(words, k, b",)|{", name == "main")?;
+            walk.begin_routine(words, k, b",)|{\\", name == "main")?;
         }
         "endmodule" | "endproc" | "endfunc" | "endtrap" | "endrecord" => walk.end_routine(),
         "if" if words.name(words.len() - 1) != "then" => {
@@ -252,12 +253,17 @@ fn instruction(walk: &mut Walk, words: &Words, k: usize) -> Result<(), Problem> 
             walk.left(words.at(k), says);
         }
         None if name == "gripload" => gripped(walk, words, k + 1),
+        None if matches!(name.as_str(), "confj" | "confl") => {
+            walk.keeps(name == "confl", words.name(k + 2) != "off");
+        }
         None => {
             let alone = words.is_name(k) && words.is_sign(k + 1, b';');
             let alone = alone && !is_one_of(&name, INSTRUCTIONS);
             // `%"name" + NumToStr(n, 0)%;`
             let by_name = words.is_sign(k, b'%') && !words.is_sign(k + 1, b'%');
-            if !walk.call(&name, &command) && alone || by_name {
+            let own = walk.call(&name, &command);
+            walk.hand_over(&name, words, k + 1);
+            if !own && alone || by_name {
                 walk.routine_elsewhere(words.at(k), &words.shown(k, words.until(k, b";")));
             }
         }
@@ -326,10 +332,11 @@ fn motion(walk: &mut Walk, words: &Words, from: usize, name: &str) -> Result<(),
             _ => {}
         }
     }
-    for (k, end) in arguments.into_iter().take(goals) {
-        goal(walk, words, (k, end), &command, &changes)?;
-    }
-    Ok(())
+    let along = !is_one_of(name, "movej movejdo movejao movejgo movejsync triggj spotj");
+    walk.moves(along, |walk| {
+        let mut goals = arguments.into_iter().take(goals);
+        goals.try_for_each(|goal| self::goal(walk, words, goal, &command, &changes))
+    })
 }
 
 /// The work object and the tool of a move.

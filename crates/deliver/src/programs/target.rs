@@ -198,6 +198,14 @@ impl Target {
         self.posture.get_or_insert_default()
     }
 
+    /// Motions come as it is nearest: what is stated neither holds nor is written anew.
+    pub(super) fn forget_configuration(&mut self) {
+        if let Some(posture) = &mut self.posture {
+            posture.configuration.clear();
+            posture.marks.clear();
+        }
+    }
+
     /// Gives back the room that lists have to grow, and that of nothing.
     pub(super) fn shrink(&mut self) {
         self.posture = self

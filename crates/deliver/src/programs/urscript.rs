@@ -167,6 +167,7 @@ fn expression(walk: &mut Walk, words: &Words, k: usize) -> Result<(), Problem> {
             "stop_conveyor_tracking" | "path_offset_disable" => walk.set(MODE, Referred::Unsaid),
             _ => {
                 walk.call(&name, &name);
+                walk.hand_over(&name, words, k + 2);
             }
         }
         k += 2;

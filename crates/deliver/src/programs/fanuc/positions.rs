@@ -80,6 +80,15 @@ pub(super) fn position(walk: &mut Walk, words: &Words) -> Result<(), Problem> {
         walk.left(at, text!("{name} was never taught", name));
         return Ok(());
     }
+    // `RX … RR`: where the tool is seen from the part that the robot holds.
+    if group.values.contains_key("rx") {
+        let says = text!(
+            "the tool stands and the robot moves the part ({sign})",
+            sign = "RTCP"
+        );
+        walk.left(at, says);
+        return Ok(());
+    }
     let mut target = target(walk.axes, words, &group, &name, at)?;
     target.outside = walk.outside(std::array::from_fn(|k| {
         let (number, _) = group.values.get(&format!("e{}", k + 1))?;

@@ -2,10 +2,10 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::{Block, Declared, Known, Routine, Scope, State, Walk};
+use super::{Block, Known, Routine, Scope, State, Walk};
 use crate::programs::referred::{BASE, MODE, Referred, TOOL};
 use crate::programs::target::Problem;
-use crate::programs::words::{Kind, Words};
+use crate::programs::words::Words;
 
 /// Blocks in blocks, and routines in routines.
 const DEEPEST: usize = 64;
@@ -13,6 +13,7 @@ const DEEPEST: usize = 64;
 impl Walk<'_> {
     /// Base, tool or mode from here on.
     pub(crate) fn set(&mut self, part: usize, what: Referred) {
+        let what = self.unless_parameter(what);
         if what != Referred::Unsaid {
             self.facts.any[part] = true;
             for routine in &self.open {
@@ -146,10 +147,7 @@ impl Walk<'_> {
         self.scope = self.scopes;
         self.scopes += 1;
         self.routines += 1;
-        let follows = |j: usize| matches!(words.kind(j), Some(Kind::Sign(sign)) if follow_parameters.contains(&sign));
-        for j in (k + 1..words.len()).filter(|j| words.is_name(*j) && follows(j + 1)) {
-            self.declare(&words.name(j), Declared::Parameter, false);
-        }
+        self.parameters(words, k, follow_parameters);
         for part in [BASE, TOOL, MODE] {
             if !main {
                 self.state[part].what = if self.facts.any[part] && !self.first {

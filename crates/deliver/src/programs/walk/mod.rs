@@ -9,6 +9,7 @@
 mod flow;
 mod motions;
 mod names;
+mod parameters;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
@@ -107,6 +108,8 @@ struct Name {
     was_used: bool,
     /// Whether it is the one of an outer routine, if that has it.
     weak: bool,
+    /// Whether a motion goes to it that keeps its configuration.
+    kept: bool,
     /// Where its value is worked out at run time.
     changed: Option<Span>,
     said: Option<Box<Said>>,
@@ -130,6 +133,8 @@ enum Goal {
     Name(u32),
     /// An element of an array that is chosen at run time, or a name that the goal is worked out from.
     Part(u32),
+    /// A name that a call hands to a parameter: it is gone to where the parameter is.
+    Handed(u32),
 }
 
 struct Motion {
@@ -137,6 +142,8 @@ struct Motion {
     at: usize,
     way: u32,
     since: [u32; 3],
+    /// Whether it comes as it is nearest, whatever configuration its goal states.
+    nearest: bool,
     /// How the name is spelled, where the file has no values for it.
     spelled: Option<Box<str>>,
 }
@@ -153,6 +160,11 @@ struct Facts {
     /// What routines set, and who is called from which scope.
     sets: BTreeMap<Box<str>, [bool; 3]>,
     calls: BTreeSet<(Box<str>, usize)>,
+    /// Parameters of routines in their order, without those that are optional; none of routines of one name.
+    parameters: BTreeMap<Box<str>, Vec<u32>>,
+    /// Whether motions keep the configurations of their goals, those of joints and those along lines, where the file
+    /// says so.
+    keeps: [Option<bool>; 2],
     /// Whether anything in the file is set to something.
     any: [bool; 3],
     /// Routines that may run at any statement, and what they set.
@@ -182,6 +194,12 @@ pub(super) struct Walk<'x> {
     /// Where the statement begins.
     at: usize,
     motions: Vec<Motion>,
+    /// A parameter, and a name that a call hands to it.
+    handed: BTreeSet<[u32; 2]>,
+    /// Where those names stand.
+    handed_at: BTreeSet<usize>,
+    /// Whether the motion that is read comes as it is nearest.
+    nearest: bool,
 }
 
 /// The program of some pieces of a file, each with its dialect and grammar. `prepare`: what is known before.
@@ -215,6 +233,9 @@ pub(super) fn walked(
             statement: 0,
             at: 0,
             motions: Vec::new(),
+            handed: BTreeSet::new(),
+            handed_at: BTreeSet::new(),
+            nearest: false,
         };
         prepare(&mut walk);
         for (range, dialect, grammar) in pieces {
@@ -235,6 +256,7 @@ pub(super) fn walked(
                 Err(problems)
             };
         }
+        walk.follow_parameters();
         facts = walk.facts;
         facts.close();
     }

@@ -4,6 +4,7 @@ use crate::programs::program::not_in_numbers;
 use std::collections::BTreeSet;
 use std::ops::Range;
 
+use super::parameters::from_the_caller;
 use super::{Declared, Goal, Motion, Name, Said, Walk};
 use crate::programs::answer::Reason;
 use crate::programs::program::Program;
@@ -20,7 +21,7 @@ impl Walk<'_> {
         }
     }
 
-    fn go(&mut self, goal: Goal, at: usize, changes: &[Set], spelled: Option<&str>) {
+    pub(super) fn go(&mut self, goal: Goal, at: usize, changes: &[Set], spelled: Option<&str>) {
         let mut way = self.state.clone().map(|known| known.what);
         let mut since = [0, 1, 2].map(|part: usize| self.state[part].since);
         for part in [BASE, TOOL, MODE] {
@@ -33,7 +34,7 @@ impl Walk<'_> {
             if let Referred::Named(name) = what {
                 self.facts.held.entry((**name).into()).or_default();
             }
-            way[*part] = what.clone();
+            way[*part] = self.unless_parameter(what.clone());
             since[*part] = self.statement;
         }
         self.motions.push(Motion {
@@ -41,8 +42,24 @@ impl Walk<'_> {
             at,
             way: self.program.ways.of(way),
             since,
+            nearest: self.nearest,
             spelled: spelled.map(Into::into),
         });
+    }
+
+    /// Whether motions along lines (else of joints) keep the configurations of their goals from here on.
+    pub(crate) fn keeps(&mut self, along: bool, keeps: bool) {
+        let known = &mut self.facts.keeps[usize::from(along)];
+        // A file that says both is read as if it kept them: a target that then cannot have its own is left.
+        *known = Some(keeps || known.unwrap_or(false));
+    }
+
+    /// The goals of a motion along a line, or of joints.
+    pub(crate) fn moves<T>(&mut self, along: bool, goals: impl FnOnce(&mut Self) -> T) -> T {
+        self.nearest = self.facts.keeps[usize::from(along)] == Some(false);
+        let done = goals(self);
+        self.nearest = false;
+        done
     }
 
     /// A motion to a target that stands in it; `changes`: what the motion says itself.
@@ -145,10 +162,19 @@ impl Walk<'_> {
                 Goal::Inline(index) => {
                     let target = &mut self.program.targets[index];
                     target.ways.add(motion.way);
+                    if motion.nearest {
+                        target.forget_configuration();
+                    }
                     if let Referred::Unknown(says) = &self.program.ways.get(motion.way)[MODE] {
                         target.leave(Reason::Frame, says.clone());
                     }
                     self.program.visits.push(index);
+                    continue;
+                }
+                Goal::Handed(index) => {
+                    if let [only] = self.name(index).values[..] {
+                        self.program.visits.push(only);
+                    }
                     continue;
                 }
                 Goal::Name(index) | Goal::Part(index) => index,
@@ -158,11 +184,14 @@ impl Walk<'_> {
             if matches!(mode, Referred::Unknown(_)) {
                 self.said(index).blocked.get_or_insert(motion.way);
             }
+            let handed = self.is_handed_to(index);
             let name = self.name(index);
             name.ways.add(motion.way);
+            name.kept |= !motion.nearest;
             match name.values[..] {
                 [only] if !is_part => self.program.visits.push(only),
-                [] if !(is_part && arrays.contains(&index)) => {
+                [] if handed || is_part && arrays.contains(&index) => {}
+                [] => {
                     if let Some(spelled) = motion.spelled {
                         let says = self.without_values(index, &spelled, elsewhere);
                         self.left(motion.at, says);
@@ -171,6 +200,7 @@ impl Walk<'_> {
                 _ => {}
             }
         }
+        self.follow_parameters();
         self.judge();
         for name in &self.facts.names {
             let Some(span) = name.changed else { continue };
@@ -194,10 +224,7 @@ impl Walk<'_> {
         elsewhere: fn(&str) -> Sentence,
     ) -> Sentence {
         match self.facts.names[index as usize].declared {
-            Declared::Parameter => text!(
-                "{spelled} is a parameter: its value comes from the caller",
-                spelled
-            ),
+            Declared::Parameter => from_the_caller(spelled),
             Declared::Target => not_in_numbers(spelled),
             Declared::Other(kind) => text!(
                 "{spelled} is declared as {kind}, which is no target",
@@ -260,6 +287,9 @@ impl Walk<'_> {
             for value in &name.values {
                 let target = &mut self.program.targets[*value];
                 both().for_each(|name| target.ways.join(name.ways));
+                if used && !both().any(|name| name.kept) {
+                    target.forget_configuration();
+                }
                 if let Some(near) = own.and_then(|said| said.near.as_ref()) {
                     target.posture_mut().near = Some(near.clone());
                 }

@@ -151,6 +151,9 @@ impl Walk<'_> {
 
     /// A target that is used, but not as what a motion goes to.
     pub(crate) fn mention(&mut self, name: &str, at: usize, by: &str) {
+        if self.handed_at.contains(&at) {
+            return;
+        }
         if let Some(index) = self.facts.seen(self.scope, name) {
             let mentioned = &mut self.said(index).mentioned;
             mentioned.get_or_insert_with(|| (at, by.into()));
