@@ -444,6 +444,11 @@ fn columns_without_a_header_are_named_by_the_person() {
     assert_eq!(done.session.samples.y_mm, [0.0, 250.0]);
     settings.reading.columns = vec!["furlong".to_owned()];
     assert!(refusal(b"1 2\n3 4\n", &settings).contains("'furlong' among the columns given"));
+    // Of two points behind a name neither is the measured one for certain.
+    let both = b"P1 250 0.5 10 250.25 0.75 10.5\nP2 0.5 250 10 0.75 250.25 10.5\n";
+    let tracker = Settings::new(reading("tracker"), &robot);
+    let message = refusal(both, &tracker);
+    assert!(message.contains("7 columns and no header"), "{message}");
 }
 
 #[test]

@@ -25,6 +25,9 @@ pub(crate) static IMPORTER: Importer = Importer {
     read,
 };
 
+/// From so many numbers on there may be a second point, nominal and measured, or an orientation: which is which is asked.
+const TWO_POINTS: usize = 6;
+
 /// Whether a comment says that points are given by angles.
 fn is_spherical(comment: &str) -> bool {
     const WORDS: Words = "theta phi azimuth elevation zenith az el zen hz v spherical cylindrical polar range dist distance";
@@ -56,8 +59,10 @@ pub(crate) fn read(context: &mut ReadContext<'_>) -> Option<Columns> {
         roles_by_header(&grid, context)
     };
     let found = by_header.or_else(|| {
-        let names = names_before(&kinds(&grid, context)).filter(|_| !says_otherwise)?;
-        Some(roles(names, grid.width))
+        let kinds = kinds(&grid, context);
+        let names = names_before(&kinds).filter(|_| !says_otherwise)?;
+        let numbers = kinds[names..].iter().take_while(|kind| **kind != Kind::Text);
+        (numbers.count() < TWO_POINTS).then(|| roles(names, grid.width))
     });
     let roles = match (context.given_roles(&grid, found.as_deref()), found) {
         (Some(given), _) => given,
