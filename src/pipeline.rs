@@ -173,6 +173,7 @@ fn history_of_steps(
             },
             held_out_mm: None,
             runs_held_out_mm: None,
+            values_held_out_mm: None,
         })
     };
     (0..=terms.len()).map(step).collect()

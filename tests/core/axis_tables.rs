@@ -228,3 +228,24 @@ fn a_reversal_that_depends_on_the_position_is_in_the_column_of_each_side() {
     }
     assert!(d.unnamed.is_some());
 }
+
+#[test]
+fn of_targets_that_are_too_far_apart_it_is_said_that_nothing_is_known_between_them() {
+    let slide = Slide {
+        lead: |q| 0.012 * (-((q - 250.0) / 40.0).powi(2)).exp(),
+        reversal_mm: 0.0,
+        targets: equal_targets(6),
+        runs: 5,
+        seed: 11,
+    };
+    let (d, table) = answered(&session(&slide.readings()));
+    assert!(d.found.is_empty(), "{:?}", d.found);
+    let truth = left(&slide, &table);
+    let leaves = table.left.unwrap().leaves.unwrap();
+    assert!(leaves.leaves_mm < 1.5 * SIGMA, "{leaves:?}");
+    assert!(
+        leaves.between_targets_mm > 0.8 * truth,
+        "{leaves:?}, {truth}"
+    );
+    assert!(leaves.are_targets_too_far_apart(), "{leaves:?}");
+}

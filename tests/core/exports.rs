@@ -333,6 +333,7 @@ fn without_a_tolerance_the_models_own_gap_stands_in() {
         gap_mm: 0.5,
         held_out_mm: None,
         runs_held_out_mm: None,
+        values_held_out_mm: None,
     }];
     let left = export(&calibration, "linuxcnc", None)
         .left

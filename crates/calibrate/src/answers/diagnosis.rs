@@ -324,6 +324,8 @@ pub struct Correction {
     pub held_out_mm: [f64; 2],
     /// Gap with it on runs that the fit has not seen, mm; `None` where there is one run.
     pub runs_held_out_mm: Option<f64>,
+    /// Gap with it on values of the joint that the fit has not seen, mm, where their neighbours do not predict them.
+    pub values_held_out_mm: Option<f64>,
     /// How they were held out.
     pub how: Text,
     /// In words.

@@ -269,6 +269,7 @@ impl Identification {
             gap_mm: pick(&self.gap).rms_mm,
             held_out_mm: self.held_out.as_ref().map(|g| pick(g).rms_mm),
             runs_held_out_mm: None,
+            values_held_out_mm: None,
         };
         Calibration {
             session: self.session.clone(),

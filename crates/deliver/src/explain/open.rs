@@ -130,6 +130,15 @@ fn repeating(unnamed: &Unnamed, curve: &Correction, detail: Detail) -> Section {
             say!("not known: in a single run what repeats and what drifts look the same"),
         ));
     }
+    if let Some(values_mm) = curve.values_held_out_mm {
+        facts.push(fact(
+            say!("Between its values"),
+            say!(
+                "{size}: neighbours do not predict a position, measure in smaller steps",
+                size = detail.length(values_mm)
+            ),
+        ));
+    }
     let blocks = vec![
         Block::Facts(facts),
         Block::Text(cleaned(&curve.description)),

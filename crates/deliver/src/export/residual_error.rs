@@ -266,8 +266,9 @@ pub struct Leaves {
 impl Leaves {
     fn of(calibration: &Calibration, table_mm: f64) -> Option<Self> {
         let last = calibration.history.last()?;
-        let between_mm = last.held_out_mm.unwrap_or(last.gap_mm);
-        let at_targets_mm = last.runs_held_out_mm.unwrap_or(between_mm);
+        let seen_mm = last.held_out_mm.unwrap_or(last.gap_mm);
+        let at_targets_mm = last.runs_held_out_mm.unwrap_or(seen_mm);
+        let between_mm = last.values_held_out_mm.unwrap_or(seen_mm);
         Some(Self {
             leaves_mm: at_targets_mm.hypot(table_mm),
             between_targets_mm: between_mm.hypot(table_mm),

@@ -134,6 +134,7 @@ fn curve(c: &Correction, session: &Session) -> Option<Json> {
     Some(object! {
         "joint": joint + 1,
         "runs_held_out_mm": optional(c.runs_held_out_mm),
+        "values_held_out_mm": optional(c.values_held_out_mm),
         "held_out": &c.how,
         "knots": knots.count,
         "range_deg": optional(turns.then(|| range.map(deg_from_rad))),

@@ -49,6 +49,8 @@ pub struct ResidualStep {
     pub held_out_mm: Option<f64>,
     /// The gap on runs that no fit has seen, at values of the joint that it has seen, mm; where there are several runs.
     pub runs_held_out_mm: Option<f64>,
+    /// The gap at values of the only joint that no fit has seen, mm; where their neighbours do not predict them.
+    pub values_held_out_mm: Option<f64>,
 }
 
 /// The conditions that a session covered; `None` where it says nothing of them.

@@ -6,7 +6,6 @@ use crate::sessions::Session;
 
 use super::named::Figures;
 use super::predicting::Predicting;
-use crate::answers::diagnosis::Unnamed;
 use crate::diagnosis::search::Step;
 
 /// What belongs to every calibration of a robot.
@@ -25,6 +24,7 @@ pub(super) fn history(session: &Session, steps: &[Step], with: &Predicting) -> V
         gap_mm,
         held_out_mm,
         runs_held_out_mm: None,
+        values_held_out_mm: None,
     };
     let base = base_in_words(&session.robot).to_owned();
     let mut history = vec![
@@ -44,16 +44,16 @@ pub(super) fn history(session: &Session, steps: &[Step], with: &Predicting) -> V
         last.gap_mm = gap.end_mm;
         last.held_out_mm = seen.map(|g| g.end_mm);
     }
-    let curve = |unnamed: &Unnamed| unnamed.curve.as_ref().map(|c| c.runs_held_out_mm);
     history.extend(with.unnamed.as_ref().map(|unnamed| {
-        let runs = curve(unnamed);
-        let what = match runs {
+        let curve = unnamed.curve.as_ref();
+        let what = match curve {
             Some(_) => format!("with {}", crate::effects::UNEXPLAINED),
             None => "with what predicts without a name".to_owned(),
         };
         let seen = with.figures.held_out.gaps.map(|g| g.end_mm);
         ResidualStep {
-            runs_held_out_mm: runs.flatten(),
+            runs_held_out_mm: curve.and_then(|c| c.runs_held_out_mm),
+            values_held_out_mm: curve.and_then(|c| c.values_held_out_mm),
             ..one(what, with.figures.gap.end_mm, seen)
         }
     }));

@@ -96,6 +96,7 @@ pub(super) fn beside(
         gap_mm: [before, after],
         held_out_mm,
         runs_held_out_mm: found.runs_held_out_mm,
+        values_held_out_mm: found.values_held_out_mm,
         how: held_out.how.clone(),
         term: found.term,
     };

@@ -380,6 +380,7 @@ const STEP: Kind<ResidualStep> = Kind {
             gap_mm: f64::NAN,
             held_out_mm: None,
             runs_held_out_mm: None,
+            values_held_out_mm: None,
         };
         at.object(blank, step)
     },
@@ -391,6 +392,7 @@ fn step(o: &mut Object<'_, '_>, own: &mut ResidualStep) {
     o.usual("gap_mm", &mut own.gap_mm, &NUMBER);
     o.usual_or_null("held_out_mm", &mut own.held_out_mm, &NUMBER);
     o.optional("runs_held_out_mm", &mut own.runs_held_out_mm, &NUMBER);
+    o.optional("values_held_out_mm", &mut own.values_held_out_mm, &NUMBER);
 }
 
 /// What the key `format` says.

@@ -152,6 +152,7 @@ fn any_calibration() -> impl Strategy<Value = Calibration> {
                 gap_mm: number * 3.0,
                 held_out_mm: None,
                 runs_held_out_mm: None,
+                values_held_out_mm: None,
             }],
             load_kg: Some([0.0, 2.5]),
             samples_hash: "00ff".to_owned(),

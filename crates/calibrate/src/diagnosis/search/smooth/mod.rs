@@ -61,6 +61,8 @@ pub(crate) struct Repeating {
     pub(crate) how: Text,
     /// RMS deviation of unseen runs with the curve, mm; `None` of a single run.
     pub(crate) runs_held_out_mm: Option<f64>,
+    /// The same of unseen values, where their neighbours do not predict them.
+    pub(crate) values_held_out_mm: Option<f64>,
     /// The noise beside it, where values come back from the same side: then time has what the curve leaves.
     pub(crate) noise: Option<Noise>,
 }
@@ -103,6 +105,10 @@ pub(crate) fn repeating(
         samples: folds.samples(),
         how: folds.how.clone(),
         runs_held_out_mm: by_runs.as_ref().map(|(gap, _)| gap[1]),
+        values_held_out_mm: by_values
+            .as_ref()
+            .filter(|own| !gains(own))
+            .map(|(gap, _)| gap[1]),
     })
 }
 
