@@ -141,6 +141,15 @@ impl Profile {
         }
     }
 
+    /// How many numbers of its own it has: where it is, how wide, how often it returns.
+    pub fn settings(&self) -> usize {
+        match self {
+            Self::Bump { .. } | Self::Plateau { .. } => 2,
+            Self::Kink { .. } | Self::Periodic { .. } => 1,
+            _ => 0,
+        }
+    }
+
     /// Its values at one sample: `v` the variable, `origin` where it does nothing, `range` what was
     /// measured of it,
     /// `angle` of the first joint.

@@ -11,6 +11,7 @@ use std::collections::BTreeMap;
 use nalgebra::DMatrix;
 
 use crate::decompose::eigen;
+use crate::effects::survey::ENOUGH;
 use crate::effects::{Over, Setting, Term};
 use crate::linear::reject_all;
 use crate::model::Model;
@@ -235,6 +236,28 @@ pub(crate) fn rival(prepared: &PreparedSearch, found: &mut SearchResult, one_by_
         }
         if let Some(likeliest) = likeliest {
             found.fit = likeliest.into_fit(prepared, joint);
+        }
+    }
+}
+
+/// Takes names over a joint out where zero offset, names and shapes over it have more numbers than half of the values at
+/// which it was measured: what is left of these cannot contradict them, however often each was visited.
+pub(crate) fn withdraw_of_few_values(prepared: &PreparedSearch, found: &mut SearchResult) {
+    for (joint, survey) in prepared.survey.joints.iter().enumerate() {
+        let (names, kept) = over_joint(prepared, &found.fit, joint);
+        let own = |s: &&Placed| s.shape.variable == Variable::Joint(joint);
+        let shapes = found
+            .fit
+            .shapes
+            .iter()
+            .filter(own)
+            .map(|s| &s.shape.profile);
+        let of_shapes: usize = shapes.map(|s| s.count() + s.settings()).sum();
+        let numbers = 1 + columns(&names) + of_shapes;
+        if of_shapes > 0 && !names.is_empty() && survey.values < ENOUGH.min(2 * numbers) {
+            let rest = without(&found.fit.model, &names);
+            let rest = BesideCurve::of(prepared, &rest, &kept, joint);
+            found.fit = rest.into_fit(prepared, joint);
         }
     }
 }

@@ -70,7 +70,9 @@ pub(crate) fn answer(
     // any more.
     regression.forget();
     let with = Predicting::with(prepared, &named, found.len(), &left);
-    let identification = identification(prepared, &named.alone, &with.values);
+    let mut identification = identification(prepared, &named.alone, &with.values);
+    let outliers = &mut identification.outliers;
+    outliers.retain(|outlier| !with.come_back.contains(&outlier.sample));
     let with = with.unless_little_is_shown(prepared, &identification);
     let gross = gross::beyond_noise(
         prepared,

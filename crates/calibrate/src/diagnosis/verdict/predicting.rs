@@ -22,6 +22,8 @@ pub(super) struct Predicting<'a> {
     pub(super) unnamed: Option<Unnamed>,
     /// The noise beside it, where that is known better with it.
     pub(super) noise: Option<Noise>,
+    /// Samples that are outliers beside the names alone.
+    pub(super) come_back: Vec<usize>,
 }
 
 impl<'a> Predicting<'a> {
@@ -41,6 +43,7 @@ impl<'a> Predicting<'a> {
                 figures: after,
                 unnamed: Some(unnamed),
                 noise: None,
+                come_back: Vec::new(),
             };
         }
         let Some(own) = repeating::beside(prepared, &values, left, &figures) else {
@@ -50,6 +53,7 @@ impl<'a> Predicting<'a> {
                 figures,
                 unnamed: None,
                 noise: None,
+                come_back: Vec::new(),
             };
         };
         let mut names = Figures {
@@ -65,6 +69,7 @@ impl<'a> Predicting<'a> {
             figures: own.figures,
             unnamed: Some(own.unnamed),
             noise: own.noise,
+            come_back: own.come_back,
         }
     }
 

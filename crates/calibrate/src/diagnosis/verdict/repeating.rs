@@ -2,7 +2,7 @@
 //! carries it. The verdict is about names and does not know of it.
 
 use crate::effects::curve::Curve;
-use crate::fit::gap::{lengths_mm, rms_mm};
+use crate::fit::gap::{lengths_mm, rms_mm, set_aside};
 use crate::fit::problem::Problem;
 use crate::kinematics::JointKind;
 use crate::model::Model;
@@ -28,6 +28,8 @@ pub(super) struct Beside {
     pub(super) figures: Figures,
     /// The noise beside it, where that is known better with it.
     pub(super) noise: Option<Noise>,
+    /// Samples that are outliers beside the names, and come back.
+    pub(super) come_back: Vec<usize>,
 }
 
 /// What repeats, where it predicts.
@@ -61,7 +63,18 @@ pub(super) fn beside(
         return None;
     }
     let with = model.with_term(found.term.clone());
-    let [before, after] = [&model, &with].map(|model| rms_mm(&values.problem, model));
+    let aside = [&values.problem, &found.problem].map(set_aside);
+    let come_back = |i: &usize| aside[0][*i] && !aside[1][*i];
+    let come_back: Vec<usize> = (0..aside[0].len()).filter(come_back).collect();
+    // All figures are over one set of samples.
+    let over = if come_back.is_empty() {
+        &values.problem
+    } else {
+        gap.start_mm = rms_mm(&found.problem, &prepared.nominal);
+        gap.identified_mm = rms_mm(&found.problem, &model);
+        &found.problem
+    };
+    let [before, after] = [&model, &with].map(|model| rms_mm(over, model));
     let gaps = held_out.gaps.as_mut()?;
     let mut identified_mm = gaps.identified_mm;
     let held_out_mm = if unseen::held_out_samples(prepared).contains(&true) {
@@ -74,8 +87,7 @@ pub(super) fn beside(
     };
     // Rows are never set aside by the tenth to follow the others.
     let fitted = values.problem.fit.iter().filter(|fit| **fit).count();
-    let set_aside = values.problem.fit.iter().zip(&values.problem.used);
-    if 10 * set_aside.filter(|(fit, used)| **fit && !**used).count() > fitted {
+    if 10 * aside[1].iter().filter(|aside| **aside).count() > fitted {
         return None;
     }
     // Rows that are none of the robot have the largest deviations, and the sum of squares is theirs.
@@ -111,6 +123,7 @@ pub(super) fn beside(
         curve,
         figures: now,
         noise: found.noise,
+        come_back,
     })
 }
 
@@ -127,7 +140,7 @@ fn of_held_out_samples(
     prepared: &PreparedSearch,
     values: &Values,
     model: &Model,
-    found: &Repeating,
+    found: &Repeating<'_>,
     period: Option<f64>,
 ) -> Option<[f64; 2]> {
     let term = if prepared.locked.contains(&true) {

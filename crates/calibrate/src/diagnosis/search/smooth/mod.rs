@@ -16,6 +16,8 @@ mod columns;
 mod folds;
 mod likelihood;
 
+use std::collections::BTreeMap;
+
 use nalgebra::{DMatrix, DVector};
 
 use crate::effects::Term;
@@ -29,7 +31,7 @@ use crate::model::Model;
 use crate::text::Text;
 
 use super::prepare::PreparedSearch;
-use columns::{Along, Columns, MOST_KNOTS, together};
+use columns::{Along, Columns, MOST_KNOTS, SAME, together};
 use folds::Folds;
 use likelihood::{Kernels, NamesAlone, Prior, SIDES, Sums};
 
@@ -50,7 +52,7 @@ const MOST_ROUNDS: usize = 4;
 const LIKELIER: f64 = 6.0;
 
 /// What repeats over a joint beside a model.
-pub(crate) struct Repeating {
+pub(crate) struct Repeating<'a> {
     /// The curve.
     pub(crate) term: Term,
     /// RMS deviations of samples that no fit has seen: of the base alone, of the model, and with the curve, mm.
@@ -59,6 +61,8 @@ pub(crate) struct Repeating {
     pub(crate) samples: usize,
     /// How they were held out.
     pub(crate) how: Text,
+    /// The samples, with the outliers that there are beside it.
+    pub(crate) problem: Problem<'a>,
     /// RMS deviation of unseen runs with the curve, mm; `None` of a single run.
     pub(crate) runs_held_out_mm: Option<f64>,
     /// The same of unseen values, where their neighbours do not predict them.
@@ -69,13 +73,13 @@ pub(crate) struct Repeating {
 
 /// What repeats over a joint beside a model, or `None` where there is nothing, or it predicts nothing.
 /// `problem` holds the samples that count.
-pub(crate) fn repeating(
-    problem: &Problem,
+pub(crate) fn repeating<'a>(
+    problem: &Problem<'a>,
     model: &Model,
     base: &Model,
     joint: usize,
     period: Option<f64>,
-) -> Option<Repeating> {
+) -> Option<Repeating<'a>> {
     let (problem, fitted) = settled(problem, model, joint, period)?;
     if fitted.ln_odds() < LIKELIER {
         return None;
@@ -103,6 +107,7 @@ pub(crate) fn repeating(
         term,
         held_out_mm: [alone(&identified, folds), *before, *after],
         samples: folds.samples(),
+        problem,
         how: folds.how.clone(),
         runs_held_out_mm: by_runs.as_ref().map(|(gap, _)| gap[1]),
         values_held_out_mm: by_values
@@ -121,6 +126,7 @@ fn settled<'a>(
 ) -> Option<(Problem<'a>, OverJoint<'a>)> {
     let mut problem = problem.clone();
     problem.extra_columns.clear();
+    use_what_returns(&mut problem, joint);
     let mut fitted =
         OverJoint::fitted(Columns::new(&problem, model, joint, is_base), model, period)?;
     for _ in 0..MOST_ROUNDS {
@@ -146,6 +152,22 @@ fn settled<'a>(
         fitted = OverJoint::fitted(columns, model, period).unwrap_or(fitted);
     }
     Some((problem, fitted))
+}
+
+/// What comes back at every visit of a value is of the axis, however far it is from what the names say: no outlier.
+fn use_what_returns(problem: &mut Problem, joint: usize) {
+    let (fit, mut counted) = (problem.to_fit(), problem.counted().to_vec());
+    let mut visits: BTreeMap<i64, Vec<usize>> = BTreeMap::new();
+    for k in (0..fit.len()).filter(|k| fit[*k]) {
+        let place = problem.inputs.q[joint][problem.sample_of(k)] / SAME;
+        visits.entry(place.round() as i64).or_default().push(k);
+    }
+    for visits in visits.values().filter(|visits| visits.len() > 1) {
+        if !visits.iter().any(|k| counted[*k]) {
+            visits.iter().for_each(|k| counted[*k] = true);
+        }
+    }
+    problem.set_counted(counted);
 }
 
 /// What belongs to every calibration, and is fitted beside the curve.
