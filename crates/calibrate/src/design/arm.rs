@@ -11,7 +11,7 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
 use super::candidates::{Candidate, Writing, anywhere, ranges};
-use super::expected_rows::{extend, extended, unmeasured};
+use super::imagined::{extend, extended, unmeasured};
 use super::line_of_sight;
 use super::measuring_methods::{MeasuringMethod, ways};
 use super::plan_options::PlanOptions;

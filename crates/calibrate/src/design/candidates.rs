@@ -17,7 +17,7 @@ use nalgebra::{Point3, Vector3};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-use super::expected_rows::{LATER_S, measured_like};
+use super::imagined::{LATER_S, alone};
 use super::measuring_methods::{MeasuringMethod, last_setup, ways};
 
 /// How far from the first reflector a second one can be held, mm: a light bar on the flange.
@@ -220,11 +220,23 @@ impl CandidatePoses {
     /// points alone are measured.
     pub(crate) fn session(&self, prepared: &PreparedSearch) -> Option<Session> {
         prepared.problem.observed.as_ref()?;
+        let writing = self.writing(prepared);
         let all = self.candidates.iter();
-        let poses: Vec<_> = all.clone().map(|c| (&c.q[..], c.target)).collect();
-        let like: Vec<_> = all.filter_map(|c| self.ways[c.way].like).collect();
+        let poses = all.clone().map(|c| writing.pose(c, Text::default()));
+        let like: Vec<_> = all.map(|c| self.ways[c.way].like).collect();
         let (session, base) = (prepared.problem.session, &prepared.regression.base);
-        Some(measured_like(session, base, &poses, &like))
+        Some(alone(session, base, &poses.collect::<Vec<_>>(), &like))
+    }
+
+    fn writing(&self, prepared: &PreparedSearch) -> Writing<'_> {
+        let session = prepared.problem.session;
+        Writing {
+            targets: &self.targets,
+            mounted: session.targets.len(),
+            speeds: session.samples.speed.iter().any(Option::is_some),
+            loads: session.samples.load_kg.is_some(),
+            temperatures: false,
+        }
     }
 
     pub(crate) fn inputs(&self, prepared: &PreparedSearch) -> Inputs<'static> {
@@ -247,18 +259,11 @@ impl CandidatePoses {
     ) -> Vec<NextPose> {
         let candidate = &self.candidates[candidate];
         let session = prepared.problem.session;
-        let writing = Writing {
-            targets: &self.targets,
-            mounted: session.targets.len(),
-            speeds: session.samples.speed.iter().any(Option::is_some),
-            loads: session.samples.load_kg.is_some(),
-            temperatures: false,
-        };
         let why = match self.ways.get(candidate.way) {
             Some(way) => text!("{why}; measure {kinds}", why, kinds = way.describe(session)),
             None => why.clone(),
         };
-        let pose = writing.pose(candidate, why);
+        let pose = self.writing(prepared).pose(candidate, why);
         let Arrival::Short(share) = candidate.arrival else {
             return vec![pose];
         };

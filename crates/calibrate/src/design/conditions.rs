@@ -10,11 +10,14 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
 use super::arm::Arm;
+use super::candidate_set::free;
 use super::candidates::Candidate;
-use super::exchange::{Criterion, Information, choose};
-use super::expected_rows::{SECONDS_PER_POSE, shown};
+use super::covariance::inverse;
+use super::every_effect::every_effect;
+use super::exchange::{Criterion, choose};
 use super::first_measurement::WARMTHS;
-use super::information::every_effect;
+use super::imagined::{SECONDS_PER_POSE, shown};
+use super::information::Information;
 use super::needs::WARMING_C;
 use super::path;
 use super::varied::Varied;
@@ -202,16 +205,19 @@ fn information(
     });
     let all = arm.base.terms().iter().chain(effects).cloned().collect();
     let model = Model::new(arm.session.robot.clone(), all);
-    let (columns, mut precision) = arm.measured_information(&model);
-    let shown = shown(&whole, &model, &columns);
-    let owner: Vec<bool> = model.columns().map(|(term, _)| of_base(term)).collect();
-    for (to, _) in columns.iter().enumerate().filter(|own| !owner[*own.1]) {
-        let mean = shown.rows.column(to).norm_squared() / shown.rows.nrows().max(1) as f64;
-        precision[(to, to)] = if mean > 0.0 {
+    let columns = free(&model);
+    let (rows, beside) = shown(&whole, &model, &columns);
+    let mut known = arm.prior_information(&model, &columns);
+    let of_effect: Vec<bool> = model.columns().map(|(term, _)| !of_base(term)).collect();
+    let squares = rows.squares();
+    for (to, _) in columns.iter().enumerate().filter(|own| of_effect[*own.1]) {
+        let mean = squares[to] / rows.difference.len().max(1) as f64;
+        known[(to, to)] = if mean > 0.0 {
             mean / (USUAL * USUAL)
         } else {
             1.0
         };
     }
-    shown.information(before, precision)
+    rows.add_to(&mut known, 0..before);
+    Information::new(rows.from(before), inverse(&(known + beside)))
 }

@@ -6,6 +6,8 @@
 
 use std::cell::OnceCell;
 
+use nalgebra::DMatrix;
+
 use crate::diagnosis::NextPose;
 use crate::diagnosis::candidates::compatible;
 use crate::diagnosis::candidates::table::NotTestable;
@@ -18,9 +20,11 @@ use crate::sessions::Samples;
 use crate::text::{Template, Text};
 
 use super::candidates::{Candidate, CandidatePoses, Conditions, with_another};
-use super::comparison::{Comparison, Field, Prediction, Refit, enough_for};
+use super::comparison::{Comparison, enough_for};
+use super::covariance;
+use super::every_effect::standing;
 use super::exchange::choose;
-use super::information::standing;
+use super::field::Field;
 use super::model_separation::ModelSeparation;
 use super::needs::{Need, Untestable, WARMING_C, lacks, test_load_kg};
 
@@ -79,22 +83,23 @@ impl<'p> GeometryOffers<'p> {
         for (need, field) in &self.fields {
             let field = field.get_or_init(|| Field::new(prepared, &offer_for(prepared, &[*need])));
             let truth = base.with_term(small(field, base, effect, joint));
-            let seen = field.predictions(&truth, base);
-            let all: f64 = seen.iter().map(|p| p.difference.norm_squared()).sum();
+            let rows = field.rows(&truth, base);
             let p = base.coefficient_count();
-            let nothing = nalgebra::DMatrix::zeros(p, p);
-            let poses = seen.len();
-            let mut refit = Refit::new(seen, &nothing, 1);
-            for k in 0..poses {
-                refit.take(k, None);
-            }
-            if refit.risen[0] > 1e-3 * all && all > 0.0 {
+            let mut gram = DMatrix::zeros(p, p);
+            rows.add_to(&mut gram, 0..rows.len());
+            let pull = &rows.columns * &rows.difference;
+            let all = rows.difference.norm_squared();
+            let imitated = pull.dot(&(covariance::beside(&gram, &rows) * &pull));
+            if all > 0.0 && all - imitated > NOT_IMITATED * all {
                 return vec![*need];
             }
         }
         Vec::new()
     }
 }
+
+/// An effect of which the base model leaves this share (squared) over all candidates is shown by them.
+const NOT_IMITATED: f64 = 1e-3;
 
 /// What is offered where these needs are to be met.
 fn offer_for(prepared: &PreparedSearch, needs: &[Need]) -> CandidatePoses {
@@ -134,14 +139,9 @@ fn small(field: &Field, model: &Model, effect: &'static Effect, joint: usize) ->
         .take_while(|(t, _)| !t.same_column(&term))
         .count();
     let size = term.coefficients.len();
-    let mut energy = vec![0.0; size];
-    for Prediction { columns, .. } in field.predictions(model, &absent) {
-        for (k, energy) in energy.iter_mut().enumerate() {
-            *energy += columns.column(first + k).norm_squared();
-        }
-    }
+    let energy = &field.rows(model, &absent).squares()[first..first + size];
     let rows = (field.inputs.len() as f64).max(1.0);
-    for (coefficient, energy) in term.coefficients.iter_mut().zip(&energy) {
+    for (coefficient, energy) in term.coefficients.iter_mut().zip(energy) {
         let rms = (energy / rows).sqrt();
         if rms > 0.0 {
             *coefficient = SMALL / rms / (size as f64).sqrt();
@@ -171,6 +171,8 @@ pub(crate) fn worth_enabling(
     enable(prepared, fit, &untestable, false, MOST_BESIDE)
 }
 
+/// Log-odds that are asked for: 400 : 1, as one effect of many is enabled.
+const SURELY: f64 = 6.0;
 /// What remains of the session's information where it does not say under which condition it was
 /// measured.
 const WEAK: f64 = 0.02;
@@ -259,7 +261,7 @@ fn comparisons(
         let weight = if unsaid { WEAK } else { 1.0 };
         // The effect was there already; the samples so far could not show it.
         let truth = model.with_term(term.clone());
-        field.comparison_from_the_start(&truth, &rival, enough_for(6.0, 0.0), weight)
+        Comparison::from_the_start(&field, [&truth, &rival], enough_for(SURELY, 0.0), weight)
     };
     wanted.iter().zip(&terms).map(against_others).collect()
 }

@@ -8,23 +8,26 @@
 //! with J the columns of every effect of the catalogue that the robot can show, each scaled to the
 //! same size. Random candidates also leave no equal steps, behind which an order could hide.
 
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, DVector};
 use rand::seq::SliceRandom;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
 use crate::diagnosis::NextPose;
-use crate::kinematics::{JointKind, Range, Robot};
+use crate::effects::Inputs;
+use crate::kinematics::{Range, Robot};
 use crate::model::Model;
 use crate::sessions::Target;
 use crate::text::Text;
 
-use super::candidates::{Arrival, Candidate, Writing, anywhere, usual_speed};
-use super::comparison::Prediction;
-use super::exchange::{Criterion, Information, choose};
-use super::expected_rows::SECONDS_PER_POSE;
-use super::information::Columns;
+use super::candidates::{Arrival, Candidate, Writing, anywhere, inputs, usual_speed};
+use super::covariance::inverse;
+use super::every_effect::every_effect;
+use super::exchange::{Criterion, choose};
+use super::imagined::SECONDS_PER_POSE;
+use super::information::Information;
 use super::needs::WARMING_C;
+use super::rows::Rows;
 use super::typed::typed;
 
 /// Load in each eighth of the measurement, as a share of the test load.
@@ -36,46 +39,34 @@ const SPEEDS: [f64; 5] = [0.0, 1.0, 0.0, 2.0, 0.0];
 /// Lengths of the short approaches, as shares of a joint's range.
 const SHORT: [f64; 3] = [0.01, 0.03, 0.09];
 
+/// Random poses over which the columns are scaled.
+const POOL: u32 = 64;
+/// Multiplications that a design may take, and how many candidates each pose has within them.
+const EFFORT: usize = 600_000_000;
+const CANDIDATES: [usize; 2] = [12, 160];
+
 /// What a first measurement is made for.
-#[derive(Debug, Clone)]
-pub(crate) struct Request {
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Request<'r> {
+    pub(crate) robot: &'r Robot,
+    pub(crate) targets: &'r [Target],
+    /// So many of the targets are mounted already.
+    pub(crate) mounted: usize,
+    pub(crate) ranges: &'r [Range],
     pub(crate) poses: usize,
     pub(crate) load_kg: f64,
     pub(crate) seed: u64,
+    /// What was measured already, along which axes.
+    pub(crate) measured: Option<(&'r Inputs<'r>, &'r [usize])>,
 }
 
-/// What was measured already, as a model's columns show it.
-pub(crate) type Known<'a> = &'a dyn Fn(&Model) -> Vec<Prediction>;
-
-/// The poses in measuring order, beside what is known; so many of the targets are mounted already.
-pub(crate) fn design(
-    robot: &Robot,
-    targets: &[Target],
-    mounted: usize,
-    ranges: &[Range],
-    request: &Request,
-    prior_information: Known,
-) -> Vec<NextPose> {
-    let n = request.poses;
-    let mut random = ChaCha8Rng::seed_from_u64(request.seed ^ 0x5eed);
-    let columns = Columns::new(robot, targets, ranges, n, &mut random);
-    let covariance = columns.measured_information(&prior_information(&columns.model));
-    let nothing = Information::new(&DMatrix::zeros(0, covariance.ncols()), vec![0], covariance);
-    let mut slots = Slots {
-        schedule: schedule(robot, targets.len(), request, &mut random),
-        kinds: robot.joints.iter().map(|j| j.kind).collect(),
-        planned: Vec::with_capacity(n),
-        candidates: Vec::new(),
-        information: nothing,
-        ranges,
-        columns,
-        random,
-    };
-    slots.refill();
-    choose(&mut slots, n);
+/// The poses in measuring order, beside what is known.
+pub(crate) fn design(request: &Request) -> Vec<NextPose> {
+    let mut slots = Slots::new(request);
+    choose(&mut slots, request.poses);
     let writing = Writing {
-        targets,
-        mounted,
+        targets: request.targets,
+        mounted: request.mounted,
         speeds: true,
         loads: slots.planned.iter().any(|c| c.load_kg != 0.0),
         temperatures: true,
@@ -86,36 +77,136 @@ pub(crate) fn design(
 
 /// The schedule, slot by slot: each has candidates of its own.
 struct Slots<'r> {
+    request: &'r Request<'r>,
     /// Circumstances of every slot, without places and sides.
     schedule: Vec<Candidate>,
-    kinds: Vec<JointKind>,
-    ranges: &'r [Range],
-    columns: Columns,
+    /// Every effect that the robot can show, and what scales its columns to a root mean square of one.
+    model: Model,
+    scale: DVector<f64>,
     planned: Vec<Candidate>,
     candidates: Vec<Candidate>,
     information: Information,
     random: ChaCha8Rng,
 }
 
-impl Slots<'_> {
-    /// Candidates for the next slot.
+impl<'r> Slots<'r> {
+    fn new(request: &'r Request<'r>) -> Self {
+        let Request { robot, ranges, .. } = *request;
+        let mut random = ChaCha8Rng::seed_from_u64(request.seed ^ 0x5eed);
+        let duration_s = SECONDS_PER_POSE * request.poses as f64;
+        let model = every_effect(robot, ranges, 0.5 * duration_s);
+        let p = model.coefficient_count();
+        let pool: Vec<Candidate> = (0..POOL)
+            .map(|k| {
+                let side = |_| if random.random::<bool>() { 1.0 } else { -1.0 };
+                let dir: Vec<f64> = (0..ranges.len()).map(side).collect();
+                let units = robot.joints.iter().map(|j| usual_speed(j.kind));
+                Candidate {
+                    speed: units.zip(&dir).map(|(u, d)| u * d).collect(),
+                    dir,
+                    arrival: [Arrival::Short(0.03), Arrival::Long][usize::from(k % 3 != 0)],
+                    load_kg: f64::from(k % 2),
+                    above_20_c: WARMING_C * f64::from(k % 4) / 3.0,
+                    target: k % u32::try_from(request.targets.len()).unwrap_or(1),
+                    time_s: duration_s * f64::from(k) / f64::from(POOL),
+                    ..Candidate::at(anywhere(ranges, &mut random))
+                }
+            })
+            .collect();
+        let mut slots = Self {
+            request,
+            schedule: Vec::new(),
+            information: Information::new(
+                Rows::zeros(p, std::iter::empty()),
+                DMatrix::identity(p, p),
+            ),
+            scale: DVector::from_element(p, 1.0),
+            model,
+            planned: Vec::with_capacity(request.poses),
+            candidates: Vec::new(),
+            random,
+        };
+        let squares = slots.rows(&request.inputs(&pool), &[0, 1, 2]).squares();
+        let unit = |sum: f64| {
+            if sum > 0.0 {
+                (f64::from(POOL) / sum).sqrt()
+            } else {
+                0.0
+            }
+        };
+        slots.scale = squares.into_iter().map(unit).collect::<Vec<_>>().into();
+        if let Some((measured, axes)) = request.measured {
+            let rows = slots.rows(measured, axes);
+            let known = &mut slots.information.covariance;
+            rows.add_to(known, 0..rows.len());
+            *known = inverse(known);
+        }
+        slots.schedule = schedule(request, &mut slots.random);
+        slots.refill();
+        slots
+    }
+
+    /// The scaled columns of every effect.
+    fn rows(&self, inputs: &Inputs, axes: &[usize]) -> Rows {
+        let mut all = Rows::of_points([&self.model; 2], inputs, axes, [1.0; 3]);
+        for (mut row, scale) in all.columns.row_iter_mut().zip(&self.scale) {
+            row *= *scale;
+        }
+        all
+    }
+
+    /// Candidates for the next slot, and what each would add behind the poses before.
     fn refill(&mut self) {
         let Some(like) = self.schedule.get(self.planned.len()).cloned() else {
             return;
         };
         self.candidates = self.next_candidates(&like);
+        let mut inputs = self.request.inputs(&self.candidates);
+        let travels = travels(&self.planned, &self.candidates);
+        inputs.travel = travels.into_iter().map(Some).collect();
         let covariance = self.information.covariance.clone();
-        let now = self
-            .columns
-            .information(&self.candidates, &self.planned, covariance);
-        self.information = now;
+        self.information = Information::new(self.rows(&inputs, &[0, 1, 2]), covariance);
     }
+
+    /// From 0 at an earlier place to 1 far from all: places that lie together hide what is local.
+    fn gap(&self, choice: &Candidate) -> f64 {
+        let apart = |earlier: &Candidate| {
+            let pairs = choice.q.iter().zip(&earlier.q).zip(self.request.ranges);
+            let each = pairs.map(|((a, b), range)| ((a - b) / (range.to - range.from)).abs());
+            each.fold(0.0, f64::max)
+        };
+        let nearest = self.planned.iter().map(apart).fold(1.0, f64::min);
+        let step = 1.0 / (self.planned.len() + 1) as f64;
+        1.0 - (-(2.0 * nearest / step).powi(2)).exp()
+    }
+}
+
+impl Request<'_> {
+    fn inputs(&self, candidates: &[Candidate]) -> Inputs<'static> {
+        inputs(self.robot, self.targets, self.ranges, candidates, Some(0.0))
+    }
+}
+
+/// Travel since the last reversal of each joint at each choice, were it the next.
+fn travels(before: &[Candidate], choices: &[Candidate]) -> Vec<Vec<f64>> {
+    let joints = choices.first().map_or(0, |c| c.q.len());
+    let after = |j: usize, choice: &Candidate| {
+        let all: Vec<&Candidate> = before.iter().chain([choice]).collect();
+        // Only the way since the last reversal counts.
+        all.windows(2).fold(f64::INFINITY, |travel, pair| {
+            let moved = (pair[1].q[j] - pair[0].q[j]).abs();
+            let on = pair[1].dir[j] == pair[0].dir[j];
+            if on { travel + moved } else { moved }
+        })
+    };
+    let of = |j| choices.iter().map(|c| after(j, c)).collect();
+    (0..joints).map(of).collect()
 }
 
 impl Criterion for Slots<'_> {
     fn worths(&self) -> Vec<f64> {
         let worth = |(k, one): (usize, &Candidate)| {
-            let gap = self.columns.gap(one, &self.planned);
+            let gap = self.gap(one);
             // Every slot is filled, whatever it shows.
             (self.information.gain(k).exp() * gap).max(1e-6)
         };
@@ -131,13 +222,8 @@ impl Criterion for Slots<'_> {
 
 /// Circumstances of every pose, before its joint values: speeds without their signs, arrivals as they are
 /// wanted (a return may be to any pose).
-fn schedule(
-    robot: &Robot,
-    targets: usize,
-    request: &Request,
-    random: &mut ChaCha8Rng,
-) -> Vec<Candidate> {
-    let n = request.poses;
+fn schedule(request: &Request, random: &mut ChaCha8Rng) -> Vec<Candidate> {
+    let (n, targets) = (request.poses, request.targets.len());
     // Stretches of ten hold every speed for every reflector once, in random order.
     let mut in_turn: Vec<(f64, u32)> = Vec::new();
     while in_turn.len() < n {
@@ -149,7 +235,8 @@ fn schedule(
         stretch.shuffle(random);
         in_turn.extend(stretch);
     }
-    let units: Vec<f64> = robot.joints.iter().map(|j| usual_speed(j.kind)).collect();
+    let joints = request.robot.joints.iter();
+    let units: Vec<f64> = joints.map(|j| usual_speed(j.kind)).collect();
     let slot = |(i, (speed, target)): (usize, (f64, u32))| {
         let part = |parts: usize| i * parts / n;
         Candidate {
@@ -174,7 +261,8 @@ impl Slots<'_> {
     /// Poses that may come next.
     fn next_candidates(&mut self, like: &Candidate) -> Vec<Candidate> {
         let wanted = like.arrival;
-        let (ranges, kinds, before) = (self.ranges, &self.kinds, &self.planned);
+        let (ranges, before) = (self.request.ranges, &self.planned);
+        let joints = &self.request.robot.joints;
         let random = &mut self.random;
         let last = before.last();
         let reached = |q: Vec<f64>, arrival: Arrival| {
@@ -194,7 +282,7 @@ impl Slots<'_> {
         if let (Arrival::Short(share), Some(last)) = (wanted, last) {
             let step = |j: usize| {
                 let way = share * (ranges[j].to - ranges[j].from);
-                last.q[j] - last.dir[j] * typed(way, kinds[j])
+                last.q[j] - last.dir[j] * typed(way, joints[j].kind)
             };
             let q: Vec<f64> = (0..ranges.len()).map(step).collect();
             let mut pairs = q.iter().zip(ranges);
@@ -222,7 +310,9 @@ impl Slots<'_> {
                 return vec![one[pick].clone()];
             }
         }
-        let drawn = (0..self.columns.candidates).map(|k| {
+        let p = self.scale.len();
+        let affordable = EFFORT / (3 * p * p * self.request.poses).max(1);
+        let drawn = (0..affordable.clamp(CANDIDATES[0], CANDIDATES[1])).map(|k| {
             // The ends belong to the travel: some candidates lie there.
             let mut q = anywhere(ranges, random);
             if k % 8 == 0 {
@@ -230,8 +320,8 @@ impl Slots<'_> {
                 let (range, low) = (&ranges[joint], random.random::<bool>());
                 q[joint] = if low { range.from } else { range.to };
             }
-            for ((q, range), kind) in q.iter_mut().zip(ranges).zip(kinds) {
-                *q = typed(*q, *kind).clamp(range.from, range.to);
+            for ((q, range), joint) in q.iter_mut().zip(ranges).zip(joints) {
+                *q = typed(*q, joint.kind).clamp(range.from, range.to);
             }
             reached(q, Arrival::Long)
         });

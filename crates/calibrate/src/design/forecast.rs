@@ -51,7 +51,13 @@ pub(crate) struct Workspace {
 }
 
 impl Workspace {
-    pub(crate) fn new(problem: &Problem, model: &Model, columns: &[usize]) -> Self {
+    /// `everything` is the information of all that can be measured.
+    pub(crate) fn new(
+        problem: &Problem,
+        model: &Model,
+        columns: &[usize],
+        everything: &DMatrix<f64>,
+    ) -> Self {
         let inputs = over_the_ranges(problem);
         let mut all = DMatrix::zeros(3 * inputs.len(), columns.len());
         model.visit(&inputs, true, |start, block| {
@@ -74,21 +80,17 @@ impl Workspace {
         });
         let steps: Vec<f64> = steps.collect();
         let instrument = &problem.session.instrument;
-        Self {
+        let sigma = KINDS[0].sigma(instrument);
+        let mut workspace = Self {
             columns: all,
             steps: columns.iter().map(|k| steps[*k]).collect(),
-            unit_mm: KINDS[0]
-                .sigma(instrument)
-                .unwrap_or(KINDS[0].about().usual_sigma),
-            shown: columns.len(),
-        }
-    }
-
-    /// Takes what everything together shows for what can be shown.
-    pub(crate) fn can_show(&mut self, gram: &DMatrix<f64>) {
-        let squares = self.squares(gram);
+            unit_mm: sigma.unwrap_or(KINDS[0].about().usual_sigma),
+            shown: 0,
+        };
+        let squares = workspace.squares(everything);
         let least = NONE * squares.first().unwrap_or(&0.0);
-        self.shown = squares.iter().filter(|s| **s > least).count();
+        workspace.shown = squares.iter().filter(|s| **s > least).count();
+        workspace
     }
 
     /// Squared singular values in mm², the largest first, of an information matrix.
@@ -101,11 +103,10 @@ impl Workspace {
         let scaled = DMatrix::from_fn(p, p, |i, j| {
             gram[(i, j)] * self.steps[i] * self.steps[j] * mm
         });
-        let mut squares: Vec<f64> = crate::decompose::eigen(scaled)
+        let mut squares = crate::decompose::eigen(scaled)
             .eigenvalues
-            .iter()
-            .copied()
-            .collect();
+            .as_slice()
+            .to_vec();
         squares.sort_by(|a, b| b.total_cmp(a));
         squares
     }

@@ -26,11 +26,10 @@ use crate::sessions::{Session, Target};
 
 use super::arm::Arm;
 use super::candidates::ranges;
-use super::comparison::{Axes, predictions};
 use super::conditions::conditioned;
-use super::expected_rows::{extended, unmeasured, with_noise};
 use super::first_measurement::{self, Request};
 use super::geometry::{self, Geometry, PlanGoal};
+use super::imagined::{extended, unmeasured, with_noise};
 use super::named::Named;
 use super::needs::{self, TEST_LOAD_KG, Untestable, test_load_kg};
 use super::pair_separation::Separation;
@@ -295,13 +294,16 @@ fn first_poses(
         let (poses, geometry) = of_arm(&arm, wanted, varied, options)?;
         return Ok((poses, Some(geometry)));
     }
-    let request = Request {
+    let poses = first_measurement::design(&Request {
+        robot,
+        targets,
+        mounted: 1,
+        ranges: &ranges(robot, None),
         poses: count,
         load_kg,
         seed: options.diagnosis.seed,
-    };
-    let (ranges, nothing) = (ranges(robot, None), |_: &Model| Vec::new());
-    let poses = first_measurement::design(robot, targets, 1, &ranges, &request, &nothing);
+        measured: None,
+    });
     Ok((poses, None))
 }
 
@@ -357,20 +359,17 @@ fn sharpen(
 ) -> Vec<NextPose> {
     let session = prepared.problem.session;
     let heaviest = prepared.survey.largest_load_kg;
-    let request = Request {
-        poses: count,
-        load_kg: options.load_kg.unwrap_or_else(|| test_load_kg(heaviest)),
-        seed: options.diagnosis.seed,
-    };
-    let axes = Axes {
-        axes: prepared.regression.rows.axes.clone(),
-        sigma_mm: [1.0; 3],
-    };
     let base = &prepared.regression.base;
     let extended = extended(session, base, &plan.poses, &plan.targets);
     let inputs = Inputs::new(&extended, prepared.options().joint_values);
-    let ranges = ranges(&session.robot, Some(&prepared.problem.inputs));
-    let known = |model: &Model| predictions(model, model, &inputs, &axes);
-    let (targets, mounted) = (&plan.targets, session.targets.len());
-    first_measurement::design(&session.robot, targets, mounted, &ranges, &request, &known)
+    first_measurement::design(&Request {
+        robot: &session.robot,
+        targets: &plan.targets,
+        mounted: session.targets.len(),
+        ranges: &ranges(&session.robot, Some(&prepared.problem.inputs)),
+        poses: count,
+        load_kg: options.load_kg.unwrap_or_else(|| test_load_kg(heaviest)),
+        seed: options.diagnosis.seed,
+        measured: Some((&inputs, &prepared.regression.rows.axes)),
+    })
 }

@@ -3,7 +3,7 @@
 
 use nalgebra::Point3;
 
-use super::expected_rows::place_of;
+use super::imagined::place_of;
 use super::typed::typed;
 use crate::effects::inputs::reflectors_at_home;
 use crate::effects::places::{name, stated};

@@ -40,12 +40,14 @@ mod candidates;
 mod comparison;
 #[doc(hidden)]
 pub mod conditions;
+mod covariance;
 mod decision;
+mod every_effect;
 mod exchange;
-mod expected_rows;
+mod field;
 mod first_measurement;
+mod imagined;
 mod information;
-mod inverse;
 mod line_of_sight;
 mod making;
 mod measuring_methods;
@@ -53,8 +55,8 @@ mod model_separation;
 mod named;
 mod path;
 mod plan_options;
+mod rows;
 mod typed;
-mod untouched;
 mod varied;
 
 pub use expected_information::{Alike, ExpectedInformation};

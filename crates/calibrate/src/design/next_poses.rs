@@ -8,7 +8,7 @@
 
 use crate::diagnosis::NextPose;
 use crate::diagnosis::evidence::Fit;
-use crate::diagnosis::evidence::rival::{Rival, UNDECIDED};
+use crate::diagnosis::evidence::rival::Rival;
 use crate::diagnosis::search::aliases;
 use crate::diagnosis::search::prepare::PreparedSearch;
 use crate::diagnosis::verdict::{Proposal, Undecided};
@@ -16,10 +16,11 @@ use crate::effects::{Condition, Over, Term, called};
 use crate::text::Text;
 
 use super::candidates::{Arrival, CandidatePoses, Conditions};
-use super::comparison::{Field, ModelDistance, enough_for};
+use super::comparison::ModelDistance;
 use super::decision::{self, Decision, Explanation, SURE};
 use super::enabling_poses;
 use super::exchange::choose;
+use super::field::Field;
 use super::model_separation::{Attempt, ModelSeparation, over_reflectors};
 use super::plan_options::MOST_JOINTS;
 
@@ -172,19 +173,12 @@ fn attempt(
     most: usize,
 ) -> Attempt {
     let field = Field::new(prepared, &candidates);
-    let decision = Decision::new(&field, all, UNDECIDED);
-    let comparisons = decision.comparisons(|truth, other| {
-        let lead = all[truth].fit.ln_evidence - all[other].fit.ln_evidence;
-        enough_for(UNDECIDED, lead)
-    });
+    let (decision, comparisons) = Decision::new(&field, all);
     let mut parting = ModelSeparation::new(comparisons, candidates.candidates.len(), REPEATS);
     let enough: Vec<f64> = parting.distances().map(|c| c.enough.max(1.0)).collect();
     parting.decision = Some(decision);
     let mut order = choose(&mut parting, most);
-    let needed = parting
-        .decision
-        .as_ref()
-        .map(|decision| decision.needed(SURE));
+    let needed = parting.decision.as_ref().map(|own| own.needed(SURE));
     let (poses, unparted, probability) = needed.unwrap_or_default();
     order.truncate(poses);
     let share = |(c, enough): (&ModelDistance, &f64)| (c.delta / enough).min(1.0);
