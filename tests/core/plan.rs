@@ -303,10 +303,8 @@ fn limits_are_kept_and_the_plan_is_the_same_every_time() {
             "{}: a second reflector where something turns",
             robot.name
         );
-        let backlash = plan
-            .seen_above()
-            .into_iter()
-            .find(|s| s.effect == "backlash");
+        let mut limits = plan.expected.limits.iter();
+        let backlash = limits.find(|s| s.effect == "backlash");
         let unit = if turns { "width_deg" } else { "width_mm" };
         assert_eq!(backlash.expect("testable").sizes[0].0, unit);
     }
@@ -389,8 +387,7 @@ fn more_poses_than_needed_lower_the_detection_limits() {
     let (few, many) = (with(6), with(60));
     assert_eq!((few.poses.len(), many.poses.len()), (6, 60));
     let limit = |plan: &truepose::design::Plan, id: &str| {
-        let all = plan.seen_above();
-        let one = all.into_iter().find(|s| s.effect == id);
+        let one = plan.expected.limits.iter().find(|s| s.effect == id);
         one.expect("testable").sizes[0].1
     };
     for id in ["backlash", "tracking-lag", "joint-scale", "base-offset"] {

@@ -47,7 +47,7 @@ pub(crate) struct CandidateSet {
 impl Arm {
     /// Candidates beside what was measured. Without a model it is found what they can show.
     fn set(&self, candidates: Vec<Candidate>, model: Option<&Model>) -> CandidateSet {
-        let whole = self.with(&candidates, &self.writing(None));
+        let whole = self.with(&candidates, false);
         let before = self.session.samples.len();
         let mut problem = Problem::observing(&whole, JointValues::Commanded);
         problem.priors = self.priors.clone();

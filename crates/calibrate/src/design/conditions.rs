@@ -20,7 +20,6 @@ use super::imagined::{SECONDS_PER_POSE, shown};
 use super::information::Information;
 use super::needs::WARMING_C;
 use super::path;
-use super::varied::Varied;
 use crate::diagnosis::NextPose;
 use crate::effects::{Setting, Term};
 use crate::kinematics::{Joint, JointKind, Range};
@@ -48,18 +47,14 @@ pub fn approach(joint: &Joint, range: Option<Range>) -> f64 {
 }
 
 /// The poses in measuring order, each with its conditions.
-pub(crate) fn conditioned(
-    arm: &Arm,
-    poses: &[Candidate],
-    varied: Varied,
-    seed: u64,
-) -> Vec<NextPose> {
-    let stretches = if poses.len() >= SOME && (varied.load_kg.is_some() || varied.heats) {
+pub(crate) fn conditioned(arm: &Arm, poses: &[Candidate]) -> Vec<NextPose> {
+    let varied = arm.load_kg.is_some() || arm.heats;
+    let stretches = if poses.len() >= SOME && varied {
         LOADS.len()
     } else {
         1
     };
-    let mut slots = ConditionedPoses::new(arm, poses, varied, seed, stretches);
+    let mut slots = ConditionedPoses::new(arm, poses, stretches);
     let order = choose(&mut slots, poses.len());
     let robot = &arm.session.robot;
     let at_home = |range: &Range| 0.0_f64.clamp(range.from, range.to);
@@ -75,10 +70,7 @@ pub(crate) fn conditioned(
             here.clone_from(&last.q);
         }
     }
-    let (writing, why) = (
-        arm.writing(Some(varied)),
-        text!("joint values that tell most"),
-    );
+    let (writing, why) = (arm.writing(true), text!("joint values that tell most"));
     let poses = all.into_iter().map(|c| writing.pose(c, why.clone()));
     poses.collect()
 }
@@ -94,8 +86,8 @@ struct ConditionedPoses {
 }
 
 impl ConditionedPoses {
-    fn new(arm: &Arm, poses: &[Candidate], varied: Varied, seed: u64, stretches: usize) -> Self {
-        let mut random = ChaCha8Rng::seed_from_u64(seed ^ 0x51de);
+    fn new(arm: &Arm, poses: &[Candidate], stretches: usize) -> Self {
+        let mut random = ChaCha8Rng::seed_from_u64(arm.seed ^ 0x51de);
         let (mut candidates, mut pose, mut stretch) = (Vec::new(), Vec::new(), Vec::new());
         let sides = SIDES[usize::from(poses.len() > MANY)];
         for (k, own) in poses.iter().enumerate() {
@@ -103,21 +95,19 @@ impl ConditionedPoses {
             for side in 0..sides {
                 for d in &mut dir {
                     // Every other one is the opposite of that before.
-                    *d = if side % 2 == 1 {
-                        -*d
-                    } else if random.random::<bool>() {
-                        1.0
-                    } else {
-                        -1.0
+                    *d = match side % 2 {
+                        1 => -*d,
+                        _ if random.random::<bool>() => 1.0,
+                        _ => -1.0,
                     };
                 }
                 let dir = possible(arm, &own.q, &dir);
                 for s in 0..stretches {
-                    let above_20_c = WARMING_C * WARMTHS[s];
+                    let warmth = if arm.heats { WARMTHS[s] } else { 0.0 };
                     candidates.push(Candidate {
                         dir: dir.clone(),
-                        load_kg: varied.load_kg.map_or(0.0, |kg| kg * LOADS[s]),
-                        above_20_c: if varied.heats { above_20_c } else { 0.0 },
+                        load_kg: arm.load_kg.map_or(0.0, |kg| kg * LOADS[s]),
+                        above_20_c: WARMING_C * warmth,
                         ..own.clone()
                     });
                     pose.push(k);
@@ -127,7 +117,7 @@ impl ConditionedPoses {
         }
         let n = poses.len();
         Self {
-            information: information(arm, &candidates, varied, &stretch, [n, stretches]),
+            information: information(arm, &candidates, &stretch, [n, stretches]),
             used: vec![false; n],
             free_in_stretch: (0..stretches)
                 .map(|s| (s + 1) * n / stretches - s * n / stretches)
@@ -180,11 +170,10 @@ impl Criterion for ConditionedPoses {
 fn information(
     arm: &Arm,
     candidates: &[Candidate],
-    varied: Varied,
     stretch: &[usize],
     [poses, stretches]: [usize; 2],
 ) -> Information {
-    let mut whole = arm.with(candidates, &arm.writing(Some(varied)));
+    let mut whole = arm.with(candidates, true);
     let before = arm.session.samples.len();
     let mut middle_s = 0.0;
     if let Some(time_s) = &mut whole.samples.time_s {

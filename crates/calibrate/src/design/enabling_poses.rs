@@ -81,7 +81,8 @@ impl<'p> GeometryOffers<'p> {
         let prepared = self.prepared;
         let base = &prepared.regression.base;
         for (need, field) in &self.fields {
-            let field = field.get_or_init(|| Field::new(prepared, &offer_for(prepared, &[*need])));
+            let field =
+                field.get_or_init(|| Field::new(prepared, &offer_for(prepared, &[*need], None)));
             let truth = base.with_term(small(field, base, effect, joint));
             let rows = field.rows(&truth, base);
             let p = base.coefficient_count();
@@ -102,7 +103,7 @@ impl<'p> GeometryOffers<'p> {
 const NOT_IMITATED: f64 = 1e-3;
 
 /// What is offered where these needs are to be met.
-fn offer_for(prepared: &PreparedSearch, needs: &[Need]) -> CandidatePoses {
+fn offer_for(prepared: &PreparedSearch, needs: &[Need], load_kg: Option<f64>) -> CandidatePoses {
     let session = prepared.problem.session;
     let mut targets = session.targets.clone();
     if needs.contains(&Need::Reflector) && prepared.problem.observed.is_none() {
@@ -113,7 +114,7 @@ fn offer_for(prepared: &PreparedSearch, needs: &[Need]) -> CandidatePoses {
         conditions.speeds = vec![0.0, 1.0, 2.0];
     }
     if needs.contains(&Need::Loads) {
-        let load = test_load_kg(prepared.survey.largest_load_kg);
+        let load = test_load_kg(load_kg, prepared.survey.largest_load_kg);
         conditions.loads_kg.push(load);
     }
     if needs.contains(&Need::Temperatures) {
@@ -168,7 +169,7 @@ pub(crate) fn worth_enabling(
     };
     let mut untestable = untestable(prepared, not_testable);
     untestable.retain(|l| l.needs.iter().all(cheap));
-    enable(prepared, fit, &untestable, false, MOST_BESIDE)
+    enable(prepared, fit, &untestable, None, MOST_BESIDE, false)
 }
 
 /// Log-odds that are asked for: 400 : 1, as one effect of many is enabled.
@@ -183,8 +184,9 @@ pub(crate) fn enable(
     prepared: &PreparedSearch,
     fit: &Fit,
     untestable: &[Untestable],
-    reflector: bool,
+    load_kg: Option<f64>,
     most: usize,
+    reflector: bool,
 ) -> Vec<NextPose> {
     let wanted: Vec<&Untestable> = untestable
         .iter()
@@ -194,7 +196,7 @@ pub(crate) fn enable(
     if wanted.is_empty() || most == 0 {
         return Vec::new();
     }
-    let offer = offer_for(prepared, &needs_of(&wanted, |_| true));
+    let offer = offer_for(prepared, &needs_of(&wanted, |_| true), load_kg);
     let comparisons = comparisons(prepared, &offer, &fit.model, &wanted);
     let fresh = comparisons.clone();
     let mut parting = ModelSeparation::new(comparisons, offer.candidates.len(), 1);

@@ -4,7 +4,7 @@ use super::arm::Arm;
 use super::candidate_set::CandidateSet;
 use super::candidates::Candidate;
 use super::forecast::{ExpectedError, Forecast};
-use super::plan_options::{MOST, PlanError};
+use super::plan_options::{MOST, PlanError, PlanOptions};
 
 /// The expected error is told for so many poses.
 const CURVE: [usize; 4] = [20, 30, 50, 100];
@@ -33,6 +33,15 @@ pub(crate) enum PlanGoal {
     Poses(usize),
     /// As many as bring the 95th percentile of the expected error below this, mm.
     Accuracy(f64),
+}
+
+impl PlanGoal {
+    /// So many poses, where no accuracy is asked for.
+    pub(crate) fn new(options: &PlanOptions, poses: usize) -> Self {
+        options
+            .accuracy_mm
+            .map_or(Self::Poses(poses), Self::Accuracy)
+    }
 }
 
 /// Poses that show the geometry best, in no order, and what they do.

@@ -57,7 +57,6 @@ mod path;
 mod plan_options;
 mod rows;
 mod typed;
-mod varied;
 
 pub use expected_information::{Alike, ExpectedInformation};
 pub use forecast::{ExpectedError, Forecast};
@@ -66,5 +65,5 @@ pub use making::{plan_robot, plan_session};
 pub use named::Named;
 pub use needs::{Need, Untestable};
 pub use pair_separation::Separation;
-pub use plan::{Plan, SeenAbove, Subject};
+pub use plan::{Plan, Subject};
 pub use plan_options::{PlanError, PlanOptions};

@@ -6,14 +6,15 @@ use crate::effects::{Effect, Survey};
 use crate::text::{Template, Text};
 
 /// Load for a test where the session says nothing about loads, kg.
-pub(crate) const TEST_LOAD_KG: f64 = 3.0;
-/// A load for a test: the heaviest of the session, where it has any.
-pub(crate) fn test_load_kg(heaviest: f64) -> f64 {
-    if heaviest > 0.0 {
+const TEST_LOAD_KG: f64 = 3.0;
+/// A load for a test: as asked for, else the heaviest of the session, where it has any.
+pub(crate) fn test_load_kg(asked: Option<f64>, heaviest: f64) -> f64 {
+    let own = if heaviest > 0.0 {
         heaviest
     } else {
         TEST_LOAD_KG
-    }
+    };
+    asked.unwrap_or(own)
 }
 
 /// How much warmer a warm machine is, K.

@@ -5,7 +5,6 @@ use crate::design::geometry::Geometry;
 use crate::design::needs::Untestable;
 use crate::design::pair_separation::Separation;
 use crate::design::plan::{Plan, Subject};
-use crate::diagnosis::Limit;
 use crate::language::spoken;
 use crate::present::limits::{applies, joints_in_words, limits_of};
 use crate::present::names::{title, title_of, title_on};
@@ -233,18 +232,12 @@ fn geometry(geometry: &Geometry, plan: &Plan, detail: Detail) -> Section {
 
 /// From which sizes on effects will be seen, and which will look alike.
 fn limits(plan: &Plan, detail: Detail) -> Option<Section> {
-    let seen = plan.seen_above();
+    let seen = &plan.expected.limits;
     if plan.poses.is_empty() || seen.is_empty() {
         return None;
     }
     let joints = plan.robot.joints.len();
-    let seen = seen.into_iter().map(|one| Limit {
-        effect: one.effect,
-        joint: one.joint.map(|joint| joint - 1),
-        sizes: one.sizes,
-    });
-    let seen: Vec<Limit> = seen.collect();
-    let lines = limits_of(&plan.robot, &seen, |effect| title(effect).to_owned());
+    let lines = limits_of(&plan.robot, seen, |effect| title(effect).to_owned());
     let facts = lines.into_iter().map(|line| (line.names, line.text));
     let mut blocks = vec![Block::Facts(facts.collect())];
     let alike = plan.expected.alike.iter().map(|pair| {
