@@ -38,7 +38,7 @@ use crate::lanes::{add_scaled, cross, dot, minus};
 use crate::model::Model;
 
 use super::inverse::{FLATTEST, LONGEST, MOST_PASSES, MOST_ROTATIONS};
-use super::plan::{part_of, selected};
+use super::plan::{blocks, some_of};
 
 /// How far from the tool's origin the points stand that carry its orientation, mm.
 const LEVER_MM: f64 = 100.0;
@@ -94,8 +94,8 @@ impl Tools {
 /// Where a model has the tools at each pose of `inputs`; its targets play no part.
 pub fn tool_poses(model: &Model, inputs: &Inputs, tools: &Tools) -> Vec<Pose> {
     let mut poses = Vec::with_capacity(inputs.len());
-    for start in (0..inputs.len()).step_by(AT_ONCE) {
-        let part = with_tools(inputs, tools, start);
+    for block in blocks(inputs, AT_ONCE) {
+        let part = with_tools(inputs, tools, &block);
         let seen = seen(model, &part, tools);
         poses.extend(seen.iter().map(ToolAtPose::pose));
     }
@@ -114,19 +114,23 @@ pub fn commands_for_poses(
     let free = &model.robot.leading(free)[..];
     let scale = Scale::of(&model.robot, free);
     let mut reached = Vec::with_capacity(inputs.len());
-    for start in (0..inputs.len()).step_by(AT_ONCE) {
-        let part = with_tools(inputs, tools, start);
-        let wanted = &wanted[start..start + part.len()];
+    for block in blocks(inputs, AT_ONCE) {
+        let part = with_tools(inputs, tools, &block);
+        let wanted = &wanted[block[0]..][..block.len()];
         reached.extend(commands_of_block(model, &scale, part, wanted, free, tools));
     }
     reached
 }
 
-/// Some consecutive poses of `inputs`, with the tool of each.
-fn with_tools(inputs: &Inputs, tools: &Tools, start: usize) -> Inputs<'static> {
-    let mut part = part_of(inputs, start, AT_ONCE);
-    let of_pose = tools.of_pose.get(start..start + part.len());
-    part.target = of_pose.map(|of_pose| Cow::Owned(of_pose.to_vec()));
+/// Some poses of `inputs`, with the tool of each.
+fn with_tools(inputs: &Inputs, tools: &Tools, poses: &[usize]) -> Inputs<'static> {
+    let mut part = some_of(inputs, poses);
+    let of_pose = (!tools.of_pose.is_empty()).then(|| {
+        poses
+            .iter()
+            .map(|i| tools.of_pose.get(*i).copied().unwrap_or(0))
+    });
+    part.target = of_pose.map(Iterator::collect);
     part
 }
 
@@ -148,7 +152,7 @@ fn commands_of_block(
     let mut moving: Vec<usize> = (0..count).collect();
     let mut last: Vec<ToolAtPose> = vec![ToolAtPose::default(); count];
     for pass in 0..=2 * MOST_PASSES {
-        let some = selected(&trial, &moving);
+        let some = some_of(&trial, &moving);
         for (i, seen) in moving.iter().copied().zip(seen(model, &some, tools)) {
             last[i] = seen;
             let state = &mut state[i];

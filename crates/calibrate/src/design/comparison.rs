@@ -51,6 +51,9 @@ pub(crate) struct ModelDistance {
     pub(crate) enough: f64,
 }
 
+/// Parameters that no candidate shows are left out where there are so many: fewer are as fast with the others.
+const WORTH_LEAVING_OUT: usize = 48;
+
 impl ModelDistance {
     /// Of what another model shows as compared with the one that is refitted.
     pub(crate) fn new(residual: DVector<f64>, enough: f64) -> Self {
@@ -112,7 +115,7 @@ impl Comparison {
         // The frames of setups that are over are of use for the other parameters only.
         let squares = seen.squares();
         let shown: Vec<usize> = (0..pull.len()).filter(|k| squares[*k] > 0.0).collect();
-        if shown.len() < pull.len() {
+        if pull.len() - shown.len() >= WORTH_LEAVING_OUT {
             seen = seen.only(&shown);
             covariance = covariance.select_rows(&shown).select_columns(&shown);
             at_first = at_first.select_rows(&shown);

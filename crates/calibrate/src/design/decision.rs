@@ -46,12 +46,10 @@ pub(crate) struct Explanation {
     pub(crate) fit: Fit,
     /// Whether the samples leave it open; the others are ruled out and have to stay so.
     pub(crate) open: bool,
-    /// Whether it differs from the first by the settings of its names alone, and is to be told from it.
-    pub(crate) setting: bool,
 }
 
 /// Whether two fits have the same names, of which one is at another setting.
-pub(crate) fn only_settings_differ(one: &Fit, other: &Fit) -> bool {
+fn only_settings_differ(one: &Fit, other: &Fit) -> bool {
     let (a, b) = (one.model.terms(), other.model.terms());
     let other_setting = |t: &&Term| !b.iter().any(|o| o.same_column(t));
     let moved: Vec<&Term> = a.iter().filter(other_setting).collect();
@@ -226,7 +224,7 @@ fn least(now: &[DMatrix<u8>], counts: impl Fn(usize, usize) -> bool) -> f64 {
 }
 
 /// For each pair of explanations whether a diagnosis has to tell them apart: neither has all names of the other,
-/// or a setting is asked for.
+/// or one of them differs from the first by the settings of its names alone, and the other from it.
 fn told_apart(field: &Field, explanations: &[Explanation]) -> Vec<Vec<bool>> {
     let names = |e: &Explanation| -> Vec<(&'static str, usize)> {
         let added = field.regression.added(&e.fit).into_iter();
@@ -234,9 +232,10 @@ fn told_apart(field: &Field, explanations: &[Explanation]) -> Vec<Vec<bool>> {
     };
     let names: Vec<_> = explanations.iter().map(names).collect();
     let within = |a: &[_], b: &[_]| a.iter().all(|n| b.contains(n));
+    let by_setting =
+        |a: usize, b: usize| only_settings_differ(&explanations[a].fit, &explanations[b].fit);
     let differ = |a: usize, b: usize| {
-        let setting = (explanations[a].setting || explanations[b].setting)
-            && only_settings_differ(&explanations[a].fit, &explanations[b].fit);
+        let setting = (by_setting(0, a) || by_setting(0, b)) && by_setting(a, b);
         setting || !within(&names[a], &names[b]) && !within(&names[b], &names[a])
     };
     let all = 0..names.len();

@@ -4,7 +4,7 @@
 //! hide behind the model or behind another effect that is enabled with it (T-optimality, as for
 //! rivals).
 
-use std::cell::OnceCell;
+use std::cell::LazyCell;
 
 use nalgebra::DMatrix;
 
@@ -28,20 +28,35 @@ use super::field::Field;
 use super::model_separation::ModelSeparation;
 use super::needs::{Need, Untestable, WARMING_C, lacks, test_load_kg};
 
-/// Every effect that cannot be seen, with what would change that.
+/// An effect of which the base model leaves this share (squared) over all candidates is shown by them.
+const NOT_IMITATED: f64 = 1e-3;
+
+/// Every effect that cannot be seen, with what would change that: a condition, or for an effect that the base model
+/// imitates wherever it was measured, more travel or a second reflector.
 pub(crate) fn untestable(
     prepared: &PreparedSearch,
     not_testable: &[NotTestable],
 ) -> Vec<Untestable> {
-    let offers = GeometryOffers::new(prepared);
+    // A second reflector is another offer only where reflectors alone are measured. An offer is made once for all
+    // effects: where targets are held in places, each of its poses is brought there by a search.
+    let points = prepared.problem.observed.is_none();
+    let geometry = [Need::Travel, Need::Reflector];
+    let geometry = geometry.into_iter().take(1 + usize::from(points));
+    let fields = geometry.map(|need| {
+        let field = move || Field::new(prepared, &offer_for(prepared, &[need], None));
+        (need, LazyCell::new(field))
+    });
+    let fields: Vec<_> = fields.collect();
+    let base = &prepared.regression.base;
     let one = |n: &NotTestable| {
         let joint = n.joint.unwrap_or(0);
         let needs = find(n.effect).map_or_else(Vec::new, |effect| {
             if effect.obstacle(&prepared.survey, joint).is_some() {
-                lacks(effect, &prepared.survey, joint)
-            } else {
-                offers.lacks_geometry(effect, joint)
+                return lacks(effect, &prepared.survey, joint);
             }
+            let mut fields = fields.iter();
+            let shows = fields.find(|own| not_imitated(&own.1, base, effect, joint));
+            shows.map(|own| own.0).into_iter().collect()
         });
         Untestable {
             effect: n.effect,
@@ -53,54 +68,17 @@ pub(crate) fn untestable(
     not_testable.iter().map(one).collect()
 }
 
-/// What would show more of the geometry. An offer is made once for all effects: where targets are held in places, each
-/// of its poses is brought there by a search.
-struct GeometryOffers<'p> {
-    prepared: &'p PreparedSearch<'p>,
-    fields: Vec<(Need, OnceCell<Field<'p>>)>,
+/// Whether something of an effect is left where a model is fitted to what all candidates show of it.
+fn not_imitated(field: &Field, base: &Model, effect: &'static Effect, joint: usize) -> bool {
+    let rows = field.rows(&base.with_term(small(field, base, effect, joint)), base);
+    let p = base.coefficient_count();
+    let mut gram = DMatrix::zeros(p, p);
+    rows.add_to(&mut gram, 0..rows.len());
+    let pull = &rows.columns * &rows.difference;
+    let all = rows.difference.norm_squared();
+    let imitated = pull.dot(&(covariance::beside(&gram, &rows) * &pull));
+    all > 0.0 && all - imitated > NOT_IMITATED * all
 }
-
-impl<'p> GeometryOffers<'p> {
-    fn new(prepared: &'p PreparedSearch) -> Self {
-        // A second reflector is another offer only where reflectors alone are measured.
-        let all = [Need::Travel, Need::Reflector];
-        let needs = if prepared.problem.observed.is_none() {
-            &all[..]
-        } else {
-            &all[..1]
-        };
-        Self {
-            prepared,
-            fields: needs.iter().map(|need| (*need, OnceCell::new())).collect(),
-        }
-    }
-
-    /// An effect that the base model imitates wherever it was measured: more travel, or a second
-    /// reflector.
-    fn lacks_geometry(&self, effect: &'static Effect, joint: usize) -> Vec<Need> {
-        let prepared = self.prepared;
-        let base = &prepared.regression.base;
-        for (need, field) in &self.fields {
-            let field =
-                field.get_or_init(|| Field::new(prepared, &offer_for(prepared, &[*need], None)));
-            let truth = base.with_term(small(field, base, effect, joint));
-            let rows = field.rows(&truth, base);
-            let p = base.coefficient_count();
-            let mut gram = DMatrix::zeros(p, p);
-            rows.add_to(&mut gram, 0..rows.len());
-            let pull = &rows.columns * &rows.difference;
-            let all = rows.difference.norm_squared();
-            let imitated = pull.dot(&(covariance::beside(&gram, &rows) * &pull));
-            if all > 0.0 && all - imitated > NOT_IMITATED * all {
-                return vec![*need];
-            }
-        }
-        Vec::new()
-    }
-}
-
-/// An effect of which the base model leaves this share (squared) over all candidates is shown by them.
-const NOT_IMITATED: f64 = 1e-3;
 
 /// What is offered where these needs are to be met.
 fn offer_for(prepared: &PreparedSearch, needs: &[Need], load_kg: Option<f64>) -> CandidatePoses {

@@ -1,12 +1,19 @@
-//! A first measurement of a robot: what a technician should do before anything is known.
+//! A first measurement of a robot with one joint: what a technician should do before anything is known.
 //!
 //! The conditions follow a schedule, so that nothing changes together with something else: loads
 //! in the order 0 L L 0 0 L L 0 (a drift in time cancels), the machine cold, warming up, warm and
 //! cooling down, both reflectors and all speeds in every stretch, short approaches after a
 //! reversal, and returns to earlier poses under the same conditions. Joint values are then chosen
-//! one pose after the other by greedy D-optimality ([`super::exchange`]) over random candidates,
+//! one pose after the other by greedy D-optimality ([`super::information`]) over random candidates,
 //! with J the columns of every effect of the catalogue that the robot can show, each scaled to the
 //! same size. Random candidates also leave no equal steps, behind which an order could hide.
+//!
+//! ```text
+//! worth = det(1 + J C Jᵀ) (1 − exp(−(2 n d)²))
+//! ```
+//!
+//! with d the distance to the nearest of n − 1 earlier poses as a share of the travel: places that lie
+//! together hide what is local.
 
 use nalgebra::{DMatrix, DVector};
 use rand::seq::SliceRandom;
@@ -15,7 +22,7 @@ use rand_chacha::ChaCha8Rng;
 
 use crate::diagnosis::NextPose;
 use crate::effects::Inputs;
-use crate::kinematics::{Range, Robot};
+use crate::kinematics::{JointKind, Range, Robot};
 use crate::model::Model;
 use crate::sessions::Target;
 use crate::text::Text;
@@ -36,14 +43,17 @@ const LOADS: [f64; 8] = [0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 1.0, 0.0];
 pub(crate) const WARMTHS: [f64; 4] = [0.0, 0.5, 1.0, 0.35];
 /// Speeds in turn, in units of a modest one: most poses at standstill.
 const SPEEDS: [f64; 5] = [0.0, 1.0, 0.0, 2.0, 0.0];
-/// Lengths of the short approaches, as shares of a joint's range.
+/// Lengths of the short approaches, as shares of the range.
 const SHORT: [f64; 3] = [0.01, 0.03, 0.09];
-
 /// Random poses over which the columns are scaled.
 const POOL: u32 = 64;
 /// Multiplications that a design may take, and how many candidates each pose has within them.
 const EFFORT: usize = 600_000_000;
 const CANDIDATES: [usize; 2] = [12, 160];
+/// One candidate of so many is at an end of the travel, which belongs to it.
+const ENDS_EVERY: usize = 8;
+/// Every slot is filled, whatever it shows.
+const LEAST_WORTH: f64 = 1e-6;
 
 /// What a first measurement is made for.
 #[derive(Debug, Clone, Copy)]
@@ -52,7 +62,7 @@ pub(crate) struct Request<'r> {
     pub(crate) targets: &'r [Target],
     /// So many of the targets are mounted already.
     pub(crate) mounted: usize,
-    pub(crate) ranges: &'r [Range],
+    pub(crate) range: Range,
     pub(crate) poses: usize,
     pub(crate) load_kg: f64,
     pub(crate) seed: u64,
@@ -75,6 +85,74 @@ pub(crate) fn design(request: &Request) -> Vec<NextPose> {
     poses.collect()
 }
 
+impl Request<'_> {
+    fn kind(&self) -> JointKind {
+        self.robot.joints[0].kind
+    }
+
+    fn inputs(&self, candidates: &[Candidate]) -> Inputs<'static> {
+        inputs(
+            self.robot,
+            self.targets,
+            &[self.range],
+            candidates,
+            Some(0.0),
+        )
+    }
+
+    /// Random poses and conditions.
+    fn pool(&self, random: &mut ChaCha8Rng) -> Vec<Candidate> {
+        let targets = u32::try_from(self.targets.len()).unwrap_or(1);
+        let duration_s = SECONDS_PER_POSE * self.poses as f64;
+        let mut one = |k: u32| {
+            let side = if random.random::<bool>() { 1.0 } else { -1.0 };
+            Candidate {
+                dir: vec![side],
+                speed: vec![side * usual_speed(self.kind())],
+                arrival: [Arrival::Short(0.03), Arrival::Long][usize::from(k % 3 != 0)],
+                load_kg: f64::from(k % 2),
+                above_20_c: WARMING_C * f64::from(k % 4) / 3.0,
+                target: k % targets,
+                time_s: duration_s * f64::from(k) / f64::from(POOL),
+                ..Candidate::at(anywhere(&[self.range], random))
+            }
+        };
+        (0..POOL).map(&mut one).collect()
+    }
+
+    /// Circumstances of every pose, before its joint value: speeds without their signs, arrivals as they are
+    /// wanted (a return may be to any pose).
+    fn schedule(&self, random: &mut ChaCha8Rng) -> Vec<Candidate> {
+        let (n, targets) = (self.poses, self.targets.len());
+        // Stretches of ten hold every speed for every reflector once, in random order.
+        let mut in_turn: Vec<(f64, u32)> = Vec::new();
+        while in_turn.len() < n {
+            let one = |k: usize| {
+                let target = (k / SPEEDS.len()) % targets.max(1);
+                (SPEEDS[k % SPEEDS.len()], u32::try_from(target).unwrap_or(0))
+            };
+            let mut stretch: Vec<(f64, u32)> = (0..2 * SPEEDS.len()).map(one).collect();
+            stretch.shuffle(random);
+            in_turn.extend(stretch);
+        }
+        let slot = |(i, (speed, target)): (usize, (f64, u32))| Candidate {
+            speed: vec![usual_speed(self.kind()) * speed],
+            arrival: match i % 5 {
+                1 if i >= 5 => Arrival::Short(SHORT[(i / 5) % SHORT.len()]),
+                // Returns wait until there is something to return to.
+                4 if 4 * i > n => Arrival::Return(0),
+                _ => Arrival::Long,
+            },
+            load_kg: LOADS[i * LOADS.len() / n] * self.load_kg,
+            above_20_c: WARMTHS[i * WARMTHS.len() / n] * WARMING_C,
+            target,
+            time_s: SECONDS_PER_POSE * i as f64,
+            ..Candidate::at(vec![0.0])
+        };
+        in_turn.into_iter().take(n).enumerate().map(slot).collect()
+    }
+}
+
 /// The schedule, slot by slot: each has candidates of its own.
 struct Slots<'r> {
     request: &'r Request<'r>,
@@ -91,57 +169,37 @@ struct Slots<'r> {
 
 impl<'r> Slots<'r> {
     fn new(request: &'r Request<'r>) -> Self {
-        let Request { robot, ranges, .. } = *request;
         let mut random = ChaCha8Rng::seed_from_u64(request.seed ^ 0x5eed);
-        let duration_s = SECONDS_PER_POSE * request.poses as f64;
-        let model = every_effect(robot, ranges, 0.5 * duration_s);
+        let middle_s = 0.5 * SECONDS_PER_POSE * request.poses as f64;
+        let model = every_effect(request.robot, &[request.range], middle_s);
         let p = model.coefficient_count();
-        let pool: Vec<Candidate> = (0..POOL)
-            .map(|k| {
-                let side = |_| if random.random::<bool>() { 1.0 } else { -1.0 };
-                let dir: Vec<f64> = (0..ranges.len()).map(side).collect();
-                let units = robot.joints.iter().map(|j| usual_speed(j.kind));
-                Candidate {
-                    speed: units.zip(&dir).map(|(u, d)| u * d).collect(),
-                    dir,
-                    arrival: [Arrival::Short(0.03), Arrival::Long][usize::from(k % 3 != 0)],
-                    load_kg: f64::from(k % 2),
-                    above_20_c: WARMING_C * f64::from(k % 4) / 3.0,
-                    target: k % u32::try_from(request.targets.len()).unwrap_or(1),
-                    time_s: duration_s * f64::from(k) / f64::from(POOL),
-                    ..Candidate::at(anywhere(ranges, &mut random))
-                }
-            })
-            .collect();
+        let pool = request.pool(&mut random);
+        let nothing = Rows::zeros(p, std::iter::empty());
         let mut slots = Self {
-            request,
-            schedule: Vec::new(),
-            information: Information::new(
-                Rows::zeros(p, std::iter::empty()),
-                DMatrix::identity(p, p),
-            ),
+            schedule: request.schedule(&mut random),
+            information: Information::new(nothing, DMatrix::identity(p, p)),
             scale: DVector::from_element(p, 1.0),
-            model,
             planned: Vec::with_capacity(request.poses),
             candidates: Vec::new(),
+            request,
+            model,
             random,
         };
         let squares = slots.rows(&request.inputs(&pool), &[0, 1, 2]).squares();
-        let unit = |sum: f64| {
-            if sum > 0.0 {
+        let of = |sum: &f64| {
+            if *sum > 0.0 {
                 (f64::from(POOL) / sum).sqrt()
             } else {
                 0.0
             }
         };
-        slots.scale = squares.into_iter().map(unit).collect::<Vec<_>>().into();
+        slots.scale = DVector::from_iterator(p, squares.iter().map(of));
         if let Some((measured, axes)) = request.measured {
             let rows = slots.rows(measured, axes);
             let known = &mut slots.information.covariance;
             rows.add_to(known, 0..rows.len());
             *known = inverse(known);
         }
-        slots.schedule = schedule(request, &mut slots.random);
         slots.refill();
         slots
     }
@@ -162,170 +220,100 @@ impl<'r> Slots<'r> {
         };
         self.candidates = self.next_candidates(&like);
         let mut inputs = self.request.inputs(&self.candidates);
-        let travels = travels(&self.planned, &self.candidates);
-        inputs.travel = travels.into_iter().map(Some).collect();
+        let travel = self.candidates.iter().map(|c| self.travel(c));
+        inputs.travel = vec![Some(travel.collect())];
         let covariance = self.information.covariance.clone();
         self.information = Information::new(self.rows(&inputs, &[0, 1, 2]), covariance);
     }
 
-    /// From 0 at an earlier place to 1 far from all: places that lie together hide what is local.
+    /// Travel since the last reversal at a choice, were it the next.
+    fn travel(&self, choice: &Candidate) -> f64 {
+        let all: Vec<&Candidate> = self.planned.iter().chain([choice]).collect();
+        all.windows(2).fold(f64::INFINITY, |travel, pair| {
+            let moved = (pair[1].q[0] - pair[0].q[0]).abs();
+            let on = pair[1].dir == pair[0].dir;
+            if on { travel + moved } else { moved }
+        })
+    }
+
+    /// From 0 at an earlier place to 1 far from all.
     fn gap(&self, choice: &Candidate) -> f64 {
-        let apart = |earlier: &Candidate| {
-            let pairs = choice.q.iter().zip(&earlier.q).zip(self.request.ranges);
-            let each = pairs.map(|((a, b), range)| ((a - b) / (range.to - range.from)).abs());
-            each.fold(0.0, f64::max)
-        };
+        let Range { from, to } = self.request.range;
+        let apart = |earlier: &Candidate| ((choice.q[0] - earlier.q[0]) / (to - from)).abs();
         let nearest = self.planned.iter().map(apart).fold(1.0, f64::min);
         let step = 1.0 / (self.planned.len() + 1) as f64;
         1.0 - (-(2.0 * nearest / step).powi(2)).exp()
     }
-}
 
-impl Request<'_> {
-    fn inputs(&self, candidates: &[Candidate]) -> Inputs<'static> {
-        inputs(self.robot, self.targets, self.ranges, candidates, Some(0.0))
+    /// Poses that may come next.
+    fn next_candidates(&mut self, like: &Candidate) -> Vec<Candidate> {
+        let (range, kind, before) = (self.request.range, self.request.kind(), &self.planned);
+        let last = before.last();
+        let here = last.map_or(0.5 * (range.from + range.to), |last| last.q[0]);
+        let reached = |q: f64, arrival: Arrival| {
+            let side = if q >= here { 1.0 } else { -1.0 };
+            Candidate {
+                q: vec![q],
+                dir: vec![side],
+                speed: vec![like.speed[0] * side + 0.0],
+                arrival,
+                ..like.clone()
+            }
+        };
+        if let (Arrival::Short(share), Some(last)) = (like.arrival, last) {
+            let q = here - last.dir[0] * typed(share * (range.to - range.from), kind);
+            if (range.from..=range.to).contains(&q) {
+                return vec![reached(q, like.arrival)];
+            }
+        }
+        let random = &mut self.random;
+        if matches!(like.arrival, Arrival::Return(_)) {
+            let earlier = before[..before.len().saturating_sub(2)].iter().enumerate();
+            let returns = |own: &Candidate| matches!(own.arrival, Arrival::Return(_));
+            let all: Vec<Candidate> = earlier
+                .filter(|(_, own)| own.load_kg == like.load_kg && !returns(own))
+                .map(|(k, own)| Candidate {
+                    above_20_c: like.above_20_c,
+                    time_s: like.time_s,
+                    arrival: Arrival::Return(k),
+                    ..own.clone()
+                })
+                .collect();
+            // Where the way leads there from the right side, no detour is needed.
+            let direct = |own: &&Candidate| reached(own.q[0], Arrival::Long).dir == own.dir;
+            let short: Vec<Candidate> = all.iter().filter(direct).cloned().collect();
+            if let Some(some) = [short, all].into_iter().find(|list| !list.is_empty()) {
+                return vec![some[random.random_range(0..some.len())].clone()];
+            }
+        }
+        let p = self.scale.len();
+        let affordable = EFFORT / (3 * p * p * self.request.poses).max(1);
+        let drawn = (0..affordable.clamp(CANDIDATES[0], CANDIDATES[1])).map(|k| {
+            let mut q = anywhere(&[range], random)[0];
+            if k % ENDS_EVERY == 0 {
+                q = if random.random::<bool>() {
+                    range.from
+                } else {
+                    range.to
+                };
+            }
+            reached(typed(q, kind).clamp(range.from, range.to), Arrival::Long)
+        });
+        drawn.collect()
     }
-}
-
-/// Travel since the last reversal of each joint at each choice, were it the next.
-fn travels(before: &[Candidate], choices: &[Candidate]) -> Vec<Vec<f64>> {
-    let joints = choices.first().map_or(0, |c| c.q.len());
-    let after = |j: usize, choice: &Candidate| {
-        let all: Vec<&Candidate> = before.iter().chain([choice]).collect();
-        // Only the way since the last reversal counts.
-        all.windows(2).fold(f64::INFINITY, |travel, pair| {
-            let moved = (pair[1].q[j] - pair[0].q[j]).abs();
-            let on = pair[1].dir[j] == pair[0].dir[j];
-            if on { travel + moved } else { moved }
-        })
-    };
-    let of = |j| choices.iter().map(|c| after(j, c)).collect();
-    (0..joints).map(of).collect()
 }
 
 impl Criterion for Slots<'_> {
     fn worths(&self) -> Vec<f64> {
-        let worth = |(k, one): (usize, &Candidate)| {
-            let gap = self.gap(one);
-            // Every slot is filled, whatever it shows.
-            (self.information.gain(k).exp() * gap).max(1e-6)
-        };
-        self.candidates.iter().enumerate().map(worth).collect()
+        let all = self.candidates.iter().enumerate();
+        let worth = all.map(|(k, one)| self.information.gain(k).exp() * self.gap(one));
+        worth.map(|worth| worth.max(LEAST_WORTH)).collect()
     }
 
     fn take(&mut self, candidate: usize) {
         self.information.take(candidate);
         self.planned.push(self.candidates[candidate].clone());
         self.refill();
-    }
-}
-
-/// Circumstances of every pose, before its joint values: speeds without their signs, arrivals as they are
-/// wanted (a return may be to any pose).
-fn schedule(request: &Request, random: &mut ChaCha8Rng) -> Vec<Candidate> {
-    let (n, targets) = (request.poses, request.targets.len());
-    // Stretches of ten hold every speed for every reflector once, in random order.
-    let mut in_turn: Vec<(f64, u32)> = Vec::new();
-    while in_turn.len() < n {
-        let one = |k: usize| {
-            let target = (k / SPEEDS.len()) % targets.max(1);
-            (SPEEDS[k % SPEEDS.len()], u32::try_from(target).unwrap_or(0))
-        };
-        let mut stretch: Vec<(f64, u32)> = (0..2 * SPEEDS.len()).map(one).collect();
-        stretch.shuffle(random);
-        in_turn.extend(stretch);
-    }
-    let joints = request.robot.joints.iter();
-    let units: Vec<f64> = joints.map(|j| usual_speed(j.kind)).collect();
-    let slot = |(i, (speed, target)): (usize, (f64, u32))| {
-        let part = |parts: usize| i * parts / n;
-        Candidate {
-            speed: units.iter().map(|unit| unit * speed).collect(),
-            arrival: match i % 5 {
-                1 if i >= 5 => Arrival::Short(SHORT[(i / 5) % SHORT.len()]),
-                // Returns wait until there is something to return to.
-                4 if 4 * i > n => Arrival::Return(0),
-                _ => Arrival::Long,
-            },
-            load_kg: LOADS[part(LOADS.len())] * request.load_kg,
-            above_20_c: WARMTHS[part(WARMTHS.len())] * WARMING_C,
-            target,
-            time_s: SECONDS_PER_POSE * i as f64,
-            ..Candidate::at(vec![0.0; units.len()])
-        }
-    };
-    in_turn.into_iter().take(n).enumerate().map(slot).collect()
-}
-
-impl Slots<'_> {
-    /// Poses that may come next.
-    fn next_candidates(&mut self, like: &Candidate) -> Vec<Candidate> {
-        let wanted = like.arrival;
-        let (ranges, before) = (self.request.ranges, &self.planned);
-        let joints = &self.request.robot.joints;
-        let random = &mut self.random;
-        let last = before.last();
-        let reached = |q: Vec<f64>, arrival: Arrival| {
-            let middle = |range: &Range| 0.5 * (range.from + range.to);
-            let from = |j: usize| last.map_or_else(|| middle(&ranges[j]), |l| l.q[j]);
-            let side = |(j, q): (usize, &f64)| if *q >= from(j) { 1.0 } else { -1.0 };
-            let dir: Vec<f64> = q.iter().enumerate().map(side).collect();
-            let speed = like.speed.iter().zip(&dir).map(|(s, d)| s * d + 0.0);
-            Candidate {
-                q,
-                speed: speed.collect(),
-                dir,
-                arrival,
-                ..like.clone()
-            }
-        };
-        if let (Arrival::Short(share), Some(last)) = (wanted, last) {
-            let step = |j: usize| {
-                let way = share * (ranges[j].to - ranges[j].from);
-                last.q[j] - last.dir[j] * typed(way, joints[j].kind)
-            };
-            let q: Vec<f64> = (0..ranges.len()).map(step).collect();
-            let mut pairs = q.iter().zip(ranges);
-            if pairs.all(|(q, r)| *q >= r.from && *q <= r.to) {
-                return vec![reached(q, wanted)];
-            }
-        }
-        if matches!(wanted, Arrival::Return(_)) {
-            let earlier = before[..before.len().saturating_sub(2)].iter().enumerate();
-            let all: Vec<Candidate> = earlier
-                .filter(|(_, s)| s.load_kg == like.load_kg)
-                .filter(|(_, s)| !matches!(s.arrival, Arrival::Return(_)))
-                .map(|(k, s)| Candidate {
-                    above_20_c: like.above_20_c,
-                    time_s: like.time_s,
-                    arrival: Arrival::Return(k),
-                    ..s.clone()
-                })
-                .collect();
-            // Where the way leads there from the right side, no detour is needed.
-            let direct = |s: &&Candidate| reached(s.q.clone(), Arrival::Long).dir == s.dir;
-            let short: Vec<Candidate> = all.iter().filter(direct).cloned().collect();
-            if let Some(one) = [short, all].into_iter().find(|list| !list.is_empty()) {
-                let pick = random.random_range(0..one.len());
-                return vec![one[pick].clone()];
-            }
-        }
-        let p = self.scale.len();
-        let affordable = EFFORT / (3 * p * p * self.request.poses).max(1);
-        let drawn = (0..affordable.clamp(CANDIDATES[0], CANDIDATES[1])).map(|k| {
-            // The ends belong to the travel: some candidates lie there.
-            let mut q = anywhere(ranges, random);
-            if k % 8 == 0 {
-                let joint = random.random_range(0..ranges.len());
-                let (range, low) = (&ranges[joint], random.random::<bool>());
-                q[joint] = if low { range.from } else { range.to };
-            }
-            for ((q, range), joint) in q.iter_mut().zip(ranges).zip(joints) {
-                *q = typed(*q, joint.kind).clamp(range.from, range.to);
-            }
-            reached(q, Arrival::Long)
-        });
-        drawn.collect()
     }
 }
 

@@ -17,7 +17,7 @@ use crate::text::Text;
 
 use super::candidates::{Arrival, CandidatePoses, Conditions};
 use super::comparison::ModelDistance;
-use super::decision::{self, Decision, Explanation, SURE};
+use super::decision::{Decision, Explanation, SURE};
 use super::enabling_poses;
 use super::exchange::choose;
 use super::field::Field;
@@ -124,39 +124,30 @@ pub(crate) fn conditions(prepared: &PreparedSearch, terms: &[&Term]) -> Conditio
 /// back with new poses, and a rival that is true has rivals of its own.
 fn competing(prepared: &PreparedSearch, fit: &Fit, open: &[&Rival]) -> Vec<Explanation> {
     let regression = &prepared.regression;
+    let many = regression.added(fit).len() > MANY_NAMES;
+    let most = if many { MOST_OF_MANY } else { MOST_COMPETING };
     let mut all: Vec<Explanation> = Vec::new();
-    let most = if regression.added(fit).len() > MANY_NAMES {
-        MOST_OF_MANY
-    } else {
-        MOST_COMPETING
+    let mut join = |fit: &Fit, open: bool| {
+        if all.len() < most && !all.iter().any(|a| same_terms(&a.fit, fit)) {
+            let fit = fit.clone();
+            all.push(Explanation { fit, open });
+        }
+        all.len() < most
     };
-    join(&mut all, fit, true, most);
-    for rival in open {
-        join(&mut all, &rival.fit, true, most);
-    }
-    let most_open = open.iter().take(MOST_ASKED).map(|r| &r.fit);
-    for one in [fit].into_iter().chain(most_open) {
-        if all.len() == most {
+    let fits = || open.iter().map(|rival| &rival.fit);
+    let mut room = join(fit, true);
+    fits().for_each(|rival| room = join(rival, true));
+    for one in [fit].into_iter().chain(fits().take(MOST_ASKED)) {
+        if !room {
             break;
         }
         for near in aliases::rivals(regression, one) {
             if near.other_names() {
-                join(&mut all, &near.fit, false, most);
+                room = join(&near.fit, false);
             }
         }
     }
     all
-}
-
-/// Adds an explanation that is not there yet, if there is room.
-fn join(all: &mut Vec<Explanation>, fit: &Fit, open: bool, most: usize) {
-    let known = all.iter().any(|a| same_terms(&a.fit, fit));
-    if !known && all.len() < most {
-        let another_setting = |a: &Explanation| decision::only_settings_differ(&a.fit, fit);
-        let setting = all.first().is_some_and(another_setting);
-        let fit = fit.clone();
-        all.push(Explanation { fit, open, setting });
-    }
 }
 
 fn same_terms(one: &Fit, other: &Fit) -> bool {
