@@ -371,20 +371,37 @@ impl<'r> Scale<'r> {
         scale
     }
 
-    /// The Jacobian of the nominal robot.
+    /// The Jacobian of the nominal robot: position in parts of the reach, orientation in rad.
     fn nominal(&self, robot: &Robot, q: &[f64], free: &[usize]) -> DMatrix<f64> {
         let twists = robot.joint_twists(q);
         let tool = Point3::from(robot.base_from_tool(q).translation.vector);
-        let columns = free.iter().map(|j| {
-            let own = |j: usize| {
-                (
-                    twists[j].velocity_at(&tool).into(),
-                    twists[j].angular.into(),
-                )
-            };
-            with_followers(robot, *j, own)
-        });
-        self.jacobian(columns, free)
+        let columns = self.columns(&twists, &tool, free);
+        let columns = columns
+            .iter()
+            .flat_map(|(way, turn)| way.iter().chain(turn));
+        DMatrix::from_iterator(6, free.len(), columns.copied())
+    }
+
+    /// The way and the turn that each free joint gives the tool, with the joints that follow it: in parts of the
+    /// reach, and in rad, for a [`Scale::unit`] of the joint.
+    fn columns(
+        &self,
+        twists: &[Twist],
+        tool: &Point3<f64>,
+        free: &[usize],
+    ) -> Vec<(Vector3<f64>, Vector3<f64>)> {
+        let motion = |joint: usize| (twists[joint].velocity_at(tool), twists[joint].angular);
+        let of = |joint: &usize| {
+            let (mut way, mut turn) = motion(*joint);
+            for (follower, ratio) in self.robot.followers(*joint) {
+                let (more, turns) = motion(follower);
+                way += more * ratio;
+                turn += turns * ratio;
+            }
+            let unit = self.unit(*joint);
+            (way * (unit / self.reach_mm), turn * unit)
+        };
+        free.iter().map(of).collect()
     }
 
     /// A length of joint travel that moves the tool about as far as one rad.
@@ -393,23 +410,6 @@ impl<'r> Scale<'r> {
             JointKind::Revolute => 1.0,
             JointKind::Prismatic => self.reach_mm,
         }
-    }
-
-    /// Rows: position in parts of the reach, orientation in rad; a column for each free joint.
-    fn jacobian(
-        &self,
-        columns: impl Iterator<Item = ([f64; 3], [f64; 3])>,
-        free: &[usize],
-    ) -> DMatrix<f64> {
-        let mut jacobian = DMatrix::zeros(6, free.len());
-        for (k, (way, turn)) in columns.enumerate() {
-            let unit = self.unit(free[k]);
-            for axis in 0..3 {
-                jacobian[(axis, k)] = way[axis] * unit / self.reach_mm;
-                jacobian[(axis + 3, k)] = turn[axis] * unit;
-            }
-        }
-        jacobian
     }
 
     /// The next step in [`Scale::unit`]s. `so_far`: what the steps before have moved, in the same.
@@ -428,17 +428,7 @@ impl<'r> Scale<'r> {
         let way = Vector3::from(way) / self.reach_mm;
         let turn = Vector3::from(turn);
         let tool = Point3::from(Vector3::from(seen.at[0]));
-        let columns = free.iter().map(|joint| {
-            let own = |joint: usize| {
-                let twist = &twists[joint];
-                (twist.velocity_at(&tool).into(), twist.angular.into())
-            };
-            let (by_way, by_turn) = with_followers(self.robot, *joint, own);
-            let unit = self.unit(*joint);
-            let by_way = Vector3::from(by_way) * (unit / self.reach_mm);
-            (by_way, Vector3::from(by_turn) * unit)
-        });
-        let columns: Vec<(Vector3<f64>, Vector3<f64>)> = columns.collect();
+        let columns = self.columns(twists, &tool, free);
         let finite = |v: &Vector3<f64>| v.iter().all(|v| v.is_finite());
         let good = finite(&way) && finite(&turn);
         if !good || !columns.iter().all(|(a, b)| finite(a) && finite(b)) {
@@ -516,23 +506,6 @@ impl<'r> Scale<'r> {
         }
         (good >= self.directions && good > 0).then_some(inverse)
     }
-}
-
-/// The way and the turn that a joint gives the tool, with those of the joints that follow it.
-fn with_followers(
-    robot: &Robot,
-    joint: usize,
-    motion: impl Fn(usize) -> ([f64; 3], [f64; 3]),
-) -> ([f64; 3], [f64; 3]) {
-    let (mut way, mut turn) = motion(joint);
-    for (follower, ratio) in robot.followers(joint) {
-        let (more, turns) = motion(follower);
-        for axis in 0..3 {
-            way[axis] += ratio * more[axis];
-            turn[axis] += ratio * turns[axis];
-        }
-    }
-    (way, turn)
 }
 
 /// An angle that no two joints share and no robot is built to be singular at.

@@ -10,7 +10,7 @@
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-use super::candidates::{Candidate, Writing, anywhere, ranges};
+use super::candidate::{Candidate, Writing, anywhere, ranges};
 use super::imagined::{extend, extended, unmeasured};
 use super::line_of_sight;
 use super::measuring_methods::{MeasuringMethod, ways};

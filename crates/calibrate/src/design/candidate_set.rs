@@ -10,7 +10,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::arm::Arm;
-use super::candidates::Candidate;
+use super::candidate::Candidate;
 use super::covariance::inverse;
 use super::exchange::{Criterion, choose, exchange};
 use super::forecast::{ExpectedError, Forecast, Workspace};

@@ -10,8 +10,8 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
 use super::arm::Arm;
+use super::candidate::Candidate;
 use super::candidate_set::free;
-use super::candidates::Candidate;
 use super::covariance::inverse;
 use super::every_effect::every_effect;
 use super::exchange::{Criterion, choose};

@@ -19,7 +19,8 @@ use crate::model::Model;
 use crate::sessions::Samples;
 use crate::text::{Template, Text};
 
-use super::candidates::{Candidate, CandidatePoses, Conditions, with_another};
+use super::candidate::Candidate;
+use super::candidate_poses::{CandidatePoses, Conditions};
 use super::comparison::{Comparison, enough_for};
 use super::covariance;
 use super::every_effect::standing;
@@ -27,6 +28,7 @@ use super::exchange::choose;
 use super::field::Field;
 use super::model_separation::ModelSeparation;
 use super::needs::{Need, Untestable, WARMING_C, lacks, test_load_kg};
+use super::reflectors::with_another;
 
 /// An effect of which the base model leaves this share (squared) over all candidates is shown by them.
 const NOT_IMITATED: f64 = 1e-3;

@@ -4,9 +4,9 @@ use crate::effects::{CATALOGUE, Effect, Inputs, JointValues, Setting, Survey, Te
 use crate::kinematics::{Range, Robot};
 use crate::model::Model;
 
-use super::candidates::reflectors;
 use super::imagined::unmeasured;
 use super::needs::all_met;
+use super::reflectors::reflectors;
 
 /// Settings of gear orders that stand for all of them.
 const ORDERS: [f64; 5] = [3.0, 4.0, 5.0, 7.0, 12.0];

@@ -2,7 +2,7 @@
 
 use nalgebra::DMatrix;
 
-use super::candidates::CandidatePoses;
+use super::candidate_poses::CandidatePoses;
 use super::rows::Rows;
 use crate::diagnosis::evidence::Regression;
 use crate::diagnosis::search::prepare::PreparedSearch;

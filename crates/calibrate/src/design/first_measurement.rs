@@ -27,7 +27,8 @@ use crate::model::Model;
 use crate::sessions::Target;
 use crate::text::Text;
 
-use super::candidates::{Arrival, Candidate, Writing, anywhere, inputs, usual_speed};
+use super::candidate::typed;
+use super::candidate::{Arrival, Candidate, Writing, anywhere, inputs, usual_speed};
 use super::covariance::inverse;
 use super::every_effect::every_effect;
 use super::exchange::{Criterion, choose};
@@ -35,7 +36,6 @@ use super::imagined::SECONDS_PER_POSE;
 use super::information::Information;
 use super::needs::WARMING_C;
 use super::rows::Rows;
-use super::typed::typed;
 
 /// Load in each eighth of the measurement, as a share of the test load.
 const LOADS: [f64; 8] = [0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 1.0, 0.0];

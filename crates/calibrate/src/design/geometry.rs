@@ -1,8 +1,8 @@
 //! How many poses show the geometry of a robot with several joints how well.
 
 use super::arm::Arm;
+use super::candidate::Candidate;
 use super::candidate_set::CandidateSet;
-use super::candidates::Candidate;
 use super::forecast::{ExpectedError, Forecast};
 use super::plan_options::{MOST, PlanError, PlanOptions};
 

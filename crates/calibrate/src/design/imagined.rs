@@ -196,11 +196,10 @@ fn show(all: &mut Session, model: &Model, n: usize, like: &[Option<usize>]) {
             kind.show(all, i, place.map(|p| p.index), &seen, [0.0; 3]);
         }
         let samples = &mut all.samples;
-        let z = samples.z_mm.as_mut().map(|z| &mut z[i]);
-        let own = [Some(&mut samples.x_mm[i]), Some(&mut samples.y_mm[i]), z];
-        for (value, missing) in own.into_iter().zip(missing) {
-            if let (Some(value), true) = (value, missing) {
-                *value = f64::NAN;
+        let columns = [&mut samples.x_mm, &mut samples.y_mm].into_iter();
+        for (column, missing) in columns.chain(&mut samples.z_mm).zip(missing) {
+            if missing {
+                column[i] = f64::NAN;
             }
         }
     }
@@ -224,13 +223,10 @@ pub(crate) fn with_noise(mut session: Session, sigma_mm: f64, seed: u64) -> Sess
     let mut random = ChaCha8Rng::seed_from_u64(seed);
     let samples = &mut session.samples;
     for i in 0..samples.x_mm.len() {
-        let z = samples.z_mm.as_mut().map(|z| &mut z[i]);
-        for value in [Some(&mut samples.x_mm[i]), Some(&mut samples.y_mm[i]), z]
-            .into_iter()
-            .flatten()
-        {
+        let columns = [&mut samples.x_mm, &mut samples.y_mm].into_iter();
+        for column in columns.chain(&mut samples.z_mm) {
             let draw: f64 = StandardNormal.sample(&mut random);
-            *value += sigma_mm * draw;
+            column[i] += sigma_mm * draw;
         }
     }
     session

@@ -26,7 +26,7 @@ use crate::observations::KINDS;
 use crate::sessions::{Session, Target};
 
 use super::arm::Arm;
-use super::candidates::{ranges, reflectors};
+use super::candidate::ranges;
 use super::conditions::conditioned;
 use super::expected_information::expected;
 use super::first_measurement::{self, Request};
@@ -37,6 +37,7 @@ use super::needs::{self, Untestable, test_load_kg};
 use super::pair_separation::Separation;
 use super::plan::{Plan, Subject, USUAL_SIGMA_MM};
 use super::plan_options::{PlanError, PlanOptions};
+use super::reflectors::reflectors;
 use super::{enabling_poses, next_poses, pair_separation};
 
 /// Poses of a first measurement of a single joint, where no number is given; of several joints, and

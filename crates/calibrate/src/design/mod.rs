@@ -35,8 +35,9 @@ pub mod pair_separation;
 pub mod plan;
 
 mod arm;
+mod candidate;
+mod candidate_poses;
 mod candidate_set;
-mod candidates;
 mod comparison;
 #[doc(hidden)]
 pub mod conditions;
@@ -55,8 +56,8 @@ mod model_separation;
 mod named;
 mod path;
 mod plan_options;
+mod reflectors;
 mod rows;
-mod typed;
 
 pub use expected_information::{Alike, ExpectedInformation};
 pub use forecast::{ExpectedError, Forecast};

@@ -8,10 +8,11 @@ use crate::kinematics::{Joint, JointKind};
 use crate::sessions::Target;
 use crate::text::Text;
 
-use super::candidates::{CandidatePoses, other_reflectors};
+use super::candidate_poses::CandidatePoses;
 use super::comparison::{Comparison, ModelDistance};
 use super::decision::{Decision, SURE};
 use super::exchange::Criterion;
+use super::reflectors::other_reflectors;
 
 /// A separation that decides whatever the noise does.
 const MOST_SEPARATION: f64 = 1e6;

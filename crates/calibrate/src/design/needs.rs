@@ -1,7 +1,7 @@
 //! What an effect lacks before a session can show it: the effect is asked again with one condition
 //! after the other met, until nothing stands against it.
 
-use super::candidates::usual_speed;
+use super::candidate::usual_speed;
 use crate::effects::{Effect, Survey};
 use crate::text::{Template, Text};
 

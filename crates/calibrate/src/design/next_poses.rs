@@ -15,7 +15,8 @@ use crate::diagnosis::verdict::{Proposal, Undecided};
 use crate::effects::{Condition, Over, Term, called};
 use crate::text::Text;
 
-use super::candidates::{Arrival, CandidatePoses, Conditions};
+use super::candidate::Arrival;
+use super::candidate_poses::{CandidatePoses, Conditions};
 use super::comparison::ModelDistance;
 use super::decision::{Decision, Explanation, SURE};
 use super::enabling_poses;

@@ -16,7 +16,8 @@ use crate::effects::{Term, called, find};
 use crate::model::Model;
 use crate::text::Text;
 
-use super::candidates::{CandidatePoses, ranges};
+use super::candidate::ranges;
+use super::candidate_poses::CandidatePoses;
 use super::comparison::{Comparison, ModelDistance, enough_for};
 use super::covariance::inverse;
 use super::every_effect::standing;
