@@ -4,7 +4,7 @@ use super::arm::Arm;
 use super::candidate::Candidate;
 use super::candidate_set::CandidateSet;
 use super::forecast::{ExpectedError, Forecast};
-use super::plan_options::{MOST, PlanError, PlanOptions};
+use super::plan_options::{MOST, PlanError};
 
 /// The expected error is told for so many poses.
 const CURVE: [usize; 4] = [20, 30, 50, 100];
@@ -27,30 +27,15 @@ pub struct Geometry {
     pub enough: Option<(f64, usize)>,
 }
 
-/// How many poses are wanted.
-#[derive(Debug, Clone, Copy)]
-pub(crate) enum PlanGoal {
-    Poses(usize),
-    /// As many as bring the 95th percentile of the expected error below this, mm.
-    Accuracy(f64),
-}
-
-impl PlanGoal {
-    /// So many poses, where no accuracy is asked for.
-    pub(crate) fn new(options: &PlanOptions, poses: usize) -> Self {
-        options
-            .accuracy_mm
-            .map_or(Self::Poses(poses), Self::Accuracy)
-    }
-}
-
-/// Poses that show the geometry best, in no order, and what they do.
-pub(crate) fn best(arm: &Arm, wanted: PlanGoal) -> Result<(Vec<Candidate>, Geometry), PlanError> {
+/// Poses that show the geometry best, in no order, and what they do: so many, or as many as bring the 95th
+/// percentile of the expected error below an accuracy.
+pub(crate) fn best(
+    arm: &Arm,
+    poses: usize,
+    accuracy_mm: Option<f64>,
+) -> Result<(Vec<Candidate>, Geometry), PlanError> {
     let set = arm.spread().ok_or(PlanError::Unseen)?;
-    let count = match wanted {
-        PlanGoal::Poses(count) => count,
-        PlanGoal::Accuracy(mm) => enough(&set, mm)?,
-    };
+    let count = accuracy_mm.map_or(Ok(poses), |mm| enough(&set, mm))?;
     let end = arm.designed(&set, count);
     let all: Vec<usize> = (0..end.candidates.len()).collect();
     let curve = CURVE
@@ -65,10 +50,7 @@ pub(crate) fn best(arm: &Arm, wanted: PlanGoal) -> Result<(Vec<Candidate>, Geome
         },
         after: end.forecast(&all),
         curve: curve.collect(),
-        enough: match wanted {
-            PlanGoal::Poses(_) => None,
-            PlanGoal::Accuracy(mm) => Some((mm, count)),
-        },
+        enough: accuracy_mm.map(|mm| (mm, count)),
     };
     Ok((end.candidates, geometry))
 }
@@ -102,10 +84,8 @@ fn enough(set: &CandidateSet, wanted: f64) -> Result<usize, PlanError> {
 fn of_random(arm: &Arm, set: &CandidateSet, count: usize) -> Forecast {
     let random = arm.at_random(set, RANDOM_SETS * count);
     let all: Vec<usize> = (0..random.candidates.len()).collect();
-    let sets: Vec<Forecast> = all
-        .chunks(count.max(1))
-        .map(|set| random.forecast(set))
-        .collect();
+    let sets = all.chunks(count.max(1)).map(|set| random.forecast(set));
+    let sets: Vec<Forecast> = sets.collect();
     let n = sets.len().max(1) as f64;
     let mean = |f: &dyn Fn(&Forecast) -> f64| sets.iter().map(f).sum::<f64>() / n;
     Forecast {

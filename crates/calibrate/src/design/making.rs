@@ -19,7 +19,7 @@ use crate::diagnosis::search::mean_sigma_mm;
 use crate::diagnosis::search::prepare::PreparedSearch;
 use crate::diagnosis::verdict::not_testable;
 use crate::diagnosis::{DiagnoseError, NextPose, Watch, checked, prepared, searched};
-use crate::effects::{Inputs, Term, called, find};
+use crate::effects::{Inputs, Term};
 use crate::kinematics::Robot;
 use crate::model::{Model, SetUp};
 use crate::observations::KINDS;
@@ -30,15 +30,14 @@ use super::candidate::ranges;
 use super::conditions::conditioned;
 use super::expected_information::expected;
 use super::first_measurement::{self, Request};
-use super::geometry::{self, Geometry, PlanGoal};
+use super::geometry::{self, Geometry};
 use super::imagined::{extended, unmeasured, with_noise};
-use super::named::Named;
-use super::needs::{self, Untestable, test_load_kg};
-use super::pair_separation::Separation;
+use super::needs::{Untestable, test_load_kg};
+use super::pair_separation::{Separation, separate_two};
 use super::plan::{Plan, Subject, USUAL_SIGMA_MM};
 use super::plan_options::{PlanError, PlanOptions};
 use super::reflectors::reflectors;
-use super::{enabling_poses, next_poses, pair_separation};
+use super::{enabling_poses, next_poses};
 
 /// Poses of a first measurement of a single joint, where no number is given; of several joints, and
 /// beside a session of them.
@@ -84,7 +83,7 @@ pub fn plan_session(
     let base = regression.fit(&regression.base, &[]);
     let untestable_now = enabling_poses::untestable(&prepared, &not_testable(regression, &base));
     if let Some(between) = between {
-        let separation = two(&prepared, fit, between, most);
+        let separation = separate_two(&prepared, fit, between, most);
         plan.add(separation.poses.clone());
         plan.separation = Some(separation);
     } else {
@@ -171,17 +170,11 @@ fn add_geometry(
 ) -> Result<(), PlanError> {
     let room = options.poses.map(|n| n - plan.poses.len());
     let arm = Arm::of_session(session, options)?.beside_planned(&plan.poses);
-    let poses = room.unwrap_or(POSES_BESIDE);
-    let (poses, geometry) = of_arm(&arm, PlanGoal::new(options, poses))?;
-    plan.poses.extend(poses);
+    let wanted = room.unwrap_or(POSES_BESIDE);
+    let (poses, geometry) = geometry::best(&arm, wanted, options.accuracy_mm)?;
+    plan.poses.extend(conditioned(&arm, &poses));
     plan.geometry = Some(geometry);
     Ok(())
-}
-
-/// Poses of several joints with their conditions.
-fn of_arm(arm: &Arm, wanted: PlanGoal) -> Result<(Vec<NextPose>, Geometry), PlanError> {
-    let (chosen, geometry) = geometry::best(arm, wanted)?;
-    Ok((conditioned(arm, &chosen), geometry))
 }
 
 /// A first measurement of a robot that was not measured.
@@ -213,7 +206,7 @@ pub fn plan_robot(robot: &Robot, options: &PlanOptions) -> Result<Plan, PlanErro
         let session = measured(&first, &targets);
         let prepared = PreparedSearch::new(&session, &options.diagnosis)?;
         let fit = prepared.regression.fit(&prepared.regression.base, &[]);
-        let separation = two(&prepared, &fit, between, poses - first.len());
+        let separation = separate_two(&prepared, &fit, between, poses - first.len());
         decisive.clone_from(&separation.poses);
         plan.separation = Some(separation);
     }
@@ -246,8 +239,8 @@ fn first_poses(
 ) -> Result<(Vec<NextPose>, Option<Geometry>), PlanError> {
     if robot.joints.len() > 1 {
         let arm = Arm::of_robot(robot, targets, *sigma_mm, options);
-        let (poses, geometry) = of_arm(&arm, PlanGoal::new(options, count))?;
-        return Ok((poses, Some(geometry)));
+        let (poses, geometry) = geometry::best(&arm, count, options.accuracy_mm)?;
+        return Ok((conditioned(&arm, &poses), Some(geometry)));
     }
     let poses = first_measurement::design(&Request {
         robot,
@@ -260,21 +253,4 @@ fn first_poses(
         measured: None,
     });
     Ok((poses, None))
-}
-
-/// Two effects, unless one of them cannot be seen by any measurement.
-fn two(prepared: &PreparedSearch, fit: &Fit, between: [Named; 2], most: usize) -> Separation {
-    let met = needs::all_met(&prepared.survey);
-    for named in between {
-        let obstacle = find(named.id).and_then(|effect| effect.obstacle(&met, named.joint));
-        if let Some(because) = obstacle {
-            let because = text!(
-                "{effect} cannot be seen: {because}",
-                effect = called(named.id),
-                because
-            );
-            return pair_separation::nothing(between, because);
-        }
-    }
-    pair_separation::separate_two(prepared, fit, between, most)
 }

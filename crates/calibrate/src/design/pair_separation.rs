@@ -25,6 +25,7 @@ use super::exchange::choose;
 use super::field::Field;
 use super::model_separation::{Attempt, ModelSeparation, over_reflectors};
 use super::named::Named;
+use super::needs::all_met;
 use super::next_poses::conditions;
 use super::rows::Rows;
 
@@ -55,13 +56,39 @@ pub struct Separation {
     pub poses: Vec<NextPose>,
 }
 
-/// See the module. At most `most` poses.
+impl Separation {
+    /// No pose does it.
+    fn none(between: [Named; 2], because: Text) -> Self {
+        Self {
+            between,
+            left_before: [0.0; 2],
+            left_after: [0.0; 2],
+            decided: false,
+            impossible: Some(because),
+            poses: Vec::new(),
+        }
+    }
+}
+
+/// See the module. At most `most` poses; none where one of the effects cannot be seen by any measurement.
 pub(crate) fn separate_two(
     prepared: &PreparedSearch,
     fit: &Fit,
     between: [Named; 2],
     most: usize,
 ) -> Separation {
+    let met = all_met(&prepared.survey);
+    for named in between {
+        let obstacle = find(named.id).and_then(|effect| effect.obstacle(&met, named.joint));
+        if let Some(because) = obstacle {
+            let because = text!(
+                "{effect} cannot be seen: {because}",
+                effect = called(named.id),
+                because
+            );
+            return Separation::none(between, because);
+        }
+    }
     let base = fit.model.without(|t| between.iter().any(|b| is(t, *b)));
     let terms = between.map(|named| terms_of(prepared, fit, named));
     let shown: Vec<&Term> = terms.iter().flatten().collect();
@@ -77,7 +104,7 @@ pub(crate) fn separate_two(
         );
         return Separation {
             left_before,
-            ..nothing(between, because)
+            ..Separation::none(between, because)
         };
     }
     let why = text!(
@@ -92,17 +119,6 @@ pub(crate) fn separate_two(
         decided: best.decides,
         impossible: None,
         poses: best.poses(prepared, &why, most),
-    }
-}
-
-pub(crate) fn nothing(between: [Named; 2], because: Text) -> Separation {
-    Separation {
-        between,
-        left_before: [0.0; 2],
-        left_after: [0.0; 2],
-        decided: false,
-        impossible: Some(because),
-        poses: Vec::new(),
     }
 }
 
