@@ -211,6 +211,23 @@ fn what_was_never_tried_is_unlocked_and_then_found() {
 }
 
 #[test]
+fn no_pose_carries_more_than_the_load_that_is_allowed() {
+    let design = Design {
+        one_way: true,
+        ..Design::default()
+    };
+    let (rig, _) = Rig::measured(&design, &["backlash"], 400.0, 12);
+    let options = PlanOptions {
+        load_kg: Some(1.0),
+        ..PlanOptions::default()
+    };
+    let plan = plan_session(&session(&rig), &options, &|_| true).expect("a plan");
+    let loads: Vec<f64> = plan.poses.iter().filter_map(|p| p.load_kg).collect();
+    assert!(loads.contains(&1.0), "{loads:?}");
+    assert!(loads.iter().all(|kg| *kg <= 1.0), "{loads:?}");
+}
+
+#[test]
 fn a_first_measurement_of_an_axis_names_what_is_hidden_in_it() {
     let plan = plan_robot(&robot(AXIS), &PlanOptions::default()).expect("a plan");
     assert_eq!(plan.poses.len(), 60);

@@ -2,7 +2,7 @@
 //!
 //! Candidates are spread over the joint limits, for every way of measuring that the session has: its
 //! targets, anchors, stations, planes, sockets. Where a target is held in a place a candidate is moved
-//! there; what the instrument does not see ([`super::sight`]) is none. They compete ([`super::candidate_set`]) in the information
+//! there; what the instrument does not see ([`super::line_of_sight`]) is none. They compete ([`super::candidate_set`]) in the information
 //! about the whole base model ([`crate::fit::base_model`]) beside its weak priors and what was measured
 //! already; then what was chosen competes with poses around it. Which effects the poses show beside the
 //! geometry is a matter of conditions ([`super::conditions`]).

@@ -81,7 +81,9 @@ impl CandidatePoses {
         let session = prepared.problem.session;
         let ranges = ranges(&session.robot, Some(&prepared.problem.inputs));
         let mut places = places(&ranges, prepared.options().seed, conditions.uneven);
-        places.iter_mut().for_each(|q| session.robot.follow(q));
+        for q in &mut places {
+            session.robot.follow(q);
+        }
         let mut own_ways = Vec::new();
         let candidates = if prepared.problem.observed.is_none() {
             let places: Vec<_> = places.into_iter().map(Candidate::at).collect();

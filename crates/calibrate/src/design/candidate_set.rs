@@ -61,8 +61,7 @@ impl Arm {
         stated.weak = false;
         measured += precision(&stated, &model, &columns, |_, _| 0.0);
         let rows = rows.from(before);
-        let mut everything = measured.clone();
-        rows.add_to(&mut everything, 0..candidates.len());
+        let everything = &measured + rows.information();
         CandidateSet {
             workspace: Workspace::new(&problem, &model, &columns, &everything),
             information: Information::new(rows, inverse(&known)),
@@ -162,7 +161,9 @@ impl CandidateSet {
     /// What is to be expected once these candidates are measured too.
     pub(crate) fn forecast(&self, of: &[usize]) -> Forecast {
         let mut information = self.information.clone();
-        of.iter().for_each(|k| information.take(*k));
+        for k in of {
+            information.take(*k);
+        }
         let mut gram = self.measured.clone();
         information.rows.add_to(&mut gram, of.iter().copied());
         let count = self.before + of.len();

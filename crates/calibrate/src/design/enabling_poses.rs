@@ -6,8 +6,6 @@
 
 use std::cell::LazyCell;
 
-use nalgebra::DMatrix;
-
 use crate::diagnosis::NextPose;
 use crate::diagnosis::candidates::compatible;
 use crate::diagnosis::candidates::table::NotTestable;
@@ -73,12 +71,9 @@ pub(crate) fn untestable(
 /// Whether something of an effect is left where a model is fitted to what all candidates show of it.
 fn not_imitated(field: &Field, base: &Model, effect: &'static Effect, joint: usize) -> bool {
     let rows = field.rows(&base.with_term(small(field, base, effect, joint)), base);
-    let p = base.coefficient_count();
-    let mut gram = DMatrix::zeros(p, p);
-    rows.add_to(&mut gram, 0..rows.len());
     let pull = &rows.columns * &rows.difference;
     let all = rows.difference.norm_squared();
-    let imitated = pull.dot(&(covariance::beside(&gram, &rows) * &pull));
+    let imitated = pull.dot(&(covariance::beside(&rows.information(), &rows) * &pull));
     all > 0.0 && all - imitated > NOT_IMITATED * all
 }
 

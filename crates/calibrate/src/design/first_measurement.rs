@@ -109,7 +109,7 @@ impl Request<'_> {
             Candidate {
                 dir: vec![side],
                 speed: vec![side * usual_speed(self.kind())],
-                arrival: [Arrival::Short(0.03), Arrival::Long][usize::from(k % 3 != 0)],
+                arrival: [Arrival::Short(0.03), Arrival::Long][usize::from(!k.is_multiple_of(3))],
                 load_kg: f64::from(k % 2),
                 above_20_c: WARMING_C * f64::from(k % 4) / 3.0,
                 target: k % targets,
@@ -286,11 +286,13 @@ impl<'r> Slots<'r> {
                 return vec![some[random.random_range(0..some.len())].clone()];
             }
         }
-        let p = self.scale.len();
+        let (p, joints) = (self.scale.len(), self.request.robot.joints.len());
         let affordable = EFFORT / (3 * p * p * self.request.poses).max(1);
         let drawn = (0..affordable.clamp(CANDIDATES[0], CANDIDATES[1])).map(|k| {
             let mut q = anywhere(&[range], random)[0];
             if k % ENDS_EVERY == 0 {
+                // Which joint is drawn as well, so that a seed gives the plan that it always gave.
+                let _ = random.random_range(0..joints);
                 q = if random.random::<bool>() {
                     range.from
                 } else {

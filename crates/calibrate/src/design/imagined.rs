@@ -120,18 +120,18 @@ pub(crate) fn extend(all: &mut Session, model: &Model, poses: &[NextPose], like:
         marks[n..].fill(false);
     }
     // What a pose leaves open is as it was last.
-    type Value<'v> = &'v dyn Fn(&NextPose) -> Option<f64>;
-    let fill = |column: &mut Option<Vec<f64>>, usual: f64, value: Value| {
-        if column.is_none() && poses.iter().all(|p| value(p).is_none()) {
-            return;
-        }
-        let column = column.get_or_insert_with(|| vec![f64::NAN; n + poses.len()]);
-        let known = column[..n].iter().rev().copied().find(|v| v.is_finite());
-        let last = known.unwrap_or(if n == 0 { usual } else { f64::NAN });
-        for (to, pose) in column[n..].iter_mut().zip(poses) {
-            *to = value(pose).unwrap_or(last);
-        }
-    };
+    let fill =
+        |column: &mut Option<Vec<f64>>, usual: f64, value: &dyn Fn(&NextPose) -> Option<f64>| {
+            if column.is_none() && poses.iter().all(|p| value(p).is_none()) {
+                return;
+            }
+            let column = column.get_or_insert_with(|| vec![f64::NAN; n + poses.len()]);
+            let known = column[..n].iter().rev().copied().find(|v| v.is_finite());
+            let last = known.unwrap_or(if n == 0 { usual } else { f64::NAN });
+            for (to, pose) in column[n..].iter_mut().zip(poses) {
+                *to = value(pose).unwrap_or(last);
+            }
+        };
     for j in 0..samples.q.len() {
         for (to, pose) in samples.q[j][n..].iter_mut().zip(poses) {
             *to = pose.q[j];

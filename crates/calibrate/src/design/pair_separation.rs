@@ -229,17 +229,14 @@ impl Pair {
         let rest = of(&|t| !t.same_column(one) && !t.same_column(other));
         let theirs = of(&|t| t.same_column(other) && !t.same_column(one));
         let rows = field.rows(base, &both);
-        let p = both.coefficient_count();
-        let mut everywhere = DMatrix::zeros(p, p);
-        rows.add_to(&mut everywhere, 0..rows.len());
         let mut pair = Self {
             own: of(&|t| t.same_column(one)),
             beside: rest.iter().chain(&theirs).copied().collect(),
             rest,
             terms: [one.clone(), other.clone()],
             known: field.gram(&both),
+            everywhere: rows.information(),
             rows,
-            everywhere,
             possible: 0.0,
         };
         pair.possible = pair.worst(&(&pair.known + &pair.everywhere)).0;

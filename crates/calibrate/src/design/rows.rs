@@ -143,6 +143,13 @@ impl Rows {
         (0..self.columns.nrows()).map(|k| of(k).sum()).collect()
     }
 
+    /// The information of all candidates together.
+    pub(crate) fn information(&self) -> DMatrix<f64> {
+        let mut all = DMatrix::zeros(self.columns.nrows(), self.columns.nrows());
+        self.add_to(&mut all, 0..self.len());
+        all
+    }
+
     /// Adds the information of some candidates, `JᵀJ`.
     pub(crate) fn add_to(
         &self,
