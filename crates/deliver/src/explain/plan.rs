@@ -1,6 +1,7 @@
 //! A plan: the poses, what they decide, make testable and sharpen.
 
 use super::{Block, Detail, Fact, Section, Topic, cleaned, fact};
+use crate::design::forecast::Forecast;
 use crate::design::geometry::Geometry;
 use crate::design::needs::Untestable;
 use crate::design::pair_separation::Separation;
@@ -180,25 +181,15 @@ fn geometry(geometry: &Geometry, plan: &Plan, detail: Detail) -> Section {
         Column::numbers(so_far),
         Column::numbers(say!("with these poses")),
     ]);
-    let (before, after) = (&geometry.before, &geometry.after);
-    let rows = [
-        (
-            say!("Observability index"),
-            [before.observability, after.observability],
-        ),
-        (
-            say!("Expected error over the joint ranges, RMS"),
-            [before.error.rms_mm, after.error.rms_mm],
-        ),
-        (
-            say!("Expected error at 95 % of the places"),
-            [before.error.p95_mm, after.error.p95_mm],
-        ),
-    ];
-    for (name, both) in rows {
-        let [before, after] = both.map(|length| detail.length(length));
+    let mut row = |name: &str, of: fn(&Forecast) -> f64| {
+        let [before, after] = [&geometry.before, &geometry.after].map(|f| detail.length(of(f)));
         table.row([name.to_owned(), before, after]);
-    }
+    };
+    row(say!("Observability index"), |f| f.observability);
+    let rms = say!("Expected error over the joint ranges, RMS");
+    row(rms, |f| f.error.rms_mm);
+    let p95 = say!("Expected error at 95 % of the places");
+    row(p95, |f| f.error.p95_mm);
     let mut blocks = vec![Block::Table(table)];
     if let Some((mm, poses)) = geometry.enough {
         blocks.push(Block::Text(say!(
@@ -215,10 +206,7 @@ fn geometry(geometry: &Geometry, plan: &Plan, detail: Detail) -> Section {
         )
     });
     let each = each.collect::<Vec<_>>().join(", ");
-    blocks.push(Block::Text(format!(
-        "{}: {each}",
-        say!("Expected error at 95 % of the places")
-    )));
+    blocks.push(Block::Text(format!("{p95}: {each}")));
     let surroundings = say!(
         "Only the joint limits are known of the surroundings: check where the way between the poses leads"
     );
