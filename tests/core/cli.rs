@@ -444,6 +444,20 @@ fn a_limit_that_is_none_is_said_in_words_and_has_no_number() {
             assert_eq!(limit["not_shown_at_any_size"][0], "amplitude_deg");
         }
     }
+    // Limits of a joint that slides are lengths.
+    let slide = json(&truepose(&[
+        "diagnose",
+        &bundled("slide-lead-error.json"),
+        "--json",
+    ]));
+    let mut limits = slide["not_found"].as_array().unwrap().iter();
+    let lost_motion = limits
+        .find(|limit| limit["effect"] == "lost-motion")
+        .unwrap();
+    assert!(
+        lost_motion["would_have_been_seen_above"]["width_mm"].is_number(),
+        "{lost_motion}"
+    );
     // Without noise nothing hides.
     let text = truepose(&["diagnose", &bundled("paper-30.json")]).stdout;
     let text = String::from_utf8(text).unwrap();

@@ -211,6 +211,26 @@ fn what_was_never_tried_is_unlocked_and_then_found() {
 }
 
 #[test]
+fn no_pose_carries_more_than_the_load_that_is_allowed() {
+    let design = Design {
+        one_way: true,
+        ..Design::default()
+    };
+    let (rig, _) = Rig::measured(&design, &["backlash"], 400.0, 12);
+    let mut session = session(&rig);
+    // Nothing is said of loads: one has to be tried.
+    session.samples.load_kg = None;
+    let options = PlanOptions {
+        load_kg: Some(1.0),
+        ..PlanOptions::default()
+    };
+    let plan = plan_session(&session, &options, &|_| true).expect("a plan");
+    let loads: Vec<f64> = plan.poses.iter().filter_map(|p| p.load_kg).collect();
+    assert!(loads.contains(&1.0), "{loads:?}");
+    assert!(loads.iter().all(|kg| *kg <= 1.0), "{loads:?}");
+}
+
+#[test]
 fn a_first_measurement_of_an_axis_names_what_is_hidden_in_it() {
     let plan = plan_robot(&robot(AXIS), &PlanOptions::default()).expect("a plan");
     assert_eq!(plan.poses.len(), 60);
@@ -303,10 +323,8 @@ fn limits_are_kept_and_the_plan_is_the_same_every_time() {
             "{}: a second reflector where something turns",
             robot.name
         );
-        let backlash = plan
-            .seen_above()
-            .into_iter()
-            .find(|s| s.effect == "backlash");
+        let mut limits = plan.expected.limits.iter();
+        let backlash = limits.find(|s| s.effect == "backlash");
         let unit = if turns { "width_deg" } else { "width_mm" };
         assert_eq!(backlash.expect("testable").sizes[0].0, unit);
     }
@@ -389,8 +407,7 @@ fn more_poses_than_needed_lower_the_detection_limits() {
     let (few, many) = (with(6), with(60));
     assert_eq!((few.poses.len(), many.poses.len()), (6, 60));
     let limit = |plan: &truepose::design::Plan, id: &str| {
-        let all = plan.seen_above();
-        let one = all.into_iter().find(|s| s.effect == id);
+        let one = plan.expected.limits.iter().find(|s| s.effect == id);
         one.expect("testable").sizes[0].1
     };
     for id in ["backlash", "tracking-lag", "joint-scale", "base-offset"] {

@@ -7,6 +7,7 @@ use std::path::Path;
 use truepose::diagnosis::{Diagnosis, Options};
 use truepose::diagnostic::Place;
 use truepose::pipeline;
+use truepose::present::decision::title;
 use truepose::report::{Details, Extras, Report, html, pdf};
 use truepose::sessions::{Session, load};
 
@@ -33,7 +34,7 @@ fn decision(session: &Session, found: &Diagnosis, tolerance: f64, rule: &str) ->
         r#"{{"format": "truepose-details/1", "tolerance_mm": {tolerance}, "decision_rule": "{rule}"}}"#
     ));
     let (outcome, says) = report(session, found, own).decision.unwrap();
-    format!("{}: {says}", outcome.title())
+    format!("{}: {says}", title(outcome).english())
 }
 
 /// The largest deviation with corrected commands is 1.972 mm, its uncertainty 0.06 mm.

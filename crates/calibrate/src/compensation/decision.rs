@@ -46,29 +46,15 @@ named! {
     pub const ALL;
 }
 
-impl Rule {
-    /// In words, with its source.
-    pub fn title(self) -> &'static str {
-        match self {
-            Self::Iso14253 => "ISO 14253-1",
-            Self::Simple => "simple acceptance (JCGM 106, 8.2)",
-        }
-    }
-}
-
-named! {
-    /// What a rule says.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-    pub enum Outcome {
-        /// Within the tolerance.
-        Pass = "Pass",
-        /// Not within it.
-        Fail = "Fail",
-        /// Neither is proven.
-        Undecided = "Neither pass nor fail is proven",
-    }
-    /// In words.
-    pub fn title;
+/// What a rule says.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Outcome {
+    /// Within the tolerance.
+    Pass,
+    /// Not within it.
+    Fail,
+    /// Neither is proven.
+    Undecided,
 }
 
 /// The deviation that is decided, with its uncertainty. See the module.

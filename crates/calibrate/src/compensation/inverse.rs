@@ -236,7 +236,7 @@ impl Local {
         let columns: Vec<f64> = self.first.iter().flatten().flatten().copied().collect();
         let missing: Vec<f64> = self.missing.iter().flatten().copied().collect();
         let finite = columns.iter().chain(&missing).all(|v| v.is_finite());
-        if !finite {
+        if !finite || columns.is_empty() {
             return DVector::zeros(joints);
         }
         let jacobian = DMatrix::from_vec(missing.len(), joints, columns);

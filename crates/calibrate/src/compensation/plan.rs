@@ -1,7 +1,5 @@
 //! One face for both kinds of model: the joint corrections, and where the reflectors then are.
 
-use std::borrow::Cow;
-
 use nalgebra::{Point3, Vector3};
 
 use crate::effects::{Inputs, Owner, Role, Setting, TOOL_POSITION, Term};
@@ -108,8 +106,8 @@ impl Compensation {
         let inputs = &*inputs.fitted_to(self.nominal.robot.joints.len());
         let all: Vec<usize> = (0..inputs.q.len()).collect();
         let mut corrections = vec![Vec::with_capacity(inputs.len()); inputs.q.len()];
-        for start in (0..inputs.len()).step_by(AT_ONCE) {
-            let mut part = part_of(inputs, start, AT_ONCE);
+        for block in blocks(inputs, AT_ONCE) {
+            let mut part = some_of(inputs, &block);
             part.reflectors_at_home.clone_from(&self.reflectors_at_home);
             if let Some(regional) = &self.regional {
                 corrections[0].extend(regional.joint_corrections(&part));
@@ -165,55 +163,18 @@ impl Compensation {
     }
 }
 
-/// Some poses of `inputs` by their indices.
-pub(super) fn selected(inputs: &Inputs, indices: &[usize]) -> Inputs<'static> {
-    let pick = |column: &[f64]| -> Vec<f64> { indices.iter().map(|i| column[*i]).collect() };
-    let picks = |columns: &[Option<Cow<[f64]>>]| {
-        let picked = columns
-            .iter()
-            .map(|c| c.as_ref().map(|c| Cow::Owned(pick(c))));
-        picked.collect()
-    };
-    let q = inputs.q.iter().map(|q| pick(q)).collect();
-    let mut some = Inputs::at_poses(q, inputs.reflectors_at_home.clone());
-    some.dir = picks(&inputs.dir);
-    some.speed = picks(&inputs.speed);
-    let travel = inputs.travel.iter();
-    some.travel = travel.map(|t| t.as_ref().map(|t| pick(t))).collect();
-    some.load_kg = inputs.load_kg.as_ref().map(|c| Cow::Owned(pick(c)));
-    let warm = inputs.joint_above_20_c.iter();
-    some.joint_above_20_c = warm.map(|w| w.as_ref().map(|w| pick(w))).collect();
-    some.torque_nm = picks(&inputs.torque_nm);
-    some.above_20_c = inputs.above_20_c.as_ref().map(|w| pick(w));
-    let targets = inputs.target.as_ref();
-    some.target = targets.map(|t| Cow::Owned(indices.iter().map(|i| t[*i]).collect()));
+/// Some poses of `inputs`, without what is the instrument's: times and setups.
+pub(super) fn some_of(inputs: &Inputs, poses: &[usize]) -> Inputs<'static> {
+    let mut some = inputs.select(poses);
+    (some.time_s, some.setup) = (None, None);
     some
 }
 
-/// Some consecutive poses of `inputs`.
-pub(super) fn part_of(inputs: &Inputs, start: usize, most: usize) -> Inputs<'static> {
-    let end = (start + most).min(inputs.len());
-    let cut =
-        |column: &Cow<[f64]>| -> Cow<'static, [f64]> { Cow::Owned(column[start..end].to_vec()) };
-    let cuts =
-        |columns: &[Option<Cow<[f64]>>]| columns.iter().map(|c| c.as_ref().map(cut)).collect();
-    let q = inputs.q.iter().map(|q| q[start..end].to_vec()).collect();
-    let mut part = Inputs::at_poses(q, inputs.reflectors_at_home.clone());
-    part.dir = cuts(&inputs.dir);
-    part.speed = cuts(&inputs.speed);
-    let travel = inputs.travel.iter();
-    part.travel = travel
-        .map(|t| t.as_ref().map(|t| t[start..end].to_vec()))
-        .collect();
-    part.load_kg = inputs.load_kg.as_ref().map(cut);
-    part.joint_above_20_c = inputs
-        .joint_above_20_c
-        .iter()
-        .map(|w| w.as_ref().map(|w| w[start..end].to_vec()))
-        .collect();
-    part.torque_nm = cuts(&inputs.torque_nm);
-    part.above_20_c = inputs.above_20_c.as_ref().map(|w| w[start..end].to_vec());
-    part
+/// Poses of `inputs` in blocks of so many.
+pub(super) fn blocks(inputs: &Inputs, most: usize) -> impl Iterator<Item = Vec<usize>> {
+    let count = inputs.len();
+    let starts = (0..count).step_by(most);
+    starts.map(move |start| (start..(start + most).min(count)).collect())
 }
 
 #[cfg(test)]

@@ -38,7 +38,7 @@ use crate::lanes::{add_scaled, cross, dot, minus};
 use crate::model::Model;
 
 use super::inverse::{FLATTEST, LONGEST, MOST_PASSES, MOST_ROTATIONS};
-use super::plan::{part_of, selected};
+use super::plan::{blocks, some_of};
 
 /// How far from the tool's origin the points stand that carry its orientation, mm.
 const LEVER_MM: f64 = 100.0;
@@ -94,8 +94,8 @@ impl Tools {
 /// Where a model has the tools at each pose of `inputs`; its targets play no part.
 pub fn tool_poses(model: &Model, inputs: &Inputs, tools: &Tools) -> Vec<Pose> {
     let mut poses = Vec::with_capacity(inputs.len());
-    for start in (0..inputs.len()).step_by(AT_ONCE) {
-        let part = with_tools(inputs, tools, start);
+    for block in blocks(inputs, AT_ONCE) {
+        let part = with_tools(inputs, tools, &block);
         let seen = seen(model, &part, tools);
         poses.extend(seen.iter().map(ToolAtPose::pose));
     }
@@ -114,19 +114,23 @@ pub fn commands_for_poses(
     let free = &model.robot.leading(free)[..];
     let scale = Scale::of(&model.robot, free);
     let mut reached = Vec::with_capacity(inputs.len());
-    for start in (0..inputs.len()).step_by(AT_ONCE) {
-        let part = with_tools(inputs, tools, start);
-        let wanted = &wanted[start..start + part.len()];
+    for block in blocks(inputs, AT_ONCE) {
+        let part = with_tools(inputs, tools, &block);
+        let wanted = &wanted[block[0]..][..block.len()];
         reached.extend(commands_of_block(model, &scale, part, wanted, free, tools));
     }
     reached
 }
 
-/// Some consecutive poses of `inputs`, with the tool of each.
-fn with_tools(inputs: &Inputs, tools: &Tools, start: usize) -> Inputs<'static> {
-    let mut part = part_of(inputs, start, AT_ONCE);
-    let of_pose = tools.of_pose.get(start..start + part.len());
-    part.target = of_pose.map(|of_pose| Cow::Owned(of_pose.to_vec()));
+/// Some poses of `inputs`, with the tool of each.
+fn with_tools(inputs: &Inputs, tools: &Tools, poses: &[usize]) -> Inputs<'static> {
+    let mut part = some_of(inputs, poses);
+    let of_pose = (!tools.of_pose.is_empty()).then(|| {
+        poses
+            .iter()
+            .map(|i| tools.of_pose.get(*i).copied().unwrap_or(0))
+    });
+    part.target = of_pose.map(Iterator::collect);
     part
 }
 
@@ -148,7 +152,7 @@ fn commands_of_block(
     let mut moving: Vec<usize> = (0..count).collect();
     let mut last: Vec<ToolAtPose> = vec![ToolAtPose::default(); count];
     for pass in 0..=2 * MOST_PASSES {
-        let some = selected(&trial, &moving);
+        let some = some_of(&trial, &moving);
         for (i, seen) in moving.iter().copied().zip(seen(model, &some, tools)) {
             last[i] = seen;
             let state = &mut state[i];
@@ -367,20 +371,37 @@ impl<'r> Scale<'r> {
         scale
     }
 
-    /// The Jacobian of the nominal robot.
+    /// The Jacobian of the nominal robot: position in parts of the reach, orientation in rad.
     fn nominal(&self, robot: &Robot, q: &[f64], free: &[usize]) -> DMatrix<f64> {
         let twists = robot.joint_twists(q);
         let tool = Point3::from(robot.base_from_tool(q).translation.vector);
-        let columns = free.iter().map(|j| {
-            let own = |j: usize| {
-                (
-                    twists[j].velocity_at(&tool).into(),
-                    twists[j].angular.into(),
-                )
-            };
-            with_followers(robot, *j, own)
-        });
-        self.jacobian(columns, free)
+        let columns = self.columns(&twists, &tool, free);
+        let columns = columns
+            .iter()
+            .flat_map(|(way, turn)| way.iter().chain(turn));
+        DMatrix::from_iterator(6, free.len(), columns.copied())
+    }
+
+    /// The way and the turn that each free joint gives the tool, with the joints that follow it: in parts of the
+    /// reach, and in rad, for a [`Scale::unit`] of the joint.
+    fn columns(
+        &self,
+        twists: &[Twist],
+        tool: &Point3<f64>,
+        free: &[usize],
+    ) -> Vec<(Vector3<f64>, Vector3<f64>)> {
+        let motion = |joint: usize| (twists[joint].velocity_at(tool), twists[joint].angular);
+        let of = |joint: &usize| {
+            let (mut way, mut turn) = motion(*joint);
+            for (follower, ratio) in self.robot.followers(*joint) {
+                let (more, turns) = motion(follower);
+                way += more * ratio;
+                turn += turns * ratio;
+            }
+            let unit = self.unit(*joint);
+            (way * (unit / self.reach_mm), turn * unit)
+        };
+        free.iter().map(of).collect()
     }
 
     /// A length of joint travel that moves the tool about as far as one rad.
@@ -389,23 +410,6 @@ impl<'r> Scale<'r> {
             JointKind::Revolute => 1.0,
             JointKind::Prismatic => self.reach_mm,
         }
-    }
-
-    /// Rows: position in parts of the reach, orientation in rad; a column for each free joint.
-    fn jacobian(
-        &self,
-        columns: impl Iterator<Item = ([f64; 3], [f64; 3])>,
-        free: &[usize],
-    ) -> DMatrix<f64> {
-        let mut jacobian = DMatrix::zeros(6, free.len());
-        for (k, (way, turn)) in columns.enumerate() {
-            let unit = self.unit(free[k]);
-            for axis in 0..3 {
-                jacobian[(axis, k)] = way[axis] * unit / self.reach_mm;
-                jacobian[(axis + 3, k)] = turn[axis] * unit;
-            }
-        }
-        jacobian
     }
 
     /// The next step in [`Scale::unit`]s. `so_far`: what the steps before have moved, in the same.
@@ -424,17 +428,7 @@ impl<'r> Scale<'r> {
         let way = Vector3::from(way) / self.reach_mm;
         let turn = Vector3::from(turn);
         let tool = Point3::from(Vector3::from(seen.at[0]));
-        let columns = free.iter().map(|joint| {
-            let own = |joint: usize| {
-                let twist = &twists[joint];
-                (twist.velocity_at(&tool).into(), twist.angular.into())
-            };
-            let (by_way, by_turn) = with_followers(self.robot, *joint, own);
-            let unit = self.unit(*joint);
-            let by_way = Vector3::from(by_way) * (unit / self.reach_mm);
-            (by_way, Vector3::from(by_turn) * unit)
-        });
-        let columns: Vec<(Vector3<f64>, Vector3<f64>)> = columns.collect();
+        let columns = self.columns(twists, &tool, free);
         let finite = |v: &Vector3<f64>| v.iter().all(|v| v.is_finite());
         let good = finite(&way) && finite(&turn);
         if !good || !columns.iter().all(|(a, b)| finite(a) && finite(b)) {
@@ -512,23 +506,6 @@ impl<'r> Scale<'r> {
         }
         (good >= self.directions && good > 0).then_some(inverse)
     }
-}
-
-/// The way and the turn that a joint gives the tool, with those of the joints that follow it.
-fn with_followers(
-    robot: &Robot,
-    joint: usize,
-    motion: impl Fn(usize) -> ([f64; 3], [f64; 3]),
-) -> ([f64; 3], [f64; 3]) {
-    let (mut way, mut turn) = motion(joint);
-    for (follower, ratio) in robot.followers(joint) {
-        let (more, turns) = motion(follower);
-        for axis in 0..3 {
-            way[axis] += ratio * more[axis];
-            turn[axis] += ratio * turns[axis];
-        }
-    }
-    (way, turn)
 }
 
 /// An angle that no two joints share and no robot is built to be singular at.

@@ -70,14 +70,15 @@ impl JointTable {
         let robot = &calibration.model.robot;
         let joints = robot.joints.len();
         let Some(own) = robot.joints.get(joint) else {
-            return Err(TableError::NoSuchJoint {
-                joint: joint.saturating_add(1),
-                joints,
-            });
+            return Err(TableError::None(text!(
+                "joint {joint}: the robot has {joints}",
+                joint = joint.saturating_add(1),
+                joints
+            )));
         };
         let mut notes = Vec::new();
         let raw = raw_joint(calibration, joint)?;
-        let measured = *calibration.measured.get(joint).ok_or(TableError::NoRange)?;
+        let measured = *calibration.measured.get(joint).ok_or_else(no_range)?;
         let measured = in_raw_values(measured, raw);
         let travel = own.limits.unwrap_or(measured);
         if own.limits.is_none() {
@@ -218,14 +219,22 @@ impl JointTable {
     }
 }
 
+fn no_range() -> TableError {
+    TableError::None(text!(
+        "the joint has no limits and was measured at a single value: there is no range for a table"
+    ))
+}
+
 /// How the controller counts a joint.
 fn raw_joint(calibration: &Calibration, joint: usize) -> Result<RawJoint, TableError> {
-    let joint_number = joint + 1;
-    let why = |why| TableError::Conventions {
-        joint: joint_number,
-        why,
+    let no_table = |why: Text| {
+        TableError::None(text!(
+            "no table for joint {joint}: {why}, and the model corrected that; correct it in the controller or in the session, identify again and make the table from that model",
+            joint = joint + 1,
+            why
+        ))
     };
-    calibration.set_up.raw_joint(joint).map_err(why)
+    calibration.set_up.raw_joint(joint).map_err(no_table)
 }
 
 /// A range of the model's values as the controller counts them.
@@ -268,7 +277,10 @@ struct EqualSteps {
 impl EqualSteps {
     fn new(kind: JointKind, travel: Range, step: f64) -> Result<Self, TableError> {
         if !(step.is_finite() && step > 0.0) {
-            return Err(TableError::Step(step));
+            return Err(TableError::None(text!(
+                "a step of {step}; expected a positive number",
+                step
+            )));
         }
         let outer = |v: f64| match kind {
             // Whole degrees come out whole.
@@ -278,16 +290,17 @@ impl EqualSteps {
         let (from, to) = (outer(travel.from), outer(travel.to));
         let span = to - from;
         if !(span.is_finite() && span > 0.0) {
-            return Err(TableError::NoRange);
+            return Err(no_range());
         }
         // A step that divides the travel up to rounding divides it.
         let steps = (span / step - 1e-9).ceil().max(1.0);
         if steps + 1.0 > MOST_ENTRIES as f64 {
-            return Err(TableError::TooMany {
+            return Err(TableError::None(text!(
+                "a step of {step} makes {entries} entries; expected at most {most}",
                 step,
-                entries: steps + 1.0,
-                most: MOST_ENTRIES,
-            });
+                entries = steps + 1.0,
+                most = MOST_ENTRIES
+            )));
         }
         #[allow(
             clippy::cast_possible_truncation,

@@ -14,33 +14,8 @@ pub enum TableError {
         /// How far the robot reaches, mm.
         size_mm: f64,
     },
-    /// The controller counts the joint in a way that a table cannot.
-    Conventions {
-        /// The joint, counted from 1.
-        joint: usize,
-        /// What was corrected.
-        why: Text,
-    },
-    /// A joint that the robot does not have.
-    NoSuchJoint {
-        /// The joint, counted from 1.
-        joint: usize,
-        /// How many there are.
-        joints: usize,
-    },
-    /// A step that is not a positive number.
-    Step(f64),
-    /// A step so small that the table gets too long.
-    TooMany {
-        /// The step as it was given.
-        step: f64,
-        /// How many entries it makes.
-        entries: f64,
-        /// How many there may be.
-        most: usize,
-    },
-    /// No limits, and all samples at one place.
-    NoRange,
+    /// There is no such table.
+    None(Text),
 }
 
 impl TableError {
@@ -56,28 +31,7 @@ impl TableError {
                 left_mm = length(*left_mm, 3),
                 size_mm = length(*size_mm, 0)
             ),
-            Self::Conventions { joint, why } => text!(
-                "no table for joint {joint}: {why}, and the model corrected that; correct it in the controller or in the session, identify again and make the table from that model",
-                joint,
-                why
-            ),
-            Self::NoSuchJoint { joint, joints } => {
-                text!("joint {joint}: the robot has {joints}", joint, joints)
-            }
-            Self::Step(step) => text!("a step of {step}; expected a positive number", step),
-            Self::TooMany {
-                step,
-                entries,
-                most,
-            } => text!(
-                "a step of {step} makes {entries} entries; expected at most {most}",
-                step,
-                entries,
-                most
-            ),
-            Self::NoRange => text!(
-                "the joint has no limits and was measured at a single value: there is no range for a table"
-            ),
+            Self::None(why) => why.clone(),
         }
     }
 }

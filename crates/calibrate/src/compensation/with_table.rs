@@ -39,15 +39,9 @@ pub(super) fn moved(compensation: &Compensation, inputs: &Inputs, model: &Positi
     let table = Conditions::default().impose_on(inputs);
     let corrections = compensation.joint_corrections(&table);
     let mut reached = compensation.reached(inputs, &corrections);
-    let columns = [
-        (&mut reached.x_mm, &model.x_mm),
-        (&mut reached.y_mm, &model.y_mm),
-        (&mut reached.z_mm, &model.z_mm),
-    ];
-    for (reached, model) in columns {
-        for (reached, model) in reached.iter_mut().zip(model) {
-            *reached -= model;
-        }
+    for i in 0..inputs.len() {
+        let [x, y, z] = minus(reached.get(i), model.get(i));
+        (reached.x_mm[i], reached.y_mm[i], reached.z_mm[i]) = (x, y, z);
     }
     reached
 }
@@ -59,10 +53,21 @@ pub fn moved_at(calibration: &Calibration, inputs: &Inputs) -> Positions {
     moved(&compensation, inputs, &model)
 }
 
-/// Samples that a question about a whole session is asked of: without excluded ones.
-fn over_all(problem: &Problem) -> impl Fn(usize) -> bool {
-    let usable = problem.usable.clone();
-    move |i| usable[i]
+/// The RMS error of a session, without excluded samples, to where `expected` has them, as the model's set-up
+/// corrections read it; it is given the model as it applies to this session.
+fn gap(
+    calibration: &Calibration,
+    session: &Session,
+    expected: impl FnOnce(&Compensation, &Inputs, &Model) -> Vec<[f64; 3]>,
+) -> Option<Spread> {
+    let own = is_own(calibration, session);
+    let session = &*calibration.set_up.applied(session, own);
+    let problem = Problem::new(session, JointValues::Commanded);
+    let compensation = Compensation::new(calibration);
+    let full = model_for(calibration, session, &problem, &mut Vec::new());
+    let expected = expected(&compensation, &problem.inputs, &full);
+    let left = measured_minus(session, &problem, &compensation, |i| expected[i]);
+    Spread::of(&left.length_mm, |i| problem.usable[i], |_| false)
 }
 
 /// The RMS error that a table leaves on a session, `correction` being what the controller adds for a
@@ -77,36 +82,29 @@ pub fn gap_with_table(
     if joint >= session.robot.joints.len() {
         return None;
     }
-    let set_up = &calibration.set_up;
-    let session = &*set_up.applied(session, is_own(calibration, session));
-    let robot = &calibration.model.robot;
-    let problem = Problem::new(session, JointValues::Commanded);
-    let inputs = &problem.inputs;
-    let compensation = Compensation::new(calibration);
-    let nominal = compensation.nominal.predict(inputs);
-    let mut ignored = Vec::new();
-    let full = model_for(calibration, session, &problem, &mut ignored);
-    let model = where_the_model_is(&compensation, &full, inputs, None);
-    let mut corrections = vec![vec![0.0; inputs.len()]; inputs.q.len()];
-    let mut sides = vec![0.0; inputs.q.len()];
-    for i in 0..inputs.len() {
-        let of_model: Vec<f64> = inputs.q.iter().map(|q| q[i]).collect();
-        let mut told = of_model.clone();
-        set_up.to_raw(robot, &mut told);
-        for (side, dir) in sides.iter_mut().zip(&inputs.dir) {
-            *side = dir.as_ref().map_or(0.0, |dir| dir[i]);
+    let (set_up, robot) = (&calibration.set_up, &calibration.model.robot);
+    gap(calibration, session, |compensation, inputs, full| {
+        let mut corrections = vec![vec![0.0; inputs.len()]; inputs.q.len()];
+        let mut sides = vec![0.0; inputs.q.len()];
+        for i in 0..inputs.len() {
+            let of_model: Vec<f64> = inputs.q.iter().map(|q| q[i]).collect();
+            let mut commanded = of_model.clone();
+            set_up.to_raw(robot, &mut commanded);
+            for (side, dir) in sides.iter_mut().zip(&inputs.dir) {
+                *side = dir.as_ref().map_or(0.0, |dir| dir[i]);
+            }
+            set_up.signs_to_raw(&mut sides);
+            commanded[joint] += correction(commanded[joint], sides[joint]);
+            set_up.to_model(robot, &mut commanded);
+            for ((all, commanded), was) in corrections.iter_mut().zip(commanded).zip(of_model) {
+                all[i] = commanded - was;
+            }
         }
-        set_up.signs_to_raw(&mut sides);
-        told[joint] += correction(told[joint], sides[joint]);
-        set_up.to_model(robot, &mut told);
-        for ((all, told), was) in corrections.iter_mut().zip(told).zip(of_model) {
-            all[i] = told - was;
-        }
-    }
-    let reached = compensation.reached(inputs, &corrections);
-    let expected = |i: usize| add_scaled(nominal.get(i), minus(model.get(i), reached.get(i)), 1.0);
-    let left = measured_minus(session, &problem, &compensation, expected);
-    Spread::of(&left.length_mm, over_all(&problem), |_| false)
+        let nominal = compensation.nominal.predict(inputs);
+        let model = where_the_model_is(compensation, full, inputs, None);
+        let reached = compensation.reached(inputs, &corrections);
+        shifted(&nominal, &model, &reached)
+    })
 }
 
 /// The RMS error of the same session without a table.
@@ -120,24 +118,22 @@ pub fn gap_to_robot(
     session: &Session,
     robot: &crate::kinematics::Robot,
 ) -> Option<Spread> {
-    let session = &*calibration
-        .set_up
-        .applied(session, is_own(calibration, session));
-    let problem = Problem::new(session, JointValues::Commanded);
-    let inputs = &problem.inputs;
-    let compensation = Compensation::new(calibration);
-    let mut ignored = Vec::new();
-    let full = model_for(calibration, session, &problem, &mut ignored);
-    // What the instrument adds to the model it adds to any robot in the same place.
-    let (full, own) = (full.predict(inputs), compensation.robot.predict(inputs));
-    let mut inputs_there = inputs.clone();
-    let nominal = &calibration.model.robot.base_from_tool;
-    for home in &mut inputs_there.reflectors_at_home {
-        let in_tool = nominal.inverse_transform_point(&(*home).into());
-        *home = (robot.base_from_tool * in_tool).coords.into();
-    }
-    let there = Model::nominal(robot.clone()).predict(&inputs_there);
-    let expected = |i: usize| add_scaled(there.get(i), minus(full.get(i), own.get(i)), 1.0);
-    let left = measured_minus(session, &problem, &compensation, expected);
-    Spread::of(&left.length_mm, over_all(&problem), |_| false)
+    gap(calibration, session, |compensation, inputs, full| {
+        let mut inputs_there = inputs.clone();
+        let nominal = &calibration.model.robot.base_from_tool;
+        for home in &mut inputs_there.reflectors_at_home {
+            let in_tool = nominal.inverse_transform_point(&(*home).into());
+            *home = (robot.base_from_tool * in_tool).coords.into();
+        }
+        let there = Model::nominal(robot.clone()).predict(&inputs_there);
+        // What the instrument adds to the model it adds to any robot in the same place.
+        let own = compensation.robot.predict(inputs);
+        shifted(&there, &full.predict(inputs), &own)
+    })
+}
+
+/// Positions, each by so much elsewhere as `to` is from `from`.
+fn shifted(positions: &Positions, to: &Positions, from: &Positions) -> Vec<[f64; 3]> {
+    let by = |i: usize| add_scaled(positions.get(i), minus(to.get(i), from.get(i)), 1.0);
+    (0..positions.x_mm.len()).map(by).collect()
 }

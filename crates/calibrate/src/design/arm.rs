@@ -2,7 +2,7 @@
 //!
 //! Candidates are spread over the joint limits, for every way of measuring that the session has: its
 //! targets, anchors, stations, planes, sockets. Where a target is held in a place a candidate is moved
-//! there; what the instrument does not see ([`super::sight`]) is none. They compete ([`super::candidate_set`]) in the information
+//! there; what the instrument does not see ([`super::line_of_sight`]) is none. They compete ([`super::candidate_set`]) in the information
 //! about the whole base model ([`crate::fit::base_model`]) beside its weak priors and what was measured
 //! already; then what was chosen competes with poses around it. Which effects the poses show beside the
 //! geometry is a matter of conditions ([`super::conditions`]).
@@ -10,12 +10,12 @@
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-use super::candidates::{Candidate, Writing, anywhere, ranges};
-use super::expected_rows::{extend, extended, unmeasured};
+use super::candidate::{Candidate, Writing, anywhere, ranges};
+use super::imagined::{extend, extended, unmeasured};
 use super::line_of_sight;
 use super::measuring_methods::{MeasuringMethod, ways};
+use super::needs::test_load_kg;
 use super::plan_options::PlanOptions;
-use super::varied::Varied;
 use crate::diagnosis::{DiagnoseError, NextPose};
 use crate::fit::base_model;
 use crate::fit::priors::Priors;
@@ -33,6 +33,7 @@ const ENDS: f64 = 0.25;
 /// So many tries for each candidate that is wanted.
 const TRIES: usize = 12;
 
+/// A robot with several joints, how it is measured, and which conditions a technician can vary.
 pub(crate) struct Arm {
     /// What was measured, and planned before.
     pub(crate) session: Session,
@@ -44,7 +45,13 @@ pub(crate) struct Arm {
     mounted: usize,
     ways: Vec<MeasuringMethod>,
     cone_rad: Option<f64>,
-    seed: u64,
+    pub(crate) seed: u64,
+    /// The test load, kg; none: the load stays as it is.
+    pub(crate) load_kg: Option<f64>,
+    /// Whether the machine is measured cold and warm.
+    pub(crate) heats: bool,
+    /// Whether speeds are written down.
+    speeds: bool,
 }
 
 impl Arm {
@@ -62,17 +69,23 @@ impl Arm {
         let fitted = base_model::fit(&mut problem, &start, true).solution.model;
         let priors = problem.priors.of_any_robot();
         let ranges = ranges(&session.robot, Some(&problem.inputs));
+        let samples = &session.samples;
+        let points = session.has_plain_points();
+        let heaviest = samples.load_kg.iter().flatten().copied();
+        let load_kg = test_load_kg(options.load_kg, heaviest.fold(0.0, f64::max));
+        let loads = samples.load_kg.is_some() || points && session.robot.gravity_m_s2.is_some();
+        let (heats, speeds) = (
+            samples.temperature_c.is_some() || points,
+            samples.speed.iter().any(Option::is_some),
+        );
         let mut session = session.clone();
-        let from = session
-            .instrument
-            .tracker
-            .map(|t| t.position_mm)
-            .or(options.instrument_mm);
+        let own = session.instrument.tracker.map(|t| t.position_mm);
+        let from = own.or(options.instrument_mm);
         let per_axis = matches!(session.instrument.sigma_mm, Some(Sigma::PerAxis(_)));
         if let Some(sigma_mm) = options.sigma_mm {
             session.instrument.sigma_mm = Some(Sigma::Overall(sigma_mm));
             session.instrument.tracker = None;
-        } else if session.has_plain_points() && !per_axis {
+        } else if points && !per_axis {
             // The noise is what the fit leaves, in the mean of the axes that were measured.
             let unit = problem.noise.as_ref().map_or(1.0, |noise| {
                 let of = noise.sigma_mm.iter().zip(&problem.axis_weights);
@@ -90,6 +103,9 @@ impl Arm {
             session,
             priors,
             ranges,
+            load_kg: loads.then_some(load_kg),
+            heats,
+            speeds,
         })
     }
 
@@ -117,9 +133,14 @@ impl Arm {
             ways: (0..targets.len()).map(way).collect(),
             cone_rad: options.cone_rad,
             seed: options.diagnosis.seed,
+            load_kg: robot
+                .gravity_m_s2
+                .map(|_| test_load_kg(options.load_kg, 0.0)),
+            heats: true,
+            speeds: true,
         };
         let some = arm.candidates(8 * targets.len(), false, &mut arm.random(0));
-        let some = arm.with(&some, &arm.writing(None));
+        let some = arm.with(&some, false);
         let problem = Problem::observing(&some, crate::effects::JointValues::Commanded);
         arm.base = base_model::start(&some, &problem, |_| true);
         arm
@@ -189,48 +210,46 @@ impl Arm {
     fn admitted(&self, drawn: Vec<(Vec<f64>, usize)>, count: usize) -> Vec<Candidate> {
         let mut all = Vec::new();
         let mut drawn = drawn.into_iter();
-        while all.len() < count {
-            let some: Vec<(Vec<f64>, usize)> = drawn.by_ref().take(count).collect();
-            if some.is_empty() {
-                break;
-            }
-            let brought = some.into_iter();
-            let brought = brought.filter_map(|(mut q, way)| {
+        while all.len() < count && drawn.len() > 0 {
+            let brought = drawn.by_ref().take(count).filter_map(|(mut q, way)| {
                 self.session.robot.follow(&mut q);
-                Some((
-                    self.ways[way].brought(&self.session, &self.base, &self.ranges, q)?,
+                let own = &self.ways[way];
+                let q = own.brought(&self.session, &self.base, &self.ranges, q)?;
+                Some(Candidate {
+                    target: own.target,
                     way,
-                ))
+                    ..Candidate::at(q)
+                })
             });
-            let some: Vec<(Vec<f64>, usize)> = brought.collect();
-            let posed = some.iter().map(|(q, w)| (&q[..], self.ways[*w].target));
-            let posed: Vec<(&[f64], u32)> = posed.collect();
-            let from: Vec<_> = some.iter().map(|(_, w)| self.ways[*w].from).collect();
+            let some: Vec<Candidate> = brought.collect();
+            let posed: Vec<_> = some.iter().map(|c| (&c.q[..], c.target)).collect();
+            let from: Vec<_> = some.iter().map(|c| self.ways[c.way].from).collect();
             let seen = line_of_sight::seen(&self.session, &self.base, &posed, &from, self.cone_rad);
-            let visible = some.into_iter().zip(seen).filter(|own| own.1);
-            all.extend(visible.map(|((q, way), _)| Candidate {
-                target: self.ways[way].target,
-                way,
-                ..Candidate::at(q)
-            }));
+            all.extend(
+                some.into_iter()
+                    .zip(seen)
+                    .filter(|own| own.1)
+                    .map(|own| own.0),
+            );
         }
         all.truncate(count);
         all
     }
 
-    /// How poses are written down of which these circumstances are varied.
-    pub(crate) fn writing(&self, varied: Option<Varied>) -> Writing<'_> {
+    /// How poses are written down whose conditions are varied, or are not.
+    pub(crate) fn writing(&self, varied: bool) -> Writing<'_> {
         Writing {
             targets: &self.session.targets,
             mounted: self.mounted,
-            speeds: varied.is_some_and(|v| v.speeds),
-            loads: varied.is_some_and(|v| v.load_kg.is_some()),
-            temperatures: varied.is_some_and(|v| v.heats),
+            speeds: varied && self.speeds,
+            loads: varied && self.load_kg.is_some(),
+            temperatures: varied && self.heats,
         }
     }
 
     /// The session with these poses measured too.
-    pub(crate) fn with(&self, candidates: &[Candidate], writing: &Writing) -> Session {
+    pub(crate) fn with(&self, candidates: &[Candidate], varied: bool) -> Session {
+        let writing = self.writing(varied);
         let poses = candidates.iter().map(|c| writing.pose(c, Text::default()));
         let like: Vec<_> = candidates.iter().map(|c| self.ways[c.way].like).collect();
         let mut whole = self.session.clone();

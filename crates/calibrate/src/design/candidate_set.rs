@@ -1,15 +1,24 @@
 //! What candidate poses of a robot with several joints show of its geometry beside what is known, and the
-//! best of them.
+//! best of them (D-optimality): chosen greedily and exchanged, then exchanged for poses around them.
+//!
+//! ```text
+//! C⁻¹ = diag(σ⁻²) + J₀ᵀJ₀ + Σ JᵢᵀJᵢ
+//! ```
+//!
+//! with σ the weak priors and the stated places of targets, and J₀ the rows of what was measured before.
 
 use nalgebra::{DMatrix, DVector};
 
 use super::arm::Arm;
-use super::candidates::Candidate;
-use super::exchange::{Criterion, Information, choose, exchange};
-use super::expected_rows::{ExpectedRows, shown};
+use super::candidate::Candidate;
+use super::covariance::inverse;
+use super::exchange::{Criterion, choose, exchange};
 use super::forecast::{ExpectedError, Forecast, Workspace};
+use super::imagined::shown;
+use super::information::Information;
 use crate::effects::JointValues;
 use crate::fit::gauge;
+use crate::fit::priors::Priors;
 use crate::fit::problem::Problem;
 use crate::model::Model;
 
@@ -25,120 +34,111 @@ const ANYTHING: [f64; 2] = [1e3, 1.0];
 /// Candidates and what they show.
 pub(crate) struct CandidateSet {
     pub(crate) candidates: Vec<Candidate>,
-    /// What is not measured of it yet.
     pub(crate) information: Information,
     /// The base model without what no candidate shows.
-    pub(crate) model: Model,
-    columns: Vec<usize>,
-    /// Rows of candidates and of what was measured before.
-    pub(crate) shown: ExpectedRows,
+    model: Model,
     /// Samples that were measured before.
     pub(crate) before: usize,
-    pub(crate) workspace: Workspace,
+    /// What these show, and what is stated of the targets' places: all but the weak priors.
+    measured: DMatrix<f64>,
+    workspace: Workspace,
 }
 
 impl Arm {
     /// Candidates beside what was measured. Without a model it is found what they can show.
-    fn bench(&self, candidates: Vec<Candidate>, model: Option<Model>) -> CandidateSet {
-        let whole = self.with(&candidates, &self.writing(None));
+    fn set(&self, candidates: Vec<Candidate>, model: Option<&Model>) -> CandidateSet {
+        let whole = self.with(&candidates, false);
         let before = self.session.samples.len();
         let mut problem = Problem::observing(&whole, JointValues::Commanded);
         problem.priors = self.priors.clone();
-        let model = model.unwrap_or_else(|| gauge::gauged(&problem, &self.base));
-        let (columns, known) = self.measured_information(&model);
-        let mut shown = shown(&whole, &model, &columns);
-        let information = shown.information(before, known);
-        shown.information_of_priors += self.stated(&model, &columns);
-        let mut workspace = Workspace::new(&problem, &model, &columns);
-        workspace.can_show(&(shown.rows.tr_mul(&shown.rows) + &shown.information_of_priors));
+        let gauged = || gauge::gauged(&problem, &self.base);
+        let model = model.map_or_else(gauged, Model::clone);
+        let columns = free(&model);
+        let (rows, mut measured) = shown(&whole, &model, &columns);
+        rows.add_to(&mut measured, 0..before);
+        let known = self.prior_information(&model, &columns) + &measured;
+        let mut stated = self.priors.clone();
+        stated.weak = false;
+        measured += precision(&stated, &model, &columns, |_, _| 0.0);
+        let rows = rows.from(before);
+        let everything = &measured + rows.information();
         CandidateSet {
+            workspace: Workspace::new(&problem, &model, &columns, &everything),
+            information: Information::new(rows, inverse(&known)),
             candidates,
-            information,
             model,
-            columns,
-            shown,
             before,
-            workspace,
+            measured,
         }
     }
 
-    /// The information about the targets' places that the session states.
-    fn stated(&self, model: &Model, columns: &[usize]) -> DMatrix<f64> {
-        let mut without = self.priors.clone();
-        without.weak = false;
-        let each = model.columns().map(|(term, k)| {
-            let sigma = without.sigma(model, term, k);
-            sigma.map_or(0.0, |s| s.powi(-2))
-        });
-        let each: Vec<f64> = each.collect();
-        let of = columns.iter().map(|k| each[*k]);
-        DMatrix::from_diagonal(&DVector::from_iterator(columns.len(), of))
-    }
-
-    /// The coefficients that are not held, and what is known of them beforehand.
-    pub(crate) fn measured_information(&self, model: &Model) -> (Vec<usize>, DMatrix<f64>) {
-        let free = model.columns().enumerate();
-        let free = free.filter(|(_, (term, k))| !term.held.contains(*k));
-        let (columns, precision) = free
-            .map(|(column, (term, k))| {
-                let kind = model.robot.joints[term.joint].kind;
-                let anything = ANYTHING[usize::from(term.effect.about().form.turns(k, kind))];
-                let sigma = self.priors.sigma(model, term, k);
-                (column, sigma.unwrap_or(anything).powi(-2))
-            })
-            .unzip();
-        let precision = DVector::from_vec(precision);
-        (columns, DMatrix::from_diagonal(&precision))
+    /// What is known beforehand of some coefficients of a model.
+    pub(crate) fn prior_information(&self, model: &Model, columns: &[usize]) -> DMatrix<f64> {
+        precision(&self.priors, model, columns, |term, k| {
+            let kind = model.robot.joints[term.joint].kind;
+            ANYTHING[usize::from(term.effect.about().form.turns(k, kind))].powi(-2)
+        })
     }
 
     /// Candidates over the joint ranges beside what was measured; `None` where there are none.
     pub(crate) fn spread(&self) -> Option<CandidateSet> {
         let candidates = self.candidates(CANDIDATES, true, &mut self.random(1));
-        (!candidates.is_empty()).then(|| self.bench(candidates, None))
+        (!candidates.is_empty()).then(|| self.set(candidates, None))
     }
 
-    /// Poses at random, that show what the candidates of a bench do.
-    pub(crate) fn at_random(&self, bench: &CandidateSet, count: usize) -> CandidateSet {
+    /// Poses at random, that show what the candidates of a set do.
+    pub(crate) fn at_random(&self, set: &CandidateSet, count: usize) -> CandidateSet {
         let candidates = self.candidates(count, false, &mut self.random(9));
-        self.bench(candidates, Some(bench.model.clone()))
+        self.set(candidates, Some(&set.model))
     }
 
-    /// So many poses, chosen of a bench and improved around what was chosen: all of the bench that comes
-    /// out.
-    pub(crate) fn designed(&self, bench: &CandidateSet, count: usize) -> CandidateSet {
-        let chosen = bench.chosen(count);
-        let mut own: Vec<Candidate> = chosen
-            .iter()
-            .map(|k| bench.candidates[*k].clone())
-            .collect();
+    /// So many poses, chosen of a set and improved around what was chosen.
+    pub(crate) fn designed(&self, set: &CandidateSet, count: usize) -> CandidateSet {
+        let mut own = set.at(&set.chosen(count));
         for (round, near) in NEAR.into_iter().enumerate() {
-            let next = self.refined(&own, near, round, bench);
+            let around = self.around(&own, near, &mut self.random(2 + round as u64));
             let mut order: Vec<usize> = (0..own.len()).collect();
-            let mut information = next.information.clone();
+            own.extend(around);
+            let mut next = self.set(own, Some(&set.model));
             for k in &order {
-                information.take(*k);
+                next.information.take(*k);
             }
-            exchange(&mut information, &mut order, PASSES);
-            own = order.iter().map(|k| next.candidates[*k].clone()).collect();
+            exchange(&mut next.information, &mut order, PASSES);
+            own = next.at(&order);
         }
-        self.bench(own, Some(bench.model.clone()))
-    }
-
-    /// What was chosen, and poses around it.
-    fn refined(
-        &self,
-        own: &[Candidate],
-        near: f64,
-        round: usize,
-        bench: &CandidateSet,
-    ) -> CandidateSet {
-        let around = self.around(own, near, &mut self.random(2 + round as u64));
-        let all = own.iter().cloned().chain(around).collect();
-        self.bench(all, Some(bench.model.clone()))
+        self.set(own, Some(&set.model))
     }
 }
 
+/// The coefficients that are not held.
+pub(crate) fn free(model: &Model) -> Vec<usize> {
+    let free = model.columns().enumerate();
+    let free = free.filter(|(_, (term, k))| !term.held.contains(*k));
+    free.map(|(column, _)| column).collect()
+}
+
+/// The inverse variances of some coefficients beforehand, on a diagonal.
+fn precision(
+    priors: &Priors,
+    model: &Model,
+    columns: &[usize],
+    unknown: impl Fn(&crate::effects::Term, usize) -> f64,
+) -> DMatrix<f64> {
+    let each = model.columns().map(|(term, k)| {
+        let sigma = priors.sigma(model, term, k);
+        sigma.map_or_else(|| unknown(term, k), |sigma| sigma.powi(-2))
+    });
+    let each: Vec<f64> = each.collect();
+    let own = columns.iter().map(|k| each[*k]);
+    DMatrix::from_diagonal(&DVector::from_iterator(columns.len(), own))
+}
+
 impl CandidateSet {
+    fn at(&self, places: &[usize]) -> Vec<Candidate> {
+        let own = places.iter().map(|k| self.candidates[*k].clone());
+        own.collect()
+    }
+
     /// So many candidates, greedily and then exchanged.
     pub(crate) fn chosen(&self, count: usize) -> Vec<usize> {
         let mut information = self.information.clone();
@@ -164,23 +164,15 @@ impl CandidateSet {
         for k in of {
             information.take(*k);
         }
+        let mut gram = self.measured.clone();
+        information.rows.add_to(&mut gram, of.iter().copied());
         let count = self.before + of.len();
-        let measured = self.shown.rows.rows(0, self.shown.first[self.before]);
-        let mut gram = measured.tr_mul(&measured) + &self.shown.information_of_priors;
-        for k in of {
-            let (from, to) = (
-                self.shown.first[self.before + k],
-                self.shown.first[self.before + k + 1],
-            );
-            let own = self.shown.rows.rows(from, to - from);
-            gram.gemm_tr(1.0, &own, &own, 1.0);
-        }
         self.workspace
             .forecast(&information.covariance, &gram, count)
     }
 
     /// Number of coefficients that candidates show.
     pub(crate) fn parameters(&self) -> usize {
-        self.columns.len()
+        self.measured.nrows()
     }
 }

@@ -10,14 +10,16 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
 use super::arm::Arm;
-use super::candidates::Candidate;
-use super::exchange::{Criterion, Information, choose};
-use super::expected_rows::{SECONDS_PER_POSE, shown};
+use super::candidate::Candidate;
+use super::candidate_set::free;
+use super::covariance::inverse;
+use super::every_effect::every_effect;
+use super::exchange::{Criterion, choose};
 use super::first_measurement::WARMTHS;
-use super::information::every_effect;
+use super::imagined::{SECONDS_PER_POSE, shown};
+use super::information::Information;
 use super::needs::WARMING_C;
 use super::path;
-use super::varied::Varied;
 use crate::diagnosis::NextPose;
 use crate::effects::{Setting, Term};
 use crate::kinematics::{Joint, JointKind, Range};
@@ -45,18 +47,14 @@ pub fn approach(joint: &Joint, range: Option<Range>) -> f64 {
 }
 
 /// The poses in measuring order, each with its conditions.
-pub(crate) fn conditioned(
-    arm: &Arm,
-    poses: &[Candidate],
-    varied: Varied,
-    seed: u64,
-) -> Vec<NextPose> {
-    let stretches = if poses.len() >= SOME && (varied.load_kg.is_some() || varied.heats) {
+pub(crate) fn conditioned(arm: &Arm, poses: &[Candidate]) -> Vec<NextPose> {
+    let varied = arm.load_kg.is_some() || arm.heats;
+    let stretches = if poses.len() >= SOME && varied {
         LOADS.len()
     } else {
         1
     };
-    let mut slots = ConditionedPoses::new(arm, poses, varied, seed, stretches);
+    let mut slots = ConditionedPoses::new(arm, poses, stretches);
     let order = choose(&mut slots, poses.len());
     let robot = &arm.session.robot;
     let at_home = |range: &Range| 0.0_f64.clamp(range.from, range.to);
@@ -72,10 +70,7 @@ pub(crate) fn conditioned(
             here.clone_from(&last.q);
         }
     }
-    let (writing, why) = (
-        arm.writing(Some(varied)),
-        text!("joint values that tell most"),
-    );
+    let (writing, why) = (arm.writing(true), text!("joint values that tell most"));
     let poses = all.into_iter().map(|c| writing.pose(c, why.clone()));
     poses.collect()
 }
@@ -91,8 +86,8 @@ struct ConditionedPoses {
 }
 
 impl ConditionedPoses {
-    fn new(arm: &Arm, poses: &[Candidate], varied: Varied, seed: u64, stretches: usize) -> Self {
-        let mut random = ChaCha8Rng::seed_from_u64(seed ^ 0x51de);
+    fn new(arm: &Arm, poses: &[Candidate], stretches: usize) -> Self {
+        let mut random = ChaCha8Rng::seed_from_u64(arm.seed ^ 0x51de);
         let (mut candidates, mut pose, mut stretch) = (Vec::new(), Vec::new(), Vec::new());
         let sides = SIDES[usize::from(poses.len() > MANY)];
         for (k, own) in poses.iter().enumerate() {
@@ -100,21 +95,19 @@ impl ConditionedPoses {
             for side in 0..sides {
                 for d in &mut dir {
                     // Every other one is the opposite of that before.
-                    *d = if side % 2 == 1 {
-                        -*d
-                    } else if random.random::<bool>() {
-                        1.0
-                    } else {
-                        -1.0
+                    *d = match side % 2 {
+                        1 => -*d,
+                        _ if random.random::<bool>() => 1.0,
+                        _ => -1.0,
                     };
                 }
                 let dir = possible(arm, &own.q, &dir);
                 for s in 0..stretches {
-                    let above_20_c = WARMING_C * WARMTHS[s];
+                    let warmth = if arm.heats { WARMTHS[s] } else { 0.0 };
                     candidates.push(Candidate {
                         dir: dir.clone(),
-                        load_kg: varied.load_kg.map_or(0.0, |kg| kg * LOADS[s]),
-                        above_20_c: if varied.heats { above_20_c } else { 0.0 },
+                        load_kg: arm.load_kg.map_or(0.0, |kg| kg * LOADS[s]),
+                        above_20_c: WARMING_C * warmth,
                         ..own.clone()
                     });
                     pose.push(k);
@@ -124,7 +117,7 @@ impl ConditionedPoses {
         }
         let n = poses.len();
         Self {
-            information: information(arm, &candidates, varied, &stretch, [n, stretches]),
+            information: information(arm, &candidates, &stretch, [n, stretches]),
             used: vec![false; n],
             free_in_stretch: (0..stretches)
                 .map(|s| (s + 1) * n / stretches - s * n / stretches)
@@ -177,11 +170,10 @@ impl Criterion for ConditionedPoses {
 fn information(
     arm: &Arm,
     candidates: &[Candidate],
-    varied: Varied,
     stretch: &[usize],
     [poses, stretches]: [usize; 2],
 ) -> Information {
-    let mut whole = arm.with(candidates, &arm.writing(Some(varied)));
+    let mut whole = arm.with(candidates, true);
     let before = arm.session.samples.len();
     let mut middle_s = 0.0;
     if let Some(time_s) = &mut whole.samples.time_s {
@@ -202,16 +194,19 @@ fn information(
     });
     let all = arm.base.terms().iter().chain(effects).cloned().collect();
     let model = Model::new(arm.session.robot.clone(), all);
-    let (columns, mut precision) = arm.measured_information(&model);
-    let shown = shown(&whole, &model, &columns);
-    let owner: Vec<bool> = model.columns().map(|(term, _)| of_base(term)).collect();
-    for (to, _) in columns.iter().enumerate().filter(|own| !owner[*own.1]) {
-        let mean = shown.rows.column(to).norm_squared() / shown.rows.nrows().max(1) as f64;
-        precision[(to, to)] = if mean > 0.0 {
+    let columns = free(&model);
+    let (rows, beside) = shown(&whole, &model, &columns);
+    let mut known = arm.prior_information(&model, &columns);
+    let of_effect: Vec<bool> = model.columns().map(|(term, _)| !of_base(term)).collect();
+    let squares = rows.squares();
+    for (to, _) in columns.iter().enumerate().filter(|own| of_effect[*own.1]) {
+        let mean = squares[to] / rows.difference.len().max(1) as f64;
+        known[(to, to)] = if mean > 0.0 {
             mean / (USUAL * USUAL)
         } else {
             1.0
         };
     }
-    shown.information(before, precision)
+    rows.add_to(&mut known, 0..before);
+    Information::new(rows.from(before), inverse(&(known + beside)))
 }

@@ -9,19 +9,25 @@
 //! Q_j = zᵀ (1 + J C Jᵀ)⁻¹ z
 //! ```
 //!
-//! which a Kalman filter carries on pose by pose, and its log-evidence over n rows falls by
+//! which a Kalman filter updates pose by pose, and its log-evidence over n rows falls by
 //! `(m + n)/2 ln(rss_j + Q_j)`. A draw is decided where the true explanation leads every other by
 //! the odds that a diagnosis asks for. This counts what a single separation Δ does not: several
 //! rivals at once, rivals of rivals, rivals that are ruled out now and may come back, and sizes
 //! that the samples know poorly (one radius, one speed).
+
+use std::sync::Arc;
 
 use nalgebra::DMatrix;
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 
-use super::comparison::{Comparison, Field, Refit};
+use super::comparison::{Comparison, ModelDistance, enough_for};
+use super::covariance;
+use super::field::Field;
+use super::rows::Rows;
 use crate::diagnosis::evidence::Fit;
+use crate::diagnosis::evidence::rival::UNDECIDED;
 use crate::diagnosis::search::other_settings::at_another_setting;
 use crate::effects::Term;
 
@@ -40,12 +46,10 @@ pub(crate) struct Explanation {
     pub(crate) fit: Fit,
     /// Whether the samples leave it open; the others are ruled out and have to stay so.
     pub(crate) open: bool,
-    /// Whether it differs from the first by the settings of its names alone, and is to be told from it.
-    pub(crate) setting: bool,
 }
 
 /// Whether two fits have the same names, of which one is at another setting.
-pub(crate) fn only_settings_differ(one: &Fit, other: &Fit) -> bool {
+fn only_settings_differ(one: &Fit, other: &Fit) -> bool {
     let (a, b) = (one.model.terms(), other.model.terms());
     let other_setting = |t: &&Term| !b.iter().any(|o| o.same_column(t));
     let moved: Vec<&Term> = a.iter().filter(other_setting).collect();
@@ -62,9 +66,7 @@ struct Truth {
 }
 
 pub(crate) struct Decision {
-    /// Each explanation as it is refitted in every draw, relative to the first.
-    refits: Vec<Refit>,
-    /// Sum of squares and log-evidence of each so far.
+    /// Sum of squares and log-evidence of each explanation so far.
     so_far: Vec<(f64, f64)>,
     truths: Vec<Truth>,
     /// For each pair whether a diagnosis would have to tell them apart.
@@ -72,90 +74,69 @@ pub(crate) struct Decision {
     random: ChaCha8Rng,
     rows: f64,
     new_rows: f64,
-    wanted: f64,
     /// For each pose taken, and each truth, in how many draws which rivals are ruled out.
     history: Vec<Vec<DMatrix<u8>>>,
 }
 
 impl Decision {
-    /// Among explanations, at least one; `wanted` are the odds (a logarithm) that decide.
-    pub(crate) fn new(field: &Field, explanations: &[Explanation], wanted: f64) -> Self {
-        let regression = field.regression;
+    /// Among explanations, at least one; and each of them as it is refitted to what every other shows that may
+    /// be true and is to be told from it. Their rows are relative to the first.
+    pub(crate) fn new(field: &Field, explanations: &[Explanation]) -> (Self, Vec<Comparison>) {
         let mut random = ChaCha8Rng::seed_from_u64(0);
-        let draws = DRAWS * explanations.iter().filter(|e| e.open).count();
-        let (mut refits, mut truths) = (Vec::new(), Vec::new());
+        let (mut rows, mut grams, mut truths) = (Vec::new(), Vec::new(), Vec::new());
         for (index, Explanation { fit, open, .. }) in explanations.iter().enumerate() {
-            let predictions = field.predictions(&explanations[0].fit.model, &fit.model);
-            let information = field.gram(&fit.model);
-            let refit = Refit::new(predictions, &information, draws);
+            let own = field.rows(&explanations[0].fit.model, &fit.model);
+            let gram = field.gram(&fit.model);
             if *open {
                 truths.push(Truth {
                     index,
-                    parameters: drawn(&information, &refit, &mut random),
+                    parameters: drawn(&gram, &own, &mut random),
                     first: truths.len() * DRAWS,
                 });
             }
-            refits.push(refit);
+            rows.push(Arc::new(own));
+            grams.push(gram);
         }
-        let names = |e: &Explanation| -> Vec<(&'static str, usize)> {
-            let added = regression.added(&e.fit).into_iter();
-            added.map(|t| (t.effect.about().id, t.joint)).collect()
-        };
-        let names: Vec<_> = explanations.iter().map(names).collect();
-        let within = |a: &[_], b: &[_]| a.iter().all(|n| b.contains(n));
-        let setting = |a: usize, b: usize| {
-            (explanations[a].setting || explanations[b].setting)
-                && only_settings_differ(&explanations[a].fit, &explanations[b].fit)
-        };
-        let differ = |a: usize| -> Vec<bool> {
-            let of = |b: usize| {
-                let (own, other) = (&names[a], &names[b]);
-                setting(a, b) || !within(own, other) && !within(other, own)
+        let differ = told_apart(field, explanations);
+        let comparison = |(other, gram): (usize, &DMatrix<f64>)| {
+            let own = &rows[other];
+            let against = truths.iter().map(|truth| truth.index);
+            let distance = |truth: usize| {
+                let ln_evidence = |k: usize| explanations[k].fit.ln_evidence;
+                let enough = enough_for(UNDECIDED, ln_evidence(truth) - ln_evidence(other));
+                ModelDistance::new(&own.difference - &rows[truth].difference, enough)
             };
-            (0..names.len()).map(of).collect()
+            let distances = against.filter(|truth| differ[*truth][other]).map(distance);
+            let covariance = covariance::beside(gram, own);
+            let draws = truths.len() * DRAWS;
+            Comparison::new(Arc::clone(own), covariance, distances.collect(), draws)
         };
-        Self {
-            so_far: explanations
-                .iter()
-                .map(|e| (e.fit.rss, e.fit.ln_evidence))
-                .collect(),
-            differ: (0..names.len()).map(differ).collect(),
-            refits,
+        let comparisons = grams.iter().enumerate().map(comparison).collect();
+        let so_far = explanations.iter().map(|e| (e.fit.rss, e.fit.ln_evidence));
+        let decision = Self {
+            so_far: so_far.collect(),
+            differ,
             truths,
             random,
-            rows: regression.m(),
+            rows: field.regression.m(),
             new_rows: 0.0,
-            wanted,
             history: Vec::new(),
-        }
-    }
-
-    /// Every explanation, refitted to what each shows that may be true and is to be told from it;
-    /// `enough` is how far apart the true one and the other have to be.
-    pub(crate) fn comparisons(&self, enough: impl Fn(usize, usize) -> f64) -> Vec<Comparison> {
-        let of = |other: usize| {
-            let truths = self.truths.iter().map(|truth| truth.index);
-            let truths = truths.filter(|truth| self.differ[*truth][other]);
-            let pair = |truth: usize| (&self.refits[truth], enough(truth, other));
-            self.refits[other].comparison(truths.map(pair))
         };
-        let mut all: Vec<Comparison> = (0..self.refits.len()).map(of).collect();
-        all.retain(|comparison| !comparison.distances.is_empty());
-        all
+        (decision, comparisons)
     }
 
     /// Measures a pose in every draw.
-    pub(crate) fn take(&mut self, candidate: usize) {
-        let draws = self.truths.len() * DRAWS;
-        let axes = self.refits[0].at(candidate).0.len();
+    pub(crate) fn take(&mut self, comparisons: &mut [Comparison], candidate: usize) {
+        let (first, size) = comparisons[0].rows().place(candidate);
         // Measured values are relative to the first explanation.
-        let mut measured = DMatrix::zeros(axes, draws);
+        let mut measured = DMatrix::zeros(size, self.truths.len() * DRAWS);
         for truth in &self.truths {
-            let (difference, columns) = self.refits[truth.index].at(candidate);
-            let mut block = columns * &truth.parameters;
-            for mut column in block.column_iter_mut() {
-                column -= &difference;
-            }
+            let rows = comparisons[truth.index].rows();
+            let mut block = rows.of(candidate).tr_mul(&truth.parameters);
+            let difference = rows.difference.rows(first, size);
+            block
+                .column_iter_mut()
+                .for_each(|mut own| own -= difference);
             measured.columns_mut(truth.first, DRAWS).copy_from(&block);
         }
         let random = &mut self.random;
@@ -163,28 +144,28 @@ impl Decision {
             let noise: f64 = StandardNormal.sample(random);
             *v += noise;
         });
-        for refit in &mut self.refits {
-            refit.take(candidate, Some(&measured));
+        for comparison in comparisons.iter_mut() {
+            comparison.take(candidate, Some(&measured));
         }
-        self.new_rows += axes as f64;
-        let now = self.ruled_out();
+        self.new_rows += size as f64;
+        let now = self.ruled_out(comparisons);
         self.history.push(now);
     }
 
     /// For each truth which rivals are ruled out in which draws.
-    fn ruled_out(&self) -> Vec<DMatrix<u8>> {
+    fn ruled_out(&self, comparisons: &[Comparison]) -> Vec<DMatrix<u8>> {
         let rows = self.rows + self.new_rows;
         let evidence = |index: usize, draw: usize| {
             let (rss, ln_evidence) = self.so_far[index];
             let before = ln_evidence + 0.5 * self.rows * rss.max(1e-300).ln();
-            let risen = self.refits[index].risen[draw];
+            let risen = comparisons[index].risen[draw];
             before - 0.5 * rows * (rss + risen).max(1e-300).ln()
         };
         let of = |truth: &Truth| {
-            DMatrix::from_fn(self.refits.len(), DRAWS, |other, k| {
+            DMatrix::from_fn(comparisons.len(), DRAWS, |other, k| {
                 let draw = truth.first + k;
                 let lead = evidence(truth.index, draw) - evidence(other, draw);
-                u8::from(!self.differ[truth.index][other] || lead >= self.wanted)
+                u8::from(!self.differ[truth.index][other] || lead >= UNDECIDED)
             })
         };
         self.truths.iter().map(of).collect()
@@ -242,34 +223,34 @@ fn least(now: &[DMatrix<u8>], counts: impl Fn(usize, usize) -> bool) -> f64 {
     now.iter().enumerate().map(of).fold(1.0, f64::min)
 }
 
+/// For each pair of explanations whether a diagnosis has to tell them apart: neither has all names of the other,
+/// or one of them differs from the first by the settings of its names alone, and the other from it.
+fn told_apart(field: &Field, explanations: &[Explanation]) -> Vec<Vec<bool>> {
+    let names = |e: &Explanation| -> Vec<(&'static str, usize)> {
+        let added = field.regression.added(&e.fit).into_iter();
+        added.map(|t| (t.effect.about().id, t.joint)).collect()
+    };
+    let names: Vec<_> = explanations.iter().map(names).collect();
+    let within = |a: &[_], b: &[_]| a.iter().all(|n| b.contains(n));
+    let by_setting =
+        |a: usize, b: usize| only_settings_differ(&explanations[a].fit, &explanations[b].fit);
+    let differ = |a: usize, b: usize| {
+        let setting = (by_setting(0, a) || by_setting(0, b)) && by_setting(a, b);
+        setting || !within(&names[a], &names[b]) && !within(&names[b], &names[a])
+    };
+    let all = 0..names.len();
+    let row = |a| all.clone().map(|b| differ(a, b)).collect();
+    all.clone().map(row).collect()
+}
+
 /// Deviations of a model's parameters as the samples leave them possible.
-fn drawn(information: &DMatrix<f64>, refit: &Refit, random: &mut ChaCha8Rng) -> DMatrix<f64> {
-    let p = information.nrows();
-    let mut known = information.clone();
-    for (k, squares) in refit.squares().into_iter().enumerate() {
-        let mean = squares / refit.len().max(1) as f64;
-        known[(k, k)] += mean / (WIDEST * WIDEST);
+fn drawn(gram: &DMatrix<f64>, rows: &Rows, random: &mut ChaCha8Rng) -> DMatrix<f64> {
+    let mut known = gram.clone();
+    for (k, squares) in rows.squares().into_iter().enumerate() {
+        known[(k, k)] += squares / rows.len().max(1) as f64 / (WIDEST * WIDEST);
     }
-    let scale = |k: usize| {
-        if known[(k, k)] > 1e-200 {
-            1.0 / known[(k, k)].sqrt()
-        } else {
-            0.0
-        }
-    };
-    let scaled = DMatrix::from_fn(p, p, |i, j| {
-        known[(i, j)] * scale(i) * scale(j) + if i == j { 1e-12 } else { 0.0 }
-    });
-    let white = DMatrix::from_fn(p, DRAWS, |_, _| StandardNormal.sample(random));
-    let factor = scaled.cholesky();
-    let Some(mut all) = factor.and_then(|c| c.l().transpose().solve_upper_triangular(&white))
-    else {
-        return DMatrix::zeros(p, DRAWS);
-    };
-    for (k, mut row) in all.row_iter_mut().enumerate() {
-        row *= scale(k);
-    }
-    all
+    let white = DMatrix::from_fn(gram.nrows(), DRAWS, |_, _| StandardNormal.sample(random));
+    covariance::drawn(&known, &white)
 }
 
 #[cfg(test)]

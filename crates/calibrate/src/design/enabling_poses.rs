@@ -4,7 +4,7 @@
 //! hide behind the model or behind another effect that is enabled with it (T-optimality, as for
 //! rivals).
 
-use std::cell::OnceCell;
+use std::cell::LazyCell;
 
 use crate::diagnosis::NextPose;
 use crate::diagnosis::candidates::compatible;
@@ -17,27 +17,46 @@ use crate::model::Model;
 use crate::sessions::Samples;
 use crate::text::{Template, Text};
 
-use super::candidates::{Candidate, CandidatePoses, Conditions, with_another};
-use super::comparison::{Comparison, Field, Prediction, Refit, enough_for};
+use super::candidate::Candidate;
+use super::candidate_poses::{CandidatePoses, Conditions};
+use super::comparison::{Comparison, enough_for};
+use super::covariance;
+use super::every_effect::standing;
 use super::exchange::choose;
-use super::information::standing;
+use super::field::Field;
 use super::model_separation::ModelSeparation;
 use super::needs::{Need, Untestable, WARMING_C, lacks, test_load_kg};
+use super::reflectors::with_another;
 
-/// Every effect that cannot be seen, with what would change that.
+/// An effect of which the base model leaves this share (squared) over all candidates is shown by them.
+const NOT_IMITATED: f64 = 1e-3;
+
+/// Every effect that cannot be seen, with what would change that: a condition, or for an effect that the base model
+/// imitates wherever it was measured, more travel or a second reflector.
 pub(crate) fn untestable(
     prepared: &PreparedSearch,
     not_testable: &[NotTestable],
 ) -> Vec<Untestable> {
-    let offers = GeometryOffers::new(prepared);
+    // A second reflector is another offer only where reflectors alone are measured. An offer is made once for all
+    // effects: where targets are held in places, each of its poses is brought there by a search.
+    let points = prepared.problem.observed.is_none();
+    let geometry = [Need::Travel, Need::Reflector];
+    let geometry = geometry.into_iter().take(1 + usize::from(points));
+    let fields = geometry.map(|need| {
+        let field = move || Field::new(prepared, &offer_for(prepared, &[need], None));
+        (need, LazyCell::new(field))
+    });
+    let fields: Vec<_> = fields.collect();
+    let base = &prepared.regression.base;
     let one = |n: &NotTestable| {
         let joint = n.joint.unwrap_or(0);
         let needs = find(n.effect).map_or_else(Vec::new, |effect| {
             if effect.obstacle(&prepared.survey, joint).is_some() {
-                lacks(effect, &prepared.survey, joint)
-            } else {
-                offers.lacks_geometry(effect, joint)
+                return lacks(effect, &prepared.survey, joint);
             }
+            let mut fields = fields.iter();
+            let shows = fields.find(|own| not_imitated(&own.1, base, effect, joint));
+            shows.map(|own| own.0).into_iter().collect()
         });
         Untestable {
             effect: n.effect,
@@ -49,55 +68,17 @@ pub(crate) fn untestable(
     not_testable.iter().map(one).collect()
 }
 
-/// What would show more of the geometry. An offer is made once for all effects: where targets are held in places, each
-/// of its poses is brought there by a search.
-struct GeometryOffers<'p> {
-    prepared: &'p PreparedSearch<'p>,
-    fields: Vec<(Need, OnceCell<Field<'p>>)>,
-}
-
-impl<'p> GeometryOffers<'p> {
-    fn new(prepared: &'p PreparedSearch) -> Self {
-        // A second reflector is another offer only where reflectors alone are measured.
-        let all = [Need::Travel, Need::Reflector];
-        let needs = if prepared.problem.observed.is_none() {
-            &all[..]
-        } else {
-            &all[..1]
-        };
-        Self {
-            prepared,
-            fields: needs.iter().map(|need| (*need, OnceCell::new())).collect(),
-        }
-    }
-
-    /// An effect that the base model imitates wherever it was measured: more travel, or a second
-    /// reflector.
-    fn lacks_geometry(&self, effect: &'static Effect, joint: usize) -> Vec<Need> {
-        let prepared = self.prepared;
-        let base = &prepared.regression.base;
-        for (need, field) in &self.fields {
-            let field = field.get_or_init(|| Field::new(prepared, &offer_for(prepared, &[*need])));
-            let truth = base.with_term(small(field, base, effect, joint));
-            let seen = field.predictions(&truth, base);
-            let all: f64 = seen.iter().map(|p| p.difference.norm_squared()).sum();
-            let p = base.coefficient_count();
-            let nothing = nalgebra::DMatrix::zeros(p, p);
-            let poses = seen.len();
-            let mut refit = Refit::new(seen, &nothing, 1);
-            for k in 0..poses {
-                refit.take(k, None);
-            }
-            if refit.risen[0] > 1e-3 * all && all > 0.0 {
-                return vec![*need];
-            }
-        }
-        Vec::new()
-    }
+/// Whether something of an effect is left where a model is fitted to what all candidates show of it.
+fn not_imitated(field: &Field, base: &Model, effect: &'static Effect, joint: usize) -> bool {
+    let rows = field.rows(&base.with_term(small(field, base, effect, joint)), base);
+    let pull = &rows.columns * &rows.difference;
+    let all = rows.difference.norm_squared();
+    let imitated = pull.dot(&(covariance::beside(&rows.information(), &rows) * &pull));
+    all > 0.0 && all - imitated > NOT_IMITATED * all
 }
 
 /// What is offered where these needs are to be met.
-fn offer_for(prepared: &PreparedSearch, needs: &[Need]) -> CandidatePoses {
+fn offer_for(prepared: &PreparedSearch, needs: &[Need], load_kg: Option<f64>) -> CandidatePoses {
     let session = prepared.problem.session;
     let mut targets = session.targets.clone();
     if needs.contains(&Need::Reflector) && prepared.problem.observed.is_none() {
@@ -108,7 +89,7 @@ fn offer_for(prepared: &PreparedSearch, needs: &[Need]) -> CandidatePoses {
         conditions.speeds = vec![0.0, 1.0, 2.0];
     }
     if needs.contains(&Need::Loads) {
-        let load = test_load_kg(prepared.survey.largest_load_kg);
+        let load = test_load_kg(load_kg, prepared.survey.largest_load_kg);
         conditions.loads_kg.push(load);
     }
     if needs.contains(&Need::Temperatures) {
@@ -134,14 +115,9 @@ fn small(field: &Field, model: &Model, effect: &'static Effect, joint: usize) ->
         .take_while(|(t, _)| !t.same_column(&term))
         .count();
     let size = term.coefficients.len();
-    let mut energy = vec![0.0; size];
-    for Prediction { columns, .. } in field.predictions(model, &absent) {
-        for (k, energy) in energy.iter_mut().enumerate() {
-            *energy += columns.column(first + k).norm_squared();
-        }
-    }
+    let energy = &field.rows(model, &absent).squares()[first..first + size];
     let rows = (field.inputs.len() as f64).max(1.0);
-    for (coefficient, energy) in term.coefficients.iter_mut().zip(&energy) {
+    for (coefficient, energy) in term.coefficients.iter_mut().zip(energy) {
         let rms = (energy / rows).sqrt();
         if rms > 0.0 {
             *coefficient = SMALL / rms / (size as f64).sqrt();
@@ -168,9 +144,11 @@ pub(crate) fn worth_enabling(
     };
     let mut untestable = untestable(prepared, not_testable);
     untestable.retain(|l| l.needs.iter().all(cheap));
-    enable(prepared, fit, &untestable, false, MOST_BESIDE)
+    enable(prepared, fit, &untestable, None, MOST_BESIDE, false)
 }
 
+/// Log-odds that are asked for: 400 : 1, as one effect of many is enabled.
+const SURELY: f64 = 6.0;
 /// What remains of the session's information where it does not say under which condition it was
 /// measured.
 const WEAK: f64 = 0.02;
@@ -181,8 +159,9 @@ pub(crate) fn enable(
     prepared: &PreparedSearch,
     fit: &Fit,
     untestable: &[Untestable],
-    reflector: bool,
+    load_kg: Option<f64>,
     most: usize,
+    reflector: bool,
 ) -> Vec<NextPose> {
     let wanted: Vec<&Untestable> = untestable
         .iter()
@@ -192,7 +171,7 @@ pub(crate) fn enable(
     if wanted.is_empty() || most == 0 {
         return Vec::new();
     }
-    let offer = offer_for(prepared, &needs_of(&wanted, |_| true));
+    let offer = offer_for(prepared, &needs_of(&wanted, |_| true), load_kg);
     let comparisons = comparisons(prepared, &offer, &fit.model, &wanted);
     let fresh = comparisons.clone();
     let mut parting = ModelSeparation::new(comparisons, offer.candidates.len(), 1);
@@ -259,7 +238,7 @@ fn comparisons(
         let weight = if unsaid { WEAK } else { 1.0 };
         // The effect was there already; the samples so far could not show it.
         let truth = model.with_term(term.clone());
-        field.comparison_from_the_start(&truth, &rival, enough_for(6.0, 0.0), weight)
+        Comparison::from_the_start(&field, [&truth, &rival], enough_for(SURELY, 0.0), weight)
     };
     wanted.iter().zip(&terms).map(against_others).collect()
 }

@@ -7,7 +7,7 @@
 
 use nalgebra::DMatrix;
 
-use crate::effects::Term;
+use crate::effects::{Setting, Term};
 use crate::sessions::Session;
 
 use crate::diagnosis::candidates::columns::CandidateSubset;
@@ -26,6 +26,9 @@ use crate::linear::Basis;
 const ALIKE: f64 = 0.95;
 /// Pairs that are named at most.
 const MOST_ALIKE: usize = 12;
+/// Orders that are compared, and times of a step.
+const HIGHEST_ORDER: f64 = 12.0;
+const MOST_STEPS: usize = 8;
 
 /// Two effects that look alike.
 #[derive(Debug, Clone, PartialEq)]
@@ -74,53 +77,39 @@ pub(crate) fn expected(
     })
 }
 
-/// Columns of one name at one setting, orthonormal, beside the base.
-struct Span<'t> {
-    term: &'t Term,
-    unit: DMatrix<f64>,
-}
-
 /// Pairs of names that look alike at some of their settings.
 fn alike(regression: &Regression, fit: &Fit) -> Vec<Alike> {
     let around = regression.surroundings(fit, CandidateSubset::Names);
-    let mut spans: Vec<Span> = Vec::new();
-    for candidate in &regression.table.candidates {
-        let Some(term) = candidate.what.term() else {
-            continue;
-        };
-        let (_, rank) = around.factor(candidate);
+    // Columns of each name at each setting, orthonormal, beside the base.
+    let spans = regression.table.candidates.iter().filter_map(|candidate| {
+        let term = candidate.what.term()?;
         let setting = term.effect.about().setting;
-        let high_order = setting.takes_fractions() && term.setting > 12.0;
-        if rank == candidate.size && !high_order {
-            spans.push(Span {
-                term,
-                unit: Basis::new(&regression.columns_beside(&around, candidate)).q,
-            });
-        }
-    }
-    // Of the many times of a step a few stand for all.
-    let times = |s: &Span| s.term.effect.about().setting == crate::effects::Setting::Time;
-    let steps = spans.iter().filter(|s| times(s)).count();
-    let (mut count, stride) = (0, steps.div_ceil(8).max(1));
-    spans.retain(|s| {
-        count += usize::from(times(s));
-        !times(s) || count % stride == 0
+        let high_order = setting.takes_fractions() && term.setting > HIGHEST_ORDER;
+        let whole = around.factor(candidate).1 == candidate.size;
+        let columns = || regression.columns_beside(&around, candidate);
+        (whole && !high_order).then(|| (term, Basis::new(&columns()).q))
     });
-    let name = |s: &Span| {
-        let about = s.term.effect.about();
-        (about.id, about.per_joint.then_some(s.term.joint))
+    let mut spans: Vec<(&Term, DMatrix<f64>)> = spans.collect();
+    // Of the many times of a step a few stand for all.
+    let times = |own: &(&Term, _)| own.0.effect.about().setting == Setting::Time;
+    let steps = spans.iter().filter(|own| times(own)).count();
+    let (mut count, stride) = (0, steps.div_ceil(MOST_STEPS).max(1));
+    spans.retain(|own| {
+        count += usize::from(times(own));
+        !times(own) || count % stride == 0
+    });
+    let name = |term: &Term| {
+        let about = term.effect.about();
+        (about.id, about.per_joint.then_some(term.joint))
     };
     let mut pairs: Vec<Alike> = Vec::new();
-    for (i, a) in spans.iter().enumerate() {
-        for b in &spans[i + 1..] {
+    for (i, (a, of_a)) in spans.iter().enumerate() {
+        for (b, of_b) in &spans[i + 1..] {
             let (one, other) = (name(a), name(b));
-            if one == other {
+            let correlation = || largest_singular_value(&of_a.tr_mul(of_b));
+            let Some(correlation) = (one != other).then(correlation).filter(|r| *r >= ALIKE) else {
                 continue;
-            }
-            let correlation = largest_singular_value(&a.unit.tr_mul(&b.unit));
-            if correlation < ALIKE {
-                continue;
-            }
+            };
             let same = |p: &&mut Alike| (p.one, p.other) == (one, other);
             match pairs.iter_mut().find(same) {
                 Some(known) => known.correlation = known.correlation.max(correlation),

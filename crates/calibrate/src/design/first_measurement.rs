@@ -1,31 +1,41 @@
-//! A first measurement of a robot: what a technician should do before anything is known.
+//! A first measurement of a robot with one joint: what a technician should do before anything is known.
 //!
 //! The conditions follow a schedule, so that nothing changes together with something else: loads
 //! in the order 0 L L 0 0 L L 0 (a drift in time cancels), the machine cold, warming up, warm and
 //! cooling down, both reflectors and all speeds in every stretch, short approaches after a
 //! reversal, and returns to earlier poses under the same conditions. Joint values are then chosen
-//! one pose after the other by greedy D-optimality ([`super::exchange`]) over random candidates,
+//! one pose after the other by greedy D-optimality ([`super::information`]) over random candidates,
 //! with J the columns of every effect of the catalogue that the robot can show, each scaled to the
 //! same size. Random candidates also leave no equal steps, behind which an order could hide.
+//!
+//! ```text
+//! worth = det(1 + J C Jᵀ) (1 − exp(−(2 n d)²))
+//! ```
+//!
+//! with d the distance to the nearest of n − 1 earlier poses as a share of the travel: places that lie
+//! together hide what is local.
 
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, DVector};
 use rand::seq::SliceRandom;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
 use crate::diagnosis::NextPose;
+use crate::effects::Inputs;
 use crate::kinematics::{JointKind, Range, Robot};
 use crate::model::Model;
 use crate::sessions::Target;
 use crate::text::Text;
 
-use super::candidates::{Arrival, Candidate, Writing, anywhere, usual_speed};
-use super::comparison::Prediction;
-use super::exchange::{Criterion, Information, choose};
-use super::expected_rows::SECONDS_PER_POSE;
-use super::information::Columns;
+use super::candidate::typed;
+use super::candidate::{Arrival, Candidate, Writing, anywhere, inputs, usual_speed};
+use super::covariance::inverse;
+use super::every_effect::every_effect;
+use super::exchange::{Criterion, choose};
+use super::imagined::SECONDS_PER_POSE;
+use super::information::Information;
 use super::needs::WARMING_C;
-use super::typed::typed;
+use super::rows::Rows;
 
 /// Load in each eighth of the measurement, as a share of the test load.
 const LOADS: [f64; 8] = [0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 1.0, 0.0];
@@ -33,49 +43,40 @@ const LOADS: [f64; 8] = [0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 1.0, 0.0];
 pub(crate) const WARMTHS: [f64; 4] = [0.0, 0.5, 1.0, 0.35];
 /// Speeds in turn, in units of a modest one: most poses at standstill.
 const SPEEDS: [f64; 5] = [0.0, 1.0, 0.0, 2.0, 0.0];
-/// Lengths of the short approaches, as shares of a joint's range.
+/// Lengths of the short approaches, as shares of the range.
 const SHORT: [f64; 3] = [0.01, 0.03, 0.09];
+/// Random poses over which the columns are scaled.
+const POOL: u32 = 64;
+/// Multiplications that a design may take, and how many candidates each pose has within them.
+const EFFORT: usize = 600_000_000;
+const CANDIDATES: [usize; 2] = [12, 160];
+/// One candidate of so many is at an end of the travel, which belongs to it.
+const ENDS_EVERY: usize = 8;
+/// Every slot is filled, whatever it shows.
+const LEAST_WORTH: f64 = 1e-6;
 
 /// What a first measurement is made for.
-#[derive(Debug, Clone)]
-pub(crate) struct Request {
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Request<'r> {
+    pub(crate) robot: &'r Robot,
+    pub(crate) targets: &'r [Target],
+    /// So many of the targets are mounted already.
+    pub(crate) mounted: usize,
+    pub(crate) range: Range,
     pub(crate) poses: usize,
     pub(crate) load_kg: f64,
     pub(crate) seed: u64,
+    /// What was measured already, along which axes.
+    pub(crate) measured: Option<(&'r Inputs<'r>, &'r [usize])>,
 }
 
-/// What was measured already, as a model's columns show it.
-pub(crate) type Known<'a> = &'a dyn Fn(&Model) -> Vec<Prediction>;
-
-/// The poses in measuring order, beside what is known; so many of the targets are mounted already.
-pub(crate) fn design(
-    robot: &Robot,
-    targets: &[Target],
-    mounted: usize,
-    ranges: &[Range],
-    request: &Request,
-    prior_information: Known,
-) -> Vec<NextPose> {
-    let n = request.poses;
-    let mut random = ChaCha8Rng::seed_from_u64(request.seed ^ 0x5eed);
-    let columns = Columns::new(robot, targets, ranges, n, &mut random);
-    let covariance = columns.measured_information(&prior_information(&columns.model));
-    let nothing = Information::new(&DMatrix::zeros(0, covariance.ncols()), vec![0], covariance);
-    let mut slots = Slots {
-        schedule: schedule(robot, targets.len(), request, &mut random),
-        kinds: robot.joints.iter().map(|j| j.kind).collect(),
-        planned: Vec::with_capacity(n),
-        candidates: Vec::new(),
-        information: nothing,
-        ranges,
-        columns,
-        random,
-    };
-    slots.refill();
-    choose(&mut slots, n);
+/// The poses in measuring order, beside what is known.
+pub(crate) fn design(request: &Request) -> Vec<NextPose> {
+    let mut slots = Slots::new(request);
+    choose(&mut slots, request.poses);
     let writing = Writing {
-        targets,
-        mounted,
+        targets: request.targets,
+        mounted: request.mounted,
         speeds: true,
         loads: slots.planned.iter().any(|c| c.load_kg != 0.0),
         temperatures: true,
@@ -84,158 +85,237 @@ pub(crate) fn design(
     poses.collect()
 }
 
-/// The schedule, slot by slot: each has candidates of its own.
-struct Slots<'r> {
-    /// Circumstances of every slot, without places and sides.
-    schedule: Vec<Candidate>,
-    kinds: Vec<JointKind>,
-    ranges: &'r [Range],
-    columns: Columns,
-    planned: Vec<Candidate>,
-    candidates: Vec<Candidate>,
-    information: Information,
-    random: ChaCha8Rng,
-}
+impl Request<'_> {
+    fn kind(&self) -> JointKind {
+        self.robot.joints[0].kind
+    }
 
-impl Slots<'_> {
-    /// Candidates for the next slot.
-    fn refill(&mut self) {
-        let Some(like) = self.schedule.get(self.planned.len()).cloned() else {
-            return;
+    fn inputs(&self, candidates: &[Candidate]) -> Inputs<'static> {
+        inputs(
+            self.robot,
+            self.targets,
+            &[self.range],
+            candidates,
+            Some(0.0),
+        )
+    }
+
+    /// Random poses and conditions.
+    fn pool(&self, random: &mut ChaCha8Rng) -> Vec<Candidate> {
+        let targets = u32::try_from(self.targets.len()).unwrap_or(1);
+        let duration_s = SECONDS_PER_POSE * self.poses as f64;
+        let mut one = |k: u32| {
+            let side = if random.random::<bool>() { 1.0 } else { -1.0 };
+            Candidate {
+                dir: vec![side],
+                speed: vec![side * usual_speed(self.kind())],
+                arrival: [Arrival::Short(0.03), Arrival::Long][usize::from(!k.is_multiple_of(3))],
+                load_kg: f64::from(k % 2),
+                above_20_c: WARMING_C * f64::from(k % 4) / 3.0,
+                target: k % targets,
+                time_s: duration_s * f64::from(k) / f64::from(POOL),
+                ..Candidate::at(anywhere(&[self.range], random))
+            }
         };
-        self.candidates = self.next_candidates(&like);
-        let covariance = self.information.covariance.clone();
-        let now = self
-            .columns
-            .information(&self.candidates, &self.planned, covariance);
-        self.information = now;
-    }
-}
-
-impl Criterion for Slots<'_> {
-    fn worths(&self) -> Vec<f64> {
-        let worth = |(k, one): (usize, &Candidate)| {
-            let gap = self.columns.gap(one, &self.planned);
-            // Every slot is filled, whatever it shows.
-            (self.information.gain(k).exp() * gap).max(1e-6)
-        };
-        self.candidates.iter().enumerate().map(worth).collect()
+        (0..POOL).map(&mut one).collect()
     }
 
-    fn take(&mut self, candidate: usize) {
-        self.information.take(candidate);
-        self.planned.push(self.candidates[candidate].clone());
-        self.refill();
-    }
-}
-
-/// Circumstances of every pose, before its joint values: speeds without their signs, arrivals as they are
-/// wanted (a return may be to any pose).
-fn schedule(
-    robot: &Robot,
-    targets: usize,
-    request: &Request,
-    random: &mut ChaCha8Rng,
-) -> Vec<Candidate> {
-    let n = request.poses;
-    // Stretches of ten hold every speed for every reflector once, in random order.
-    let mut in_turn: Vec<(f64, u32)> = Vec::new();
-    while in_turn.len() < n {
-        let one = |k: usize| {
-            let target = (k / SPEEDS.len()) % targets.max(1);
-            (SPEEDS[k % SPEEDS.len()], u32::try_from(target).unwrap_or(0))
-        };
-        let mut stretch: Vec<(f64, u32)> = (0..2 * SPEEDS.len()).map(one).collect();
-        stretch.shuffle(random);
-        in_turn.extend(stretch);
-    }
-    let units: Vec<f64> = robot.joints.iter().map(|j| usual_speed(j.kind)).collect();
-    let slot = |(i, (speed, target)): (usize, (f64, u32))| {
-        let part = |parts: usize| i * parts / n;
-        Candidate {
-            speed: units.iter().map(|unit| unit * speed).collect(),
+    /// Circumstances of every pose, before its joint value: speeds without their signs, arrivals as they are
+    /// wanted (a return may be to any pose).
+    fn schedule(&self, random: &mut ChaCha8Rng) -> Vec<Candidate> {
+        let (n, targets) = (self.poses, self.targets.len());
+        // Stretches of ten hold every speed for every reflector once, in random order.
+        let mut in_turn: Vec<(f64, u32)> = Vec::new();
+        while in_turn.len() < n {
+            let one = |k: usize| {
+                let target = (k / SPEEDS.len()) % targets.max(1);
+                (SPEEDS[k % SPEEDS.len()], u32::try_from(target).unwrap_or(0))
+            };
+            let mut stretch: Vec<(f64, u32)> = (0..2 * SPEEDS.len()).map(one).collect();
+            stretch.shuffle(random);
+            in_turn.extend(stretch);
+        }
+        let slot = |(i, (speed, target)): (usize, (f64, u32))| Candidate {
+            speed: vec![usual_speed(self.kind()) * speed],
             arrival: match i % 5 {
                 1 if i >= 5 => Arrival::Short(SHORT[(i / 5) % SHORT.len()]),
                 // Returns wait until there is something to return to.
                 4 if 4 * i > n => Arrival::Return(0),
                 _ => Arrival::Long,
             },
-            load_kg: LOADS[part(LOADS.len())] * request.load_kg,
-            above_20_c: WARMTHS[part(WARMTHS.len())] * WARMING_C,
+            load_kg: LOADS[i * LOADS.len() / n] * self.load_kg,
+            above_20_c: WARMTHS[i * WARMTHS.len() / n] * WARMING_C,
             target,
             time_s: SECONDS_PER_POSE * i as f64,
-            ..Candidate::at(vec![0.0; units.len()])
-        }
-    };
-    in_turn.into_iter().take(n).enumerate().map(slot).collect()
+            ..Candidate::at(vec![0.0])
+        };
+        in_turn.into_iter().take(n).enumerate().map(slot).collect()
+    }
 }
 
-impl Slots<'_> {
+/// The schedule, slot by slot: each has candidates of its own.
+struct Slots<'r> {
+    request: &'r Request<'r>,
+    /// Circumstances of every slot, without places and sides.
+    schedule: Vec<Candidate>,
+    /// Every effect that the robot can show, and what scales its columns to a root mean square of one.
+    model: Model,
+    scale: DVector<f64>,
+    planned: Vec<Candidate>,
+    candidates: Vec<Candidate>,
+    information: Information,
+    random: ChaCha8Rng,
+}
+
+impl<'r> Slots<'r> {
+    fn new(request: &'r Request<'r>) -> Self {
+        let mut random = ChaCha8Rng::seed_from_u64(request.seed ^ 0x5eed);
+        let middle_s = 0.5 * SECONDS_PER_POSE * request.poses as f64;
+        let model = every_effect(request.robot, &[request.range], middle_s);
+        let p = model.coefficient_count();
+        let pool = request.pool(&mut random);
+        let nothing = Rows::zeros(p, std::iter::empty());
+        let mut slots = Self {
+            schedule: request.schedule(&mut random),
+            information: Information::new(nothing, DMatrix::identity(p, p)),
+            scale: DVector::from_element(p, 1.0),
+            planned: Vec::with_capacity(request.poses),
+            candidates: Vec::new(),
+            request,
+            model,
+            random,
+        };
+        let squares = slots.rows(&request.inputs(&pool), &[0, 1, 2]).squares();
+        let of = |sum: &f64| {
+            if *sum > 0.0 {
+                (f64::from(POOL) / sum).sqrt()
+            } else {
+                0.0
+            }
+        };
+        slots.scale = DVector::from_iterator(p, squares.iter().map(of));
+        if let Some((measured, axes)) = request.measured {
+            let rows = slots.rows(measured, axes);
+            let known = &mut slots.information.covariance;
+            rows.add_to(known, 0..rows.len());
+            *known = inverse(known);
+        }
+        slots.refill();
+        slots
+    }
+
+    /// The scaled columns of every effect.
+    fn rows(&self, inputs: &Inputs, axes: &[usize]) -> Rows {
+        let mut all = Rows::of_points([&self.model; 2], inputs, axes, [1.0; 3]);
+        for (mut row, scale) in all.columns.row_iter_mut().zip(&self.scale) {
+            row *= *scale;
+        }
+        all
+    }
+
+    /// Candidates for the next slot, and what each would add behind the poses before.
+    fn refill(&mut self) {
+        let Some(like) = self.schedule.get(self.planned.len()).cloned() else {
+            return;
+        };
+        self.candidates = self.next_candidates(&like);
+        let mut inputs = self.request.inputs(&self.candidates);
+        let travel = self.candidates.iter().map(|c| self.travel(c));
+        inputs.travel = vec![Some(travel.collect())];
+        let covariance = self.information.covariance.clone();
+        self.information = Information::new(self.rows(&inputs, &[0, 1, 2]), covariance);
+    }
+
+    /// Travel since the last reversal at a choice, were it the next.
+    fn travel(&self, choice: &Candidate) -> f64 {
+        let all: Vec<&Candidate> = self.planned.iter().chain([choice]).collect();
+        all.windows(2).fold(f64::INFINITY, |travel, pair| {
+            let moved = (pair[1].q[0] - pair[0].q[0]).abs();
+            let on = pair[1].dir == pair[0].dir;
+            if on { travel + moved } else { moved }
+        })
+    }
+
+    /// From 0 at an earlier place to 1 far from all.
+    fn gap(&self, choice: &Candidate) -> f64 {
+        let Range { from, to } = self.request.range;
+        let apart = |earlier: &Candidate| ((choice.q[0] - earlier.q[0]) / (to - from)).abs();
+        let nearest = self.planned.iter().map(apart).fold(1.0, f64::min);
+        let step = 1.0 / (self.planned.len() + 1) as f64;
+        1.0 - (-(2.0 * nearest / step).powi(2)).exp()
+    }
+
     /// Poses that may come next.
     fn next_candidates(&mut self, like: &Candidate) -> Vec<Candidate> {
-        let wanted = like.arrival;
-        let (ranges, kinds, before) = (self.ranges, &self.kinds, &self.planned);
-        let random = &mut self.random;
+        let (range, kind, before) = (self.request.range, self.request.kind(), &self.planned);
         let last = before.last();
-        let reached = |q: Vec<f64>, arrival: Arrival| {
-            let middle = |range: &Range| 0.5 * (range.from + range.to);
-            let from = |j: usize| last.map_or_else(|| middle(&ranges[j]), |l| l.q[j]);
-            let side = |(j, q): (usize, &f64)| if *q >= from(j) { 1.0 } else { -1.0 };
-            let dir: Vec<f64> = q.iter().enumerate().map(side).collect();
-            let speed = like.speed.iter().zip(&dir).map(|(s, d)| s * d + 0.0);
+        let here = last.map_or(0.5 * (range.from + range.to), |last| last.q[0]);
+        let reached = |q: f64, arrival: Arrival| {
+            let side = if q >= here { 1.0 } else { -1.0 };
             Candidate {
-                q,
-                speed: speed.collect(),
-                dir,
+                q: vec![q],
+                dir: vec![side],
+                speed: vec![like.speed[0] * side + 0.0],
                 arrival,
                 ..like.clone()
             }
         };
-        if let (Arrival::Short(share), Some(last)) = (wanted, last) {
-            let step = |j: usize| {
-                let way = share * (ranges[j].to - ranges[j].from);
-                last.q[j] - last.dir[j] * typed(way, kinds[j])
-            };
-            let q: Vec<f64> = (0..ranges.len()).map(step).collect();
-            let mut pairs = q.iter().zip(ranges);
-            if pairs.all(|(q, r)| *q >= r.from && *q <= r.to) {
-                return vec![reached(q, wanted)];
+        if let (Arrival::Short(share), Some(last)) = (like.arrival, last) {
+            let q = here - last.dir[0] * typed(share * (range.to - range.from), kind);
+            if (range.from..=range.to).contains(&q) {
+                return vec![reached(q, like.arrival)];
             }
         }
-        if matches!(wanted, Arrival::Return(_)) {
+        let random = &mut self.random;
+        if matches!(like.arrival, Arrival::Return(_)) {
             let earlier = before[..before.len().saturating_sub(2)].iter().enumerate();
+            let returns = |own: &Candidate| matches!(own.arrival, Arrival::Return(_));
             let all: Vec<Candidate> = earlier
-                .filter(|(_, s)| s.load_kg == like.load_kg)
-                .filter(|(_, s)| !matches!(s.arrival, Arrival::Return(_)))
-                .map(|(k, s)| Candidate {
+                .filter(|(_, own)| own.load_kg == like.load_kg && !returns(own))
+                .map(|(k, own)| Candidate {
                     above_20_c: like.above_20_c,
                     time_s: like.time_s,
                     arrival: Arrival::Return(k),
-                    ..s.clone()
+                    ..own.clone()
                 })
                 .collect();
             // Where the way leads there from the right side, no detour is needed.
-            let direct = |s: &&Candidate| reached(s.q.clone(), Arrival::Long).dir == s.dir;
+            let direct = |own: &&Candidate| reached(own.q[0], Arrival::Long).dir == own.dir;
             let short: Vec<Candidate> = all.iter().filter(direct).cloned().collect();
-            if let Some(one) = [short, all].into_iter().find(|list| !list.is_empty()) {
-                let pick = random.random_range(0..one.len());
-                return vec![one[pick].clone()];
+            if let Some(some) = [short, all].into_iter().find(|list| !list.is_empty()) {
+                return vec![some[random.random_range(0..some.len())].clone()];
             }
         }
-        let drawn = (0..self.columns.candidates).map(|k| {
-            // The ends belong to the travel: some candidates lie there.
-            let mut q = anywhere(ranges, random);
-            if k % 8 == 0 {
-                let joint = random.random_range(0..ranges.len());
-                let (range, low) = (&ranges[joint], random.random::<bool>());
-                q[joint] = if low { range.from } else { range.to };
+        let (p, joints) = (self.scale.len(), self.request.robot.joints.len());
+        let affordable = EFFORT / (3 * p * p * self.request.poses).max(1);
+        let drawn = (0..affordable.clamp(CANDIDATES[0], CANDIDATES[1])).map(|k| {
+            let mut q = anywhere(&[range], random)[0];
+            if k % ENDS_EVERY == 0 {
+                // Which joint is drawn as well, so that a seed gives the plan that it always gave.
+                let _ = random.random_range(0..joints);
+                q = if random.random::<bool>() {
+                    range.from
+                } else {
+                    range.to
+                };
             }
-            for ((q, range), kind) in q.iter_mut().zip(ranges).zip(kinds) {
-                *q = typed(*q, *kind).clamp(range.from, range.to);
-            }
-            reached(q, Arrival::Long)
+            reached(typed(q, kind).clamp(range.from, range.to), Arrival::Long)
         });
         drawn.collect()
+    }
+}
+
+impl Criterion for Slots<'_> {
+    fn worths(&self) -> Vec<f64> {
+        let all = self.candidates.iter().enumerate();
+        let worth = all.map(|(k, one)| self.information.gain(k).exp() * self.gap(one));
+        worth.map(|worth| worth.max(LEAST_WORTH)).collect()
+    }
+
+    fn take(&mut self, candidate: usize) {
+        self.information.take(candidate);
+        self.planned.push(self.candidates[candidate].clone());
+        self.refill();
     }
 }
 

@@ -12,6 +12,7 @@
 
 use nalgebra::DMatrix;
 
+use super::rows::Rows;
 use crate::fit::problem::Problem;
 use crate::fit::ranges::over_the_ranges;
 use crate::model::Model;
@@ -40,8 +41,8 @@ pub struct Forecast {
 
 /// What a model does over the joint ranges.
 pub(crate) struct Workspace {
-    /// Derivatives of the target's place, mm; three rows a pose.
-    columns: DMatrix<f64>,
+    /// Derivatives of the target's place at each pose, mm.
+    rows: Rows,
     /// A step of each parameter that moves things by 1 mm.
     steps: Vec<f64>,
     /// Noise of a point, mm.
@@ -51,18 +52,15 @@ pub(crate) struct Workspace {
 }
 
 impl Workspace {
-    pub(crate) fn new(problem: &Problem, model: &Model, columns: &[usize]) -> Self {
+    /// `everything` is the information of all that can be measured.
+    pub(crate) fn new(
+        problem: &Problem,
+        model: &Model,
+        columns: &[usize],
+        everything: &DMatrix<f64>,
+    ) -> Self {
         let inputs = over_the_ranges(problem);
-        let mut all = DMatrix::zeros(3 * inputs.len(), columns.len());
-        model.visit(&inputs, true, |start, block| {
-            for (to, k) in columns.iter().enumerate() {
-                for axis in 0..3 {
-                    for i in 0..block.len {
-                        all[(3 * (start + i) + axis, to)] = block.columns[*k][axis][i];
-                    }
-                }
-            }
-        });
+        let all = Rows::of_points([model; 2], &inputs, &[0, 1, 2], [1.0; 3]);
         let reach = model.robot.longest_lever_mm();
         let steps = model.columns().map(|(term, k)| {
             let kind = model.robot.joints[term.joint].kind;
@@ -74,21 +72,17 @@ impl Workspace {
         });
         let steps: Vec<f64> = steps.collect();
         let instrument = &problem.session.instrument;
-        Self {
-            columns: all,
+        let sigma = KINDS[0].sigma(instrument);
+        let mut workspace = Self {
+            rows: all.only(columns),
             steps: columns.iter().map(|k| steps[*k]).collect(),
-            unit_mm: KINDS[0]
-                .sigma(instrument)
-                .unwrap_or(KINDS[0].about().usual_sigma),
-            shown: columns.len(),
-        }
-    }
-
-    /// Takes what everything together shows for what can be shown.
-    pub(crate) fn can_show(&mut self, gram: &DMatrix<f64>) {
-        let squares = self.squares(gram);
+            unit_mm: sigma.unwrap_or(KINDS[0].about().usual_sigma),
+            shown: 0,
+        };
+        let squares = workspace.squares(everything);
         let least = NONE * squares.first().unwrap_or(&0.0);
-        self.shown = squares.iter().filter(|s| **s > least).count();
+        workspace.shown = squares.iter().filter(|s| **s > least).count();
+        workspace
     }
 
     /// Squared singular values in mm², the largest first, of an information matrix.
@@ -101,23 +95,22 @@ impl Workspace {
         let scaled = DMatrix::from_fn(p, p, |i, j| {
             gram[(i, j)] * self.steps[i] * self.steps[j] * mm
         });
-        let mut squares: Vec<f64> = crate::decompose::eigen(scaled)
+        let mut squares = crate::decompose::eigen(scaled)
             .eigenvalues
-            .iter()
-            .copied()
-            .collect();
+            .as_slice()
+            .to_vec();
         squares.sort_by(|a, b| b.total_cmp(a));
         squares
     }
 
     pub(crate) fn error(&self, covariance: &DMatrix<f64>) -> ExpectedError {
-        let carried = &self.columns * covariance;
+        let carried = covariance * &self.rows.columns;
         let of = |pose: usize| {
-            let rows = 3 * pose..3 * pose + 3;
-            let trace: f64 = rows.map(|r| carried.row(r).dot(&self.columns.row(r))).sum();
+            let (first, size) = self.rows.place(pose);
+            let trace = self.rows.of(pose).dot(&carried.columns(first, size));
             trace.max(0.0).sqrt()
         };
-        let mut all: Vec<f64> = (0..self.columns.nrows() / 3).map(of).collect();
+        let mut all: Vec<f64> = (0..self.rows.len()).map(of).collect();
         all.sort_by(f64::total_cmp);
         let square: f64 = all.iter().map(|e| e * e).sum();
         ExpectedError {

@@ -1,8 +1,8 @@
 //! How many poses show the geometry of a robot with several joints how well.
 
 use super::arm::Arm;
+use super::candidate::Candidate;
 use super::candidate_set::CandidateSet;
-use super::candidates::Candidate;
 use super::forecast::{ExpectedError, Forecast};
 use super::plan_options::{MOST, PlanError};
 
@@ -27,51 +27,42 @@ pub struct Geometry {
     pub enough: Option<(f64, usize)>,
 }
 
-/// How many poses are wanted.
-#[derive(Debug, Clone, Copy)]
-pub(crate) enum PlanGoal {
-    Poses(usize),
-    /// As many as bring the 95th percentile of the expected error below this, mm.
-    Accuracy(f64),
-}
-
-/// Poses that show the geometry best, in no order, and what they do.
-pub(crate) fn best(arm: &Arm, wanted: PlanGoal) -> Result<(Vec<Candidate>, Geometry), PlanError> {
-    let bench = arm.spread().ok_or(PlanError::Unseen)?;
-    let count = match wanted {
-        PlanGoal::Poses(count) => count,
-        PlanGoal::Accuracy(mm) => enough(&bench, mm)?,
-    };
-    let end = arm.designed(&bench, count);
+/// Poses that show the geometry best, in no order, and what they do: so many, or as many as bring the 95th
+/// percentile of the expected error below an accuracy.
+pub(crate) fn best(
+    arm: &Arm,
+    poses: usize,
+    accuracy_mm: Option<f64>,
+) -> Result<(Vec<Candidate>, Geometry), PlanError> {
+    let set = arm.spread().ok_or(PlanError::Unseen)?;
+    let count = accuracy_mm.map_or(Ok(poses), |mm| enough(&set, mm))?;
+    let end = arm.designed(&set, count);
     let all: Vec<usize> = (0..end.candidates.len()).collect();
     let curve = CURVE
         .into_iter()
-        .map(|count| (count, bench.forecast(&bench.chosen(count)).error));
+        .map(|count| (count, set.forecast(&set.chosen(count)).error));
     let geometry = Geometry {
-        parameters: bench.parameters(),
-        before: if bench.before > 0 {
-            bench.forecast(&[])
+        parameters: set.parameters(),
+        before: if set.before > 0 {
+            set.forecast(&[])
         } else {
-            of_random(arm, &bench, count)
+            of_random(arm, &set, count)
         },
         after: end.forecast(&all),
         curve: curve.collect(),
-        enough: match wanted {
-            PlanGoal::Poses(_) => None,
-            PlanGoal::Accuracy(mm) => Some((mm, count)),
-        },
+        enough: accuracy_mm.map(|mm| (mm, count)),
     };
     Ok((end.candidates, geometry))
 }
 
 /// The smallest number of poses that reaches an accuracy: greedily first, then with fewer that are
 /// exchanged.
-fn enough(bench: &CandidateSet, wanted: f64) -> Result<usize, PlanError> {
+fn enough(set: &CandidateSet, wanted: f64) -> Result<usize, PlanError> {
     let reached = |error: &ExpectedError| error.p95_mm <= wanted;
-    if reached(&bench.forecast(&[]).error) {
+    if reached(&set.forecast(&[]).error) {
         return Ok(0);
     }
-    let trace = bench.trace(MOST);
+    let trace = set.trace(MOST);
     let reached_at = trace.iter().position(reached);
     let at = reached_at.ok_or_else(|| PlanError::OutOfReach {
         wanted,
@@ -80,7 +71,7 @@ fn enough(bench: &CandidateSet, wanted: f64) -> Result<usize, PlanError> {
     let (mut few, mut enough) = (at.div_ceil(2), at + 1);
     while few + 1 < enough {
         let middle = few.midpoint(enough);
-        if reached(&bench.forecast(&bench.chosen(middle)).error) {
+        if reached(&set.forecast(&set.chosen(middle)).error) {
             enough = middle;
         } else {
             few = middle;
@@ -90,13 +81,11 @@ fn enough(bench: &CandidateSet, wanted: f64) -> Result<usize, PlanError> {
 }
 
 /// What random poses of the same number do, in the mean of several sets.
-fn of_random(arm: &Arm, bench: &CandidateSet, count: usize) -> Forecast {
-    let random = arm.at_random(bench, RANDOM_SETS * count);
+fn of_random(arm: &Arm, set: &CandidateSet, count: usize) -> Forecast {
+    let random = arm.at_random(set, RANDOM_SETS * count);
     let all: Vec<usize> = (0..random.candidates.len()).collect();
-    let sets: Vec<Forecast> = all
-        .chunks(count.max(1))
-        .map(|set| random.forecast(set))
-        .collect();
+    let sets = all.chunks(count.max(1)).map(|set| random.forecast(set));
+    let sets: Vec<Forecast> = sets.collect();
     let n = sets.len().max(1) as f64;
     let mean = |f: &dyn Fn(&Forecast) -> f64| sets.iter().map(f).sum::<f64>() / n;
     Forecast {

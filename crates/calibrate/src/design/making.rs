@@ -14,30 +14,30 @@
 use crate::answers::pose::to_raw;
 use crate::diagnosis::candidates::table::NotTestable;
 use crate::diagnosis::evidence::Fit;
+use crate::diagnosis::search::aliases::open_rivals;
 use crate::diagnosis::search::mean_sigma_mm;
 use crate::diagnosis::search::prepare::PreparedSearch;
 use crate::diagnosis::verdict::not_testable;
 use crate::diagnosis::{DiagnoseError, NextPose, Watch, checked, prepared, searched};
-use crate::effects::{Inputs, called, find};
+use crate::effects::{Inputs, Term};
 use crate::kinematics::Robot;
 use crate::model::{Model, SetUp};
 use crate::observations::KINDS;
 use crate::sessions::{Session, Target};
 
 use super::arm::Arm;
-use super::candidates::ranges;
-use super::comparison::{Axes, predictions};
+use super::candidate::ranges;
 use super::conditions::conditioned;
-use super::expected_rows::{extended, unmeasured, with_noise};
+use super::expected_information::expected;
 use super::first_measurement::{self, Request};
-use super::geometry::{self, Geometry, PlanGoal};
-use super::named::Named;
-use super::needs::{self, TEST_LOAD_KG, Untestable, test_load_kg};
-use super::pair_separation::Separation;
+use super::geometry::{self, Geometry};
+use super::imagined::{extended, unmeasured, with_noise};
+use super::needs::{Untestable, test_load_kg};
+use super::pair_separation::{Separation, separate_two};
 use super::plan::{Plan, Subject, USUAL_SIGMA_MM};
 use super::plan_options::{PlanError, PlanOptions};
-use super::varied::Varied;
-use super::{enabling_poses, expected_information, next_poses, pair_separation};
+use super::reflectors::reflectors;
+use super::{enabling_poses, next_poses};
 
 /// Poses of a first measurement of a single joint, where no number is given; of several joints, and
 /// beside a session of them.
@@ -58,22 +58,18 @@ pub fn plan_session(
     options: &PlanOptions,
     watch: Watch,
 ) -> Result<Plan, PlanError> {
-    options.check()?;
-    PlanOptions::check_robot(&session.robot)?;
+    options.check(&session.robot)?;
     let session = &*session.whole().map_err(DiagnoseError::from)?;
     let between = options.between(&session.robot)?;
-    let arm = only_arms(&session.robot, options)?;
-    let mended = checked(session, &options.diagnosis, watch).map_err(DiagnoseError::from)?;
-    let session: &Session = &mended.session;
+    let arm = session.robot.joints.len() > 1;
+    let corrected = checked(session, &options.diagnosis, watch).map_err(DiagnoseError::from)?;
+    let session: &Session = &corrected.session;
     let (robot, targets) = (&session.robot, &session.targets);
-    let name = || session.name.clone();
-    let empty = |sigma_mm| Plan::empty(Subject::Session, name(), robot, targets, sigma_mm);
+    let mut plan = Plan::empty(Subject::Session, &session.name, robot, targets);
     if arm && between.is_none() && !session.has_plain_points() {
-        let sigma_mm = options
-            .sigma_mm
-            .or_else(|| KINDS[0].sigma(&session.instrument));
-        let sigma_mm = sigma_mm.unwrap_or(KINDS[0].about().usual_sigma);
-        let mut plan = empty(sigma_mm);
+        let stated = || KINDS[0].sigma(&session.instrument);
+        let sigma_mm = options.sigma_mm.or_else(stated);
+        plan.sigma_mm = sigma_mm.unwrap_or(KINDS[0].about().usual_sigma);
         add_geometry(&mut plan, session, options)?;
         poses_to_raw(&mut plan, session);
         return Ok(plan);
@@ -81,45 +77,36 @@ pub fn plan_session(
     let first = prepared(session, &options.diagnosis, watch)?;
     let (prepared, found) = searched(first, &options.diagnosis, watch)?;
     let (regression, fit) = (&prepared.regression, &found.fit);
-    let sigma_mm = options
-        .sigma_mm
-        .unwrap_or_else(|| mean_sigma_mm(regression) * regression.scale(fit).max(1e-6));
+    let sigma_mm = || mean_sigma_mm(regression) * regression.scale(fit).max(1e-6);
+    plan.sigma_mm = options.sigma_mm.unwrap_or_else(sigma_mm);
     let most = options.poses.unwrap_or(next_poses::MOST);
     let base = regression.fit(&regression.base, &[]);
     let untestable_now = enabling_poses::untestable(&prepared, &not_testable(regression, &base));
-    let mut plan = empty(sigma_mm);
     if let Some(between) = between {
-        let separation = two(&prepared, &found.fit, between, most);
-        plan.poses.clone_from(&separation.poses);
+        let separation = separate_two(&prepared, fit, between, most);
+        plan.add(separation.poses.clone());
         plan.separation = Some(separation);
     } else {
-        let rivals = crate::diagnosis::search::aliases::open_rivals(regression, fit);
+        let rivals = open_rivals(regression, fit);
         let rivals: Vec<_> = rivals.iter().collect();
-        let ids = |terms: &[crate::effects::Term]| {
-            terms.iter().map(|t| t.name_on(&session.robot)).collect()
-        };
-        plan.open = rivals
-            .iter()
-            .map(|r| [ids(&r.removed), ids(&r.instead)])
-            .collect();
+        let ids = |terms: &[Term]| terms.iter().map(|t| t.name_on(robot)).collect();
+        let open = rivals.iter().map(|r| [ids(&r.removed), ids(&r.instead)]);
+        plan.open = open.collect();
         plan.open.dedup();
-        plan.poses = next_poses::separate(&prepared, fit, &rivals, most);
-    }
-    plan.targets.extend(new_targets(&plan.poses, &plan.targets));
-    if between.is_none() && arm {
-        add_geometry(&mut plan, session, options)?;
-    } else if between.is_none() {
-        add_what_is_untestable(&mut plan, &prepared, fit, &untestable_now, options);
+        plan.add(next_poses::separate(&prepared, fit, &rivals, most));
+        if arm {
+            add_geometry(&mut plan, session, options)?;
+        } else {
+            add_what_is_untestable(&mut plan, &prepared, fit, &untestable_now, options);
+        }
     }
     let with_poses = extended(session, &fit.model, &plan.poses, &plan.targets);
-    plan.expected = expected_information::expected(&with_poses, sigma_mm, &options.diagnosis)?;
+    plan.expected = expected(&with_poses, plan.sigma_mm, &options.diagnosis)?;
     let still = |l: &Untestable| {
         let same = |n: &NotTestable| n.effect == l.effect && n.joint == l.joint;
         plan.expected.not_testable.iter().any(same)
     };
-    let (cannot, enables): (Vec<Untestable>, Vec<Untestable>) =
-        untestable_now.into_iter().partition(still);
-    (plan.cannot, plan.enables) = (cannot, enables);
+    (plan.cannot, plan.enables) = untestable_now.into_iter().partition(still);
     poses_to_raw(&mut plan, session);
     Ok(plan)
 }
@@ -134,22 +121,8 @@ fn poses_to_raw(plan: &mut Plan, session: &Session) {
     }
 }
 
-/// Whether there are several joints; options that others have no use for are refused.
-fn only_arms(robot: &Robot, options: &PlanOptions) -> Result<bool, PlanError> {
-    let arm = robot.joints.len() > 1;
-    if arm && options.separate.is_none() {
-        return Ok(arm);
-    }
-    if options.accuracy_mm.is_some() {
-        return Err(PlanError::OnlyArms("--accuracy"));
-    }
-    if !arm && (options.instrument_mm.is_some() || options.cone_rad.is_some()) {
-        return Err(PlanError::OnlyArms("--instrument or --cone"));
-    }
-    Ok(arm)
-}
-
-/// Poses of a single joint that make testable what is not, and where more are asked for, others.
+/// Poses of a single joint that make testable what is not, and where more are asked for, those that lower the
+/// detection limits most.
 fn add_what_is_untestable(
     plan: &mut Plan,
     prepared: &PreparedSearch,
@@ -158,16 +131,35 @@ fn add_what_is_untestable(
     options: &PlanOptions,
 ) {
     let room = |plan: &Plan| options.poses.map(|n| n - plan.poses.len());
-    let own_reflector = plan.poses.iter().find(|p| p.target_mm.is_some()).cloned();
     let most = room(plan).unwrap_or(MOST_ENABLING);
-    let mut more = enabling_poses::enable(prepared, fit, untestable_now, true, most);
-    same_reflector(&mut more, own_reflector.as_ref());
-    plan.poses.extend(more);
-    plan.targets.extend(new_targets(&plan.poses, &plan.targets));
-    if let Some(room) = room(plan).filter(|n| *n > 0) {
-        let sharper = sharpen(prepared, plan, options, room);
-        plan.poses.extend(sharper);
+    let load_kg = options.load_kg;
+    let mut more = enabling_poses::enable(prepared, fit, untestable_now, load_kg, most, true);
+    // A technician mounts one bar.
+    if let Some(own) = plan.poses.iter().find(|p| p.target_mm.is_some()) {
+        for pose in more.iter_mut().filter(|p| p.target_mm.is_some()) {
+            pose.target.clone_from(&own.target);
+            pose.target_mm = own.target_mm;
+        }
     }
+    plan.add(more);
+    let Some(room) = room(plan).filter(|n| *n > 0) else {
+        return;
+    };
+    let session = prepared.problem.session;
+    let base = &prepared.regression.base;
+    let extended = extended(session, base, &plan.poses, &plan.targets);
+    let inputs = Inputs::new(&extended, prepared.options().joint_values);
+    let sharper = first_measurement::design(&Request {
+        robot: &session.robot,
+        targets: &plan.targets,
+        mounted: session.targets.len(),
+        range: ranges(&session.robot, Some(&prepared.problem.inputs))[0],
+        poses: room,
+        load_kg: test_load_kg(load_kg, prepared.survey.largest_load_kg),
+        seed: options.diagnosis.seed,
+        measured: Some((&inputs, &prepared.regression.rows.axes)),
+    });
+    plan.poses.extend(sharper);
 }
 
 /// Poses beside a session that show the geometry best.
@@ -177,42 +169,12 @@ fn add_geometry(
     options: &PlanOptions,
 ) -> Result<(), PlanError> {
     let room = options.poses.map(|n| n - plan.poses.len());
-    let wanted = match options.accuracy_mm {
-        Some(mm) => PlanGoal::Accuracy(mm),
-        None => PlanGoal::Poses(room.unwrap_or(POSES_BESIDE)),
-    };
     let arm = Arm::of_session(session, options)?.beside_planned(&plan.poses);
-    let samples = &session.samples;
-    let points = session.has_plain_points();
-    let heaviest = samples
-        .load_kg
-        .iter()
-        .flatten()
-        .copied()
-        .fold(0.0, f64::max);
-    let load = || options.load_kg.unwrap_or_else(|| test_load_kg(heaviest));
-    let loads = samples.load_kg.is_some() || points && session.robot.gravity_m_s2.is_some();
-    let varied = Varied {
-        load_kg: loads.then(load),
-        heats: samples.temperature_c.is_some() || points,
-        speeds: samples.speed.iter().any(Option::is_some),
-    };
-    let (poses, geometry) = of_arm(&arm, wanted, varied, options)?;
-    plan.poses.extend(poses);
+    let wanted = room.unwrap_or(POSES_BESIDE);
+    let (poses, geometry) = geometry::best(&arm, wanted, options.accuracy_mm)?;
+    plan.poses.extend(conditioned(&arm, &poses));
     plan.geometry = Some(geometry);
     Ok(())
-}
-
-/// Poses of several joints with their conditions.
-fn of_arm(
-    arm: &Arm,
-    wanted: PlanGoal,
-    varied: Varied,
-    options: &PlanOptions,
-) -> Result<(Vec<NextPose>, Geometry), PlanError> {
-    let (chosen, geometry) = geometry::best(arm, wanted)?;
-    let poses = conditioned(arm, &chosen, varied, options.diagnosis.seed);
-    Ok((poses, geometry))
 }
 
 /// A first measurement of a robot that was not measured.
@@ -220,24 +182,17 @@ fn of_arm(
 /// # Errors
 /// If an option makes no sense.
 pub fn plan_robot(robot: &Robot, options: &PlanOptions) -> Result<Plan, PlanError> {
-    options.check()?;
-    PlanOptions::check_robot(robot)?;
+    options.check(robot)?;
     let between = options.between(robot)?;
-    only_arms(robot, options)?;
     let sigma_mm = options.sigma_mm.unwrap_or(USUAL_SIGMA_MM);
     let usual = match robot.joints.len() {
         1 => POSES_OF_A_JOINT,
         several => POSES_OF_AN_ARM + POSES_PER_JOINT * several,
     };
     let poses = options.poses.unwrap_or(usual);
-    let targets = super::candidates::reflectors(robot);
-    let mut plan = Plan::empty(
-        Subject::Robot,
-        robot.name.clone(),
-        robot,
-        &targets,
-        sigma_mm,
-    );
+    let targets = reflectors(robot);
+    let mut plan = Plan::empty(Subject::Robot, &robot.name, robot, &targets);
+    plan.sigma_mm = sigma_mm;
     let nominal = Model::nominal(robot.clone());
     let measured = |poses: &[NextPose], targets: &[Target]| {
         let blank = unmeasured(robot, targets, Some(sigma_mm));
@@ -245,29 +200,27 @@ pub fn plan_robot(robot: &Robot, options: &PlanOptions) -> Result<Plan, PlanErro
         with_noise(extended(&blank, &nominal, poses, targets), sigma_mm, seed)
     };
     let mut decisive = Vec::new();
-    let mut possible = true;
     if let Some(between) = between {
         // Half of the poses measure the robot, of the other half as many as it takes decide.
-        let (first, _) = first_poses(robot, &targets, poses.div_ceil(2), sigma_mm, options)?;
+        let (first, _) = first_poses(&plan, poses.div_ceil(2), options)?;
         let session = measured(&first, &targets);
         let prepared = PreparedSearch::new(&session, &options.diagnosis)?;
         let fit = prepared.regression.fit(&prepared.regression.base, &[]);
-        let separation = two(&prepared, &fit, between, poses - first.len());
+        let separation = separate_two(&prepared, &fit, between, poses - first.len());
         decisive.clone_from(&separation.poses);
-        possible = separation.impossible.is_none();
         plan.separation = Some(separation);
     }
-    if possible {
+    let impossible = |separation: &Separation| separation.impossible.is_some();
+    if !plan.separation.as_ref().is_some_and(impossible) {
         let rest = poses - decisive.len();
-        (plan.poses, plan.geometry) = first_poses(robot, &targets, rest, sigma_mm, options)?;
+        (plan.poses, plan.geometry) = first_poses(&plan, rest, options)?;
     }
-    plan.poses.extend(decisive);
-    plan.targets.extend(new_targets(&plan.poses, &targets));
+    plan.add(decisive);
     if plan.poses.is_empty() {
         return Ok(plan);
     }
     let session = measured(&plan.poses, &plan.targets);
-    plan.expected = expected_information::expected(&session, sigma_mm, &options.diagnosis)?;
+    plan.expected = expected(&session, sigma_mm, &options.diagnosis)?;
     let prepared = PreparedSearch::new(&session, &options.diagnosis)?;
     plan.cannot = enabling_poses::untestable(&prepared, &plan.expected.not_testable);
     Ok(plan)
@@ -275,102 +228,29 @@ pub fn plan_robot(robot: &Robot, options: &PlanOptions) -> Result<Plan, PlanErro
 
 /// So many poses of a robot that was not measured; of several joints as many as an accuracy needs.
 fn first_poses(
-    robot: &Robot,
-    targets: &[Target],
+    Plan {
+        robot,
+        targets,
+        sigma_mm,
+        ..
+    }: &Plan,
     count: usize,
-    sigma_mm: f64,
     options: &PlanOptions,
 ) -> Result<(Vec<NextPose>, Option<Geometry>), PlanError> {
-    let load_kg = options.load_kg.unwrap_or(TEST_LOAD_KG);
     if robot.joints.len() > 1 {
-        let arm = Arm::of_robot(robot, targets, sigma_mm, options);
-        let varied = Varied {
-            load_kg: robot.gravity_m_s2.map(|_| load_kg),
-            heats: true,
-            speeds: true,
-        };
-        let wanted = options
-            .accuracy_mm
-            .map_or(PlanGoal::Poses(count), PlanGoal::Accuracy);
-        let (poses, geometry) = of_arm(&arm, wanted, varied, options)?;
-        return Ok((poses, Some(geometry)));
+        let arm = Arm::of_robot(robot, targets, *sigma_mm, options);
+        let (poses, geometry) = geometry::best(&arm, count, options.accuracy_mm)?;
+        return Ok((conditioned(&arm, &poses), Some(geometry)));
     }
-    let request = Request {
+    let poses = first_measurement::design(&Request {
+        robot,
+        targets,
+        mounted: 1,
+        range: ranges(robot, None)[0],
         poses: count,
-        load_kg,
+        load_kg: test_load_kg(options.load_kg, 0.0),
         seed: options.diagnosis.seed,
-    };
-    let (ranges, nothing) = (ranges(robot, None), |_: &Model| Vec::new());
-    let poses = first_measurement::design(robot, targets, 1, &ranges, &request, &nothing);
+        measured: None,
+    });
     Ok((poses, None))
-}
-
-/// Two effects, unless one of them cannot be seen by any measurement.
-fn two(prepared: &PreparedSearch, fit: &Fit, between: [Named; 2], most: usize) -> Separation {
-    let met = needs::all_met(&prepared.survey);
-    for named in between {
-        let obstacle = find(named.id).and_then(|effect| effect.obstacle(&met, named.joint));
-        if let Some(because) = obstacle {
-            let because = text!(
-                "{effect} cannot be seen: {because}",
-                effect = called(named.id),
-                because
-            );
-            return pair_separation::nothing(between, because);
-        }
-    }
-    pair_separation::separate_two(prepared, fit, between, most)
-}
-
-/// New reflectors of two lists of poses become one: a technician mounts one bar.
-fn same_reflector(poses: &mut [NextPose], like: Option<&NextPose>) {
-    let Some(like) = like else { return };
-    for pose in poses.iter_mut().filter(|p| p.target_mm.is_some()) {
-        pose.target.clone_from(&like.target);
-        pose.target_mm = like.target_mm;
-    }
-}
-
-/// Reflectors that poses use and that are not there yet.
-fn new_targets(poses: &[NextPose], there: &[Target]) -> Vec<Target> {
-    let mut new: Vec<Target> = Vec::new();
-    for pose in poses {
-        if let (Some(name), Some(mm)) = (&pose.target, pose.target_mm) {
-            let known = |t: &Target| t.name == *name;
-            if !there.iter().any(known) && !new.iter().any(known) {
-                new.push(Target {
-                    name: name.clone(),
-                    position_mm: mm.into(),
-                });
-            }
-        }
-    }
-    new
-}
-
-/// More poses for a session, where they lower the detection limits most.
-fn sharpen(
-    prepared: &PreparedSearch,
-    plan: &Plan,
-    options: &PlanOptions,
-    count: usize,
-) -> Vec<NextPose> {
-    let session = prepared.problem.session;
-    let heaviest = prepared.survey.largest_load_kg;
-    let request = Request {
-        poses: count,
-        load_kg: options.load_kg.unwrap_or_else(|| test_load_kg(heaviest)),
-        seed: options.diagnosis.seed,
-    };
-    let axes = Axes {
-        axes: prepared.regression.rows.axes.clone(),
-        sigma_mm: [1.0; 3],
-    };
-    let base = &prepared.regression.base;
-    let extended = extended(session, base, &plan.poses, &plan.targets);
-    let inputs = Inputs::new(&extended, prepared.options().joint_values);
-    let ranges = ranges(&session.robot, Some(&prepared.problem.inputs));
-    let known = |model: &Model| predictions(model, model, &inputs, &axes);
-    let (targets, mounted) = (&plan.targets, session.targets.len());
-    first_measurement::design(&session.robot, targets, mounted, &ranges, &request, &known)
 }

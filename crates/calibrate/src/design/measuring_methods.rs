@@ -3,8 +3,8 @@
 
 use nalgebra::Point3;
 
-use super::expected_rows::place_of;
-use super::typed::typed;
+use super::candidate::typed;
+use super::imagined::place_of;
 use crate::effects::inputs::reflectors_at_home;
 use crate::effects::places::{name, stated};
 use crate::effects::{Inputs, Place, PlaceKind};

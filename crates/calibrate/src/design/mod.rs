@@ -1,17 +1,22 @@
-//! Poses to measure next: those that tell rival explanations apart (`next_poses`), those that
-//! make an effect testable (`enabling_poses`), a first measurement of a joint
+//! Poses to measure next: those that tell rival explanations apart (`next_poses`), or two effects
+//! (`pair_separation`), those that make an effect testable (`enabling_poses`), a first measurement of a joint
 //! (`first_measurement`), those that show the geometry of an arm (`geometry`), and all of them
-//! (`plan`).
+//! (`plan`, `making`). All are made in one way:
 //!
-//! One planner makes them all: candidates, a criterion of what they are worth, and a loop that takes what is
-//! worth most.
+//! 1. **Candidates**: a place and the conditions there (`candidate`), in all combinations beside a session
+//!    (`candidate_poses`), slot by slot of a schedule (`first_measurement`), over the joint ranges in every way of
+//!    measuring (`arm`), the same under loads, warmth and from other sides (`conditions`).
+//! 2. **Rows** `J = ∂y/∂β / σ`, `d = (y′ − y)/σ` of every candidate (`rows`), of points or of what an imagined session
+//!    would have measured (`imagined`); the covariance C of what is known beside them (`covariance`).
+//! 3. **A criterion**: D-optimality `ln det(1 + J C Jᵀ)` (`information`), or T-optimality (Atkinson & Fedorov 1975),
+//!    `Δ = min_β ‖d − J β‖² + βᵀ C⁻¹ β`, how far a refitted rival stays from each truth (`comparison`, all pairs at
+//!    once in `model_separation`), until the right one is found often enough (`decision`).
+//! 4. **A choice**: greedily, then exchanging (`exchange`; Fedorov 1972), for an arm again around what was chosen
+//!    (`candidate_set`).
+//! 5. **An order**: of arms a short way through the poses of a stretch (`path`).
 //!
-//! | | |
-//! | --- | --- |
-//! | candidates: a place and its conditions | `candidates` (all combinations beside a session), `first_measurement` (slot by slot of a schedule), `arm` (over the joint ranges, in every way of measuring), `conditions` (the same under loads, temperatures, from other sides) |
-//! | criterion | `exchange::Information`: what is known of parameters (D-optimality); `parting::Parting`: how far models are apart, one refitted to what the other predicts (T-optimality, Atkinson & Fedorov 1975; `comparison`), with the probability of a decision between them (`decision`) |
-//! | loop | `exchange`: greedily, then exchanging |
-//! | as poses | `candidates::Writing` |
+//! Then it is computed what the poses will show: detection limits and names that look alike
+//! (`expected_information`), of an arm the expected error and the observability index (`forecast`).
 
 #![allow(
     clippy::cast_possible_truncation,
@@ -35,17 +40,20 @@ pub mod pair_separation;
 pub mod plan;
 
 mod arm;
+mod candidate;
+mod candidate_poses;
 mod candidate_set;
-mod candidates;
 mod comparison;
 #[doc(hidden)]
 pub mod conditions;
+mod covariance;
 mod decision;
+mod every_effect;
 mod exchange;
-mod expected_rows;
+mod field;
 mod first_measurement;
+mod imagined;
 mod information;
-mod inverse;
 mod line_of_sight;
 mod making;
 mod measuring_methods;
@@ -53,9 +61,8 @@ mod model_separation;
 mod named;
 mod path;
 mod plan_options;
-mod typed;
-mod untouched;
-mod varied;
+mod reflectors;
+mod rows;
 
 pub use expected_information::{Alike, ExpectedInformation};
 pub use forecast::{ExpectedError, Forecast};
@@ -64,5 +71,5 @@ pub use making::{plan_robot, plan_session};
 pub use named::Named;
 pub use needs::{Need, Untestable};
 pub use pair_separation::Separation;
-pub use plan::{Plan, SeenAbove, Subject};
+pub use plan::{Plan, Subject};
 pub use plan_options::{PlanError, PlanOptions};

@@ -8,17 +8,20 @@ use crate::kinematics::{Joint, JointKind};
 use crate::sessions::Target;
 use crate::text::Text;
 
-use super::candidates::{CandidatePoses, other_reflectors};
+use super::candidate_poses::CandidatePoses;
 use super::comparison::{Comparison, ModelDistance};
 use super::decision::{Decision, SURE};
 use super::exchange::Criterion;
+use super::reflectors::other_reflectors;
 
 /// A separation that decides whatever the noise does.
 const MOST_SEPARATION: f64 = 1e6;
+/// All models are asked to be so much further apart where too few draws are decided.
+const FURTHER: f64 = 1.3;
 /// Another reflector has to bring so much more, as a share of what is needed.
 const WORTH_MOUNTING: f64 = 0.03;
 
-/// Models that are to be parted: as far as each comparison asks for, and where there is a decision until
+/// Models that are to be told apart: as far as each comparison asks for, and where there is a decision until
 /// the right one is found often enough. No candidate is taken more than `repeats` times.
 pub(crate) struct ModelSeparation {
     pub(crate) comparisons: Vec<Comparison>,
@@ -43,7 +46,7 @@ impl ModelSeparation {
     }
 
     pub(crate) fn parted(&self) -> bool {
-        self.comparisons.iter().all(Comparison::decided)
+        self.distances().all(ModelDistance::decided)
     }
 }
 
@@ -62,11 +65,10 @@ impl Criterion for ModelSeparation {
 
     fn take(&mut self, candidate: usize) {
         self.taken[candidate] += 1;
-        for comparison in &mut self.comparisons {
-            comparison.take(candidate);
-        }
-        if let Some(decision) = &mut self.decision {
-            decision.take(candidate);
+        let all = &mut self.comparisons;
+        match &mut self.decision {
+            Some(decision) => decision.take(all, candidate),
+            None => all.iter_mut().for_each(|one| one.take(candidate, None)),
         }
     }
 
@@ -79,9 +81,9 @@ impl Criterion for ModelSeparation {
         }
         // All are far enough apart and still too few draws are decided: further apart, then.
         let can = |c: &ModelDistance| c.enough < MOST_SEPARATION;
-        while !self.comparisons.is_empty() && self.parted() && self.distances().all(can) {
-            for comparison in &mut self.comparisons {
-                comparison.ask_for_more(1.3);
+        while self.distances().next().is_some() && self.parted() && self.distances().all(can) {
+            for one in self.comparisons.iter_mut().flat_map(|c| &mut c.distances) {
+                one.enough = FURTHER * one.enough.max(1.0);
             }
         }
         false

@@ -1,79 +1,55 @@
 //! What an effect lacks before a session can show it: the effect is asked again with one condition
 //! after the other met, until nothing stands against it.
 
-use super::candidates::usual_speed;
+use super::candidate::usual_speed;
 use crate::effects::{Effect, Survey};
 use crate::text::{Template, Text};
 
 /// Load for a test where the session says nothing about loads, kg.
-pub(crate) const TEST_LOAD_KG: f64 = 3.0;
-/// A load for a test: the heaviest of the session, where it has any.
-pub(crate) fn test_load_kg(heaviest: f64) -> f64 {
-    if heaviest > 0.0 {
+const TEST_LOAD_KG: f64 = 3.0;
+/// A load for a test: as asked for, else the heaviest of the session, where it has any.
+pub(crate) fn test_load_kg(asked: Option<f64>, heaviest: f64) -> f64 {
+    let own = if heaviest > 0.0 {
         heaviest
     } else {
         TEST_LOAD_KG
-    }
+    };
+    asked.unwrap_or(own)
 }
 
 /// How much warmer a warm machine is, K.
 pub(crate) const WARMING_C: f64 = 6.0;
 
-/// A condition that is missing.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Need {
-    /// Poses approached from both sides.
-    BothSides,
-    /// Poses measured while the joint moves, at two speeds.
-    Speeds,
-    /// Two loads.
-    Loads,
-    /// A cold and a warm machine.
-    Temperatures,
-    /// More values of the joint.
-    Travel,
-    /// A second reflector at another radius.
-    Reflector,
-    /// The time of every sample.
-    Times,
-    /// All three coordinates.
-    Height,
-    /// The direction of gravity in the robot's file.
-    Gravity,
+named! {
+    /// A condition that is missing.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+    pub enum Need {
+        /// Poses approached from both sides.
+        BothSides = phrase!("approach the same places from both sides"),
+        /// Poses measured while the joint moves, at two speeds.
+        Speeds = phrase!("measure in motion at two speeds as well"),
+        /// Two loads.
+        Loads = phrase!("measure without and with a load"),
+        /// A cold and a warm machine.
+        Temperatures = phrase!("measure with the machine cold and warm, and again while it cools down"),
+        /// More values of the joint.
+        Travel = phrase!("spread the poses over the whole travel"),
+        /// A second reflector at another radius.
+        Reflector = phrase!("mount a second reflector at another radius"),
+        /// The time of every sample.
+        Times = phrase!("write down the time of every sample (time_s)"),
+        /// All three coordinates.
+        Height = phrase!("measure z as well"),
+        /// The direction of gravity in the robot's file.
+        Gravity = phrase!("give the direction of gravity in the robot's file (gravity_m_s2)"),
+    }
+    /// What the technician does.
+    pub fn describe -> Template;
+    /// Every condition, in the order in which they are tried.
+    const ALL;
 }
 
-const NEEDS: [Need; 9] = [
-    Need::BothSides,
-    Need::Speeds,
-    Need::Loads,
-    Need::Temperatures,
-    Need::Travel,
-    Need::Reflector,
-    Need::Times,
-    Need::Height,
-    Need::Gravity,
-];
-
 impl Need {
-    /// What the technician does.
-    pub fn describe(self) -> Template {
-        match self {
-            Self::BothSides => phrase!("approach the same places from both sides"),
-            Self::Speeds => phrase!("measure in motion at two speeds as well"),
-            Self::Loads => phrase!("measure without and with a load"),
-            Self::Temperatures => {
-                phrase!("measure with the machine cold and warm, and again while it cools down")
-            }
-            Self::Travel => phrase!("spread the poses over the whole travel"),
-            Self::Reflector => phrase!("mount a second reflector at another radius"),
-            Self::Times => phrase!("write down the time of every sample (time_s)"),
-            Self::Height => phrase!("measure z as well"),
-            Self::Gravity => {
-                phrase!("give the direction of gravity in the robot's file (gravity_m_s2)")
-            }
-        }
-    }
-
     /// Whether poses and their conditions are enough; otherwise something has to be written down.
     pub fn by_poses(self) -> bool {
         !matches!(self, Self::Times | Self::Height | Self::Gravity)
@@ -130,7 +106,7 @@ pub struct Untestable {
 
 /// A survey in which every condition that poses can meet is met.
 pub(crate) fn all_met(survey: &Survey) -> Survey {
-    let by_poses = NEEDS.into_iter().filter(|n| n.by_poses());
+    let by_poses = Need::ALL.into_iter().filter(|n| n.by_poses());
     by_poses
         .chain([Need::Times])
         .fold(survey.clone(), |survey, need| need.met(&survey))
@@ -145,7 +121,7 @@ pub(crate) fn lacks(effect: &Effect, survey: &Survey, joint: usize) -> Vec<Need>
             !needs.contains(need)
                 && effect.obstacle(&need.met(&now), joint).as_ref() != Some(&reason)
         };
-        let Some(need) = NEEDS.into_iter().find(|n| helps(n)) else {
+        let Some(need) = Need::ALL.into_iter().find(|n| helps(n)) else {
             return Vec::new();
         };
         now = need.met(&now);

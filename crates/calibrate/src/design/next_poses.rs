@@ -8,18 +8,20 @@
 
 use crate::diagnosis::NextPose;
 use crate::diagnosis::evidence::Fit;
-use crate::diagnosis::evidence::rival::{Rival, UNDECIDED};
+use crate::diagnosis::evidence::rival::Rival;
 use crate::diagnosis::search::aliases;
 use crate::diagnosis::search::prepare::PreparedSearch;
 use crate::diagnosis::verdict::{Proposal, Undecided};
 use crate::effects::{Condition, Over, Term, called};
 use crate::text::Text;
 
-use super::candidates::{Arrival, CandidatePoses, Conditions};
-use super::comparison::{Field, ModelDistance, enough_for};
-use super::decision::{self, Decision, Explanation, SURE};
+use super::candidate::Arrival;
+use super::candidate_poses::{CandidatePoses, Conditions};
+use super::comparison::ModelDistance;
+use super::decision::{Decision, Explanation, SURE};
 use super::enabling_poses;
 use super::exchange::choose;
+use super::field::Field;
 use super::model_separation::{Attempt, ModelSeparation, over_reflectors};
 use super::plan_options::MOST_JOINTS;
 
@@ -123,39 +125,30 @@ pub(crate) fn conditions(prepared: &PreparedSearch, terms: &[&Term]) -> Conditio
 /// back with new poses, and a rival that is true has rivals of its own.
 fn competing(prepared: &PreparedSearch, fit: &Fit, open: &[&Rival]) -> Vec<Explanation> {
     let regression = &prepared.regression;
+    let many = regression.added(fit).len() > MANY_NAMES;
+    let most = if many { MOST_OF_MANY } else { MOST_COMPETING };
     let mut all: Vec<Explanation> = Vec::new();
-    let most = if regression.added(fit).len() > MANY_NAMES {
-        MOST_OF_MANY
-    } else {
-        MOST_COMPETING
+    let mut join = |fit: &Fit, open: bool| {
+        if all.len() < most && !all.iter().any(|a| same_terms(&a.fit, fit)) {
+            let fit = fit.clone();
+            all.push(Explanation { fit, open });
+        }
+        all.len() < most
     };
-    join(&mut all, fit, true, most);
-    for rival in open {
-        join(&mut all, &rival.fit, true, most);
-    }
-    let most_open = open.iter().take(MOST_ASKED).map(|r| &r.fit);
-    for one in [fit].into_iter().chain(most_open) {
-        if all.len() == most {
+    let fits = || open.iter().map(|rival| &rival.fit);
+    let mut room = join(fit, true);
+    fits().for_each(|rival| room = join(rival, true));
+    for one in [fit].into_iter().chain(fits().take(MOST_ASKED)) {
+        if !room {
             break;
         }
         for near in aliases::rivals(regression, one) {
             if near.other_names() {
-                join(&mut all, &near.fit, false, most);
+                room = join(&near.fit, false);
             }
         }
     }
     all
-}
-
-/// Adds an explanation that is not there yet, if there is room.
-fn join(all: &mut Vec<Explanation>, fit: &Fit, open: bool, most: usize) {
-    let known = all.iter().any(|a| same_terms(&a.fit, fit));
-    if !known && all.len() < most {
-        let another_setting = |a: &Explanation| decision::only_settings_differ(&a.fit, fit);
-        let setting = all.first().is_some_and(another_setting);
-        let fit = fit.clone();
-        all.push(Explanation { fit, open, setting });
-    }
 }
 
 fn same_terms(one: &Fit, other: &Fit) -> bool {
@@ -172,19 +165,12 @@ fn attempt(
     most: usize,
 ) -> Attempt {
     let field = Field::new(prepared, &candidates);
-    let decision = Decision::new(&field, all, UNDECIDED);
-    let comparisons = decision.comparisons(|truth, other| {
-        let lead = all[truth].fit.ln_evidence - all[other].fit.ln_evidence;
-        enough_for(UNDECIDED, lead)
-    });
+    let (decision, comparisons) = Decision::new(&field, all);
     let mut parting = ModelSeparation::new(comparisons, candidates.candidates.len(), REPEATS);
     let enough: Vec<f64> = parting.distances().map(|c| c.enough.max(1.0)).collect();
     parting.decision = Some(decision);
     let mut order = choose(&mut parting, most);
-    let needed = parting
-        .decision
-        .as_ref()
-        .map(|decision| decision.needed(SURE));
+    let needed = parting.decision.as_ref().map(|own| own.needed(SURE));
     let (poses, unparted, probability) = needed.unwrap_or_default();
     order.truncate(poses);
     let share = |(c, enough): (&ModelDistance, &f64)| (c.delta / enough).min(1.0);

@@ -16,20 +16,26 @@ use crate::effects::{Term, called, find};
 use crate::model::Model;
 use crate::text::Text;
 
-use super::candidates::{CandidatePoses, ranges};
-use super::comparison::{Comparison, Field, ModelDistance, Prediction, enough_for};
+use super::candidate::ranges;
+use super::candidate_poses::CandidatePoses;
+use super::comparison::{Comparison, ModelDistance, enough_for};
+use super::covariance::inverse;
+use super::every_effect::standing;
 use super::exchange::choose;
-use super::information::standing;
-use super::inverse::inverse;
+use super::field::Field;
 use super::model_separation::{Attempt, ModelSeparation, over_reflectors};
 use super::named::Named;
+use super::needs::all_met;
 use super::next_poses::conditions;
+use super::rows::Rows;
 
 /// λ of an effect that is just seen.
 const JUST_SEEN: f64 = 40.0;
 /// What is left of an effect beside the other, in the best of all places, below which no pose
 /// tells them apart.
 const NOTHING_LEFT: f64 = 1e-4;
+/// A direction with so small a share of the mean information is not there.
+const NONE: f64 = 1e-9;
 /// Weight of all candidates together where a session cannot show an effect at all: as so many poses.
 const AS_MANY_POSES: f64 = 40.0;
 
@@ -50,13 +56,39 @@ pub struct Separation {
     pub poses: Vec<NextPose>,
 }
 
-/// See the module. At most `most` poses.
+impl Separation {
+    /// No pose does it.
+    fn none(between: [Named; 2], because: Text) -> Self {
+        Self {
+            between,
+            left_before: [0.0; 2],
+            left_after: [0.0; 2],
+            decided: false,
+            impossible: Some(because),
+            poses: Vec::new(),
+        }
+    }
+}
+
+/// See the module. At most `most` poses; none where one of the effects cannot be seen by any measurement.
 pub(crate) fn separate_two(
     prepared: &PreparedSearch,
     fit: &Fit,
     between: [Named; 2],
     most: usize,
 ) -> Separation {
+    let met = all_met(&prepared.survey);
+    for named in between {
+        let obstacle = find(named.id).and_then(|effect| effect.obstacle(&met, named.joint));
+        if let Some(because) = obstacle {
+            let because = text!(
+                "{effect} cannot be seen: {because}",
+                effect = called(named.id),
+                because
+            );
+            return Separation::none(between, because);
+        }
+    }
     let base = fit.model.without(|t| between.iter().any(|b| is(t, *b)));
     let terms = between.map(|named| terms_of(prepared, fit, named));
     let shown: Vec<&Term> = terms.iter().flatten().collect();
@@ -72,7 +104,7 @@ pub(crate) fn separate_two(
         );
         return Separation {
             left_before,
-            ..nothing(between, because)
+            ..Separation::none(between, because)
         };
     }
     let why = text!(
@@ -87,17 +119,6 @@ pub(crate) fn separate_two(
         decided: best.decides,
         impossible: None,
         poses: best.poses(prepared, &why, most),
-    }
-}
-
-pub(crate) fn nothing(between: [Named; 2], because: Text) -> Separation {
-    Separation {
-        between,
-        left_before: [0.0; 2],
-        left_after: [0.0; 2],
-        decided: false,
-        impossible: Some(because),
-        poses: Vec::new(),
     }
 }
 
@@ -131,49 +152,35 @@ fn attempt(
         // Of all settings the pair that is hardest to part.
         let settings = terms[k].iter().flat_map(|one| {
             let others = terms[1 - k].iter();
-            others.map(move |other| Pair::new(base, one, other))
+            others.map(move |other| [one, other])
         });
         let hardest = settings
-            .map(|pair| PosedPair::new(&field, base, pair))
+            .map(|two| Pair::new(&field, base, two))
             .min_by(|a, b| a.possible.total_cmp(&b.possible));
-        if let Some(posed) = hardest {
-            shares.possible = shares.possible.min(posed.possible);
-            let (before, comparison) = posed.comparison(&field, base);
+        if let Some(pair) = hardest {
+            shares.possible = shares.possible.min(pair.possible);
+            let (before, comparison) = pair.comparison(&field, base);
             shares.left[0][k] = before;
             comparisons.push(comparison);
-            pairs.push((k, posed));
+            pairs.push((k, pair));
         }
     }
     let mut parting = ModelSeparation::new(comparisons, candidates.candidates.len(), 2);
     let order = choose(&mut parting, most);
-    for (k, posed) in &pairs {
-        let mut all = posed.prior_information.clone();
-        for taken in &order {
-            all += over(std::slice::from_ref(&posed.seen[*taken]));
-        }
-        shares.left[1][*k] = posed.pair.worst(&all).0;
+    for (k, pair) in &pairs {
+        let mut all = pair.known.clone();
+        pair.rows.add_to(&mut all, order.iter().copied());
+        shares.left[1][*k] = pair.worst(&all).0;
     }
+    let least = parting.distances().map(ModelDistance::share);
     let attempt = Attempt {
         decides: !parting.comparisons.is_empty() && parting.parted(),
-        score: parting
-            .distances()
-            .map(ModelDistance::share)
-            .fold(1.0, f64::min),
+        score: least.fold(1.0, f64::min),
         unparted: 0,
         order,
         candidates,
     };
     (attempt, shares)
-}
-
-/// Gram matrix of all columns over some predictions.
-fn over(seen: &[Prediction]) -> DMatrix<f64> {
-    let p = seen.first().map_or(0, |s| s.columns.ncols());
-    let mut sum = DMatrix::zeros(p, p);
-    for one in seen {
-        sum.gemm_tr(1.0, &one.columns, &one.columns, 1.0);
-    }
-    sum
 }
 
 /// Settings that stand for an effect: its own where the model has it.
@@ -196,82 +203,65 @@ fn terms_of(prepared: &PreparedSearch, fit: &Fit, named: Named) -> Vec<Term> {
     standing(effect, named.joint, 6, &fades, middle_s)
 }
 
-/// A pair on the samples and on all candidates.
-struct PosedPair {
-    pair: Pair,
-    seen: Vec<Prediction>,
-    prior_information: DMatrix<f64>,
+/// A base model with both effects, absent, where their columns are, and what samples and candidates show of them.
+struct Pair {
+    terms: [Term; 2],
+    own: Vec<usize>,
+    rest: Vec<usize>,
+    /// The rest and the other effect.
+    beside: Vec<usize>,
+    rows: Rows,
+    /// The information of the samples, and of all candidates.
+    known: DMatrix<f64>,
     everywhere: DMatrix<f64>,
     /// Share of the one that is left beside the other with all candidates.
     possible: f64,
 }
 
-impl PosedPair {
-    fn new(field: &Field, base: &Model, pair: Pair) -> Self {
-        let seen = field.predictions(base, &pair.both);
-        let (known, everywhere) = (field.gram(&pair.both), over(&seen));
-        Self {
-            possible: pair.worst(&(&known + &everywhere)).0,
-            pair,
-            seen,
-            prior_information: known,
-            everywhere,
-        }
+impl Pair {
+    fn new(field: &Field, base: &Model, [one, other]: [&Term; 2]) -> Self {
+        let both = base.with_term(one.clone()).with_term(other.clone());
+        let of = |wanted: &dyn Fn(&Term) -> bool| -> Vec<usize> {
+            let columns = both.columns().enumerate();
+            let own = columns.filter(|(_, (term, _))| wanted(term));
+            own.map(|(column, _)| column).collect()
+        };
+        let rest = of(&|t| !t.same_column(one) && !t.same_column(other));
+        let theirs = of(&|t| t.same_column(other) && !t.same_column(one));
+        let rows = field.rows(base, &both);
+        let mut pair = Self {
+            own: of(&|t| t.same_column(one)),
+            beside: rest.iter().chain(&theirs).copied().collect(),
+            rest,
+            terms: [one.clone(), other.clone()],
+            known: field.gram(&both),
+            everywhere: rows.information(),
+            rows,
+            possible: 0.0,
+        };
+        pair.possible = pair.worst(&(&pair.known + &pair.everywhere)).0;
+        pair
     }
 
     /// The share that is left in the samples, and the one there in the shape that the other imitates
     /// best, at the size at which it is just seen, against the other.
     fn comparison(&self, field: &Field, base: &Model) -> (f64, Comparison) {
-        let (pair, known) = (&self.pair, &self.prior_information);
-        let weak = &self.everywhere * (AS_MANY_POSES / self.seen.len().max(1) as f64);
-        let (before, mut direction) = pair.worst(known);
-        let mut strength = pair.strength(known, &direction);
-        if strength < 1e-3 * pair.strength(&weak, &pair.worst(&weak).1) {
-            direction = pair.worst(&(known + &weak)).1;
-            strength = pair.strength(&weak, &direction);
+        let weak = &self.everywhere * (AS_MANY_POSES / self.rows.len().max(1) as f64);
+        let (before, mut direction) = self.worst(&self.known);
+        let mut strength = self.strength(&self.known, &direction);
+        if strength < 1e-3 * self.strength(&weak, &self.worst(&weak).1) {
+            direction = self.worst(&(&self.known + &weak)).1;
+            strength = self.strength(&weak, &direction);
         }
         direction *= (JUST_SEEN / strength.max(1e-300)).sqrt();
-        let [one, other] = pair.terms.clone();
+        let [one, other] = self.terms.clone();
         let truth = base.with_term(Term {
             coefficients: direction.as_slice().to_vec(),
             ..one
         });
         let (rival, enough) = (base.with_term(other), enough_for(UNDECIDED, 0.0));
-        let comparison = field.comparison_from_the_start(&truth, &rival, enough, 1.0);
+        let comparison = Comparison::from_the_start(field, [&truth, &rival], enough, 1.0);
         (before, comparison)
-    }
-}
-
-/// A base model with both effects, absent, and where their columns are.
-struct Pair {
-    both: Model,
-    terms: [Term; 2],
-    own: Vec<usize>,
-    other: Vec<usize>,
-    rest: Vec<usize>,
-}
-
-impl Pair {
-    fn new(base: &Model, one: &Term, other: &Term) -> Self {
-        let both = base.with_term(one.clone()).with_term(other.clone());
-        let (mut own, mut theirs, mut rest) = (Vec::new(), Vec::new(), Vec::new());
-        for (column, (term, _)) in both.columns().enumerate() {
-            let to = if term.same_column(one) {
-                &mut own
-            } else if term.same_column(other) {
-                &mut theirs
-            } else {
-                &mut rest
-            };
-            to.push(column);
-        }
-        Self {
-            both,
-            terms: [one.clone(), other.clone()],
-            own,
-            other: theirs,
-            rest,
-        }
     }
 
     /// What is left of one's information beside some of the other columns.
@@ -292,30 +282,29 @@ impl Pair {
     /// Smallest share that is left of one's information beside the other, and its direction.
     fn worst(&self, gram: &DMatrix<f64>) -> (f64, DVector<f64>) {
         let alone = self.reduced_information(gram, &self.rest);
-        let all: Vec<usize> = self.rest.iter().chain(&self.other).copied().collect();
-        let left = self.reduced_information(gram, &all);
+        let left = self.reduced_information(gram, &self.beside);
         let k = self.own.len();
-        let mean = (0..k).map(|i| alone[(i, i)]).sum::<f64>() / k as f64;
+        let mean = alone.trace() / k as f64;
         if mean <= 0.0 || !mean.is_finite() {
             return (0.0, DVector::from_element(k, 1.0));
         }
         // Directions of which nothing is left beside the base do not count against the other.
         let spectrum = crate::decompose::eigen(alone);
-        let mut best = (1.0_f64, spectrum.eigenvectors.column(0).into_owned());
-        let kept: Vec<usize> = (0..k)
-            .filter(|i| spectrum.eigenvalues[*i] > 1e-9 * mean)
-            .collect();
-        let basis = DMatrix::from_fn(k, kept.len(), |i, j| {
-            spectrum.eigenvectors[(i, kept[j])] / spectrum.eigenvalues[kept[j]].sqrt()
-        });
-        let shares = crate::decompose::eigen(basis.tr_mul(&(left * &basis)));
-        for (i, share) in shares.eigenvalues.iter().enumerate() {
-            if i == 0 || *share < best.0 {
-                let direction = &basis * shares.eigenvectors.column(i);
-                best = (share.clamp(0.0, 1.0), direction);
-            }
+        let values = &spectrum.eigenvalues;
+        let kept: Vec<usize> = (0..k).filter(|i| values[*i] > NONE * mean).collect();
+        let mut basis = spectrum.eigenvectors.select_columns(&kept);
+        for (mut column, i) in basis.column_iter_mut().zip(&kept) {
+            column /= values[*i].sqrt();
         }
-        best
+        let shares = crate::decompose::eigen(basis.tr_mul(&(left * &basis)));
+        let smallest = (0..kept.len()).min_by(|a, b| {
+            let [a, b] = [*a, *b].map(|k| shares.eigenvalues[k]);
+            a.total_cmp(&b)
+        });
+        smallest.map_or((1.0, spectrum.eigenvectors.column(0).into_owned()), |i| {
+            let direction = &basis * shares.eigenvectors.column(i);
+            (shares.eigenvalues[i].clamp(0.0, 1.0), direction)
+        })
     }
 
     fn strength(&self, gram: &DMatrix<f64>, direction: &DVector<f64>) -> f64 {

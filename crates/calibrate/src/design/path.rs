@@ -2,7 +2,7 @@
 //! move together), then two ends of a stretch are exchanged while that shortens the way (2-opt, Croes
 //! 1958).
 
-use super::candidates::usual_speed;
+use super::candidate::usual_speed;
 use crate::kinematics::Robot;
 
 /// Passes over all stretches at most.

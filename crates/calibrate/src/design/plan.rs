@@ -7,7 +7,6 @@ use super::geometry::Geometry;
 use super::needs::Untestable;
 use super::pair_separation::Separation;
 use crate::diagnosis::NextPose;
-use crate::effects::{Form, find};
 use crate::kinematics::Robot;
 use crate::sessions::Target;
 
@@ -52,28 +51,11 @@ pub struct Plan {
     pub geometry: Option<Geometry>,
 }
 
-/// A detection limit as the user reads it.
-#[derive(Debug, Clone, PartialEq)]
-pub struct SeenAbove {
-    /// The effect's name.
-    pub effect: &'static str,
-    /// Joint, counted from 1; `None` where it belongs to none.
-    pub joint: Option<usize>,
-    /// For each parameter its name with its unit and the size above which it will be seen.
-    pub sizes: Vec<(&'static str, f64)>,
-}
-
 impl Plan {
-    pub(crate) fn empty(
-        subject: Subject,
-        name: String,
-        robot: &Robot,
-        targets: &[Target],
-        sigma_mm: f64,
-    ) -> Self {
+    pub(crate) fn empty(subject: Subject, name: &str, robot: &Robot, targets: &[Target]) -> Self {
         Self {
             subject,
-            name,
+            name: name.to_owned(),
             robot: robot.clone(),
             targets: targets.to_vec(),
             poses: Vec::new(),
@@ -81,35 +63,24 @@ impl Plan {
             separation: None,
             enables: Vec::new(),
             cannot: Vec::new(),
-            sigma_mm,
+            sigma_mm: USUAL_SIGMA_MM,
             expected: ExpectedInformation::default(),
             geometry: None,
         }
     }
 
-    /// Detection limits once the poses are measured; what is called degrees is millimetres where
-    /// a joint slides.
-    pub fn seen_above(&self) -> Vec<SeenAbove> {
-        let one = |limit: &crate::diagnosis::verdict::limits::Limit| {
-            let kind = self.robot.joints[limit.joint.unwrap_or(0)].kind;
-            let quantities = find(limit.effect).map(|e| e.about().form);
-            let size = |(name, size): &(&'static str, f64)| {
-                let quantity = match quantities {
-                    Some(Form::Plain(all)) => all.iter().find(|q| q.name == *name).copied(),
-                    Some(Form::Harmonic(quantity) | Form::Fading(quantity)) => Some(quantity),
-                    None => None,
-                };
-                quantity.map_or((*name, *size), |quantity| {
-                    let on = quantity.on(kind);
-                    (on.name, size * quantity.unit.scale / on.unit.scale)
-                })
-            };
-            SeenAbove {
-                effect: limit.effect,
-                joint: limit.joint.map(|j| j + 1),
-                sizes: limit.sizes.iter().map(size).collect(),
+    /// Adds poses, and reflectors that they use and that are not there yet.
+    pub(crate) fn add(&mut self, poses: Vec<NextPose>) {
+        for pose in &poses {
+            if let (Some(name), Some(mm)) = (&pose.target, pose.target_mm)
+                && !self.targets.iter().any(|t| t.name == *name)
+            {
+                self.targets.push(Target {
+                    name: name.clone(),
+                    position_mm: mm.into(),
+                });
             }
-        };
-        self.expected.limits.iter().map(one).collect()
+        }
+        self.poses.extend(poses);
     }
 }

@@ -7,6 +7,7 @@ use crate::kinematics::Robot;
 use crate::text::Text;
 use crate::units::{LARGEST_LENGTH_MM, LARGEST_MASS_KG};
 use nalgebra::Point3;
+use std::f64::consts::PI;
 
 use super::named::Named;
 
@@ -41,16 +42,8 @@ pub struct PlanOptions {
 /// Why there is no plan.
 #[derive(Debug, Clone, PartialEq)]
 pub enum PlanError {
-    /// A number of poses that makes no sense.
-    Poses(usize),
-    /// A noise that makes no sense.
-    Sigma(f64),
-    /// A load that makes no sense.
-    Load(f64),
-    /// A robot with more joints than poses are planned for.
-    Joints(usize),
-    /// An accuracy that makes no sense.
-    Accuracy(f64),
+    /// A robot, an option, or options together, that make no sense.
+    Option(Text),
     /// An accuracy that no number of poses reaches.
     OutOfReach {
         /// What was asked for, mm.
@@ -58,14 +51,8 @@ pub enum PlanError {
         /// What most poses reach, mm.
         reached: f64,
     },
-    /// Something that only plans for several joints know.
-    OnlyArms(&'static str),
-    /// A cone that makes no sense.
-    Cone(f64),
     /// No pose can be measured.
     Unseen,
-    /// Every pose has a wrong number of poses asked for with an accuracy.
-    TwoNumbers,
     /// A joint that is not there, or not a number.
     Joint {
         /// What was given.
@@ -73,8 +60,6 @@ pub enum PlanError {
         /// Number of joints.
         joints: usize,
     },
-    /// Twice the same effect.
-    Same(String),
     /// The diagnosis failed.
     Diagnose(DiagnoseError),
 }
@@ -83,47 +68,15 @@ impl PlanError {
     /// In words.
     pub fn describe(&self) -> Text {
         match self {
-            Self::Poses(poses) => text!(
-                "--poses is {poses}; expected a whole number from 1 to {most}",
-                poses,
-                most = MOST_POSES
-            ),
-            Self::Sigma(sigma) => text!(
-                "--sigma is {sigma}; expected a length above 0 in mm, such as 0.03",
-                sigma
-            ),
-            Self::Load(load) => text!(
-                "--load is {load}; expected a mass above 0 in kg, such as 3",
-                load
-            ),
-            Self::Joints(joints) => text!(
-                "a robot with {joints} joints; poses are planned for at most {most}",
-                joints,
-                most = MOST_JOINTS
-            ),
-            Self::Accuracy(accuracy) => text!(
-                "--accuracy is {accuracy}; expected a length above 0 in mm, such as 0.1",
-                accuracy
-            ),
+            Self::Option(text) => text.clone(),
             Self::OutOfReach { wanted, reached } => text!(
                 "--accuracy {wanted}: {most} poses are expected to leave {reached} mm (95th percentile over the joint ranges); expected a larger value, or a smaller --sigma",
                 wanted,
                 most = MOST,
                 reached = format!("{:.4}", reached)
             ),
-            Self::OnlyArms(option) => text!(
-                "{option} is for robots with several joints, measured without --separate; this plan has neither",
-                option
-            ),
-            Self::Cone(given) => text!(
-                "--cone is {cone}; expected an angle above 0 and up to 180 degrees, such as 60",
-                cone = given
-            ),
             Self::Unseen => text!(
                 "no pose within the joint limits can be measured: none is seen from where the instrument stands, or brings the target to where it is held; expected limits, a place or a cone that leave some"
-            ),
-            Self::TwoNumbers => text!(
-                "--poses and --accuracy both say how many poses there are; expected one of them"
             ),
             Self::Joint {
                 input: given,
@@ -132,11 +85,6 @@ impl PlanError {
                 "--separate {given}: expected an effect, or an effect and a joint from 1 to {joints} such as backlash:1",
                 given,
                 joints
-            ),
-            Self::Same(given) => text!(
-                "--separate {one},{other}: expected two different effects",
-                one = given,
-                other = given
             ),
             Self::Diagnose(inner) => inner.describe(),
         }
@@ -154,58 +102,105 @@ impl From<DiagnoseError> for PlanError {
 }
 
 impl PlanOptions {
-    pub(crate) fn check(&self) -> Result<(), PlanError> {
-        let above_zero = |v: &f64| *v > 0.0 && *v <= LARGEST_LENGTH_MM;
-        if let Some(mm) = self.accuracy_mm {
-            if !above_zero(&mm) {
-                return Err(PlanError::Accuracy(mm));
-            }
-            if self.poses.is_some() {
-                return Err(PlanError::TwoNumbers);
-            }
-        }
-        let angle = |cone: &f64| above_zero(cone) && *cone <= std::f64::consts::PI;
-        if let Some(cone) = self.cone_rad.filter(|cone| !angle(cone)) {
-            // The user wrote degrees: what the conversion adds is not theirs.
-            return Err(PlanError::Cone((cone.to_degrees() * 1e9).round() / 1e9));
-        }
-        if let Some(n) = self.poses.filter(|n| *n == 0 || *n > MOST_POSES) {
-            return Err(PlanError::Poses(n));
-        }
-        let is_sigma = |s: &f64| above_zero(s) && *s >= SMALLEST_SIGMA;
-        if let Some(sigma) = self.sigma_mm.filter(|s| !is_sigma(s)) {
-            return Err(PlanError::Sigma(sigma));
+    /// Whether the options make sense for this robot, and a plan for it comes to an end.
+    pub(crate) fn check(&self, robot: &Robot) -> Result<(), PlanError> {
+        let problem = self.problem();
+        if let Some(text) = problem.or_else(|| self.not_for(robot)) {
+            return Err(PlanError::Option(text));
         }
         let is_place = |p: &Point3<f64>| p.iter().all(|x| x.abs() <= LARGEST_LENGTH_MM);
+        let refused = |field: &'static str, found: Text, expected: Text| {
+            let place = Place::default().in_field(field);
+            let wrong = Diagnostic::error(place, found, expected);
+            Err(DiagnoseError::from(Rejected::because(wrong)).into())
+        };
         if !self.instrument_mm.as_ref().is_none_or(is_place) {
-            let place = Place::default().in_field("instrument_mm");
             let found = text!("a position that is not finite or too large");
             let expected = text!("three lengths of at most 10 000 000 mm");
-            let wrong = Rejected::because(Diagnostic::error(place, found, expected));
-            return Err(DiagnoseError::from(wrong).into());
+            return refused("instrument_mm", found, expected);
         }
-        let is_load = |l: &f64| above_zero(l) && *l <= LARGEST_MASS_KG;
-        match self.load_kg.filter(|l| !is_load(l)) {
-            Some(load) => Err(PlanError::Load(load)),
-            None => Ok(self.diagnosis.check()?),
+        self.diagnosis.check()?;
+        if robot.joints.is_empty() {
+            return refused(
+                "robot.joints",
+                text!("no joints"),
+                text!("at least one joint"),
+            );
+        }
+        match robot.out_of_range(&Place::default()) {
+            problems if problems.is_empty() => Ok(()),
+            problems => Err(DiagnoseError::from(Rejected::of(problems)).into()),
         }
     }
 
-    /// Whether a plan for this robot comes to an end.
-    pub(crate) fn check_robot(robot: &Robot) -> Result<(), PlanError> {
-        match robot.joints.len() {
-            joints if joints > MOST_JOINTS => Err(PlanError::Joints(joints)),
-            0 => {
-                let place = Place::default().in_field("robot.joints");
-                let none =
-                    Diagnostic::error(place, text!("no joints"), text!("at least one joint"));
-                Err(DiagnoseError::from(Rejected::because(none)).into())
+    /// A number that makes no sense.
+    fn problem(&self) -> Option<Text> {
+        let above_zero = |v: f64, most: f64| v > 0.0 && v <= most;
+        let is_length = |v: f64| above_zero(v, LARGEST_LENGTH_MM);
+        if let Some(accuracy) = self.accuracy_mm {
+            if !is_length(accuracy) {
+                return Some(text!(
+                    "--accuracy is {accuracy}; expected a length above 0 in mm, such as 0.1",
+                    accuracy
+                ));
             }
-            _ => match robot.out_of_range(&Place::default()) {
-                problems if problems.is_empty() => Ok(()),
-                problems => Err(DiagnoseError::from(Rejected::of(problems)).into()),
-            },
+            if self.poses.is_some() {
+                return Some(text!(
+                    "--poses and --accuracy both say how many poses there are; expected one of them"
+                ));
+            }
         }
+        if let Some(cone) = self.cone_rad.filter(|cone| !above_zero(*cone, PI)) {
+            return Some(text!(
+                "--cone is {cone}; expected an angle above 0 and up to 180 degrees, such as 60",
+                // The user wrote degrees: what the conversion adds is not theirs.
+                cone = (cone.to_degrees() * 1e9).round() / 1e9
+            ));
+        }
+        if let Some(poses) = self.poses.filter(|n| *n == 0 || *n > MOST_POSES) {
+            return Some(text!(
+                "--poses is {poses}; expected a whole number from 1 to {most}",
+                poses,
+                most = MOST_POSES
+            ));
+        }
+        let is_sigma = |s: f64| is_length(s) && s >= SMALLEST_SIGMA;
+        if let Some(sigma) = self.sigma_mm.filter(|s| !is_sigma(*s)) {
+            return Some(text!(
+                "--sigma is {sigma}; expected a length above 0 in mm, such as 0.03",
+                sigma
+            ));
+        }
+        let is_load = |l: f64| above_zero(l, LARGEST_MASS_KG);
+        let load = self.load_kg.filter(|l| !is_load(*l))?;
+        Some(text!(
+            "--load is {load}; expected a mass above 0 in kg, such as 3",
+            load
+        ))
+    }
+
+    /// What is asked for that there is not for this robot.
+    fn not_for(&self, robot: &Robot) -> Option<Text> {
+        let joints = robot.joints.len();
+        if joints > MOST_JOINTS {
+            return Some(text!(
+                "a robot with {joints} joints; poses are planned for at most {most}",
+                joints,
+                most = MOST_JOINTS
+            ));
+        }
+        let arm = joints > 1;
+        let option = if self.accuracy_mm.is_some() && !(arm && self.separate.is_none()) {
+            "--accuracy"
+        } else if !arm && (self.instrument_mm.is_some() || self.cone_rad.is_some()) {
+            "--instrument or --cone"
+        } else {
+            return None;
+        };
+        Some(text!(
+            "{option} is for robots with several joints, measured without --separate; this plan has neither",
+            option
+        ))
     }
 
     /// The two effects, found in the catalogue.
@@ -234,7 +229,11 @@ impl PlanOptions {
         };
         let [one, other] = [named(&two[0])?, named(&two[1])?];
         if one == other {
-            return Err(PlanError::Same(two[0].clone()));
+            return Err(PlanError::Option(text!(
+                "--separate {one},{other}: expected two different effects",
+                one = &two[0],
+                other = &two[0]
+            )));
         }
         Ok(Some([one, other]))
     }

@@ -1,11 +1,11 @@
 //! A plan: the poses, what they decide, make testable and sharpen.
 
 use super::{Block, Detail, Fact, Section, Topic, cleaned, fact};
+use crate::design::forecast::Forecast;
 use crate::design::geometry::Geometry;
 use crate::design::needs::Untestable;
 use crate::design::pair_separation::Separation;
 use crate::design::plan::{Plan, Subject};
-use crate::diagnosis::Limit;
 use crate::language::spoken;
 use crate::present::limits::{applies, joints_in_words, limits_of};
 use crate::present::names::{title, title_of, title_on};
@@ -181,25 +181,15 @@ fn geometry(geometry: &Geometry, plan: &Plan, detail: Detail) -> Section {
         Column::numbers(so_far),
         Column::numbers(say!("with these poses")),
     ]);
-    let (before, after) = (&geometry.before, &geometry.after);
-    let rows = [
-        (
-            say!("Observability index"),
-            [before.observability, after.observability],
-        ),
-        (
-            say!("Expected error over the joint ranges, RMS"),
-            [before.error.rms_mm, after.error.rms_mm],
-        ),
-        (
-            say!("Expected error at 95 % of the places"),
-            [before.error.p95_mm, after.error.p95_mm],
-        ),
-    ];
-    for (name, both) in rows {
-        let [before, after] = both.map(|length| detail.length(length));
+    let mut row = |name: &str, of: fn(&Forecast) -> f64| {
+        let [before, after] = [&geometry.before, &geometry.after].map(|f| detail.length(of(f)));
         table.row([name.to_owned(), before, after]);
-    }
+    };
+    row(say!("Observability index"), |f| f.observability);
+    let rms = say!("Expected error over the joint ranges, RMS");
+    row(rms, |f| f.error.rms_mm);
+    let p95 = say!("Expected error at 95 % of the places");
+    row(p95, |f| f.error.p95_mm);
     let mut blocks = vec![Block::Table(table)];
     if let Some((mm, poses)) = geometry.enough {
         blocks.push(Block::Text(say!(
@@ -216,10 +206,7 @@ fn geometry(geometry: &Geometry, plan: &Plan, detail: Detail) -> Section {
         )
     });
     let each = each.collect::<Vec<_>>().join(", ");
-    blocks.push(Block::Text(format!(
-        "{}: {each}",
-        say!("Expected error at 95 % of the places")
-    )));
+    blocks.push(Block::Text(format!("{p95}: {each}")));
     let surroundings = say!(
         "Only the joint limits are known of the surroundings: check where the way between the poses leads"
     );
@@ -233,18 +220,12 @@ fn geometry(geometry: &Geometry, plan: &Plan, detail: Detail) -> Section {
 
 /// From which sizes on effects will be seen, and which will look alike.
 fn limits(plan: &Plan, detail: Detail) -> Option<Section> {
-    let seen = plan.seen_above();
+    let seen = &plan.expected.limits;
     if plan.poses.is_empty() || seen.is_empty() {
         return None;
     }
     let joints = plan.robot.joints.len();
-    let seen = seen.into_iter().map(|one| Limit {
-        effect: one.effect,
-        joint: one.joint.map(|joint| joint - 1),
-        sizes: one.sizes,
-    });
-    let seen: Vec<Limit> = seen.collect();
-    let lines = limits_of(&plan.robot, &seen, |effect| title(effect).to_owned());
+    let lines = limits_of(&plan.robot, seen, |effect| title(effect).to_owned());
     let facts = lines.into_iter().map(|line| (line.names, line.text));
     let mut blocks = vec![Block::Facts(facts.collect())];
     let alike = plan.expected.alike.iter().map(|pair| {

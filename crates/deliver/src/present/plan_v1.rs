@@ -62,8 +62,8 @@ pub fn document(plan: &Plan) -> Json {
         "separation": plan.separation.as_ref().map(separation),
         "unlocks": list(&plan.enables, untestable),
         "cannot": list(&plan.cannot, untestable),
-        "will_be_seen_above": list(plan.seen_above(), |limit| {
-            let mut sizes = limit.sizes;
+        "will_be_seen_above": list(&plan.expected.limits, |limit| {
+            let mut sizes = limit.sizes.clone();
             sizes.sort_by_key(|(name, _)| *name);
             let sizes = sizes.into_iter().map(|(name, size)| (name.to_owned(), size.into()));
             named(limit.effect, limit.joint).with(object! { "sizes": keyed(sizes) })
@@ -77,8 +77,9 @@ pub fn document(plan: &Plan) -> Json {
     }
 }
 
+/// An effect with its joint, which is counted from 0.
 fn named(effect: &str, joint: Option<usize>) -> Json {
-    object! { "effect": effect, "joint": optional(joint) }
+    object! { "effect": effect, "joint": optional(joint.map(|j| j + 1)) }
 }
 
 fn geometry(geometry: &Geometry, subject: Subject) -> Json {
@@ -102,7 +103,7 @@ fn geometry(geometry: &Geometry, subject: Subject) -> Json {
 fn separation(separation: &Separation) -> Json {
     object! {
         "between": list(&separation.between, |n| {
-            named(n.id, n.per_joint().then_some(n.joint + 1))
+            named(n.id, n.per_joint().then_some(n.joint))
         }),
         "possible": separation.impossible.is_none(),
         "because": separation.impossible.as_ref(),
@@ -113,7 +114,7 @@ fn separation(separation: &Separation) -> Json {
 }
 
 fn untestable(one: &Untestable) -> Json {
-    named(one.effect, one.joint.map(|j| j + 1)).with(object! {
+    named(one.effect, one.joint).with(object! {
         "because": &one.because,
         "do": list(&one.needs, |need| need.describe().into()),
     })

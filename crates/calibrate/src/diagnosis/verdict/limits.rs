@@ -7,7 +7,7 @@
 //! 95 of 100 sessions.
 
 pub(crate) use crate::answers::limits::Limit;
-use crate::effects::{Form, Setting};
+use crate::effects::{Form, Quantity, Setting};
 
 use crate::diagnosis::candidates::columns::CandidateSubset;
 use crate::diagnosis::evidence::Fit;
@@ -60,25 +60,24 @@ pub(crate) fn limits(regression: &Regression, fit: &Fit) -> Vec<Limit> {
             let critical = freedom * share / (1.0 - share).max(1e-12);
             let size = noncentrality(critical, rank).sqrt() * scale;
             let energy = |i: usize| -> f64 { (0..=i).map(|j| factor[i * k + j].powi(2)).sum() };
+            let kind = regression.base.robot.joints[joint].kind;
+            let above = |quantity: &Quantity, energy: f64| {
+                let on = quantity.on(kind);
+                (on.name, size / energy.sqrt() / on.unit.scale)
+            };
             let sizes = match term.effect.about().form {
-                Form::Plain(quantities) => quantities
-                    .iter()
-                    .enumerate()
-                    .map(|(i, q)| (q.name, size / energy(i).sqrt() / q.unit.scale))
-                    .collect(),
-                Form::Fading(quantity) => {
-                    vec![(quantity.name, size / energy(0).sqrt() / quantity.unit.scale)]
+                Form::Plain(quantities) => {
+                    let each = quantities.iter().enumerate();
+                    each.map(|(i, q)| above(q, energy(i))).collect()
                 }
+                Form::Fading(quantity) => vec![above(&quantity, energy(0))],
                 Form::Harmonic(quantity) => {
                     // The phase that is hardest to see: the smaller eigenvalue of the 2 × 2.
                     let (a, d) = (energy(0), energy(1));
                     let b = factor[0] * factor[k];
                     let mean = 0.5 * (a + d);
                     let smaller = mean - (0.25 * (a - d) * (a - d) + b * b).sqrt();
-                    vec![(
-                        quantity.name,
-                        size / smaller.max(1e-300).sqrt() / quantity.unit.scale,
-                    )]
+                    vec![above(&quantity, smaller.max(1e-300))]
                 }
             };
             all.push(sizes);

@@ -1,4 +1,4 @@
-//! Sessions as they would be, had poses been measured already, and what they would show.
+//! Imagined sessions: as they would be, had poses been measured already, and what they would show.
 //!
 //! A new sample is measured as an earlier one was: the same kinds of measurement, of the same places,
 //! exactly as a model predicts them. Of a robot that was not measured all three coordinates of points
@@ -9,8 +9,7 @@ use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 
-use super::exchange::Information;
-use super::inverse::inverse;
+use super::rows::Rows;
 use crate::diagnosis::NextPose;
 use crate::effects::inputs::REFERENCE_TEMPERATURE_C;
 use crate::effects::place::MOST;
@@ -65,22 +64,12 @@ pub(crate) fn extended(
     poses: &[NextPose],
     targets: &[Target],
 ) -> Session {
-    let place = |p: &NextPose| {
-        targets
-            .iter()
-            .position(|t| Some(&t.name) == p.target.as_ref())
-    };
     let usable = |i: &usize| KINDS.iter().any(|kind| kind.measured(session, *i));
     let samples: Vec<usize> = (0..session.samples.len()).filter(usable).collect();
-    let like = |p: &NextPose| {
-        let target = place(p).unwrap_or(0);
-        let of = |i: &&usize| {
-            session
-                .samples
-                .target
-                .as_ref()
-                .is_some_and(|t| t[**i] as usize == target)
-        };
+    let of_sample = session.samples.target.as_ref();
+    let like = |pose: &NextPose| {
+        let target = target_of(targets, pose);
+        let of = |i: &&usize| of_sample.is_some_and(|t| t[**i] == target);
         samples.iter().rev().find(of).or(samples.last()).copied()
     };
     let like: Vec<Option<usize>> = poses.iter().map(like).collect();
@@ -90,20 +79,31 @@ pub(crate) fn extended(
     all
 }
 
+/// These poses alone, each measured like that sample of a session.
+pub(crate) fn alone(
+    session: &Session,
+    model: &Model,
+    poses: &[NextPose],
+    like: &[Option<usize>],
+) -> Session {
+    let mut all = session.clone();
+    extend(&mut all, model, poses, like);
+    let new = session.samples.len()..all.samples.len();
+    all.samples.select(&new.map(Some).collect::<Vec<_>>());
+    all
+}
+
+/// Index of the target that a pose names, else the first.
+fn target_of(targets: &[Target], pose: &NextPose) -> u32 {
+    let named = |t: &Target| Some(&t.name) == pose.target.as_ref();
+    let index = targets.iter().position(named).unwrap_or(0);
+    u32::try_from(index).unwrap_or(0)
+}
+
 /// Adds samples at these poses, each measured like that one; like none: a point.
 pub(crate) fn extend(all: &mut Session, model: &Model, poses: &[NextPose], like: &[Option<usize>]) {
     let n = all.samples.len();
     let targets = &all.targets;
-    let place = |p: &NextPose| {
-        targets
-            .iter()
-            .position(|t| Some(&t.name) == p.target.as_ref())
-    };
-    let of: Vec<u32> = poses
-        .iter()
-        .map(|p| u32::try_from(place(p).unwrap_or(0)).unwrap_or(0))
-        .collect();
-    let several = targets.len() > 1;
     let samples = &mut all.samples;
     let rows: Vec<_> = (0..n).map(Some).chain(like.iter().copied()).collect();
     samples.select(&rows);
@@ -115,22 +115,21 @@ pub(crate) fn extend(all: &mut Session, model: &Model, poses: &[NextPose], like:
         let last = setups.index[..n].last().copied().unwrap_or(0);
         setups.index[n..].fill(last);
     }
-    for marks in [&mut samples.held_out, &mut samples.excluded]
-        .into_iter()
-        .flatten()
-    {
+    let marks = [&mut samples.held_out, &mut samples.excluded];
+    for marks in marks.into_iter().flatten() {
         marks[n..].fill(false);
     }
     // What a pose leaves open is as it was last.
     let fill =
         |column: &mut Option<Vec<f64>>, usual: f64, value: &dyn Fn(&NextPose) -> Option<f64>| {
-            if column.is_some() || poses.iter().any(|p| value(p).is_some()) {
-                let column = column.get_or_insert_with(|| vec![f64::NAN; n + poses.len()]);
-                let known = column[..n].iter().rev().copied().find(|v| v.is_finite());
-                let last = known.unwrap_or(if n == 0 { usual } else { f64::NAN });
-                for (to, pose) in column[n..].iter_mut().zip(poses) {
-                    *to = value(pose).unwrap_or(last);
-                }
+            if column.is_none() && poses.iter().all(|p| value(p).is_none()) {
+                return;
+            }
+            let column = column.get_or_insert_with(|| vec![f64::NAN; n + poses.len()]);
+            let known = column[..n].iter().rev().copied().find(|v| v.is_finite());
+            let last = known.unwrap_or(if n == 0 { usual } else { f64::NAN });
+            for (to, pose) in column[n..].iter_mut().zip(poses) {
+                *to = value(pose).unwrap_or(last);
             }
         };
     for j in 0..samples.q.len() {
@@ -139,19 +138,19 @@ pub(crate) fn extend(all: &mut Session, model: &Model, poses: &[NextPose], like:
         }
         fill(&mut samples.q_read[j], f64::NAN, &|_| None);
         fill(&mut samples.dir[j], f64::NAN, &|p| p.dir.get(j).copied());
-        fill(&mut samples.speed[j], 0.0, &|p| {
-            p.speed.as_ref().map(|s| s[j])
-        });
+        let speed = |p: &NextPose| p.speed.as_ref().map(|s| s[j]);
+        fill(&mut samples.speed[j], 0.0, &speed);
     }
     fill(&mut samples.load_kg, 0.0, &|p| p.load_kg);
-    fill(&mut samples.temperature_c, REFERENCE_TEMPERATURE_C, &|p| {
-        p.temperature_c
-    });
+    let temperature_c = |p: &NextPose| p.temperature_c;
+    fill(
+        &mut samples.temperature_c,
+        REFERENCE_TEMPERATURE_C,
+        &temperature_c,
+    );
     if let Some(time_s) = &mut samples.time_s {
-        let last = time_s[..n]
-            .iter()
-            .copied()
-            .fold(f64::NEG_INFINITY, f64::max);
+        let times = time_s[..n].iter().copied();
+        let last = times.fold(f64::NEG_INFINITY, f64::max);
         let start = if last.is_finite() {
             last + LATER_S
         } else {
@@ -161,48 +160,15 @@ pub(crate) fn extend(all: &mut Session, model: &Model, poses: &[NextPose], like:
             *to = start + SECONDS_PER_POSE * k as f64;
         }
     }
-    if several || samples.target.is_some() {
+    if targets.len() > 1 || samples.target.is_some() {
         let column = samples
             .target
             .get_or_insert_with(|| vec![0; n + poses.len()]);
-        column[n..].copy_from_slice(&of);
+        for (to, pose) in column[n..].iter_mut().zip(poses) {
+            *to = target_of(targets, pose);
+        }
     }
     show(all, model, n, like);
-}
-
-/// A session of poses alone, each measured of this target as that sample was.
-pub(crate) fn measured_like(
-    session: &Session,
-    model: &Model,
-    poses: &[(&[f64], u32)],
-    like: &[usize],
-) -> Session {
-    let mut all = session.clone();
-    let rows: Vec<_> = like.iter().map(|sample| Some(*sample)).collect();
-    let setup = session.samples.setups.as_ref();
-    let setup = setup.and_then(|setups| setups.index.last().copied());
-    let samples = &mut all.samples;
-    samples.select(&rows);
-    if let (Some(setups), Some(last)) = (&mut samples.setups, setup) {
-        setups.index.fill(last);
-    }
-    for marks in [&mut samples.held_out, &mut samples.excluded]
-        .into_iter()
-        .flatten()
-    {
-        marks.fill(false);
-    }
-    for (i, (q, target)) in poses.iter().enumerate() {
-        for (column, q) in samples.q.iter_mut().zip(*q) {
-            column[i] = *q;
-        }
-        if let Some(targets) = &mut samples.target {
-            targets[i] = *target;
-        }
-    }
-    let itself: Vec<_> = (0..poses.len()).map(Some).collect();
-    show(&mut all, model, 0, &itself);
-    all
 }
 
 /// Writes down what is measured of the samples from `n` on.
@@ -218,11 +184,8 @@ fn show(all: &mut Session, model: &Model, n: usize, like: &[Option<usize>]) {
             continue;
         };
         let missing = all.samples.coordinates(like).map(f64::is_nan);
-        for kind in KINDS
-            .iter()
-            .filter(|kind| kind.measured(all, like))
-            .collect::<Vec<_>>()
-        {
+        let measured = KINDS.iter().filter(|kind| kind.measured(all, like));
+        for kind in measured.collect::<Vec<_>>() {
             let place = kind.place(all, like);
             let at = place.map_or([0.0; MOST], |place| place_of(all, model, place));
             let seen = Seen {
@@ -233,11 +196,10 @@ fn show(all: &mut Session, model: &Model, n: usize, like: &[Option<usize>]) {
             kind.show(all, i, place.map(|p| p.index), &seen, [0.0; 3]);
         }
         let samples = &mut all.samples;
-        let z = samples.z_mm.as_mut().map(|z| &mut z[i]);
-        let own = [Some(&mut samples.x_mm[i]), Some(&mut samples.y_mm[i]), z];
-        for (value, missing) in own.into_iter().zip(missing) {
-            if let (Some(value), true) = (value, missing) {
-                *value = f64::NAN;
+        let columns = [&mut samples.x_mm, &mut samples.y_mm].into_iter();
+        for (column, missing) in columns.chain(&mut samples.z_mm).zip(missing) {
+            if missing {
+                column[i] = f64::NAN;
             }
         }
     }
@@ -261,78 +223,26 @@ pub(crate) fn with_noise(mut session: Session, sigma_mm: f64, seed: u64) -> Sess
     let mut random = ChaCha8Rng::seed_from_u64(seed);
     let samples = &mut session.samples;
     for i in 0..samples.x_mm.len() {
-        let z = samples.z_mm.as_mut().map(|z| &mut z[i]);
-        for value in [Some(&mut samples.x_mm[i]), Some(&mut samples.y_mm[i]), z]
-            .into_iter()
-            .flatten()
-        {
+        let columns = [&mut samples.x_mm, &mut samples.y_mm].into_iter();
+        for column in columns.chain(&mut samples.z_mm) {
             let draw: f64 = StandardNormal.sample(&mut random);
-            *value += sigma_mm * draw;
+            column[i] += sigma_mm * draw;
         }
     }
     session
 }
 
-/// What samples show of some coefficients of a model.
-pub(crate) struct ExpectedRows {
-    /// Rows in units of their noise, sample by sample.
-    pub(crate) rows: DMatrix<f64>,
-    /// The first row of each sample, and the end.
-    pub(crate) first: Vec<usize>,
-    /// The information of what is known beside the samples: distances between sockets.
-    pub(crate) information_of_priors: DMatrix<f64>,
-}
-
-impl ExpectedRows {
-    /// What the samples behind the first `before` add to what those show and to what is known beforehand.
-    pub(crate) fn information(&self, before: usize, mut known: DMatrix<f64>) -> Information {
-        let from = self.first[before];
-        let (measured, new) = (
-            self.rows.rows(0, from),
-            self.rows.rows(from, self.rows.nrows() - from),
-        );
-        known.gemm_tr(1.0, &measured, &measured, 1.0);
-        known += &self.information_of_priors;
-        let first = self.first[before..].iter().map(|f| f - from).collect();
-        Information::new(&new.into_owned(), first, inverse(&known))
-    }
-}
-
-/// What every sample shows that is there to be fitted.
-pub(crate) fn shown(session: &Session, model: &Model, columns: &[usize]) -> ExpectedRows {
+/// What every sample that is there to be fitted shows of some coefficients of a model, and the information of
+/// what is known beside the samples.
+pub(crate) fn shown(
+    session: &Session,
+    model: &Model,
+    coefficients: &[usize],
+) -> (Rows, DMatrix<f64>) {
     let layer = Layer::at(session, &Inputs::new(session, JointValues::Commanded));
-    let mut first = vec![0; session.samples.len() + 1];
-    for (item, _) in layer.items.iter().zip(&layer.fit).filter(|own| *own.1) {
-        first[item.sample + 1] += item.rows;
-    }
-    for i in 1..first.len() {
-        first[i] += first[i - 1];
-    }
-    let mut next = first.clone();
-    let p = columns.len();
-    let mut all = ExpectedRows {
-        rows: DMatrix::zeros(first.last().copied().unwrap_or(0), p),
-        first,
-        information_of_priors: DMatrix::zeros(p, p),
-    };
-    layer.visit(model, true, |block| {
-        for (lane, item) in block.items.iter().enumerate() {
-            for axis in (0..3).filter(|axis| block.rows[*axis][lane]) {
-                let of = |k: usize| block.columns[columns[k]][axis][lane] / layer.unit_mm;
-                let Some(item) = *item else {
-                    let row = nalgebra::RowDVector::from_fn(p, |_, k| of(k));
-                    all.information_of_priors.gemm_tr(1.0, &row, &row, 1.0);
-                    continue;
-                };
-                let sample = layer.items[item].sample;
-                if layer.fit[item] && next[sample] < all.first[sample + 1] {
-                    for k in 0..p {
-                        all.rows[(next[sample], k)] = of(k);
-                    }
-                    next[sample] += 1;
-                }
-            }
-        }
-    });
-    all
+    let (rows, beside) = Rows::of_layer(&layer, model, [layer.unit_mm; 3]);
+    let beside = beside
+        .select_rows(coefficients)
+        .select_columns(coefficients);
+    (rows.only(coefficients), beside)
 }
