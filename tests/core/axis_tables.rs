@@ -299,3 +299,24 @@ fn names_with_as_many_numbers_as_half_of_the_targets_are_none() {
         assert!(names.is_empty(), "{seed}: {names:?}");
     }
 }
+
+#[test]
+fn targets_that_are_commanded_a_little_elsewhere_each_time_are_no_runs_that_deny_the_curve() {
+    let slide = Slide {
+        lead: bow,
+        reversal_mm: 0.004,
+        targets: equal_targets(25),
+        runs: 2,
+        seed: 17,
+    };
+    let mut random = Random(171);
+    let mut readings = slide.readings();
+    for (q, side, read) in &mut readings {
+        // The ends of the travel are its limits, and come back.
+        let by = 2.0 * random.normal() * f64::from(u8::from(*q > 0.0 && *q < TRAVEL));
+        *read += slide.error(*q + by, *side) - slide.error(*q, *side);
+        *q += by;
+    }
+    let (_, table) = answered(&session(&readings));
+    assert!(left(&slide, &table) < SIGMA, "{}", left(&slide, &table));
+}

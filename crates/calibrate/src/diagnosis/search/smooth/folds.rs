@@ -56,18 +56,20 @@ impl Folds {
     fn visits(columns: &Columns, side: impl Fn(f64) -> i8) -> Option<Self> {
         let mut seen: BTreeMap<(usize, i8), usize> = BTreeMap::new();
         let visits = columns.q.iter().zip(&columns.dir).map(|(q, dir)| {
-            let visit = seen.entry((rank(columns, *q), side(*dir))).or_insert(0);
+            let place = (rank(columns, *q), side(*dir));
+            let visit = seen.entry(place).or_insert(0);
             *visit += 1;
-            *visit - 1
+            (place, *visit - 1)
         });
-        let visits: Vec<usize> = visits.collect();
-        let runs = visits.iter().max().map_or(0, |last| last + 1);
+        let visits: Vec<((usize, i8), usize)> = visits.collect();
+        let runs = seen.values().max().copied().unwrap_or(0);
         let count = runs.min(PARTS);
+        // A value that was visited once belongs to no run that another one could predict.
+        let run = |(place, visit): &((usize, i8), usize)| {
+            (seen[place] > 1).then_some(visit * count / runs.max(1))
+        };
         Self {
-            of: visits
-                .iter()
-                .map(|visit| Some(visit * count / runs.max(1)))
-                .collect(),
+            of: visits.iter().map(run).collect(),
             count,
             how: text!("runs, each held out in turn and predicted by a fit without it"),
         }
