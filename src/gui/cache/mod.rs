@@ -21,7 +21,7 @@ use crate::gui::core::answer::{Answer, Question, QuestionDetails, answer};
 use crate::gui::core::document::ExportChoice;
 use crate::gui::core::loaded_session::{Component, LoadedSession};
 use crate::gui::core::overview::Readable;
-use crate::gui::core::quantity::Quantity;
+use crate::gui::core::quantity::Over;
 use crate::gui::jobs::{Follows, Watch};
 use crate::gui::view::Plane;
 use crate::language::spoken;
@@ -118,8 +118,8 @@ pub(crate) enum WorkKey {
     Uncertain,
     /// The standards' figures.
     Figures(Option<FittedErrors>),
-    /// Where samples are over two quantities.
-    Places([Quantity; 2]),
+    /// Where samples are, a component of the deviation over a quantity.
+    Places(Over, Component),
     /// What a chart of this name has of a component, and of what else tells it from others.
     Chart(&'static str, Component, Vec<usize>),
 }

@@ -3,7 +3,7 @@
 use egui::{Align, ComboBox, CursorIcon, Layout, Rect, Shape, Stroke, StrokeKind, Ui, pos2, vec2};
 
 use crate::gui::charts::{
-    Bars, CHARTS, ChartChoice, ChartKind, HoverTarget, Samples, Scene, Shown, deviation, scatter,
+    Bars, CHARTS, ChartChoice, ChartKind, HoverTarget, Samples, Scene, Shown, deviation,
 };
 use crate::gui::core::loaded_session::Component;
 use crate::gui::plots::chart::Canvas;
@@ -277,7 +277,7 @@ fn others(scene: &Scene, kind: &dyn ChartKind, place: Place<'_>) -> Vec<Listed> 
         ));
     }
     let joints = &session.robot.joints;
-    if of == ChartChoice::Joint && joints.len() > 1 {
+    if matches!(of, ChartChoice::Axis | ChartChoice::Joint) && joints.len() > 1 {
         let of_view = alone && place.pane.joint.is_none();
         let offered = joints.iter().enumerate();
         let offered = offered.map(|(k, joint)| (k, joint.name.clone())).collect();
@@ -294,22 +294,6 @@ fn others(scene: &Scene, kind: &dyn ChartKind, place: Place<'_>) -> Vec<Listed> 
                 }
             },
         ));
-    }
-    if of == ChartChoice::Quantities {
-        let (axes, offered) = (scatter::axes(scene), scatter::named(scene));
-        for (k, name) in [say!("Across"), say!("Upwards")].into_iter().enumerate() {
-            let name = place.own(name);
-            all.push(Listed::new(
-                name,
-                offered.clone(),
-                axes[k],
-                move |bench, quantity| {
-                    let mut axes = axes;
-                    axes[k] = quantity;
-                    bench.change_chart(key, |pane| pane.axes = Some(axes));
-                },
-            ));
-        }
     }
     all
 }
