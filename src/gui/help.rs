@@ -100,8 +100,6 @@ words! {
         [phrase!("compensated")];
     RANGE, phrase!("Measured range"), phrase!("The smallest and the largest position of the joint that was measured. Outside it nothing is known, and a table holds its end values there"),
         [phrase!("measured range"), phrase!("measured range, joint 1"), phrase!("measured")];
-    HOLE, phrase!("Largest uncovered range"), phrase!("A part of the range, much wider than the other steps, in which there is no sample. Whatever happens there stays unseen: measure a few poses in it"),
-        [phrase!("largest uncovered range")];
     SPEED, phrase!("Speed"), phrase!("How fast the joint moved while it was measured. Lag behind the command shows only at different speeds"),
         [phrase!("speed")];
     LOAD, phrase!("Load"), phrase!("The mass at the tool while it was measured. Bending of links and joints shows only at different loads"),
@@ -136,41 +134,6 @@ pub(crate) fn about(name: &str) -> Option<Word> {
     let is_named = |all: &[Template]| all.iter().any(|one| spoken(*one) == name);
     let found = NAMES.iter().find(|(keys, _)| is_named(keys));
     found.map(|(_, word)| *word)
-}
-
-/// What a figure of the standards says, by its symbol there.
-pub(crate) fn figure(symbol: &str) -> Option<&'static str> {
-    let means = match symbol {
-        "A" => say!(
-            "Accuracy: from the lowest to the highest deviation anywhere on the axis, with twice the scatter on both sides"
-        ),
-        "A↑" | "A↓" => say!(
-            "The same for one direction of approach only: what is left where a program always comes from one side"
-        ),
-        "E" => say!(
-            "Systematic deviation: from the lowest to the highest mean deviation, without the scatter. This is what a table can remove"
-        ),
-        "E↑" | "E↓" | "R↑" | "R↓" => say!("The same for one direction of approach only"),
-        "M" => say!(
-            "From the lowest to the highest mean of both directions: the shape of the error along the axis"
-        ),
-        "R" => say!(
-            "Repeatability: how far returns to one position scatter at worst, both directions together. No table can remove it"
-        ),
-        "B" => say!(
-            "Reversal: how far the two directions of approach differ at worst. Backlash and lost motion show here"
-        ),
-        "B mean" => say!("The same on average along the axis"),
-        "AP" => say!("Pose accuracy: from the commanded point to the middle of the measured ones"),
-        "RP" => say!(
-            "Pose repeatability: the radius of the sphere that holds the returns to one pose, mean plus three standard deviations"
-        ),
-        "vAP" => {
-            say!("How far the middles differ when one pose is approached from different sides")
-        }
-        _ => return None,
-    };
-    Some(means)
 }
 
 #[cfg(test)]
@@ -250,15 +213,5 @@ mod tests {
             }
         }
         assert!(seen > 35, "{seen}");
-    }
-
-    #[test]
-    fn every_figure_of_the_standards_is_explained() {
-        for symbol in [
-            "A", "A↑", "A↓", "E", "E↑", "E↓", "M", "R", "R↑", "R↓", "B", "B mean", "AP", "RP",
-            "vAP",
-        ] {
-            assert!(figure(symbol).is_some(), "{symbol}");
-        }
     }
 }

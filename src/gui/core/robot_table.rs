@@ -262,7 +262,10 @@ impl RobotTable {
             if row.name.trim().is_empty() {
                 return Err(text!("a joint needs a name"));
             }
-            if row.link.is_some_and(|(mass, _)| mass.is_nan() || mass < 0.0) {
+            if row
+                .link
+                .is_some_and(|(mass, _)| mass.is_nan() || mass < 0.0)
+            {
                 return Err(text!("a mass is 0 kg or more"));
             }
             if row.travel.is_some_and(|[from, to]| from >= to) {

@@ -97,6 +97,13 @@ pub(super) fn show(ui: &mut Ui, form: &mut SetupForm, workbench: &Workbench) {
     ends(ui, form, problem.is_none(), workbench);
 }
 
+/// The robot within another sheet.
+pub(super) fn table(ui: &mut Ui, typed: &mut RobotTable) {
+    head(ui, typed);
+    ScrollArea::horizontal().show(ui, |ui| rows(ui, typed, true));
+    frames(ui, typed);
+}
+
 /// Name of the robot, and in which terms it is typed.
 fn head(ui: &mut Ui, typed: &mut RobotTable) {
     widgets::form_row(ui, say!("Name"), |ui| {

@@ -3,12 +3,11 @@
 
 use crate::language::spoken;
 use crate::text::Template;
-use egui::{Rect, RichText, Sense, Ui, vec2};
+use egui::{RichText, Ui};
 
 use crate::effects::survey::JointSurvey;
 use crate::export::EXPORTERS;
 use crate::gui::core::answer::STAGES;
-use crate::gui::core::overview::Coverage;
 use crate::gui::style::{Palette, size, space, strong};
 use crate::gui::view::Step;
 use crate::gui::widgets;
@@ -106,22 +105,13 @@ fn covers(ui: &mut Ui, workbench: &Workbench) {
     };
     widgets::card(ui, |ui| {
         widgets::bold(ui, say!("Coverage"));
-        coverage_bar(ui, known);
         if let Some([from, to]) = known.measured {
-            // Of an arm it is the first joint's, as the strip is.
             let name = if loaded_session.session.robot.joints.len() > 1 {
                 phrase!("measured range, joint 1")
             } else {
                 phrase!("measured range")
             };
             widgets::fact_of(ui, name, format!("{} … {}", at(from), at(to)));
-        }
-        if let Some([from, to]) = known.hole {
-            widgets::fact_of(
-                ui,
-                phrase!("largest uncovered range"),
-                format!("{} … {}", at(from), at(to)),
-            );
         }
         let came_from: Vec<String> = survey.joints.iter().map(sides).collect();
         of_joints(ui, phrase!("approach"), &came_from, |k| {
@@ -190,32 +180,6 @@ fn duration(seconds: f64) -> String {
     } else {
         format!("{} h", trimmed(minutes / 60.0, 1))
     }
-}
-
-/// The range of the joint as a strip: filled as high as there are samples.
-fn coverage_bar(ui: &mut Ui, known: &Coverage) {
-    const HEIGHT: f32 = 22.0;
-    let palette = Palette::of(ui);
-    let room = vec2(ui.available_width(), HEIGHT);
-    let (rect, response) = ui.allocate_exact_size(room, Sense::hover());
-    let says = say!("samples over the range of joint 1");
-    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, says));
-    let painter = ui.painter();
-    painter.rect_filled(rect, f32::from(space::ROUND) / 2.0, palette.inset);
-    let most = known.cover.iter().copied().max().unwrap_or(0).max(1) as f32;
-    let width = rect.width() / known.cover.len().max(1) as f32;
-    for (k, count) in known.cover.iter().enumerate().filter(|(_, c)| **c > 0) {
-        let height = HEIGHT * (0.25 + 0.75 * *count as f32 / most);
-        let left = rect.left() + k as f32 * width;
-        let bar = Rect::from_min_max(
-            egui::pos2(left + 0.5, rect.bottom() - height),
-            egui::pos2(left + width - 0.5, rect.bottom()),
-        );
-        painter.rect_filled(bar, 0.0, palette.accent);
-    }
-    response.on_hover_text(say!(
-        "Samples over the range of joint 1: where it is empty nothing is known"
-    ));
 }
 
 /// Which effects can be seen in such samples, and which cannot.

@@ -1,11 +1,9 @@
 //! Buttons: with words on them, or with a sign, whose words are said to who cannot see it.
 
-use std::sync::Arc;
-
 use egui::response::Flags;
-use egui::text::{LayoutJob, TextWrapping};
+
 use egui::{
-    Align, Button, CollapsingHeader, Color32, Context, CornerRadius, FontId, Frame, Id, Key,
+    Align, Button, CollapsingHeader, Color32, Context, CornerRadius, Frame, Id, Key,
     KeyboardShortcut, Layout, Margin, Modifiers, Response, RichText, Role, Sense, Stroke, Ui,
     WidgetInfo, vec2,
 };
@@ -296,19 +294,6 @@ pub(crate) fn bare_button<'a>(
 }
 
 // Words: what stands over, beside and below controls, and numbers with their names.
-
-/// A text on one line, ended by … where it is wider than its room.
-pub(crate) fn cut(
-    ui: &Ui,
-    text: &str,
-    font: FontId,
-    color: Color32,
-    width: f32,
-) -> Arc<egui::Galley> {
-    let mut job = LayoutJob::simple_singleline(text.to_owned(), font, color);
-    job.wrap = TextWrapping::truncate_at_width(width.max(1.0));
-    ui.painter().layout_job(job)
-}
 
 /// What a panel is about.
 pub(crate) fn heading(ui: &mut Ui, text: &str) {

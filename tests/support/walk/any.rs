@@ -10,7 +10,7 @@ use crate::diagnosis::SessionCorrection;
 use crate::effects::CATALOGUE;
 use crate::export::EXPORTERS;
 use crate::gui::core::answer::term_of;
-use crate::gui::core::compensated::{CompensationRequest, PrecedenceChoice};
+use crate::gui::core::compensated::CompensationRequest;
 use crate::gui::core::document::{ExportChoice, Method};
 use crate::gui::core::loaded_session::LoadedSession;
 use crate::gui::core::robot_table::RobotTable;
@@ -21,7 +21,7 @@ use crate::gui::preferences::{Preferences, Sizes, Theme};
 use crate::gui::view::{About, NextAction, Sheet, What};
 use crate::gui::workbench::{Change, Workbench};
 use crate::present::units::{AngleUnit, LengthUnit};
-use crate::programs::ExternalAxes;
+use crate::programs::{ExternalAxes, Precedence};
 use crate::progress::{Progress, unwatched};
 use crate::robots::library;
 use crate::sessions::Sigma;
@@ -452,17 +452,17 @@ fn compensation(random: &mut ChaCha8Rng, files: &Files) -> Deed {
             tool: pick(
                 random,
                 &[
-                    PrecedenceChoice::Asked,
-                    PrecedenceChoice::Model,
-                    PrecedenceChoice::Program,
+                    Precedence::Unsettled,
+                    Precedence::Model,
+                    Precedence::Program,
                 ],
             ),
             frame: pick(
                 random,
                 &[
-                    PrecedenceChoice::Asked,
-                    PrecedenceChoice::Model,
-                    PrecedenceChoice::Program,
+                    Precedence::Unsettled,
+                    Precedence::Model,
+                    Precedence::Program,
                 ],
             ),
             ..CompensationRequest::new(files.any(random))
