@@ -215,7 +215,7 @@ fn alignment_shows_how_far_each_point_is_off() {
         "File of the known points",
         &walk("base-points.csv"),
     );
-    assert!(says(&window, "10 points, RMS distance 0.0059 mm"));
+    assert!(says(&window, "10 points, RMS distance 0.0059"));
     assert!(says(&window, "2 excluded"), "B4 was moved, measured twice");
     for point in ["B1", "B2", "B3", "B4", "B5", "B6"] {
         let measured = window.query_all_by_label(point).count();
@@ -321,7 +321,7 @@ fn files_that_are_no_tables_are_refused_with_what_to_do() {
         (&huge, "cut it into parts"),
     ] {
         open(&mut window, path);
-        assert!(says(&window, "could not be read; nothing was changed"));
+        assert!(says(&window, "could not be opened; nothing was changed"));
         assert!(says(&window, because), "{because}");
         assert!(
             says(&window, "208 samples · RMS error"),

@@ -19,12 +19,11 @@ use crate::gui::style::{Palette, size, space, strong};
 use crate::gui::view::Key;
 use crate::gui::widgets::{self, Does};
 use crate::gui::workbench::Workbench;
-use crate::kinematics::JointKind;
 use crate::language::spoken;
 use crate::model::Model;
 use crate::present::limits::sight;
 use crate::present::names::{parameter_in_english as parameter, title_on};
-use crate::present::numbers::{significant, trimmed, with_minus_signs};
+use crate::present::numbers::with_minus_signs;
 use crate::present::table::{Cell, Column, Table};
 use crate::sessions::SessionCorrection;
 use crate::set_up_errors::DataProblem;
@@ -294,13 +293,8 @@ pub(super) fn unexplained(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis) {
     }
 }
 
-/// Where a smooth correction is measured, and the button that adds it.
+/// The button that adds a smooth correction.
 fn correction(ui: &mut Ui, workbench: &Workbench, found: &Correction) {
-    range(
-        ui,
-        workbench.loaded_session().session.robot.joints[found.term.joint].kind,
-        &found.term,
-    );
     // It is what the names leave: without them it would correct something else.
     let mut terms = workbench.not_added();
     terms.push(found.term.clone());
@@ -330,42 +324,17 @@ pub(super) fn in_the_model(
     }
 }
 
-/// Where the curve of a term is measured; outside nothing is known.
-fn range(ui: &mut Ui, kind: JointKind, term: &Term) {
-    let Some(curve) = term.curve() else { return };
-    let (unit, outer): (&str, fn(f64) -> f64) = match kind {
-        JointKind::Revolute => ("°", deg_from_rad),
-        JointKind::Prismatic => (" mm", |v| v),
-    };
-    let knots = curve.knots();
-    let between = [knots.from, knots.to].map(|v| format!("{}{unit}", trimmed(outer(v), 2)));
-    widgets::fact_of(ui, phrase!("measured"), between.join(" … "));
-    let most = |size: f64, unit: &str| format!("{}{unit}", significant(size, 2));
-    let [motion, radial, axial] = curve.largest();
-    let parts = [
-        (say!("largest along the motion"), outer(motion), unit),
-        (say!("largest along the radius"), radial, " mm"),
-        (say!("largest along the axis"), axial, " mm"),
-    ];
-    for (name, size, unit) in parts {
-        if size > 0.0 {
-            widgets::fact(ui, name, most(size, unit));
-        }
-    }
-    widgets::hint(
-        ui,
-        say!(
-            "A smooth curve without a name. Outside the measured range its end values are held, and nothing is known"
-        ),
-    );
-}
-
 /// The smooth corrections of a model, beside its parameters.
 pub(super) fn smooth_corrections(ui: &mut Ui, model: &Model) {
-    for term in model.terms().iter().filter(|t| t.curve.is_some()) {
+    for _ in model.terms().iter().filter(|t| t.curve.is_some()) {
         widgets::card(ui, |ui| {
             widgets::bold(ui, say!("Unexplained"));
-            range(ui, model.robot.joints[term.joint].kind, term);
+            widgets::hint(
+                ui,
+                say!(
+                    "A smooth curve without a name. Outside the measured range its end values are held, and nothing is known"
+                ),
+            );
         });
     }
 }

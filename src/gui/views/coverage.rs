@@ -7,12 +7,11 @@ use egui::{RichText, Ui};
 
 use crate::effects::survey::JointSurvey;
 use crate::export::EXPORTERS;
-use crate::gui::core::answer::STAGES;
+use crate::gui::core::quantity::joint_value;
 use crate::gui::style::{Palette, size, space, strong};
 use crate::gui::view::Step;
 use crate::gui::widgets;
 use crate::gui::workbench::Workbench;
-use crate::kinematics::JointKind;
 use crate::present::names::title;
 use crate::present::numbers::{grouped, trimmed};
 use crate::present::units::Units;
@@ -95,14 +94,8 @@ fn covers(ui: &mut Ui, workbench: &Workbench) {
     let units = workbench.units();
     let known = &loaded_session.coverage;
     let survey = &known.survey;
-    let turns = loaded_session.turns();
-    let at = |q: f64| {
-        if turns {
-            units.angle(q)
-        } else {
-            units.length(q)
-        }
-    };
+    let kind = loaded_session.session.robot.joints[0].kind;
+    let at = |q: f64| joint_value(units, kind, q);
     widgets::card(ui, |ui| {
         widgets::bold(ui, say!("Coverage"));
         if let Some([from, to]) = known.measured {
@@ -187,10 +180,13 @@ fn testable(ui: &mut Ui, workbench: &Workbench) {
     let loaded_session = workbench.loaded_session();
     widgets::card(ui, |ui| {
         widgets::bold(ui, say!("Testable effects"));
-        let [yes, no] = count_testable(ui, workbench);
+        let known = &loaded_session.coverage;
+        let (yes, no) = (known.testable.len(), known.not_testable.len());
+        let says = say!("{yes} of {no}", yes, no = yes + no);
+        widgets::fact_of(ui, phrase!("testable effects"), says);
         let can = say!("{yes} can be tested", yes);
         widgets::folded(ui, &can, size::NOTE, |ui| {
-            let names = loaded_session.coverage.testable.iter();
+            let names = known.testable.iter();
             let names: Vec<&str> = names.map(|id| title(id)).collect();
             widgets::hint(ui, names.join(", ").to_lowercase());
         });
@@ -212,15 +208,6 @@ pub(super) fn not_testable(ui: &mut Ui, workbench: &Workbench) {
     }
 }
 
-/// How many effects can be seen, of how many; and how many cannot.
-pub(super) fn count_testable(ui: &mut Ui, workbench: &Workbench) -> [usize; 2] {
-    let known = &workbench.loaded_session().coverage;
-    let (yes, no) = (known.testable.len(), known.not_testable.len());
-    let says = say!("{yes} of {no}", yes, no = yes + no);
-    widgets::fact_of(ui, phrase!("testable effects"), says);
-    [yes, no]
-}
-
 /// What a search does, before there is one.
 fn search(ui: &mut Ui) {
     widgets::card(ui, |ui| {
@@ -229,20 +216,6 @@ fn search(ui: &mut Ui) {
             ui,
             say!(
                 "Effects that are found will be listed here with size, confidence and what to check on the machine. Where the samples cannot decide, both are listed, with the poses that would decide"
-            ),
-        );
-        ui.add_space(space::TIGHT);
-        for (k, stage) in STAGES.into_iter().enumerate() {
-            ui.horizontal(|ui| {
-                ui.spacing_mut().interact_size.y = size::HEADING;
-                widgets::caption(ui, &format!("{}", k + 1));
-                ui.label(spoken(stage));
-            });
-        }
-        widgets::hint(
-            ui,
-            say!(
-                "It takes a moment, and some seconds with a million samples. The window stays free meanwhile, and the search can be stopped"
             ),
         );
     });
@@ -278,11 +251,7 @@ fn sides(joint: &JointSurvey) -> String {
 
 /// How fast a joint was while it was measured.
 fn speeds(joint: &JointSurvey, units: Units) -> String {
-    let speed = match joint.kind {
-        JointKind::Revolute => units.angle(joint.largest_speed),
-        JointKind::Prismatic => units.length(joint.largest_speed),
-    };
-    let speed = speed + "/s";
+    let speed = joint_value(units, joint.kind, joint.largest_speed) + "/s";
     match joint.speeds {
         0 => say!("not recorded").to_owned(),
         1 if joint.largest_speed == 0.0 => say!("standstill").to_owned(),

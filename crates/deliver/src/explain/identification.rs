@@ -9,6 +9,7 @@ use crate::answers::noise::StatedNoise;
 use crate::fit::{Identification, UnusableReason};
 use crate::fit::{RegionResult, gap::Spread};
 use crate::language::spoken;
+use crate::present::chart::shortened;
 use crate::present::identification_v1::degrees;
 use crate::present::kinds;
 use crate::present::table::{Cell, Column, Table};
@@ -87,6 +88,9 @@ fn levels(answer: &Identification) -> Option<Section> {
     Some(Section::new(title, vec![Block::Table(table)]))
 }
 
+/// Letters of a region's name in a narrow panel: its numbers keep their places, however long it is.
+const MOST_LETTERS: usize = 10;
+
 /// The corrections of regions for a narrow panel and in its units: each with half of its interval below it, where
 /// there are intervals, and what the error was below what it is.
 #[doc(hidden)]
@@ -112,7 +116,7 @@ pub fn corrections(results: &[RegionResult], intervals: bool, units: Units) -> B
         let before = units.length_number(result.rms_before_mm);
         let was = say!("was {rms_before}", rms_before = before);
         table.row([
-            c.name.as_str().into(),
+            shortened(&c.name, MOST_LETTERS).into(),
             cell(degrees(c.theta_rad), theta, "°"),
             cell(c.l1_mm, result.l1_ci95, "mm"),
             format!("{}\n{was}", units.length_number(result.rms_after_mm)).into(),

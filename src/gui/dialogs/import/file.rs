@@ -374,6 +374,14 @@ pub(super) fn base_frame(ui: &mut Ui, draft: &mut ImportDraft, workbench: &Workb
 /// How far each point is off after the alignment.
 fn residuals(ui: &mut Ui, alignment: &Alignment) {
     const MOST: usize = 60;
+    let left_out = alignment.outliers().count();
+    if left_out > 0 {
+        let says = say!(
+            "{left_out} excluded: measured or surveyed wrongly, or moved since",
+            left_out
+        );
+        widgets::hint(ui, says);
+    }
     if (alignment.scale - 1.0).abs() > 0.0 {
         let ppm = 1e6 * (alignment.scale - 1.0);
         widgets::hint(
