@@ -53,7 +53,12 @@ pub(super) fn show(ui: &mut Ui, form: &mut SetupForm, workbench: &Workbench) {
         (egui::Layout::top_down(egui::Align::Min), wide)
     };
     ui.set_width(whole);
-    widgets::heading(ui, say!("Robot as a table"));
+    let heading = if measured.is_some() {
+        say!("Robot and instrument")
+    } else {
+        say!("Robot as a table")
+    };
+    widgets::heading(ui, heading);
     widgets::hint(
         ui,
         say!(

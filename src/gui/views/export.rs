@@ -379,6 +379,6 @@ fn tables(ui: &mut Ui, made: &StandardsFigures) {
     }
     for section in &sections {
         widgets::section(ui, &section.title);
-        blocks::show(ui, &section.blocks);
+        ui.push_id(&section.title, |ui| blocks::show(ui, &section.blocks));
     }
 }
