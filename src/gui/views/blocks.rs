@@ -153,7 +153,8 @@ fn grid(ui: &mut Ui, index: usize, table: &Table, widths: &[f32], small: bool) {
             ui.set_max_width(width);
             ui.add(egui::Label::new(text).wrap())
         };
-        ui.vertical(words).inner
+        let across = egui::Layout::left_to_right(egui::Align::Center);
+        ui.with_layout(across, words).inner
     };
     let grid = Grid::new(("table of an answer", index)).spacing([apart, 4.0]);
     grid.min_col_width(0.0).show(ui, |ui| {

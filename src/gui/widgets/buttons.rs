@@ -1,9 +1,8 @@
 //! Buttons: with words on them, or with a sign, whose words are said to who cannot see it.
 
 use egui::response::Flags;
-
 use egui::{
-    Align, Button, CollapsingHeader, Color32, Context, CornerRadius, Frame, Id, Key,
+    Align, Button, CollapsingHeader, Color32, Context, CornerRadius, FontId, Frame, Id, Key,
     KeyboardShortcut, Layout, Margin, Modifiers, Response, RichText, Role, Sense, Stroke, Ui,
     WidgetInfo, vec2,
 };
@@ -472,20 +471,13 @@ pub(crate) fn dense(ui: &mut Ui) {
 
 /// What is said about what the pointer is on.
 pub(crate) fn facts(ui: &mut Ui, (title, lines): &(String, Vec<(String, String)>)) {
-    let palette = Palette::of(ui);
-    ui.set_max_width(220.0);
+    ui.set_width(220.0);
     dense(ui);
     bold(ui, title);
-    egui::Grid::new("facts")
-        .num_columns(2)
-        .spacing([16.0, 2.0])
-        .show(ui, |ui| {
-            for (name, value) in lines {
-                ui.label(RichText::new(name).size(size::SMALL).color(palette.muted));
-                ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-                    ui.label(RichText::new(value).size(size::SMALL));
-                });
-                ui.end_row();
-            }
-        });
+    let small = FontId::proportional(size::SMALL);
+    let styles = &mut ui.style_mut().text_styles;
+    styles.insert(egui::TextStyle::Body, small);
+    for (name, value) in lines {
+        fact(ui, name, value);
+    }
 }
