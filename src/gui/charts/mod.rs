@@ -373,13 +373,6 @@ impl<'a> Seen<'a> {
             .any(|sample| self.form(*sample as usize) != Form::Disc)
     }
 
-    pub(crate) fn role(&self, when: When) -> (ColourRole, bool) {
-        match when {
-            0 => (ColourRole::Before, false),
-            _ => (ColourRole::After, true),
-        }
-    }
-
     /// What is not drawn.
     pub(crate) fn notes(&self) -> Vec<String> {
         let mut notes = Vec::new();
@@ -435,7 +428,7 @@ impl Samples for Seen<'_> {
                     form: self.form(sample),
                 }
             };
-            let (stands, filled) = self.role(when);
+            let (stands, filled) = role(when);
             Item::Marks(here.map(mark).collect(), stands, filled)
         };
         self.whens().map(marks).collect()
@@ -568,6 +561,14 @@ fn one_in_each_cell(
         }
     }
     drawn
+}
+
+/// The colour of marks before and after, and whether they are filled.
+pub(crate) const fn role(when: When) -> (ColourRole, bool) {
+    match when {
+        0 => (ColourRole::Before, false),
+        _ => (ColourRole::After, true),
+    }
 }
 
 #[cfg(test)]

@@ -251,7 +251,7 @@ impl<'a> Drawn<'a> {
 
     /// The deviations before or after: each sample, and where all are drawn the mean at each angle.
     fn stage(&self, when: When) -> Vec<Item> {
-        let (role, filled) = self.of.role(when);
+        let (role, filled) = super::role(when);
         let points = self.of.points(when);
         let drawn = points.drawn.iter().map(|sample| *sample as usize);
         let mark = |sample: usize| {

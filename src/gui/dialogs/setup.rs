@@ -76,7 +76,7 @@ pub(super) fn show(ui: &mut Ui, form: &mut SetupForm, workbench: &Workbench) {
             scroll.max_height(high).show(ui, |ui| {
                 rows(ui, typed, measured.is_none());
                 folded(ui, say!("Masses of links"), |ui| {
-                    masses(ui, &mut typed.rows)
+                    masses(ui, &mut typed.rows);
                 });
                 if let Some(measured) = measured {
                     let session = &workbench.loaded_session().session;
