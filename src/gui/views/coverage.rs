@@ -94,12 +94,12 @@ fn covers(ui: &mut Ui, workbench: &Workbench) {
     let units = workbench.units();
     let known = &loaded_session.coverage;
     let survey = &known.survey;
-    let kind = loaded_session.session.robot.joints[0].kind;
-    let at = |q: f64| joint_value(units, kind, q);
+    let joints = &loaded_session.session.robot.joints;
     widgets::card(ui, |ui| {
         widgets::bold(ui, say!("Coverage"));
-        if let Some([from, to]) = known.measured {
-            let name = if loaded_session.session.robot.joints.len() > 1 {
+        if let (Some([from, to]), Some(first)) = (known.measured, joints.first()) {
+            let at = |q: f64| joint_value(units, first.kind, q);
+            let name = if joints.len() > 1 {
                 phrase!("measured range, joint 1")
             } else {
                 phrase!("measured range")
