@@ -304,16 +304,6 @@ fn of_several_joints_the_charts_are_about_the_chosen_one() {
         "{}",
         over(&window)
     );
-    chart(&mut window, "Deviation by joint");
-    let all = described(&window, "deviation by joint, tangential");
-    assert!(all.contains("of 90 samples over 3 joints"), "{all}");
-    let (at, sample) = find_sample(&mut window, "deviation by joint, ").expect("a sample");
-    click(&mut window, at);
-    assert!(says(&window, &sample), "{sample} is chosen everywhere");
-    let rows = copied(&mut window, "Copy numbers: deviation by joint");
-    assert_eq!(rows[0][1..4], ["pan, °", "lift, mm", "wrist, °"]);
-    assert_eq!(rows.len(), 91);
-    assert_eq!(rows[2][1..4], ["7", "10", "11"]);
 }
 
 #[test]

@@ -215,7 +215,7 @@ fn alignment_shows_how_far_each_point_is_off() {
         "File of the known points",
         &walk("base-points.csv"),
     );
-    assert!(says(&window, "10 points fit with 0.0059 mm"));
+    assert!(says(&window, "10 points, RMS distance 0.00587 mm"));
     assert!(says(&window, "2 excluded"), "B4 was moved, measured twice");
     for point in ["B1", "B2", "B3", "B4", "B5", "B6"] {
         let measured = window.query_all_by_label(point).count();
@@ -266,7 +266,7 @@ fn a_table_without_a_header_gets_its_columns_from_a_person() {
     take_column_for(&mut window, 1, "joint 1 commanded, °");
     take_column_for(&mut window, 2, "x, mm");
     take_column_for(&mut window, 3, "y, mm");
-    press(&mut window, "one axis that turns, typed here");
+    press(&mut window, "one axis or more, typed here");
     assert!(says(&window, "the tool lies on the axis"));
     type_into(&mut window, "Tool x", "250");
     type_into(&mut window, "Tool z", "300");
@@ -321,7 +321,7 @@ fn files_that_are_no_tables_are_refused_with_what_to_do() {
         (&huge, "cut it into parts"),
     ] {
         open(&mut window, path);
-        assert!(says(&window, "could not be read; nothing was changed"));
+        assert!(says(&window, "could not be opened; nothing was changed"));
         assert!(says(&window, because), "{because}");
         assert!(
             says(&window, "208 samples · RMS error"),

@@ -154,7 +154,7 @@ fn the_compensation_of_a_program_in_light() {
     looks_like(&mut window, "compensation-light");
 }
 
-/// A scatter and a histogram below the workspace.
+/// A histogram and an order spectrum below the workspace.
 fn several_charts(theme: Theme, name: &str) {
     let Some(mut window) = window(theme, None) else {
         return;
@@ -166,7 +166,7 @@ fn several_charts(theme: Theme, name: &str) {
     press(&mut window, "Add chart beside");
     for (list, chart) in [
         ("Choose chart, 1", "Histogram"),
-        ("Choose chart, 2", "Scatter"),
+        ("Choose chart, 2", "Order spectrum"),
     ] {
         press(&mut window, list);
         let all = window.get_all_by_label(chart);

@@ -1,8 +1,9 @@
-//! Robot, reflectors and instrument edited in the Session step, by a person: typed, wrong, mended,
-//! undone, saved.
+//! Robot, reflectors and instrument edited in the Session step, by a person: typed, wrong,
+//! corrected, undone, saved.
 
 use crate::window::{Window, copy_of, gaps, keys, press, says, there, type_into, window};
 use egui::{Key, Modifiers};
+use egui_kittest::kittest::Queryable;
 use truepose::sessions::{Sigma, load};
 
 fn opened() -> (tempfile::TempDir, std::path::PathBuf, Window) {
@@ -12,12 +13,30 @@ fn opened() -> (tempfile::TempDir, std::path::PathBuf, Window) {
     (folder, session, window)
 }
 
+/// Opens the form; one of its folded parts with it.
+fn form(window: &mut Window, fold: Option<&str>) {
+    press(window, "Robot and instrument…");
+    if let Some(fold) = fold {
+        window.get_by_label(fold).scroll_to_me();
+        window.run_steps(4);
+        press(window, fold);
+    }
+}
+
+fn saved(window: &mut Window, session: &std::path::Path) -> truepose::sessions::Session {
+    press(window, "Use it here");
+    keys(window, Modifiers::COMMAND, Key::S);
+    assert!(says(window, "Saved"));
+    load(session).expect("it can be read").session
+}
+
 #[test]
 fn a_number_that_is_typed_moves_the_simulation_and_is_saved() {
     let (_folder, session, mut window) = opened();
     let (before, _) = gaps(&window);
-    press(&mut window, "Tool and gravity");
+    form(&mut window, None);
     type_into(&mut window, "Tool x", "245");
+    press(&mut window, "Use it here");
     let (after, _) = gaps(&window);
     assert!(after < before, "{before} → {after}: the link is 5 mm short");
     keys(&mut window, Modifiers::COMMAND, Key::Z);
@@ -34,42 +53,39 @@ fn a_number_that_is_typed_moves_the_simulation_and_is_saved() {
 }
 
 #[test]
-fn what_makes_no_robot_is_said_at_the_field_and_changes_nothing() {
+fn what_makes_no_robot_is_said_and_changes_nothing() {
     let (_folder, _, mut window) = opened();
     let before = gaps(&window);
-    press(&mut window, "Tool and gravity");
-    type_into(&mut window, "Orientation w", "0");
-    assert!(says(&window, "zero length"));
-    assert!(says(&window, "Not taken over while something is wrong"));
+    form(&mut window, None);
+    type_into(&mut window, "axis z of joint 1", "0");
+    assert!(says(&window, "no direction"));
+    press(&mut window, "Use it here");
+    assert!(there(&window, "Use it here"), "it cannot be used");
+    type_into(&mut window, "axis z of joint 1", "1");
+    assert!(!says(&window, "no direction"));
+    // As it was: nothing is to be undone.
+    press(&mut window, "Use it here");
     assert_eq!(gaps(&window), before);
-    // One more number, and it is an orientation.
-    type_into(&mut window, "Orientation z", "1");
-    assert!(!says(&window, "zero length"));
-    // Turned about itself: the one reflector, at its origin, stays where it is.
-    let undo = "Undo edit robot and instrument";
-    assert!(there(&window, undo));
-    keys(&mut window, Modifiers::COMMAND, Key::Z);
-    assert!(!there(&window, undo));
-    type_into(&mut window, "Orientation w", "0");
-    press(&mut window, "Back to what was there");
-    assert!(!says(&window, "zero length"));
+    assert!(!there(&window, "Undo edit robot and instrument"));
+    // A session has a value of each joint: none is added.
+    form(&mut window, None);
+    press(&mut window, "Add a joint");
+    assert!(!there(&window, "Name of joint 2"));
+    type_into(&mut window, "Tool x", "1");
+    keys(&mut window, Modifiers::NONE, Key::Escape);
+    assert!(says(&window, "Discard what was typed?"));
 }
 
 #[test]
 fn noise_is_unknown_one_number_or_three_and_a_comma_is_as_good_as_a_point() {
     let (_folder, session, mut window) = opened();
-    press(&mut window, "Instrument");
+    form(&mut window, Some("Instrument"));
     press(&mut window, "x, y, z");
     type_into(&mut window, "Noise y", "0,07");
     type_into(&mut window, "Noise x", "0");
     assert!(says(&window, "the noise is a number above 0"));
     type_into(&mut window, "Noise x", "0.02");
-    keys(&mut window, Modifiers::COMMAND, Key::S);
-    let sigma = load(&session)
-        .expect("it can be read")
-        .session
-        .instrument
-        .sigma_mm;
+    let sigma = saved(&mut window, &session).instrument.sigma_mm;
     let Some(Sigma::PerAxis([x, y, _])) = sigma else {
         panic!("{sigma:?}");
     };
@@ -79,20 +95,18 @@ fn noise_is_unknown_one_number_or_three_and_a_comma_is_as_good_as_a_point() {
 #[test]
 fn a_joint_has_a_name_limits_and_a_mass() {
     let (_folder, session, mut window) = opened();
-    let name = load(&session).expect("a session").session.robot.joints[0]
-        .name
-        .clone();
-    press(&mut window, &format!("Joint 1, {name}"));
-    type_into(&mut window, "Limit 1 to", "60");
-    type_into(&mut window, "Limit 1 from", "75");
+    form(&mut window, Some("Masses of links"));
+    type_into(&mut window, "Travel of joint 1, to", "60");
+    type_into(&mut window, "Travel of joint 1, from", "75");
     assert!(says(&window, "from the smaller to the larger"));
-    type_into(&mut window, "Limit 1 from", "-60");
-    press(&mut window, "mass of link 1, kg");
-    type_into(&mut window, "Mass 1", "4.5");
+    type_into(&mut window, "Travel of joint 1, from", "-60");
+    let mass = "Mass 1";
+    if !there(&window, mass) {
+        press(&mut window, "The mass of link 1 is known");
+    }
+    type_into(&mut window, mass, "4.5");
     type_into(&mut window, "Name of joint 1", "lamp");
-    assert!(says(&window, "Joint 1, lamp"));
-    keys(&mut window, Modifiers::COMMAND, Key::S);
-    let saved = load(&session).expect("it can be read").session;
+    let saved = saved(&mut window, &session);
     let joint = &saved.robot.joints[0];
     assert_eq!(joint.name, "lamp");
     let limits = joint.limits.expect("limits");
@@ -102,19 +116,23 @@ fn a_joint_has_a_name_limits_and_a_mass() {
 
 #[test]
 fn a_reflector_is_added_and_taken_away_again() {
-    let (_folder, _, mut window) = opened();
-    press(&mut window, "Reflectors");
+    let (_folder, session, mut window) = opened();
+    form(&mut window, Some("Reflectors"));
     press(&mut window, "Add a reflector");
-    assert!(says(&window, "Name of reflector 2"));
-    press(&mut window, "Remove this reflector");
-    assert!(!says(&window, "Name of reflector 2"));
+    assert!(there(&window, "Name of reflector 2"));
+    press(&mut window, "Remove the last reflector");
+    assert!(!there(&window, "Name of reflector 2"));
+    press(&mut window, "Add a reflector");
+    type_into(&mut window, "Reflector 2 z", "12");
+    let targets = saved(&mut window, &session).targets;
+    assert!((targets[1].position_mm.z - 12.0).abs() < 1e-12);
 }
 
 #[test]
 fn every_control_of_the_form_has_a_name() {
     let mut window = window(None);
-    let folds = ["Tool and gravity", "Reflectors", "Instrument"];
-    for fold in folds {
+    form(&mut window, None);
+    for fold in ["Masses of links", "Reflectors", "Instrument"] {
         press(&mut window, fold);
         let unnamed = window.unnamed_widgets();
         assert!(unnamed.is_empty(), "{fold}: {unnamed:?}");

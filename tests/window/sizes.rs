@@ -2,7 +2,7 @@
 //! panel, nothing lies on something else, no text is cut, the plots stay readable and what comes
 //! next stays in sight.
 
-use crate::window::{STEPS, Window, copied, press, there, window_of};
+use crate::window::{STEPS, Window, copied, into_sight, press, there, window_of};
 use egui::accesskit::Role;
 use egui::{Color32, FontFamily, FontId, Rect, Shape};
 use egui_kittest::kittest::{NodeT, Queryable};
@@ -471,13 +471,13 @@ fn results_give_way_to_the_plots_where_there_is_no_room_and_come_back_on_demand(
 fn what_is_longer_than_its_panel_scrolls() {
     let mut window = window([911.0, 512.0]);
     let button = window.get_by_label("Continue to regions").rect();
-    let last = "Instrument";
+    let last = "Robots…";
     let below = window.get_by_label(last).rect();
     assert!(
         below.top() > button.top(),
         "{below} has room without scrolling"
     );
-    press(&mut window, last);
+    into_sight(&mut window, last);
     let now = window.get_by_label(last).rect();
     assert!(now.bottom() <= button.top(), "{now} is not in sight");
 }

@@ -295,7 +295,7 @@ fn the_arm_of_the_first_steps_is_among_the_examples() {
 #[test]
 fn zero_has_no_sign_in_a_field() {
     let mut window = window(None);
-    press(&mut window, "Tool and gravity");
+    press(&mut window, "Robot and instrument…");
     let value = |window: &Window| {
         let field = window.get_by_label("Tool x");
         field.accesskit_node().value().expect("a number")

@@ -52,7 +52,7 @@ fn import(window: &mut Window) {
     press(window, "by name");
     type_path(window, "File of the known points", &raw("base-points.csv"));
     type_path(window, "File of the reflectors", &raw("reflectors.csv"));
-    assert!(says(window, "10 points fit with 0.0059 mm"));
+    assert!(says(window, "10 points, RMS distance 0.00587 mm"));
     press(window, "Import");
     assert!(says(window, "168 samples · RMS error"));
 }

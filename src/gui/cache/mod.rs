@@ -21,15 +21,14 @@ use crate::gui::core::answer::{Answer, Question, QuestionDetails, answer};
 use crate::gui::core::document::ExportChoice;
 use crate::gui::core::loaded_session::{Component, LoadedSession};
 use crate::gui::core::overview::Readable;
-use crate::gui::core::quantity::Quantity;
+use crate::gui::core::quantity::Over;
 use crate::gui::jobs::{Follows, Watch};
 use crate::gui::view::Plane;
 use crate::language::spoken;
 use crate::numeric::Ascending;
 use crate::pipeline;
-use crate::present::standards::{Group, groups};
-use crate::present::table::{Cell, Table};
 use crate::sessions::Session;
+use crate::standards::Standards;
 use crate::text::Text;
 
 pub(crate) mod cloud;
@@ -118,8 +117,8 @@ pub(crate) enum WorkKey {
     Uncertain,
     /// The standards' figures.
     Figures(Option<FittedErrors>),
-    /// Where samples are over two quantities.
-    Places([Quantity; 2]),
+    /// Where samples are, a component of the deviation over a quantity.
+    Places(Over, Component),
     /// What a chart of this name has of a component, and of what else tells it from others.
     Chart(&'static str, Component, Vec<usize>),
 }
@@ -354,10 +353,7 @@ fn preview(wanted: &PreviewRequest) -> Result<ExportPreview, String> {
 pub(crate) struct StandardsFigures {
     /// The deviation that is held against the tolerance, or why there is none.
     pub(crate) measured: Result<MeasuredDeviation, Text>,
-    /// One for each axis, and one for the poses.
-    pub(crate) groups: Vec<Group>,
-    /// What else there is to say.
-    pub(crate) notes: Vec<Text>,
+    pub(crate) standards: Standards,
 }
 
 /// The standards' figures of a session, as the window shows them. Takes its time with many samples.
@@ -372,36 +368,9 @@ pub(super) fn figures(
     let answer = answer.ok_or(say!("Identify the robot first"))?;
     let figures = pipeline::standards(session, Some(&answer.calibration))
         .map_err(|e| spoken(e.describe()))?;
-    let found = &answer.identification;
-    let identified = FittedErrors {
-        fit_mm: found.gap.after.rms_mm,
-        held_out_mm: found.held_out.as_ref().map(|gap| gap.after.rms_mm),
-        floor_mm: None,
-    };
-    let fitted = diagnosed.unwrap_or(identified);
+    let fitted = diagnosed.unwrap_or_else(|| FittedErrors::from(&answer.identification));
     Ok(StandardsFigures {
         measured: pipeline::conformity(session, &answer.calibration, fitted),
-        groups: groups(&figures, 1),
-        notes: figures.notes,
+        standards: figures,
     })
-}
-
-/// The figures as a table for a spreadsheet, tabs between the columns.
-pub(crate) fn as_text(made: &StandardsFigures) -> String {
-    let mut table =
-        Table::headed("standard | of | symbol | figure | unit | as measured | corrected commands");
-    for group in &made.groups {
-        for row in &group.rows {
-            table.row([
-                group.standard.into(),
-                group.title.to_string().into(),
-                row.symbol.into(),
-                row.name.english().into(),
-                group.unit.into(),
-                row.before.into(),
-                Cell::from(row.after),
-            ]);
-        }
-    }
-    table.tabbed()
 }

@@ -29,7 +29,7 @@ impl ChartKind for OfAxis {
                 "The picture that a laser's software shows: the deviation along the motion of one axis, a line for each run, whole where the position was approached in positive direction and dashed in negative. The thick line is what the table corrects, with the interval that holds it in 19 of 20 calibrations; what the model leaves is the same runs without it"
             ),
         };
-        About::new(ID, names, word, ChartChoice::All)
+        About::new(ID, names, word, ChartChoice::Axis)
     }
 
     /// Where the sides are known: a run has a direction.
@@ -79,7 +79,7 @@ impl ChartKind for OfAxis {
             axis,
             series,
             stage,
-            across: scale.axis(label.clone()),
+            across: scale.axis(&label),
             position: &|outer| scale.shown(axis.kind.to_base_units(outer)),
             unit,
         };

@@ -1,9 +1,9 @@
 //! A component of the deviation over the value of a joint, time, load or temperature, before and after.
 
-use super::{About, ChartChoice, ChartKind, ChartPlaceholder, HoverTarget, Scene, Seen, Shown};
+use super::{About, ChartChoice, ChartKind, ChartPlaceholder, HoverTarget, Scene, Seen, Shown, at};
 use crate::gui::cache::Work;
 use crate::gui::core::loaded_session::Component;
-use crate::gui::core::quantity::{Over, Quantity, Variable};
+use crate::gui::core::quantity::{Over, Variable};
 use crate::gui::core::regions::boundaries;
 use crate::gui::help::{self, Word};
 use crate::present::chart::{Chart, Deviation, Form, LegendSymbol, Series};
@@ -59,18 +59,13 @@ impl Along {
     }
 }
 
-/// A component of the deviation over a quantity.
-pub(super) fn axes(scene: &Scene, over: Over) -> [Quantity; 2] {
-    [Quantity::Column(over), Quantity::Deviation(scene.component)]
-}
-
 impl ChartKind for Along {
     fn about(&self) -> About {
         self.about
     }
 
     fn work(&self, scene: &Scene) -> Option<Work> {
-        Seen::work(scene, axes(scene, self.over(scene)))
+        Seen::work(scene, self.over(scene))
     }
 
     fn show<'a>(&self, scene: &'a Scene) -> Result<Shown<'a>, ChartPlaceholder> {
@@ -80,8 +75,7 @@ impl ChartKind for Along {
             ChartPlaceholder::new(title, why)
         };
         over.column(&scene.loaded_session).ok_or_else(missing)?;
-        let seen = Seen::of(scene, axes(scene, over), Some(over));
-        let seen = seen.ok_or_else(ChartPlaceholder::yet)?;
+        let seen = Seen::of(scene, over).ok_or_else(ChartPlaceholder::yet)?;
         let extent = seen.extent().ok_or_else(missing)?;
         let component = scene.component.name();
         let name = match self.variable {
@@ -108,13 +102,13 @@ impl ChartKind for Along {
         let along = over.heading(session);
         let [before, after] = ["before", "after"].map(|when| format!("{component} {when}, mm"));
         let mut table = Table::new(["sample", &along, "side", &before, &after]);
-        let deviation = Quantity::Deviation(scene.component);
         for sample in scene.usable() {
-            let x = over.cell(session, over.of(session, sample));
-            let (before, after) = deviation.of(session, scene.answer(), sample);
+            let [x, before] = at(session, None, (over, scene.component), 0, sample);
+            let [_, after] = at(session, scene.answer(), (over, scene.component), 1, sample);
+            let x = over.cell(session, x);
             let side = over.side(session, sample);
-            let [x, side, before] = [x, side, before].map(Cell::from);
-            table.row([(sample + 1).into(), x, side, before, after.into()]);
+            let numbers = [x, side, before, after].map(Cell::from);
+            table.row([Cell::from(sample + 1)].into_iter().chain(numbers));
         }
         table
     }
@@ -139,7 +133,7 @@ fn chart(seen: &Seen<'_>, over: Over, [x, mm]: [[f64; 2]; 2]) -> Chart {
     let made = Deviation {
         component: name,
         is_length: scene.component == Component::Length,
-        across: scale.axis(label.clone()),
+        across: scale.axis(&label),
         lengths: scene.lengths(&number),
         x: x.map(|x| scale.shown(x)),
         mm,
@@ -219,7 +213,7 @@ mod tests {
     fn deviations(workbench: &Workbench, when: usize) -> Vec<f64> {
         let scene = workbench.scene_of(&ANGLE);
         let over = ANGLE.over(&scene);
-        let seen = Seen::of(&scene, axes(&scene, over), Some(over)).expect("few samples");
+        let seen = Seen::of(&scene, over).expect("few samples");
         let samples = seen.points(when).samples.iter();
         samples.map(|s| seen.place(when, *s as usize)[1]).collect()
     }

@@ -14,7 +14,7 @@ use crate::gui::core::answer::{Answer, Search};
 use crate::gui::core::document::Document;
 use crate::gui::core::loaded_session::{Component, LoadedSession};
 use crate::gui::core::overview::FEW;
-use crate::gui::core::quantity::{Over, Quantity, Scale};
+use crate::gui::core::quantity::{Over, Scale};
 use crate::gui::help::Word;
 use crate::gui::view::{Plane, Step};
 use crate::numeric::whole;
@@ -38,7 +38,6 @@ macro_rules! register {
 register! {
     deviation: ANGLE, TIME, LOAD, TEMPERATURE;
     polar: Polar;
-    by_joint: ByJoint;
     orders: Orders;
     histogram: Histogram;
     quantiles: Quantiles;
@@ -46,7 +45,6 @@ register! {
     axis_test: OfAxis;
     effect: Effect;
     correction: Correction;
-    scatter: Scatter;
 }
 
 /// What a chart says of itself.
@@ -70,10 +68,10 @@ pub(crate) enum ChartChoice {
     All,
     /// A component of the deviation.
     Component,
+    /// A joint.
+    Axis,
     /// A component, and a joint.
     Joint,
-    /// What stands across and what upwards.
-    Quantities,
 }
 
 impl About {
@@ -217,8 +215,6 @@ pub(crate) struct Scene {
     pub(crate) component: Component,
     /// The joint that it is about, counted from 0.
     pub(crate) joint: usize,
-    /// What a scatter has across and upwards.
-    pub(crate) axes: Option<[Quantity; 2]>,
     pub(crate) units: Units,
     /// What has an answer.
     pub(crate) identified: Option<Arc<IdentifiedAnswer>>,
@@ -297,52 +293,46 @@ fn of_noise(name: &str) -> Entry {
     Entry::new(name, LegendSymbol::Line, ColourRole::Noise, false)
 }
 
-/// Samples as a chart shows them: two quantities over each other, before and after.
+/// Samples as a chart shows them: a component of the deviation over a quantity, before and after.
 pub(crate) struct Seen<'a> {
     pub(crate) scene: &'a Scene,
-    pub(crate) axes: [Quantity; 2],
+    pub(crate) over: Over,
     pub(crate) scales: [Scale; 2],
     pub(crate) cloud: Cow<'a, Cloud>,
-    /// What their marks point along, where they say from which side a joint came.
-    pub(crate) sides: Option<Over>,
-    /// Whether a point is elsewhere after the identification.
-    pub(crate) changes: bool,
 }
 
 impl<'a> Seen<'a> {
     /// What the background works out for it; a few samples are looked at in every frame.
-    pub(crate) fn work(scene: &Scene, axes: [Quantity; 2]) -> Option<Work> {
-        let work = || Work::new(WorkKey::Places(axes), move |given| Cloud::of(given, axes));
+    pub(crate) fn work(scene: &Scene, over: Over) -> Option<Work> {
+        let component = scene.component;
+        let key = WorkKey::Places(over, component);
+        let work = || Work::new(key, move |given| Cloud::of(given, over, component));
         (scene.usable().len() > FEW).then(work)
     }
 
     /// `None`: the background is at it.
-    pub(crate) fn of(scene: &'a Scene, axes: [Quantity; 2], sides: Option<Over>) -> Option<Self> {
+    pub(crate) fn of(scene: &'a Scene, over: Over) -> Option<Self> {
         let loaded_session = &*scene.loaded_session;
         let cloud = match scene.found() {
             Some(cloud) => Cow::Borrowed(cloud),
             None if scene.usable().len() > FEW => return None,
-            None => Cow::Owned(Cloud::of(&scene.inputs(), axes)),
+            None => Cow::Owned(Cloud::of(&scene.inputs(), over, scene.component)),
         };
+        let across = |span| over.scale(loaded_session, scene.units, span);
         let mut seen = Self {
             scene,
-            axes,
-            scales: axes.map(|axis| axis.scale(loaded_session, scene.units, 0.0)),
+            over,
+            scales: [across(0.0), Scale::length(scene.units)],
             cloud,
-            sides,
-            changes: axes.iter().any(|axis| axis.changes()),
         };
-        let extent = seen.extent();
-        seen.scales = [0, 1].map(|k| {
-            let span = extent.map_or(0.0, |extent| extent[k][1] - extent[k][0]);
-            axes[k].scale(loaded_session, scene.units, span)
-        });
+        let span = seen.extent().map_or(0.0, |[x, _]| x[1] - x[0]);
+        seen.scales[0] = across(span);
         Some(seen)
     }
 
     /// What is drawn: before, after, or both.
     pub(crate) fn whens(&self) -> impl Iterator<Item = When> + use<> {
-        let after = self.changes && self.scene.answer().is_some();
+        let after = self.scene.answer().is_some();
         let before = !(after && self.scene.only_after());
         [(0, before), (1, after)]
             .into_iter()
@@ -362,14 +352,17 @@ impl<'a> Seen<'a> {
     /// Where a sample is, inner units.
     pub(crate) fn place(&self, when: When, sample: usize) -> [f64; 2] {
         let (session, answer) = (&self.scene.loaded_session, self.scene.answer());
-        at(session, answer, self.axes, when, sample)
+        at(
+            session,
+            answer,
+            (self.over, self.scene.component),
+            when,
+            sample,
+        )
     }
 
     pub(crate) fn form(&self, sample: usize) -> Form {
-        let side = self
-            .sides
-            .map(|over| over.side(&self.scene.loaded_session, sample));
-        side.map_or(Form::Disc, Form::of_side)
+        Form::of_side(self.over.side(&self.scene.loaded_session, sample))
     }
 
     /// Whether any mark points to a side.
@@ -378,14 +371,6 @@ impl<'a> Seen<'a> {
         drawn
             .iter()
             .any(|sample| self.form(*sample as usize) != Form::Disc)
-    }
-
-    pub(crate) fn role(&self, when: When) -> (ColourRole, bool) {
-        match when {
-            0 if !self.changes => (ColourRole::Curve, true),
-            0 => (ColourRole::Before, false),
-            _ => (ColourRole::After, true),
-        }
     }
 
     /// What is not drawn.
@@ -443,14 +428,14 @@ impl Samples for Seen<'_> {
                     form: self.form(sample),
                 }
             };
-            let (stands, filled) = self.role(when);
+            let (stands, filled) = role(when);
             Item::Marks(here.map(mark).collect(), stands, filled)
         };
         self.whens().map(marks).collect()
     }
 }
 
-// Samples over two quantities, before and after. Of many one stands for all in its small cell of the chart, until few
+// A component of the deviation over a quantity, before and after. Of many one stands for all in its small cell of the chart, until few
 // are in sight.
 
 /// Cells across and upwards, in which one of many samples is drawn.
@@ -466,18 +451,16 @@ pub(crate) type When = usize;
 pub(crate) fn at(
     loaded_session: &LoadedSession,
     answer: Option<&Answer>,
-    axes: [Quantity; 2],
+    (over, component): (Over, Component),
     when: When,
     sample: usize,
 ) -> [f64; 2] {
-    axes.map(|axis| {
-        let (before, after) = axis.of(loaded_session, answer, sample);
-        if when == 0 {
-            before
-        } else {
-            after.unwrap_or(f64::NAN)
-        }
-    })
+    let deviation = match (when, answer) {
+        (0, _) => Some(loaded_session.deviation_before(sample)),
+        (_, answer) => answer.map(|answer| answer.deviation_after(sample)),
+    };
+    let value = deviation.map(|e| loaded_session.component(e, sample, component));
+    [over.of(loaded_session, sample), value.unwrap_or(f64::NAN)]
 }
 
 /// Samples that have both quantities, before and after.
@@ -492,18 +475,16 @@ pub(crate) struct Points {
     pub(crate) drawn: Vec<u32>,
     /// Smallest and largest value across and upwards.
     pub(crate) extent: Option<[[f64; 2]; 2]>,
-    /// Pearson's correlation, where both quantities change.
-    pub(crate) correlation: Option<f64>,
 }
 
 impl Cloud {
-    pub(crate) fn of(inputs: &PlotInputs, axes: [Quantity; 2]) -> Self {
+    pub(crate) fn of(inputs: &PlotInputs, over: Over, component: Component) -> Self {
         // What rounding alone scatters is one cell high.
-        let least = axes.map(|axis| if axis.changes() { LEAST_SPAN } else { 0.0 });
+        let least = [0.0, LEAST_SPAN];
+        let (session, answer) = (&inputs.loaded_session, inputs.answer());
         Self([0, 1].map(|when| {
-            let place =
-                |sample: usize| at(&inputs.loaded_session, inputs.answer(), axes, when, sample);
-            let known = when == 0 || inputs.answer().is_some() && axes.iter().any(|a| a.changes());
+            let place = |sample: usize| at(session, answer, (over, component), when, sample);
+            let known = when == 0 || answer.is_some();
             let usable = inputs
                 .loaded_session
                 .overview
@@ -535,7 +516,6 @@ impl Points {
         };
         Self {
             extent: (!samples.is_empty()).then_some(extent),
-            correlation: correlation(&placed),
             samples,
             drawn,
         }
@@ -583,19 +563,12 @@ fn one_in_each_cell(
     drawn
 }
 
-/// r = Σ (x − x̄)(y − ȳ) / √(Σ (x − x̄)² Σ (y − ȳ)²)
-fn correlation(placed: &[([f64; 2], u32)]) -> Option<f64> {
-    let n = placed.len() as f64;
-    let mean = [0, 1].map(|k| placed.iter().map(|(at, _)| at[k]).sum::<f64>() / n);
-    let mut sums = [0.0; 3];
-    for (at, _) in placed {
-        let [x, y] = [0, 1].map(|k| at[k] - mean[k]);
-        sums[0] += x * x;
-        sums[1] += y * y;
-        sums[2] += x * y;
+/// The colour of marks before and after, and whether they are filled.
+pub(crate) const fn role(when: When) -> (ColourRole, bool) {
+    match when {
+        0 => (ColourRole::Before, false),
+        _ => (ColourRole::After, true),
     }
-    let r = sums[2] / (sums[0] * sums[1]).sqrt();
-    (placed.len() > 2 && r.is_finite()).then_some(r)
 }
 
 #[cfg(test)]
@@ -632,17 +605,6 @@ mod tests {
 #[cfg(test)]
 mod points_tests {
     use super::*;
-
-    #[test]
-    fn what_goes_together_correlates_and_what_does_not_does_not() {
-        let placed = |of: &dyn Fn(f64) -> f64| {
-            let points = (0..100_u32).map(|i| ([f64::from(i), of(f64::from(i))], i));
-            correlation(&points.collect::<Vec<_>>())
-        };
-        assert!(placed(&|x| 3.0 - 2.0 * x).is_some_and(|r| (r + 1.0).abs() < 1e-12));
-        assert!(placed(&|x| (x - 49.5).powi(2)).is_some_and(|r| r.abs() < 1e-12));
-        assert_eq!(placed(&|_| 7.0), None, "it never changes");
-    }
 
     #[test]
     fn of_many_one_is_drawn_for_each_cell_and_all_where_few_are_in_sight() {

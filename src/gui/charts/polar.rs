@@ -9,7 +9,7 @@
 
 use std::f64::consts::TAU;
 
-use super::deviation::{ANGLE, axes, describe, note};
+use super::deviation::{ANGLE, describe, note};
 use super::{
     About, ChartChoice, ChartKind, ChartPlaceholder, HoverTarget, Samples, Scene, Seen, Shown,
 };
@@ -53,15 +53,15 @@ impl ChartKind for Polar {
     }
 
     fn work(&self, scene: &Scene) -> Option<Work> {
-        Seen::work(scene, axes(scene, over(scene)))
+        Seen::work(scene, over(scene))
     }
 
     fn show<'a>(&self, scene: &'a Scene) -> Result<Shown<'a>, ChartPlaceholder> {
         if let Some(why) = absent(&scene.loaded_session) {
             return Err(ChartPlaceholder::new(say!("No polar view"), why));
         }
-        let seen = Seen::of(scene, axes(scene, over(scene)), Some(over(scene)));
-        let drawn = Drawn::of(seen.ok_or_else(ChartPlaceholder::yet)?);
+        let seen = Seen::of(scene, over(scene)).ok_or_else(ChartPlaceholder::yet)?;
+        let drawn = Drawn::of(seen);
         let component = scene.component.name();
         let samples = scene.usable().len();
         let division = drawn.scale();
@@ -251,7 +251,7 @@ impl<'a> Drawn<'a> {
 
     /// The deviations before or after: each sample, and where all are drawn the mean at each angle.
     fn stage(&self, when: When) -> Vec<Item> {
-        let (role, filled) = self.of.role(when);
+        let (role, filled) = super::role(when);
         let points = self.of.points(when);
         let drawn = points.drawn.iter().map(|sample| *sample as usize);
         let mark = |sample: usize| {
@@ -364,7 +364,7 @@ mod tests {
 
     fn of<T>(workbench: &Workbench, look: impl FnOnce(&Drawn<'_>) -> T) -> T {
         let scene = workbench.scene_of(&Polar);
-        let seen = Seen::of(&scene, axes(&scene, over(&scene)), Some(over(&scene)));
+        let seen = Seen::of(&scene, over(&scene));
         look(&Drawn::of(seen.expect("it is worked out")))
     }
 

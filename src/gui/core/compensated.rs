@@ -17,28 +17,6 @@ use crate::sessions::files::open::read_document;
 /// No robot carries more, kg.
 pub(crate) const MOST_KG: f64 = 10_000.0;
 
-/// Whose number of a tool or a frame holds where program and model differ.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub(crate) enum PrecedenceChoice {
-    /// It is asked.
-    #[default]
-    Asked,
-    /// What the program calls its tool is the model's.
-    Model,
-    /// The program's, as it writes it.
-    Program,
-}
-
-impl PrecedenceChoice {
-    fn holds(self) -> Precedence<Pose> {
-        match self {
-            Self::Asked => Precedence::Unsettled,
-            Self::Model => Precedence::Model,
-            Self::Program => Precedence::Program,
-        }
-    }
-}
-
 /// What is to be corrected, and how.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct CompensationRequest {
@@ -48,9 +26,9 @@ pub(crate) struct CompensationRequest {
     /// Whether the frame in which the session was measured is the robot's base.
     pub(crate) measured_frame: bool,
     /// Whose tool holds.
-    pub(crate) tool: PrecedenceChoice,
+    pub(crate) tool: Precedence<Pose>,
     /// Whose frame (work object, base, user frame) holds.
-    pub(crate) frame: PrecedenceChoice,
+    pub(crate) frame: Precedence<Pose>,
     /// What external axes move that differ between targets.
     pub(crate) external: ExternalAxes,
 }
@@ -62,8 +40,8 @@ impl CompensationRequest {
             path,
             load_kg: 0.0,
             measured_frame: false,
-            tool: PrecedenceChoice::Asked,
-            frame: PrecedenceChoice::Asked,
+            tool: Precedence::Unsettled,
+            frame: Precedence::Unsettled,
             external: ExternalAxes::Asked,
         }
     }
@@ -173,8 +151,8 @@ fn corrected(
         frame: None,
         tool: None,
         frames: ProgramFrames {
-            tool: wanted.tool.holds(),
-            frame: wanted.frame.holds(),
+            tool: wanted.tool,
+            frame: wanted.frame,
             load: Precedence::Given(wanted.load_kg),
             external: wanted.external,
         },

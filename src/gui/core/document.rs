@@ -324,7 +324,7 @@ impl Document {
             return Ok(());
         }
         let next = form.session(session);
-        self.take_session(next.map_err(|problems| problems[0].1.clone())?);
+        self.take_session(next?);
         Ok(())
     }
 

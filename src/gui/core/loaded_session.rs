@@ -183,7 +183,7 @@ impl LoadedSession {
             (single && arm_mm > 0.0).then_some(arm_mm),
         );
         done(0.6)?;
-        let coverage = Coverage::new(&session, &problem.inputs, overview.travel);
+        let coverage = Coverage::new(&session, &problem.inputs);
         done(0.8)?;
         let loaded_session = Self {
             joint,

@@ -10,7 +10,7 @@ use crate::effects::term::travel_of;
 use crate::effects::{CATALOGUE, Inputs, Role, Survey};
 use crate::gui::core::skeleton::robot_extent;
 use crate::model::{Model, Positions};
-use crate::numeric::{Ascending, extent, whole};
+use crate::numeric::{Ascending, extent};
 use crate::present::chart::{among, decade};
 use crate::sessions::{Session, Sigma};
 use crate::text::{Template, Text, filled};
@@ -32,12 +32,6 @@ impl Attached {
     }
 }
 
-/// Most equal parts of the range of joint 1 in which samples are counted.
-const PARTS: usize = 24;
-/// How much wider than the usual step a part is at least: then an even grid has one of its places
-/// in every part, however the parts lie on it and although no place is reached exactly.
-const WIDER: f64 = 1.25;
-
 /// An effect that this session cannot show, and why.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct NotTestable {
@@ -47,19 +41,13 @@ pub(crate) struct NotTestable {
     pub(crate) because: Text,
 }
 
-/// What is known of the samples before anything is identified: which part of the joint's range they
-/// cover, under which conditions, what can be seen in them, and the noise that the instrument's maker admits.
+/// What is known of the samples before anything is identified: under which conditions they are, what can be seen in them, and the noise that the instrument's maker admits.
 #[derive(Debug, Clone)]
 pub(crate) struct Coverage {
     /// Conditions: which vary, and how far.
     pub(crate) survey: Survey,
     /// Smallest and largest value that joint 1 was measured at, rad or mm; `None` without samples.
     pub(crate) measured: Option<[f64; 2]>,
-    /// Samples in each part of the range that the joint can reach; the parts are no finer than the
-    /// samples' own steps.
-    pub(crate) cover: Vec<u32>,
-    /// The widest part within what was measured in which there is no sample, rad or mm.
-    pub(crate) hole: Option<[f64; 2]>,
     /// Smallest and largest load, kg.
     pub(crate) load_kg: Option<[f64; 2]>,
     /// Smallest and largest temperature, °C.
@@ -73,21 +61,16 @@ pub(crate) struct Coverage {
 }
 
 impl Coverage {
-    /// Looks at every sample. `travel` is the range of joint 1 that can be reached or was measured.
-    pub(crate) fn new(session: &Session, inputs: &Inputs, travel: (f64, f64)) -> Self {
+    /// Looks at every sample.
+    pub(crate) fn new(session: &Session, inputs: &Inputs) -> Self {
         let samples = &session.samples;
-        let q = &samples.q[0];
-        let measured = range_of(q);
-        let cover = counted(q, travel);
         let survey = Survey::new(session, inputs);
         let (testable, not_testable) = effects_of(session, &survey);
         Self {
             survey,
             testable,
             not_testable,
-            hole: measured.and_then(|measured| hole(&cover, measured, travel)),
-            measured,
-            cover,
+            measured: range_of(&samples.q[0]),
             load_kg: samples.load_kg.as_deref().and_then(range_of),
             temperature_c: samples.temperature_c.as_deref().and_then(range_of),
             floor_mm: floor_mm(session),
@@ -98,50 +81,6 @@ impl Coverage {
 /// Smallest and largest of the finite values, where there are any.
 fn range_of(values: &[f64]) -> Option<[f64; 2]> {
     Some(extent(values)).filter(|[low, high]| low <= high)
-}
-
-fn counted(q: &[f64], (from, to): (f64, f64)) -> Vec<u32> {
-    let range = to - from;
-    if range.is_nan() || range <= 0.0 {
-        return vec![0; PARTS];
-    }
-    let parts = step(q, range).map_or(PARTS, |step| whole(range / (WIDER * step)));
-    let parts = parts.clamp(1, PARTS);
-    let mut cover = vec![0; parts];
-    let width = range / parts as f64;
-    for q in q.iter().filter(|q| q.is_finite()) {
-        let part = whole((q - from) / width).min(parts - 1);
-        cover[part] += 1;
-    }
-    cover
-}
-
-/// The middle one of the steps from one place to the next. What is nearer than a small part of
-/// what is counted in is the same place, reached again. `None`: the places are closer than that.
-fn step(q: &[f64], range: f64) -> Option<f64> {
-    let same = range / (8.0 * PARTS as f64);
-    let mut q: Vec<f64> = q.iter().copied().filter(|q| q.is_finite()).collect();
-    q.sort_unstable_by(f64::total_cmp);
-    let steps = q.windows(2).map(|pair| pair[1] - pair[0]);
-    let mut steps: Vec<f64> = steps.filter(|step| *step > same).collect();
-    steps.sort_unstable_by(f64::total_cmp);
-    steps.get(steps.len() / 2).copied()
-}
-
-/// The widest run of empty parts within what was measured, if it is out of the ordinary: wider
-/// than three times the middle one.
-fn hole(cover: &[u32], measured: [f64; 2], (from, to): (f64, f64)) -> Option<[f64; 2]> {
-    let width = (to - from) / cover.len() as f64;
-    let part = |q: f64| whole((q - from) / width).min(cover.len() - 1);
-    let within = part(measured[0])..=part(measured[1]);
-    let filled: Vec<usize> = within.filter(|k| cover[*k] > 0).collect();
-    let mut steps: Vec<usize> = filled.windows(2).map(|pair| pair[1] - pair[0]).collect();
-    let widest = filled.windows(2).max_by_key(|pair| pair[1] - pair[0])?;
-    let (first, last) = (widest[0], widest[1]);
-    steps.sort_unstable();
-    let usual = steps[steps.len() / 2];
-    let end = |k: usize| from + k as f64 * width;
-    (last - first > 3 * usual).then(|| [end(first + 1), end(last)])
 }
 
 /// Which effects these samples can show, and which not.
@@ -385,67 +324,6 @@ pub(crate) fn long_mm(radius_mm: f64, magnification: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
-
-    #[test]
-    fn every_sample_is_counted_once_where_it_is() {
-        let q = [0.0, 0.01, 59.99, 60.0, f64::NAN];
-        let cover = counted(&q, (0.0, 60.0));
-        assert_eq!(cover.iter().sum::<u32>(), 4);
-        let q: Vec<f64> = (0..=600).map(|k| 0.1 * f64::from(k)).chain(q).collect();
-        let cover = counted(&q, (0.0, 60.0));
-        assert_eq!((cover.len(), cover[0], cover[PARTS - 1]), (PARTS, 27, 28));
-        assert_eq!(cover.iter().sum::<u32>(), 605);
-        assert_eq!(counted(&[1.0], (1.0, 1.0)).iter().sum::<u32>(), 0);
-    }
-
-    #[test]
-    fn an_even_grid_has_no_empty_part_whatever_its_step_and_its_range() {
-        for steps in 4..60_u8 {
-            for (first, beyond, jitter) in [(0.0, 0.0, 0.0), (-2.618, 0.0, 0.02), (-1.0, 0.4, 0.05)]
-            {
-                let step = 5.236 / f64::from(steps);
-                let off =
-                    |k: u8| jitter * step * f64::from(i8::from(k % 3 == 1) - i8::from(k % 5 == 2));
-                let grid = (0..=steps).map(|k| first + step * f64::from(k) + off(k));
-                // Every place from both sides, a little apart.
-                let q: Vec<f64> = grid.flat_map(|q| [q, q + 1e-4]).collect();
-                let range = (first, first + 5.236 + beyond);
-                let cover = counted(&q, range);
-                let reached = cover.iter().rposition(|c| *c > 0).expect("samples");
-                assert!(
-                    cover[..reached].iter().all(|c| *c > 0),
-                    "{steps}, {range:?}: {cover:?}"
-                );
-                assert!(
-                    cover.len() <= PARTS
-                        && cover.len() + 1 >= PARTS.min(usize::from(steps) * 4 / 5)
-                );
-            }
-        }
-    }
-
-    #[test]
-    fn a_hole_is_what_is_wider_than_the_rest_and_even_steps_have_none() {
-        let even: Vec<f64> = (0..=20).map(|k| 3.0 * f64::from(k)).collect();
-        let range = (0.0, 60.0);
-        let found = |q: &[f64]| hole(&counted(q, range), [q[0], q[q.len() - 1]], range);
-        assert_eq!(found(&even), None);
-        let torn: Vec<f64> = even
-            .into_iter()
-            .filter(|q| !(20.0..40.0).contains(q))
-            .collect();
-        let [from, to] = found(&torn).expect("nothing between 18 and 42");
-        assert!(
-            (18.0..=21.0).contains(&from) && (40.0..=42.5).contains(&to),
-            "{from} {to}"
-        );
-        assert_eq!(found(&[7.0]), None);
-    }
-}
-
-#[cfg(test)]
-mod scale_tests {
     use super::*;
 
     #[test]

@@ -259,6 +259,15 @@ impl RobotTable {
                     joint = index + 1
                 ));
             }
+            if row.name.trim().is_empty() {
+                return Err(text!("a joint needs a name"));
+            }
+            if row
+                .link
+                .is_some_and(|(mass, _)| mass.is_nan() || mass < 0.0)
+            {
+                return Err(text!("a mass is 0 kg or more"));
+            }
             if row.travel.is_some_and(|[from, to]| from >= to) {
                 return Err(text!(
                     "joint {joint}: the travel runs from the smaller to the larger value",
@@ -275,6 +284,36 @@ impl RobotTable {
                 .first()
                 .map_or_else(Text::default, |first| first.found.clone())),
         }
+    }
+
+    /// A robot with what was changed of its table: what was not stays as it was to the last bit, be it finer than the
+    /// table shows.
+    ///
+    /// # Errors
+    /// What is wrong with the table.
+    pub(crate) fn changed(&self, robot: &Robot) -> Result<Robot, Text> {
+        let opened = Self::of(robot);
+        let mut next = self.robot()?;
+        let moves = |row: &Row| (row.slides, row.numbers);
+        let geometry = |table: &Self| {
+            let rows: Vec<_> = table.rows.iter().map(moves).collect();
+            (table.form, table.base, table.tool, rows)
+        };
+        if geometry(self) == geometry(&opened) {
+            next.base_from_tool = robot.base_from_tool;
+            next.source = robot.source.clone();
+            for (joint, was) in next.joints.iter_mut().zip(&robot.joints) {
+                joint.axis = was.axis;
+            }
+        }
+        let rows = self.rows.iter().zip(&opened.rows);
+        let joints = next.joints.iter_mut().zip(&robot.joints);
+        for ((joint, was), (row, before)) in joints.zip(rows) {
+            if (row.slides, row.travel) == (before.slides, before.travel) {
+                joint.limits = was.limits;
+            }
+        }
+        Ok(next)
     }
 
     fn assembled(&self) -> Result<Robot, Text> {

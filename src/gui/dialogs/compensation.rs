@@ -5,14 +5,15 @@ use egui::{Align, DragValue, Layout, RichText, ScrollArea, Ui};
 use egui_extras::{Column, TableBuilder};
 
 use crate::explain::{self, Detail, Section, Topic};
-use crate::gui::core::compensated::{Changed, CompensationRequest, MOST_KG, PrecedenceChoice};
+use crate::gui::core::compensated::{Changed, CompensationRequest, MOST_KG};
 use crate::gui::core::disk::name_of;
 use crate::gui::style::{Palette, size, space, strong};
 use crate::gui::view::What;
 use crate::gui::views::blocks::{self, Title};
 use crate::gui::widgets;
 use crate::gui::workbench::Workbench;
-use crate::programs::{DifferingNumber, ExternalAxes};
+use crate::kinematics::Pose;
+use crate::programs::{DifferingNumber, ExternalAxes, Precedence};
 
 /// Widest, points.
 const WIDE: f32 = 860.0;
@@ -100,11 +101,11 @@ fn asked(
     let says = say!("the measuring frame is the robot's base");
     ui.checkbox(&mut wanted.measured_frame, says);
     let tool = say!("Tool of the program");
-    if differs.contains(&DifferingNumber::Tool) || wanted.tool != PrecedenceChoice::Asked {
+    if differs.contains(&DifferingNumber::Tool) || wanted.tool != Precedence::Unsettled {
         whose(ui, tool, &mut wanted.tool);
     }
     let frame = say!("Frame of the program");
-    if differs.contains(&DifferingNumber::Frame) || wanted.frame != PrecedenceChoice::Asked {
+    if differs.contains(&DifferingNumber::Frame) || wanted.frame != Precedence::Unsettled {
         whose(ui, frame, &mut wanted.frame);
     }
     if differs.contains(&DifferingNumber::External) || wanted.external != ExternalAxes::Asked {
@@ -120,10 +121,10 @@ fn asked(
 }
 
 /// Whose tool or frame holds.
-fn whose(ui: &mut Ui, of: &str, holds: &mut PrecedenceChoice) {
+fn whose(ui: &mut Ui, of: &str, holds: &mut Precedence<Pose>) {
     let choices = [
-        (PrecedenceChoice::Model, say!("the model's tool or base")),
-        (PrecedenceChoice::Program, say!("as the program writes it")),
+        (Precedence::Model, say!("the model's tool or base")),
+        (Precedence::Program, say!("as the program writes it")),
     ];
     one_of(ui, of, choices, holds);
 }

@@ -2,6 +2,7 @@
 
 mod import;
 mod new_session;
+mod setup;
 
 use egui::style::NumberFormatter;
 use egui::{Align2, Context, Id, LayerId, Margin, Modal, Popup, ScrollArea, Ui, vec2};
@@ -78,7 +79,7 @@ fn shown(ui: &Ui, workbench: &Workbench, sheet: &mut Sheet) {
                     replace,
                 } => unsaved::path(ui, workbench, *what, (path, replace)),
                 Sheet::Simulate(form) => new_session::simulation(ui, form, workbench),
-                Sheet::RobotTable { table, .. } => robots::typed(ui, table, workbench),
+                Sheet::Setup { form, .. } => setup::show(ui, form, workbench),
                 Sheet::Discard(typed) => unsaved::typed(ui, typed, workbench),
                 Sheet::Unsaved(then) => unsaved::losses(ui, workbench, then),
                 Sheet::Overwrite(path) => unsaved::overwrite(ui, path, workbench),

@@ -76,7 +76,7 @@ pub(crate) fn open(path: &Path, watch: &Watch) -> Result<Opened, Message> {
         None => {}
         Some(Ok(foreign)) => return Ok(Opened::Foreign(Box::new(foreign))),
         Some(Err(error)) => {
-            return Err(not_read(path.display(), &error));
+            return Err(not_opened(path.display(), &error));
         }
     }
     let loaded = pipeline::load_watched(path, whole.part(0.0, READING).watch());
@@ -123,12 +123,6 @@ fn not_opened(name: impl Display, error: &ReadError) -> Message {
     Message::wrong(title, why(error))
 }
 
-/// Says that a file was not read.
-fn not_read(name: impl Display, error: &ReadError) -> Message {
-    let title = say!("{name} could not be read; nothing was changed", name);
-    Message::wrong(title, why(error))
-}
-
 fn why(error: &ReadError) -> Vec<String> {
     match error {
         ReadError::Rejected(rejected) => listed(rejected.diagnostics.iter().map(finding).collect()),
@@ -155,36 +149,30 @@ pub(crate) fn simulate(form: &Form, watch: &Watch) -> Result<Opened, Message> {
     }
 }
 
+/// A bundled session.
+fn example(index: usize) -> Result<Arc<LoadedSession>, ReadError> {
+    let (document, samples) = EXAMPLES[index].files();
+    let loaded = pipeline::parse_with_csv(document, samples)?;
+    let progress = Progress::new(&unwatched);
+    Ok(looked_through(loaded, Origin::Bundled, progress.whole())?)
+}
+
 /// The example that the window opens on.
 pub(crate) fn first_example() -> Arc<LoadedSession> {
-    let example = &EXAMPLES[0];
-    let (document, samples) = example.files();
-    let loaded = pipeline::parse_with_csv(document, samples);
-    let loaded = loaded.expect("a test reads every bundled session");
-    Arc::new(LoadedSession::new(
-        loaded.session,
-        loaded.findings,
-        Origin::Bundled,
-    ))
+    example(0).expect("a test reads every bundled session")
 }
 
 /// Reads a bundled session.
 pub(crate) fn open_example(index: usize) -> Result<Opened, Message> {
-    let Some(example) = EXAMPLES.get(index) else {
+    let Some(named) = EXAMPLES.get(index) else {
         return Err(Message::wrong(
             say!("There is no such example").to_owned(),
             vec![say!("The examples are in the File menu").to_owned()],
         ));
     };
-    let (document, samples) = example.files();
-    let loaded = pipeline::parse_with_csv(document, samples);
-    let progress = Progress::new(&unwatched);
-    let loaded_session = loaded.map_err(ReadError::from);
-    let loaded_session =
-        loaded_session.and_then(|l| Ok(looked_through(l, Origin::Bundled, progress.whole())?));
-    loaded_session
+    example(index)
         .map(Opened::Session)
-        .map_err(|error| not_opened(example.name(), &error))
+        .map_err(|error| not_opened(named.name(), &error))
 }
 
 #[cfg(test)]

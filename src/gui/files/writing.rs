@@ -5,9 +5,7 @@ use std::sync::Arc;
 
 use egui::{Color32, ColorImage};
 
-use crate::atomic::{
-    StagedFile, WriteError, commit_both, refuse_to_replace_inputs, write_atomically,
-};
+use crate::atomic::{StagedFile, WriteError, commit_both, refuse_to_replace_inputs};
 use crate::export::{Document, Job};
 use crate::gui::cache::{IdentifiedAnswer, PreviewRequest};
 use crate::gui::core::answer::{self, Search};
@@ -15,11 +13,10 @@ use crate::gui::core::compensated::Compensated;
 use crate::gui::core::disk::{FileChange, Fingerprint, name_of};
 use crate::gui::core::document;
 use crate::gui::file_state::Stated;
-use crate::gui::files::system::{advice, ending};
+use crate::gui::files::system::{advice, cancelled, ending};
 use crate::gui::jobs::Watch;
 use crate::gui::view::{Message, What};
 use crate::language::spoken;
-use crate::progress::Cancelled;
 use crate::report::exported::sidecar_of;
 use crate::report::{ExportedTable, Extras, Kind};
 use crate::sessions::{Replacing, samples_path};
@@ -114,9 +111,10 @@ pub(crate) fn export(
     what: What,
     path: &Path,
     replace: bool,
+    watch: &Watch,
 ) -> Result<PathBuf, Message> {
-    let written =
-        documents(wanted, what, path).and_then(|documents| write_all(&documents, path, replace));
+    let documents = documents(wanted, what, path);
+    let written = documents.and_then(|documents| write_all(&documents, path, replace, watch));
     written
         .map(|()| path.to_path_buf())
         .map_err(|problem| not_written(path, problem))
@@ -145,7 +143,14 @@ fn documents(wanted: &PreviewRequest, what: What, path: &Path) -> Result<Vec<Doc
     Ok(export.export.documents)
 }
 
-fn write_all(documents: &[Document], path: &Path, replace: bool) -> Result<(), String> {
+/// Writes documents, the first of them under this name and the others beside it: all of them or nothing, and nothing
+/// where it was cancelled meanwhile.
+fn write_all(
+    documents: &[Document],
+    path: &Path,
+    replace: bool,
+    watch: &Watch,
+) -> Result<(), String> {
     let folder = path.parent().unwrap_or(Path::new(""));
     let place = |k: usize, document: &Document| {
         if k == 0 {
@@ -166,6 +171,9 @@ fn write_all(documents: &[Document], path: &Path, replace: bool) -> Result<(), S
     let written: Result<Vec<StagedFile>, WriteError> =
         places.iter().zip(documents).map(write).collect();
     let mut written = written.map_err(|error| advice(&error))?;
+    if watch.stopped() {
+        return Err(cancelled());
+    }
     let committed = if written.len() == 2
         && let (Some(second), Some(first)) = (written.pop(), written.pop())
     {
@@ -176,13 +184,16 @@ fn write_all(documents: &[Document], path: &Path, replace: bool) -> Result<(), S
     committed.map_err(|error| advice(&error))
 }
 
+/// Writes one document.
+fn write_one(bytes: Vec<u8>, path: &Path, replace: bool, watch: &Watch) -> Result<(), String> {
+    let name = String::new();
+    write_all(&[Document { name, bytes }], path, replace, watch)
+}
+
 /// Writes a measuring list.
-pub(crate) fn write_list(list: String, path: &Path, replace: bool) -> Message {
-    let document = Document {
-        name: String::new(),
-        bytes: list.into_bytes(),
-    };
-    told(path, write_all(&[document], path, replace), Vec::new())
+pub(crate) fn write_list(list: String, path: &Path, replace: bool, watch: &Watch) -> Message {
+    let written = write_one(list.into_bytes(), path, replace, watch);
+    told(path, written, Vec::new())
 }
 
 /// Writes corrected targets, and what was changed beside them.
@@ -191,6 +202,7 @@ pub(crate) fn write_targets(
     path: &Path,
     replace: bool,
     inputs: &[PathBuf],
+    watch: &Watch,
 ) -> Message {
     let sidecar_path = sidecar_of(path);
     let name = name_of(&sidecar_path);
@@ -207,28 +219,10 @@ pub(crate) fn write_targets(
                     bytes: corrected.sidecar.clone(),
                 },
             ];
-            write_all(&documents, path, replace)
+            write_all(&documents, path, replace, watch)
         }),
     };
     told(path, written, Vec::new())
-}
-
-/// Writes one file, unless it was cancelled meanwhile.
-pub(crate) fn write_one(
-    path: &Path,
-    replace: bool,
-    bytes: &[u8],
-    watch: &Watch,
-) -> Result<(), String> {
-    let written = write_atomically(path, replace, |file| {
-        file.write_all(bytes)?;
-        // Until here nothing stands under its name; what was written goes away again.
-        if watch.stopped() {
-            return Err(Cancelled.into());
-        }
-        Ok(())
-    });
-    written.map_err(|error| advice(&error))
 }
 
 /// Whether a file may stand there: told before the work that it takes is begun.
@@ -285,7 +279,7 @@ pub(crate) fn write_picture(
             ));
         }
         can_be_written(path, replace, inputs)?;
-        write_one(path, replace, &picture()?, watch)
+        write_one(picture()?, path, replace, watch)
     };
     told(path, make(), Vec::new())
 }
@@ -385,7 +379,7 @@ fn make(
             says
         ));
     }
-    write_one(path, replace, &written.bytes, watch)
+    write_one(written.bytes, path, replace, watch)
 }
 
 /// The tables with their hashes; what cannot be named any more is said.
@@ -447,10 +441,10 @@ mod tests {
         let path = folder.path().join("report.html");
         let watch = Watch::default();
         watch.stop();
-        assert!(write_one(&path, false, b"text", &watch).is_err());
+        assert!(write_one(b"text".to_vec(), &path, false, &watch).is_err());
         assert_eq!(files_in(folder.path()), 0);
         let watch = Watch::default();
-        assert_eq!(write_one(&path, false, b"text", &watch), Ok(()));
+        assert_eq!(write_one(b"text".to_vec(), &path, false, &watch), Ok(()));
         assert_eq!(files_in(folder.path()), 1);
     }
 

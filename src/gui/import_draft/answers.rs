@@ -101,19 +101,20 @@ pub(crate) enum RobotFrom {
         /// Last link of a URDF file.
         tip: String,
     },
-    /// One axis that turns.
+    /// Typed as a table.
     Typed(Box<RobotTable>),
 }
 
-/// A robot of one axis, whose tool is off that axis.
+/// A robot; of one axis the tool is off that axis.
 fn off_its_axis(table: &RobotTable) -> Result<Robot, Text> {
     let robot = table.robot()?;
     let tool = robot.base_from_tool.translation.vector;
-    let on_axis = robot.joints.iter().any(|joint| {
-        let out = tool - joint.axis.point_mm.coords;
-        out.cross(&joint.axis.direction).norm() < 1e-6
-    });
-    if on_axis {
+    if let [joint] = &robot.joints[..]
+        && (tool - joint.axis.point_mm.coords)
+            .cross(&joint.axis.direction)
+            .norm()
+            < 1e-6
+    {
         return Err(text!(
             "the tool lies on the axis: say where it is at home, off the axis"
         ));

@@ -13,7 +13,6 @@ use crate::gui::core::disk::{FileChange, name_of};
 use crate::gui::core::document::plain;
 use crate::gui::core::loaded_session::Component;
 use crate::gui::core::overview::ROOM;
-use crate::gui::core::robot_table::RobotTable;
 use crate::gui::core::setup::SetupForm;
 use crate::gui::core::simulate::Form;
 use crate::gui::import_draft::ImportDraft;
@@ -122,8 +121,6 @@ pub(crate) struct ViewState {
     pub(crate) results: Option<bool>,
     /// Units, digits, colours, size of text.
     pub(crate) preferences: Preferences,
-    /// Robot and instrument as they are being typed, while that makes no robot.
-    pub(crate) setup: Option<Box<SetupForm>>,
     /// An open file that is not what it was.
     pub(crate) on_disk: Option<OnDisk>,
     /// The sheet over the window.
@@ -242,11 +239,11 @@ pub(crate) enum Sheet {
     },
     /// A simulation, as it is filled in.
     Simulate(Form),
-    /// A robot, as its table is typed.
-    RobotTable {
-        table: Box<RobotTable>,
+    /// A robot as it is typed, with what it was measured with.
+    Setup {
+        form: Box<SetupForm>,
         /// As it was opened.
-        opened: Box<RobotTable>,
+        opened: Box<SetupForm>,
     },
     /// Whether what was typed on this one is discarded.
     Discard(Box<Self>),
@@ -272,11 +269,21 @@ impl Sheet {
     /// What windows that are gone have left behind.
     pub(crate) const RECOVERY: Self = Self::Named("recovery");
 
+    /// A robot that is typed, as it is opened.
+    pub(crate) fn set_up(form: SetupForm) -> Self {
+        let form = Box::new(form);
+        Self::Setup {
+            opened: form.clone(),
+            form,
+        }
+    }
+
     /// The sheet that it was opened from: what one comes back to without an answer.
     pub(crate) fn before(&self) -> Option<Self> {
         match self {
             Self::Simulate(form) if form.is_of_the_lamp() => None,
-            Self::Simulate(_) | Self::RobotTable { .. } => Some(Self::ROBOTS),
+            Self::Setup { form, .. } if form.measured.is_some() => None,
+            Self::Simulate(_) | Self::Setup { .. } => Some(Self::ROBOTS),
             Self::Discard(typed) => Some((**typed).clone()),
             _ => None,
         }
@@ -286,7 +293,7 @@ impl Sheet {
     pub(crate) fn escaped(&self) -> Option<Self> {
         let typed = match self {
             Self::Simulate(form) => *form != form.untouched(),
-            Self::RobotTable { table, opened } => table != opened,
+            Self::Setup { form, opened } => form != opened,
             _ => false,
         };
         if typed {
@@ -300,7 +307,7 @@ impl Sheet {
     pub(crate) fn is_a_form(&self) -> bool {
         matches!(
             self,
-            Self::Simulate(_) | Self::RobotTable { .. } | Self::Import(_) | &Self::DETAILS
+            Self::Simulate(_) | Self::Setup { .. } | Self::Import(_) | &Self::DETAILS
         )
     }
 

@@ -8,7 +8,6 @@ use egui_tiles::{Container, Linear, LinearDir, SimplificationOptions, Tile, Tile
 use serde::{Deserialize, Serialize};
 
 use crate::gui::core::loaded_session::Component;
-use crate::gui::core::quantity::Quantity;
 
 /// Charts at once, at most.
 const MOST_CHARTS: usize = 6;
@@ -37,8 +36,6 @@ pub(crate) struct ChartPane {
     pub(crate) component: Option<Component>,
     /// The joint that it is about, counted from 0; `None`: that of the view.
     pub(crate) joint: Option<usize>,
-    /// What a scatter has across and upwards; `None`: as it begins.
-    pub(crate) axes: Option<[Quantity; 2]>,
     /// Counts up when it is to show everything.
     #[serde(skip)]
     pub(crate) fitted: u64,
@@ -464,9 +461,9 @@ mod tests {
         panes.split(panes.workspace(), Edge::Right, ChartPane::default());
         panes.split(panes.active(), Edge::Bottom, ChartPane::default());
         if let Some(chart) = panes.chart_mut(panes.active()) {
-            chart.chart = Some("scatter".to_owned());
+            chart.chart = Some("histogram".to_owned());
             chart.component = Some(Component::Radial);
-            chart.axes = Some([Quantity::Order, Quantity::Measured(2)]);
+            chart.joint = Some(2);
         }
         let text = serde_json::to_string(&panes).expect("it can be written");
         let read: Panes = serde_json::from_str(&text).expect("it can be read");

@@ -19,12 +19,11 @@ use crate::gui::style::{Palette, size, space, strong};
 use crate::gui::view::Key;
 use crate::gui::widgets::{self, Does};
 use crate::gui::workbench::Workbench;
-use crate::kinematics::JointKind;
 use crate::language::spoken;
 use crate::model::Model;
 use crate::present::limits::sight;
 use crate::present::names::{parameter_in_english as parameter, title_on};
-use crate::present::numbers::{significant, trimmed, with_minus_signs};
+use crate::present::numbers::with_minus_signs;
 use crate::present::table::{Cell, Column, Table};
 use crate::sessions::SessionCorrection;
 use crate::set_up_errors::DataProblem;
@@ -95,7 +94,11 @@ pub(crate) fn warned(ui: &mut Ui, blocks: &[Block]) {
 /// Columns of a table from which on it is wide.
 const WIDE: usize = 5;
 
-/// A table, wide ones in small letters; where it is wider than the panel, its rows one below the other.
+/// The least room for words that break, points: a long word in small letters.
+const WORDS: f32 = 76.0;
+
+/// A table, wide ones in small letters; where it is wider than the panel its words break, and where that is not enough
+/// its rows stand one below the other.
 fn table(ui: &mut Ui, index: usize, table: &Table) {
     // Intervals below their values are as small wherever they are.
     let in_two_lines = table
@@ -103,45 +106,81 @@ fn table(ui: &mut Ui, index: usize, table: &Table) {
         .iter()
         .flatten()
         .any(|cell| cell.shown.contains('\n'));
-    let (letters, apart) = if table.columns.len() > WIDE || in_two_lines {
+    let small = table.columns.len() > WIDE || in_two_lines;
+    let room = ui.available_width();
+    let whole = widths_of(ui, table, small);
+    if together(&whole, small) <= room {
+        return grid(ui, index, table, &whole, small);
+    }
+    let mut broken = table.clone();
+    for column in &mut broken.columns {
+        column.heading = column.heading.replace(' ', "\n");
+    }
+    let mut widths = widths_of(ui, &broken, true);
+    let short = (together(&widths, true) - room).max(0.0);
+    let columns = broken.columns.iter().zip(&mut widths);
+    let words = columns.filter_map(|(column, width)| (!column.right).then_some(width));
+    match words.max_by(|a, b| a.total_cmp(b)) {
+        Some(widest) if *widest - short >= WORDS.min(*widest) => {
+            *widest -= short;
+            grid(ui, index, &broken, &widths, true);
+        }
+        _ => one_below_the_other(ui, table),
+    }
+}
+
+/// Size of its letters, and how far apart its columns are at least, points.
+const fn letters(small: bool) -> (f32, f32) {
+    if small {
         (size::SMALL, 5.0)
     } else {
         (size::BODY, 12.0)
-    };
-    let spare = ui.available_width() - width_of(ui, table, letters, apart);
-    if spare < 0.0 {
-        return one_below_the_other(ui, table);
     }
-    // As wide as the panel, so that tables below each other have their last columns below each other.
+}
+
+/// As wide as the panel, so that tables below each other have their last columns below each other.
+fn grid(ui: &mut Ui, index: usize, table: &Table, widths: &[f32], small: bool) {
+    let (letters, apart) = letters(small);
+    let spare = (ui.available_width() - together(widths, small)).max(0.0);
     let gaps = table.columns.len().saturating_sub(1).max(1);
     let apart = apart + (spare / gaps as f32).floor();
     let muted = Palette::of(ui).muted;
-    let aligned = |ui: &mut Ui, column: &Column, text: RichText| {
+    let aligned = |ui: &mut Ui, column: &Column, width: f32, text: RichText| {
         if column.right {
-            widgets::cell_right(ui, text)
-        } else {
-            ui.label(text)
+            return widgets::cell_right(ui, text);
         }
+        let words = |ui: &mut Ui| {
+            ui.set_max_width(width);
+            ui.add(egui::Label::new(text).wrap())
+        };
+        let across = egui::Layout::left_to_right(egui::Align::Center);
+        ui.with_layout(across, words).inner
     };
     let grid = Grid::new(("table of an answer", index)).spacing([apart, 4.0]);
     grid.min_col_width(0.0).show(ui, |ui| {
-        for column in &table.columns {
+        for (column, width) in table.columns.iter().zip(widths) {
             let heading = RichText::new(&column.heading).size(size::SMALL);
-            aligned(ui, column, heading.color(muted));
+            aligned(ui, column, *width, heading.color(muted));
         }
         ui.end_row();
         for row in &table.rows {
-            for (cell, column) in row.iter().zip(&table.columns) {
+            for ((cell, column), width) in row.iter().zip(&table.columns).zip(widths) {
                 let text = RichText::new(with_minus_signs(&cell.shown)).size(letters);
-                aligned(ui, column, text);
+                aligned(ui, column, *width, text);
             }
             ui.end_row();
         }
     });
 }
 
-/// How much room a table takes without a line that breaks, points.
-fn width_of(ui: &Ui, table: &Table, letters: f32, apart: f32) -> f32 {
+/// How wide columns and what is between them are at least, points.
+fn together(widths: &[f32], small: bool) -> f32 {
+    widths.iter().sum::<f32>() + letters(small).1 * widths.len().saturating_sub(1) as f32
+}
+
+/// How much room each column takes without a line that breaks, points.
+fn widths_of(ui: &Ui, table: &Table, small: bool) -> Vec<f32> {
+    let (letters, _) = letters(small);
     let width = |text: &str, letters: f32| {
         let text = WidgetText::from(RichText::new(text).size(letters));
         let galley = text.into_galley(
@@ -155,9 +194,10 @@ fn width_of(ui: &Ui, table: &Table, letters: f32, apart: f32) -> f32 {
     let columns = table.columns.iter().enumerate().map(|(k, column)| {
         let cells = table.rows.iter().filter_map(|row| row.get(k));
         let cells = cells.map(|cell| width(&with_minus_signs(&cell.shown), letters));
-        cells.fold(width(&column.heading, size::SMALL), f32::max) + apart
+        let widest = cells.fold(width(&column.heading, size::SMALL), f32::max);
+        widest.ceil()
     });
-    columns.sum::<f32>() - apart
+    columns.collect()
 }
 
 /// Each row: what it is, and below it what its other columns hold.
@@ -294,13 +334,8 @@ pub(super) fn unexplained(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis) {
     }
 }
 
-/// Where a smooth correction is measured, and the button that adds it.
+/// The button that adds a smooth correction.
 fn correction(ui: &mut Ui, workbench: &Workbench, found: &Correction) {
-    range(
-        ui,
-        workbench.loaded_session().session.robot.joints[found.term.joint].kind,
-        &found.term,
-    );
     // It is what the names leave: without them it would correct something else.
     let mut terms = workbench.not_added();
     terms.push(found.term.clone());
@@ -330,42 +365,17 @@ pub(super) fn in_the_model(
     }
 }
 
-/// Where the curve of a term is measured; outside nothing is known.
-fn range(ui: &mut Ui, kind: JointKind, term: &Term) {
-    let Some(curve) = term.curve() else { return };
-    let (unit, outer): (&str, fn(f64) -> f64) = match kind {
-        JointKind::Revolute => ("°", deg_from_rad),
-        JointKind::Prismatic => (" mm", |v| v),
-    };
-    let knots = curve.knots();
-    let between = [knots.from, knots.to].map(|v| format!("{}{unit}", trimmed(outer(v), 2)));
-    widgets::fact_of(ui, phrase!("measured"), between.join(" … "));
-    let most = |size: f64, unit: &str| format!("{}{unit}", significant(size, 2));
-    let [motion, radial, axial] = curve.largest();
-    let parts = [
-        (say!("largest along the motion"), outer(motion), unit),
-        (say!("largest along the radius"), radial, " mm"),
-        (say!("largest along the axis"), axial, " mm"),
-    ];
-    for (name, size, unit) in parts {
-        if size > 0.0 {
-            widgets::fact(ui, name, most(size, unit));
-        }
-    }
-    widgets::hint(
-        ui,
-        say!(
-            "A smooth curve without a name. Outside the measured range its end values are held, and nothing is known"
-        ),
-    );
-}
-
 /// The smooth corrections of a model, beside its parameters.
 pub(super) fn smooth_corrections(ui: &mut Ui, model: &Model) {
-    for term in model.terms().iter().filter(|t| t.curve.is_some()) {
+    for _ in model.terms().iter().filter(|t| t.curve.is_some()) {
         widgets::card(ui, |ui| {
             widgets::bold(ui, say!("Unexplained"));
-            range(ui, model.robot.joints[term.joint].kind, term);
+            widgets::hint(
+                ui,
+                say!(
+                    "A smooth curve without a name. Outside the measured range its end values are held, and nothing is known"
+                ),
+            );
         });
     }
 }

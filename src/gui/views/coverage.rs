@@ -3,17 +3,15 @@
 
 use crate::language::spoken;
 use crate::text::Template;
-use egui::{Rect, RichText, Sense, Ui, vec2};
+use egui::{RichText, Ui};
 
 use crate::effects::survey::JointSurvey;
 use crate::export::EXPORTERS;
-use crate::gui::core::answer::STAGES;
-use crate::gui::core::overview::Coverage;
+use crate::gui::core::quantity::joint_value;
 use crate::gui::style::{Palette, size, space, strong};
 use crate::gui::view::Step;
 use crate::gui::widgets;
 use crate::gui::workbench::Workbench;
-use crate::kinematics::JointKind;
 use crate::present::names::title;
 use crate::present::numbers::{grouped, trimmed};
 use crate::present::units::Units;
@@ -96,32 +94,17 @@ fn covers(ui: &mut Ui, workbench: &Workbench) {
     let units = workbench.units();
     let known = &loaded_session.coverage;
     let survey = &known.survey;
-    let turns = loaded_session.turns();
-    let at = |q: f64| {
-        if turns {
-            units.angle(q)
-        } else {
-            units.length(q)
-        }
-    };
+    let joints = &loaded_session.session.robot.joints;
     widgets::card(ui, |ui| {
         widgets::bold(ui, say!("Coverage"));
-        coverage_bar(ui, known);
-        if let Some([from, to]) = known.measured {
-            // Of an arm it is the first joint's, as the strip is.
-            let name = if loaded_session.session.robot.joints.len() > 1 {
+        if let (Some([from, to]), Some(first)) = (known.measured, joints.first()) {
+            let at = |q: f64| joint_value(units, first.kind, q);
+            let name = if joints.len() > 1 {
                 phrase!("measured range, joint 1")
             } else {
                 phrase!("measured range")
             };
             widgets::fact_of(ui, name, format!("{} … {}", at(from), at(to)));
-        }
-        if let Some([from, to]) = known.hole {
-            widgets::fact_of(
-                ui,
-                phrase!("largest uncovered range"),
-                format!("{} … {}", at(from), at(to)),
-            );
         }
         let came_from: Vec<String> = survey.joints.iter().map(sides).collect();
         of_joints(ui, phrase!("approach"), &came_from, |k| {
@@ -192,41 +175,18 @@ fn duration(seconds: f64) -> String {
     }
 }
 
-/// The range of the joint as a strip: filled as high as there are samples.
-fn coverage_bar(ui: &mut Ui, known: &Coverage) {
-    const HEIGHT: f32 = 22.0;
-    let palette = Palette::of(ui);
-    let room = vec2(ui.available_width(), HEIGHT);
-    let (rect, response) = ui.allocate_exact_size(room, Sense::hover());
-    let says = say!("samples over the range of joint 1");
-    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, says));
-    let painter = ui.painter();
-    painter.rect_filled(rect, f32::from(space::ROUND) / 2.0, palette.inset);
-    let most = known.cover.iter().copied().max().unwrap_or(0).max(1) as f32;
-    let width = rect.width() / known.cover.len().max(1) as f32;
-    for (k, count) in known.cover.iter().enumerate().filter(|(_, c)| **c > 0) {
-        let height = HEIGHT * (0.25 + 0.75 * *count as f32 / most);
-        let left = rect.left() + k as f32 * width;
-        let bar = Rect::from_min_max(
-            egui::pos2(left + 0.5, rect.bottom() - height),
-            egui::pos2(left + width - 0.5, rect.bottom()),
-        );
-        painter.rect_filled(bar, 0.0, palette.accent);
-    }
-    response.on_hover_text(say!(
-        "Samples over the range of joint 1: where it is empty nothing is known"
-    ));
-}
-
 /// Which effects can be seen in such samples, and which cannot.
 fn testable(ui: &mut Ui, workbench: &Workbench) {
     let loaded_session = workbench.loaded_session();
     widgets::card(ui, |ui| {
         widgets::bold(ui, say!("Testable effects"));
-        let [yes, no] = count_testable(ui, workbench);
+        let known = &loaded_session.coverage;
+        let (yes, no) = (known.testable.len(), known.not_testable.len());
+        let says = say!("{yes} of {no}", yes, no = yes + no);
+        widgets::fact_of(ui, phrase!("testable effects"), says);
         let can = say!("{yes} can be tested", yes);
         widgets::folded(ui, &can, size::NOTE, |ui| {
-            let names = loaded_session.coverage.testable.iter();
+            let names = known.testable.iter();
             let names: Vec<&str> = names.map(|id| title(id)).collect();
             widgets::hint(ui, names.join(", ").to_lowercase());
         });
@@ -248,15 +208,6 @@ pub(super) fn not_testable(ui: &mut Ui, workbench: &Workbench) {
     }
 }
 
-/// How many effects can be seen, of how many; and how many cannot.
-pub(super) fn count_testable(ui: &mut Ui, workbench: &Workbench) -> [usize; 2] {
-    let known = &workbench.loaded_session().coverage;
-    let (yes, no) = (known.testable.len(), known.not_testable.len());
-    let says = say!("{yes} of {no}", yes, no = yes + no);
-    widgets::fact_of(ui, phrase!("testable effects"), says);
-    [yes, no]
-}
-
 /// What a search does, before there is one.
 fn search(ui: &mut Ui) {
     widgets::card(ui, |ui| {
@@ -265,20 +216,6 @@ fn search(ui: &mut Ui) {
             ui,
             say!(
                 "Effects that are found will be listed here with size, confidence and what to check on the machine. Where the samples cannot decide, both are listed, with the poses that would decide"
-            ),
-        );
-        ui.add_space(space::TIGHT);
-        for (k, stage) in STAGES.into_iter().enumerate() {
-            ui.horizontal(|ui| {
-                ui.spacing_mut().interact_size.y = size::HEADING;
-                widgets::caption(ui, &format!("{}", k + 1));
-                ui.label(spoken(stage));
-            });
-        }
-        widgets::hint(
-            ui,
-            say!(
-                "It takes a moment, and some seconds with a million samples. The window stays free meanwhile, and the search can be stopped"
             ),
         );
     });
@@ -314,11 +251,7 @@ fn sides(joint: &JointSurvey) -> String {
 
 /// How fast a joint was while it was measured.
 fn speeds(joint: &JointSurvey, units: Units) -> String {
-    let speed = match joint.kind {
-        JointKind::Revolute => units.angle(joint.largest_speed),
-        JointKind::Prismatic => units.length(joint.largest_speed),
-    };
-    let speed = speed + "/s";
+    let speed = joint_value(units, joint.kind, joint.largest_speed) + "/s";
     match joint.speeds {
         0 => say!("not recorded").to_owned(),
         1 if joint.largest_speed == 0.0 => say!("standstill").to_owned(),

@@ -19,7 +19,6 @@ use crate::gui::plots::disc;
 use crate::gui::style::{Palette, size, space, strong};
 use crate::gui::view::{Step, What};
 use crate::gui::views::blocks::{self, Title, curve_link, in_words};
-use crate::gui::views::coverage::count_testable;
 use crate::gui::widgets::{self, Does};
 use crate::gui::workbench::Workbench;
 use crate::kinematics::JointKind;
@@ -46,8 +45,6 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench) {
         return;
     }
     if workbench.diagnosis().is_some() {
-        widgets::section(ui, say!("RMS error"));
-        errors(ui, workbench);
         widgets::secondary(ui, say!("Run diagnosis again")).does(workbench, Workbench::search);
     } else {
         before(ui, workbench);
@@ -56,36 +53,9 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench) {
     switches(ui, workbench);
 }
 
-/// The errors step by step, as a diagnosis has them, or as far as they are known without one.
-fn errors(ui: &mut Ui, workbench: &Workbench) {
-    let (found, loaded_session) = (workbench.diagnosis(), workbench.loaded_session());
-    let [nominal, identified, floor] = match (found, workbench.answer()) {
-        (Some(d), _) => [d.gap.start_mm, d.gap.identified_mm, d.floor.mm].map(Some),
-        (None, answer) => [
-            loaded_session.gap_before.map(|gap| gap.rms_mm),
-            answer.map(|a| a.identification.gap.after.rms_mm),
-            loaded_session.coverage.floor_mm,
-        ],
-    };
-    let left = workbench.left_by_table_mm().filter(|_| found.is_some());
-    let fact_of = |ui: &mut Ui, name, mm: Option<f64>| {
-        if let Some(mm) = mm {
-            widgets::fact_of(ui, name, workbench.units().length(mm));
-        }
-    };
-    fact_of(ui, phrase!("nominal robot"), nominal);
-    fact_of(ui, phrase!("identified"), identified);
-    let end = found.map(|d| d.gap.end_mm);
-    fact_of(ui, phrase!("with found effects"), end);
-    fact_of(ui, phrase!("left by the table"), left);
-    fact_of(ui, phrase!("noise floor"), floor);
-}
-
 /// Where the work stands before there is a search.
 fn before(ui: &mut Ui, workbench: &Workbench) {
     let loaded_session = workbench.loaded_session();
-    widgets::section(ui, say!("RMS error so far"));
-    errors(ui, workbench);
     let answer = workbench.answer();
     let left = answer.map(|a| a.identification.gap.after.rms_mm);
     let floor = loaded_session.coverage.floor_mm;
@@ -113,16 +83,6 @@ fn before(ui: &mut Ui, workbench: &Workbench) {
             "The diagnosis starts from the full model, which takes the place of what is identified now. Undo brings that back"
         );
         widgets::hint(ui, says);
-    }
-    widgets::section(ui, say!("What it can find"));
-    let [_, no] = count_testable(ui, workbench);
-    if no > 0 {
-        widgets::hint(
-            ui,
-            say!(
-                "Why the others are not testable is listed at the right, with what to measure for them"
-            ),
-        );
     }
 }
 

@@ -1,6 +1,6 @@
 //! The right-hand side: what the identification says, and how sure it is.
 
-use egui::{Checkbox, FontId, Grid, RichText, Ui};
+use egui::{Checkbox, FontId, RichText, Ui};
 
 use crate::compensation::Verification;
 use crate::compensation::decision::Outcome as Conformity;
@@ -19,7 +19,6 @@ use crate::language::spoken;
 use crate::present::decision;
 use crate::present::numbers::{grouped, trimmed, with_minus_signs};
 use crate::present::units::Units;
-use crate::units::deg_from_rad;
 
 pub(crate) fn show(ui: &mut Ui, workbench: &Workbench) {
     let side = workbench.view.side;
@@ -219,81 +218,21 @@ pub(crate) fn decision(ui: &mut Ui, workbench: &Workbench) {
     }
 }
 
-/// Room for the numbers of a region beside its name, points.
-const NUMBERS: f32 = 212.0;
-
 fn regions(ui: &mut Ui, workbench: &Workbench, results: &[RegionResult]) {
-    let palette = Palette::of(ui);
-    let units = workbench.units();
-    let is_given = workbench.document().loaded_model.is_some();
+    // A model keeps no interval of a region.
+    let intervals = workbench.document().loaded_model.is_none();
     widgets::bold(ui, say!("Correction of each region"));
-    ui.style_mut().wrap_mode = Some(egui::TextWrapMode::Extend);
-    // The numbers keep their places, however long a name is.
-    let longest = (ui.available_width() - NUMBERS).max(44.0);
-    Grid::new("region results")
-        .num_columns(4)
-        .spacing([16.0, 6.0])
-        .min_col_width(0.0)
-        .show(ui, |ui| {
-            let (angle, length) = (units.angle_name().trim(), units.length_name());
-            let of = |quantity: &str, unit: &str| format!("{quantity}, {unit}");
-            for head in [
-                say!("region").to_owned(),
-                of("Δθ", angle),
-                of("Δl1", length),
-                of(say!("RMS error"), length),
-            ] {
-                ui.label(RichText::new(head).size(size::SMALL).color(palette.muted));
-            }
-            ui.end_row();
-            for result in results {
-                let correction = &result.correction;
-                let says = format!(
-                    "{}: {}° … {}°, {}",
-                    correction.name,
-                    trimmed(deg_from_rad(correction.from_rad), 2),
-                    trimmed(deg_from_rad(correction.to_rad), 2),
-                    say!(one "{count} sample", "{count} samples", count = grouped(correction.samples))
-                );
-                let color = palette.text;
-                let font = strong(size::BODY);
-                let name = widgets::cut(ui, &correction.name, font, color, longest);
-                ui.label(name).on_hover_text(says);
-                let in_degrees = result.theta_ci95.map(|ends| ends.map(deg_from_rad));
-                let numbers = [
-                    (deg_from_rad(correction.theta_rad), in_degrees, "°"),
-                    (correction.l1_mm, result.l1_ci95, "mm"),
-                ];
-                for (value, interval, unit) in numbers {
-                    let (value, half, _) = units.with_interval(value, interval, unit);
-                    // A model keeps no interval of a region.
-                    let half = if is_given { String::new() } else { half };
-                    two_lines(ui, value, &half);
-                }
-                let mm = |mm: f64| units.length_number(mm);
-                let before = say!("was {rms_before}", rms_before = mm(result.rms_before_mm));
-                two_lines(ui, mm(result.rms_after_mm), &before);
-                ui.end_row();
-            }
-        });
+    let table = explain::corrections(results, intervals, workbench.units());
+    blocks::show(ui, &[table]);
     widgets::hint(
         ui,
-        if is_given {
-            say!("What to add")
-        } else {
+        if intervals {
             say!("What to add, ± half the 95 % interval")
+        } else {
+            say!("What to add")
         },
     );
     blocks::button(ui, say!("regions"), || blocks::regions(results));
-}
-
-/// A value, and in small below it what it is compared with.
-fn two_lines(ui: &mut Ui, value: String, below: &str) {
-    ui.vertical(|ui| {
-        ui.spacing_mut().item_spacing.y = 0.0;
-        ui.label(value);
-        widgets::caption(ui, below);
-    });
 }
 
 fn remarks(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {

@@ -1,9 +1,6 @@
 //! Buttons: with words on them, or with a sign, whose words are said to who cannot see it.
 
-use std::sync::Arc;
-
 use egui::response::Flags;
-use egui::text::{LayoutJob, TextWrapping};
 use egui::{
     Align, Button, CollapsingHeader, Color32, Context, CornerRadius, FontId, Frame, Id, Key,
     KeyboardShortcut, Layout, Margin, Modifiers, Response, RichText, Role, Sense, Stroke, Ui,
@@ -297,19 +294,6 @@ pub(crate) fn bare_button<'a>(
 
 // Words: what stands over, beside and below controls, and numbers with their names.
 
-/// A text on one line, ended by … where it is wider than its room.
-pub(crate) fn cut(
-    ui: &Ui,
-    text: &str,
-    font: FontId,
-    color: Color32,
-    width: f32,
-) -> Arc<egui::Galley> {
-    let mut job = LayoutJob::simple_singleline(text.to_owned(), font, color);
-    job.wrap = TextWrapping::truncate_at_width(width.max(1.0));
-    ui.painter().layout_job(job)
-}
-
 /// What a panel is about.
 pub(crate) fn heading(ui: &mut Ui, text: &str) {
     ui.label(RichText::new(text).font(strong(size::HEADING)));
@@ -487,20 +471,13 @@ pub(crate) fn dense(ui: &mut Ui) {
 
 /// What is said about what the pointer is on.
 pub(crate) fn facts(ui: &mut Ui, (title, lines): &(String, Vec<(String, String)>)) {
-    let palette = Palette::of(ui);
-    ui.set_max_width(220.0);
+    ui.set_width(220.0);
     dense(ui);
     bold(ui, title);
-    egui::Grid::new("facts")
-        .num_columns(2)
-        .spacing([16.0, 2.0])
-        .show(ui, |ui| {
-            for (name, value) in lines {
-                ui.label(RichText::new(name).size(size::SMALL).color(palette.muted));
-                ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-                    ui.label(RichText::new(value).size(size::SMALL));
-                });
-                ui.end_row();
-            }
-        });
+    let small = FontId::proportional(size::SMALL);
+    let styles = &mut ui.style_mut().text_styles;
+    styles.insert(egui::TextStyle::Body, small);
+    for (name, value) in lines {
+        fact(ui, name, value);
+    }
 }

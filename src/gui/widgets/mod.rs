@@ -180,17 +180,22 @@ pub(crate) fn grip(ui: &Ui, name: &str, panel: Rect, x: f32) -> Option<Gripped> 
     (by != 0.0).then_some(Gripped::LetGo(x + by))
 }
 
+/// The arrow keys, those across and those up and down, are for this control instead of going to the next.
+pub(crate) fn keep_arrows(ui: &Ui, id: Id, [horizontal_arrows, vertical_arrows]: [bool; 2]) {
+    let filter = EventFilter {
+        horizontal_arrows,
+        vertical_arrows,
+        ..EventFilter::default()
+    };
+    ui.memory_mut(|memory| memory.set_focus_lock_filter(id, filter));
+}
+
 /// How far arrow keys move what stands upright or lies, if it has the focus, points.
 pub(crate) fn moved_by_keys(ui: &Ui, id: Id, upright: bool) -> f32 {
     if !ui.memory(|memory| memory.has_focus(id)) {
         return 0.0;
     }
-    let filter = EventFilter {
-        horizontal_arrows: upright,
-        vertical_arrows: !upright,
-        ..EventFilter::default()
-    };
-    ui.memory_mut(|memory| memory.set_focus_lock_filter(id, filter));
+    keep_arrows(ui, id, [upright, !upright]);
     ui.input(|input| {
         let asked = |action| input.num_accesskit_action_requests(id, action) as f32;
         let presses = |key| input.num_presses(key) as f32;

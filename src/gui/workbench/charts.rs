@@ -61,7 +61,6 @@ impl Workbench {
             after_alone: view.only_after,
             component: view.component,
             joint: view.joint,
-            axes: None,
             units: self.units(),
             identified: self.shown_outcome(),
             search: self.search_of_this().cloned(),
@@ -79,7 +78,6 @@ impl Workbench {
         Scene {
             component: pane.component.unwrap_or(scene.component),
             joint: pane.joint.unwrap_or(scene.joint),
-            axes: pane.axes,
             ..scene
         }
     }

@@ -170,13 +170,13 @@ impl Workbench {
             say!("Identify the robot first"),
         ])?;
         let (choice, question) = (self.document().export, self.question());
-        let work = move |path: &Path, replace: bool, _: &Watch| {
+        let work = move |path: &Path, replace: bool, watch: &Watch| {
             let wanted = PreviewRequest {
                 identified,
                 choice,
                 name: None,
             };
-            files::export(&wanted, what, path, replace)
+            files::export(&wanted, what, path, replace, watch)
         };
         let then = move |bench: &mut Self, written| bench.take_exported(written, question, choice);
         Ok(later(work, then))
@@ -375,8 +375,8 @@ impl Workbench {
         ])?;
         let mut inputs = self.inputs();
         inputs.push(compensated.wanted.path.clone());
-        let work = move |path: &Path, replace: bool, _: &Watch| {
-            files::write_targets(&compensated, path, replace, &inputs)
+        let work = move |path: &Path, replace: bool, watch: &Watch| {
+            files::write_targets(&compensated, path, replace, &inputs, watch)
         };
         Ok(later(work, Self::take_written))
     }
@@ -402,6 +402,7 @@ fn robot_file(robot: &Robot) -> Write {
 
 /// A text of which nothing more has to be known.
 fn list(text: impl FnOnce() -> String + Send + 'static) -> Write {
-    let work = |path: &Path, replace: bool, _: &Watch| files::write_list(text(), path, replace);
+    let work =
+        |path: &Path, replace: bool, watch: &Watch| files::write_list(text(), path, replace, watch);
     later(work, Workbench::take_written)
 }

@@ -315,7 +315,6 @@ impl Workbench {
             Ok(()) if self.dragging => self.history.change_within_gesture(next, what),
             Ok(()) => self.history.change(next, what),
         }
-        self.view.setup = None;
         if !Arc::ptr_eq(&before, self.loaded_session()) {
             self.view.marked.clear();
             self.after_travel(before.lineage);
@@ -413,8 +412,10 @@ impl Workbench {
 
     /// After a change that may have brought another session.
     fn after_travel(&mut self, lineage_before: u64) {
-        self.view.setup = None;
         if self.loaded_session().lineage != lineage_before {
+            // What is being typed is about the robot that was here.
+            let of_session = |sheet: &mut Sheet| matches!(sheet, Sheet::Setup { form, .. } if form.measured.is_some());
+            self.view.sheet.take_if(of_session);
             self.arrived();
         }
     }

@@ -295,7 +295,7 @@ fn a_robot_that_is_edited_is_seen_at_once_and_undone_in_one_step() {
         .rms_mm;
     let mut form = SetupForm::of(&workbench.loaded_session().session);
     for k in 1..=5 {
-        form.tool_mm[0] += f64::from(k);
+        form.robot.tool[0] += f64::from(k);
         workbench.execute(|bench| {
             bench.drag(true);
             bench.edit(phrase!("edit robot and instrument"), |document| {

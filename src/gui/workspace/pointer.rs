@@ -4,8 +4,8 @@
 
 use egui::accesskit::{Action, ActionData};
 use egui::{
-    CursorIcon, EventFilter, Id, Key, PopupAnchor, Pos2, Rect, Response, Role, Sense, Stroke,
-    Tooltip, Ui, Vec2, WidgetInfo,
+    CursorIcon, Id, Key, PopupAnchor, Pos2, Rect, Response, Role, Sense, Stroke, Tooltip, Ui, Vec2,
+    WidgetInfo,
 };
 
 use crate::gui::actions::EXCLUDE;
@@ -433,14 +433,7 @@ fn moved_by_keys(ui: &Ui, response: &Response, at_deg: f64) -> Option<f64> {
     let mut steps = 0.0;
     let mut step_deg = STEPS_DEG.1;
     if response.has_focus() {
-        ui.memory_mut(|memory| {
-            let filter = EventFilter {
-                horizontal_arrows: true,
-                vertical_arrows: true,
-                ..EventFilter::default()
-            };
-            memory.set_focus_lock_filter(response.id, filter);
-        });
+        widgets::keep_arrows(ui, response.id, [true; 2]);
         ui.input(|input| {
             let presses = |key: Key| input.num_presses(key) as f64;
             steps += presses(Key::ArrowUp) + presses(Key::ArrowRight);

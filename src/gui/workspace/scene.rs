@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use egui::epaint::Mesh;
 use egui::{
-    Align2, Color32, EventFilter, Key, PointerButton, Rect, Response, Role, Sense, Shape, Stroke,
+    Align2, Color32, Key, PointerButton, Rect, Response, Role, Sense, Shape, Stroke,
     TextureOptions, Ui, Vec2, WidgetInfo, pos2, vec2,
 };
 use nalgebra::{Isometry3, Point3, UnitQuaternion, Vector3};
@@ -526,20 +526,10 @@ fn looked(ui: &Ui, response: &Response, rect: Rect, ball: &Ball, camera: ViewCam
         }
     }
     if response.has_focus() {
-        keep_arrows(ui, response);
+        widgets::keep_arrows(ui, response.id, [true; 2]);
         camera = by_keys(ui, camera);
     }
     camera
-}
-
-/// The arrow keys turn the view instead of going to the next control.
-fn keep_arrows(ui: &Ui, response: &Response) {
-    let filter = EventFilter {
-        horizontal_arrows: true,
-        vertical_arrows: true,
-        ..EventFilter::default()
-    };
-    ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, filter));
 }
 
 fn by_keys(ui: &Ui, camera: ViewCamera) -> ViewCamera {

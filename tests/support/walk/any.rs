@@ -10,7 +10,7 @@ use crate::diagnosis::SessionCorrection;
 use crate::effects::CATALOGUE;
 use crate::export::EXPORTERS;
 use crate::gui::core::answer::term_of;
-use crate::gui::core::compensated::{CompensationRequest, PrecedenceChoice};
+use crate::gui::core::compensated::CompensationRequest;
 use crate::gui::core::document::{ExportChoice, Method};
 use crate::gui::core::loaded_session::LoadedSession;
 use crate::gui::core::robot_table::RobotTable;
@@ -21,7 +21,7 @@ use crate::gui::preferences::{Preferences, Sizes, Theme};
 use crate::gui::view::{About, NextAction, Sheet, What};
 use crate::gui::workbench::{Change, Workbench};
 use crate::present::units::{AngleUnit, LengthUnit};
-use crate::programs::ExternalAxes;
+use crate::programs::{ExternalAxes, Precedence};
 use crate::progress::{Progress, unwatched};
 use crate::robots::library;
 use crate::sessions::Sigma;
@@ -129,17 +129,21 @@ fn setup(random: &mut ChaCha8Rng, loaded_session: &LoadedSession) -> SetupForm {
     let number = random.random_range(-300.0..300.0);
     let axis = random.random_range(0..3);
     match random.random_range(0..8) {
-        0 => form.joints[0].numbers[axis] = number,
-        1 => form.joints[0].travel = Some([number, 90.0]),
-        2 => form.tool_mm[axis] = number,
-        3 => form.sigma = Some(Sigma::Overall(number)),
-        4 => form.joints[0].slides = true,
-        5 => form.joints[0].numbers[..3].fill(0.0),
-        6 => form.joints[0].travel = None,
+        0 => form.robot.rows[0].numbers[axis] = number,
+        1 => form.robot.rows[0].travel = Some([number, 90.0]),
+        2 => form.robot.tool[axis] = number,
+        3 => form
+            .measured
+            .iter_mut()
+            .for_each(|m| m.sigma = Some(Sigma::Overall(number))),
+        4 => form.robot.rows[0].slides = true,
+        5 => form.robot.rows[0].numbers[..3].fill(0.0),
+        6 => form.robot.rows[0].travel = None,
         _ => {
-            if let Some(target) = form.targets.first_mut() {
-                target.position_mm[axis] = number;
-            }
+            let targets = form.measured.iter_mut().flat_map(|m| &mut m.targets);
+            targets
+                .take(1)
+                .for_each(|target| target.position_mm[axis] = number);
         }
     }
     form
@@ -359,10 +363,10 @@ fn sheet(random: &mut ChaCha8Rng, files: &Files, workbench: &Workbench) -> Optio
         7 => Sheet::Named("preferences"),
         8 => Sheet::Named("none of this name"),
         9 => Sheet::ROBOTS,
-        10 => Sheet::RobotTable {
-            table: Box::new(typed_robot(random)),
-            opened: Box::new(typed_robot(random)),
-        },
+        10 => Sheet::set_up(SetupForm {
+            robot: typed_robot(random),
+            measured: None,
+        }),
         _ => return None,
     })
 }
@@ -378,12 +382,10 @@ fn typed_robot(random: &mut ChaCha8Rng) -> RobotTable {
 }
 
 fn draft(random: &mut ChaCha8Rng, workbench: &Workbench) -> Deed {
-    let drafted = random.random::<bool>();
-    deed(
-        "Draft",
-        drafted.then(|| Box::new(setup(random, workbench.loaded_session()))),
-        |bench, it| bench.view.setup = it,
-    )
+    let drafted = setup(random, workbench.loaded_session());
+    deed("Draft", drafted, |bench, it| {
+        bench.show_sheet(Some(Sheet::set_up(it)));
+    })
 }
 
 fn own_robot(random: &mut ChaCha8Rng, workbench: &Workbench) -> Deed {
@@ -450,17 +452,17 @@ fn compensation(random: &mut ChaCha8Rng, files: &Files) -> Deed {
             tool: pick(
                 random,
                 &[
-                    PrecedenceChoice::Asked,
-                    PrecedenceChoice::Model,
-                    PrecedenceChoice::Program,
+                    Precedence::Unsettled,
+                    Precedence::Model,
+                    Precedence::Program,
                 ],
             ),
             frame: pick(
                 random,
                 &[
-                    PrecedenceChoice::Asked,
-                    PrecedenceChoice::Model,
-                    PrecedenceChoice::Program,
+                    Precedence::Unsettled,
+                    Precedence::Model,
+                    Precedence::Program,
                 ],
             ),
             ..CompensationRequest::new(files.any(random))

@@ -10,7 +10,6 @@ use crate::report::Details;
 
 use crate::gui::charts::CHARTS;
 use crate::gui::core::loaded_session::Component;
-use crate::gui::core::quantity::Quantity;
 use crate::gui::file_state::Stated;
 use crate::gui::preferences::Sizes;
 use crate::gui::view::{
@@ -97,15 +96,10 @@ pub(super) fn arrangement(random: &mut ChaCha8Rng, workbench: &Workbench) -> Dee
             bench.rearrange(|panes| *panes = Panes::default());
         }),
         _ => {
-            let quantities = Quantity::offered(workbench.loaded_session());
-            let [across, upwards] = [0, 1].map(|_| one_of(random, &quantities).copied());
             let changed = ChartPane {
                 chart: Some(chart(random).to_owned()),
                 component: one_of(random, &Component::ALL).copied(),
                 joint: Some(random.random_range(0..9)),
-                axes: across
-                    .zip(upwards)
-                    .map(|(across, upwards)| [across, upwards]),
                 fitted: 0,
             };
             deed("ChangeChart", (key, changed), |bench, (key, changed)| {

@@ -25,6 +25,7 @@
 
 use super::verification::{Verification, WithinTolerance};
 use crate::answers::diagnosis::Diagnosis;
+use crate::fit::Identification;
 use crate::sessions::{Session, Sigma};
 use crate::text::Template;
 
@@ -87,6 +88,16 @@ impl From<&Diagnosis> for FittedErrors {
             fit_mm: found.gap.end_mm,
             held_out_mm: found.held_out.gaps.map(|g| g.end_mm),
             floor_mm: Some(found.floor.mm),
+        }
+    }
+}
+
+impl From<&Identification> for FittedErrors {
+    fn from(found: &Identification) -> Self {
+        Self {
+            fit_mm: found.gap.after.rms_mm,
+            held_out_mm: found.held_out.as_ref().map(|gap| gap.after.rms_mm),
+            floor_mm: None,
         }
     }
 }

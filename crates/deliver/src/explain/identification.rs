@@ -9,9 +9,11 @@ use crate::answers::noise::StatedNoise;
 use crate::fit::{Identification, UnusableReason};
 use crate::fit::{RegionResult, gap::Spread};
 use crate::language::spoken;
+use crate::present::chart::shortened;
 use crate::present::identification_v1::degrees;
 use crate::present::kinds;
-use crate::present::table::Table;
+use crate::present::table::{Cell, Column, Table};
+use crate::present::units::Units;
 use crate::sessions::Session;
 use crate::set_up_errors::DataProblem;
 
@@ -84,6 +86,43 @@ fn levels(answer: &Identification) -> Option<Section> {
     }
     let title = say!("Levels of correction");
     Some(Section::new(title, vec![Block::Table(table)]))
+}
+
+/// Letters of a region's name in a narrow panel: its numbers keep their places, however long it is.
+const MOST_LETTERS: usize = 10;
+
+/// The corrections of regions for a narrow panel and in its units: each with half of its interval below it, where
+/// there are intervals, and what the error was below what it is.
+#[doc(hidden)]
+pub fn corrections(results: &[RegionResult], intervals: bool, units: Units) -> Block {
+    let (angle, length) = (units.angle_name().trim(), units.length_name());
+    let mut table = Table::of([
+        Column::words(say!("region")),
+        Column::numbers(format!("Δθ, {angle}")),
+        Column::numbers(format!("Δl1, {length}")),
+        Column::numbers(format!("{}, {length}", say!("RMS error"))),
+    ]);
+    for result in results {
+        let c = &result.correction;
+        let cell = |value, interval, unit| {
+            let (value, half, _) = units.with_interval(value, interval, unit);
+            Cell::from(if intervals {
+                format!("{value}\n{half}")
+            } else {
+                value
+            })
+        };
+        let theta = result.theta_ci95.map(|ends| ends.map(degrees));
+        let before = units.length_number(result.rms_before_mm);
+        let was = say!("was {rms_before}", rms_before = before);
+        table.row([
+            shortened(&c.name, MOST_LETTERS).into(),
+            cell(degrees(c.theta_rad), theta, "°"),
+            cell(c.l1_mm, result.l1_ci95, "mm"),
+            format!("{}\n{was}", units.length_number(result.rms_after_mm)).into(),
+        ]);
+    }
+    Block::Table(table)
 }
 
 fn regions(results: &[RegionResult]) -> Table {

@@ -28,7 +28,7 @@ pub use detail::Detail;
 pub(crate) use diagnosis::{answer, expected, floor_from, noise, remarks};
 pub use diagnosis::{diagnosis, found_effect};
 pub use history::history;
-pub use identification::identification;
+pub use identification::{corrections, identification};
 pub use identification::{problems_of_data, remarks_on_fit};
 pub use imported::imported;
 pub use parameters::values;

@@ -224,7 +224,7 @@ fn drawn(scene: &Scene, curve: &EffectCurve) -> Chart {
             component,
             effect = what
         ),
-        across: scale.axis(curve.over.label(&scene.loaded_session)),
+        across: scale.axis(&curve.over.label(&scene.loaded_session)),
         upwards: Axis::numbers(format!("{component}, {}", units.length_name())),
         bounds,
         items,

@@ -17,10 +17,9 @@ use crate::importers::{
     About, Alignment, AngleUnit, Decimal, EULER, IMPORTERS, Importer, LengthUnit, Matching,
     OwnOption, Question, Questions, Reading, Separator, TimeUnit,
 };
-use crate::language::{self, spoken};
+use crate::language::spoken;
 use crate::present::table::{Cell, Column, Table};
 use crate::sessions::Target;
-use crate::text::length;
 
 /// The file in a line: rows, separator, encoding, unit.
 pub(super) fn found_out(now: &ImportDraft) -> String {
@@ -376,19 +375,13 @@ pub(super) fn base_frame(ui: &mut Ui, draft: &mut ImportDraft, workbench: &Workb
 fn residuals(ui: &mut Ui, alignment: &Alignment) {
     const MOST: usize = 60;
     let left_out = alignment.outliers().count();
-    let used = alignment.residuals.len() - left_out;
-    let rms = language::spoken(length(alignment.rms_mm, 4));
-    let says = if left_out > 0 {
-        say!(
-            "{used} points fit with {rms} (root mean square), {left_out} excluded: measured or surveyed wrongly, or moved since",
-            used,
-            rms,
+    if left_out > 0 {
+        let says = say!(
+            "{left_out} excluded: measured or surveyed wrongly, or moved since",
             left_out
-        )
-    } else {
-        say!("{used} points fit with {rms} (root mean square)", used, rms)
-    };
-    widgets::hint(ui, says);
+        );
+        widgets::hint(ui, says);
+    }
     if (alignment.scale - 1.0).abs() > 0.0 {
         let ppm = 1e6 * (alignment.scale - 1.0);
         widgets::hint(

@@ -26,6 +26,7 @@ use crate::gui::widgets::{self, Does};
 use crate::gui::workbench::Workbench;
 
 use super::robots::{self, Robot as ListedRobot};
+use super::setup;
 
 /// Width of the sheet, points.
 const WIDTH: f32 = 780.0;
@@ -165,9 +166,9 @@ fn robot(ui: &mut Ui, workbench: &Workbench, draft: &mut ImportDraft) {
         }
     }
     let typed = RobotFrom::Typed(Box::new(RobotTable::one_axis()));
-    choose(ui, draft, typed, say!("one axis that turns, typed here"));
+    choose(ui, draft, typed, say!("one axis or more, typed here"));
     if let RobotFrom::Typed(typed) = &mut draft.answers.robot {
-        axis(ui, typed);
+        setup::table(ui, typed);
     }
     for (k, example) in EXAMPLES.iter().enumerate() {
         let text = say!("that of the example {example}", example = example.name());
@@ -236,34 +237,6 @@ fn listed(ui: &mut Ui, workbench: &Workbench, draft: &mut ImportDraft) {
         search.clone_from(&title);
         *robot = RobotFrom::Listed(title, Box::new(made));
     }
-}
-
-/// One axis that turns: its name, where it stands, where the tool is, how far it goes.
-fn axis(ui: &mut Ui, typed: &mut RobotTable) {
-    widgets::form_row(ui, say!("Name"), |ui| {
-        let field = ui.add(TextEdit::singleline(&mut typed.name));
-        widgets::label(&field, say!("Name of the robot"));
-    });
-    let xyz = ["x", "y", "z"];
-    let row = &mut typed.rows[0];
-    let (axis, point) = row.numbers.split_at_mut(3);
-    numbers(ui, say!("Axis at home"), (say!("Axis"), ""), &xyz, axis);
-    let (name, unit) = (say!("Point on it, mm"), "mm");
-    numbers(ui, name, (say!("Point"), unit), &xyz, point);
-    let name = say!("Tool at home, mm");
-    numbers(ui, name, (say!("Tool"), unit), &xyz, &mut typed.tool[..3]);
-    let (name, ends) = (say!("Travel, °"), [say!("from"), say!("to")]);
-    let travel = row.travel.get_or_insert([-180.0, 180.0]);
-    numbers(ui, name, (say!("Travel"), "°"), &ends, travel);
-    let mut down = typed.gravity.is_some();
-    ui.checkbox(&mut down, say!("gravity points along −z"));
-    typed.gravity = down.then_some([0.0, 0.0, -9.81]);
-}
-
-fn numbers(ui: &mut Ui, row: &str, (name, unit): (&str, &str), parts: &[&str], values: &mut [f64]) {
-    widgets::form_row(ui, row, |ui| {
-        widgets::numbers(ui, (name, unit), parts, values, (90.0, 1.0));
-    });
 }
 
 fn in_words(robot: &Robot) -> String {

@@ -3,7 +3,7 @@
 use egui::{Align, ComboBox, CursorIcon, Layout, Rect, Shape, Stroke, StrokeKind, Ui, pos2, vec2};
 
 use crate::gui::charts::{
-    Bars, CHARTS, ChartChoice, ChartKind, HoverTarget, Samples, Scene, Shown, deviation, scatter,
+    Bars, CHARTS, ChartChoice, ChartKind, HoverTarget, Samples, Scene, Shown, deviation,
 };
 use crate::gui::core::loaded_session::Component;
 use crate::gui::plots::chart::Canvas;
@@ -179,181 +179,127 @@ fn pointed(
     });
 }
 
-type Choosing = Box<dyn Fn(&mut Workbench, usize) + Send>;
-
-/// A list in the bar.
-struct Listed {
-    /// What it is called.
-    of: String,
-    /// What can be chosen.
-    names: Vec<String>,
-    current: Option<usize>,
-    /// How what is chosen is written.
-    shown: String,
-    /// What a choice does.
-    does: Choosing,
+/// Width of a list in the bar that shows this, points.
+fn width(ui: &Ui, shown: &str) -> f32 {
+    widgets::width_of(ui, shown, egui::FontId::proportional(size::SMALL)) + ARROW
 }
 
-impl Listed {
-    fn new<T: Copy + PartialEq + Send + 'static>(
-        of: String,
-        offered: Vec<(T, String)>,
-        current: T,
-        does: impl Fn(&mut Workbench, T) + Send + 'static,
-    ) -> Self {
-        let (offered, names): (Vec<T>, Vec<String>) = offered.into_iter().unzip();
-        let current = offered.iter().position(|one| *one == current);
-        Self {
-            of,
-            shown: current.map_or(String::new(), |k| names[k].clone()),
-            names,
-            current,
-            does: Box::new(move |bench, k| does(bench, offered[k])),
-        }
-    }
-
-    /// How wide it is, points.
-    fn width(&self, ui: &Ui) -> f32 {
-        let font = egui::FontId::proportional(size::SMALL);
-        widgets::width_of(ui, &self.shown, font) + ARROW
-    }
-
-    fn show(self, ui: &mut Ui, workbench: &Workbench) {
-        let list = ComboBox::from_id_salt(&self.of)
-            .selected_text(egui::RichText::new(&self.shown).size(size::SMALL))
-            .width(0.0)
-            .height(360.0);
-        let offered = self.names.iter().enumerate();
-        let offered = offered.map(|(k, name)| (Some(k), name));
-        let chosen = widgets::list(ui, self.of, list, offered, self.current).flatten();
-        if let Some(k) = chosen.filter(|_| chosen != self.current) {
-            let does = self.does;
-            workbench.then(move |bench| does(bench, k));
-        }
+/// A list in the bar, by its name, with what is chosen as it is shown there.
+fn list<T: Copy + PartialEq + Send + 'static, N: AsRef<str>>(
+    ui: &mut Ui,
+    workbench: &Workbench,
+    (of, shown): (String, &str),
+    (offered, current): (impl IntoIterator<Item = (T, N)>, T),
+    does: impl FnOnce(&mut Workbench, T) + Send + 'static,
+) {
+    let list = ComboBox::from_id_salt(&of)
+        .selected_text(egui::RichText::new(shown).size(size::SMALL))
+        .width(0.0)
+        .height(360.0);
+    let chosen = widgets::list(ui, of, list, offered, current);
+    if let Some(chosen) = chosen.filter(|chosen| *chosen != current) {
+        workbench.then(move |bench| does(bench, chosen));
     }
 }
 
-fn charts(workbench: &Workbench, current: &dyn ChartKind, place: Place<'_>) -> Listed {
-    let (scene, key) = (workbench.scene(), place.key);
-    let offered = CHARTS.iter().filter(|chart| chart.is_offered(&scene));
-    let offered = offered.map(|chart| (chart.about().id, chart.about().name().to_owned()));
-    let of = place.own(say!("Choose chart"));
-    Listed {
-        shown: current.about().short().to_owned(),
-        ..Listed::new(
-            of,
-            offered.collect(),
-            current.about().id,
-            move |bench, chart| bench.choose_chart(key, chart),
-        )
-    }
+/// Whether a component and whether a joint is chosen for a chart, and what they are called now.
+fn chosen<'a>(scene: &'a Scene, kind: &dyn ChartKind) -> [Option<&'a str>; 2] {
+    use ChartChoice::{Axis, Component, Joint};
+    let of = kind.about().of;
+    let joints = &scene.loaded_session.session.robot.joints;
+    let joint = matches!(of, Axis | Joint) && joints.len() > 1;
+    [
+        matches!(of, Component | Joint).then(|| scene.component.name()),
+        joint.then(|| &*joints[scene.joint()].name),
+    ]
 }
 
 /// What is chosen for a chart beside itself. Of one that is alone the view keeps component and joint, so that the
 /// workspace shows the same; of one of several its pane.
-fn others(scene: &Scene, kind: &dyn ChartKind, place: Place<'_>) -> Vec<Listed> {
-    let of = kind.about().of;
+fn others(
+    ui: &mut Ui,
+    workbench: &Workbench,
+    (place, kind, scene): (Place<'_>, &dyn ChartKind, &Scene),
+) {
     let (key, alone) = (place.key, place.number.is_none());
     let session = &scene.loaded_session.session;
-    let mut all = Vec::new();
-    if matches!(of, ChartChoice::Component | ChartChoice::Joint) {
+    let [component, joint] = chosen(scene, kind);
+    if let Some(shown) = component {
         let of_view = alone && place.pane.component.is_none();
         let planar = session.samples.z_mm.is_none();
         let offered = Component::ALL.into_iter();
         let offered = offered.filter(|c| !(planar && c.out_of_plane()));
-        let offered = offered.map(|c| (c, c.name().to_owned())).collect();
-        let name = place.own(say!("Component"));
-        all.push(Listed::new(
-            name,
-            offered,
-            scene.component,
-            move |bench, c| {
-                if of_view {
-                    bench.view.component = c;
-                } else {
-                    bench.change_chart(key, |pane| pane.component = Some(c));
-                }
-            },
-        ));
+        let offered = (offered.map(|c| (c, c.name())), scene.component);
+        let named = (place.own(say!("Component")), shown);
+        list(ui, workbench, named, offered, move |bench, c| {
+            if of_view {
+                bench.view.component = c;
+            } else {
+                bench.change_chart(key, |pane| pane.component = Some(c));
+            }
+        });
     }
-    let joints = &session.robot.joints;
-    if of == ChartChoice::Joint && joints.len() > 1 {
+    if let Some(shown) = joint {
         let of_view = alone && place.pane.joint.is_none();
-        let offered = joints.iter().enumerate();
-        let offered = offered.map(|(k, joint)| (k, joint.name.clone())).collect();
-        let name = place.own(say!("Joint of the chart"));
-        all.push(Listed::new(
-            name,
-            offered,
-            scene.joint(),
-            move |bench, joint| {
-                if of_view {
-                    bench.view.joint = joint;
-                } else {
-                    bench.change_chart(key, |pane| pane.joint = Some(joint));
-                }
-            },
-        ));
+        let offered = session.robot.joints.iter().map(|joint| &joint.name);
+        let named = (place.own(say!("Joint of the chart")), shown);
+        let offered = (offered.enumerate(), scene.joint());
+        list(ui, workbench, named, offered, move |bench, joint| {
+            if of_view {
+                bench.view.joint = joint;
+            } else {
+                bench.change_chart(key, |pane| pane.joint = Some(joint));
+            }
+        });
     }
-    if of == ChartChoice::Quantities {
-        let (axes, offered) = (scatter::axes(scene), scatter::named(scene));
-        for (k, name) in [say!("Across"), say!("Upwards")].into_iter().enumerate() {
-            let name = place.own(name);
-            all.push(Listed::new(
-                name,
-                offered.clone(),
-                axes[k],
-                move |bench, quantity| {
-                    let mut axes = axes;
-                    axes[k] = quantity;
-                    bench.change_chart(key, |pane| pane.axes = Some(axes));
-                },
-            ));
-        }
-    }
-    all
 }
 
 fn bar(
     ui: &mut Ui,
     workbench: &Workbench,
-    (place, kind, scene): (Place<'_>, &dyn ChartKind, &Scene),
+    of: (Place<'_>, &dyn ChartKind, &Scene),
     first: First<'_>,
 ) {
-    let mut charts = charts(workbench, kind, place);
-    let others = others(scene, kind, place);
+    let (place, kind, scene) = of;
+    let about = kind.about();
     // What there is no room for stands below, and the marks are in the menu of the handle as well.
-    let beside = others.iter().map(|other| other.width(ui) + space::ROW);
-    let beside = ui.available_width() - HANDLE - beside.sum::<f32>();
-    let short = std::mem::replace(&mut charts.shown, kind.about().name().to_owned());
-    if beside - charts.width(ui) < MARKS {
-        charts.shown = short;
-    }
-    let room = beside - charts.width(ui);
-    let (one_row, marks) = (room >= 0.0, room >= MARKS);
-    let mut others = Some(others).filter(|others| !others.is_empty());
+    let chosen = chosen(scene, kind).into_iter().flatten();
+    let beside: f32 = chosen.map(|name| width(ui, name) + space::ROW).sum();
+    let beside_all = ui.available_width() - HANDLE - beside;
+    let name = if beside_all - width(ui, about.name()) < MARKS {
+        about.short()
+    } else {
+        about.name()
+    };
+    let room = beside_all - width(ui, name);
     widgets::row(ui, |ui| {
         ui.spacing_mut().item_spacing.x = space::ROW;
         first(ui);
-        charts.show(ui, workbench);
-        if one_row {
-            for other in others.take().into_iter().flatten() {
-                other.show(ui, workbench);
-            }
+        let scene = workbench.scene();
+        let offered = CHARTS.iter().filter(|chart| chart.is_offered(&scene));
+        let offered = offered.map(|chart| (chart.about().id, chart.about().name()));
+        let (key, named) = (place.key, (place.own(say!("Choose chart")), name));
+        list(
+            ui,
+            workbench,
+            named,
+            (offered, about.id),
+            move |bench, chart| {
+                bench.choose_chart(key, chart);
+            },
+        );
+        if room >= 0.0 {
+            others(ui, workbench, of);
         }
-        if marks {
+        if room >= MARKS {
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 ui.spacing_mut().item_spacing.x = space::TIGHT;
                 signs(ui, (place, kind), workbench);
             });
         }
     });
-    if let Some(others) = others {
-        ui.horizontal_wrapped(|ui| {
-            for other in others {
-                other.show(ui, workbench);
-            }
-        });
+    if room < 0.0 && beside > 0.0 {
+        ui.horizontal_wrapped(|ui| others(ui, workbench, of));
     }
 }
 
