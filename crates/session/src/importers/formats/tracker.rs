@@ -61,7 +61,9 @@ pub(crate) fn read(context: &mut ReadContext<'_>) -> Option<Columns> {
     let found = by_header.or_else(|| {
         let kinds = kinds(&grid, context);
         let names = names_before(&kinds).filter(|_| !says_otherwise)?;
-        let numbers = kinds[names..].iter().take_while(|kind| **kind != Kind::Text);
+        let numbers = kinds[names..]
+            .iter()
+            .take_while(|kind| **kind != Kind::Text);
         (numbers.count() < TWO_POINTS).then(|| roles(names, grid.width))
     });
     let roles = match (context.given_roles(&grid, found.as_deref()), found) {
