@@ -108,8 +108,8 @@ struct Name {
     was_used: bool,
     /// Whether it is the one of an outer routine, if that has it.
     weak: bool,
-    /// Whether a motion goes to it that keeps its configuration.
-    kept: bool,
+    /// Whether a motion keeps its configuration, of those that go to it.
+    kept: Option<bool>,
     /// Where its value is worked out at run time.
     changed: Option<Span>,
     said: Option<Box<Said>>,

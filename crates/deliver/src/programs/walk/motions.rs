@@ -187,7 +187,7 @@ impl Walk<'_> {
             let handed = self.is_handed_to(index);
             let name = self.name(index);
             name.ways.add(motion.way);
-            name.kept |= !motion.nearest;
+            name.kept = name.kept.max(Some(!motion.nearest));
             match name.values[..] {
                 [only] if !is_part => self.program.visits.push(only),
                 [] if handed || is_part && arrays.contains(&index) => {}
@@ -287,7 +287,7 @@ impl Walk<'_> {
             for value in &name.values {
                 let target = &mut self.program.targets[*value];
                 both().for_each(|name| target.ways.join(name.ways));
-                if used && !both().any(|name| name.kept) {
+                if both().filter_map(|name| name.kept).max() == Some(false) {
                     target.forget_configuration();
                 }
                 if let Some(near) = own.and_then(|said| said.near.as_ref()) {

@@ -114,7 +114,7 @@ impl Name {
         };
         let before = known(self);
         self.used |= parameter.used;
-        self.kept |= parameter.kept;
+        self.kept = self.kept.max(parameter.kept);
         self.ways.join(parameter.ways);
         self.changed = self.changed.or(parameter.changed);
         if let Some(of) = &parameter.said {

@@ -164,7 +164,9 @@ fn use_what_returns(problem: &mut Problem, joint: usize) {
     }
     for visits in visits.values().filter(|visits| visits.len() > 1) {
         if !visits.iter().any(|k| counted[*k]) {
-            visits.iter().for_each(|k| counted[*k] = true);
+            for k in visits {
+                counted[*k] = true;
+            }
         }
     }
     problem.set_counted(counted);
