@@ -274,6 +274,30 @@ fn a_target_that_is_off_at_every_visit_is_of_the_axis_and_in_the_table() {
 }
 
 #[test]
+fn two_readings_of_one_visit_are_no_return() {
+    let slide = Slide {
+        lead: |_| 0.0,
+        reversal_mm: 0.0,
+        targets: equal_targets(9),
+        runs: 1,
+        seed: 19,
+    };
+    // Everything is read twice where it stands; at one target somebody leans against the machine.
+    let mut readings: Vec<_> = slide.readings().into_iter().flat_map(|r| [r, r]).collect();
+    let mut random = Random(191);
+    for (q, side, read) in &mut readings {
+        let leans = (*q, *side) == (225.0, 1.0);
+        *read += SIGMA * random.normal() + if leans { 0.08 } else { 0.0 };
+    }
+    readings.retain(|(q, side, _)| *q != 225.0 || *side > 0.0);
+    let (d, table) = answered(&session(&readings));
+    assert_eq!(d.identification.outliers.len(), 2);
+    let read = table.reads_as.as_ref().unwrap();
+    let at_target = read.correction(225.0, 1.0);
+    assert!(at_target.abs() < 3.0 * SIGMA, "{at_target}");
+}
+
+#[test]
 fn names_with_as_many_numbers_as_half_of_the_targets_are_none() {
     // Thirteen targets as ISO 230-2 wants them: a wave of three harmonics and a screw's lead can follow any of these.
     let targets = [

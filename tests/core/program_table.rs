@@ -138,6 +138,7 @@ const TABLE: &[Row] = &[
     ("parameter", "rapid", "PROC go(robtarget p)\nMoveL RelTool(p,0,0,9),v9,fine,t;\nENDPROC\nPROC main()\nCONST robtarget r:=@ROB;\ngo r;\nother r;\nENDPROC\n", &[], &[("r", "unused", "uses it")], &["RelTool"]),
     ("parameter", "rapid", "PROC go(robtarget p,PERS tooldata u)\nMoveL p,v9,fine,u;\nENDPROC\nPROC main()\nCONST robtarget r:=@ROB;\ngo r,t1;\ngo r,t2;\nENDPROC\n", &[], &[("r", "frame", "u is a parameter")], &[]),
     ("parameter", "rapid", "PROC go(robtarget p)\nMoveL p,v9,fine,t;\nENDPROC\nPROC go(num n)\nENDPROC\nPROC main()\nCONST robtarget r:=@ROB;\ngo r;\nENDPROC\n", &[], &[("r", "unused", "go uses it")], &["p is a parameter"]),
+    ("parameter", "rapid", "PROC go(\\switch a|switch b,\\num n,robtarget p,INOUT robtarget q)\nMoveL p,v9,fine,t;\nMoveL RelTool(q,0,0,9),v9,fine,t;\nENDPROC\nPROC main()\nCONST robtarget p1:=@ROB;\nCONST robtarget p2:=@ROB;\ngo \\b,\\n:=5,p1,p2;\nENDPROC\n", &["p1"], &[("p2", "unused", "RelTool uses it")], &["RelTool"]),
     ("parameter", "krl", "DEF m()\nDECL E6POS XP\nXP={@XYZ,@ST}\nGO_TO(XP)\nEND\nDEF GO_TO(P:IN)\nDECL E6POS P\nLIN P\nEND\n", &["XP"], &[], &[]),
     ("parameter", "urscript", "def m():\n def go(q, v=1):\n  movej(q, v=v)\n end\n home=@ULI\n go(home)\n go(home, v=2)\nend\n", &["home"], &[], &[]),
     // A configuration that is not kept: its numbers are those of another one.

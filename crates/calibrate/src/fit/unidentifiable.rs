@@ -25,7 +25,7 @@ pub(super) fn undetermined_combinations(solution: &Solution) -> Vec<NotIdentifia
             .filter(|k| size(*k) > 0.0 && scaled(*k) > 0.02 * largest)
             .collect();
         involved.sort_by(|a, b| scaled(*b).total_cmp(&scaled(*a)));
-        let named = model_names(&involved, names.len() - solution.extra_coefficients.len());
+        let named = with_one_unnamed(&involved, names.len() - solution.extra_coefficients.len());
         let listed: Vec<&Text> = named.iter().map(|k| &names[*k]).collect();
         let because = if listed.len() == 1 {
             text!("the samples do not depend on it")
@@ -41,7 +41,7 @@ pub(super) fn undetermined_combinations(solution: &Solution) -> Vec<NotIdentifia
 }
 
 /// Of what has no name, which is fitted in many columns behind those of the model, the first alone.
-fn model_names(involved: &[usize], of_model: usize) -> Vec<usize> {
+fn with_one_unnamed(involved: &[usize], of_model: usize) -> Vec<usize> {
     let (mut named, without): (Vec<usize>, Vec<usize>) =
         involved.iter().partition(|k| **k < of_model);
     named.extend(without.first());

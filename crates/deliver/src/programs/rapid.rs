@@ -7,8 +7,9 @@
 //!
 //! `cf1`, `cf4`, `cf6` are the quadrants of axes 1, 4 and 6. `cfx` says in bit 0 that axis 5 is
 //! negative, in bit 1 that the wrist is behind the lower arm, in bit 2 that it is behind axis 1. An
-//! external axis that is not there has 9E9. After `ConfJ \Off` (`ConfL \Off` for lines) a motion comes in the
-//! configuration that is nearest to where it starts, whatever its target states.
+//! external axis that is not there has 9E9. In a file with `ConfJ \Off` (`ConfL \Off` for lines) and never
+//! `\On` a motion comes in the configuration that is nearest to where it starts, whatever its target states: the calls
+//! between the switch and the motion are not followed.
 //!
 //! ```text
 //! tooldata   [robhold, [[x, y, z], [q1 … q4]], …]                      on the flange

@@ -154,8 +154,9 @@ impl<'a> Resolver<'a> {
         near: Option<&[f64]>,
     ) -> Result<Vec<f64>, SkippedTarget> {
         let Some(near) = near else {
-            let says =
-                text!("several joint values reach it, and no earlier target determines which");
+            let says = text!(
+                "several joint values reach it, and no earlier target determines which: --start says where the robot comes from"
+            );
             return left(Reason::Ambiguous, says);
         };
         let Some(q) = self.inverse.from_start(goal, near) else {
@@ -223,7 +224,9 @@ impl<'a> Resolver<'a> {
         let says = match (&possible[..], near) {
             ([only], _) => return Ok(only.clone()),
             (_, None) => {
-                text!("several joint values reach it, and no earlier target determines which")
+                text!(
+                    "several joint values reach it, and no earlier target determines which: --start says where the robot comes from"
+                )
             }
             ([first, second, ..], Some(near)) => {
                 let far = |q: &[f64]| self.inverse.distance(q, near);

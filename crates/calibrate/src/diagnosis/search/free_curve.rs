@@ -240,8 +240,9 @@ pub(crate) fn rival(prepared: &PreparedSearch, found: &mut SearchResult, one_by_
     }
 }
 
-/// Takes names over a joint out where zero offset, names and shapes over it have more numbers than half of the values at
-/// which it was measured: what is left of these cannot contradict them, however often each was visited.
+/// Takes names over a joint out that stand beside a shape over it, where zero offset, names and shape have more numbers
+/// than half of the values at which it was measured: the residuals at these cannot contradict them, however often each
+/// was visited. (Evidence counts every visit, so that it does not show that.)
 pub(crate) fn withdraw_of_few_values(prepared: &PreparedSearch, found: &mut SearchResult) {
     for (joint, survey) in prepared.survey.joints.iter().enumerate() {
         let (names, kept) = over_joint(prepared, &found.fit, joint);

@@ -71,7 +71,7 @@ pub(super) fn beside(
         &values.problem
     } else {
         gap.start_mm = rms_mm(&found.problem, &prepared.nominal);
-        gap.identified_mm = rms_mm(&found.problem, &model);
+        gap.identified_mm = rms_mm(&found.problem, base);
         &found.problem
     };
     let [before, after] = [&model, &with].map(|model| rms_mm(over, model));

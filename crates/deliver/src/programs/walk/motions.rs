@@ -47,7 +47,7 @@ impl Walk<'_> {
         });
     }
 
-    /// Whether motions along lines (else of joints) keep the configurations of their goals from here on.
+    /// That motions along lines (else of joints) keep the configurations of their goals, or do not, somewhere in the file.
     pub(crate) fn keeps(&mut self, along: bool, keeps: bool) {
         let known = &mut self.facts.keeps[usize::from(along)];
         // A file that says both is read as if it kept them: a target that then cannot have its own is left.

@@ -24,8 +24,9 @@ impl Walk<'_> {
         for j in (k + 1..words.len()).filter(|j| words.is_name(*j) && follows(j + 1)) {
             let name = words.name(j);
             self.declare(&name, Declared::Parameter, false);
-            // `\num n` is given by its name.
-            if !words.is_sign(j.saturating_sub(2), b'\\') {
+            // `\num n|num m` are given by their names, in any number.
+            let own = (k + 1..j).rev().take_while(|i| !words.is_sign(*i, b','));
+            if !own.into_iter().any(|i| words.is_sign(i, b'\\')) {
                 required.push(self.owner(&name));
             }
         }
@@ -42,6 +43,10 @@ impl Walk<'_> {
     pub(crate) fn hand_over(&mut self, routine: &str, words: &Words, mut k: usize) {
         let parameters = self.facts.parameters.get(routine);
         for parameter in parameters.cloned().unwrap_or_default() {
+            // `\quick, p10`: what is optional may stand before.
+            while words.is_sign(k, b'\\') {
+                k = words.until(k + 1, b",;)") + 1;
+            }
             // An argument may stand in brackets of its own.
             let open = (k..words.len())
                 .take_while(|j| words.is_sign(*j, b'('))

@@ -155,16 +155,21 @@ fn settled<'a>(
 }
 
 /// What comes back at every visit of a value is of the axis, however far it is from what the names say: no outlier.
+/// Readings with nothing measured between them are one visit.
 fn use_what_returns(problem: &mut Problem, joint: usize) {
     let (fit, mut counted) = (problem.to_fit(), problem.counted().to_vec());
-    let mut visits: BTreeMap<i64, Vec<usize>> = BTreeMap::new();
+    let mut places: BTreeMap<i64, (usize, Vec<usize>)> = BTreeMap::new();
+    let mut before = None;
     for k in (0..fit.len()).filter(|k| fit[*k]) {
-        let place = problem.inputs.q[joint][problem.sample_of(k)] / SAME;
-        visits.entry(place.round() as i64).or_default().push(k);
+        let place = (problem.inputs.q[joint][problem.sample_of(k)] / SAME).round() as i64;
+        let (visits, readings) = places.entry(place).or_default();
+        *visits += usize::from(before != Some(place));
+        readings.push(k);
+        before = Some(place);
     }
-    for visits in visits.values().filter(|visits| visits.len() > 1) {
-        if !visits.iter().any(|k| counted[*k]) {
-            for k in visits {
+    for (visits, readings) in places.values() {
+        if *visits > 1 && !readings.iter().any(|k| counted[*k]) {
+            for k in readings {
                 counted[*k] = true;
             }
         }
