@@ -72,7 +72,8 @@ pub(crate) fn answer(
     let with = Predicting::with(prepared, &named, found.len(), &left);
     let mut identification = identification(prepared, &named.alone, &with.values);
     let outliers = &mut identification.outliers;
-    outliers.retain(|outlier| !with.come_back.contains(&outlier.sample));
+    // In ascending order.
+    outliers.retain(|outlier| with.come_back.binary_search(&outlier.sample).is_err());
     let with = with.unless_little_is_shown(prepared, &identification);
     let gross = gross::beyond_noise(
         prepared,
