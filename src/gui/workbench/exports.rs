@@ -27,7 +27,7 @@ use crate::robots::named;
 use crate::sessions::{robot_document, samples_path};
 
 use super::Workbench;
-use crate::gui::workbench::answers::no_file_was_chosen;
+use crate::gui::workbench::choosing::no_file_was_chosen;
 
 impl Workbench {
     /// What an export's file is called unless the user says otherwise.

@@ -5,7 +5,9 @@
 //! before and half after a change. What follows from the state is asked for after each change.
 
 mod answers;
+mod background;
 mod charts;
+mod choosing;
 mod drafts;
 mod exports;
 mod machine;

@@ -1,0 +1,220 @@
+//! What is done in the background, and what becomes of it.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use crate::gui::core::answer::{Question, Search};
+use crate::gui::core::document::ExportChoice;
+use crate::gui::core::loaded_session::LoadedSession;
+use crate::gui::files::{self, Opened};
+use crate::gui::jobs::{Jobs, Kind, Running, Watch};
+use crate::gui::view::Message;
+use crate::gui::workbench::Workbench;
+
+impl Workbench {
+    /// Jobs that are under way.
+    pub(crate) fn jobs(&self) -> &Jobs<Self> {
+        &self.jobs
+    }
+
+    /// The search that is under way.
+    pub(crate) fn searching(&self) -> Option<&Running> {
+        self.jobs.running(Kind::Searches)
+    }
+
+    /// Takes what was done in the background. Whether there was anything.
+    pub(crate) fn receive(&mut self) -> bool {
+        let mut any = false;
+        loop {
+            let arrived = self.jobs.poll();
+            if arrived.is_empty() {
+                return any;
+            }
+            any = true;
+            for (kind, outcome) in arrived {
+                self.execute(|bench| match outcome {
+                    Some(take) => take(bench),
+                    None => bench.broke_off(kind),
+                });
+            }
+        }
+    }
+
+    /// Searches a session for what is missing, unless a search is under way.
+    pub(super) fn search_in(&mut self, loaded_session: Arc<LoadedSession>) {
+        if self.searching().is_some() {
+            return;
+        }
+        self.derived.stopped = None;
+        self.derived.searching = Some(Arc::clone(&loaded_session));
+        self.jobs.start(
+            Kind::Searches,
+            say!("searching"),
+            move |watch| Search::of(loaded_session, watch),
+            // What is in the model may be just what was found, with the search's values.
+            |bench: &mut Self, search| {
+                bench.derived.searching = None;
+                bench.derived.searched = Some(Arc::new(search));
+            },
+        );
+    }
+
+    /// Stops the search. The names that it had found until then stay in sight, and a diagnosis that was complete
+    /// stays what it was: what is stopped half-way answers nothing.
+    pub(crate) fn stop_search(&mut self) {
+        let found = self.jobs.running(Kind::Searches).map(Running::found);
+        self.jobs.cancel(|kind| kind == Kind::Searches);
+        let searched = self.derived.searching.take();
+        self.derived.stopped = searched.zip(found);
+    }
+
+    /// Stops the search where it is about other samples than those that are here now, or what it began from was
+    /// undone.
+    pub(super) fn stop_search_of_others(&mut self) {
+        let here = |searched: &Arc<LoadedSession>| {
+            Arc::ptr_eq(searched, self.loaded_session()) && self.document().identified
+        };
+        if self
+            .derived
+            .searching
+            .as_ref()
+            .is_some_and(|one| !here(one))
+        {
+            self.stop_search();
+            let title = say!("The diagnosis was stopped: what it was about has changed").to_owned();
+            let again = say!("Run it again for what is here now").to_owned();
+            self.view.message = Some(Message::done(title, vec![again]));
+        }
+    }
+
+    /// Names that a search of the open session had found when it was stopped.
+    pub(crate) fn stopped(&self) -> Option<&[String]> {
+        let (loaded_session, found) = self.derived.stopped.as_ref()?;
+        Arc::ptr_eq(loaded_session, self.loaded_session()).then_some(found)
+    }
+
+    /// Drops the newest job that the status bar names; what was to be done after it is not wanted any more either.
+    pub(crate) fn cancel_newest(&mut self) {
+        self.cancel_pending_action();
+        if self.jobs.newest().is_some_and(Running::searches) {
+            return self.stop_search();
+        }
+        if let Some(kind) = self.jobs.cancel(Kind::has_a_name) {
+            self.decline(kind);
+        }
+    }
+
+    /// Nothing comes of a job of this kind.
+    fn decline(&mut self, kind: Kind) {
+        match kind {
+            Kind::Identifies => self.derived.identified.decline(),
+            Kind::Prepares => self.derived.preview.decline(),
+            Kind::Searches => self.derived.searching = None,
+            _ => {}
+        }
+    }
+
+    /// Gives the memory of what was worked out before back elsewhere: with many samples that takes
+    /// longer than a frame may.
+    pub(super) fn let_go(&mut self, before: Option<impl Send + 'static>) {
+        const MANY: usize = 100_000;
+        if before.is_some() && self.loaded_session().len() > MANY {
+            self.jobs.quietly(move || drop(before), |_, ()| ());
+        }
+    }
+
+    pub(super) fn take_opened(&mut self, opened: Result<Opened, Message>) {
+        match opened {
+            Ok(Opened::Session(loaded_session)) => {
+                self.open_session(loaded_session);
+            }
+            Ok(Opened::Foreign(draft)) => self.ask_about(draft),
+            Ok(Opened::Model(given)) => {
+                let beside = self.has_a_session_for(&given);
+                self.edit(phrase!("open model"), |document| {
+                    document.open_model(given, beside);
+                    Ok(())
+                });
+            }
+            Err(message) => self.take_written(message),
+        }
+    }
+
+    /// Writes a file in the background.
+    pub(super) fn write<T: Send + 'static>(
+        &mut self,
+        path: PathBuf,
+        work: impl FnOnce(&Path, &Watch) -> T + Send + 'static,
+        then: impl FnOnce(&mut Self, T) + Send + 'static,
+    ) {
+        let says = say!("writing {path}", path = path.display());
+        let work = move |watch: &Watch| work(&path, watch);
+        self.jobs.start(Kind::Writes, says, work, then);
+    }
+
+    /// A table or a model was written, of the answer to this question, or not.
+    pub(super) fn take_exported(
+        &mut self,
+        exported: Result<PathBuf, Message>,
+        question: Option<Question>,
+        choice: ExportChoice,
+    ) {
+        match exported {
+            Ok(path) => {
+                self.file_state.model_on_file.clone_from(&question);
+                self.view.message = Some(Message::saved(&path, Vec::new()));
+                if question == self.question() {
+                    self.remember_name(&path, choice);
+                }
+                self.file_state.exported.retain(|(other, _)| *other != path);
+                self.file_state.exported.push((path, question));
+                self.resume();
+            }
+            Err(message) => self.take_written(message),
+        }
+    }
+
+    /// Something was written, or not: what was to be done then is done, or is not.
+    pub(super) fn take_written(&mut self, message: Message) {
+        let written = !message.wrong;
+        self.view.message = Some(message);
+        if written {
+            self.resume();
+        } else {
+            self.cancel_pending_action();
+        }
+    }
+
+    /// Opens a file with the system's program for it, or shows it in its folder.
+    pub(crate) fn open_outside(&mut self, path: PathBuf, in_folder: bool) {
+        self.jobs.quietly(
+            move || files::open_outside(&path, in_folder).map_err(|because| (path, because)),
+            |bench: &mut Self, opened| {
+                if let Err((path, because)) = opened {
+                    let title = say!("{path} could not be opened", path = path.display());
+                    bench.complain(&title, vec![because]);
+                }
+            },
+        );
+    }
+
+    /// What was worked out is about another session than the one that is open now, and is not taken.
+    pub(super) fn is_of_another(&mut self, title: &str) {
+        self.complain(
+            title,
+            [say!(
+                "The session is another one now: ask for it again where it is still wanted"
+            )],
+        );
+    }
+
+    fn broke_off(&mut self, kind: Kind) {
+        self.decline(kind);
+        self.complain(
+            say!("Something went wrong inside the program"),
+            [say!(
+                "Nothing was changed; save your work, and please report what you did last"
+            )],
+        );
+    }
+}
