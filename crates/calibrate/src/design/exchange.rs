@@ -21,6 +21,17 @@ pub(crate) trait Criterion {
     }
 }
 
+impl Criterion for Information {
+    fn worths(&self) -> Vec<f64> {
+        let of = |k: usize| if self.taken[k] { 0.0 } else { self.gain(k) };
+        (0..self.taken.len()).map(of).collect()
+    }
+
+    fn take(&mut self, candidate: usize) {
+        self.update(candidate, 1.0);
+    }
+}
+
 /// A pose that is worth less than this is worth nothing.
 const NOTHING: f64 = 1e-9;
 

@@ -11,7 +11,6 @@ use std::sync::Arc;
 
 use nalgebra::{Cholesky, DMatrix};
 
-use super::exchange::Criterion;
 use super::rows::Rows;
 use crate::linear::cross;
 
@@ -25,7 +24,7 @@ pub(crate) struct Information {
     pub(crate) covariance: DMatrix<f64>,
     /// J C Jᵀ of every candidate: its rows are where the candidate's are.
     spread: DMatrix<f64>,
-    taken: Vec<bool>,
+    pub(super) taken: Vec<bool>,
 }
 
 /// What changes with a candidate whose innovation `1 ± J C Jᵀ` is `L Lᵀ`.
@@ -108,16 +107,5 @@ impl Information {
             }
         }
         Some(Update { root, gain, moved })
-    }
-}
-
-impl Criterion for Information {
-    fn worths(&self) -> Vec<f64> {
-        let of = |k: usize| if self.taken[k] { 0.0 } else { self.gain(k) };
-        (0..self.taken.len()).map(of).collect()
-    }
-
-    fn take(&mut self, candidate: usize) {
-        self.update(candidate, 1.0);
     }
 }
