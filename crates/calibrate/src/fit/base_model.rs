@@ -28,7 +28,7 @@ use super::estimator::fit_without_outliers;
 use super::frames::frames_from;
 use super::gauge::with_gauge;
 use super::observed;
-use super::prior_scale;
+use super::prior_scale::{self, Widths};
 use super::priors::{Priors, of_one_target};
 use super::problem::Problem;
 use super::solver::{Solution, Stopped, equations_at, solve};
@@ -173,13 +173,7 @@ pub fn fit(problem: &mut Problem, start: &Model, weak: bool) -> Fitted {
         }
         let before = problem.priors.variance;
         let width = problem.priors.ln_scale;
-        let widths = if problem.priors.weak {
-            let normal = equations_at(problem, &solution);
-            let rows = problem.rows();
-            prior_scale::likeliest(&problem.priors, &solution.model, &normal, rows)
-        } else {
-            None
-        };
+        let widths = likeliest_widths(problem, &solution);
         problem.priors.variance = match widths {
             Some(widths) => widths.variance.max(least_variance(problem)),
             None => variance(problem, &solution),
@@ -230,6 +224,31 @@ pub fn fit(problem: &mut Problem, start: &Model, weak: bool) -> Fitted {
         held,
         notes,
     }
+}
+
+/// How wide the weak priors of this robot are, at a solution; `None` where none holds.
+fn likeliest_widths(problem: &Problem, solution: &Solution) -> Option<Widths> {
+    let weak = problem.priors.weak;
+    weak.then(|| equations_at(problem, solution))
+        .and_then(|normal| {
+            let rows = problem.rows();
+            prior_scale::likeliest(&problem.priors, &solution.model, &normal, rows)
+        })
+}
+
+/// Fits a model once more with the weak priors of this robot's own width beside everything that the model holds, the noise
+/// being known.
+pub(crate) fn with_own_widths(problem: &mut Problem, mut solution: Solution) -> Solution {
+    for _ in 0..MOST_ROUNDS {
+        match likeliest_widths(problem, &solution) {
+            Some(widths) if widths.ln_scale != problem.priors.ln_scale => {
+                problem.priors.ln_scale = widths.ln_scale;
+                solution = solve(problem, &solution.model);
+            }
+            _ => break,
+        }
+    }
+    solution
 }
 
 /// Frees the targets that are not where the session says. Where nothing tells which those are, all are known no

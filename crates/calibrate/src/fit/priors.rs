@@ -97,6 +97,14 @@ impl Priors {
         }
     }
 
+    /// The same priors, as wide as others are.
+    pub(crate) fn as_wide_as(&self, other: &Self) -> Self {
+        Self {
+            ln_scale: other.ln_scale,
+            ..self.clone()
+        }
+    }
+
     /// Whether nothing of a coefficient was let go.
     pub(super) fn holds(&self, term: &Term, coefficient: usize) -> bool {
         !self.freed.contains(&key(term, coefficient))

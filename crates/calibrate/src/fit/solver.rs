@@ -250,6 +250,19 @@ pub(super) fn spectrum_at(problem: &Problem, solution: &Solution) -> (Spectrum, 
     (spectrum, normal.cost, step)
 }
 
+/// The same coefficients as a solution of another problem; columns beside the model that only one of them has count nothing.
+pub(crate) fn solution_at(problem: &Problem, solution: &Solution) -> Solution {
+    let mut there = solution.clone();
+    let beside = problem.extra_columns.len();
+    there.extra_coefficients.resize(beside, 0.0);
+    let (spectrum, cost, _) = spectrum_at(problem, &there);
+    Solution {
+        spectrum,
+        cost,
+        ..there
+    }
+}
+
 /// The equations of a problem at a solution, with those of its priors.
 pub(super) fn equations_at(problem: &Problem, solution: &Solution) -> Normal {
     let blocks: Vec<usize> = (0..problem.inputs.len()).step_by(LANES).collect();

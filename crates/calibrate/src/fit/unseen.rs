@@ -28,7 +28,7 @@ use super::prior_scale;
 use super::priors::{Priors, of_one_target};
 use super::problem::Problem;
 use super::ranges::over_the_ranges;
-use super::solver::{Solution, equations_at, solve, spectrum_at};
+use super::solver::{Solution, equations_at, solution_at, solve};
 
 /// Of a combination that is not seen at most this share of its held coefficient's own column is left.
 const MOST_SEEN: f64 = 10.0 * COPY;
@@ -270,18 +270,14 @@ fn followed(
         model: gauged.with_coefficients(&fitted.model.coefficients()),
         ..solution.clone()
     };
-    let (spectrum, cost, _) = spectrum_at(problem, &there);
+    let there = solution_at(problem, &there);
     let left_mm = |model: &Model| {
         let lengths_mm = lengths_mm(problem, model);
         Spread::of(&lengths_mm, |i| problem.used[i], |_| false).map_or(0.0, |left| left.rms_mm)
     };
     let follows = left_mm(&there.model) <= MOST_WORSE * left_mm(&solution.model) + NOTHING_MM;
     let most = MOST_WORSE * MOST_WORSE * solution.cost;
-    (follows && cost <= most).then_some(Solution {
-        spectrum,
-        cost,
-        ..there
-    })
+    (follows && there.cost <= most).then_some(there)
 }
 
 /// Where the coefficients of a model are among those of the same with more terms.

@@ -8,6 +8,7 @@ use std::rc::Rc;
 use nalgebra::{DMatrix, DVector};
 
 use crate::effects::Term;
+use crate::fit::priors::Priors;
 use crate::fit::problem::Problem;
 use crate::model::Model;
 
@@ -139,6 +140,20 @@ impl<'a> Regression<'a> {
             work: self.work.clone(),
             ..other
         }
+    }
+
+    /// The same samples, noise and candidates with other priors.
+    pub(crate) fn with_priors(&self, priors: Priors) -> Self {
+        let mut problem = (*self.problem).clone();
+        problem.priors = priors;
+        Self::new(
+            Rc::new(problem),
+            Rc::clone(&self.rows),
+            self.noise.clone(),
+            Rc::clone(&self.table),
+            self.base.clone(),
+            self.threads,
+        )
     }
 
     /// Number of measured rows.

@@ -21,7 +21,7 @@ use crate::sessions::poses::ByPose;
 use crate::set_up_errors::DataProblem;
 use crate::side_by_side::Threads;
 use nalgebra::DMatrix;
-use std::cell::LazyCell;
+use std::cell::{LazyCell, OnceCell};
 use std::collections::BTreeSet;
 use std::rc::Rc;
 
@@ -51,8 +51,8 @@ pub(crate) struct PreparedSearch<'a> {
     pub(crate) problem: Rc<Problem<'a>>,
     /// The base model as `identify` fits it.
     pub(crate) base: Model,
-    /// What counts beside that.
-    pub(crate) counted_by_identify: Vec<bool>,
+    /// The samples as it weighs them, and what it knows beforehand: how wide this robot's own priors are.
+    pub(crate) as_identified: Rc<Problem<'a>>,
     /// The robot as it is drawn, beside the places that its measurements refer to.
     pub(crate) nominal: Model,
     pub(crate) survey: Survey,
@@ -65,6 +65,7 @@ pub(crate) struct PreparedSearch<'a> {
     /// What of the base the samples cannot tell from the rest.
     pub(crate) not_identifiable: Vec<NotIdentifiable>,
     options: Options,
+    judging: OnceCell<Option<Regression<'a>>>,
 }
 
 impl<'a> PreparedSearch<'a> {
@@ -105,7 +106,7 @@ impl<'a> PreparedSearch<'a> {
             let fitted = fit_without_outliers(&mut problem, &start);
             (fitted.model, Vec::new())
         };
-        let counted_by_identify = problem.counted().to_vec();
+        let as_identified = Rc::new(problem.clone());
         // How large its own links are is known of the base alone: beside names they carry less.
         problem.priors = problem.priors.of_any_robot();
         let regression = regression(&mut problem, &base, &survey, options);
@@ -113,7 +114,7 @@ impl<'a> PreparedSearch<'a> {
         Ok(Self {
             problem: Rc::new(problem),
             base: base.clone(),
-            counted_by_identify,
+            as_identified,
             nominal,
             survey,
             regression,
@@ -122,7 +123,26 @@ impl<'a> PreparedSearch<'a> {
             incomplete,
             not_identifiable,
             options: options.clone(),
+            judging: OnceCell::new(),
         })
+    }
+
+    /// RMS error of a fit on samples that it has not seen, mm, with the weak priors as wide as this robot's own are: so is
+    /// everything fitted that is handed out. With those of any robot few poses that are close to each other say less of
+    /// others.
+    pub(crate) fn unseen_mm(
+        &self,
+        fit: &Fit,
+        of: impl FnOnce(&Folds, &Regression, &Fit) -> f64,
+    ) -> f64 {
+        let judging = self.judging.get_or_init(|| {
+            let priors = self.problem.priors.as_wide_as(&self.as_identified.priors);
+            (priors != self.problem.priors).then(|| self.regression.with_priors(priors))
+        });
+        match judging {
+            None => of(&self.folds, &self.regression, fit),
+            Some(own) => of(&self.folds, own, &refitted(own, fit)),
+        }
     }
 
     /// The most that a search may add.
@@ -196,6 +216,7 @@ impl<'a> PreparedSearch<'a> {
             regression.work = self.regression.work.clone();
             self.regression = regression.with_noise(noise);
         }
+        self.judging = OnceCell::new();
         self.folds = Folds::new(&self.regression);
         true
     }
@@ -253,7 +274,7 @@ impl<'a> PreparedSearch<'a> {
         Self {
             problem: Rc::clone(&self.problem),
             base: self.base.clone(),
-            counted_by_identify: self.counted_by_identify.clone(),
+            as_identified: Rc::clone(&self.as_identified),
             nominal: self.nominal.clone(),
             survey: self.survey.clone(),
             regression: self.regression.with_noise(noise),
@@ -262,17 +283,23 @@ impl<'a> PreparedSearch<'a> {
             incomplete: self.incomplete.clone(),
             not_identifiable: self.not_identifiable.clone(),
             options: self.options.clone(),
+            judging: OnceCell::new(),
         }
     }
 
     /// A fit of another noise under this one.
     pub(crate) fn refitted(&self, fit: &Fit) -> Fit {
-        let shapes = fit.shapes.iter().map(|s| Placed {
-            credit: s.credit,
-            ..self.regression.placed(s.shape)
-        });
-        self.regression.fit(&fit.model, &shapes.collect::<Vec<_>>())
+        refitted(&self.regression, fit)
     }
+}
+
+/// A fit of another regression of the same samples and candidates.
+fn refitted(regression: &Regression, fit: &Fit) -> Fit {
+    let shapes = fit.shapes.iter().map(|s| Placed {
+        credit: s.credit,
+        ..regression.placed(s.shape)
+    });
+    regression.fit(&fit.model, &shapes.collect::<Vec<_>>())
 }
 
 /// What a fit with shapes leaves of every sample.

@@ -77,7 +77,7 @@ struct WayToValues<'a> {
 /// the shapes beside them; `judged` are the values that the verdict is about, beside the shapes where those may
 /// be used, and `order` the names in the order found.
 pub(crate) fn choose<'a>(
-    prepared: &PreparedSearch,
+    prepared: &PreparedSearch<'a>,
     problem: &Problem<'a>,
     [names, with_shapes]: [&Fit; 2],
     judged: &Values<'a>,
@@ -178,7 +178,7 @@ pub(crate) fn choose<'a>(
 
 /// What a way to values is measured against: the model of `identify`, over the same samples and folds.
 struct Against<'p, 'a> {
-    prepared: &'p PreparedSearch<'p>,
+    prepared: &'p PreparedSearch<'a>,
     problem: &'p Problem<'a>,
     rms_mm: f64,
     median_mm: f64,
@@ -242,7 +242,7 @@ fn counted_as_by_identify<'p, 'a>(
         return Cow::Borrowed(problem);
     }
     let mut now = problem.clone();
-    now.set_counted(prepared.counted_by_identify.clone());
+    now.set_counted(prepared.as_identified.counted().to_vec());
     Cow::Owned(now)
 }
 

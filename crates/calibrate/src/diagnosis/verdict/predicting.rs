@@ -130,7 +130,7 @@ fn completed<'a>(
     names: usize,
     figures: &Figures,
 ) -> Option<(Values<'a>, Figures)> {
-    let completed = values.clone().completed();
+    let completed = values.clone().completed(prepared);
     let mut figures = figures.clone();
     let apart = unseen::of_model(prepared, &completed.model);
     if let (Some(end_mm), Some(gaps)) = (apart, &mut figures.held_out.gaps) {

@@ -7,7 +7,7 @@ use crate::model::Model;
 
 use super::values::Values;
 use crate::answers::diagnosis::{Gaps, HeldOut};
-use crate::diagnosis::evidence::Fit;
+use crate::diagnosis::evidence::{Fit, Folds, Regression};
 use crate::diagnosis::search::prepare::PreparedSearch;
 
 /// How a fit becomes the model that predicts.
@@ -23,7 +23,6 @@ pub(crate) enum Procedure {
 
 /// RMS error of a fit on unseen samples, mm; `None` with too few of them.
 pub(crate) fn of(prepared: &PreparedSearch, fit: &Fit, procedure: Procedure) -> Option<f64> {
-    let regression = &prepared.regression;
     let problem = &prepared.problem;
     if held_out_samples(prepared).contains(&true) {
         let model = match procedure {
@@ -34,10 +33,12 @@ pub(crate) fn of(prepared: &PreparedSearch, fit: &Fit, procedure: Procedure) -> 
         };
         return Some(rms_apart_mm(prepared, &lengths_mm(problem, &model)));
     }
-    prepared.folds.say_something().then(|| match procedure {
-        Procedure::BesideShapes => prepared.folds.rms_mm_of_the_model(regression, fit),
-        Procedure::Identify | Procedure::Names => prepared.folds.rms_mm(regression, fit),
-    })
+    let of_folds = |folds: &Folds, regression: &Regression, fit: &Fit| match procedure {
+        Procedure::BesideShapes => folds.rms_mm_of_the_model(regression, fit),
+        Procedure::Identify | Procedure::Names => folds.rms_mm(regression, fit),
+    };
+    let says = prepared.folds.say_something();
+    says.then(|| prepared.unseen_mm(fit, of_folds))
 }
 
 /// The same of a finished model, where the session holds samples out that no fit has seen.

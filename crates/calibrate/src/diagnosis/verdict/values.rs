@@ -9,8 +9,8 @@ use nalgebra::DMatrix;
 use crate::effects::Term;
 use crate::fit::gap::{Spread, deviations, lengths_mm, over_fitted, rms_mm, set_aside};
 use crate::fit::problem::Problem;
-use crate::fit::solver::{Solution, solve};
-use crate::fit::unseen::completed;
+use crate::fit::solver::{Solution, solution_at, solve};
+use crate::fit::unseen::{Completed, completed};
 use crate::fit::{
     DEFAULT_EFFECTS, Estimate, Identification, NotIdentifiable, base_model, covariance_of,
     noise_beside, outliers, parameters_of, report,
@@ -84,6 +84,7 @@ impl<'a> Values<'a> {
             problem.set_noise(&noise, &solution.model);
             solution = solve(&problem, &solution.model);
         }
+        let solution = base_model::with_own_widths(&mut problem, solution);
         let mut covariance = covariance_of(&problem, &solution);
         let spread = OrderSpread::of(&problem, &solution.model);
         if let (Some(spread), Some(covariance)) = (&spread, &mut covariance) {
@@ -306,11 +307,28 @@ impl<'a> Values<'a> {
         self.solution.model = self.model.clone();
     }
 
-    /// With what no sample shows where it is likeliest ([`crate::fit::unseen`]).
+    /// With what no sample shows where it is likeliest ([`crate::fit::unseen`]). The model of `identify` is completed as
+    /// `identify` does it, with the samples as weighed there.
     #[must_use]
-    pub(crate) fn completed(mut self) -> Self {
+    pub(crate) fn completed(mut self, prepared: &PreparedSearch) -> Self {
         let known = self.covariance.as_ref();
-        let Some(own) = completed(&self.problem, &self.solution, known) else {
+        let is_identified = self.model.coefficients() == prepared.base.coefficients();
+        let own = if is_identified {
+            let problem = &prepared.as_identified;
+            let there = solution_at(problem, &self.solution);
+            completed(problem, &there, known).map(|own| {
+                let beside = self.solution.extra_coefficients.clone();
+                let here = Solution {
+                    extra_coefficients: beside,
+                    ..own.solution
+                };
+                let solution = solution_at(&self.problem, &here);
+                Completed { solution, ..own }
+            })
+        } else {
+            completed(&self.problem, &self.solution, known)
+        };
+        let Some(own) = own else {
             return self;
         };
         let anew = parameters_of(&self.problem, &own.solution, own.covariance.as_ref());
@@ -339,6 +357,7 @@ impl<'a> Values<'a> {
     pub(crate) fn on(&self, problem: &Problem<'a>) -> Self {
         let mut now = self.clone();
         now.problem = problem.clone();
+        now.problem.priors = self.problem.priors.clone();
         if let (Some(noise), None) = (&self.problem.noise, &problem.observed) {
             now.problem.set_noise(noise, &self.model);
         }
