@@ -3,7 +3,7 @@
 //! two-cycle together, and none of them is any of these.
 //!
 //! The curve is a Gaussian process along the joint's motion, along its radius and along its axis
-//! ([`super::smooth`]); its likelihood, with the curve integrated out, stands beside that of the
+//! ([`crate::diagnosis::rest`]); its likelihood, with the curve integrated out, stands beside that of the
 //! names. Where it is likelier without names, the names that only make it up are withdrawn.
 
 use std::collections::BTreeMap;
@@ -18,12 +18,12 @@ use crate::model::Model;
 
 use super::found::SearchResult;
 use super::prepare::PreparedSearch;
-use super::smooth;
 use crate::diagnosis::candidates::Placed;
 use crate::diagnosis::evidence::EFFECT_PRIOR_PENALTY;
 use crate::diagnosis::evidence::Fit;
 use crate::diagnosis::evidence::Regression;
 use crate::diagnosis::evidence::rival::UNDECIDED;
+use crate::diagnosis::rest::joint::free_curve;
 use crate::model::shapes::{Direction, Profile, Shape, Variable};
 
 /// What the curve pays: as a name for being there, and a factor of e for each of its numbers (length,
@@ -74,7 +74,9 @@ impl BesideCurve {
             let mut measured = measured.filter(|is| own.is_some_and(|own| own.contains(is)));
             measured.next().unwrap_or(Direction::Tangential(joint))
         };
-        let curve = smooth::free_curve(prepared, model, joint).map(|curve| Curve {
+        let regression = &prepared.regression;
+        let curve = free_curve(&regression.problem, &regression.noise, model, joint);
+        let curve = curve.map(|curve| Curve {
             ln_odds: curve.ln_odds,
             pieces: curve.freedom.clamp(4, MOST_PIECES),
             direction: direction(curve.direction),

@@ -86,6 +86,11 @@ impl Folds {
         self.of[sample] == Some(fold)
     }
 
+    /// All samples.
+    pub(super) fn all(&self) -> usize {
+        self.of.len()
+    }
+
     /// Samples that are held out once.
     pub(super) fn samples(&self) -> usize {
         self.of.iter().flatten().count()

@@ -6,15 +6,11 @@
 //! deviation = base and names + r(q, dir) + slow(t) + noise
 //! ```
 //!
-//! r is a Gaussian process of which kernels, sizes and parts are chosen by one restricted likelihood ([`likelihood`]).
+//! r is a Gaussian process of which kernels, sizes and parts are chosen by one restricted likelihood ([`kernels`](super::kernels)).
 //! The names keep the values that are handed out; the base is fitted anew beside r, and what it moves by is a
 //! constant of the curve. What comes back in another run is of the axis, and time has what is left.
 //!
-//! It is handed out where unseen runs, or in a single run unseen values, are predicted better with it ([`folds`]).
-
-mod columns;
-mod folds;
-mod likelihood;
+//! It is handed out where unseen runs, or in a single run unseen values, are predicted better with it ([`folds`](super::folds)).
 
 use std::collections::BTreeMap;
 
@@ -30,14 +26,22 @@ use crate::kinematics::JointKind;
 use crate::model::Model;
 use crate::text::Text;
 
-use super::prepare::PreparedSearch;
-use columns::{Along, Columns, MOST_KNOTS, SAME, together};
-use folds::Folds;
-use likelihood::{Kernels, NamesAlone, Prior, SIDES, Sums};
+use super::columns::{Block, Columns, SAME};
+use super::folds::Folds;
+use super::groups::Remaining;
+use super::held_out::{HeldOut, Whitened};
+use super::kernels::{Fitted, Kernels, Prior};
+use super::products::Products;
+use super::{BEYOND_DOUBT, LIKELIER};
+use crate::side_by_side::Threads;
 
-/// The samples are beyond doubt so much likelier, as a logarithm (as in `verdict::unnamed`): what stands at the ends of
-/// the range shows in no fold of the values between them.
-const BEYOND_DOUBT: f64 = 50.0;
+/// Sides of a direction: what is common to both, and half of the reversal.
+const SIDES: usize = 2;
+/// Most knots of a curve over a range.
+const MOST_KNOTS: usize = 61;
+/// With fewer different values of a joint no curve rivals a name.
+const FEWEST_TO_RIVAL: usize = 10;
+
 /// Most knots over a turn …
 const MOST_IN_A_TURN: usize = 72;
 /// … and over a shorter period.
@@ -47,10 +51,6 @@ const MOST_IN_A_PERIOD: usize = 24;
 const FEWEST_VALUES: usize = 5;
 /// How often samples that were suspected are looked at again.
 const MOST_ROUNDS: usize = 4;
-/// The samples have to be so much likelier with a curve, as a logarithm. Kernels, sizes and parts are chosen, so that
-/// noise alone gains something: `tests/reference/axis_tables.py --kinds noise`.
-const LIKELIER: f64 = 6.0;
-
 /// What repeats over a joint beside a model.
 pub(crate) struct Repeating<'a> {
     /// The curve.
@@ -84,9 +84,9 @@ pub(crate) fn repeating<'a>(
     if fitted.ln_odds() < LIKELIER {
         return None;
     }
-    let held_out = |folds: Folds| (fitted.held_out(&folds), folds);
-    let by_values = Folds::values(&fitted.columns, joint).map(held_out);
-    let by_runs = Folds::runs(&fitted.columns).map(held_out);
+    let held_out = |folds: Folds| Some((fitted.held_out(&folds)?, folds));
+    let by_values = Folds::values(&fitted.columns, joint).and_then(held_out);
+    let by_runs = Folds::runs(&fitted.columns).and_then(held_out);
     let gains = |own: &&([f64; 2], Folds)| own.0[1] < own.0[0];
     // Between targets that are too far apart no curve predicts, and at them the axis comes back all the same.
     let said = by_values.as_ref().filter(gains);
@@ -105,7 +105,7 @@ pub(crate) fn repeating<'a>(
     Some(Repeating {
         noise: comes_back.then(|| noise_beside(&problem, &model.with_term(term.clone()), &[])),
         term,
-        held_out_mm: [alone(&identified, folds), *before, *after],
+        held_out_mm: [alone(&identified, folds)?, *before, *after],
         samples: folds.samples(),
         problem,
         how: folds.how.clone(),
@@ -192,32 +192,31 @@ pub(crate) struct FreeCurve {
     pub(crate) direction: usize,
 }
 
-/// The likeliest free curve over a joint beside a model, common to both sides, on the samples that a search looks at
-/// and beside its noise: its likelihood is compared with those of names.
+/// The likeliest free curve over a joint beside a model, common to both sides, beside a noise: its likelihood is compared
+/// with those of names.
 pub(crate) fn free_curve(
-    prepared: &PreparedSearch,
+    problem: &Problem,
+    noise: &Noise,
     model: &Model,
     joint: usize,
 ) -> Option<FreeCurve> {
-    let regression = &prepared.regression;
-    let (knots, sums) = together(&regression.problem, &regression.noise, model, joint)?;
-    let names = NamesAlone::new(&sums);
+    let columns = Columns::together(problem, noise, model, joint);
+    if columns.values.len() < FEWEST_TO_RIVAL {
+        return None;
+    }
+    let knots = columns.knots(columns.values.len().clamp(4, MOST_KNOTS));
     let kernels = Kernels::new(knots.count, false)?;
-    let prior = likelihood::likeliest(&sums, &names, &kernels)?;
-    let fitted = likelihood::fit(&sums, &names, &kernels, &prior, false)?;
-    let size = |direction: usize| {
-        let own = fitted.values.rows(direction * knots.count, knots.count);
-        own.norm()
-    };
-    let directions = 0..fitted.values.len() / knots.count;
-    let pieces = prior.iter().flatten();
-    let pieces = pieces.map(|(kernel, _)| kernels.get(*kernel).pieces());
+    let block = &columns.blocks[0];
+    let whitened = block.whitened(&block.curve(&columns, &knots, 1));
+    let remaining = Remaining::of(&whitened.products(&block.measured))?;
+    let (prior, ln_odds) = kernels.likeliest(&remaining)?;
+    let values = kernels.fit(&remaining, &prior)?.values();
+    let size = |direction: &usize| values.rows(direction * knots.count, knots.count).norm();
+    let largest = (0..prior.len()).max_by(|a, b| size(a).total_cmp(&size(b)));
     Some(FreeCurve {
-        ln_odds: fitted.ln_evidence - names.ln_evidence,
-        freedom: pieces.fold(0.0, f64::max).ceil() as usize,
-        direction: directions
-            .max_by(|a, b| size(*a).total_cmp(&size(*b)))
-            .unwrap_or(0),
+        ln_odds,
+        freedom: Kernels::pieces(&prior).ceil() as usize,
+        direction: largest.unwrap_or(0),
     })
 }
 
@@ -226,34 +225,43 @@ struct OverJoint<'a> {
     columns: Columns<'a>,
     knots: Knots,
     kernels: Kernels,
+    /// Block by block.
     parts: Vec<Part>,
 }
 
-/// The curve in one direction.
+/// The curve of one block.
 struct Part {
-    /// Number of the direction among those that were measured.
-    along: usize,
-    sums: Sums,
-    names: NamesAlone,
-    prior: Prior,
-    /// How much likelier the samples are with it, as a logarithm.
-    ln_odds: f64,
+    curve: DMatrix<f64>,
+    whitened: Whitened,
+    products: Products,
+    /// The curve, and how much likelier the samples are with it, as a logarithm; `None` where there is none.
+    found: Option<(Prior, f64)>,
 }
 
 impl Part {
-    fn of(columns: &Columns, along: usize, knots: &Knots, kernels: &Kernels) -> Option<Self> {
-        let own = &columns.along[along];
-        let sums = own.sums(&own.curve(columns, knots), |_| true)?;
-        let names = NamesAlone::new(&sums);
-        let prior = likelihood::likeliest(&sums, &names, kernels)?;
-        let fitted = likelihood::fit(&sums, &names, kernels, &prior, false)?;
-        Some(Self {
-            ln_odds: fitted.ln_evidence - names.ln_evidence,
-            along,
-            sums,
-            names,
-            prior,
-        })
+    fn of(columns: &Columns, block: &Block, knots: &Knots) -> Self {
+        let curve = block.curve(columns, knots, SIDES);
+        let whitened = block.whitened(&curve);
+        Self {
+            products: whitened.products(&block.measured),
+            curve,
+            whitened,
+            found: None,
+        }
+    }
+
+    fn likeliest(mut self, kernels: &Kernels) -> Option<Self> {
+        self.found = kernels.likeliest(&Remaining::of(&self.products)?);
+        Some(self)
+    }
+
+    fn fitted(&self, kernels: &Kernels) -> Option<Fitted> {
+        let (prior, _) = self.found.as_ref()?;
+        kernels.fit(&Remaining::of(&self.products)?, prior)
+    }
+
+    fn ln_odds(&self) -> f64 {
+        self.found.as_ref().map_or(0.0, |found| found.1)
     }
 }
 
@@ -265,21 +273,19 @@ impl<'a> OverJoint<'a> {
             return None;
         }
         let turns = model.robot.joints[columns.joint].kind == JointKind::Revolute;
-        let ln_odds = |parts: &[Part]| parts.iter().map(|part| part.ln_odds).sum::<f64>();
         let mut best: Option<(Knots, Kernels, Vec<Part>)> = None;
+        let ln_odds = |parts: &[Part]| parts.iter().map(Part::ln_odds).sum::<f64>();
         for knots in knots(&columns, turns, period) {
             let kernels = Kernels::new(knots.count, knots.period.is_some())?;
-            let directions = 0..columns.along.len();
-            let parts = directions.filter_map(|k| Part::of(&columns, k, &knots, &kernels));
-            let parts: Vec<Part> = parts.collect();
-            if best
-                .as_ref()
-                .is_none_or(|b| ln_odds(&parts) > ln_odds(&b.2))
-            {
+            let blocks = columns.blocks.iter();
+            let parts = blocks.map(|block| Part::of(&columns, block, &knots).likeliest(&kernels));
+            let parts: Vec<Part> = parts.collect::<Option<_>>()?;
+            let before = best.as_ref().map_or(0.0, |best| ln_odds(&best.2));
+            if ln_odds(&parts) > before {
                 best = Some((knots, kernels, parts));
             }
         }
-        let (knots, kernels, parts) = best.filter(|best| !best.2.is_empty())?;
+        let (knots, kernels, parts) = best?;
         Some(Self {
             columns,
             knots,
@@ -289,116 +295,98 @@ impl<'a> OverJoint<'a> {
     }
 
     fn ln_odds(&self) -> f64 {
-        self.parts.iter().map(|part| part.ln_odds).sum()
+        self.parts.iter().map(Part::ln_odds).sum()
     }
 
     /// The curve, with what the base moves by beside it as constants.
     fn curve(&self) -> Option<Curve> {
         let (mut values, mut sigma) = (Parts::default(), Parts::default());
         let n = self.knots.count;
-        for (k, along) in self.columns.along.iter().enumerate() {
-            let Some(part) = self.parts.iter().find(|part| part.along == k) else {
-                let constant = along.constant_alone();
+        for (block, part) in self.columns.blocks.iter().zip(&self.parts) {
+            let (direction, unit) = (block.directions[0], block.unit[0]);
+            let base = block.base.ncols();
+            let none = DVector::zeros(part.curve.ncols());
+            let step = part.products.with_base(&none)?.rows(0, base).into_owned();
+            let constant = block.as_constant(&step);
+            let Some(fitted) = part.fitted(&self.kernels) else {
                 if constant.abs() > SMALLEST_SIGMA_MM {
-                    values[along.direction] = vec![constant * along.unit; n];
-                    sigma[along.direction] = vec![0.0; n];
+                    values[direction] = vec![constant * unit; n];
+                    sigma[direction] = vec![0.0; n];
                 }
                 continue;
             };
-            let fitted =
-                likelihood::fit(&part.sums, &part.names, &self.kernels, &part.prior, true)?;
-            let constant = along.as_constant(&part.names.step);
-            for side in (0..SIDES).filter(|side| part.prior[*side].is_some() || *side == 0) {
+            let (own, deviations) = (fitted.values(), fitted.sigma());
+            let prior = part.found.as_ref().map_or(&[][..], |found| &found.0);
+            for side in (0..SIDES).filter(|side| prior[*side].is_some() || *side == 0) {
                 let by = if side == 0 { constant } else { 0.0 };
-                let own = |all: &DVector<f64>, by: f64| -> Vec<f64> {
+                let of = |all: &DVector<f64>, by: f64| -> Vec<f64> {
                     let own = all.rows(side * n, n);
-                    own.iter().map(|v| (v + by) * along.unit).collect()
+                    own.iter().map(|v| (v + by) * unit).collect()
                 };
-                let at = side * DIRECTIONS + along.direction;
-                values[at] = own(&fitted.values, by);
-                sigma[at] = own(&fitted.sigma, 0.0);
+                let at = side * DIRECTIONS + direction;
+                values[at] = of(&own, by);
+                sigma[at] = of(&deviations, 0.0);
             }
         }
         Curve::new(self.knots, values, sigma).ok()
     }
 
-    /// What is left of the samples beside the curve, direction by direction, mm.
+    /// What is left of the samples beside the curve, block by block, mm.
     fn left(&self) -> Vec<DVector<f64>> {
-        let columns = &self.columns;
-        let of = |(k, along): (usize, &Along)| {
-            let part = self.parts.iter().find(|part| part.along == k);
-            let fitted = part.and_then(|part| {
-                likelihood::fit(&part.sums, &part.names, &self.kernels, &part.prior, false)
-            });
-            fitted.map_or_else(
-                || along.residual.clone(),
-                |fitted| &along.residual - along.curve(columns, &self.knots) * fitted.values,
-            )
-        };
-        columns.along.iter().enumerate().map(of).collect()
+        let both = self.columns.blocks.iter().zip(&self.parts);
+        both.map(|(block, part)| match part.fitted(&self.kernels) {
+            Some(fitted) => &block.residual - &part.curve * fitted.values(),
+            None => block.residual.clone(),
+        })
+        .collect()
     }
 
     /// Root mean square deviations of unseen samples without and with the curve, mm. Base, sizes and curve are
     /// fitted without them.
-    fn held_out(&self, folds: &Folds) -> [f64; 2] {
-        let columns = &self.columns;
-        let (mut before, mut after) = (0.0, 0.0);
-        for (k, along) in columns.along.iter().enumerate() {
-            let curve = along.curve(columns, &self.knots);
-            let part = self.parts.iter().find(|part| part.along == k);
-            for fold in 0..folds.count {
-                let Some(seen) = along.sums(&curve, |sample| !folds.is_in(sample, fold)) else {
-                    continue;
-                };
-                let names = NamesAlone::new(&seen);
-                let fitted = part.and_then(|part| {
-                    let prior =
-                        likelihood::refined(&seen, &names, &self.kernels, part.prior.clone());
-                    likelihood::fit(&seen, &names, &self.kernels, &prior, false)
-                });
-                for row in along.rows(|sample| folds.is_in(sample, fold)) {
-                    let left = along.residual[row] - along.names.row(row).tr_dot(&names.step);
-                    let with = fitted
-                        .as_ref()
-                        .map_or(0.0, |f| curve.row(row).tr_dot(&f.values));
-                    before += left * left;
-                    after += (left - with).powi(2);
+    fn held_out(&self, folds: &Folds) -> Option<[f64; 2]> {
+        let mut sums = [0.0; 2];
+        for part in &self.parts {
+            let curve = |seen: &Remaining| match &part.found {
+                Some((prior, _)) => {
+                    let prior = self.kernels.refined(seen, prior.clone()).0;
+                    Some(self.kernels.fit(seen, &prior)?.values())
                 }
+                None => Some(DVector::zeros(seen.columns())),
+            };
+            let of_part = held_out(&part.whitened, folds)?.squares(curve)?;
+            for (sum, side) in sums.iter_mut().zip(0..2) {
+                *sum += of_part.iter().map(|own| own[side]).sum::<f64>();
             }
         }
         let samples = folds.samples().max(1) as f64;
-        [(before / samples).sqrt(), (after / samples).sqrt()]
+        Some(sums.map(|sum| (sum / samples).sqrt()))
     }
 }
 
+fn held_out<'w>(whitened: &'w Whitened, folds: &Folds) -> Option<HeldOut<'w>> {
+    let seen = |fold: usize| {
+        let seen = whitened.rows(|sample| !folds.is_in(sample, fold));
+        let rows = whitened.rows(|sample| folds.is_in(sample, fold));
+        (rows, whitened.products(&seen))
+    };
+    HeldOut::new(whitened, &seen, folds.count, folds.all(), Threads::ONE)
+}
+
 /// Root mean square deviation of unseen samples from what is fitted beside a curve, without one, mm.
-fn alone(columns: &Columns, folds: &Folds) -> f64 {
-    let mut squares = 0.0;
-    for along in &columns.along {
-        let none = DMatrix::zeros(along.samples.len(), 0);
-        for fold in 0..folds.count {
-            let Some(seen) = along.sums(&none, |sample| !folds.is_in(sample, fold)) else {
-                continue;
-            };
-            let names = NamesAlone::new(&seen);
-            for row in along.rows(|sample| folds.is_in(sample, fold)) {
-                let left = along.residual[row] - along.names.row(row).tr_dot(&names.step);
-                squares += left * left;
-            }
-        }
+fn alone(columns: &Columns, folds: &Folds) -> Option<f64> {
+    let mut sum = 0.0;
+    for block in &columns.blocks {
+        let whitened = block.whitened(&DMatrix::zeros(block.samples.len(), 0));
+        let squares = held_out(&whitened, folds)?.squares(|_| Some(DVector::zeros(0)))?;
+        sum += squares.iter().map(|own| own[0]).sum::<f64>();
     }
-    (squares / folds.samples().max(1) as f64).sqrt()
+    Some((sum / folds.samples().max(1) as f64).sqrt())
 }
 
 /// Knots over the range, twice as many as there are values, over a turn where the joint goes round, and over a period.
 fn knots(columns: &Columns, turns: bool, period: Option<f64>) -> Vec<Knots> {
     let values = columns.values.len();
-    let range = Knots {
-        from: columns.from(),
-        to: columns.to(),
-        period: None,
-        count: (2 * values - 1).clamp(4, MOST_KNOTS),
-    };
+    let range = columns.knots((2 * values - 1).clamp(4, MOST_KNOTS));
     let span = range.to - range.from;
     let around = std::f64::consts::TAU;
     let step = span / (values - 1).max(1) as f64;
