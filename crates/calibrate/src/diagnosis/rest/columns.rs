@@ -85,22 +85,30 @@ impl<'a> Columns<'a> {
         Self::of(rows, joint, blocks)
     }
 
-    /// The same in all directions together beside a noise, and beside all terms of the model.
+    /// The same in all directions together beside a noise and all terms of the model but some names, whose columns come
+    /// with it: the residual is without them.
     pub(super) fn together(
         problem: &Problem<'a>,
         noise: &Noise,
         model: &Model,
-        joint: usize,
-    ) -> Self {
+        (joint, names): (usize, &[Term]),
+    ) -> (Self, DMatrix<f64>) {
         let rows = Rows::of(&problem.thinned(MOST_SAMPLES));
-        let [moves, mut base, residual] = extracted(&rows, model, joint, |_| true);
-        let n = rows.samples.len();
-        for mut column in base.column_iter_mut() {
+        let is_name = |term: &Term| names.iter().any(|name| name.same_column(term));
+        let [moves, mut base, mut residual] = extracted(&rows, model, joint, |t| !is_name(t));
+        let [_, mut own, _] = extracted(&rows, model, joint, is_name);
+        let coefficients = model.columns().filter(|(term, _)| is_name(term));
+        for (column, (term, k)) in own.column_iter().zip(coefficients) {
+            residual += column * term.coefficients[k];
+        }
+        let columns = base.column_iter_mut().chain(own.column_iter_mut());
+        for mut column in columns {
             let norm = column.norm();
             if norm > 0.0 {
                 column.unscale_mut(norm);
             }
         }
+        let n = rows.samples.len();
         let white = noise.whitened(&rows, &moves);
         let unit = |d: usize| match white.column(d).norm() {
             norm if norm > 0.0 => (n as f64).sqrt() / norm,
@@ -119,7 +127,7 @@ impl<'a> Columns<'a> {
             floor: (SMALLEST_SIGMA_MM / smallest).powi(2),
             measured: (0..rows.len()).filter(|row| rows.has(*row)).collect(),
         };
-        Self::of(rows, joint, vec![block])
+        (Self::of(rows, joint, vec![block]), own)
     }
 
     fn of(rows: Rows<'a>, joint: usize, blocks: Vec<Block>) -> Self {

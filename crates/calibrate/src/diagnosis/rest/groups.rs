@@ -15,7 +15,7 @@
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
 use super::products::Products;
-use crate::linear::{gram, inverse_of_lower};
+use crate::linear::{gram, inverse_of_lower, solve_lower};
 
 /// Strengths are refined so often from the beginning …
 const ROUNDS: usize = 40;
@@ -159,6 +159,23 @@ impl Remaining {
             yy: left.max(f64::MIN_POSITIVE),
             ..self.clone()
         }
+    }
+
+    /// Once columns with strengths of their own are integrated out: evidence of these, and what remains for the columns
+    /// from a place on.
+    pub(super) fn beside(&self, own: &[usize], first: usize) -> Option<(f64, Self)> {
+        let group: Vec<usize> = (0..own.len()).collect();
+        let those = self.only(own);
+        let strengths = those.refined(&group, those.first(&group, own.len()), ROUNDS)?;
+        let (kept, solved) = those.of_strengths(&group, &strengths)?;
+        let mut rest = self.only(&(first..self.columns()).collect::<Vec<_>>());
+        let cross = DMatrix::from_fn(kept.len(), rest.columns(), |a, b| {
+            solved.root[a] * self.s[(own[kept[a]], first + b)]
+        });
+        rest.g -= cross.tr_mul(&solved.unit);
+        rest.s -= gram(&solve_lower(solved.factor.l_dirty(), cross));
+        rest.yy = solved.left;
+        Some((solved.ln_evidence(), rest))
     }
 
     /// `group` is that of each column.

@@ -32,23 +32,16 @@ use super::groups::Remaining;
 use super::held_out::{HeldOut, Whitened};
 use super::kernels::{Fitted, Kernels, Prior};
 use super::products::Products;
-use super::{BEYOND_DOUBT, LIKELIER};
+use super::{BEYOND_DOUBT, FEWEST_VALUES, LIKELIER, MOST_KNOTS};
 use crate::side_by_side::Threads;
 
 /// Sides of a direction: what is common to both, and half of the reversal.
 const SIDES: usize = 2;
-/// Most knots of a curve over a range.
-const MOST_KNOTS: usize = 61;
-/// With fewer different values of a joint no curve rivals a name.
-const FEWEST_TO_RIVAL: usize = 10;
 
 /// Most knots over a turn …
 const MOST_IN_A_TURN: usize = 72;
 /// … and over a shorter period.
 const MOST_IN_A_PERIOD: usize = 24;
-/// With fewer different values of the joint there is nothing between which a curve could be drawn (ISO 230-2 asks
-/// for five targets).
-const FEWEST_VALUES: usize = 5;
 /// How often samples that were suspected are looked at again.
 const MOST_ROUNDS: usize = 4;
 /// What repeats over a joint beside a model.
@@ -180,44 +173,6 @@ fn use_what_returns(problem: &mut Problem, joint: usize) {
 /// What belongs to every calibration, and is fitted beside the curve.
 fn is_base(term: &Term) -> bool {
     base_model::belongs(term.effect.about().id)
-}
-
-/// A free curve over a joint beside a model.
-pub(crate) struct FreeCurve {
-    /// Logarithm of how much likelier the samples are with it.
-    pub(crate) ln_odds: f64,
-    /// Columns that it is worth.
-    pub(crate) freedom: usize,
-    /// In which direction it is largest: along the motion, the radius, the axis.
-    pub(crate) direction: usize,
-}
-
-/// The likeliest free curve over a joint beside a model, common to both sides, beside a noise: its likelihood is compared
-/// with those of names.
-pub(crate) fn free_curve(
-    problem: &Problem,
-    noise: &Noise,
-    model: &Model,
-    joint: usize,
-) -> Option<FreeCurve> {
-    let columns = Columns::together(problem, noise, model, joint);
-    if columns.values.len() < FEWEST_TO_RIVAL {
-        return None;
-    }
-    let knots = columns.knots(columns.values.len().clamp(4, MOST_KNOTS));
-    let kernels = Kernels::new(knots.count, false)?;
-    let block = &columns.blocks[0];
-    let whitened = block.whitened(&block.curve(&columns, &knots, 1));
-    let remaining = Remaining::of(&whitened.products(&block.measured))?;
-    let (prior, ln_odds) = kernels.likeliest(&remaining)?;
-    let values = kernels.fit(&remaining, &prior)?.values();
-    let size = |direction: &usize| values.rows(direction * knots.count, knots.count).norm();
-    let largest = (0..prior.len()).max_by(|a, b| size(a).total_cmp(&size(b)));
-    Some(FreeCurve {
-        ln_odds,
-        freedom: Kernels::pieces(&prior).ceil() as usize,
-        direction: largest.unwrap_or(0),
-    })
 }
 
 /// The likeliest curve over a joint on some samples, with what it was fitted to.

@@ -6,7 +6,8 @@
 //!
 //! c: the values of a part of the curve at its knots u, t its size in units of the noise, B its columns and J those of
 //! the base. k is of the Matérn family: of order ½ it may jump, of order 3/2 and 5/2 it is smooth; beside it stands the
-//! infinitely smooth one, a Gaussian. Of what is periodic |u_i − u_j| is a chord (Rasmussen & Williams 2006, 4.2). The
+//! infinitely smooth one, a Gaussian; and two pulls that grow exponentially towards the ends of the range, `L = [e^(−u/ℓ),
+//! e^(−(1−u)/ℓ)]`: cables and hoses are bent there, and the farther the stiffer. Of what is periodic |u_i − u_j| is a chord (Rasmussen & Williams 2006, 4.2). The
 //! condition makes the curve orthogonal to the base, so that it takes nothing from it: L without the combinations that
 //! would, `L (1 − Q Qᵀ)` with Q a basis of `Lᵀ Bᵀ J`.
 
@@ -26,6 +27,10 @@ const SMOOTHNESS: [fn(f64) -> f64; 4] = [
     |r| (1.0 + r + r * r / 3.0) * (-r).exp(),
     |r| (-0.5 * r * r).exp(),
 ];
+/// Shares of the range within which a pull at its ends falls to 1/e.
+const PULLS: [f64; LENGTHS.len()] = [0.28, 0.2, 0.14, 0.1, 0.07, 0.05];
+/// Pieces that are enough for the shortest of them.
+const PIECES_OF_PULLS: f64 = 24.0;
 /// Variance of a rough part beside a smooth curve, whose covariance has no factor: some 10⁻⁵ of its size, far
 /// below the noise of a curve that is a thousand times the noise.
 const BESIDE_SMOOTH: f64 = 1e-9;
@@ -56,29 +61,39 @@ impl Kernels {
             let all = |i, j| correlation(apart(i, j) / length) + rough(i, j);
             Some(DMatrix::from_fn(knots, knots, all).cholesky()?.unpack())
         };
+        let pulls = |length: f64| {
+            let from_end = |row: usize, end: usize| if end == 0 { row } else { knots - 1 - row };
+            let pull = |row, end| (-(from_end(row, end) as f64 / steps) / length).exp();
+            Some(DMatrix::from_fn(knots, 2, pull))
+        };
         let all = SMOOTHNESS.into_iter();
         let all = all.flat_map(|own| LENGTHS.map(|length| root(own, length)));
-        all.collect::<Option<Vec<_>>>().map(Self)
+        let ends = PULLS.into_iter().filter(|_| !periodic).map(pulls);
+        all.chain(ends).collect::<Option<Vec<_>>>().map(Self)
     }
 
-    fn knots(&self) -> usize {
+    pub(super) fn knots(&self) -> usize {
         self.0[0].nrows()
     }
 
     /// About how many straight pieces say as much: three over the shortest length.
     pub(super) fn pieces(prior: &Prior) -> f64 {
-        let all = prior.iter().flatten();
-        all.map(|(kernel, _)| 3.0 / LENGTHS[kernel % LENGTHS.len()])
-            .fold(0.0, f64::max)
+        let pieces = |kernel: usize| match kernel / LENGTHS.len() {
+            order if order < SMOOTHNESS.len() => 3.0 / LENGTHS[kernel % LENGTHS.len()],
+            _ => PIECES_OF_PULLS,
+        };
+        let all = prior.iter().flatten().map(|own| pieces(own.0));
+        all.fold(0.0, f64::max)
     }
 
     /// The next lengths, and the other smoothnesses of the same length.
-    fn beside(kernel: usize) -> impl Iterator<Item = usize> {
+    fn beside(&self, kernel: usize) -> impl Iterator<Item = usize> {
         let lengths = LENGTHS.len();
+        let kinds = self.0.len() / lengths;
         let (order, length) = (kernel / lengths, kernel % lengths);
         let next = [length.wrapping_sub(1), length + 1].into_iter();
         let next = next.filter(move |k| *k < lengths);
-        let orders = (0..SMOOTHNESS.len()).filter(move |k| *k != order);
+        let orders = (0..kinds).filter(move |k| *k != order);
         next.map(move |k| order * lengths + k)
             .chain(orders.map(move |k| k * lengths + length))
     }
@@ -87,11 +102,15 @@ impl Kernels {
     fn combinations(&self, remaining: &Remaining, prior: &Prior) -> DMatrix<f64> {
         let (knots, all) = (self.knots(), remaining.columns());
         let parts = prior.iter().enumerate();
-        let parts: Vec<_> = parts.filter_map(|(part, own)| Some((part, (*own)?))).collect();
-        let mut l = DMatrix::zeros(all, parts.len() * knots);
-        for (at, (part, (kernel, size))) in parts.into_iter().enumerate() {
-            let mut own = l.view_mut((part * knots, at * knots), (knots, knots));
-            own.copy_from(&(&self.0[kernel] * size));
+        let parts = parts.filter_map(|(part, own)| Some((part, (*own)?)));
+        let roots: Vec<_> = parts.map(|(p, (kernel, size))| (p, &self.0[kernel] * size)).collect();
+        let width = roots.iter().map(|(_, root)| root.ncols()).sum();
+        let mut l = DMatrix::zeros(all, width);
+        let mut at = 0;
+        for (part, root) in roots {
+            let mut own = l.view_mut((part * knots, at), root.shape());
+            own.copy_from(&root);
+            at += root.ncols();
         }
         let q = Basis::new(&l.tr_mul(&remaining.common)).q;
         let taken = &l * &q;
@@ -169,7 +188,7 @@ impl Kernels {
                     continue;
                 };
                 let sizes = [step, 1.0 / step].map(|factor| (kernel, size * factor));
-                let others = Self::beside(kernel).map(|other| (other, size));
+                let others = self.beside(kernel).map(|other| (other, size));
                 for own in sizes.into_iter().chain(others) {
                     let mut trial = best.0.clone();
                     trial[part] = Some(own);
