@@ -3,7 +3,7 @@
 //!
 //! Blocks are stretches of the joint angles where the joints move at random, and stretches of
 //! time besides; several small ones make one fold, so that no fold lies beyond the others. All rows of a pose are in one,
-//! and of an arm all that were measured where it came back: they show nothing of another pose.
+//! and all that were measured where the robot came back: they show nothing of another pose.
 
 use nalgebra::DVector;
 
@@ -53,6 +53,13 @@ fn poses_of(rows: &Rows) -> ByPose {
     ByPose::of(rows.inputs.pose.as_deref(), rows.samples.len())
 }
 
+/// The same by where the robot was sent: other visits show nothing of another place. `None` where those are too few to say
+/// anything of others.
+fn places_of(rows: &Rows) -> Option<ByPose> {
+    let places = ByPose::of_places(&rows.inputs.q, rows.samples.len());
+    (places.first.len() >= FEWEST).then_some(places)
+}
+
 impl Folds {
     /// Folds over the samples of a regression, by the angle of the first joint that moves most.
     pub(crate) fn new(regression: &Regression) -> Self {
@@ -69,7 +76,7 @@ impl Folds {
         };
         let widest = (0..q.len()).max_by(|a, b| range(&q[*a]).total_cmp(&range(&q[*b])));
         let column = widest.map_or(&[][..], |j| &*q[j]);
-        let poses = poses_of(&regression.rows);
+        let poses = places_of(&regression.rows).unwrap_or_else(|| poses_of(&regression.rows));
         let n = poses.first.len();
         let mut order: Vec<usize> = (0..n).collect();
         order.sort_by(|a, b| {
@@ -116,14 +123,13 @@ impl Folds {
     /// Folds over cells of the workspace, for a robot with several joints.
     pub(crate) fn over_cells(rows: &Rows, model: &Model) -> Self {
         let points = rows.points(model);
-        let places = ByPose::of_places(&rows.inputs.q, rows.samples.len());
-        if places.first.len() < FEWEST {
+        let Some(places) = places_of(rows) else {
             let visits = Self::over_cells_of(rows, &points, &poses_of(rows));
             return Self {
                 predict_poses: false,
                 ..visits
             };
-        }
+        };
         Self::over_cells_of(rows, &points, &places)
     }
 

@@ -19,12 +19,11 @@ use crate::fit::regression::Rows;
 use crate::linear::Basis;
 use crate::model::Model;
 
+use super::different;
 use super::held_out::Whitened;
 
 /// A longer session is thinned evenly to so many samples: there are hundreds for each knot then.
 const MOST_SAMPLES: usize = 3000;
-/// Values of the joint closer than this (rad or mm) are the same pose.
-pub(super) const SAME: f64 = 1e-6;
 /// A direction of which less than this share is left beside the others was not measured; a column of which less is
 /// along a direction does nothing there.
 const MEASURED: f64 = 1e-3;
@@ -134,15 +133,12 @@ impl<'a> Columns<'a> {
         let q = rows.inputs.q[joint].to_vec();
         let dir = rows.inputs.dir[joint].as_deref();
         let dir = dir.map_or_else(|| vec![0.0; q.len()], <[f64]>::to_vec);
-        let mut values = q.clone();
-        values.sort_by(f64::total_cmp);
-        values.dedup_by(|a, b| (*a - *b).abs() < SAME);
         Self {
             joint,
             rows,
+            values: different(&q),
             q,
             dir,
-            values,
             blocks,
         }
     }

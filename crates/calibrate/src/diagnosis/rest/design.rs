@@ -14,9 +14,9 @@ use crate::text::Text;
 use nalgebra::{DMatrix, DVector};
 
 use super::families::Families;
-use super::orders::{self, Residual};
 use super::groups::{NEARLY, Remaining};
-use super::held_out::{HeldOut, Whitened};
+use super::held_out::{Gains, HeldOut, Whitened};
+use super::orders::{self, Residual};
 use super::products::Products;
 
 /// A longer session is thinned evenly to so many samples.
@@ -42,14 +42,6 @@ pub(super) struct Design<'a> {
     products: Option<Products>,
     total: Products,
     threads: Threads,
-}
-
-/// What the families bring on unseen cells.
-pub(super) struct Gains {
-    pub(super) before_mm: f64,
-    pub(super) after_mm: f64,
-    /// The gain in units of its standard deviation.
-    pub(super) sigmas: f64,
 }
 
 impl<'a> Design<'a> {
@@ -299,22 +291,9 @@ impl<'a> Design<'a> {
             let refined = remaining.refined(&family, strengths.to_vec(), NEARLY)?;
             Some(remaining.solved(&family, &refined)?.coefficients())
         })?;
-        let count = self.rows.lengths().max(1) as f64;
-        let rms = |k: usize| (squares.iter().map(|s| s[k]).sum::<f64>() / count).sqrt();
         // The rows of a pose share what the robot did not repeat: a pose is one witness.
         let poses = ByPose::of(self.rows.inputs.pose.as_deref(), squares.len()).samples();
-        let gained = |i: &usize| squares[*i][0] - squares[*i][1];
-        let of_pose = |own: &Vec<usize>| own.iter().map(gained).sum();
-        let gains: Vec<f64> = poses.iter().map(of_pose).collect();
-        let n = gains.len();
-        let mean = gains.iter().sum::<f64>() / n as f64;
-        let spread = gains.iter().map(|g| (g - mean).powi(2)).sum::<f64>();
-        let sigma = (spread / (n * n) as f64).sqrt().max(f64::MIN_POSITIVE);
-        Some(Gains {
-            before_mm: rms(0),
-            after_mm: rms(1),
-            sigmas: mean / sigma,
-        })
+        Some(Gains::of(&squares, &poses, self.rows.lengths()))
     }
 
     /// The terms of a model with these strengths, and what they follow.

@@ -131,7 +131,7 @@ impl Remaining {
     }
 
     /// Of some columns.
-    fn only(&self, columns: &[usize]) -> Self {
+    pub(super) fn only(&self, columns: &[usize]) -> Self {
         Self {
             s: self.s.select_rows(columns).select_columns(columns),
             g: self.g.select_rows(columns),
@@ -285,19 +285,68 @@ impl Remaining {
 mod tests {
     use super::*;
 
-    /// Products of made-up columns of three groups with a residual.
+    /// The columns of `tests/reference/groups_of_columns.py`: a base of three, and three groups, with a residual.
     fn remaining() -> (Remaining, Vec<usize>) {
-        let group = vec![0, 0, 1, 2, 2, 2];
-        let x = DMatrix::from_fn(40, 6, |i, k| ((i * (k + 2)) as f64 * 0.37 + k as f64).sin());
-        let y = DVector::from_fn(40, |i, _| {
-            x[(i, 0)] - 0.4 * x[(i, 4)] + (i as f64 * 1.7).sin()
-        });
-        let all = x.insert_column(6, 0.0);
-        let mut all = all;
-        all.set_column(6, &y);
+        let wild = |i: usize, j: usize| ((i as f64 + 3.0) * (2 * j + 5) as f64 * 0.37).sin();
+        let residual = |i: usize| {
+            wild(i, 3) - 0.4 * wild(i, 7) + 0.3 * wild(i, 1) + 0.5 * (i as f64 * 1.7).sin()
+        };
+        let at = |i, j| if j < 9 { wild(i, j) } else { residual(i) };
+        let all = DMatrix::from_fn(40, 10, at);
         let rows: Vec<usize> = (0..40).collect();
-        let remaining = Remaining::of(&Products::of(&all, 0, &rows, 0.0)).unwrap();
-        (remaining, group)
+        let remaining = Remaining::of(&Products::of(&all, 3, &rows, 0.0)).unwrap();
+        (remaining, vec![0, 0, 1, 2, 2, 2])
+    }
+
+    #[test]
+    fn evidence_coefficients_and_their_covariance_are_those_of_scipy() {
+        let file = include_str!("../../../../../tests/reference/groups_of_columns.json");
+        let expected: serde_json::Value = serde_json::from_str(file).unwrap();
+        let (remaining, group) = remaining();
+        let solved = remaining.solved(&group, &[0.3, 0.05, 0.7]).unwrap();
+        let inverse = solved.deviations();
+        let deviation = |k: usize| solved.root[k] * inverse.column(k).norm();
+        let deviations = DVector::from_fn(6, |k, _| deviation(k));
+        for (name, own) in [
+            (
+                "ln_evidence",
+                DVector::from_element(1, solved.ln_evidence()),
+            ),
+            ("coefficients", solved.coefficients()),
+            ("deviations", deviations),
+        ] {
+            let of = |k: usize| expected[name].get(k).unwrap_or(&expected[name]).as_f64();
+            for (k, own) in own.iter().enumerate() {
+                let expected = of(k).unwrap();
+                assert!(
+                    (own - expected).abs() < 1e-7,
+                    "{name} {k}: {own} {expected}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn a_group_that_is_integrated_out_leaves_the_evidence_of_both() {
+        let (remaining, _) = remaining();
+        let (alone, rest) = remaining.beside(&[0, 1], 3).unwrap();
+        let both = rest.solved(&[0, 0, 0], &[0.7]).unwrap().ln_evidence();
+        assert!(
+            (rest.alone() - alone).abs() > 1e-6,
+            "the determinant of the first is its own"
+        );
+        let gained = both - rest.alone();
+        let all = remaining.only(&[0, 1, 3, 4, 5]);
+        let strengths = {
+            let own = remaining.only(&[0, 1]);
+            own.refined(&[0, 1], own.first(&[0, 1], 2), ROUNDS).unwrap()
+        };
+        let strengths = [strengths[0], strengths[1], 0.7];
+        let at_once = all
+            .solved(&[0, 1, 2, 2, 2], &strengths)
+            .unwrap()
+            .ln_evidence();
+        assert!((alone + gained - at_once).abs() < 1e-9);
     }
 
     #[test]

@@ -26,18 +26,21 @@ use crate::kinematics::JointKind;
 use crate::model::Model;
 use crate::text::Text;
 
-use super::columns::{Block, Columns, SAME};
+use super::columns::{Block, Columns};
 use super::folds::Folds;
 use super::groups::Remaining;
-use super::held_out::{HeldOut, Whitened};
+use super::held_out::{Gains, HeldOut, Whitened};
 use super::kernels::{Fitted, Kernels, Prior};
 use super::products::Products;
-use super::{BEYOND_DOUBT, FEWEST_VALUES, LIKELIER, MOST_KNOTS};
+use super::{BEYOND_DOUBT, LIKELIER, MOST_KNOTS, SAME};
 use crate::side_by_side::Threads;
 
 /// Sides of a direction: what is common to both, and half of the reversal.
 const SIDES: usize = 2;
 
+/// With fewer different values of a joint there is nothing between which a curve could be drawn (ISO 230-2 asks
+/// for five targets).
+const FEWEST_VALUES: usize = 5;
 /// Most knots over a turn …
 const MOST_IN_A_TURN: usize = 72;
 /// … and over a shorter period.
@@ -77,20 +80,20 @@ pub(crate) fn repeating<'a>(
     if fitted.ln_odds() < LIKELIER {
         return None;
     }
+    let ln_odds = fitted.ln_odds();
     let held_out = |folds: Folds| Some((fitted.held_out(&folds)?, folds));
     let by_values = Folds::values(&fitted.columns, joint).and_then(held_out);
     let by_runs = Folds::runs(&fitted.columns).and_then(held_out);
-    let gains = |own: &&([f64; 2], Folds)| own.0[1] < own.0[0];
+    let gains = |own: &&(Gains, Folds)| own.0.is_better();
     // Between targets that are too far apart no curve predicts, and at them the axis comes back all the same.
     let said = by_values.as_ref().filter(gains);
     let said = said.or(by_runs.as_ref().filter(gains));
-    let seen = |own: &Option<([f64; 2], Folds)>| own.is_some();
-    let denied = by_runs.as_ref().is_some_and(|own| !gains(&own));
-    let doubted = fitted.ln_odds() < BEYOND_DOUBT || !(seen(&by_values) || seen(&by_runs));
+    let denied = by_runs.as_ref().is_some_and(|own| !own.0.is_better());
+    let doubted = ln_odds < BEYOND_DOUBT || by_values.is_none() && by_runs.is_none();
     if denied || said.is_none() && doubted {
         return None;
     }
-    let ([before, after], folds) = said.or(by_values.as_ref())?;
+    let (unseen, folds) = said.or(by_values.as_ref())?;
     let curve = fitted.curve()?;
     let identified = Columns::new(&problem, base, joint, is_base);
     let term = Term::unexplained(joint, curve);
@@ -98,15 +101,19 @@ pub(crate) fn repeating<'a>(
     Some(Repeating {
         noise: comes_back.then(|| noise_beside(&problem, &model.with_term(term.clone()), &[])),
         term,
-        held_out_mm: [alone(&identified, folds)?, *before, *after],
-        samples: folds.samples(),
+        held_out_mm: [
+            alone(&identified, folds)?,
+            unseen.before_mm,
+            unseen.after_mm,
+        ],
+        samples: folds.held_out().count(),
         problem,
         how: folds.how.clone(),
-        runs_held_out_mm: by_runs.as_ref().map(|(gap, _)| gap[1]),
+        runs_held_out_mm: by_runs.as_ref().map(|own| own.0.after_mm),
         values_held_out_mm: by_values
             .as_ref()
-            .filter(|own| !gains(own))
-            .map(|(gap, _)| gap[1]),
+            .filter(|own| !own.0.is_better())
+            .map(|own| own.0.after_mm),
     })
 }
 
@@ -296,10 +303,9 @@ impl<'a> OverJoint<'a> {
         .collect()
     }
 
-    /// Root mean square deviations of unseen samples without and with the curve, mm. Base, sizes and curve are
-    /// fitted without them.
-    fn held_out(&self, folds: &Folds) -> Option<[f64; 2]> {
-        let mut sums = [0.0; 2];
+    /// What the curve brings on unseen samples. Base, sizes and curve are fitted without them.
+    fn held_out(&self, folds: &Folds) -> Option<Gains> {
+        let mut squares = vec![[0.0; 2]; folds.all()];
         for part in &self.parts {
             let curve = |seen: &Remaining| match &part.found {
                 Some((prior, _)) => {
@@ -309,12 +315,12 @@ impl<'a> OverJoint<'a> {
                 None => Some(DVector::zeros(seen.columns())),
             };
             let of_part = held_out(&part.whitened, folds)?.squares(curve)?;
-            for (sum, side) in sums.iter_mut().zip(0..2) {
-                *sum += of_part.iter().map(|own| own[side]).sum::<f64>();
+            for (sum, own) in squares.iter_mut().zip(of_part) {
+                *sum = [sum[0] + own[0], sum[1] + own[1]];
             }
         }
-        let samples = folds.samples().max(1) as f64;
-        Some(sums.map(|sum| (sum / samples).sqrt()))
+        let witnesses: Vec<Vec<usize>> = folds.held_out().map(|sample| vec![sample]).collect();
+        Some(Gains::of(&squares, &witnesses, witnesses.len()))
     }
 }
 
@@ -335,7 +341,7 @@ fn alone(columns: &Columns, folds: &Folds) -> Option<f64> {
         let squares = held_out(&whitened, folds)?.squares(|_| Some(DVector::zeros(0)))?;
         sum += squares.iter().map(|own| own[0]).sum::<f64>();
     }
-    Some((sum / folds.samples().max(1) as f64).sqrt())
+    Some((sum / folds.held_out().count().max(1) as f64).sqrt())
 }
 
 /// Knots over the range, twice as many as there are values, over a turn where the joint goes round, and over a period.

@@ -98,34 +98,42 @@ impl Kernels {
             .chain(orders.map(move |k| k * lengths + length))
     }
 
-    /// `t L (1 − Q Qᵀ)` of the parts.
-    fn combinations(&self, remaining: &Remaining, prior: &Prior) -> DMatrix<f64> {
-        let (knots, all) = (self.knots(), remaining.columns());
-        let parts = prior.iter().enumerate();
-        let parts = parts.filter_map(|(part, own)| Some((part, (*own)?)));
-        let roots: Vec<_> = parts.map(|(p, (kernel, size))| (p, &self.0[kernel] * size)).collect();
-        let width = roots.iter().map(|(_, root)| root.ncols()).sum();
-        let mut l = DMatrix::zeros(all, width);
+    /// `t L (1 − Q Qᵀ)` of the parts, each with its kernel and size.
+    fn combinations(&self, parts: &Remaining, priors: &[(usize, f64)]) -> DMatrix<f64> {
+        let knots = self.knots();
+        let width = priors.iter().map(|own| self.0[own.0].ncols()).sum();
+        let mut l = DMatrix::zeros(parts.columns(), width);
         let mut at = 0;
-        for (part, root) in roots {
+        for (part, (kernel, size)) in priors.iter().enumerate() {
+            let root = &self.0[*kernel];
             let mut own = l.view_mut((part * knots, at), root.shape());
-            own.copy_from(&root);
+            own.copy_from(&(root * *size));
             at += root.ncols();
         }
-        let q = Basis::new(&l.tr_mul(&remaining.common)).q;
+        let q = Basis::new(&l.tr_mul(&parts.common)).q;
         let taken = &l * &q;
         l.gemm(-1.0, &taken, &q.transpose(), 1.0);
         l
     }
 
+    /// Columns of a part.
+    fn columns(&self, part: usize) -> std::ops::Range<usize> {
+        part * self.knots()..(part + 1) * self.knots()
+    }
+
     /// The curve with a prior.
     pub(super) fn fit(&self, remaining: &Remaining, prior: &Prior) -> Option<Fitted> {
-        let combinations = self.combinations(remaining, prior);
+        let there = prior.iter().enumerate().filter(|own| own.1.is_some());
+        let columns: Vec<usize> = there.flat_map(|(part, _)| self.columns(part)).collect();
+        let priors: Vec<(usize, f64)> = prior.iter().flatten().copied().collect();
+        let parts = remaining.only(&columns);
+        let combinations = self.combinations(&parts, &priors);
         let none = vec![0; combinations.ncols()];
-        let solved = remaining.through(&combinations).solved(&none, &[1.0])?;
         Some(Fitted {
+            solved: parts.through(&combinations).solved(&none, &[1.0])?,
             combinations,
-            solved,
+            columns,
+            of_all: remaining.columns(),
         })
     }
 
@@ -151,27 +159,27 @@ impl Kernels {
             best = (with, ln_evidence);
         }
         let likelier = best.1 - remaining.alone();
-        best.0.iter().any(Option::is_some).then_some((best.0, likelier))
+        best.0
+            .iter()
+            .any(Option::is_some)
+            .then_some((best.0, likelier))
     }
 
     /// The part that alone says most of what the others leave, with its kernel and size.
     fn one_more(&self, left: &Remaining, before: &Prior) -> Option<(usize, (usize, f64))> {
-        let free = (0..before.len()).filter(|part| before[*part].is_none());
-        let all = free.flat_map(|part| (0..self.0.len()).map(move |kernel| (part, kernel)));
         let mut best = None;
         let mut most = left.alone();
-        for (part, kernel) in all {
-            let mut prior: Prior = vec![None; before.len()];
-            prior[part] = Some((kernel, 1.0));
-            let alone = left.through(&self.combinations(left, &prior));
-            let none = vec![0; alone.columns()];
-            for size in sizes() {
-                let solved = alone.solved(&none, &[size * size]);
-                let Some(here) = solved.map(|solved| solved.ln_evidence()) else {
-                    continue;
-                };
-                if here > most {
-                    (best, most) = (Some((part, (kernel, size))), here);
+        for part in (0..before.len()).filter(|part| before[*part].is_none()) {
+            let own = left.only(&self.columns(part).collect::<Vec<_>>());
+            for kernel in 0..self.0.len() {
+                let alone = own.through(&self.combinations(&own, &[(kernel, 1.0)]));
+                let none = vec![0; alone.columns()];
+                for size in sizes() {
+                    let solved = alone.solved(&none, &[size * size]);
+                    let here = solved.map(|solved| solved.ln_evidence());
+                    if let Some(here) = here.filter(|here| *here > most) {
+                        (best, most) = (Some((part, (kernel, size))), here);
+                    }
                 }
             }
         }
@@ -205,19 +213,55 @@ impl Kernels {
 
 /// A curve under a prior.
 pub(super) struct Fitted {
-    combinations: DMatrix<f64>,
     solved: Solved,
+    combinations: DMatrix<f64>,
+    /// Places of the parts that are there, among those of all.
+    columns: Vec<usize>,
+    of_all: usize,
 }
 
 impl Fitted {
     /// Values at the knots, part by part; zero where there is no curve.
     pub(super) fn values(&self) -> DVector<f64> {
-        &self.combinations * self.solved.coefficients()
+        self.placed(&(&self.combinations * self.solved.coefficients()))
     }
 
     /// Their standard deviations.
     pub(super) fn sigma(&self) -> DVector<f64> {
         let all = &self.combinations * self.solved.deviations().transpose();
-        DVector::from_fn(all.nrows(), |k, _| all.row(k).norm())
+        self.placed(&DVector::from_fn(all.nrows(), |k, _| all.row(k).norm()))
+    }
+
+    fn placed(&self, own: &DVector<f64>) -> DVector<f64> {
+        let mut all = DVector::zeros(self.of_all);
+        for (place, value) in self.columns.iter().zip(own.iter()) {
+            all[*place] = *value;
+        }
+        all
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// `tests/reference/groups_of_columns.py`.
+    #[test]
+    fn kernels_are_those_of_scikit_learn() {
+        let file = include_str!("../../../../../tests/reference/groups_of_columns.json");
+        let expected: serde_json::Value = serde_json::from_str(file).unwrap();
+        for (kernel, own) in SMOOTHNESS.iter().enumerate() {
+            for k in 0..5 {
+                let at = |name: &serde_json::Value| name[k].as_f64().unwrap();
+                let (distance, expected) = (
+                    at(&expected["distances"]),
+                    at(&expected["correlations"][kernel]),
+                );
+                assert!(
+                    (own(distance) - expected).abs() < 1e-12,
+                    "{kernel} {distance}"
+                );
+            }
+        }
     }
 }

@@ -25,8 +25,15 @@ pub(crate) mod rival;
 const LIKELIER: f64 = 6.0;
 /// So much likelier they are beyond doubt, as a logarithm: no noise does that.
 const BEYOND_DOUBT: f64 = 50.0;
-/// With fewer different values of a joint there is nothing between which a curve could be drawn (ISO 230-2 asks
-/// for five targets).
-const FEWEST_VALUES: usize = 5;
 /// Most knots of a curve over a range.
 const MOST_KNOTS: usize = 61;
+/// Values of a joint closer than this (rad or mm) are the same.
+const SAME: f64 = 1e-6;
+
+/// Different values of a joint, in ascending order.
+fn different(q: &[f64]) -> Vec<f64> {
+    let mut values = q.to_vec();
+    values.sort_by(f64::total_cmp);
+    values.dedup_by(|a, b| (*a - *b).abs() < SAME);
+    values
+}

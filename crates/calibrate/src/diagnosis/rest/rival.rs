@@ -9,10 +9,13 @@ use crate::fit::noise::Noise;
 use crate::fit::problem::Problem;
 use crate::model::Model;
 
+use super::MOST_KNOTS;
 use super::columns::Columns;
 use super::groups::Remaining;
 use super::kernels::Kernels;
-use super::{FEWEST_VALUES, MOST_KNOTS};
+
+/// With fewer different values of a joint no curve is more than a name.
+const FEWEST_VALUES: usize = 3;
 
 /// Names over a joint, and a curve over it.
 pub(crate) struct Contest {

@@ -8,6 +8,7 @@
 
 use std::collections::BTreeMap;
 
+use crate::effects::survey::ENOUGH;
 use crate::effects::{Over, Setting, Term};
 use crate::model::Model;
 
@@ -30,6 +31,8 @@ const FEWEST_NAMES: usize = 3;
 const FEW_WAVES: f64 = 3.0;
 /// Pieces of the curve that takes the names' place in the fit, at most.
 const MOST_PIECES: usize = 60;
+/// … and at least.
+const FEWEST_PIECES: usize = 2;
 
 /// Some of the names over a joint, with the likeliest curve over it where that is worth its price.
 struct BesideCurve {
@@ -71,7 +74,12 @@ impl BesideCurve {
         let mut measured = across.iter().map(|across| across.0);
         let direction = measured.find(|is| own.is_some_and(|own| own.contains(is)));
         let direction = direction.unwrap_or(Direction::Tangential(at));
-        let shape = over(at, direction, curve.pieces.clamp(4, MOST_PIECES));
+        // Between neighbouring values more pieces say nothing.
+        let most = match prepared.survey.joints[at].values {
+            few if few < ENOUGH => few.saturating_sub(1),
+            _ => MOST_PIECES,
+        };
+        let shape = over(at, direction, curve.pieces.min(most).max(FEWEST_PIECES));
         let ln_evidence = rest.ln_evidence + worth(Some(&curve));
         with_curve(&prepared.regression, &rest, shape, ln_evidence)
     }
@@ -81,7 +89,12 @@ fn worth(curve: Option<&FreeCurve>) -> f64 {
     curve.map_or(0.0, |curve| curve.ln_odds - PRICE)
 }
 
-fn contest(prepared: &PreparedSearch, model: &Model, joint: usize, names: &[Term]) -> Option<Contest> {
+fn contest(
+    prepared: &PreparedSearch,
+    model: &Model,
+    joint: usize,
+    names: &[Term],
+) -> Option<Contest> {
     let regression = &prepared.regression;
     Contest::new(&regression.problem, &regression.noise, model, joint, names)
 }
@@ -155,7 +168,9 @@ pub(crate) fn rival(prepared: &PreparedSearch, found: &mut SearchResult) {
             let rests = rests.map(|rest: Vec<Term>| (beside(&rest), rest));
             let best = rests.max_by(|a, b| a.0.ln_evidence.total_cmp(&b.0.ln_evidence));
             match best {
-                Some((own, rest)) if own.ln_evidence > most.ln_evidence => (most, kept) = (own, rest),
+                Some((own, rest)) if own.ln_evidence > most.ln_evidence => {
+                    (most, kept) = (own, rest)
+                }
                 _ => break,
             }
         }

@@ -7,7 +7,6 @@
 use crate::effects::Term;
 use crate::fit::base_model;
 use crate::fit::gap::lengths_mm;
-use crate::text::Text;
 
 use super::named::Figures;
 use super::unseen;
