@@ -238,7 +238,7 @@ impl<'a> OverJoint<'a> {
         let mut best: Option<(Knots, Kernels, Vec<Part>)> = None;
         let ln_odds = |parts: &[Part]| parts.iter().map(Part::ln_odds).sum::<f64>();
         for knots in knots(&columns, turns, period) {
-            let kernels = Kernels::new(knots.count, knots.period.is_some())?;
+            let kernels = Kernels::new(knots.count, knots.period.is_some(), false)?;
             let blocks = columns.blocks.iter();
             let parts = blocks.map(|block| Part::of(&columns, block, &knots).likeliest(&kernels));
             let parts: Vec<Part> = parts.collect::<Option<_>>()?;

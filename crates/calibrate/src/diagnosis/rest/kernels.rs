@@ -50,7 +50,8 @@ pub(super) type Prior = Vec<Option<(usize, f64)>>;
 pub(super) struct Kernels(Vec<DMatrix<f64>>);
 
 impl Kernels {
-    pub(super) fn new(knots: usize, periodic: bool) -> Option<Self> {
+    /// `may_pull`: with those that pull at the ends of a range.
+    pub(super) fn new(knots: usize, periodic: bool, may_pull: bool) -> Option<Self> {
         let steps = if periodic { knots } else { knots - 1 } as f64;
         let apart = |i: usize, j: usize| {
             let d = i.abs_diff(j) as f64 / steps;
@@ -68,7 +69,7 @@ impl Kernels {
         };
         let all = SMOOTHNESS.into_iter();
         let all = all.flat_map(|own| LENGTHS.map(|length| root(own, length)));
-        let ends = PULLS.into_iter().filter(|_| !periodic).map(pulls);
+        let ends = PULLS.into_iter().filter(|_| may_pull).map(pulls);
         all.chain(ends).collect::<Option<Vec<_>>>().map(Self)
     }
 

@@ -56,7 +56,7 @@ impl Contest {
         let (columns, own) = Columns::together(problem, noise, model, (joint, names));
         let values = columns.values.len();
         let knots = columns.knots(values.clamp(4, MOST_KNOTS));
-        let kernels = (values >= FEWEST_VALUES).then(|| Kernels::new(knots.count, false));
+        let kernels = (values >= FEWEST_VALUES).then(|| Kernels::new(knots.count, false, true));
         let block = &columns.blocks[0];
         let first = own.ncols();
         let both = match kernels {
