@@ -8,7 +8,8 @@
 //! the base. k is of the Matérn family: of order ½ it may jump, of order 3/2 and 5/2 it is smooth; beside it stands the
 //! infinitely smooth one, a Gaussian; and two pulls that grow exponentially towards the ends of the range, `L = [e^(−u/ℓ),
 //! e^(−(1−u)/ℓ)]`: cables and hoses are bent there, and the farther the stiffer. Of what is periodic |u_i − u_j| is a chord (Rasmussen & Williams 2006, 4.2). The
-//! condition makes the curve orthogonal to the base, so that it takes nothing from it: L without the combinations that
+//! condition makes the curve orthogonal to the base, so that it takes nothing from it (of two pulls it would leave nothing:
+//! the base moves beside them): L without the combinations that
 //! would, `L (1 − Q Qᵀ)` with Q a basis of `Lᵀ Bᵀ J`.
 
 use std::f64::consts::PI;
@@ -104,14 +105,21 @@ impl Kernels {
         let knots = self.knots();
         let width = priors.iter().map(|own| self.0[own.0].ncols()).sum();
         let mut l = DMatrix::zeros(parts.columns(), width);
-        let mut at = 0;
+        let (mut at, mut free) = (0, Vec::new());
         for (part, (kernel, size)) in priors.iter().enumerate() {
             let root = &self.0[*kernel];
+            if *kernel >= SMOOTHNESS.len() * LENGTHS.len() {
+                free.extend(at..at + root.ncols());
+            }
             let mut own = l.view_mut((part * knots, at), root.shape());
             own.copy_from(&(root * *size));
             at += root.ncols();
         }
-        let q = Basis::new(&l.tr_mul(&parts.common)).q;
+        let mut conditions = l.tr_mul(&parts.common);
+        for k in free {
+            conditions.row_mut(k).fill(0.0);
+        }
+        let q = Basis::new(&conditions).q;
         let taken = &l * &q;
         l.gemm(-1.0, &taken, &q.transpose(), 1.0);
         l
