@@ -8,8 +8,9 @@
 //! 3. `candidates`: every testable name with every setting, and anonymous shapes beside them.
 //! 4. `evidence`: what each would do, what the whole search would find in noise alone, and what samples say that
 //!    no fit has seen.
-//! 5. `search`: forward, swaps, drops, pairs, rivals; `search::searched` is all of it on one screen.
-//! 6. `verdict`: values with intervals, what is left, what would have been seen, what predicts without a name. Poses
+//! 5. `rest`: what has no name.
+//! 6. `search`: forward, swaps, drops, pairs, rivals; `search::searched` is all of it on one screen.
+//! 7. `verdict`: values with intervals, what is left, what would have been seen, what predicts without a name. Poses
 //!    that decide between rivals are proposed by a planner that the caller hands in (`pipeline::diagnose` takes
 //!    [`crate::design`]'s).
 //!
@@ -24,6 +25,7 @@
 
 pub(crate) mod candidates;
 pub(crate) mod evidence;
+pub(crate) mod rest;
 pub(crate) mod search;
 pub(crate) mod verdict;
 

@@ -5,7 +5,7 @@
 //! - `procedure`: the whole of it; `prepare`: from a session to the rows (`robust`, `classes`: which samples count).
 //! - `forward`: one search; `settle`: swaps, drops and pairs; `orders`: several orders of one joint together; `found`: what it ends with.
 //! - `aliases`, `other_settings`: rivals that the samples cannot rule out; `slowest`: of waves at equal steps the slowest.
-//! - `free_curve`, `smooth`: a curve without a name as the rival of names, and as what repeats beside them.
+//! - `free_curve`: a curve without a name as the rival of names.
 //! - `final_set`, `worth`, `steps`, `own_evidence`: the names tested at the end, and what each adds.
 //! - `floor`, `base_misfit`, `gross_error`: names that are withdrawn because it is the geometry that does not fit.
 
@@ -26,7 +26,6 @@ mod procedure;
 mod robust;
 mod settle;
 mod slowest;
-pub(crate) mod smooth;
 mod steps;
 mod worth;
 

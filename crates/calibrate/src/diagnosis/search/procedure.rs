@@ -65,13 +65,12 @@ pub(crate) fn searched<'a>(
     work.up_to(RIVALS);
     (prepared, found) = hold_rivals_against(prepared, found, watch)?;
     slowest::readings(&prepared, &mut found);
-    free_curve::rival(&prepared, &mut found, true);
+    free_curve::rival(&prepared, &mut found);
     // 4. Each name against the rest, and against other sets that are as likely.
     work.up_to(OTHER_SETS);
     test_at_the_end(&prepared, &mut found, watch)?;
     slowest::readings(&prepared, &mut found);
-    // 5. No name for what few values, the geometry, the rows or the set-up leave.
-    free_curve::withdraw_of_few_values(&prepared, &mut found);
+    // 5. No name for what the geometry, the rows or the set-up leave.
     base_misfit::withdraw(&prepared, &mut found);
     gross_error::withdraw(&prepared, &mut found);
     work.up_to(1.0);
@@ -159,7 +158,7 @@ fn against_rivals<'a>(
     let white = noise.slow.map(|_| noise.made_white());
     let (mut prepared, fit) = prepared.settled(&found.fit);
     found.fit = fit;
-    free_curve::rival(&prepared, &mut found, false);
+    free_curve::rival(&prepared, &mut found);
     let mut others = Vec::new();
     for noise in white.into_iter().chain(slow).chain(instead) {
         let known = &prepared.regression.noise;
@@ -223,6 +222,6 @@ fn settled_search<'a>(
         }
         found = prepared.resume(&found, watch)?;
     }
-    free_curve::rival(&prepared, &mut found, false);
+    free_curve::rival(&prepared, &mut found);
     Ok((prepared, found))
 }

@@ -17,8 +17,8 @@ use super::unseen;
 use super::values::Values;
 use crate::answers::diagnosis::{Correction, Unexplained, Unnamed};
 use crate::answers::noise::Noise;
+use crate::diagnosis::rest::joint::{Repeating, repeating};
 use crate::diagnosis::search::prepare::PreparedSearch;
-use crate::diagnosis::search::smooth::{Repeating, repeating};
 
 /// What repeats beside the values of the names.
 pub(super) struct Beside {

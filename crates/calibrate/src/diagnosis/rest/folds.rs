@@ -3,7 +3,8 @@
 
 use std::collections::BTreeMap;
 
-use super::columns::{Columns, SAME};
+use super::SAME;
+use super::columns::Columns;
 use crate::text::Text;
 
 /// Parts into which the samples are cut to be held out.
@@ -78,7 +79,7 @@ impl Folds {
 
     /// Folds of which at least two hold samples out, and half of the samples are held out once.
     fn that_say_something(self) -> Option<Self> {
-        let out = self.of.iter().flatten().count();
+        let out = self.held_out().count();
         (self.count > 1 && 2 * out >= self.of.len() && out > 0).then_some(self)
     }
 
@@ -86,9 +87,14 @@ impl Folds {
         self.of[sample] == Some(fold)
     }
 
+    /// All samples.
+    pub(super) fn all(&self) -> usize {
+        self.of.len()
+    }
+
     /// Samples that are held out once.
-    pub(super) fn samples(&self) -> usize {
-        self.of.iter().flatten().count()
+    pub(super) fn held_out(&self) -> impl Iterator<Item = usize> {
+        (0..self.of.len()).filter(|sample| self.of[*sample].is_some())
     }
 }
 

@@ -14,9 +14,10 @@ use crate::text::Text;
 use nalgebra::{DMatrix, DVector};
 
 use super::families::Families;
+use super::groups::{NEARLY, Remaining};
+use super::held_out::{Gains, HeldOut, Whitened};
 use super::orders::{self, Residual};
 use super::products::Products;
-use super::strengths::{NEARLY, Remaining};
 
 /// A longer session is thinned evenly to so many samples.
 const MOST_SAMPLES: usize = 1500;
@@ -33,39 +34,14 @@ pub(super) struct Design<'a> {
     orders: usize,
     /// Rows of a unit in each direction of each joint.
     directions: DMatrix<f64>,
-    /// The geometry's columns, then the families', then the residual: whitened with the rows of the priors below, and
-    /// as they are where that is more than their unit.
-    raw: Option<DMatrix<f64>>,
-    white: DMatrix<f64>,
-    geometry: usize,
+    /// The geometry's columns, the families' and the residual, with the rows of the priors below.
+    whitened: Whitened,
     /// By fold.
     parts: Vec<Products>,
     /// Of what is known beforehand.
     products: Option<Products>,
     total: Products,
     threads: Threads,
-}
-
-/// Every fold by the others: what does not depend on how strong the families are.
-pub(super) struct HeldOutFolds<'d, 'a> {
-    design: &'d Design<'a>,
-    folds: Vec<Fold>,
-}
-
-struct Fold {
-    /// Products of the other folds' rows.
-    seen: Products,
-    remaining: Remaining,
-    /// Squares of what the geometry alone leaves of each sample, mm², summed over its rows.
-    alone: Vec<f64>,
-}
-
-/// What the families bring on unseen cells.
-pub(super) struct Gains {
-    pub(super) before_mm: f64,
-    pub(super) after_mm: f64,
-    /// The gain in units of its standard deviation.
-    pub(super) sigmas: f64,
 }
 
 impl<'a> Design<'a> {
@@ -147,18 +123,31 @@ impl<'a> Design<'a> {
         if rows.count() < kept.len() + FEWEST_ROWS {
             return None;
         }
-        let geometry = kept.len();
+        let base = kept.len();
         let families = Families::of(&model.robot, &rows.inputs);
         let folds = Folds::over_cells(&rows, model);
-        raw = raw.map(|raw| {
-            let mut raw = raw.insert_column(geometry, 0.0);
-            raw.column_mut(geometry).copy_from(&residual);
-            raw
-        });
-        white = white.insert_column(geometry, 0.0);
-        white.column_mut(geometry).copy_from(&y);
+        let with = |all: DMatrix<f64>, y: &DVector<f64>| {
+            let mut all = all.insert_column(base, 0.0);
+            all.set_column(base, y);
+            all
+        };
+        let n = folds.samples().max(1);
+        // Of rows that are independent a whitened one is one in units of its axis's noise.
+        let unit = |row: usize| match noise.is_white() {
+            true => noise.sigma_mm[rows.axes[row / n]],
+            false => 1.0,
+        };
+        let whitened = Whitened {
+            raw: raw.map(|raw| with(raw, &residual)),
+            white: with(white, &y),
+            base,
+            measured: (0..m)
+                .map(|row| (row % n, rows.mm(row) * unit(row)))
+                .collect(),
+            floor: 0.0,
+        };
         let mut design = Self {
-            total: Products::of(&white, geometry, &[]),
+            total: whitened.products(&[]),
             parts: Vec::new(),
             products: None,
             threads,
@@ -169,9 +158,7 @@ impl<'a> Design<'a> {
             folds,
             families,
             directions,
-            raw,
-            white,
-            geometry,
+            whitened,
         };
         design.append(0);
         Some(design)
@@ -182,28 +169,26 @@ impl<'a> Design<'a> {
         let inputs = &self.rows.inputs;
         let robot = &self.model.robot;
         let mut more = self.families.shown(robot, inputs, &self.directions, first);
-        let (last, width) = (self.white.ncols() - 1, more.ncols());
+        let (last, width) = (self.whitened.white.ncols() - 1, more.ncols());
         let m = self.rows.len();
         let put = |all: &mut DMatrix<f64>, own: &DMatrix<f64>| {
             let wider = std::mem::take(all).insert_columns(last, width, 0.0);
             *all = wider;
             all.view_mut((0, last), (m, width)).copy_from(own);
         };
-        if let Some(raw) = &mut self.raw {
+        if let Some(raw) = &mut self.whitened.raw {
             put(raw, &more);
         }
         self.noise.filter(&self.rows).whiten(more.as_mut_slice());
-        put(&mut self.white, &more);
+        put(&mut self.whitened.white, &more);
         drop(more);
-        let known: Vec<usize> = (m..self.white.nrows()).collect();
-        let geometry = self.geometry;
+        let known: Vec<usize> = (m..self.whitened.white.nrows()).collect();
         let of = |rows: &[usize], before: Option<&Products>| match before {
-            Some(products) => products.with(&self.white, width, rows),
-            None => Products::of(&self.white, geometry, rows),
+            Some(products) => products.with(&self.whitened.white, width, rows),
+            None => self.whitened.products(rows),
         };
         let parts: Vec<Products> = self.threads.each(self.folds.count(), |fold| {
-            let rows: Vec<usize> = self.rows_of(fold).collect();
-            of(&rows, self.parts.get(fold))
+            of(&self.rows_of(fold), self.parts.get(fold))
         });
         let known = of(&known, self.products.as_ref());
         // What was measured counts: an observation may have fewer rows than others.
@@ -215,9 +200,8 @@ impl<'a> Design<'a> {
     }
 
     /// Rows of the samples that are in a fold.
-    fn rows_of(&self, fold: usize) -> impl Iterator<Item = usize> {
-        let n = self.folds.samples().max(1);
-        (0..self.rows.len()).filter(move |row| self.folds.of(row % n) == fold)
+    fn rows_of(&self, fold: usize) -> Vec<usize> {
+        self.whitened.rows(|sample| self.folds.of(sample) == fold)
     }
 
     fn family_of(&self) -> Vec<usize> {
@@ -238,12 +222,13 @@ impl<'a> Design<'a> {
             let own = columns.iter().map(|k| first + k);
             (0..first)
                 .chain(own)
-                .chain([self.white.ncols() - 1])
+                .chain([self.whitened.white.ncols() - 1])
                 .collect()
         };
-        let places = all(self.geometry);
-        self.raw = self.raw.take().map(|raw| raw.select_columns(&places));
-        self.white = self.white.select_columns(&places);
+        let places = all(self.whitened.base);
+        let whitened = &mut self.whitened;
+        whitened.raw = whitened.raw.take().map(|raw| raw.select_columns(&places));
+        whitened.white = whitened.white.select_columns(&places);
         for part in self.parts.iter_mut().chain(&mut self.products) {
             *part = part.only(&columns);
         }
@@ -254,30 +239,11 @@ impl<'a> Design<'a> {
         ))
     }
 
-    /// Coefficients of the geometry and of the families on some products, in the order of the columns.
-    fn solved(&self, products: &Products, strengths: &[f64]) -> Option<DVector<f64>> {
-        self.solved_of(products, &Remaining::of(products)?, strengths)
-    }
-
-    /// The same of what remains of the products without the geometry.
-    fn solved_of(
-        &self,
-        products: &Products,
-        remaining: &Remaining,
-        strengths: &[f64],
-    ) -> Option<DVector<f64>> {
-        let family = self.family_of();
-        let coefficients = if family.is_empty() {
-            DVector::zeros(0)
-        } else {
-            remaining.coefficients(&family, strengths)?
-        };
-        let geometry = products.geometry(&coefficients)?;
-        let both = geometry.iter().chain(coefficients.iter());
-        Some(DVector::from_iterator(
-            geometry.len() + coefficients.len(),
-            both.copied(),
-        ))
+    /// Coefficients of the geometry and of the families, in the order of the columns.
+    fn solved(&self, strengths: &[f64]) -> Option<DVector<f64>> {
+        let remaining = Remaining::of(&self.total)?;
+        let solved = remaining.solved(&self.family_of(), strengths)?;
+        self.total.with_base(&solved.coefficients())
     }
 
     /// The joint and the order that what is left shows beyond all noise, if any.
@@ -285,9 +251,10 @@ impl<'a> Design<'a> {
         if self.orders >= MOST_ORDERS || !self.noise.is_white() {
             return None;
         }
-        let solved = self.solved(&self.total, strengths)?;
-        let (m, last) = (self.rows.len(), self.white.ncols() - 1);
-        let left = self.white.column(last) - self.white.columns(0, last) * solved;
+        let solved = self.solved(strengths)?;
+        let white = &self.whitened.white;
+        let (m, last) = (self.rows.len(), white.ncols() - 1);
+        let left = white.column(last) - white.columns(0, last) * solved;
         let left = left.rows(0, m).into_owned();
         let variance = left.norm_squared() / (self.rows.count().max(1) as f64);
         let joints = self.model.robot.joints.len();
@@ -310,98 +277,33 @@ impl<'a> Design<'a> {
         self.append(first);
     }
 
-    /// What a model leaves of the rows of a fold, mm², added up for each sample.
-    fn squares(&self, fold: usize, coefficients: &[f64]) -> Vec<f64> {
-        let n = self.folds.samples().max(1);
-        let all = self.raw.as_ref().unwrap_or(&self.white);
-        let mut left = all.column(all.ncols() - 1).into_owned();
-        let coefficients = DVector::from_column_slice(coefficients);
-        left.gemv(
-            -1.0,
-            &all.columns(0, coefficients.len()),
-            &coefficients,
-            1.0,
-        );
-        // Of rows that are independent a whitened one is one in units of its axis's noise.
-        let unit = |row: usize| match self.raw {
-            Some(_) => 1.0,
-            None => self.noise.sigma_mm[self.rows.axes[row / n]],
-        };
-        let mut squares = vec![0.0; n];
-        for row in self.rows_of(fold) {
-            squares[row % n] += (self.rows.mm(row) * unit(row) * left[row]).powi(2);
-        }
-        squares
+    /// Every fold by the others, for [`gains`](Self::gains).
+    pub(super) fn unseen(&self) -> Option<HeldOut<'_>> {
+        let seen = |fold: usize| (self.rows_of(fold), self.total.and(&self.parts[fold], -1.0));
+        let (folds, samples) = (self.parts.len(), self.folds.samples());
+        HeldOut::new(&self.whitened, &seen, folds, samples, self.threads)
     }
 
-    /// Every fold by the others, for [`HeldOutFolds::gains`].
-    pub(super) fn unseen(&self) -> Option<HeldOutFolds<'_, 'a>> {
-        let none = DVector::zeros(self.families.columns.len());
-        let of = |fold: usize| {
-            let seen = self.total.and(&self.parts[fold], -1.0);
-            let alone = seen.geometry(&none)?;
-            Some(Fold {
-                alone: self.squares(fold, alone.as_slice()),
-                remaining: Remaining::of(&seen)?,
-                seen,
-            })
-        };
-        Some(HeldOutFolds {
-            design: self,
-            folds: self.threads.all(self.parts.len(), of)?,
-        })
+    /// What the families bring on cells that the fit has not seen; the strengths are set again without them.
+    pub(super) fn gains(&self, unseen: &HeldOut, strengths: &[f64]) -> Option<Gains> {
+        let family = self.family_of();
+        let squares = unseen.squares(|remaining| {
+            let refined = remaining.refined(&family, strengths.to_vec(), NEARLY)?;
+            Some(remaining.solved(&family, &refined)?.coefficients())
+        })?;
+        // The rows of a pose share what the robot did not repeat: a pose is one witness.
+        let poses = ByPose::of(self.rows.inputs.pose.as_deref(), squares.len()).samples();
+        Some(Gains::of(&squares, &poses, self.rows.lengths()))
     }
 
     /// The terms of a model with these strengths, and what they follow.
     pub(super) fn terms(&self, strengths: &[f64]) -> Option<(Vec<Term>, Vec<Text>)> {
-        let solved = self.solved(&self.total, strengths)?;
+        let solved = self.solved(strengths)?;
         let joints = self.model.robot.joints.len();
-        let own = &solved.as_slice()[self.geometry..];
+        let own = &solved.as_slice()[self.whitened.base..];
         let all = self.families.all.iter().zip(strengths);
         let over = all.filter(|(_, s)| **s > 0.0).map(|(f, _)| f.in_words());
         Some((self.families.terms(own, joints), over.collect()))
-    }
-}
-
-impl HeldOutFolds<'_, '_> {
-    /// What the families bring on cells that the fit has not seen; the strengths are set again without
-    /// them.
-    pub(super) fn gains(&self, strengths: &[f64]) -> Option<Gains> {
-        let design = self.design;
-        let n = design.folds.samples().max(1);
-        let family = design.family_of();
-        let with = |fold: usize| {
-            let Fold {
-                seen, remaining, ..
-            } = &self.folds[fold];
-            let refined = remaining.refined(&family, strengths.to_vec(), NEARLY)?;
-            let with = design.solved_of(seen, remaining, &refined)?;
-            Some(design.squares(fold, with.as_slice()))
-        };
-        let mut squares = vec![[0.0; 2]; n];
-        let with = design.threads.all(self.folds.len(), with)?;
-        for (own, with) in self.folds.iter().zip(with) {
-            for (sum, (before, after)) in squares.iter_mut().zip(own.alone.iter().zip(with)) {
-                sum[0] += before;
-                sum[1] += after;
-            }
-        }
-        let count = design.rows.lengths().max(1) as f64;
-        let rms = |k: usize| (squares.iter().map(|s| s[k]).sum::<f64>() / count).sqrt();
-        // The rows of a pose share what the robot did not repeat: a pose is one witness.
-        let poses = ByPose::of(design.rows.inputs.pose.as_deref(), n).samples();
-        let gained = |i: &usize| squares[*i][0] - squares[*i][1];
-        let of_pose = |own: &Vec<usize>| own.iter().map(gained).sum();
-        let gains: Vec<f64> = poses.iter().map(of_pose).collect();
-        let n = gains.len();
-        let mean = gains.iter().sum::<f64>() / n as f64;
-        let spread = gains.iter().map(|g| (g - mean).powi(2)).sum::<f64>();
-        let sigma = (spread / (n * n) as f64).sqrt().max(f64::MIN_POSITIVE);
-        Some(Gains {
-            before_mm: rms(0),
-            after_mm: rms(1),
-            sigmas: mean / sigma,
-        })
     }
 }
 

@@ -1,0 +1,366 @@
+//! Groups of columns without a name beside a base: how likely the samples are with them, their coefficients, and how
+//! strong each is, by restricted likelihood.
+//!
+//! ```text
+//! y = J β + B c + e,   e ~ N(0, σ²),   c_k ~ N(0, σ² v_f)
+//! ln E = −½ ln|I + V^½ S V^½| − (ν/2) ln(yᵀP y − gᵀc),   S = BᵀP B,   g = BᵀP y,   P = 1 − J J⁺,   ν = rows − rank J
+//! ```
+//!
+//! A group may be columns that are there (a family of an arm) or combinations of them (a curve of a kernel through its
+//! knots, [`Remaining::through`]). The strengths v are fixed points of `v_f = |c_f|²/(σ² γ_f)`, `γ_f` the number of a
+//! group's columns that the samples determine (`MacKay` 1992; Harville 1977). A group whose strength falls to nothing
+//! is left out, and one without which the samples are nearly as likely as well. (Restricted likelihood: Wahba 1985,
+//! Wood 2011.)
+
+use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
+
+use super::products::Products;
+use crate::linear::{gram, inverse_of_lower, solve_lower};
+
+/// Strengths are refined so often from the beginning …
+const ROUNDS: usize = 40;
+/// … and where they are nearly right.
+pub(super) const NEARLY: usize = 6;
+/// A group that determines less than this many columns is nothing.
+const NOTHING: f64 = 0.05;
+/// A group has to make the samples so much likelier, as a logarithm, beyond the number of groups that there are: a
+/// variance on the boundary of its range (half of χ² with one degree of freedom), so that of a hundred groups noise
+/// has one in one session of 25.
+const WORTH: f64 = 1.0;
+
+/// What is left once the base has taken its part.
+#[derive(Debug, Clone)]
+pub(super) struct Remaining {
+    s: DMatrix<f64>,
+    g: DVector<f64>,
+    yy: f64,
+    freedom: f64,
+    /// `BᵀJ`: what the columns have in common with the base.
+    pub(super) common: DMatrix<f64>,
+}
+
+/// What groups are under given strengths.
+pub(super) struct Solved {
+    /// `I + V^½ S V^½ = R Rᵀ`.
+    factor: Cholesky<f64, Dyn>,
+    /// Coefficients in units of their standard deviations, and these.
+    unit: DVector<f64>,
+    root: Vec<f64>,
+    /// Sum of squares that is left.
+    left: f64,
+    freedom: f64,
+}
+
+impl Solved {
+    pub(super) fn coefficients(&self) -> DVector<f64> {
+        DVector::from_fn(self.root.len(), |k, _| self.root[k] * self.unit[k])
+    }
+
+    /// `σ R⁻¹`, whose products are the covariance of the coefficients in units of their standard deviations.
+    pub(super) fn deviations(&self) -> DMatrix<f64> {
+        inverse_of_lower(self.factor.l_dirty()) * (self.left / self.freedom).sqrt()
+    }
+
+    pub(super) fn ln_evidence(&self) -> f64 {
+        -0.5 * ln_determinant(&self.factor) - 0.5 * self.freedom * self.left.ln()
+    }
+
+    /// Evidence without some of the columns, which lie side by side: the others' block of the inverse is that
+    /// of the whole less what these take (Schur). `inverse`: R⁻¹.
+    fn ln_evidence_without(
+        &self,
+        inverse: &DMatrix<f64>,
+        first: usize,
+        count: usize,
+    ) -> Option<f64> {
+        let own = inverse.columns(first, count).into_owned();
+        let factor = gram(&own).cholesky()?;
+        let unit = self.unit.rows(first, count);
+        let left = self.left + unit.dot(&factor.solve(&unit));
+        let ln_determinant = ln_determinant(&self.factor) + ln_determinant(&factor);
+        Some(-0.5 * ln_determinant - 0.5 * self.freedom * left.ln())
+    }
+
+    /// The strength of the group whose columns these are that fits its coefficients; nothing where the samples
+    /// determine none of them.
+    fn next_strength(&self, inverse: &DMatrix<f64>, first: usize, count: usize) -> f64 {
+        let columns = first..first + count;
+        let known = |k: usize| 1.0 - inverse.column(k).norm_squared();
+        let determined: f64 = columns.clone().map(known).sum();
+        if determined < NOTHING {
+            return 0.0;
+        }
+        let square = |k: usize| (self.root[k] * self.unit[k]).powi(2);
+        let squares: f64 = columns.map(square).sum();
+        squares / (self.left / self.freedom * determined)
+    }
+}
+
+fn ln_determinant(factor: &Cholesky<f64, Dyn>) -> f64 {
+    let l = factor.l_dirty();
+    (0..l.nrows()).map(|k| 2.0 * l[(k, k)].ln()).sum()
+}
+
+/// Of each group that has columns: its number, its first column and how many it has.
+fn groups(group: &[usize]) -> Vec<(usize, usize, usize)> {
+    let mut all: Vec<(usize, usize, usize)> = Vec::new();
+    for (k, f) in group.iter().enumerate() {
+        match all.last_mut() {
+            Some((last, _, count)) if last == f => *count += 1,
+            _ => all.push((*f, k, 1)),
+        }
+    }
+    all
+}
+
+impl Remaining {
+    pub(super) fn of(products: &Products) -> Option<Self> {
+        let (s, g, yy) = products.without_base()?;
+        Some(Self {
+            s,
+            g,
+            yy: yy.max(f64::MIN_POSITIVE),
+            freedom: (products.rows - products.rank() as f64).max(1.0),
+            common: products.common(),
+        })
+    }
+
+    /// Number of columns.
+    pub(super) fn columns(&self) -> usize {
+        self.g.len()
+    }
+
+    /// Of some columns.
+    pub(super) fn only(&self, columns: &[usize]) -> Self {
+        Self {
+            s: self.s.select_rows(columns).select_columns(columns),
+            g: self.g.select_rows(columns),
+            common: self.common.select_rows(columns),
+            ..*self
+        }
+    }
+
+    /// Of combinations of the columns.
+    pub(super) fn through(&self, combinations: &DMatrix<f64>) -> Self {
+        Self {
+            s: combinations.tr_mul(&(&self.s * combinations)),
+            g: combinations.tr_mul(&self.g),
+            common: DMatrix::zeros(combinations.ncols(), 0),
+            ..*self
+        }
+    }
+
+    /// Once columns with these coefficients have taken theirs.
+    pub(super) fn without(&self, coefficients: &DVector<f64>) -> Self {
+        let taken = &self.s * coefficients;
+        let left = self.yy - 2.0 * coefficients.dot(&self.g) + coefficients.dot(&taken);
+        Self {
+            g: &self.g - taken,
+            yy: left.max(f64::MIN_POSITIVE),
+            ..self.clone()
+        }
+    }
+
+    /// Once columns with strengths of their own are integrated out: evidence of these, and what remains for the columns
+    /// from a place on.
+    pub(super) fn beside(&self, own: &[usize], first: usize) -> Option<(f64, Self)> {
+        let group: Vec<usize> = (0..own.len()).collect();
+        let those = self.only(own);
+        let strengths = those.refined(&group, those.first(&group, own.len()), ROUNDS)?;
+        let (kept, solved) = those.of_strengths(&group, &strengths)?;
+        let mut rest = self.only(&(first..self.columns()).collect::<Vec<_>>());
+        let cross = DMatrix::from_fn(kept.len(), rest.columns(), |a, b| {
+            solved.root[a] * self.s[(own[kept[a]], first + b)]
+        });
+        rest.g -= cross.tr_mul(&solved.unit);
+        rest.s -= gram(&solve_lower(solved.factor.l_dirty(), cross));
+        rest.yy = solved.left;
+        Some((solved.ln_evidence(), rest))
+    }
+
+    /// `group` is that of each column.
+    pub(super) fn solved(&self, group: &[usize], strengths: &[f64]) -> Option<Solved> {
+        let n = group.len();
+        let root: Vec<f64> = group.iter().map(|f| strengths[*f].sqrt()).collect();
+        let m = DMatrix::from_fn(n, n, |a, b| {
+            root[a] * self.s[(a, b)] * root[b] + if a == b { 1.0 } else { 0.0 }
+        });
+        let scaled = DVector::from_fn(n, |k, _| root[k] * self.g[k]);
+        let factor = m.cholesky()?;
+        let unit = factor.solve(&scaled);
+        let left = self.yy - scaled.dot(&unit);
+        (left > 0.0).then_some(Solved {
+            factor,
+            unit,
+            root,
+            left,
+            freedom: self.freedom,
+        })
+    }
+
+    /// Evidence of no group at all.
+    pub(super) fn alone(&self) -> f64 {
+        -0.5 * self.freedom * self.yy.ln()
+    }
+
+    /// Strengths at which each group would move the samples by about their noise.
+    fn first(&self, group: &[usize], count: usize) -> Vec<f64> {
+        let mut sizes = vec![(0.0, 0.0); count];
+        for (k, f) in group.iter().enumerate() {
+            sizes[*f].0 += self.s[(k, k)];
+            sizes[*f].1 += 1.0;
+        }
+        let rows = self.freedom.max(1.0);
+        let strength = |(sum, columns): &(f64, f64)| {
+            if *sum > 1e-9 * rows {
+                columns * rows / (10.0 * sum * count as f64)
+            } else {
+                0.0
+            }
+        };
+        sizes.iter().map(strength).collect()
+    }
+
+    /// The groups that have a strength: the group of each of their columns, and what they are.
+    fn of_strengths(&self, group: &[usize], strengths: &[f64]) -> Option<(Vec<usize>, Solved)> {
+        let has = |k: &usize| strengths[group[*k]] > 0.0;
+        let columns: Vec<usize> = (0..group.len()).filter(has).collect();
+        let own: Vec<usize> = columns.iter().map(|k| group[*k]).collect();
+        let solved = self.only(&columns).solved(&own, strengths)?;
+        Some((own, solved))
+    }
+
+    /// Better strengths, in so many rounds.
+    pub(super) fn refined(
+        &self,
+        group: &[usize],
+        mut strengths: Vec<f64>,
+        rounds: usize,
+    ) -> Option<Vec<f64>> {
+        for _ in 0..rounds {
+            let (own, solved) = self.of_strengths(group, &strengths)?;
+            let inverse = inverse_of_lower(solved.factor.l_dirty());
+            let mut moved = 0.0_f64;
+            for (f, first, count) in groups(&own) {
+                let next = solved.next_strength(&inverse, first, count);
+                moved = moved.max((next / strengths[f]).max(1e-12).ln().abs());
+                strengths[f] = next;
+            }
+            if moved < 0.05 {
+                break;
+            }
+        }
+        Some(strengths)
+    }
+
+    /// The strengths of the groups that are worth it; the others have none. Also how much likelier
+    /// the samples are with them, as a logarithm.
+    pub(super) fn strengths(&self, group: &[usize], count: usize) -> Option<(Vec<f64>, f64)> {
+        let first = self.first(group, count);
+        let needed = WORTH + (count.max(1) as f64).ln();
+        let mut strengths = self.refined(group, first, ROUNDS)?;
+        loop {
+            let (own, solved) = self.of_strengths(group, &strengths)?;
+            let here = solved.ln_evidence();
+            let inverse = inverse_of_lower(solved.factor.l_dirty());
+            let mut least: Option<(usize, f64)> = None;
+            for (f, first, count) in groups(&own) {
+                let worth = here - solved.ln_evidence_without(&inverse, first, count)?;
+                if least.is_none_or(|l| worth < l.1) {
+                    least = Some((f, worth));
+                }
+            }
+            match least {
+                Some((f, worth)) if worth < needed => {
+                    strengths[f] = 0.0;
+                    strengths = self.refined(group, strengths, NEARLY)?;
+                }
+                _ => return Some((strengths, here - self.alone())),
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The columns of `tests/reference/groups_of_columns.py`: a base of three, and three groups, with a residual.
+    fn remaining() -> (Remaining, Vec<usize>) {
+        let wild = |i: usize, j: usize| ((i as f64 + 3.0) * (2 * j + 5) as f64 * 0.37).sin();
+        let residual = |i: usize| {
+            wild(i, 3) - 0.4 * wild(i, 7) + 0.3 * wild(i, 1) + 0.5 * (i as f64 * 1.7).sin()
+        };
+        let at = |i, j| if j < 9 { wild(i, j) } else { residual(i) };
+        let all = DMatrix::from_fn(40, 10, at);
+        let rows: Vec<usize> = (0..40).collect();
+        let remaining = Remaining::of(&Products::of(&all, 3, &rows, 0.0)).unwrap();
+        (remaining, vec![0, 0, 1, 2, 2, 2])
+    }
+
+    #[test]
+    fn evidence_coefficients_and_their_covariance_are_those_of_scipy() {
+        let file = include_str!("../../../../../tests/reference/groups_of_columns.json");
+        let expected: serde_json::Value = serde_json::from_str(file).unwrap();
+        let (remaining, group) = remaining();
+        let solved = remaining.solved(&group, &[0.3, 0.05, 0.7]).unwrap();
+        let inverse = solved.deviations();
+        let deviation = |k: usize| solved.root[k] * inverse.column(k).norm();
+        let deviations = DVector::from_fn(6, |k, _| deviation(k));
+        for (name, own) in [
+            (
+                "ln_evidence",
+                DVector::from_element(1, solved.ln_evidence()),
+            ),
+            ("coefficients", solved.coefficients()),
+            ("deviations", deviations),
+        ] {
+            let of = |k: usize| expected[name].get(k).unwrap_or(&expected[name]).as_f64();
+            for (k, own) in own.iter().enumerate() {
+                let expected = of(k).unwrap();
+                assert!(
+                    (own - expected).abs() < 1e-7,
+                    "{name} {k}: {own} {expected}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn a_group_that_is_integrated_out_leaves_the_evidence_of_both() {
+        let (remaining, _) = remaining();
+        let (alone, rest) = remaining.beside(&[0, 1], 3).unwrap();
+        let both = rest.solved(&[0, 0, 0], &[0.7]).unwrap().ln_evidence();
+        assert!(
+            (rest.alone() - alone).abs() > 1e-6,
+            "the determinant of the first is its own"
+        );
+        let gained = both - rest.alone();
+        let all = remaining.only(&[0, 1, 3, 4, 5]);
+        let strengths = {
+            let own = remaining.only(&[0, 1]);
+            own.refined(&[0, 1], own.first(&[0, 1], 2), ROUNDS).unwrap()
+        };
+        let strengths = [strengths[0], strengths[1], 0.7];
+        let at_once = all
+            .solved(&[0, 1, 2, 2, 2], &strengths)
+            .unwrap()
+            .ln_evidence();
+        assert!((alone + gained - at_once).abs() < 1e-9);
+    }
+
+    #[test]
+    fn the_evidence_without_a_group_is_that_of_the_others_alone() {
+        let (remaining, group) = remaining();
+        let strengths = [0.3, 0.05, 0.7];
+        let all = remaining.solved(&group, &strengths).unwrap();
+        let inverse = inverse_of_lower(all.factor.l_dirty());
+        for (f, first, count) in groups(&group) {
+            let mut without = strengths;
+            without[f] = 0.0;
+            let alone = remaining.solved(&group, &without).unwrap().ln_evidence();
+            let by_update = all.ln_evidence_without(&inverse, first, count).unwrap();
+            assert!((alone - by_update).abs() < 1e-9, "{f}: {alone} {by_update}");
+        }
+    }
+}

@@ -1,0 +1,372 @@
+//! What repeats over a joint and has no name: a smooth curve over the joint's commanded value, common to both
+//! sides and half of the reversal, in directions that turn with the joint: along its motion, which a table can
+//! correct, along its radius and along its axis.
+//!
+//! ```text
+//! deviation = base and names + r(q, dir) + slow(t) + noise
+//! ```
+//!
+//! r is a Gaussian process of which kernels, sizes and parts are chosen by one restricted likelihood ([`kernels`](super::kernels)).
+//! The names keep the values that are handed out; the base is fitted anew beside r, and what it moves by is a
+//! constant of the curve. What comes back in another run is of the axis, and time has what is left.
+//!
+//! It is handed out where unseen runs, or in a single run unseen values, are predicted better with it ([`folds`](super::folds)).
+
+use std::collections::BTreeMap;
+
+use nalgebra::{DMatrix, DVector};
+
+use crate::effects::Term;
+use crate::effects::curve::{Curve, DIRECTIONS, Knots, Parts};
+use crate::fit::gap::{deviations, suspects};
+use crate::fit::noise::{Noise, SMALLEST_SIGMA_MM};
+use crate::fit::problem::Problem;
+use crate::fit::{base_model, noise_beside};
+use crate::kinematics::JointKind;
+use crate::model::Model;
+use crate::text::Text;
+
+use super::columns::{Block, Columns};
+use super::folds::Folds;
+use super::groups::Remaining;
+use super::held_out::{Gains, HeldOut, Whitened};
+use super::kernels::{Fitted, Kernels, Prior};
+use super::products::Products;
+use super::{BEYOND_DOUBT, LIKELIER, MOST_KNOTS, SAME};
+use crate::side_by_side::Threads;
+
+/// Sides of a direction: what is common to both, and half of the reversal.
+const SIDES: usize = 2;
+
+/// With fewer different values of a joint there is nothing between which a curve could be drawn (ISO 230-2 asks
+/// for five targets).
+const FEWEST_VALUES: usize = 5;
+/// Most knots over a turn …
+const MOST_IN_A_TURN: usize = 72;
+/// … and over a shorter period.
+const MOST_IN_A_PERIOD: usize = 24;
+/// How often samples that were suspected are looked at again.
+const MOST_ROUNDS: usize = 4;
+/// What repeats over a joint beside a model.
+pub(crate) struct Repeating<'a> {
+    /// The curve.
+    pub(crate) term: Term,
+    /// RMS deviations of samples that no fit has seen: of the base alone, of the model, and with the curve, mm.
+    pub(crate) held_out_mm: [f64; 3],
+    /// How many those are.
+    pub(crate) samples: usize,
+    /// How they were held out.
+    pub(crate) how: Text,
+    /// The samples, with the outliers that there are beside it.
+    pub(crate) problem: Problem<'a>,
+    /// RMS deviation of unseen runs with the curve, mm; `None` of a single run.
+    pub(crate) runs_held_out_mm: Option<f64>,
+    /// The same of unseen values, where their neighbours do not predict them.
+    pub(crate) values_held_out_mm: Option<f64>,
+    /// The noise beside it, where values come back from the same side: then time has what the curve leaves.
+    pub(crate) noise: Option<Noise>,
+}
+
+/// What repeats over a joint beside a model, or `None` where there is nothing, or it predicts nothing.
+/// `problem` holds the samples that count.
+pub(crate) fn repeating<'a>(
+    problem: &Problem<'a>,
+    model: &Model,
+    base: &Model,
+    joint: usize,
+    period: Option<f64>,
+) -> Option<Repeating<'a>> {
+    let (problem, fitted) = settled(problem, model, joint, period)?;
+    if fitted.ln_odds() < LIKELIER {
+        return None;
+    }
+    let ln_odds = fitted.ln_odds();
+    let held_out = |folds: Folds| Some((fitted.held_out(&folds)?, folds));
+    let by_values = Folds::values(&fitted.columns, joint).and_then(held_out);
+    let by_runs = Folds::runs(&fitted.columns).and_then(held_out);
+    let gains = |own: &&(Gains, Folds)| own.0.is_better();
+    // Between targets that are too far apart no curve predicts, and at them the axis comes back all the same.
+    let said = by_values.as_ref().filter(gains);
+    let said = said.or(by_runs.as_ref().filter(gains));
+    let denied = by_runs.as_ref().is_some_and(|own| !own.0.is_better());
+    let doubted = ln_odds < BEYOND_DOUBT || by_values.is_none() && by_runs.is_none();
+    if denied || said.is_none() && doubted {
+        return None;
+    }
+    let (unseen, folds) = said.or(by_values.as_ref())?;
+    let curve = fitted.curve()?;
+    let identified = Columns::new(&problem, base, joint, is_base);
+    let term = Term::unexplained(joint, curve);
+    let comes_back = Folds::come_back(&fitted.columns);
+    Some(Repeating {
+        noise: comes_back.then(|| noise_beside(&problem, &model.with_term(term.clone()), &[])),
+        term,
+        held_out_mm: [
+            alone(&identified, folds)?,
+            unseen.before_mm,
+            unseen.after_mm,
+        ],
+        samples: folds.held_out().count(),
+        problem,
+        how: folds.how.clone(),
+        runs_held_out_mm: by_runs.as_ref().map(|own| own.0.after_mm),
+        values_held_out_mm: by_values
+            .as_ref()
+            .filter(|own| !own.0.is_better())
+            .map(|own| own.0.after_mm),
+    })
+}
+
+/// The curve beside the noise and the outliers that are there with it.
+fn settled<'a>(
+    problem: &Problem<'a>,
+    model: &Model,
+    joint: usize,
+    period: Option<f64>,
+) -> Option<(Problem<'a>, OverJoint<'a>)> {
+    let mut problem = problem.clone();
+    problem.extra_columns.clear();
+    use_what_returns(&mut problem, joint);
+    let mut fitted =
+        OverJoint::fitted(Columns::new(&problem, model, joint, is_base), model, period)?;
+    for _ in 0..MOST_ROUNDS {
+        let with = model.with_term(Term::unexplained(joint, fitted.curve()?));
+        // Beside the names alone the peak of a bump looks like an outlier, and an outlier beside a bump like none.
+        let suspected = suspects(&problem, &deviations(&problem, &with));
+        let used = suspected
+            .iter()
+            .zip(&problem.fit)
+            .map(|(s, fit)| *fit && !s);
+        let used: Vec<bool> = used.collect();
+        if problem.observed.is_some() || used == problem.used {
+            break;
+        }
+        problem.used = used;
+        let columns = Columns::new(&problem, model, joint, is_base);
+        fitted = OverJoint::fitted(columns, model, period)?;
+    }
+    // Time has what is left once the curve has taken what comes back.
+    let left = fitted.left();
+    let mut columns = Columns::new(&problem, model, joint, is_base);
+    if columns.wander(&left) {
+        fitted = OverJoint::fitted(columns, model, period).unwrap_or(fitted);
+    }
+    Some((problem, fitted))
+}
+
+/// What comes back at every visit of a value is of the axis, however far it is from what the names say: no outlier.
+/// Readings with nothing measured between them are one visit.
+fn use_what_returns(problem: &mut Problem, joint: usize) {
+    let (fit, mut counted) = (problem.to_fit(), problem.counted().to_vec());
+    let mut places: BTreeMap<i64, (usize, Vec<usize>)> = BTreeMap::new();
+    let mut before = None;
+    for k in (0..fit.len()).filter(|k| fit[*k]) {
+        let place = (problem.inputs.q[joint][problem.sample_of(k)] / SAME).round() as i64;
+        let (visits, readings) = places.entry(place).or_default();
+        *visits += usize::from(before != Some(place));
+        readings.push(k);
+        before = Some(place);
+    }
+    for (visits, readings) in places.values() {
+        if *visits > 1 && !readings.iter().any(|k| counted[*k]) {
+            for k in readings {
+                counted[*k] = true;
+            }
+        }
+    }
+    problem.set_counted(counted);
+}
+
+/// What belongs to every calibration, and is fitted beside the curve.
+fn is_base(term: &Term) -> bool {
+    base_model::belongs(term.effect.about().id)
+}
+
+/// The likeliest curve over a joint on some samples, with what it was fitted to.
+struct OverJoint<'a> {
+    columns: Columns<'a>,
+    knots: Knots,
+    kernels: Kernels,
+    /// Block by block.
+    parts: Vec<Part>,
+}
+
+/// The curve of one block.
+struct Part {
+    curve: DMatrix<f64>,
+    whitened: Whitened,
+    products: Products,
+    /// The curve, and how much likelier the samples are with it, as a logarithm; `None` where there is none.
+    found: Option<(Prior, f64)>,
+}
+
+impl Part {
+    fn of(columns: &Columns, block: &Block, knots: &Knots) -> Self {
+        let curve = block.curve(columns, knots, SIDES);
+        let whitened = block.whitened(&curve);
+        Self {
+            products: whitened.products(&block.measured),
+            curve,
+            whitened,
+            found: None,
+        }
+    }
+
+    fn likeliest(mut self, kernels: &Kernels) -> Option<Self> {
+        self.found = kernels.likeliest(&Remaining::of(&self.products)?);
+        Some(self)
+    }
+
+    fn fitted(&self, kernels: &Kernels) -> Option<Fitted> {
+        let (prior, _) = self.found.as_ref()?;
+        kernels.fit(&Remaining::of(&self.products)?, prior)
+    }
+
+    fn ln_odds(&self) -> f64 {
+        self.found.as_ref().map_or(0.0, |found| found.1)
+    }
+}
+
+impl<'a> OverJoint<'a> {
+    /// `None` where no curve makes the samples likelier, or there are too few values.
+    /// `period`: after so much, rad or mm, what is left repeats, as the search found.
+    fn fitted(columns: Columns<'a>, model: &Model, period: Option<f64>) -> Option<Self> {
+        if columns.values.len() < FEWEST_VALUES {
+            return None;
+        }
+        let turns = model.robot.joints[columns.joint].kind == JointKind::Revolute;
+        let mut best: Option<(Knots, Kernels, Vec<Part>)> = None;
+        let ln_odds = |parts: &[Part]| parts.iter().map(Part::ln_odds).sum::<f64>();
+        for knots in knots(&columns, turns, period) {
+            let kernels = Kernels::new(knots.count, knots.period.is_some(), false)?;
+            let blocks = columns.blocks.iter();
+            let parts = blocks.map(|block| Part::of(&columns, block, &knots).likeliest(&kernels));
+            let parts: Vec<Part> = parts.collect::<Option<_>>()?;
+            let before = best.as_ref().map_or(0.0, |best| ln_odds(&best.2));
+            if ln_odds(&parts) > before {
+                best = Some((knots, kernels, parts));
+            }
+        }
+        let (knots, kernels, parts) = best?;
+        Some(Self {
+            columns,
+            knots,
+            kernels,
+            parts,
+        })
+    }
+
+    fn ln_odds(&self) -> f64 {
+        self.parts.iter().map(Part::ln_odds).sum()
+    }
+
+    /// The curve, with what the base moves by beside it as constants.
+    fn curve(&self) -> Option<Curve> {
+        let (mut values, mut sigma) = (Parts::default(), Parts::default());
+        let n = self.knots.count;
+        for (block, part) in self.columns.blocks.iter().zip(&self.parts) {
+            let (direction, unit) = (block.directions[0], block.unit[0]);
+            let base = block.base.ncols();
+            let none = DVector::zeros(part.curve.ncols());
+            let step = part.products.with_base(&none)?.rows(0, base).into_owned();
+            let constant = block.as_constant(&step);
+            let Some(fitted) = part.fitted(&self.kernels) else {
+                if constant.abs() > SMALLEST_SIGMA_MM {
+                    values[direction] = vec![constant * unit; n];
+                    sigma[direction] = vec![0.0; n];
+                }
+                continue;
+            };
+            let (own, deviations) = (fitted.values(), fitted.sigma());
+            let prior = part.found.as_ref().map_or(&[][..], |found| &found.0);
+            for side in (0..SIDES).filter(|side| prior[*side].is_some() || *side == 0) {
+                let by = if side == 0 { constant } else { 0.0 };
+                let of = |all: &DVector<f64>, by: f64| -> Vec<f64> {
+                    let own = all.rows(side * n, n);
+                    own.iter().map(|v| (v + by) * unit).collect()
+                };
+                let at = side * DIRECTIONS + direction;
+                values[at] = of(&own, by);
+                sigma[at] = of(&deviations, 0.0);
+            }
+        }
+        Curve::new(self.knots, values, sigma).ok()
+    }
+
+    /// What is left of the samples beside the curve, block by block, mm.
+    fn left(&self) -> Vec<DVector<f64>> {
+        let both = self.columns.blocks.iter().zip(&self.parts);
+        both.map(|(block, part)| match part.fitted(&self.kernels) {
+            Some(fitted) => &block.residual - &part.curve * fitted.values(),
+            None => block.residual.clone(),
+        })
+        .collect()
+    }
+
+    /// What the curve brings on unseen samples. Base, sizes and curve are fitted without them.
+    fn held_out(&self, folds: &Folds) -> Option<Gains> {
+        let mut squares = vec![[0.0; 2]; folds.all()];
+        for part in &self.parts {
+            let curve = |seen: &Remaining| match &part.found {
+                Some((prior, _)) => {
+                    let prior = self.kernels.refined(seen, prior.clone()).0;
+                    Some(self.kernels.fit(seen, &prior)?.values())
+                }
+                None => Some(DVector::zeros(seen.columns())),
+            };
+            let of_part = held_out(&part.whitened, folds)?.squares(curve)?;
+            for (sum, own) in squares.iter_mut().zip(of_part) {
+                *sum = [sum[0] + own[0], sum[1] + own[1]];
+            }
+        }
+        let witnesses: Vec<Vec<usize>> = folds.held_out().map(|sample| vec![sample]).collect();
+        Some(Gains::of(&squares, &witnesses, witnesses.len()))
+    }
+}
+
+fn held_out<'w>(whitened: &'w Whitened, folds: &Folds) -> Option<HeldOut<'w>> {
+    let seen = |fold: usize| {
+        let seen = whitened.rows(|sample| !folds.is_in(sample, fold));
+        let rows = whitened.rows(|sample| folds.is_in(sample, fold));
+        (rows, whitened.products(&seen))
+    };
+    HeldOut::new(whitened, &seen, folds.count, folds.all(), Threads::ONE)
+}
+
+/// Root mean square deviation of unseen samples from what is fitted beside a curve, without one, mm.
+fn alone(columns: &Columns, folds: &Folds) -> Option<f64> {
+    let mut sum = 0.0;
+    for block in &columns.blocks {
+        let whitened = block.whitened(&DMatrix::zeros(block.samples.len(), 0));
+        let squares = held_out(&whitened, folds)?.squares(|_| Some(DVector::zeros(0)))?;
+        sum += squares.iter().map(|own| own[0]).sum::<f64>();
+    }
+    Some((sum / folds.held_out().count().max(1) as f64).sqrt())
+}
+
+/// Knots over the range, twice as many as there are values, over a turn where the joint goes round, and over a period.
+fn knots(columns: &Columns, turns: bool, period: Option<f64>) -> Vec<Knots> {
+    let values = columns.values.len();
+    let range = columns.knots((2 * values - 1).clamp(4, MOST_KNOTS));
+    let span = range.to - range.from;
+    let around = std::f64::consts::TAU;
+    let step = span / (values - 1).max(1) as f64;
+    let mut all = vec![range];
+    // What does not come round twice is not known to repeat, and what has fewer than four values in a period may be a
+    // slower wave.
+    let comes_round = |period: &f64| 2.0 * period <= span && *period >= 4.0 * step;
+    all.extend(period.filter(comes_round).map(|period| Knots {
+        period: Some(period),
+        count: values.clamp(4, MOST_IN_A_PERIOD),
+        ..range
+    }));
+    // The first value of the next turn is a step behind the last one of this.
+    if turns && span + 1.5 * step >= around {
+        all.push(Knots {
+            period: Some(around),
+            count: (2 * values).clamp(4, MOST_IN_A_TURN),
+            ..range
+        });
+    }
+    all
+}

@@ -1,0 +1,276 @@
+//! How smooth a curve is, and how far it goes: chosen by its marginal likelihood ([`groups`](super::groups)).
+//!
+//! ```text
+//! c = L z,   z ~ N(0, σ² t²),   L Lᵀ = K,   K_ij = k(|u_i − u_j|/ℓ),   Jᵀ B c = 0
+//! ```
+//!
+//! c: the values of a part of the curve at its knots u, t its size in units of the noise, B its columns and J those of
+//! the base. k is of the Matérn family: of order ½ it may jump, of order 3/2 and 5/2 it is smooth; beside it stands the
+//! infinitely smooth one, a Gaussian; and two pulls that grow exponentially towards the ends of the range, `L = [e^(−u/ℓ),
+//! e^(−(1−u)/ℓ)]`: cables and hoses are bent there, and the farther the stiffer. Of what is periodic |u_i − u_j| is a chord (Rasmussen & Williams 2006, 4.2). The
+//! condition makes the curve orthogonal to the base, so that it takes nothing from it (of two pulls it would leave nothing:
+//! the base moves beside them): L without the combinations that
+//! would, `L (1 − Q Qᵀ)` with Q a basis of `Lᵀ Bᵀ J`.
+
+use std::f64::consts::PI;
+
+use nalgebra::{DMatrix, DVector};
+
+use super::groups::{Remaining, Solved};
+use crate::linear::Basis;
+
+/// Lengths of the prior that are tried, in shares of the range (of the period).
+const LENGTHS: [f64; 6] = [1.0, 0.5, 0.25, 0.12, 0.06, 0.03];
+/// How smooth a curve is: its correlation at a distance in lengths.
+const SMOOTHNESS: [fn(f64) -> f64; 4] = [
+    |r| (-r).exp(),
+    |r| (1.0 + r) * (-r).exp(),
+    |r| (1.0 + r + r * r / 3.0) * (-r).exp(),
+    |r| (-0.5 * r * r).exp(),
+];
+/// Shares of the range within which a pull at its ends falls to 1/e.
+const PULLS: [f64; LENGTHS.len()] = [0.28, 0.2, 0.14, 0.1, 0.07, 0.05];
+/// Pieces that are enough for the shortest of them.
+const PIECES_OF_PULLS: f64 = 24.0;
+/// Variance of a rough part beside a smooth curve, whose covariance has no factor: some 10⁻⁵ of its size, far
+/// below the noise of a curve that is a thousand times the noise.
+const BESIDE_SMOOTH: f64 = 1e-9;
+/// Sizes that are tried first, in units of the noise: each four times the last.
+fn sizes() -> impl Iterator<Item = f64> {
+    (0..8).map(|k| 0.2 * 4.0_f64.powi(k))
+}
+/// A part has to make the residuals so much likelier, as a logarithm: twenty times.
+const WORTH: f64 = 3.0;
+
+/// The prior of each part: its kernel, by its number among those that are tried, and its size in units of the
+/// noise; `None`: the part is nothing.
+pub(super) type Prior = Vec<Option<(usize, f64)>>;
+
+/// Kernels of a range (of a period): L of every length and smoothness, lengths in descending order for each.
+#[derive(Debug, Clone)]
+pub(super) struct Kernels(Vec<DMatrix<f64>>);
+
+impl Kernels {
+    /// `may_pull`: with those that pull at the ends of a range.
+    pub(super) fn new(knots: usize, periodic: bool, may_pull: bool) -> Option<Self> {
+        let steps = if periodic { knots } else { knots - 1 } as f64;
+        let apart = |i: usize, j: usize| {
+            let d = i.abs_diff(j) as f64 / steps;
+            if periodic { (PI * d).sin() / PI } else { d }
+        };
+        let root = |correlation: fn(f64) -> f64, length: f64| {
+            let rough = |i: usize, j: usize| if i == j { BESIDE_SMOOTH } else { 0.0 };
+            let all = |i, j| correlation(apart(i, j) / length) + rough(i, j);
+            Some(DMatrix::from_fn(knots, knots, all).cholesky()?.unpack())
+        };
+        let pulls = |length: f64| {
+            let from_end = |row: usize, end: usize| if end == 0 { row } else { knots - 1 - row };
+            let pull = |row, end| (-(from_end(row, end) as f64 / steps) / length).exp();
+            Some(DMatrix::from_fn(knots, 2, pull))
+        };
+        let all = SMOOTHNESS.into_iter();
+        let all = all.flat_map(|own| LENGTHS.map(|length| root(own, length)));
+        let ends = PULLS.into_iter().filter(|_| may_pull).map(pulls);
+        all.chain(ends).collect::<Option<Vec<_>>>().map(Self)
+    }
+
+    pub(super) fn knots(&self) -> usize {
+        self.0[0].nrows()
+    }
+
+    /// About how many straight pieces say as much: three over the shortest length.
+    pub(super) fn pieces(prior: &Prior) -> f64 {
+        let pieces = |kernel: usize| match kernel / LENGTHS.len() {
+            order if order < SMOOTHNESS.len() => 3.0 / LENGTHS[kernel % LENGTHS.len()],
+            _ => PIECES_OF_PULLS,
+        };
+        let all = prior.iter().flatten().map(|own| pieces(own.0));
+        all.fold(0.0, f64::max)
+    }
+
+    /// The next lengths, and the other smoothnesses of the same length.
+    fn beside(&self, kernel: usize) -> impl Iterator<Item = usize> {
+        let lengths = LENGTHS.len();
+        let kinds = self.0.len() / lengths;
+        let (order, length) = (kernel / lengths, kernel % lengths);
+        let next = [length.wrapping_sub(1), length + 1].into_iter();
+        let next = next.filter(move |k| *k < lengths);
+        let orders = (0..kinds).filter(move |k| *k != order);
+        next.map(move |k| order * lengths + k)
+            .chain(orders.map(move |k| k * lengths + length))
+    }
+
+    /// `t L (1 − Q Qᵀ)` of the parts, each with its kernel and size.
+    fn combinations(&self, parts: &Remaining, priors: &[(usize, f64)]) -> DMatrix<f64> {
+        let knots = self.knots();
+        let width = priors.iter().map(|own| self.0[own.0].ncols()).sum();
+        let mut l = DMatrix::zeros(parts.columns(), width);
+        let (mut at, mut free) = (0, Vec::new());
+        for (part, (kernel, size)) in priors.iter().enumerate() {
+            let root = &self.0[*kernel];
+            if *kernel >= SMOOTHNESS.len() * LENGTHS.len() {
+                free.extend(at..at + root.ncols());
+            }
+            let mut own = l.view_mut((part * knots, at), root.shape());
+            own.copy_from(&(root * *size));
+            at += root.ncols();
+        }
+        let mut conditions = l.tr_mul(&parts.common);
+        for k in free {
+            conditions.row_mut(k).fill(0.0);
+        }
+        let q = Basis::new(&conditions).q;
+        let taken = &l * &q;
+        l.gemm(-1.0, &taken, &q.transpose(), 1.0);
+        l
+    }
+
+    /// Columns of a part.
+    fn columns(&self, part: usize) -> std::ops::Range<usize> {
+        part * self.knots()..(part + 1) * self.knots()
+    }
+
+    /// The curve with a prior.
+    pub(super) fn fit(&self, remaining: &Remaining, prior: &Prior) -> Option<Fitted> {
+        let there = prior.iter().enumerate().filter(|own| own.1.is_some());
+        let columns: Vec<usize> = there.flat_map(|(part, _)| self.columns(part)).collect();
+        let priors: Vec<(usize, f64)> = prior.iter().flatten().copied().collect();
+        let parts = remaining.only(&columns);
+        let combinations = self.combinations(&parts, &priors);
+        let none = vec![0; combinations.ncols()];
+        Some(Fitted {
+            solved: parts.through(&combinations).solved(&none, &[1.0])?,
+            combinations,
+            columns,
+            of_all: remaining.columns(),
+        })
+    }
+
+    fn ln_evidence(&self, remaining: &Remaining, prior: &Prior) -> f64 {
+        let fitted = self.fit(remaining, prior);
+        fitted.map_or(f64::NEG_INFINITY, |fitted| fitted.solved.ln_evidence())
+    }
+
+    /// The likeliest prior, and how much likelier the samples are with it, as a logarithm: parts one after the other,
+    /// while each is worth it; `None` where no part is.
+    pub(super) fn likeliest(&self, remaining: &Remaining) -> Option<(Prior, f64)> {
+        let parts = remaining.columns() / self.knots();
+        let mut best: (Prior, f64) = (vec![None; parts], remaining.alone());
+        let mut left = remaining.clone();
+        while let Some((part, own)) = self.one_more(&left, &best.0) {
+            let mut with = best.0.clone();
+            with[part] = Some(own);
+            let (with, ln_evidence) = self.refined(remaining, with);
+            if ln_evidence <= best.1 + WORTH {
+                break;
+            }
+            left = remaining.without(&self.fit(remaining, &with)?.values());
+            best = (with, ln_evidence);
+        }
+        let likelier = best.1 - remaining.alone();
+        best.0
+            .iter()
+            .any(Option::is_some)
+            .then_some((best.0, likelier))
+    }
+
+    /// The part that alone says most of what the others leave, with its kernel and size.
+    fn one_more(&self, left: &Remaining, before: &Prior) -> Option<(usize, (usize, f64))> {
+        let mut best = None;
+        let mut most = left.alone();
+        for part in (0..before.len()).filter(|part| before[*part].is_none()) {
+            let own = left.only(&self.columns(part).collect::<Vec<_>>());
+            for kernel in 0..self.0.len() {
+                let alone = own.through(&self.combinations(&own, &[(kernel, 1.0)]));
+                let none = vec![0; alone.columns()];
+                for size in sizes() {
+                    let solved = alone.solved(&none, &[size * size]);
+                    let here = solved.map(|solved| solved.ln_evidence());
+                    if let Some(here) = here.filter(|here| *here > most) {
+                        (best, most) = (Some((part, (kernel, size))), here);
+                    }
+                }
+            }
+        }
+        best
+    }
+
+    /// The likeliest prior near a given one, of the same parts, and its evidence.
+    pub(super) fn refined(&self, remaining: &Remaining, start: Prior) -> (Prior, f64) {
+        let first = self.ln_evidence(remaining, &start);
+        let mut best = (start, first);
+        for step in [2.0, 1.4, 1.2] {
+            for part in 0..best.0.len() {
+                let Some((kernel, size)) = best.0[part] else {
+                    continue;
+                };
+                let sizes = [step, 1.0 / step].map(|factor| (kernel, size * factor));
+                let others = self.beside(kernel).map(|other| (other, size));
+                for own in sizes.into_iter().chain(others) {
+                    let mut trial = best.0.clone();
+                    trial[part] = Some(own);
+                    let here = self.ln_evidence(remaining, &trial);
+                    if here > best.1 {
+                        best = (trial, here);
+                    }
+                }
+            }
+        }
+        best
+    }
+}
+
+/// A curve under a prior.
+pub(super) struct Fitted {
+    solved: Solved,
+    combinations: DMatrix<f64>,
+    /// Places of the parts that are there, among those of all.
+    columns: Vec<usize>,
+    of_all: usize,
+}
+
+impl Fitted {
+    /// Values at the knots, part by part; zero where there is no curve.
+    pub(super) fn values(&self) -> DVector<f64> {
+        self.placed(&(&self.combinations * self.solved.coefficients()))
+    }
+
+    /// Their standard deviations.
+    pub(super) fn sigma(&self) -> DVector<f64> {
+        let all = &self.combinations * self.solved.deviations().transpose();
+        self.placed(&DVector::from_fn(all.nrows(), |k, _| all.row(k).norm()))
+    }
+
+    fn placed(&self, own: &DVector<f64>) -> DVector<f64> {
+        let mut all = DVector::zeros(self.of_all);
+        for (place, value) in self.columns.iter().zip(own.iter()) {
+            all[*place] = *value;
+        }
+        all
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// `tests/reference/groups_of_columns.py`.
+    #[test]
+    fn kernels_are_those_of_scikit_learn() {
+        let file = include_str!("../../../../../tests/reference/groups_of_columns.json");
+        let expected: serde_json::Value = serde_json::from_str(file).unwrap();
+        for (kernel, own) in SMOOTHNESS.iter().enumerate() {
+            for k in 0..5 {
+                let at = |name: &serde_json::Value| name[k].as_f64().unwrap();
+                let (distance, expected) = (
+                    at(&expected["distances"]),
+                    at(&expected["correlations"][kernel]),
+                );
+                assert!(
+                    (own(distance) - expected).abs() < 1e-12,
+                    "{kernel} {distance}"
+                );
+            }
+        }
+    }
+}
