@@ -66,15 +66,15 @@ impl<'a> Design<'a> {
         let is_fitted = |term: &Term, coefficient: usize| {
             base_model::belongs(term.effect.about().id) && !term.held.contains(coefficient)
         };
-        let mut own = Vec::new();
-        let mut unit = Vec::new();
-        for (k, (term, coefficient)) in with.columns().enumerate() {
-            if is_probe(term) {
-                unit.push(k);
-            } else if is_fitted(term, coefficient) {
-                own.push((k, term.clone(), coefficient));
-            }
-        }
+        let of = |pick: &dyn Fn(&Term, usize) -> bool| -> Vec<(usize, Term, usize)> {
+            let columns = with.columns().enumerate();
+            columns
+                .filter(|(_, (term, k))| pick(term, *k))
+                .map(|(at, (term, k))| (at, term.clone(), k))
+                .collect()
+        };
+        let own = of(&|term, k| !is_probe(term) && is_fitted(term, k));
+        let unit: Vec<usize> = of(&|term, _| is_probe(term)).iter().map(|o| o.0).collect();
         let directions = all.select_columns(&unit);
         let places: Vec<usize> = own.iter().map(|o| o.0).collect();
         let geometry = all.select_columns(&places);
@@ -126,24 +126,11 @@ impl<'a> Design<'a> {
         let base = kept.len();
         let families = Families::of(&model.robot, &rows.inputs);
         let folds = Folds::over_cells(&rows, model);
-        let with = |all: DMatrix<f64>, y: &DVector<f64>| {
-            let mut all = all.insert_column(base, 0.0);
-            all.set_column(base, y);
-            all
-        };
-        let n = folds.samples().max(1);
-        // Of rows that are independent a whitened one is one in units of its axis's noise.
-        let unit = |row: usize| match noise.is_white() {
-            true => noise.sigma_mm[rows.axes[row / n]],
-            false => 1.0,
-        };
         let whitened = Whitened {
-            raw: raw.map(|raw| with(raw, &residual)),
-            white: with(white, &y),
+            raw: raw.map(|raw| beside(raw, &residual)),
+            white: beside(white, &y),
             base,
-            measured: (0..m)
-                .map(|row| (row % n, rows.mm(row) * unit(row)))
-                .collect(),
+            measured: measured(&rows, noise),
             floor: 0.0,
         };
         let mut design = Self {
@@ -305,6 +292,26 @@ impl<'a> Design<'a> {
         let over = all.filter(|(_, s)| **s > 0.0).map(|(f, _)| f.in_words());
         Some((self.families.terms(own, joints), over.collect()))
     }
+}
+
+/// Columns with a residual behind them.
+fn beside(columns: DMatrix<f64>, residual: &DVector<f64>) -> DMatrix<f64> {
+    let last = columns.ncols();
+    let mut all = columns.insert_column(last, 0.0);
+    all.set_column(last, residual);
+    all
+}
+
+/// Of each row its sample, and one unit of it in mm: of rows that are independent a whitened one is one in units of its
+/// axis's noise.
+fn measured(rows: &Rows, noise: &Noise) -> Vec<(usize, f64)> {
+    let n = rows.samples.len().max(1);
+    let unit = |row: usize| {
+        let sigma = noise.sigma_mm[rows.axes[row / n]];
+        if noise.is_white() { sigma } else { 1.0 }
+    };
+    let all = 0..rows.len();
+    all.map(|row| (row % n, rows.mm(row) * unit(row))).collect()
 }
 
 /// Below this number of rows beyond what the geometry takes nothing is said.

@@ -6,11 +6,11 @@
 //!
 //! c: the values of a part of the curve at its knots u, t its size in units of the noise, B its columns and J those of
 //! the base. k is of the Matérn family: of order ½ it may jump, of order 3/2 and 5/2 it is smooth; beside it stands the
-//! infinitely smooth one, a Gaussian; and two pulls that grow exponentially towards the ends of the range, `L = [e^(−u/ℓ),
-//! e^(−(1−u)/ℓ)]`: cables and hoses are bent there, and the farther the stiffer. Of what is periodic |u_i − u_j| is a chord (Rasmussen & Williams 2006, 4.2). The
-//! condition makes the curve orthogonal to the base, so that it takes nothing from it (of two pulls it would leave nothing:
-//! the base moves beside them): L without the combinations that
-//! would, `L (1 − Q Qᵀ)` with Q a basis of `Lᵀ Bᵀ J`.
+//! infinitely smooth one, a Gaussian. Of what is periodic `|u_i − u_j|` is a chord (Rasmussen & Williams 2006, 4.2). Besides
+//! there are two pulls that grow exponentially towards the ends of the range, with `e^(−u/ℓ)` and `e^((u−1)/ℓ)` as the
+//! columns of L: cables and hoses are bent there, and the farther the stiffer. The condition makes the curve orthogonal to
+//! the base, so that it takes nothing from it (of two pulls it would leave nothing: the base moves beside them): L without
+//! the combinations that would, `L (1 − Q Qᵀ)` with Q a basis of `Lᵀ Bᵀ J`.
 
 use std::f64::consts::PI;
 

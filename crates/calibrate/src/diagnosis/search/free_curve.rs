@@ -167,12 +167,10 @@ pub(crate) fn rival(prepared: &PreparedSearch, found: &mut SearchResult) {
             });
             let rests = rests.map(|rest: Vec<Term>| (beside(&rest), rest));
             let best = rests.max_by(|a, b| a.0.ln_evidence.total_cmp(&b.0.ln_evidence));
-            match best {
-                Some((own, rest)) if own.ln_evidence > most.ln_evidence => {
-                    (most, kept) = (own, rest)
-                }
-                _ => break,
-            }
+            let Some(likelier) = best.filter(|best| best.0.ln_evidence > most.ln_evidence) else {
+                break;
+            };
+            (most, kept) = likelier;
         }
         if kept.len() < names.len() {
             let gone: Vec<Term> = names
