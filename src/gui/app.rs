@@ -7,14 +7,14 @@ use std::sync::mpsc::{Receiver, channel};
 use std::time::Duration;
 
 use egui::style::NumberFormatter;
-use egui::{CentralPanel, ColorImage, Context, Frame, Margin, Panel, Ui, ViewportCommand};
+use egui::{CentralPanel, ColorImage, Context, Frame, Margin, Panel, Rangef, Ui, ViewportCommand};
 
 use super::preferences::{Preferences, largest_zoom};
 use super::view::{NextAction, Sheet};
 use super::{actions, dialogs, files, layers, widgets, workspace};
 use crate::gui::core::compensated::CompensationRequest;
 use crate::gui::jobs::{Jobs, Runner};
-use crate::gui::style::{self, Palette, space};
+use crate::gui::style::{self, LEFT, MIDDLE, Palette, RIGHT, WIDEST, space};
 use crate::gui::views;
 use crate::gui::workbench::Workbench;
 use crate::present::numbers::write_numbers;
@@ -177,13 +177,6 @@ impl App {
         crate::text::name_by_titles(true);
     }
 
-    /// Compares the sessions of a folder, as if it had been chosen.
-    pub fn compare_sessions(&mut self, folder: &Path) {
-        let folder = folder.to_path_buf();
-        self.workbench
-            .execute(|bench| bench.compare_sessions(folder));
-    }
-
     /// Corrects the targets of a file, as if it had been chosen.
     pub fn compensate(&mut self, path: &Path) {
         let wanted = CompensationRequest::new(path.to_path_buf());
@@ -221,24 +214,43 @@ impl App {
         fixed(Panel::bottom("status"), 32.0, bar(palette.surface))
             .show(ui, |ui| views::status::show(ui, workbench));
         let room = actions::layout(ui.ctx(), workbench);
-        fixed(Panel::left("steps"), room.left, side(palette.surface))
-            .show(ui, |ui| views::steps::show(ui, workbench, room));
+        // Either can be pulled as long as the plots keep their room.
+        let window = ui.ctx().content_rect().width();
+        let pulled = |panel: Panel, [least, size]: [f32; 2], others: f32, fill| {
+            let most = (window - MIDDLE - others).clamp(size, WIDEST.max(size));
+            let range = Rangef::new(least.min(size), most);
+            panel.default_size(size).size_range(range).frame(side(fill))
+        };
+        let right = room.right.map_or(0.0, |_| RIGHT);
+        let left = pulled(
+            Panel::left(format!("steps {}", room.left)),
+            [LEFT, room.left],
+            right,
+            palette.surface,
+        );
+        let left = left.show(ui, |ui| views::steps::show(ui, workbench, room));
         let results = |ui: &mut Ui| views::results::show(ui, workbench);
         if let Some(width) = room.right {
-            fixed(Panel::right("results"), width, side(palette.background))
-                .show(ui, |ui| results(ui));
+            let left = left.response.rect.width();
+            pulled(
+                Panel::right(format!("results {width}")),
+                [RIGHT, width],
+                left,
+                palette.background,
+            )
+            .show(ui, |ui| results(ui));
         }
-        let middle = ui.available_rect_before_wrap();
+
         CentralPanel::no_frame()
             .frame(Frame::NONE.fill(palette.background))
             .show(ui, |ui| {
                 if room.instead {
                     side(palette.background).show(ui, |ui| results(ui));
                 } else {
-                    views::panes::show(ui, workbench);
+                    views::chart::middle(ui, workbench);
                 }
             });
-        views::steps::grips(ui, workbench, room, middle);
+
         views::status::notices(ui, workbench, room);
         dialogs::show(ui, &mut self.workbench);
         let workbench = &self.workbench;

@@ -73,7 +73,6 @@ words! {
         [phrase!("read as")];
     REMAINDER, phrase!("Not correctable by joint commands"), phrase!("RMS error that remains when the controller applies the whole table: directions in which moving this joint moves nothing"),
         [phrase!("not correctable by joint commands")];
-    UNCERTAINTY, phrase!("Uncertainty of the model"), phrase!("How far the point that the model predicts may be off because measurements scatter: one standard uncertainty, from the covariance of the fit, at each measured pose. It is small where many poses determine the model. What no parameter of the model describes is not in it");
     PLANAR, phrase!("Planar session"), phrase!("Only x and y were measured; nothing can be said about what happens along z"),
         [phrase!("coordinates")];
     DIRECTION, phrase!("Direction"), phrase!("The side from which the joint came to the pose. Approaching from both sides is what makes backlash visible"),

@@ -47,16 +47,6 @@ pub(crate) fn largest_zoom(ctx: &Context) -> f32 {
 /// Most decimals of a length.
 const MOST_DECIMALS: u8 = 6;
 
-/// Sizes of panels as they were pulled; `None`: what suits the window.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
-#[serde(default, rename_all = "kebab-case")]
-pub(crate) struct Sizes {
-    /// Width of the steps, points.
-    pub(crate) left: Option<f32>,
-    /// Width of the results, points.
-    pub(crate) right: Option<f32>,
-}
-
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(default, rename_all = "kebab-case")]
 pub(crate) struct Preferences {
@@ -72,7 +62,6 @@ pub(crate) struct Preferences {
     pub(crate) theme: Theme,
     /// Size of text, in parts of the usual one.
     pub(crate) zoom: f32,
-    pub(crate) sizes: Sizes,
 }
 
 impl Default for Preferences {
@@ -85,7 +74,6 @@ impl Default for Preferences {
             comma: None,
             theme: Theme::default(),
             zoom: 1.0,
-            sizes: Sizes::default(),
         }
     }
 }
@@ -121,10 +109,6 @@ impl Preferences {
     /// The same, with every number in the range that it can have.
     #[must_use]
     pub(crate) fn sound(mut self) -> Self {
-        let sizes = &mut self.sizes;
-        for size in [&mut sizes.left, &mut sizes.right] {
-            *size = size.filter(|size| size.is_finite() && *size > 0.0);
-        }
         self.decimals = self.decimals.map(|d| d.min(MOST_DECIMALS));
         self.zoom = if self.zoom.is_finite() {
             self.zoom.clamp(*ZOOM.start(), *ZOOM.end())

@@ -499,7 +499,6 @@ fn every_sheet_fits_and_is_left_by_its_button_by_enter_and_by_escape() {
     let sheets = [
         ("Edit", "Preferences…", "Preferences"),
         ("Help", "Glossary", "Glossary"),
-        ("Help", "Keyboard and mouse", "Keyboard and mouse"),
         ("Help", "About truepose", "About truepose"),
     ];
     let buttons = |window: &Window| window.query_all_by_label("Done").count();

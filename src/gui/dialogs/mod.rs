@@ -25,9 +25,9 @@ macro_rules! register {
 
 register! {
     compensation: compensation;
-    help: about, keys, words;
+    help: about, words;
     preferences: preferences;
-    record: details, history;
+    record: details;
     robots: robots;
     unsaved: recovery;
 }

@@ -1,6 +1,6 @@
 //! Units, digits, colours, size of text: seen at once, kept for tomorrow.
 
-use crate::gui::view::Panes;
+
 use crate::text::LANGUAGES;
 use egui::{Slider, Ui};
 
@@ -91,11 +91,10 @@ pub(super) fn preferences(ui: &mut Ui, workbench: &Workbench) {
         ui,
         say!("Files are read and written in their own units, whatever is shown here"),
     );
-    let arranged = !workbench.view.panes.are_usual();
-    let changed = now != Preferences::default() || arranged;
+    let changed = now != Preferences::default();
     if widgets::done_beside(ui, say!("Reset all"), changed, workbench) {
         next = Preferences::default();
-        workbench.then(move |bench| bench.rearrange(|panes| *panes = Panes::default()));
+        
     }
     if next != now {
         workbench.then(move |bench| bench.prefer(next));

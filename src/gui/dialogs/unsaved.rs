@@ -212,7 +212,7 @@ pub(super) fn path(
             ending = say!("A name that ends in .{ending}", ending = plot.ending());
             &*ending
         }
-        What::Numbers(_) => say!("A CSV table of what the chart shows, with all digits"),
+        
         What::Targets => say!("What was changed is written beside it, as NAME.meta.json"),
         What::Robot(_) | What::TypedRobot => say!("A file that sessions, imports and plans take"),
     };

@@ -11,7 +11,7 @@ struct Frame {
     shown: vec4f,
     // What colour says; whether there is an answer; width of vectors, points; size of marks.
     style: vec4f,
-    // Narrowest and widest vector, points; how much colour what is farthest loses.
+    // How much colour what is farthest loses, last.
     style_2: vec4f,
     // The plot's left and upper edge on the screen, pixels.
     corner: vec4f,

@@ -405,12 +405,19 @@ mod tests {
 
     use super::*;
 
+    /// The upper end of the scale, mm.
+    const LONG: f32 = 10.0;
+
     /// Two vectors along x at one place of the screen: where each is along the line of sight, mm, and
-    /// its uncertainty, which is its colour.
+    /// how long it is, which is its colour.
     fn middle(rows: [(f32, f32); 2], deep_mm: Option<f64>) -> [f64; 3] {
-        let place = |(z, _): (f32, f32)| -> Place { [3.0, 0.0, z, 3.0, 0.0, 0.0] };
+        // What is more of the length than is seen goes along the line of sight.
+        let place = |(z, part): (f32, f32)| -> Place {
+            let away = ((LONG * part).powi(2) - 9.0).sqrt();
+            [3.0, 0.0, z, 3.0, 0.0, away]
+        };
         let remainder = Arc::new(Remainder {
-            rows: rows.map(|(_, part)| [3.0, 0.0, 0.0, 0.0, part]).to_vec(),
+            rows: rows.map(|_| [3.0, 0.0, 0.0, 0.0]).to_vec(),
         });
         let cloud = Arc::new(Cloud {
             places: rows.map(place).to_vec(),
@@ -419,7 +426,8 @@ mod tests {
         });
         let look = LayerOptions {
             deep_mm,
-            ..look(Colouring::Uncertainty, 0.0)
+            long_mm: f64::from(LONG),
+            ..look(Colouring::Deviation, 0.0)
         };
         let picture = drawn(2.0, LIGHT.surface, move |_| {
             let layer = CloudLayer {
@@ -448,10 +456,10 @@ mod tests {
                 "{seen:?} {expected:?}"
             );
         };
-        let (near, far) = ((10.0, 0.9), (-10.0, 0.2));
-        like(middle([near, far], Some(50.0)), 0.9);
-        like(middle([far, near], Some(50.0)), 0.9);
+        let (near, far) = ((10.0, 0.9), (-10.0, 0.4));
+        like(middle([near, far], Some(100.0)), 0.9);
+        like(middle([far, near], Some(100.0)), 0.9);
         // Without depth the last one covers the others.
-        like(middle([near, far], None), 0.2);
+        like(middle([near, far], None), 0.4);
     }
 }

@@ -32,7 +32,7 @@ fn mark(@builtin(vertex_index) corner: u32, sample: Sample) -> Mark {
     }
     mark.said = vec4f(0.0);
     if known(shown) {
-        mark.said = said_of(shown, sample);
+        mark.said = said_of(shown);
     }
     let marked = sample.suspected > 0.5 && frame.style.y > 0.5;
     let half = select(5.0 * frame.style.w, 8.75, marked) + 1.0;

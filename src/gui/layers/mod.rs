@@ -34,8 +34,6 @@ const ROWS: usize = 16 + STOPS;
 
 /// Width of an error vector, points, at any zoom.
 pub(crate) const WIDTH: f32 = 1.6;
-/// The narrowest and the widest of a vector whose width says what its colour says.
-pub(crate) const WEDGE: [f32; 2] = [0.9, 3.2];
 /// Width of the outline of a mark that is filled with what colour says, points.
 pub(crate) const OUTLINE: f32 = 0.8;
 /// How much of what is beneath the heat map hides.
@@ -115,7 +113,7 @@ impl Frame {
         rows[5] = [mode(look.colouring), answered, WIDTH, look.mark];
         // A colour that stands for a number is the same near and far.
         let fades = look.deep_mm.is_some() && look.colouring == Colouring::State;
-        rows[6] = [WEDGE[0], WEDGE[1], 0.0, if fades { FADE } else { 0.0 }];
+        rows[6] = [0.0, 0.0, 0.0, if fades { FADE } else { 0.0 }];
         rows[7] = [viewport.left(), viewport.top(), 0.0, 0.0];
         let flat = if look.answered {
             palette.after
@@ -192,7 +190,6 @@ fn mode(colouring: Colouring) -> f32 {
     match colouring {
         Colouring::State => 0.0,
         Colouring::Deviation => 1.0,
-        Colouring::Uncertainty => 2.0,
     }
 }
 
@@ -227,8 +224,8 @@ fn pipeline_layout(
 fn columns() -> [Option<wgpu::VertexBufferLayout<'static>>; 2] {
     const PLACE: [wgpu::VertexAttribute; 2] =
         wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3];
-    const REMAINS: [wgpu::VertexAttribute; 3] =
-        wgpu::vertex_attr_array![2 => Float32x3, 3 => Float32, 4 => Float32];
+    const REMAINS: [wgpu::VertexAttribute; 2] =
+        wgpu::vertex_attr_array![2 => Float32x3, 3 => Float32];
     let layout = |stride: usize, attributes| wgpu::VertexBufferLayout {
         array_stride: stride as u64,
         step_mode: wgpu::VertexStepMode::Instance,

@@ -112,7 +112,7 @@ fn cloud() -> (Arc<Cloud>, Arc<Remainder>) {
     let place = |(at, before, _): &([f32; 2], [f32; 2], [f32; 2])| -> Place {
         [at[0], at[1], 3.0, before[0], before[1], 0.2]
     };
-    let row = |(_, _, after): &([f32; 2], [f32; 2], [f32; 2])| [after[0], after[1], 0.1, 0.0, 0.75];
+    let row = |(_, _, after): &([f32; 2], [f32; 2], [f32; 2])| [after[0], after[1], 0.1, 0.0];
     let cloud = Cloud {
         places: ARROWS.iter().map(place).collect(),
         samples: (0..5).collect(),
@@ -185,14 +185,10 @@ fn compare_arrows(pixels: f32, palette: Palette, colouring: Colouring, blend: f3
                 let length = (e[0] * e[0] + e[1] * e[1] + z * z).sqrt();
                 scale_at(&palette, (length / 2.0) as f32)
             }
-            Colouring::Uncertainty => scale_at(&palette, 0.75),
+
             Colouring::State => palette.after,
         });
-        let width = point
-            * match colouring {
-                Colouring::Uncertainty => 0.9 + 0.75 * (3.2 - 0.9),
-                _ => f64::from(WIDTH),
-            };
+        let width = point * f64::from(WIDTH);
         let around = |a: f64, b: f64| {
             let low = crate::numeric::whole(a.min(b) - 6.0 * point);
             low..crate::numeric::whole(a.max(b) + 6.0 * point)
@@ -243,7 +239,6 @@ fn arrows_cover_what_their_outline_covers() {
     compare_arrows(1.0, DARK, Colouring::Deviation, 1.0);
     compare_arrows(2.0, LIGHT, Colouring::State, 0.5);
     compare_arrows(1.5, DARK, Colouring::Deviation, 0.25);
-    compare_arrows(1.0, LIGHT, Colouring::Uncertainty, 1.0);
 }
 
 /// How much of a pixel is covered, by 8 × 8 points of it from the middle of a mark.
@@ -288,7 +283,7 @@ fn compare_marks(pixels: f32, palette: Palette, colouring: Colouring) {
         #[allow(clippy::cast_possible_truncation, reason = "a part of a scale")]
         let said = match colouring {
             Colouring::Deviation => scale_at(&palette, (length / 2.0) as f32),
-            Colouring::Uncertainty => scale_at(&palette, 0.75),
+
             Colouring::State if within => palette.within,
             // No temperature is known.
             Colouring::State => palette.surface,
@@ -341,7 +336,7 @@ fn marks_carry_what_colour_says_and_their_shape_says_whether_they_are_within() {
     }
     compare_marks(1.0, LIGHT, Colouring::State);
     compare_marks(2.0, DARK, Colouring::Deviation);
-    compare_marks(1.5, LIGHT, Colouring::Uncertainty);
+    compare_marks(1.5, LIGHT, Colouring::Deviation);
 }
 
 #[test]

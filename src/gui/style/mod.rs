@@ -31,7 +31,7 @@ use egui::{
     Stroke, Style, TextStyle, Theme, Ui, Vec2, Visuals,
 };
 
-pub(crate) use layout::{Layout, MIDDLE};
+pub(crate) use layout::{LEFT, Layout, MIDDLE, RIGHT, WIDEST};
 
 #[cfg(test)]
 #[path = "../../../tests/support/vision.rs"]

@@ -2,10 +2,8 @@
 //! be undone.
 
 mod camera;
-mod panes;
 
-pub(crate) use camera::{Aspect, Ball, Camera, Colouring, Facing, Plane, Standard};
-pub(crate) use panes::{ChartPane, Edge, Key, Pane, Panes};
+pub(crate) use camera::{Aspect, Ball, Camera, Colouring, Facing, Plane};
 
 use std::path::{Path, PathBuf};
 
@@ -98,7 +96,7 @@ pub(crate) struct ViewState {
     pub(crate) heat: bool,
     /// So many samples can be drawn at once.
     pub(crate) most_drawn: usize,
-    /// The component that is looked at, where a chart has none of its own.
+    /// The component that charts show.
     pub(crate) component: Component,
     /// Whether the chart leaves out the deviation before, so that what is left can be seen.
     pub(crate) only_after: bool,
@@ -111,9 +109,11 @@ pub(crate) struct ViewState {
     pub(crate) side: Side,
     /// How its samples are sorted.
     pub(crate) sorting: Sorting,
-    /// Workspace and charts.
-    pub(crate) panes: Panes,
-    /// The joint that charts are about that have none of their own, counted from 0.
+    /// The chart by its name; `None`: what suits the step.
+    pub(crate) chart: Option<&'static str>,
+    /// Whether the chart is shown in place of the workspace where there is no room for both.
+    pub(crate) chart_in_front: bool,
+    /// The joint that charts are about, counted from 0.
     pub(crate) joint: usize,
     /// The found effect whose curve is charted, by its place in the answer.
     pub(crate) effect: usize,
@@ -140,17 +140,17 @@ impl ViewState {
         self.look(Aspect::Plane);
     }
 
-    /// The same in space, from this side if one is named.
-    pub(crate) fn look_from(&mut self, from: Option<Standard>) {
-        self.look(Aspect::Space);
-        if let Some(from) = from {
-            self.camera = self.camera.seen_from(from);
+    /// The same in space; from where it begins, where it is looked at already.
+    pub(crate) fn look_in_space(&mut self) {
+        if self.in_space() {
+            self.camera = Camera::default();
         }
+        self.look(Aspect::Space);
     }
 
     fn look(&mut self, aspect: Aspect) {
         self.aspect = aspect;
-        self.panes.activate(self.panes.workspace());
+        self.chart_in_front = false;
     }
 
     pub(crate) fn select(&mut self, sample: Option<usize>) {
@@ -262,8 +262,6 @@ impl Sheet {
     pub(crate) const COMPENSATION: Self = Self::Named("compensation");
     /// What the report states besides its measurements.
     pub(crate) const DETAILS: Self = Self::Named("details");
-    /// What became of the machine.
-    pub(crate) const HISTORY: Self = Self::Named("history");
     /// The library of robots.
     pub(crate) const ROBOTS: Self = Self::Named("robots");
     /// What windows that are gone have left behind.
@@ -385,8 +383,6 @@ pub(crate) enum What {
     /// The calibration report.
     Report(About),
     Picture(Plot),
-    /// What the chart of this name shows, as a table.
-    Numbers(&'static str),
     /// A table of targets or a robot program, corrected.
     Targets,
     /// A robot of the library, by its name.
@@ -405,7 +401,6 @@ impl What {
             Self::Poses => say!("Save measuring list"),
             Self::Report(_) => say!("Save report"),
             Self::Picture(_) => say!("Save picture"),
-            Self::Numbers(_) => say!("Save data"),
             Self::Targets => say!("Save corrected file"),
             Self::Robot(_) | Self::TypedRobot => say!("Save robot file"),
         }

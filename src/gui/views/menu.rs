@@ -223,7 +223,6 @@ fn file(ui: &mut Ui, workbench: &Workbench) {
             actions::COMPENSATE,
             actions::REPORT_DETAILS,
             actions::REPORT,
-            actions::HISTORY,
         ],
     );
     ui.separator();
@@ -274,9 +273,8 @@ fn edit(ui: &mut Ui, workbench: &Workbench) {
 
 fn view(ui: &mut Ui, workbench: &Workbench) {
     use actions::{
-        CHART_BELOW, CHART_BESIDE, CLOSE_CHART, FIT, FROM_FRONT, FROM_ISOMETRIC, FROM_SIDE,
-        FROM_TOP, LOOK_AROUND, LOOK_IN_SPACE, LOOK_XY, LOOK_XZ, LOOK_YZ, NEXT_ANGLE, NEXT_LENGTH,
-        NEXT_PLOT, OTHER_THEME, RESULTS, USUAL_PLOTS,
+        FIT, LOOK_AROUND, LOOK_IN_SPACE, LOOK_XY, LOOK_XZ, LOOK_YZ, NEXT_ANGLE, NEXT_LENGTH,
+        OTHER_THEME, RESULTS,
     };
     ui.set_min_width(260.0);
     items(ui, workbench, &actions::STEPS[..workbench.steps().len()]);
@@ -286,21 +284,6 @@ fn view(ui: &mut Ui, workbench: &Workbench) {
         workbench,
         &[LOOK_XY, LOOK_XZ, LOOK_YZ, LOOK_AROUND, LOOK_IN_SPACE],
     );
-    // In a list of their own: a longer menu would not fit below its header.
-    ui.menu_button(say!("Standard 3-D views"), |ui| {
-        ui.set_min_width(220.0);
-        items(
-            ui,
-            workbench,
-            &[FROM_ISOMETRIC, FROM_FRONT, FROM_SIDE, FROM_TOP],
-        );
-    });
-    ui.menu_button(say!("Charts"), |ui| {
-        ui.set_min_width(220.0);
-        items(ui, workbench, &[CHART_BESIDE, CHART_BELOW, CLOSE_CHART]);
-        ui.separator();
-        items(ui, workbench, &[NEXT_PLOT, USUAL_PLOTS]);
-    });
     items(ui, workbench, &[FIT]);
     ui.separator();
     items(ui, workbench, &[RESULTS]);
@@ -338,9 +321,5 @@ fn view(ui: &mut Ui, workbench: &Workbench) {
 
 fn help(ui: &mut Ui, workbench: &Workbench) {
     ui.set_min_width(240.0);
-    items(
-        ui,
-        workbench,
-        &[actions::WORDS, actions::KEYS, actions::ABOUT],
-    );
+    items(ui, workbench, &[actions::WORDS, actions::ABOUT]);
 }

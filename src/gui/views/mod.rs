@@ -1,11 +1,11 @@
 //! What stands around the plots. Panels read the workbench and leave changes in it.
 
 pub(crate) mod blocks;
+pub(super) mod chart;
 mod coverage;
 mod export;
 mod gap;
 pub(super) mod menu;
-pub(super) mod panes;
 mod regions;
 pub(super) mod results;
 mod samples;

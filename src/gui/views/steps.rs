@@ -2,15 +2,14 @@
 //! both sides of the window are pulled by.
 
 use egui::{
-    Color32, CornerRadius, Panel, Rect, Response, Role, Sense, Stroke, Ui, UiBuilder, Vec2,
-    WidgetInfo, pos2, vec2,
+    Color32, CornerRadius, Panel, Response, Role, Sense, Stroke, Ui, UiBuilder, Vec2, WidgetInfo,
+    pos2, vec2,
 };
 
-use crate::gui::preferences::{Preferences, Sizes};
 use crate::gui::style::Layout;
 use crate::gui::style::{Palette, size, space, strong};
 use crate::gui::view::Step;
-use crate::gui::widgets::{self, Does, Gripped};
+use crate::gui::widgets::{self, Does};
 use crate::gui::workbench::Workbench;
 
 use super::{export, gap, regions, results, session};
@@ -167,43 +166,5 @@ impl StepRow<'_> {
             let middle = egui::Align2::CENTER_CENTER;
             painter.text(centre, middle, self.number, strong(size::SMALL), text);
         }
-    }
-}
-
-/// What the sides can be pulled by.
-pub(crate) fn grips(ui: &Ui, workbench: &Workbench, layout: Layout, middle: Rect) {
-    let preferences = workbench.view.preferences;
-    let pulled = |gripped: Option<Gripped>, set: &dyn Fn(&mut Sizes, Option<f32>)| {
-        let mut sizes = preferences.sizes;
-        let done = match gripped {
-            None => return,
-            Some(Gripped::To(x)) => {
-                set(&mut sizes, Some(x));
-                return workbench.then(move |bench| {
-                    let preferences = Preferences {
-                        sizes,
-                        ..bench.view.preferences
-                    };
-                    bench.view.preferences = preferences.sound();
-                });
-            }
-            Some(Gripped::LetGo(x)) => Some(x),
-            Some(Gripped::Usual) => None,
-        };
-        set(&mut sizes, done);
-        workbench.then(move |bench| {
-            bench.prefer(Preferences {
-                sizes,
-                ..preferences
-            });
-        });
-    };
-    let left = widgets::grip(ui, say!("steps"), middle, middle.left());
-    pulled(left, &|sizes, x| sizes.left = x);
-    if let Some(width) = layout.right {
-        // The samples, where they stand beside the results, keep their width.
-        let end = middle.right() + width;
-        let right = widgets::grip(ui, say!("results"), middle, middle.right());
-        pulled(right, &|sizes, x| sizes.right = x.map(|x| end - x));
     }
 }

@@ -258,11 +258,9 @@ fn segment(ui: &mut Ui, palette: Palette, name: &str, meant: &str, on: bool) -> 
 pub(crate) const UNDO: &str = "\u{E08A}";
 pub(crate) const REDO: &str = "\u{E08C}";
 pub(crate) const SAVE: &str = "\u{E20C}";
-pub(crate) const DATA: &str = "\u{E476}";
 pub(crate) const COPY: &str = "\u{E1CA}";
 pub(crate) const FIT: &str = "\u{E1D0}";
 pub(crate) const SIDE: &str = "\u{EC24}";
-pub(crate) const GRIP: &str = "\u{EAE2}";
 
 /// A square button with a sign, called by its name.
 pub(crate) fn icon_button(ui: &mut Ui, sign: &str, name: &str) -> Response {

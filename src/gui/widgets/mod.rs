@@ -9,8 +9,7 @@ pub(crate) use fields::*;
 
 use egui::text_edit::TextEditState;
 use egui::{
-    Color32, CornerRadius, CursorIcon, EventFilter, Frame, Id, Key, Margin, Rect, Role, Sense,
-    Stroke, StrokeKind, Ui, WidgetInfo, accesskit, vec2,
+    Color32, CornerRadius, EventFilter, Frame, Id, Margin, Sense, Stroke, StrokeKind, Ui, vec2,
 };
 
 use crate::gui::style::{DARK, LIGHT, Palette, space};
@@ -128,58 +127,6 @@ pub(crate) fn share_bar(ui: &mut Ui, part: f32, color: Color32) {
     painter.rect_filled(filled, 3.0, color);
 }
 
-/// Half of the width in which it can be taken hold of, points.
-const REACH: f32 = 4.0;
-/// What an arrow key moves it by, points.
-const BY_KEY: f32 = 16.0;
-
-/// What was done to a grip.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Gripped {
-    /// It is to be here, in the window's points.
-    To(f32),
-    /// It was let go, or moved by a key: the size is to be remembered.
-    LetGo(f32),
-    /// The usual size again.
-    Usual,
-}
-
-/// A grip on an edge of `panel` that stands upright at `x`, over its whole height and inside it.
-pub(crate) fn grip(ui: &Ui, name: &str, panel: Rect, x: f32) -> Option<Gripped> {
-    let inwards = (panel.center().x - x).signum();
-    let middle = x + inwards * REACH;
-    let rect = Rect::from_x_y_ranges(middle - REACH..=middle + REACH, panel.y_range());
-    let says = say!("width of {name}", name);
-    let id = Id::unique("grip").with(name);
-    let response = ui.interact(rect, id, Sense::click_and_drag());
-    response.widget_info(|| WidgetInfo::labeled(Role::Slider, true, &says));
-    let response = response.on_hover_cursor(CursorIcon::ResizeHorizontal);
-    let palette = Palette::of(ui);
-    let busy = response.hovered() || response.dragged() || response.has_focus();
-    let color = if busy {
-        palette.accent
-    } else {
-        palette.nominal
-    };
-    for k in [-1.0, 0.0, 1.0] {
-        let dot = rect.center() + vec2(0.0, 6.0 * k);
-        ui.painter().circle_filled(dot, 1.5, color);
-    }
-    if response.double_clicked() {
-        return Some(Gripped::Usual);
-    }
-    let pointer = response.interact_pointer_pos().map_or(middle, |at| at.x);
-    let at = pointer - inwards * REACH;
-    if response.drag_stopped() {
-        return Some(Gripped::LetGo(at));
-    }
-    if response.dragged() {
-        return Some(Gripped::To(at));
-    }
-    let by = moved_by_keys(ui, response.id, true);
-    (by != 0.0).then_some(Gripped::LetGo(x + by))
-}
-
 /// The arrow keys, those across and those up and down, are for this control instead of going to the next.
 pub(crate) fn keep_arrows(ui: &Ui, id: Id, [horizontal_arrows, vertical_arrows]: [bool; 2]) {
     let filter = EventFilter {
@@ -188,24 +135,4 @@ pub(crate) fn keep_arrows(ui: &Ui, id: Id, [horizontal_arrows, vertical_arrows]:
         ..EventFilter::default()
     };
     ui.memory_mut(|memory| memory.set_focus_lock_filter(id, filter));
-}
-
-/// How far arrow keys move what stands upright or lies, if it has the focus, points.
-pub(crate) fn moved_by_keys(ui: &Ui, id: Id, upright: bool) -> f32 {
-    if !ui.memory(|memory| memory.has_focus(id)) {
-        return 0.0;
-    }
-    keep_arrows(ui, id, [upright, !upright]);
-    ui.input(|input| {
-        let asked = |action| input.num_accesskit_action_requests(id, action) as f32;
-        let presses = |key| input.num_presses(key) as f32;
-        let [more, less] = if upright {
-            [Key::ArrowRight, Key::ArrowLeft]
-        } else {
-            [Key::ArrowDown, Key::ArrowUp]
-        };
-        let steps = presses(more) - presses(less) + asked(accesskit::Action::Increment)
-            - asked(accesskit::Action::Decrement);
-        steps * BY_KEY
-    })
 }

@@ -46,7 +46,7 @@ impl Workbench {
                 format!("{}-model-report.html", plain(session))
             }
             What::Picture(plot) => plot.file_name(session, plot.ending()),
-            What::Numbers(chart) => Plot::Chart(chart).file_name(session, "csv"),
+
             What::Robot(id) => format!("{id}.json"),
             What::TypedRobot => {
                 let name = self
@@ -74,9 +74,6 @@ impl Workbench {
             "report of the model" => What::Report(About::Model),
             "targets" => What::Targets,
             _ => {
-                if let Some(chart) = name.strip_prefix("data of ") {
-                    return Some(What::Numbers(charts::find(chart)?.about().id));
-                }
                 let chart = charts::find(name).map(|chart| Plot::Chart(chart.about().id));
                 let mut all = std::iter::once(Plot::Workspace).chain(chart);
                 What::Picture(all.find(|plot| plot.name() == name)?)
@@ -141,9 +138,7 @@ impl Workbench {
             }
             What::Report(about) => Some(self.report(about)?),
             What::Picture(plot) => self.picture(plot),
-            What::Numbers(chart) => self
-                .numbers_of(chart)
-                .map(|numbers| list(move || numbers().csv())),
+
             What::Targets => Some(self.targets()?),
             What::Robot(id) => named(id).ok().map(|one| robot_file(&one.robot)),
             What::TypedRobot => {

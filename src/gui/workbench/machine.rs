@@ -1,22 +1,17 @@
 //! The record of the machine: what its report states, whether it is within its tolerance and what became
 //! of it, and robots that were typed. Remembered from one day to the next.
 
-use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::path::Path;
 
 use crate::compensation::decision::{Outcome, Rule};
 use crate::gui::core::robot_table::{RobotTable, remember};
 use crate::gui::file_state::{self, Machine, Of, Stated};
 use crate::gui::files;
-use crate::gui::jobs::{Kind, Watch};
-use crate::gui::view::{Message, Sheet, What};
-use crate::language::{finding, spoken};
-use crate::pipeline;
+use crate::gui::view::What;
+use crate::language::spoken;
 use crate::present::decision::rests_on;
-use crate::progress::ReadError;
 
 use super::Workbench;
-use crate::gui::workbench::Past;
 
 impl Workbench {
     /// Report details: as they were typed, or as they are proposed.
@@ -119,59 +114,6 @@ impl Workbench {
 
     pub(super) fn rule_and_tolerance(&self) -> Option<(Rule, f64)> {
         Some((self.stated().details.rule?, self.document().tolerance_mm?))
-    }
-
-    /// The sessions that were compared last.
-    pub(crate) fn past(&self) -> Option<&Past> {
-        self.file_state.past.as_deref()
-    }
-
-    /// Compares the sessions that lie beside the open one; asks for a folder where it is in no file.
-    pub(crate) fn compare_here(&mut self) {
-        match self.folder() {
-            Some(folder) => self.compare_sessions(folder),
-            None => self.choose_folder(),
-        }
-    }
-
-    /// Asks for a folder of sessions.
-    pub(crate) fn choose_folder(&mut self) {
-        let says = say!("waiting for a folder to be chosen");
-        self.choose_near(says, files::choose_folder, |bench, folder| {
-            if let Some(folder) = folder {
-                bench.compare_sessions(folder);
-            }
-        });
-    }
-
-    /// Compares the sessions of a folder, and shows what changed.
-    pub(crate) fn compare_sessions(&mut self, folder: PathBuf) {
-        let says = say!(
-            "comparing the sessions of {folder}",
-            folder = folder.display()
-        );
-        let work = move |watch: &Watch| {
-            let told = pipeline::history_watched(&folder, &watch.progress_callback());
-            (folder, told)
-        };
-        self.jobs.start(
-            Kind::Once,
-            says,
-            work,
-            |bench: &mut Self, (folder, told)| match told {
-                Ok(history) => {
-                    bench.file_state.past = Some(Arc::new(Past { folder, history }));
-                    bench.view.sheet = Some(Sheet::HISTORY);
-                }
-                Err(ReadError::Cancelled(_)) => {}
-                Err(ReadError::Rejected(rejected)) => {
-                    let lines = rejected.diagnostics.iter().take(5);
-                    let title = say!("There are no sessions to compare").to_owned();
-                    let details = lines.map(finding).collect();
-                    bench.view.message = Some(Message::wrong(title, details));
-                }
-            },
-        );
     }
 
     /// Robots that were typed, newest first.

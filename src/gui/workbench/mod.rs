@@ -50,7 +50,6 @@ use crate::gui::preferences::Preferences;
 use crate::gui::view::{
     Aspect, Camera, Message, NextAction, OnDisk, Plane, Sheet, Sorting, Step, ViewState,
 };
-use crate::history;
 use crate::present::numbers::Notation;
 use crate::present::units::Units;
 use crate::sessions::Region;
@@ -156,8 +155,6 @@ pub(super) struct FileState {
     pub(super) machines: Vec<Machine>,
     /// Robots that were typed, newest first.
     pub(super) robots: Vec<RobotTable>,
-    /// Sessions that were compared.
-    pub(super) past: Option<Arc<Past>>,
     /// What was typed for the report of an opening.
     pub(super) stated: BTreeMap<u64, Stated>,
     pub(super) missing: Vec<PathBuf>,
@@ -187,13 +184,6 @@ pub(super) struct FileState {
 pub(super) type HeatLook = (Arc<Heat>, f32, f64, Color32);
 /// How it is said.
 pub(super) type Voice = (Units, Language, Notation);
-
-/// What became of the machines of a folder.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Past {
-    pub(crate) folder: PathBuf,
-    pub(crate) history: history::History,
-}
 
 impl Workbench {
     pub(crate) fn document(&self) -> &Document {
@@ -323,7 +313,10 @@ impl Workbench {
         }
         if before.lineage != self.loaded_session().lineage {
             self.file_state.exported.clear();
-            self.leave_effects();
+            // No chart stays on an effect that a session had: of another one there is none yet.
+            self.view
+                .chart
+                .take_if(|chart| *chart == crate::gui::charts::effect::ID);
             self.look_along_the_axis();
             self.view.step = Step::Session;
             self.view.fit();

@@ -3,7 +3,6 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use crate::gui::charts::find;
 use crate::gui::core::disk::{FileChange, Fingerprint};
 use crate::gui::core::document::Document;
 use crate::gui::core::loaded_session::{LoadedSession, Origin};
@@ -23,7 +22,7 @@ impl Workbench {
             (Settings::default(), Some(says))
         });
         self.view.preferences = settings.preferences;
-        self.view.panes = settings.panes.sound(|chart| find(chart).is_some());
+
         self.file_state.recent = settings.recent;
         self.file_state.machines = settings.machines;
         self.file_state.robots = settings.robots;
@@ -367,7 +366,7 @@ impl Workbench {
         }
     }
 
-    /// Opens what was dropped: one file, or a session with its samples; of a folder its sessions are compared.
+    /// Opens what was dropped: one file, or a session with its samples.
     pub(crate) fn drop_files(&mut self, mut paths: Vec<PathBuf>) {
         if self.asking().is_some() {
             return;
@@ -391,9 +390,7 @@ impl Workbench {
         }
         match &paths[..] {
             [] => {}
-            [folder] if folder.is_dir() => {
-                self.compare_sessions(folder.clone());
-            }
+
             [file] => self.open_file(file.clone()),
             several => self.complain(
                 &say!("{count} files were dropped: none was opened", count = several.len()),

@@ -2,14 +2,13 @@
 //! plot, so that nothing of it ever covers what was measured, however small the plot is. What colour says is said a
 //! second time: a deviation by the vector's length, a direction by its direction, a condition by its width.
 
-use egui::epaint::Mesh;
 use egui::{
     Align2, Color32, FontId, Link, Popup, PopupCloseBehavior, Pos2, Rect, RichText, Role, Sense,
     Shape, Stroke, Ui, WidgetInfo, pos2, vec2,
 };
 use egui_plot::PlotTransform;
 
-use crate::gui::layers::{OUTLINE, WEDGE, scale_at};
+use crate::gui::layers::{OUTLINE, scale_at};
 use crate::gui::style::{Palette, size};
 use crate::gui::view::Colouring;
 use crate::gui::widgets;
@@ -57,20 +56,21 @@ pub(super) fn show(
     notes: &[String],
 ) -> Option<Rect> {
     let palette = &Palette::of(ui);
-    let mut scale = None;
+    let mut of_vectors = None;
     let measured = !workbench.loaded_session().is_empty();
     let low = ui.available_height() < LOW;
     let entries = entries(workbench, shown, robot, palette);
-    let scales = colour_bars(ui, workbench, shown, low);
+    let long = if low { SHORT } else { LONG };
+    let scale_of_colours = scale(workbench, shown).map(|of| colour_bar(ui, of, long));
     let marks = |ui: &mut Ui| entries.iter().for_each(|one| symbol(ui, one, palette));
     rows(ui, |ui| {
         if measured {
-            scale = Some(entry(ui, SCALE, "", palette));
+            of_vectors = Some(entry(ui, SCALE, "", palette));
         }
         if !low {
             marks(ui);
         }
-        for one in &scales {
+        if let Some(one) = &scale_of_colours {
             symbol(ui, one, palette);
         }
         if low {
@@ -80,7 +80,7 @@ pub(super) fn show(
             note(ui, says, palette);
         }
     });
-    scale
+    of_vectors
 }
 
 /// A plot that would be lower than this has its marks explained behind a button, points.
@@ -248,103 +248,52 @@ impl Notes {
     }
 }
 
-/// Length of a scale, points; and in a low plot.
+/// Length of the scale, points; and in a low plot.
 const LONG: f32 = 96.0;
 const SHORT: f32 = 64.0;
-/// Thickness of a scale that says nothing by it, points.
+/// Thickness of the scale, points.
 const THICK: f32 = 7.0;
-/// How much thicker than the vectors a wedge is drawn.
-const WEDGE_BY: f32 = 3.0;
-/// Pieces of a scale.
+/// Pieces of the scale.
 const PIECES: u16 = 48;
 
-/// A scale: what it is of, its ends in words, and what colour it has.
-#[derive(Debug, Clone, PartialEq)]
-struct Scale {
-    name: String,
-    /// Its ends; none for directions.
-    ends: [String; 2],
-    /// What its colour says.
-    colouring: Colouring,
-}
-
-/// The scales that are in use.
-fn scales(workbench: &Workbench, shown: &Shown) -> Vec<Scale> {
+/// What the scale of lengths is of, and its upper end; none where no colour stands for a length.
+fn scale(workbench: &Workbench, shown: &Shown) -> Option<[String; 2]> {
     let units = workbench.units();
-    let colouring = shown.look.colouring;
-    let heat = workbench.heat().is_some();
-    let long = significant(units.length_value(shown.look.long_mm), 2);
-    let lengths = |name: &str| Scale {
-        name: format!("{name}, {}", units.length_name()),
-        ends: ["0".to_owned(), format!("≥ {long}")],
-        colouring: Colouring::Deviation,
+    let name = match shown.look.colouring {
+        Colouring::Deviation => say!("deviation"),
+        Colouring::State => workbench.heat().map(|_| say!("heat map"))?,
     };
-    let mut scales = Vec::new();
-    match colouring {
-        Colouring::State => {}
-        Colouring::Deviation => scales.push(lengths(say!("deviation"))),
-        Colouring::Uncertainty => {
-            let most = workbench.uncertain().map_or(0.0, |u| u.most_mm);
-            let most = significant(units.length_value(most), 2);
-            scales.push(Scale {
-                name: format!("{}, {}", colouring.name(), units.length_name()),
-                ends: ["0".to_owned(), most],
-                colouring,
-            });
-        }
-    }
-    if heat && colouring != Colouring::Deviation {
-        scales.push(lengths(say!("heat map")));
-    }
-    scales
+    let long = significant(units.length_value(shown.look.long_mm), 2);
+    Some([
+        format!("{name}, {}", units.length_name()),
+        format!("≥ {long}"),
+    ])
 }
 
-/// The scales as entries of a legend: from little to much, a wedge where the width of vectors says the
-/// same; every direction in its colour.
-fn colour_bars(ui: &Ui, workbench: &Workbench, shown: &Shown, low: bool) -> Vec<Entry> {
-    let long = if low { SHORT } else { LONG };
-    let all = scales(workbench, shown).into_iter();
-    all.map(|scale| colour_bar(ui, scale, long)).collect()
-}
-
-fn colour_bar(ui: &Ui, scale: Scale, long: f32) -> Entry {
+/// The scale as an entry of the legend: from little to much.
+fn colour_bar(ui: &Ui, [name, high]: [String; 2], long: f32) -> Entry {
     let width = |text: &str| widgets::width_of(ui, text, FontId::proportional(size::SMALL));
-    let [low, high] = scale.ends;
-    let before = width(&low) + 4.0;
+    let before = width("0") + 4.0;
     let wide = before + long + 4.0 + width(&high);
     let left = before - 0.5 * wide;
-    let colouring = scale.colouring;
-    let half = move |part: f32| {
-        let wide = WEDGE_BY * (WEDGE[0] + part * (WEDGE[1] - WEDGE[0]));
-        0.5 * if colouring == Colouring::Uncertainty {
-            wide
-        } else {
-            THICK
-        }
-    };
     let sign = move |pen: &mut Pen<'_>, at: Pos2| {
-        for (x, says) in [(-0.5 * wide, &low), (left + long + 4.0, &high)] {
+        for (x, says) in [(-0.5 * wide, "0"), (left + long + 4.0, &high)] {
             let label = Label::new(says, pen.palette.muted).anchored(Align2::LEFT_CENTER);
             pen.label(at + vec2(x, 0.0), &label);
         }
-        let mut mesh = Mesh::default();
-        for k in 0..=PIECES {
-            let part = f32::from(k) / f32::from(PIECES);
-            let color = scale_at(pen.palette, part);
-            for up in [-1.0, 1.0] {
-                mesh.colored_vertex(at + vec2(left + part * long, up * half(part)), color);
-            }
-            if k > 0 {
-                let here = 2 * u32::from(k) + 1;
-                mesh.add_triangle(here, here - 1, here - 2);
-                mesh.add_triangle(here - 1, here - 2, here - 3);
-            }
+        for k in 0..PIECES {
+            let [from, to] = [k, k + 1].map(|k| left + long * f32::from(k) / f32::from(PIECES));
+            let color = scale_at(pen.palette, f32::from(k) / f32::from(PIECES - 1));
+            let piece = Rect::from_x_y_ranges(
+                at.x + from..=at.x + to,
+                at.y - 0.5 * THICK..=at.y + 0.5 * THICK,
+            );
+            pen.shapes.push(Shape::rect_filled(piece, 0.0, color));
         }
-        pen.shapes.push(Shape::mesh(mesh));
     };
     Entry {
         wide,
-        ..Entry::new(scale.name, sign)
+        ..Entry::new(name, sign)
     }
 }
 
@@ -381,18 +330,17 @@ mod tests {
         let mut workbench = workbench();
         let named = |workbench: &Workbench| {
             let shown = Shown::of(workbench);
-            let names = scales(workbench, &shown).into_iter().map(|s| s.name);
-            names.collect::<Vec<_>>()
+            scale(workbench, &shown).map(|[name, _]| name)
         };
-        assert!(named(&workbench).is_empty());
+        assert!(named(&workbench).is_none());
         workbench.execute(|bench| bench.view.colouring = Colouring::Deviation);
-        assert_eq!(named(&workbench), ["deviation, mm"]);
+        assert_eq!(named(&workbench).as_deref(), Some("deviation, mm"));
         workbench.execute(|bench| bench.view.heat = true);
         workbench.receive();
         // The same scale for both.
-        assert_eq!(named(&workbench), ["deviation, mm"]);
+        assert_eq!(named(&workbench).as_deref(), Some("deviation, mm"));
         workbench.execute(|bench| bench.view.colouring = Colouring::State);
-        assert_eq!(named(&workbench), ["heat map, mm"]);
+        assert_eq!(named(&workbench).as_deref(), Some("heat map, mm"));
     }
 
     #[test]
@@ -403,8 +351,8 @@ mod tests {
         workbench.receive();
         let mut end_mm = |blend: f32| {
             workbench.execute(|bench| bench.view.blend = blend);
-            let scale = scales(&workbench, &Shown::of(&workbench)).pop();
-            let [_, end] = scale.expect("the heat map's").ends;
+            let scale = scale(&workbench, &Shown::of(&workbench));
+            let [_, end] = scale.expect("the heat map's");
             end.trim_start_matches("≥ ")
                 .parse::<f64>()
                 .expect("a number")
@@ -415,26 +363,6 @@ mod tests {
             before > between && between > after,
             "{before} {between} {after}"
         );
-    }
-
-    #[test]
-    fn the_uncertainty_of_a_model_is_offered_once_there_is_one() {
-        let mut workbench = workbench();
-        workbench.execute(|bench| bench.view.colouring = Colouring::Uncertainty);
-        workbench.receive();
-        assert!(scales(&workbench, &Shown::of(&workbench)).is_empty());
-        workbench.execute(|bench| bench.identify(None));
-        workbench.receive();
-        let shown = Shown::of(&workbench);
-        let scale = scales(&workbench, &shown).pop().expect("a scale");
-        assert_eq!(scale.name, "uncertainty (1σ), mm");
-        let most = workbench.uncertain().expect("it is known").most_mm;
-        let [low, high] = scale.ends;
-        assert_eq!([low, high], ["0".to_owned(), significant(most, 2)]);
-        let drawn = workbench.remainder().expect("it is known");
-        let parts: Vec<f32> = drawn.rows.iter().map(|row| row[4]).collect();
-        assert_eq!(parts.len(), workbench.loaded_session().len());
-        assert!(parts.iter().all(|p| (0.0..=1.0).contains(p)) && parts.contains(&1.0));
     }
 
     const THEMES: [(&str, Palette); 2] = [("light", LIGHT), ("dark", DARK)];

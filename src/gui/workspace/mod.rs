@@ -13,9 +13,9 @@ use crate::gui::core::overview::Readable;
 use crate::gui::plots::{self, axis, picture, steps_in};
 use crate::gui::style::{Palette, size, space};
 use crate::gui::view::{Aspect, Colouring, Plane, Plot, Step};
-use crate::gui::widgets::{self, caption, fine, title};
+use crate::gui::widgets::{self, Does, caption, fine, title};
 use crate::gui::workbench::Workbench;
-use crate::gui::workspace::model::{magnification as magnification_of, offers, readable, room};
+use crate::gui::workspace::model::{magnification as magnification_of, readable, room};
 use crate::present::numbers::{significant, trimmed};
 use crate::text::stretch;
 
@@ -137,24 +137,15 @@ fn plane(ui: &mut Ui, workbench: &Workbench) {
 // vectors are, the heat map, what colour says; the side in space.
 
 /// What stands at the beginning of the bar.
-pub(crate) type First<'a> = &'a mut dyn FnMut(&mut Ui);
-
-/// Room for it, points.
-const FIRST: f32 = 32.0;
 
 /// Something else that stands in the bar.
 pub(crate) type ExtraControls = fn(&mut Ui, &Workbench);
 
-/// Shows the bar; `extra` stands above it, `first` at its beginning.
-pub(crate) fn bar(
-    ui: &mut Ui,
-    workbench: &Workbench,
-    extra: Option<ExtraControls>,
-    first: First<'_>,
-) {
+/// Shows the bar; `extra` stands above it.
+pub(crate) fn bar(ui: &mut Ui, workbench: &Workbench, extra: Option<ExtraControls>) {
     let drawn = !workbench.loaded_session().is_empty();
     let blends = drawn && workbench.answer().is_some();
-    let roomy = ui.available_width() / stretch() - FIRST > ROOMY;
+    let roomy = ui.available_width() / stretch() > ROOMY;
     // Beside what stands above the bar, in the bar, or below it.
     let below = blends && extra.is_none() && !roomy;
     if let Some(extra) = extra {
@@ -173,14 +164,13 @@ pub(crate) fn bar(
         false => TITLED,
     };
     widgets::row(ui, |ui| {
-        first(ui);
         if ui.available_width() > titled * stretch() {
             title(ui, say!("Workspace"));
         }
         ways(ui, workbench);
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             if drawn {
-                picture(ui, Plot::Workspace, None, workbench);
+                picture(ui, Plot::Workspace, workbench);
             }
             if plots::fit(ui, say!("Fit to view")) {
                 workbench.then(|bench| bench.view.fit_workspace());
@@ -222,7 +212,7 @@ fn ways(ui: &mut Ui, workbench: &Workbench) {
     };
     match chosen {
         Some((Aspect::Plane, plane)) => workbench.then(move |bench| bench.view.look_in(plane)),
-        Some((Aspect::Space, _)) => workbench.then(move |bench| bench.view.look_from(None)),
+        Some((Aspect::Space, _)) => workbench.then(move |bench| bench.view.look_in_space()),
         None => {}
     }
 }
@@ -253,14 +243,10 @@ fn display(ui: &mut Ui, workbench: &Workbench) {
             heat(ui, workbench);
         }
         caption(ui, say!("colour"));
-        let shown = coloured(workbench);
         for colouring in Colouring::ALL {
-            if offers(workbench, colouring) {
-                let text = RichText::new(colouring.name()).size(size::SMALL);
-                if ui.radio(colouring == shown, text).clicked() && colouring != shown {
-                    workbench.then(move |bench| bench.view.colouring = colouring);
-                }
-            }
+            let text = RichText::new(colouring.name()).size(size::SMALL);
+            ui.radio(colouring == workbench.view.colouring, text)
+                .does(workbench, move |bench| bench.view.colouring = colouring);
         }
     });
 }
@@ -357,15 +343,5 @@ fn heat(ui: &mut Ui, workbench: &Workbench) {
     widgets::label(&checkbox, say!("heat map"));
     if checkbox.changed() {
         workbench.then(move |bench| bench.view.heat = shown);
-    }
-}
-
-/// What colour says, where the session has it.
-fn coloured(workbench: &Workbench) -> Colouring {
-    let now = workbench.view.colouring;
-    if offers(workbench, now) {
-        now
-    } else {
-        Colouring::State
     }
 }

@@ -3,13 +3,12 @@
 
 use nalgebra::{Isometry3, Point3};
 
-use crate::gui::cache::cloud::{Cloud, Uncertain};
+use crate::gui::cache::cloud::Cloud;
 use crate::gui::core::loaded_session::LoadedSession;
 use crate::gui::core::overview::{FEW, long_mm};
 use crate::gui::layers::LayerOptions;
 use crate::gui::view::{Ball, Colouring, Plane};
 use crate::gui::workbench::Workbench;
-use crate::numeric::single;
 
 /// A sample whose vectors are drawn by themselves.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -69,9 +68,6 @@ pub(crate) struct Shown {
     pub(crate) vectors: Option<Vec<VisibleSample>>,
     /// The way of each reflector on the nominal robot, mm; for a single joint that turns.
     pub(crate) paths_mm: Vec<Vec<[f64; 3]>>,
-    /// How sure the model is along each of them, as a part of the colour scale; none where colour says
-    /// something else.
-    pub(crate) sure: Vec<Vec<f32>>,
     /// Where joint 1 turns in this plane.
     pub(crate) dial: Option<Dial>,
     /// How much longer than real the vectors are drawn.
@@ -119,13 +115,12 @@ impl Shown {
                 before_mm: look
                     .ghosts()
                     .then(|| loaded_session.deviation_before(sample)),
-                shade: describe(workbench, &look, sample, e),
+                shade: describe(&look, e),
             }
         };
         Self {
             vectors: telling.map(|samples| samples.iter().map(visible).collect()),
             paths_mm: paths(loaded_session, &workbench.base()),
-            sure: sure(workbench),
             dial: (!view.in_space())
                 .then(|| dial(loaded_session, view.plane))
                 .flatten(),
@@ -216,7 +211,7 @@ fn look(workbench: &Workbench) -> LayerOptions {
     let (view, loaded_session) = (&workbench.view, workbench.loaded_session());
     let answered = workbench.answer().is_some();
     let magnification = magnification(workbench);
-    let colouring = offered(workbench, view.colouring);
+    let colouring = view.colouring;
     LayerOptions {
         facing: workbench.facing(),
         deep_mm: view.in_space().then(|| 2.0 * ball(workbench).radius_mm),
@@ -256,36 +251,15 @@ fn colour_end_mm(workbench: &Workbench, magnification: f64) -> f64 {
     }
 }
 
-/// What colour can say of a session: a condition only where it changes, the uncertainty of a model
-/// only where there is one that says it.
-pub(crate) fn offers(workbench: &Workbench, colouring: Colouring) -> bool {
-    let known = || workbench.answer().is_some_and(Uncertain::is_known);
-    colouring != Colouring::Uncertainty || known()
-}
-
-/// What colour says now.
-fn offered(workbench: &Workbench, colouring: Colouring) -> Colouring {
-    let made = colouring != Colouring::Uncertainty || workbench.uncertain().is_some();
-    if made && offers(workbench, colouring) {
-        colouring
-    } else {
-        Colouring::State
-    }
-}
-
 /// What the colour of a sample says, of which `e` is shown, as the layers have it.
 #[allow(
     clippy::cast_possible_truncation,
     reason = "a part of a scale needs no more"
 )]
-fn describe(workbench: &Workbench, look: &LayerOptions, sample: usize, e: [f64; 3]) -> Option<f32> {
+fn describe(look: &LayerOptions, e: [f64; 3]) -> Option<f32> {
     let part = match look.colouring {
         Colouring::State => return None,
         Colouring::Deviation => e.iter().map(|v| v * v).sum::<f64>().sqrt() / look.long_mm,
-        Colouring::Uncertainty => {
-            let uncertain = workbench.uncertain()?;
-            uncertain.mm[sample] / uncertain.most_mm
-        }
     };
     part.is_finite().then_some(part as f32)
 }
@@ -303,16 +277,6 @@ pub(crate) fn dial(loaded_session: &LoadedSession, plane: Plane) -> Option<Dial>
             radius_mm: loaded_session.arm_mm,
         }
     })
-}
-
-/// The uncertainty at the points of [`paths`], each as a part of the largest.
-fn sure(workbench: &Workbench) -> Vec<Vec<f32>> {
-    let Some(uncertain) = workbench.uncertain() else {
-        return Vec::new();
-    };
-    let part = |mm: &f64| single(mm / uncertain.most_mm);
-    let along = uncertain.along_mm.iter();
-    along.map(|way| way.iter().map(part).collect()).collect()
 }
 
 /// Points on the way of the nominal robot: an arc of each reflector for a single joint that turns.
@@ -372,26 +336,6 @@ pub(super) fn room(workbench: &Workbench) -> f64 {
 mod tests {
     use super::*;
     use crate::gui::testing::workbench;
-
-    #[test]
-    fn the_way_of_each_reflector_says_how_sure_the_model_is_while_colour_says_that() {
-        let mut workbench = workbench();
-        workbench.execute(|bench| bench.identify(None));
-        workbench.receive();
-        assert!(Shown::of(&workbench).sure.is_empty());
-        workbench.execute(|bench| bench.view.colouring = Colouring::Uncertainty);
-        workbench.receive();
-        let shown = Shown::of(&workbench);
-        let lengths = |ways: Vec<usize>| (!ways.is_empty()).then_some(ways);
-        let paths = shown.paths_mm.iter().map(Vec::len).collect();
-        let sure = shown.sure.iter().map(Vec::len).collect();
-        assert!(lengths(sure).is_some_and(|sure| Some(sure) == lengths(paths)));
-        let parts = shown.sure.iter().flatten();
-        assert!(parts.clone().all(|part| (0.0..=1.0).contains(part)));
-        assert!(parts.fold(0.0_f32, |most, part| most.max(*part)) > 0.5);
-        workbench.execute(|bench| bench.view.colouring = Colouring::State);
-        assert!(Shown::of(&workbench).sure.is_empty());
-    }
 
     #[test]
     fn blending_takes_the_vectors_from_before_to_after() {

@@ -14,7 +14,7 @@ use crate::gui::core::loaded_session::Component;
 use crate::gui::core::quantity::joint_value;
 use crate::gui::core::regions::{self, SNAP_DEG};
 use crate::gui::style::Palette;
-use crate::gui::view::{Colouring, ViewState};
+use crate::gui::view::ViewState;
 use crate::gui::widgets;
 use crate::gui::workbench::Workbench;
 use crate::gui::workspace::fitting;
@@ -219,9 +219,7 @@ fn about(workbench: &Workbench, sample: usize, all: bool) -> (String, Vec<Line>)
             lines.push((say!("after").to_owned(), length(shown)));
         }
     }
-    if let Some(u) = workbench.uncertain().map(|u| u.mm[sample]) {
-        lines.push((Colouring::Uncertainty.name().to_owned(), units.length(u)));
-    }
+
     for component in [Component::Tangential, Component::Radial, Component::Axial] {
         let measured = !component.out_of_plane() || loaded_session.session.samples.z_mm.is_some();
         if !measured || !all && component != workbench.view.component {
