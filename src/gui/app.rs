@@ -1,6 +1,5 @@
 //! The shell: takes what the tasks have brought, lays out the panels, executes their commands.
 
-use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, channel};
@@ -23,15 +22,10 @@ use crate::text::Language;
 /// So long after a change what is not saved is kept: a gesture is over by then.
 const RECOVERY_AFTER_S: f64 = 2.0;
 
-/// Passes that are not shown after a change that was asked for: the one in which it was made, one in which a plot finds
-/// its bounds, and one in which it measures its axes.
-const UNSEEN: u8 = 3;
-
 /// The window's contents.
 pub struct App {
     workbench: Workbench,
-    /// So many passes from now on are not to be seen.
-    unseen: u8,
+
     /// What is opened in the first frame: by then it is known which language the window speaks.
     first: Option<PathBuf>,
     shown: Preferences,
@@ -63,8 +57,7 @@ impl App {
     pub fn new(ctx: &Context, path: Option<PathBuf>, runner: Runner) -> Self {
         keep_memory_between_frames();
         style::apply(ctx);
-        let passes = NonZeroUsize::MIN.saturating_add(usize::from(UNSEEN));
-        ctx.options_mut(|options| options.max_passes = passes);
+
         write_fields(ctx, false);
         let wake = ctx.clone();
         let jobs = Jobs::new(runner, Arc::new(move || wake.request_repaint()));
@@ -79,7 +72,7 @@ impl App {
     pub(crate) fn on(workbench: Workbench) -> Self {
         Self {
             workbench,
-            unseen: 0,
+
             first: None,
             shown: Preferences::default(),
             zoom: 1.0,
@@ -148,19 +141,6 @@ impl App {
         self.lay_out(ui);
         self.workbench.drag(ui.ctx().dragged_id().is_some());
         let any = self.workbench.make_changes();
-        // What a press or a key has changed is laid out before anybody sees the frame.
-        let asked = ui.input(|input| {
-            let released = input.pointer.any_released();
-            let is_key = |event: &egui::Event| matches!(event, egui::Event::Key { .. });
-            released || input.events.iter().any(is_key)
-        });
-        if any && asked {
-            self.unseen = UNSEEN;
-        }
-        if self.unseen > 0 {
-            self.unseen -= 1;
-            ui.ctx().request_discard("another state");
-        }
         self.keep_title(ui.ctx());
         self.ask_before_leaving(ui.ctx());
         if self.workbench.receive() || any {

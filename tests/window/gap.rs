@@ -85,7 +85,7 @@ fn a_hidden_effect_is_found_added_switched_off_and_undone() {
         !says(&window, "Continue to export"),
         "the effect that was found comes first"
     );
-    press(&mut window, "Add it to the model");
+    press(&mut window, "Add the effect to the model");
     let explained = gap_mm(&window);
     assert!((explained / FLOOR_MM - 1.0).abs() < 0.15, "{explained}");
     assert!(says(&window, "with backlash"), "the waterfall has its bar");

@@ -108,7 +108,7 @@ fn a_preparation_that_is_cancelled_is_begun_again_when_that_is_asked_for() {
 }
 
 #[test]
-fn the_heat_map_and_the_colours_are_switched_in_the_bar() {
+fn the_heat_map_is_switched_in_the_bar() {
     let mut window = window(None);
 
     let choose = |window: &mut Window, name: &str| {
@@ -124,8 +124,7 @@ fn the_heat_map_and_the_colours_are_switched_in_the_bar() {
 
     keys(&mut window, egui::Modifiers::NONE, egui::Key::Escape);
     keys(&mut window, egui::Modifiers::COMMAND, egui::Key::I);
-    choose(&mut window, "deviation");
-    assert!(there(&window, "legend: deviation, mm"));
+
     keys(&mut window, egui::Modifiers::NONE, egui::Key::Escape);
     window.get_by_label("x z").click();
     window.run_steps(4);

@@ -73,7 +73,7 @@ fn the_job(theme: Theme, name: &str) {
     looks_like(&mut window, &format!("3-identify-{name}"));
     press(&mut window, "4 Diagnose");
     press(&mut window, "Run diagnosis");
-    press(&mut window, "Add all 5 to the model");
+    press(&mut window, "Add all 5 effects to the model");
     looks_like(&mut window, &format!("4-gap-{name}"));
     press(&mut window, "5 Export");
     looks_like(&mut window, &format!("5-export-{name}"));
@@ -99,13 +99,12 @@ fn the_search_before_it_begins_in_light() {
 }
 
 #[test]
-fn the_heat_map_and_the_deviation_in_light() {
+fn the_heat_map_in_light() {
     let Some(mut window) = window(Theme::Light, None) else {
         return;
     };
     press(&mut window, "How it is drawn");
     press(&mut window, "heat map");
-    press(&mut window, "deviation");
     looks_like(&mut window, "layers-light");
 }
 

@@ -303,7 +303,7 @@ fn every_step_fits_at_every_size_when_all_is_found() {
     press(&mut window, "Identify");
     press(&mut window, "4 Diagnose");
     press(&mut window, "Run diagnosis");
-    press(&mut window, "Add all 5 to the model");
+    press(&mut window, "Add all 5 effects to the model");
     for size in SIZES {
         window.set_size(size.into());
         window.run_steps(5);

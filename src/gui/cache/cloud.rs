@@ -288,7 +288,7 @@ fn normalised([bb, ba, aa, weight, largest]: [f64; 5]) -> [f32; 4] {
 mod tests {
     use super::*;
     use crate::gui::testing::workbench;
-    use crate::gui::view::Colouring;
+
     use crate::model::Model;
 
     #[test]

@@ -73,8 +73,7 @@ impl SavedDocument {
 /// A document that a window left behind, with the lock of its file: no other window offers it.
 #[derive(Debug)]
 pub(crate) struct LeftBehind {
-    path: PathBuf,
-    lock: (PathBuf, File),
+    pub(crate) own: RecoveryFile,
     /// When it was written.
     pub(crate) when: Option<SystemTime>,
     pub(crate) kept: SavedDocument,
@@ -180,8 +179,11 @@ pub(crate) fn left_behind(folder: &Path) -> Option<Result<LeftBehind, (PathBuf, 
     let path = lock.with_extension(ENDING);
     Some(match read(&path) {
         Ok(kept) => Ok(LeftBehind {
-            path,
-            lock: (lock, file),
+            own: RecoveryFile {
+                path,
+                _lock: file,
+                lock_path: lock,
+            },
             when,
             kept,
         }),
@@ -192,14 +194,6 @@ pub(crate) fn left_behind(folder: &Path) -> Option<Result<LeftBehind, (PathBuf, 
             Err((if moved.is_ok() { aside } else { path }, because))
         }
     })
-}
-
-impl LeftBehind {
-    /// Removes it: it was restored and is kept elsewhere, or was discarded.
-    pub(crate) fn remove(self) {
-        let _ = fs::remove_file(&self.path);
-        let _ = fs::remove_file(&self.lock.0);
-    }
 }
 
 #[cfg(test)]

@@ -44,16 +44,12 @@ fn drawn(corner: u32, from_mm: vec3f, vector: vec3f, width_pt: f32, color: vec4f
 @vertex
 fn arrow(@builtin(vertex_index) corner: u32, sample: Sample) -> Arrow {
     let shown = shown_of(sample.before, sample.after);
-    var color = frame.flat_color;
-    if colour_says() {
-        color = said_of(shown);
-    }
     if !known(shown) || !known(sample.at) {
         var none: Arrow;
         none.position = nowhere();
         return none;
     }
-    return drawn(corner, sample.at - shown, shown, frame.style.z, color);
+    return drawn(corner, sample.at - shown, shown, frame.style.z, frame.flat_color);
 }
 
 // The deviation before, where another is shown.

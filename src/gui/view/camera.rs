@@ -286,20 +286,6 @@ pub(crate) enum Aspect {
     Space,
 }
 
-named! {
-    /// What the colour of an error vector says.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-    pub(crate) enum Colouring {
-        /// Before or after.
-        #[default]
-        State = say!("before and after"),
-        /// The deviation's length.
-        Deviation = say!("deviation"),
-    }
-    pub(crate) fn name;
-    pub(crate) const ALL;
-}
-
 #[cfg(test)]
 mod tests {
     //! The geometry of the camera: where points are on the screen before and after it moves.

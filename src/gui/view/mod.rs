@@ -3,7 +3,7 @@
 
 mod camera;
 
-pub(crate) use camera::{Aspect, Ball, Camera, Colouring, Facing, Plane};
+pub(crate) use camera::{Aspect, Ball, Camera, Facing, Plane};
 
 use std::path::{Path, PathBuf};
 
@@ -90,8 +90,7 @@ pub(crate) struct ViewState {
     pub(crate) plot_size: f64,
     /// From 0, before, to 1, after.
     pub(crate) blend: f32,
-    /// What the colour of error vectors says.
-    pub(crate) colouring: Colouring,
+
     /// Whether the heat map is shown.
     pub(crate) heat: bool,
     /// So many samples can be drawn at once.

@@ -234,8 +234,8 @@ fn one_below_the_other(ui: &mut Ui, table: &Table) {
 /// What the button says that adds every found effect.
 pub(super) fn add_all(n: usize) -> String {
     match n {
-        1 => say!("Add it to the model").to_owned(),
-        n => say!("Add all {n} to the model", n),
+        1 => say!("Add the effect to the model").to_owned(),
+        n => say!("Add all {n} effects to the model", n),
     }
 }
 

@@ -54,6 +54,7 @@ pub(crate) fn middle(ui: &mut Ui, workbench: &Workbench) {
         return;
     }
     Panel::bottom("chart")
+        .resizable(true)
         .default_size((0.34 * high).max(CHART))
         .size_range(CHART..=high - WORKSPACE)
         .frame(frame)

@@ -1,10 +1,8 @@
 //! The left-hand side: the list of steps, the controls of the chosen one, and what to do next; and what
 //! both sides of the window are pulled by.
 
-use egui::{
-    Color32, CornerRadius, Panel, Response, Role, Sense, Stroke, Ui, UiBuilder, Vec2, WidgetInfo,
-    pos2, vec2,
-};
+use egui::text::{LayoutJob, TextFormat};
+use egui::{Button, Panel, Response, Role, Stroke, Ui, UiBuilder, Vec2, WidgetInfo, vec2};
 
 use crate::gui::style::Layout;
 use crate::gui::style::{Palette, size, space, strong};
@@ -48,15 +46,12 @@ fn all(ui: &mut Ui, workbench: &Workbench, room: Layout) {
         let (_, _, state) = of(step);
         let (caption, done) = state(workbench);
         let selected = now == step;
-        let row = StepRow {
-            number: index + 1,
-            name: step.name(),
-            caption: &caption,
-            done,
-            selected,
-            low: room.low,
-        };
-        let row = row.show(ui);
+        let row = step_row(
+            ui,
+            (index + 1, step.name()),
+            (&caption, done),
+            (selected, room.low),
+        );
         row.does(workbench, move |bench| bench.view.step = step);
     }
     ui.spacing_mut().item_spacing.y = space::ROW;
@@ -76,95 +71,71 @@ fn all(ui: &mut Ui, workbench: &Workbench, room: Layout) {
     });
 }
 
-/// A step in the list of steps.
-#[derive(Debug, Clone, Copy)]
-struct StepRow<'a> {
-    number: usize,
-    name: &'a str,
-    /// What it has to show.
-    caption: &'a str,
-    /// Whether there is something to show for it.
-    done: bool,
-    /// Whether it is the one that is worked on.
-    selected: bool,
-    /// Whether name and caption share one line.
-    low: bool,
+/// A step in the list of steps: its number, its name, and what it has to show.
+fn step_row(
+    ui: &mut Ui,
+    (number, name): (usize, &str),
+    (caption, done): (&str, bool),
+    (selected, low): (bool, bool),
+) -> Response {
+    /// Room for the badge, points.
+    const BADGE: f32 = 34.0;
+    let palette = Palette::of(ui);
+    let color = if selected {
+        palette.accent
+    } else {
+        palette.text
+    };
+    let wide = ui.available_width();
+    let mut text = LayoutJob::default();
+    text.wrap.max_width = wide - 2.0 * space::ROW;
+    text.wrap.max_rows = if low { 1 } else { 2 };
+    text.wrap.break_anywhere = true;
+    let name_format = TextFormat::simple(strong(size::BODY), color);
+    text.append(name, BADGE, name_format.clone());
+    let small = TextFormat::simple(egui::FontId::proportional(size::SMALL), palette.muted);
+    if low {
+        text.append(caption, 12.0, small);
+    } else {
+        text.append("\n", 0.0, name_format);
+        text.append(caption, BADGE, small);
+    }
+    let text = ui.painter().layout_job(text);
+    let shortened = text.elided;
+    let button = Button::selectable(selected, text).shortcut_text("");
+    let high = if low { 30.0 } else { 44.0 };
+    let response = ui.add(button.min_size(vec2(wide, high)));
+    let enabled = ui.is_enabled();
+    let says = format!("{number} {name}");
+    response.widget_info(|| WidgetInfo::selected(Role::Tab, enabled, selected, &says));
+    let centre = response.rect.left_center() + vec2(22.0, 0.0);
+    badge(ui.painter(), palette, centre, (number, done, selected));
+    if shortened {
+        response.on_hover_text(caption)
+    } else {
+        response
+    }
 }
 
-impl StepRow<'_> {
-    fn show(self, ui: &mut Ui) -> Response {
-        let palette = Palette::of(ui);
-        let height = if self.low { 30.0 } else { 44.0 };
-        let room = vec2(ui.available_width(), height);
-        let (rect, response) = ui.allocate_exact_size(room, Sense::click());
-        let enabled = ui.is_enabled();
-        let says = format!("{} {}", self.number, self.name);
-        response.widget_info(|| WidgetInfo::selected(Role::Tab, enabled, self.selected, &says));
-        let painter = ui.painter();
-        let round = CornerRadius::same(space::ROUND);
-        if self.selected {
-            painter.rect_filled(rect, round, palette.accent_soft);
-        } else if response.hovered() {
-            painter.rect_filled(rect, round, palette.inset);
-        }
-        self.badge(painter, palette, pos2(rect.left() + 22.0, rect.center().y));
-        let name_color = if self.selected {
-            palette.accent
-        } else {
-            palette.text
-        };
-        let middle = rect.center().y;
-        let left = rect.left() + 44.0;
-        let cut = |text: &str, font: egui::FontId, color: Color32, width: f32| {
-            let mut job = egui::text::LayoutJob::simple_singleline(text.to_owned(), font, color);
-            job.wrap.max_width = width;
-            job.wrap.max_rows = 1;
-            job.wrap.break_anywhere = true;
-            painter.layout_job(job)
-        };
-        let width = rect.right() - left - space::ROW;
-        let name = cut(self.name, strong(size::BODY), name_color, width);
-        let beside = if self.low { name.size().x + 12.0 } else { 0.0 };
-        let small = egui::FontId::proportional(size::SMALL);
-        let fits = |text: &str| cut(text, small.clone(), palette.muted, width - beside);
-        let whole = fits(self.caption);
-        let shortened = whole.elided;
-        // "full model, 44 parameters" beside a name: what it ends with says more than its beginning.
-        let end = self.caption.rsplit([',', '，']).next().map(str::trim);
-        let caption = end.filter(|_| shortened).map_or(whole, fits);
-        let place = |galley: &egui::Galley, x: f32, y: f32| pos2(x, y - 0.5 * galley.size().y);
-        let (name_y, caption_at) = if self.low {
-            let x = rect.right() - space::ROW - caption.size().x;
-            (middle, place(&caption, x, middle))
-        } else {
-            (middle - 8.0, place(&caption, left, middle + 9.0))
-        };
-        let name_at = place(&name, left, name_y);
-        painter.galley(name_at, name, name_color);
-        painter.galley(caption_at, caption, palette.muted);
-        if shortened {
-            response.on_hover_text(self.caption)
-        } else {
-            response
-        }
-    }
-
-    /// Its number, or a tick.
-    fn badge(self, painter: &egui::Painter, palette: Palette, centre: egui::Pos2) {
-        let done = self.done;
-        let (fill, edge, text) = match (done, self.selected) {
-            (true, _) => (palette.accent, palette.accent, palette.on_accent),
-            (false, true) => (palette.surface, palette.accent, palette.accent),
-            (false, false) => (palette.surface, palette.nominal, palette.muted),
-        };
-        painter.circle(centre, 11.0, fill, Stroke::new(1.5, edge));
-        if done {
-            let at = |x: f32, y: f32| centre + Vec2::new(x, y);
-            let tick = vec![at(-4.5, 0.2), at(-1.3, 3.6), at(4.8, -3.6)];
-            painter.line(tick, Stroke::new(2.0, text));
-        } else {
-            let middle = egui::Align2::CENTER_CENTER;
-            painter.text(centre, middle, self.number, strong(size::SMALL), text);
-        }
+/// Its number, or a tick.
+fn badge(
+    painter: &egui::Painter,
+    palette: Palette,
+    centre: egui::Pos2,
+    (number, done, selected): (usize, bool, bool),
+) {
+    let (fill, edge, text) = match (done, selected) {
+        (true, _) => (palette.accent, palette.accent, palette.on_accent),
+        (false, true) => (palette.surface, palette.accent, palette.accent),
+        (false, false) => (palette.surface, palette.nominal, palette.muted),
+    };
+    painter.circle(centre, 11.0, fill, Stroke::new(1.5, edge));
+    if done {
+        let at = |x: f32, y: f32| centre + Vec2::new(x, y);
+        let tick = vec![at(-4.5, 0.2), at(-1.3, 3.6), at(4.8, -3.6)];
+        painter.line(tick, Stroke::new(2.0, text));
+    } else {
+        let middle = egui::Align2::CENTER_CENTER;
+        painter.text(centre, middle, number, strong(size::SMALL), text);
     }
 }

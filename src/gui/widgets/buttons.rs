@@ -317,12 +317,6 @@ pub(crate) fn bold(ui: &mut Ui, text: impl Into<String>) -> Response {
     ui.label(RichText::new(text).font(strong(size::BODY)))
 }
 
-/// What stands in the bar of a plot.
-pub(crate) fn title(ui: &mut Ui, text: &str) {
-    bold(ui, text);
-    ui.add_space(space::ROW);
-}
-
 /// A word beside a control of such a bar.
 pub(crate) fn caption(ui: &mut Ui, text: &str) -> egui::Response {
     let muted = Palette::of(ui).muted;

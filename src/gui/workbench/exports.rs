@@ -51,6 +51,7 @@ impl Workbench {
             What::TypedRobot => {
                 let name = self
                     .file_state
+                    .settings
                     .robots
                     .first()
                     .map(|table| table.name.as_str());
@@ -142,7 +143,7 @@ impl Workbench {
             What::Targets => Some(self.targets()?),
             What::Robot(id) => named(id).ok().map(|one| robot_file(&one.robot)),
             What::TypedRobot => {
-                let table = self.file_state.robots.first();
+                let table = self.file_state.settings.robots.first();
                 table.and_then(|table| Some(robot_file(&table.robot().ok()?)))
             }
             What::Poses => {

@@ -23,7 +23,8 @@ impl Workbench {
             .cloned();
         typed.unwrap_or_else(|| {
             let folder = self.folder().unwrap_or_default();
-            let mut stated = file_state::proposed(&self.file_state.machines, self.machine(&folder));
+            let mut stated =
+                file_state::proposed(&self.file_state.settings.machines, self.machine(&folder));
             if let (true, Some(today)) = (stated.details.date.is_empty(), &self.file_state.today) {
                 stated.details.date.clone_from(today);
             }
@@ -66,8 +67,7 @@ impl Workbench {
         stated.details.tolerance_mm = self.document().tolerance_mm;
         let folder = self.folder().unwrap_or_default();
         let machine = Machine::new(self.machine(&folder), &stated);
-        file_state::remember(&mut self.file_state.machines, machine.clone());
-        self.keep(move |kept| file_state::remember(&mut kept.machines, machine));
+        self.keep(move |kept| file_state::remember(&mut kept.machines, machine.clone()));
     }
 
     /// Asks for a picture.
@@ -118,13 +118,12 @@ impl Workbench {
 
     /// Robots that were typed, newest first.
     pub(crate) fn typed_robots(&self) -> &[RobotTable] {
-        &self.file_state.robots
+        &self.file_state.settings.robots
     }
 
     /// Remembers one, and asks for a file to save it to where that is wanted.
     pub(crate) fn keep_robot(&mut self, table: RobotTable, save: bool) {
-        remember(&mut self.file_state.robots, table.clone());
-        self.keep(move |kept| remember(&mut kept.robots, table));
+        self.keep(move |kept| remember(&mut kept.robots, table.clone()));
         if save {
             self.choose_where_to_export(What::TypedRobot);
         }
@@ -132,7 +131,6 @@ impl Workbench {
 
     /// Forgets the one of this name.
     pub(crate) fn forget_robot(&mut self, name: &str) {
-        self.file_state.robots.retain(|own| own.name != name);
         let name = name.to_owned();
         self.keep(move |kept| kept.robots.retain(|own| own.name != name));
     }

@@ -8,9 +8,9 @@ use egui::{
 };
 use egui_plot::PlotTransform;
 
-use crate::gui::layers::{OUTLINE, scale_at};
+use crate::gui::layers::scale_at;
 use crate::gui::style::{Palette, size};
-use crate::gui::view::Colouring;
+
 use crate::gui::widgets;
 use crate::gui::workbench::Workbench;
 use crate::numeric::single;
@@ -111,9 +111,7 @@ pub(super) fn scale_in(ui: &Ui, room: Rect, workbench: &Workbench, shown: &Shown
     let length = trimmed(units.length_value(mm), 6);
     let says = format!("{length} {}", units.length_name());
     Pen::draw(ui, |pen| {
-        let color = if shown.look.colouring != Colouring::State {
-            pen.palette.muted
-        } else if shown.look.answered && shown.look.blend > 0.0 {
+        let color = if shown.look.answered && shown.look.blend > 0.0 {
             pen.palette.after
         } else {
             pen.palette.before
@@ -199,24 +197,17 @@ fn meanings(all: &mut Vec<Entry>, workbench: &Workbench, shown: &Shown, palette:
         all.push(Entry::line(say!("before"), [(1.5, before)]));
         all.push(Entry::line(say!("after"), [(1.8, palette.after)]));
     }
-    // Where colour says something else, shape alone says what is within the tolerance.
-    let colouring = shown.look.colouring;
-    let plain = colouring == Colouring::State;
-    let middle = scale_at(palette, 0.5);
-    let disc = |name: &str, color: Color32| {
-        if plain {
-            Entry::mark(name, (Form::Disc, 2.8), color, Stroke::NONE)
-        } else {
-            let edge = Stroke::new(OUTLINE, palette.text);
-            Entry::mark(name, (Form::Disc, 4.0), middle, edge)
-        }
-    };
+    let disc = |name: &str, color| Entry::mark(name, (Form::Disc, 2.8), color, Stroke::NONE);
     if workbench.document().tolerance_mm.is_some() {
-        let inner = if plain { palette.surface } else { middle };
         let edge = Stroke::new(1.4, palette.outside);
         let [within, outside] = [true, false].map(|within| judged(workbench, within));
         all.push(disc(within, palette.within));
-        all.push(Entry::mark(outside, (Form::Diamond, 3.2), inner, edge));
+        all.push(Entry::mark(
+            outside,
+            (Form::Diamond, 3.2),
+            palette.surface,
+            edge,
+        ));
     } else {
         all.push(disc(say!("measured"), palette.text));
     }
@@ -256,18 +247,13 @@ const THICK: f32 = 7.0;
 /// Pieces of the scale.
 const PIECES: u16 = 48;
 
-/// What the scale of lengths is of, and its upper end; none where no colour stands for a length.
+/// What the scale of lengths is of, and its upper end; none without the heat map.
 fn scale(workbench: &Workbench, shown: &Shown) -> Option<[String; 2]> {
     let units = workbench.units();
-    let name = match shown.look.colouring {
-        Colouring::Deviation => say!("deviation"),
-        Colouring::State => workbench.heat().map(|_| say!("heat map"))?,
-    };
+    workbench.heat()?;
     let long = significant(units.length_value(shown.look.long_mm), 2);
-    Some([
-        format!("{name}, {}", units.length_name()),
-        format!("≥ {long}"),
-    ])
+    let name = format!("{}, {}", say!("heat map"), units.length_name());
+    Some([name, format!("≥ {long}")])
 }
 
 /// The scale as an entry of the legend: from little to much.
@@ -324,24 +310,6 @@ mod tests {
     use crate::gui::style::testing::{ColourVision, colour_distance, lightness};
     use crate::gui::style::{DARK, LIGHT, STOPS};
     use crate::gui::testing::workbench;
-
-    #[test]
-    fn every_colour_that_says_something_has_a_scale() {
-        let mut workbench = workbench();
-        let named = |workbench: &Workbench| {
-            let shown = Shown::of(workbench);
-            scale(workbench, &shown).map(|[name, _]| name)
-        };
-        assert!(named(&workbench).is_none());
-        workbench.execute(|bench| bench.view.colouring = Colouring::Deviation);
-        assert_eq!(named(&workbench).as_deref(), Some("deviation, mm"));
-        workbench.execute(|bench| bench.view.heat = true);
-        workbench.receive();
-        // The same scale for both.
-        assert_eq!(named(&workbench).as_deref(), Some("deviation, mm"));
-        workbench.execute(|bench| bench.view.colouring = Colouring::State);
-        assert_eq!(named(&workbench).as_deref(), Some("heat map, mm"));
-    }
 
     #[test]
     fn the_scale_of_the_heat_map_follows_from_before_to_after() {

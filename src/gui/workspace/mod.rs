@@ -2,8 +2,8 @@
 //! measured points, error vectors.
 
 use egui::{
-    Align, ColorImage, ComboBox, Context, Id, Layout, Popup, PopupCloseBehavior, Pos2, Rect,
-    RichText, Role, Slider, Ui, WidgetInfo, vec2,
+    ColorImage, Context, Id, Popup, PopupCloseBehavior, Pos2, Rect, RichText, Role, Slider, Ui,
+    WidgetInfo, vec2,
 };
 use egui_plot::Axis;
 use pen::{Camera, Pen};
@@ -12,12 +12,11 @@ use pointer::{Seen, tell_plot_size};
 use crate::gui::core::overview::Readable;
 use crate::gui::plots::{self, axis, picture, steps_in};
 use crate::gui::style::{Palette, size, space};
-use crate::gui::view::{Aspect, Colouring, Plane, Plot, Step};
-use crate::gui::widgets::{self, Does, caption, fine, title};
+use crate::gui::view::{Aspect, Plane, Plot, Step};
+use crate::gui::widgets::{self, caption, fine};
 use crate::gui::workbench::Workbench;
 use crate::gui::workspace::model::{magnification as magnification_of, readable, room};
 use crate::present::numbers::{significant, trimmed};
-use crate::text::stretch;
 
 mod fitting;
 mod in_space;
@@ -141,56 +140,32 @@ fn plane(ui: &mut Ui, workbench: &Workbench) {
 /// Something else that stands in the bar.
 pub(crate) type ExtraControls = fn(&mut Ui, &Workbench);
 
-/// Shows the bar; `extra` stands above it.
+/// Shows the bar, in as many rows as it takes; `extra` stands at its beginning.
 pub(crate) fn bar(ui: &mut Ui, workbench: &Workbench, extra: Option<ExtraControls>) {
     let drawn = !workbench.loaded_session().is_empty();
-    let blends = drawn && workbench.answer().is_some();
-    let roomy = ui.available_width() / stretch() > ROOMY;
-    // Beside what stands above the bar, in the bar, or below it.
-    let below = blends && extra.is_none() && !roomy;
-    if let Some(extra) = extra {
-        widgets::row(ui, |ui| {
-            extra(ui, workbench);
-            if blends {
-                ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-                    blend(ui, workbench);
-                });
+    let usual = ui.spacing().interact_size.y;
+    ui.scope(|ui| {
+        ui.spacing_mut().interact_size.y = space::ROW_HEIGHT;
+        ui.horizontal_wrapped(|ui| {
+            ui.spacing_mut().interact_size.y = usual;
+            if let Some(extra) = extra {
+                extra(ui, workbench);
             }
-        });
-    }
-    let titled = match blends {
-        _ if extra.is_some() => f32::INFINITY,
-        true => WITH_BLEND,
-        false => TITLED,
-    };
-    widgets::row(ui, |ui| {
-        if ui.available_width() > titled * stretch() {
-            title(ui, say!("Workspace"));
-        }
-        ways(ui, workbench);
-        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            ways(ui, workbench);
+            if drawn && workbench.answer().is_some() {
+                blend(ui, workbench);
+            }
             if drawn {
-                picture(ui, Plot::Workspace, workbench);
+                display(ui, workbench);
             }
             if plots::fit(ui, say!("Fit to view")) {
                 workbench.then(|bench| bench.view.fit_workspace());
             }
             if drawn {
-                display(ui, workbench);
-            }
-            if blends && roomy && extra.is_none() {
-                ui.add_space(space::TIGHT);
-                blend(ui, workbench);
+                picture(ui, Plot::Workspace, workbench);
             }
         });
     });
-    if below {
-        ui.horizontal(|ui| {
-            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-                blend(ui, workbench);
-            });
-        });
-    }
 }
 
 /// The ways to look at the workspace.
@@ -199,33 +174,15 @@ fn ways(ui: &mut Ui, workbench: &Workbench) {
     let planes = Plane::ALL.map(|plane| ((Aspect::Plane, plane), plane.name()));
     let space = ((Aspect::Space, view.plane), say!("3-D"));
     let views = [planes[0], planes[1], planes[2], space];
-    let now = (view.aspect, view.plane);
-    let room = ui.available_width() - BESIDE * stretch();
-    let chosen = if widgets::width_of_segments(ui, &views) <= room {
-        widgets::segmented(ui, &views, now)
-    } else {
-        let named = views.iter().find(|(one, _)| *one == now);
-        let view = named.map_or("", |(_, name)| *name);
-        let list = ComboBox::from_id_salt("ways to look").width(NARROW_LIST);
-        let list = list.selected_text(view);
-        widgets::list(ui, say!("{view} view", view), list, views, now)
-    };
-    match chosen {
+    if widgets::width_of_segments(ui, &views) > ui.available_width() {
+        ui.end_row();
+    }
+    match widgets::segmented(ui, &views, (view.aspect, view.plane)) {
         Some((Aspect::Plane, plane)) => workbench.then(move |bench| bench.view.look_in(plane)),
-        Some((Aspect::Space, _)) => workbench.then(move |bench| bench.view.look_in_space()),
+        Some((Aspect::Space, _)) => workbench.then(|bench| bench.view.look_in_space()),
         None => {}
     }
 }
-
-/// Width of what stands in the same row as the choice of view, points: two icons, and the *display* button. The choice
-/// becomes a list where the row is too narrow for all of them.
-const BESIDE: f32 = 154.0;
-const NARROW_LIST: f32 = 64.0;
-/// From these widths on the plot is titled: without before and after in the row, and with them, points.
-const TITLED: f32 = 440.0;
-const WITH_BLEND: f32 = 590.0;
-/// From this width on before and after is in the row, points.
-const ROOMY: f32 = 570.0;
 
 /// How vectors, map and colours are drawn.
 fn display(ui: &mut Ui, workbench: &Workbench) {
@@ -242,21 +199,13 @@ fn display(ui: &mut Ui, workbench: &Workbench) {
         if !workbench.view.in_space() {
             heat(ui, workbench);
         }
-        caption(ui, say!("colour"));
-        for colouring in Colouring::ALL {
-            let text = RichText::new(colouring.name()).size(size::SMALL);
-            ui.radio(colouring == workbench.view.colouring, text)
-                .does(workbench, move |bench| bench.view.colouring = colouring);
-        }
     });
 }
 
 /// From before to after. What stands at the end that is shown is written stronger.
 fn blend(ui: &mut Ui, workbench: &Workbench) {
     let mut blend = workbench.view.blend;
-    // Beside the switch of views in a narrow bar.
-    let narrow = ui.available_width() < 320.0;
-    let bare = ui.available_width() < 160.0 * stretch();
+
     let palette = Palette::of(ui);
     let end = |ui: &mut Ui, text: &str, shown: bool| {
         let text = RichText::new(text).size(size::SMALL);
@@ -267,19 +216,15 @@ fn blend(ui: &mut Ui, workbench: &Workbench) {
         };
         ui.label(text);
     };
-    if !bare {
-        end(ui, say!("after"), blend >= 1.0);
-    }
-    fine(ui, if narrow { 44.0 } else { 64.0 });
+    end(ui, say!("before"), blend <= 0.0);
+    fine(ui, 64.0);
     let slider = ui.add(Slider::new(&mut blend, 0.0..=1.0).show_value(false));
     widgets::label(&slider, say!("From before to after"));
     if slider.changed() {
         workbench.then(move |bench| bench.view.blend = blend);
     }
     slider.on_hover_text(blend_says(blend));
-    if !bare {
-        end(ui, say!("before"), blend <= 0.0);
-    }
+    end(ui, say!("after"), blend >= 1.0);
 }
 
 /// What the vectors, the marks and the heat map show.

@@ -7,7 +7,7 @@ use crate::gui::cache::cloud::Cloud;
 use crate::gui::core::loaded_session::LoadedSession;
 use crate::gui::core::overview::{FEW, long_mm};
 use crate::gui::layers::LayerOptions;
-use crate::gui::view::{Ball, Colouring, Plane};
+use crate::gui::view::{Ball, Plane};
 use crate::gui::workbench::Workbench;
 
 /// A sample whose vectors are drawn by themselves.
@@ -19,8 +19,6 @@ pub(crate) struct VisibleSample {
     pub(crate) vector_mm: [f64; 3],
     /// The deviation before, where another is shown.
     pub(crate) before_mm: Option<[f64; 3]>,
-    /// What its colour says, from 0 to 1; `None`: before or after, or nothing is known.
-    pub(crate) shade: Option<f32>,
 }
 
 impl VisibleSample {
@@ -115,7 +113,6 @@ impl Shown {
                 before_mm: look
                     .ghosts()
                     .then(|| loaded_session.deviation_before(sample)),
-                shade: describe(&look, e),
             }
         };
         Self {
@@ -211,7 +208,7 @@ fn look(workbench: &Workbench) -> LayerOptions {
     let (view, loaded_session) = (&workbench.view, workbench.loaded_session());
     let answered = workbench.answer().is_some();
     let magnification = magnification(workbench);
-    let colouring = view.colouring;
+
     LayerOptions {
         facing: workbench.facing(),
         deep_mm: view.in_space().then(|| 2.0 * ball(workbench).radius_mm),
@@ -222,15 +219,11 @@ fn look(workbench: &Workbench) -> LayerOptions {
         magnification,
         long_mm: colour_end_mm(workbench, magnification),
         tolerance_mm: workbench.document().tolerance_mm,
-        colouring,
-        // Many points stand close together, and small ones apart. A colour needs room to be seen.
-        mark: match (loaded_session.overview.usable.len(), colouring) {
-            (0..=80, Colouring::State) => 1.0,
-            (0..=80, _) => 1.5,
-            (81..=5_000, Colouring::State) => 0.75,
-            (81..=5_000, _) => 1.25,
-            (_, Colouring::State) => 0.5,
-            (_, _) => 0.75,
+        // Many points stand close together, and small ones apart.
+        mark: match loaded_session.overview.usable.len() {
+            0..=80 => 1.0,
+            81..=5_000 => 0.75,
+            _ => 0.5,
         },
     }
 }
@@ -249,19 +242,6 @@ fn colour_end_mm(workbench: &Workbench, magnification: f64) -> f64 {
         }
         _ => before,
     }
-}
-
-/// What the colour of a sample says, of which `e` is shown, as the layers have it.
-#[allow(
-    clippy::cast_possible_truncation,
-    reason = "a part of a scale needs no more"
-)]
-fn describe(look: &LayerOptions, e: [f64; 3]) -> Option<f32> {
-    let part = match look.colouring {
-        Colouring::State => return None,
-        Colouring::Deviation => e.iter().map(|v| v * v).sum::<f64>().sqrt() / look.long_mm,
-    };
-    part.is_finite().then_some(part as f32)
 }
 
 pub(crate) fn dial(loaded_session: &LoadedSession, plane: Plane) -> Option<Dial> {

@@ -11,7 +11,7 @@ use nalgebra::{Isometry3, Point3, UnitQuaternion, Vector3};
 use crate::gui::cache::cloud::Cloud;
 use crate::gui::core::overview::round_down;
 use crate::gui::layers::gpu::CloudLayer;
-use crate::gui::layers::{Frame, WIDTH, heat_map, map_in_plot, scale_at};
+use crate::gui::layers::{Frame, WIDTH, heat_map, map_in_plot};
 use crate::gui::style::{size, strong};
 use crate::gui::view::Ball;
 use crate::gui::workbench::Workbench;
@@ -151,8 +151,7 @@ fn vectors(pen: &mut Pen<'_>, shown: &Shown, all: &[VisibleSample], camera: &Cam
         }
     }
     for one in all {
-        let color = one.shade.map_or(flat, |part| scale_at(palette, part));
-        pen.arrow(ends(one, one.vector_mm), Stroke::new(WIDTH, color));
+        pen.arrow(ends(one, one.vector_mm), Stroke::new(WIDTH, flat));
     }
 }
 

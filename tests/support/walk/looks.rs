@@ -11,7 +11,7 @@ use crate::gui::charts::CHARTS;
 use crate::gui::core::loaded_session::Component;
 use crate::gui::file_state::Stated;
 
-use crate::gui::view::{Camera, Colouring, Plane, Plot, Sheet, Side, Step};
+use crate::gui::view::{Camera, Plane, Plot, Sheet, Side, Step};
 use crate::gui::workbench::Workbench;
 
 use super::any::{Deed, Files, deed, one_of, pick};
@@ -98,10 +98,7 @@ pub(super) fn seen(random: &mut ChaCha8Rng, workbench: &Workbench, at: i32) -> D
         116 => deed("Blend", pick(random, &[0.0, 0.4, 1.0]), |bench, it| {
             bench.view.blend = it;
         }),
-        117 => deed("Colour", pick(random, &Colouring::ALL), |bench, it| {
-            bench.view.colouring = it;
-        }),
-        118 => deed("Heat", random.random(), |bench, it| bench.view.heat = it),
+        117 | 118 => deed("Heat", random.random(), |bench, it| bench.view.heat = it),
         119 | 120 => deed("Component", pick(random, &Component::ALL), |bench, it| {
             bench.view.component = it;
         }),
