@@ -9,9 +9,9 @@ use egui::{Button, Context, Key, KeyboardShortcut, Modifiers, Response, Role, Ui
 
 use crate::gui::core::disk::EXAMPLES;
 use crate::gui::core::simulate::Form;
-use crate::gui::preferences::{Preferences, Theme};
 use crate::gui::style::Layout;
 use crate::gui::view::{About, Plane, Sheet, What};
+use crate::gui::view::{Preferences, Theme};
 use crate::gui::workbench::Workbench;
 
 fn looks_at(now: &Workbench, plane: Plane) -> bool {
@@ -285,8 +285,7 @@ pub(crate) fn in_words(ctx: &Context, keys: KeyboardShortcut) -> String {
 
 /// How the window is divided now.
 pub(crate) fn layout(ctx: &Context, workbench: &Workbench) -> Layout {
-    let size = ctx.content_rect().size();
-    Layout::of(size.x, size.y, workbench.view.results)
+    Layout::of(ctx.content_rect().width(), workbench.view.results)
 }
 
 /// Asks for what the keyboard does. Behind a sheet, and while text is typed, the keys belong to the text; behind a

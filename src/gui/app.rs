@@ -8,8 +8,8 @@ use std::time::Duration;
 use egui::style::NumberFormatter;
 use egui::{CentralPanel, ColorImage, Context, Frame, Margin, Panel, Rangef, Ui, ViewportCommand};
 
-use super::preferences::{Preferences, largest_zoom};
 use super::view::{NextAction, Sheet};
+use super::view::{Preferences, largest_zoom};
 use super::{actions, dialogs, files, layers, widgets, workspace};
 use crate::gui::core::compensated::CompensationRequest;
 use crate::gui::jobs::{Jobs, Runner};
@@ -208,7 +208,7 @@ impl App {
             right,
             palette.surface,
         );
-        let left = left.show(ui, |ui| views::steps::show(ui, workbench, room));
+        let left = left.show(ui, |ui| views::steps::show(ui, workbench));
         let results = |ui: &mut Ui| views::results::show(ui, workbench);
         if let Some(width) = room.right {
             let left = left.response.rect.width();

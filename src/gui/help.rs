@@ -77,7 +77,6 @@ words! {
         [phrase!("coordinates")];
     DIRECTION, phrase!("Direction"), phrase!("The side from which the joint came to the pose. Approaching from both sides is what makes backlash visible");
     POLAR, phrase!("Polar view"), phrase!("A component of the deviation around the angle of the joint, as circles of a ballbar test are shown (ISO 230-4): on the nominal circle there is none, and one ring stands for the length that is written above. An oval is a tilted or wobbling axis, a shifted circle a wrong centre, two circles play between both directions");
-    DRAWN_ROBOT, phrase!("The robot in the workspace"), phrase!("The nominal robot in outline at the sample that is chosen or under the pointer, and beside it as a line the real one, as it was measured or identified, displaced as many times as is written beside it. Without a choice it stands faintly at a sample in the middle");
     OVER_TIME, phrase!("Deviation over time"), phrase!("The deviation in the order in which it was measured. A slope is a drift of the machine or the tripod; a step is the moment when one of them was touched");
     OVER_LOAD, phrase!("Deviation over load"), phrase!("The deviation over the weight that the arm carried. A slope is an arm or a joint that gives way; it needs poses measured with different loads");
     OVER_TEMPERATURE, phrase!("Deviation over temperature"), phrase!("The deviation over the temperature that was logged. A slope is a link that grows, or a joint whose zero moves, as the machine gets warm");

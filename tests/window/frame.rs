@@ -260,7 +260,7 @@ fn the_pointer_on_a_sample_names_it_and_the_table_shows_it() {
 fn with_one_menu_open_the_pointer_and_a_click_open_the_others() {
     let mut window = window(None);
     let shown = |window: &Window| {
-        let items = ["Quit", "Preferences…", "Reset zoom", "About truepose"];
+        let items = ["Quit", "Preferences…", "Light or dark", "About truepose"];
         items.map(|item| there(window, item))
     };
     press(&mut window, "File");

@@ -1,10 +1,9 @@
 //! Units, digits, colours, size of text: seen at once, kept for tomorrow.
 
-
 use crate::text::LANGUAGES;
 use egui::{Slider, Ui};
 
-use crate::gui::preferences::{Preferences, Theme, ZOOM, largest_zoom};
+use crate::gui::view::{Preferences, Theme, ZOOM, largest_zoom};
 use crate::gui::widgets;
 use crate::gui::workbench::Workbench;
 use crate::present::units::{AngleUnit, LengthUnit};
@@ -94,7 +93,6 @@ pub(super) fn preferences(ui: &mut Ui, workbench: &Workbench) {
     let changed = now != Preferences::default();
     if widgets::done_beside(ui, say!("Reset all"), changed, workbench) {
         next = Preferences::default();
-        
     }
     if next != now {
         workbench.then(move |bench| bench.prefer(next));

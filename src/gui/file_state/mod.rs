@@ -12,7 +12,7 @@ use serde::{Deserialize, Serialize};
 use crate::atomic::{WriteError, write_atomically};
 use crate::diagnostic::Place;
 use crate::gui::core::robot_table::RobotTable;
-use crate::gui::preferences::Preferences;
+use crate::gui::view::Preferences;
 
 use crate::report::{Details, Logo};
 use crate::text::spoken;

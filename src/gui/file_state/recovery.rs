@@ -224,7 +224,7 @@ mod tests {
         assert_eq!(found.about.file, Some("a b.json".into()));
         let again = left_behind(folder.path());
         assert!(again.is_none(), "offered to one window only");
-        left.remove();
+        left.own.tidy();
         assert!(left_behind(folder.path()).is_none());
         let entries = fs::read_dir(folder.path().join("recovery")).unwrap();
         assert_eq!(entries.count(), 0);
@@ -252,7 +252,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = killed(folder.path());
         let whole = fs::read(&path).unwrap();
-        left_behind(folder.path()).unwrap().unwrap().remove();
+        left_behind(folder.path()).unwrap().unwrap().own.tidy();
         let first_line = memchr::memchr(b'\n', &whole).unwrap();
         let cuts = [
             0,

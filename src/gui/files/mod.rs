@@ -11,9 +11,7 @@ pub(crate) use system::{
 };
 #[cfg(test)]
 pub(crate) use writing::not_written;
-pub(crate) use writing::{
-    NotSaved, Replace, Saved, export, png, save, write_list, write_picture, write_targets,
-};
+pub(crate) use writing::{NotSaved, Replace, Saved, png, save};
 
 use std::fmt::Display;
 use std::path::Path;

@@ -15,7 +15,7 @@ use crate::gui::style::{DARK, LIGHT, Palette};
 use crate::gui::view::Plane;
 
 use super::gpu::{CloudLayer, register};
-use super::{Frame, HEAT, LayerOptions, OUTLINE, WIDTH, heat_map, map_in_plot, scale_at};
+use super::{Frame, HEAT, LayerOptions, WIDTH, heat_map, map_in_plot, scale_at};
 use crate::gui::cache::cloud::Heat;
 use crate::gui::cache::cloud::{Cloud, Place, Remainder};
 

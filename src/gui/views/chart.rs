@@ -38,7 +38,7 @@ fn framed_plot(ui: &Ui) -> Frame {
 pub(crate) fn middle(ui: &mut Ui, workbench: &Workbench) {
     /// The least height of the workspace and of a chart with their bars, points: so much can be read.
     const WORKSPACE: f32 = 336.0;
-    const CHART: f32 = 252.0;
+    const CHART: f32 = 262.0;
     let high = ui.available_height();
     let frame = framed_plot(ui);
     if high < WORKSPACE + CHART || ui.available_width() < MIDDLE {
@@ -53,7 +53,8 @@ pub(crate) fn middle(ui: &mut Ui, workbench: &Workbench) {
         });
         return;
     }
-    Panel::bottom("chart")
+    // Of a window of another height the chart has its share again.
+    Panel::bottom(format!("chart {high}"))
         .resizable(true)
         .default_size((0.34 * high).max(CHART))
         .size_range(CHART..=high - WORKSPACE)

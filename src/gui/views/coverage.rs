@@ -4,8 +4,7 @@
 use crate::language::spoken;
 use egui::{RichText, Ui};
 
-use crate::export::EXPORTERS;
-use crate::gui::style::{Palette, size, space, strong};
+use crate::gui::style::{Palette, size, strong};
 use crate::gui::view::Step;
 use crate::gui::widgets;
 use crate::gui::workbench::Workbench;
@@ -29,7 +28,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench) {
             testable(ui, workbench);
         }
         Step::Export => {
-            formats(ui, workbench);
+            formats(ui);
             gap(ui, workbench);
         }
     }
@@ -132,7 +131,7 @@ fn search(ui: &mut Ui) {
 }
 
 /// What can be written, before there is anything to write.
-fn formats(ui: &mut Ui, workbench: &Workbench) {
+fn formats(ui: &mut Ui) {
     widgets::card(ui, |ui| {
         widgets::bold(ui, say!("Nothing to export yet"));
         widgets::hint(
@@ -141,38 +140,5 @@ fn formats(ui: &mut Ui, workbench: &Workbench) {
                 "The table comes from the identified robot. It will be shown here as text, with its sign convention in words, the RMS error that it leaves, and what joint commands cannot correct"
             ),
         );
-        ui.add_space(space::TIGHT);
-        let robot = &workbench.loaded_session().session.robot;
-        for format in EXPORTERS.iter().filter(|format| (format.suits)(robot)) {
-            ui.label(spoken(format.title));
-        }
     });
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::present::units::AngleUnit;
-
-    #[test]
-    fn conditions_read_as_people_say_them() {
-        assert_eq!(range(None, "kg", 2), "not recorded");
-        assert_eq!(range(Some([2.0, 2.0]), "kg", 2), "2 kg throughout");
-        assert_eq!(range(Some([0.0, 2.5]), "kg", 2), "0 … 2.5 kg");
-        let session = crate::gui::files::first_example();
-        let joint = JointSurvey {
-            speeds: 2,
-            largest_speed: 0.5,
-            ..session.coverage.survey.joints[0].clone()
-        };
-        let radians = Units {
-            angle: AngleUnit::Radian,
-            ..Units::default()
-        };
-        assert_eq!(speeds(&joint, Units::default()), "up to 28.65°/s");
-        assert_eq!(speeds(&joint, radians), "up to 0.5 rad/s");
-        assert_eq!(duration(45.0), "45 s");
-        assert_eq!(duration(1800.0), "30 min");
-        assert_eq!(duration(9000.0), "2.5 h");
-    }
 }

@@ -1,16 +1,13 @@
 //! The bar at the top: menus, the session's name, undo and redo.
 
 use egui::containers::menu::MenuButton;
-use egui::gui_zoom::{kb_shortcuts, zoom_in, zoom_out};
 use egui::{
-    Align, Button, Context, FontId, Id, Label, Layout, MenuBar, Popup, Response, RichText,
-    ScrollArea, Ui,
+    Align, Button, FontId, Id, Label, Layout, MenuBar, Popup, Response, RichText, ScrollArea, Ui,
 };
 
 use crate::gui::actions::{self, Action, OPEN_EXAMPLE, OPEN_LATEST};
 use crate::gui::core::disk::{EXAMPLES, name_of};
 use crate::gui::core::loaded_session::Origin;
-use crate::gui::preferences::{ZOOM, largest_zoom};
 use crate::gui::style::{Palette, size, space, strong};
 use crate::gui::widgets::{self, Does};
 use crate::gui::workbench::Workbench;
@@ -289,34 +286,6 @@ fn view(ui: &mut Ui, workbench: &Workbench) {
     items(ui, workbench, &[RESULTS]);
     ui.separator();
     items(ui, workbench, &[NEXT_LENGTH, NEXT_ANGLE, OTHER_THEME]);
-    ui.separator();
-    let now = ui.ctx().zoom_factor();
-    for (text, keys, change, enabled) in [
-        (
-            say!("Larger"),
-            kb_shortcuts::ZOOM_IN,
-            zoom_in as fn(&Context),
-            now + 1e-3 < largest_zoom(ui.ctx()),
-        ),
-        (
-            say!("Smaller"),
-            kb_shortcuts::ZOOM_OUT,
-            zoom_out,
-            now > *ZOOM.start(),
-        ),
-        (
-            say!("Reset zoom"),
-            kb_shortcuts::ZOOM_RESET,
-            |ctx: &Context| ctx.set_zoom_factor(1.0),
-            (now - 1.0).abs() > 1e-3,
-        ),
-    ] {
-        let button = Button::new(text).shortcut_text(actions::in_words(ui.ctx(), keys));
-        if actions::item(ui, button, text, enabled).clicked() {
-            change(ui.ctx());
-            ui.close();
-        }
-    }
 }
 
 fn help(ui: &mut Ui, workbench: &Workbench) {

@@ -4,7 +4,7 @@
 use egui::text::{LayoutJob, TextFormat};
 use egui::{Button, Panel, Response, Role, Stroke, Ui, UiBuilder, Vec2, WidgetInfo, vec2};
 
-use crate::gui::style::Layout;
+use crate::gui::core::document::Method;
 use crate::gui::style::{Palette, size, space, strong};
 use crate::gui::view::Step;
 use crate::gui::widgets::{self, Does};
@@ -13,45 +13,50 @@ use crate::gui::workbench::Workbench;
 use super::{export, gap, regions, results, session};
 
 type Show = fn(&mut Ui, &Workbench);
-type State = fn(&Workbench) -> (String, bool);
 
-/// A step of the work: its controls, the button at the foot; what it has to show for itself, and whether it is done.
-fn of(step: Step) -> (Show, Show, State) {
+/// A step of the work: its controls, and the button at the foot.
+fn of(step: Step) -> (Show, Show) {
     match step {
-        Step::Session => (session::show, session::next, session::state),
-        Step::Regions => (regions::show, regions::next, regions::state),
-        Step::Identify => (results::controls, results::next, results::state),
-        Step::Gap => (gap::show, gap::next, gap::state),
-        Step::Export => (export::show, export::next, export::state),
+        Step::Session => (session::show, session::next),
+        Step::Regions => (regions::show, regions::next),
+        Step::Identify => (results::controls, results::next),
+        Step::Gap => (gap::show, gap::next),
+        Step::Export => (export::show, export::next),
+    }
+}
+
+/// Whether there is something to show for a step.
+fn is_done(step: Step, workbench: &Workbench) -> bool {
+    let document = workbench.document();
+    match step {
+        Step::Session => true,
+        Step::Regions => document.identified && document.method == Method::Regional,
+        Step::Identify => workbench.answer().is_some(),
+        Step::Gap if workbench.searching().is_some() => false,
+        Step::Gap => workbench.diagnosis().is_some() || document.in_the_model().next().is_some(),
+        Step::Export => workbench.exported().next().is_some(),
     }
 }
 
 /// The button at the foot stands no lower than this below the top of its panel, points.
 const HIGHEST: f32 = 960.0;
 
-pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, room: Layout) {
+pub(crate) fn show(ui: &mut Ui, workbench: &Workbench) {
     // On a high screen the button at the foot would be far from what it belongs to.
     let mut rect = ui.available_rect_before_wrap();
     rect.set_height(rect.height().min(HIGHEST));
     ui.scope_builder(UiBuilder::new().max_rect(rect), |ui| {
-        all(ui, workbench, room);
+        all(ui, workbench);
     });
 }
 
-fn all(ui: &mut Ui, workbench: &Workbench, room: Layout) {
+fn all(ui: &mut Ui, workbench: &Workbench) {
     ui.spacing_mut().item_spacing.y = 2.0;
     let now = workbench.view.step;
-    let (show, next, _) = of(now);
+    let (show, next) = of(now);
     for (index, step) in workbench.steps().iter().copied().enumerate() {
-        let (_, _, state) = of(step);
-        let (caption, done) = state(workbench);
-        let selected = now == step;
-        let row = step_row(
-            ui,
-            (index + 1, step.name()),
-            (&caption, done),
-            (selected, room.low),
-        );
+        let done = is_done(step, workbench);
+        let row = step_row(ui, (index + 1, step.name()), done, now == step);
         row.does(workbench, move |bench| bench.view.step = step);
     }
     ui.spacing_mut().item_spacing.y = space::ROW;
@@ -71,50 +76,24 @@ fn all(ui: &mut Ui, workbench: &Workbench, room: Layout) {
     });
 }
 
-/// A step in the list of steps: its number, its name, and what it has to show.
-fn step_row(
-    ui: &mut Ui,
-    (number, name): (usize, &str),
-    (caption, done): (&str, bool),
-    (selected, low): (bool, bool),
-) -> Response {
-    /// Room for the badge, points.
-    const BADGE: f32 = 34.0;
+/// A step in the list of steps: its number or a tick, and its name.
+fn step_row(ui: &mut Ui, (number, name): (usize, &str), done: bool, selected: bool) -> Response {
     let palette = Palette::of(ui);
     let color = if selected {
         palette.accent
     } else {
         palette.text
     };
-    let wide = ui.available_width();
     let mut text = LayoutJob::default();
-    text.wrap.max_width = wide - 2.0 * space::ROW;
-    text.wrap.max_rows = if low { 1 } else { 2 };
-    text.wrap.break_anywhere = true;
-    let name_format = TextFormat::simple(strong(size::BODY), color);
-    text.append(name, BADGE, name_format.clone());
-    let small = TextFormat::simple(egui::FontId::proportional(size::SMALL), palette.muted);
-    if low {
-        text.append(caption, 12.0, small);
-    } else {
-        text.append("\n", 0.0, name_format);
-        text.append(caption, BADGE, small);
-    }
+    text.append(name, 34.0, TextFormat::simple(strong(size::BODY), color));
     let text = ui.painter().layout_job(text);
-    let shortened = text.elided;
     let button = Button::selectable(selected, text).shortcut_text("");
-    let high = if low { 30.0 } else { 44.0 };
-    let response = ui.add(button.min_size(vec2(wide, high)));
-    let enabled = ui.is_enabled();
-    let says = format!("{number} {name}");
+    let response = ui.add(button.min_size(vec2(ui.available_width(), 34.0)));
+    let (enabled, says) = (ui.is_enabled(), format!("{number} {name}"));
     response.widget_info(|| WidgetInfo::selected(Role::Tab, enabled, selected, &says));
     let centre = response.rect.left_center() + vec2(22.0, 0.0);
     badge(ui.painter(), palette, centre, (number, done, selected));
-    if shortened {
-        response.on_hover_text(caption)
-    } else {
-        response
-    }
+    response
 }
 
 /// Its number, or a tick.

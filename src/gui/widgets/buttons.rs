@@ -280,11 +280,11 @@ pub(crate) fn bare_button<'a>(
 ) -> Response {
     let button = Button::new(shown).frame_when_inactive(false);
     let button = button.min_size(vec2(28.0, 24.0));
-    let response = ui.scope(|ui| {
-        ui.spacing_mut().button_padding.x = space::TIGHT;
-        ui.add(button.sense(Sense::click_and_drag()))
-    });
-    let response = response.inner;
+    // No scope: in a row that wraps it goes to the next one.
+    let usual = ui.spacing().button_padding.x;
+    ui.spacing_mut().button_padding.x = space::TIGHT;
+    let response = ui.add(button);
+    ui.spacing_mut().button_padding.x = usual;
     let enabled = ui.is_enabled();
     response.widget_info(|| WidgetInfo::labeled(Role::Button, enabled, name));
     response

@@ -172,20 +172,19 @@ mod tests {
     const TABLE: &str = "correction table";
 
     fn is_worked_out(workbench: &Workbench) -> bool {
-        workbench.scene_of(workbench.chart()).worked_out.is_some()
+        workbench.scene_of(workbench.kind()).worked_out.is_some()
     }
 
     fn go(workbench: &mut Workbench, step: Step) -> &'static str {
         workbench.execute(|bench| bench.view.step = step);
         workbench.receive();
-        workbench.chart().about().id
+        workbench.kind().about().id
     }
 
     fn choose(workbench: &mut Workbench, chart: &'static str) {
-        let key = workbench.view.panes.active_chart().map(|(key, _)| key);
-        workbench.execute(|bench| bench.choose_chart(key.expect("a chart"), chart));
+        workbench.execute(|bench| bench.show_chart(chart));
         workbench.receive();
-        assert_eq!(workbench.chart().about().id, chart);
+        assert_eq!(workbench.kind().about().id, chart);
     }
 
     #[test]
@@ -215,7 +214,7 @@ mod tests {
         assert_eq!(go(&mut workbench, Step::Gap), GAP);
         choose(&mut workbench, TIME);
         workbench.execute(|bench| bench.identify(None));
-        assert_eq!(workbench.chart().about().id, TIME);
+        assert_eq!(workbench.kind().about().id, TIME);
     }
 
     #[test]
@@ -251,52 +250,11 @@ mod tests {
     }
 
     #[test]
-    fn several_charts_are_worked_out_together_and_none_of_them_again_for_another() {
-        let mut workbench = workbench();
-        choose(&mut workbench, HISTOGRAM);
-        let made = |workbench: &Workbench| {
-            let made = workbench.derived.plots.iter();
-            let made = made.filter_map(|(_, slot)| slot.made());
-            made.map(|made| Arc::clone(&made.result))
-                .collect::<Vec<_>>()
-        };
-        let add = |workbench: &mut Workbench, chart: &str| {
-            workbench.execute(|bench| bench.add_chart(bench.view.panes.active(), Edge::Right));
-            let key = workbench.view.panes.active();
-            workbench.execute(|bench| {
-                bench.change_chart(key, |pane| pane.chart = Some(chart.to_owned()));
-            });
-            workbench.receive();
-        };
-        let first = made(&workbench);
-        add(&mut workbench, ORDERS);
-        let both = made(&workbench);
-        assert_eq!((first.len(), both.len()), (1, 2));
-        assert!(Arc::ptr_eq(&first[0], &both[0]), "it was there already");
-        // The same in the same component is there once.
-        add(&mut workbench, ORDERS);
-        assert_eq!(made(&workbench).len(), 2);
-        let key = workbench.view.panes.active();
-        workbench.execute(|bench| {
-            bench.change_chart(key, |pane| pane.component = Some(Component::Radial));
-        });
-        workbench.receive();
-        let three = made(&workbench);
-        assert_eq!(three.len(), 3);
-        assert!(Arc::ptr_eq(&both[1], &three[1]));
-        for (_, pane) in workbench.view.panes.charts() {
-            assert!(workbench.scene_in(pane).worked_out.is_some());
-        }
-        let radial = workbench.view.panes.active_chart().expect("a chart").1;
-        assert_eq!(workbench.scene_in(radial).component, Component::Radial);
-    }
-
-    #[test]
     fn the_curve_of_a_found_effect_is_charted_in_the_component_that_it_has() {
         let mut workbench = workbench();
         workbench.execute(|bench| bench.show_effect(0));
         assert_eq!(
-            workbench.chart().about().id,
+            workbench.kind().about().id,
             POSITION,
             "nothing was found yet"
         );
@@ -305,10 +263,10 @@ mod tests {
         workbench.execute(|bench| bench.view.component = Component::Axial);
         workbench.execute(|bench| bench.show_effect(0));
         workbench.receive();
-        assert_eq!(workbench.chart().about().id, effect::ID);
+        assert_eq!(workbench.kind().about().id, effect::ID);
         assert_eq!(workbench.view.component, Component::Tangential);
-        let scene = workbench.scene_of(workbench.chart());
-        let shown = workbench.chart().show(&scene);
+        let scene = workbench.scene_of(workbench.kind());
+        let shown = workbench.kind().show(&scene);
         let name = shown.map(|shown| shown.name).unwrap_or_default();
         assert_eq!(name, "curve of backlash, tangential");
         // It belongs to the step that finds the gap.

@@ -7,7 +7,6 @@
 mod answers;
 mod background;
 mod charts;
-mod choosing;
 mod drafts;
 mod exports;
 mod machine;
@@ -45,7 +44,7 @@ use crate::gui::file_state::{Settings, Stated};
 use crate::gui::files;
 use crate::gui::import_draft::ImportDraft;
 use crate::gui::jobs::{Jobs, Slot};
-use crate::gui::preferences::Preferences;
+use crate::gui::view::Preferences;
 use crate::gui::view::{
     Aspect, Camera, Message, NextAction, OnDisk, Plane, Sheet, Sorting, Step, ViewState,
 };

@@ -17,8 +17,7 @@ use crate::numeric::single;
 use crate::present::chart::Form;
 use crate::present::numbers::{significant, trimmed};
 
-use super::fitting;
-use super::model::{Shown, judged};
+use super::model::{self, Shown, judged};
 use super::pen::{Camera, Label, Pen};
 use super::robot::Drawn;
 
@@ -105,7 +104,7 @@ pub(super) fn scale_in(ui: &Ui, room: Rect, workbench: &Workbench, shown: &Shown
     let points_per_mm = camera.points_per_mm();
     // Round in the unit in which it is written.
     let per_mm = units.length_value(1.0);
-    let round = fitting::scale_mm(shown.magnification, points_per_mm / per_mm, LONGEST_SCALE);
+    let round = model::scale_mm(shown.magnification, points_per_mm / per_mm, LONGEST_SCALE);
     let mm = round / per_mm;
     let long = single(mm * shown.magnification * points_per_mm);
     let length = trimmed(units.length_value(mm), 6);
@@ -171,19 +170,9 @@ fn entries(
     if !workbench.loaded_session().is_empty() {
         meanings(&mut all, workbench, shown, palette);
     }
-    // Whether the pointer is at a sample or not: nothing moves under the pointer.
-    let Some(robot) = robot else {
-        return all;
-    };
-    let tube = [(7.0, palette.nominal), (4.5, palette.surface)];
-    all.push(Entry::line(say!("robot"), tube));
-    if let Some(real) = &robot.real {
-        let (name, color) = if real.identified {
-            (say!("identified"), palette.after)
-        } else {
-            (say!("as measured"), palette.before)
-        };
-        all.push(Entry::line(name, [(2.5, color)]));
+    if robot.is_some() {
+        let tube = [(7.0, palette.nominal), (4.5, palette.surface)];
+        all.push(Entry::line(say!("robot"), tube));
     }
     all
 }
@@ -231,7 +220,7 @@ impl Notes {
     }
 
     pub(super) fn keep(&self, ui: &Ui, shown: &Shown, transform: &PlotTransform) {
-        let now = fitting::drawn(shown, fitting::counts(shown, transform));
+        let now = model::drawn(shown, model::counts(shown, transform));
         if now != self.before {
             ui.data_mut(|data| data.insert_temp(self.id, now));
             ui.ctx().request_repaint();

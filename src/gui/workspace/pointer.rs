@@ -17,8 +17,8 @@ use crate::gui::style::Palette;
 use crate::gui::view::ViewState;
 use crate::gui::widgets;
 use crate::gui::workbench::Workbench;
-use crate::gui::workspace::fitting;
 use crate::gui::workspace::legend::{self, Notes};
+use crate::gui::workspace::model;
 use crate::gui::workspace::model::{Shown, judged};
 use crate::gui::workspace::pen::Camera;
 use crate::gui::workspace::robot::Drawn;
@@ -37,7 +37,7 @@ pub(super) fn under(
 ) -> Option<usize> {
     let transform = &camera.transform;
     let at = transform.value_from_position(at);
-    let [points, _] = fitting::counts(shown, transform);
+    let [points, _] = model::counts(shown, transform);
     let scale = camera.points_per_mm();
     drawn_at(
         workbench,
@@ -477,7 +477,7 @@ fn paint(ui: &Ui, response: &Response) {
 #[cfg(test)]
 mod tests {
     use crate::gui::testing::workbench;
-    use crate::gui::view::{Camera as View, Standard};
+    use crate::gui::view::Camera as View;
 
     use super::*;
 
@@ -512,8 +512,8 @@ mod tests {
     fn every_sample_that_is_drawn_is_found_where_it_is_from_every_side() {
         let mut workbench = workbench();
         let tilted = View::default().orbited([40.0, 25.0]);
-        for camera in [View::from(Standard::Front), tilted] {
-            workbench.execute(|bench| bench.view.look_from(None));
+        for camera in [View::default(), tilted] {
+            workbench.execute(|bench| bench.view.look_in_space());
             workbench.execute(|bench| bench.view.camera = camera);
             let shown = Shown::of(&workbench);
             let facing = workbench.facing();
