@@ -223,6 +223,8 @@ fn a_search_can_be_stopped_and_says_that_it_was() {
     press(&mut window, "4 Diagnose");
     window.get_by_label("Run diagnosis").click();
     until(&mut window, "Stop the search");
+    // It is meant once it has been in sight for half a second.
+    window.run_steps(2);
     window.get_by_label("Stop the search").click();
     // With what is proven until then, or before anything was.
     for _ in 0..50_000 {

@@ -405,7 +405,7 @@ mod tests {
     use super::*;
 
     /// Half of the depth of what is drawn, mm.
-    const HALF: f32 = 25.0;
+    const HALF: f32 = 50.0;
 
     /// Two vectors along x at one place of the screen, so near to the viewer, mm.
     fn middle(nearness_mm: [f32; 2]) -> [f64; 3] {
@@ -419,7 +419,7 @@ mod tests {
             ..Cloud::default()
         });
         let look = LayerOptions {
-            deep_mm: Some(f64::from(2.0 * HALF)),
+            deep_mm: Some(f64::from(HALF)),
             ..look(0.0)
         };
         let picture = drawn(2.0, LIGHT.surface, move |_| {

@@ -38,7 +38,7 @@ fn framed_plot(ui: &Ui) -> Frame {
 pub(crate) fn middle(ui: &mut Ui, workbench: &Workbench) {
     /// The least height of the workspace and of a chart with their bars, points: so much can be read.
     const WORKSPACE: f32 = 336.0;
-    const CHART: f32 = 262.0;
+    const CHART: f32 = 258.0;
     let high = ui.available_height();
     let frame = framed_plot(ui);
     if high < WORKSPACE + CHART || ui.available_width() < MIDDLE {

@@ -173,7 +173,7 @@ fn ways(ui: &mut Ui, workbench: &Workbench) {
     let planes = Plane::ALL.map(|plane| ((Aspect::Plane, plane), plane.name()));
     let space = ((Aspect::Space, view.plane), say!("3-D"));
     let views = [planes[0], planes[1], planes[2], space];
-    if widgets::width_of_segments(ui, &views) > ui.available_width() {
+    if widgets::width_of_segments(ui, &views) > ui.available_size_before_wrap().x {
         ui.end_row();
     }
     match widgets::segmented(ui, &views, (view.aspect, view.plane)) {
@@ -203,9 +203,17 @@ fn display(ui: &mut Ui, workbench: &Workbench) {
 
 /// From before to after. What stands at the end that is shown is written stronger.
 fn blend(ui: &mut Ui, workbench: &Workbench) {
+    /// Of the slider; and of what stands between it and its ends.
+    const SLIDER: f32 = 64.0;
+    const BETWEEN: f32 = 4.0 * space::ROW;
     let mut blend = workbench.view.blend;
-
     let palette = Palette::of(ui);
+    let ends = [say!("before"), say!("after")];
+    let font = egui::FontId::proportional(size::SMALL);
+    let ends = ends.map(|end| widgets::width_of(ui, end, font.clone()));
+    if ends.iter().sum::<f32>() + SLIDER + BETWEEN > ui.available_size_before_wrap().x {
+        ui.end_row();
+    }
     let end = |ui: &mut Ui, text: &str, shown: bool| {
         let text = RichText::new(text).size(size::SMALL);
         let text = if shown {
@@ -217,7 +225,7 @@ fn blend(ui: &mut Ui, workbench: &Workbench) {
     };
     end(ui, say!("before"), blend <= 0.0);
     let usual = ui.spacing().clone();
-    fine(ui, 64.0);
+    fine(ui, SLIDER);
     let slider = ui.add(Slider::new(&mut blend, 0.0..=1.0).show_value(false));
     *ui.spacing_mut() = usual;
     widgets::label(&slider, say!("From before to after"));
