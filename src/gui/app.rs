@@ -14,7 +14,7 @@ use super::{actions, dialogs, files, layers, widgets, workspace};
 use crate::gui::core::compensated::CompensationRequest;
 use crate::gui::jobs::{Jobs, Runner};
 use crate::gui::style::{self, LEFT, MIDDLE, Palette, RIGHT, WIDEST, space};
-use crate::gui::views;
+use crate::gui::views::{blocks, chart, menu, results, status, steps};
 use crate::gui::workbench::Workbench;
 use crate::present::numbers::write_numbers;
 use crate::text::Language;
@@ -25,7 +25,6 @@ const RECOVERY_AFTER_S: f64 = 2.0;
 /// The window's contents.
 pub struct App {
     workbench: Workbench,
-
     /// What is opened in the first frame: by then it is known which language the window speaks.
     first: Option<PathBuf>,
     shown: Preferences,
@@ -57,7 +56,6 @@ impl App {
     pub fn new(ctx: &Context, path: Option<PathBuf>, runner: Runner) -> Self {
         keep_memory_between_frames();
         style::apply(ctx);
-
         write_fields(ctx, false);
         let wake = ctx.clone();
         let jobs = Jobs::new(runner, Arc::new(move || wake.request_repaint()));
@@ -72,7 +70,6 @@ impl App {
     pub(crate) fn on(workbench: Workbench) -> Self {
         Self {
             workbench,
-
             first: None,
             shown: Preferences::default(),
             zoom: 1.0,
@@ -138,6 +135,8 @@ impl App {
         self.keep_time(ui.ctx());
         widgets::read_next(ui.ctx());
         actions::read(ui.ctx(), &self.workbench);
+        // Asked for in the frame before, whose sheet is closed by now.
+        self.keep_picture(ui.ctx());
         self.lay_out(ui);
         self.workbench.drag(ui.ctx().dragged_id().is_some());
         let any = self.workbench.make_changes();
@@ -146,8 +145,7 @@ impl App {
         if self.workbench.receive() || any {
             ui.ctx().request_repaint();
         }
-        views::blocks::chart(ui, &mut self.workbench);
-        self.keep_picture(ui.ctx());
+        blocks::chart(ui, &mut self.workbench);
     }
 
     /// Chooses the language for this frame.
@@ -190,9 +188,9 @@ impl App {
             panel.exact_size(size).resizable(false).frame(frame)
         };
         fixed(Panel::top("menu"), 42.0, bar(palette.surface))
-            .show(ui, |ui| views::menu::show(ui, workbench));
+            .show(ui, |ui| menu::show(ui, workbench));
         fixed(Panel::bottom("status"), 32.0, bar(palette.surface))
-            .show(ui, |ui| views::status::show(ui, workbench));
+            .show(ui, |ui| status::show(ui, workbench));
         let room = actions::layout(ui.ctx(), workbench);
         // Either can be pulled as long as the plots keep their room.
         let window = ui.ctx().content_rect().width();
@@ -208,8 +206,8 @@ impl App {
             right,
             palette.surface,
         );
-        let left = left.show(ui, |ui| views::steps::show(ui, workbench));
-        let results = |ui: &mut Ui| views::results::show(ui, workbench);
+        let left = left.show(ui, |ui| steps::show(ui, workbench));
+        let results = |ui: &mut Ui| results::show(ui, workbench);
         if let Some(width) = room.right {
             let left = left.response.rect.width();
             pulled(
@@ -220,22 +218,20 @@ impl App {
             )
             .show(ui, |ui| results(ui));
         }
-
         CentralPanel::no_frame()
             .frame(Frame::NONE.fill(palette.background))
             .show(ui, |ui| {
                 if room.instead {
                     side(palette.background).show(ui, |ui| results(ui));
                 } else {
-                    views::chart::middle(ui, workbench);
+                    chart::middle(ui, workbench);
                 }
             });
-
-        views::status::notices(ui, workbench, room);
+        status::notices(ui, workbench, room);
         dialogs::show(ui, &mut self.workbench);
         let workbench = &self.workbench;
         dialogs::asking(ui, workbench);
-        views::status::dropped(ui, workbench);
+        status::dropped(ui, workbench);
         widgets::focus_ring(ui.ctx());
     }
 
@@ -332,7 +328,7 @@ impl App {
     }
 
     fn keep_title(&mut self, ctx: &Context) {
-        let title = views::menu::window_title(&self.workbench);
+        let title = menu::window_title(&self.workbench);
         if title != self.title {
             ctx.send_viewport_cmd(ViewportCommand::Title(title.clone()));
             self.title = title;

@@ -208,17 +208,13 @@ fn every_menu_and_every_sheet_opens_and_closes() {
         window.key_press(Key::Escape);
         window.run_steps(4);
     }
-    for (item, says) in [(
-        "About truepose",
-        "Everything in this window can be done in the terminal too",
-    )] {
-        press(&mut window, "Help");
-        press(&mut window, item);
-        assert!(window.query_by_label_contains(says).is_some(), "{item}");
-        window.key_press(Key::Escape);
-        window.run_steps(4);
-        assert!(window.query_by_label_contains(says).is_none(), "{item}");
-    }
+    let says = "Everything in this window can be done in the terminal too";
+    press(&mut window, "Help");
+    press(&mut window, "About truepose");
+    assert!(window.query_by_label_contains(says).is_some());
+    window.key_press(Key::Escape);
+    window.run_steps(4);
+    assert!(window.query_by_label_contains(says).is_none());
 }
 
 #[test]

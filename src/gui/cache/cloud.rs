@@ -289,8 +289,6 @@ mod tests {
     use super::*;
     use crate::gui::testing::workbench;
 
-    use crate::model::Model;
-
     #[test]
     fn every_beginning_of_the_order_is_spread_evenly() {
         for count in [0_usize, 1, 2, 3, 100, 1000, 4097] {

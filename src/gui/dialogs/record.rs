@@ -6,7 +6,7 @@ use egui::{Grid, RichText, TextEdit, Ui};
 use crate::compensation::decision::Rule;
 use crate::gui::style::{Palette, size, space, strong};
 use crate::gui::view::{About, What};
-use crate::gui::views::{self};
+use crate::gui::views::{results, session};
 use crate::gui::widgets::{self, Does};
 use crate::gui::workbench::Workbench;
 use crate::report::Details;
@@ -54,7 +54,7 @@ pub(super) fn details(ui: &mut Ui, workbench: &Workbench) {
             let decided = RichText::new(say!("Pass or fail"));
             ui.label(decided.font(strong(size::SMALL)).color(muted));
             ui.end_row();
-            views::session::tolerance(ui, workbench, widgets::number_in_a_grid);
+            session::tolerance(ui, workbench, widgets::number_in_a_grid);
             ui.end_row();
             ui.label(RichText::new(say!("Decision rule")).color(muted));
             let rules = [
@@ -79,7 +79,7 @@ pub(super) fn details(ui: &mut Ui, workbench: &Workbench) {
         });
     }
     widgets::hint(ui, about(stated.details.rule));
-    views::results::decision(ui, workbench);
+    results::decision(ui, workbench);
     if stated != before {
         workbench.then(move |bench| bench.state(stated));
     }

@@ -348,7 +348,6 @@ fn dressed(palette: &Palette, mut visuals: Visuals) -> Visuals {
 // and when they are opened they take the plots' place.
 
 /// The narrowest that plots are, points.
-
 pub(crate) const MIDDLE: f32 = 380.0;
 /// The narrowest that results are, points.
 pub(crate) const RIGHT: f32 = 288.0;

@@ -79,6 +79,14 @@ pub(crate) struct Fitted {
     pub(crate) charts: u64,
 }
 
+/// One of the two in the middle.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(crate) enum Front {
+    #[default]
+    Workspace,
+    Chart,
+}
+
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct ViewState {
     pub(crate) step: Step,
@@ -94,7 +102,6 @@ pub(crate) struct ViewState {
     pub(crate) plot_size: f64,
     /// From 0, before, to 1, after.
     pub(crate) blend: f32,
-
     /// Whether the heat map is shown.
     pub(crate) heat: bool,
     /// So many samples can be drawn at once.
@@ -114,8 +121,8 @@ pub(crate) struct ViewState {
     pub(crate) sorting: Sorting,
     /// The chart by its name; `None`: what suits the step.
     pub(crate) chart: Option<&'static str>,
-    /// Whether the chart is shown in place of the workspace where there is no room for both.
-    pub(crate) chart_in_front: bool,
+    /// What is shown where there is no room for both.
+    pub(crate) front: Front,
     /// The joint that charts are about, counted from 0.
     pub(crate) joint: usize,
     /// The found effect whose curve is charted, by its place in the answer.
@@ -153,7 +160,7 @@ impl ViewState {
 
     fn look(&mut self, aspect: Aspect) {
         self.aspect = aspect;
-        self.chart_in_front = false;
+        self.front = Front::Workspace;
     }
 
     pub(crate) fn select(&mut self, sample: Option<usize>) {

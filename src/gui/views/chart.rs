@@ -12,7 +12,7 @@ use crate::gui::core::loaded_session::Component;
 use crate::gui::plots::chart::Canvas;
 use crate::gui::plots::{self, figure, picture, ring};
 use crate::gui::style::{MIDDLE, Palette, size, space};
-use crate::gui::view::{Plot, Step};
+use crate::gui::view::{Front, Plot, Step};
 use crate::gui::widgets::{self, Does};
 use crate::gui::workbench::Workbench;
 use crate::gui::workspace::{self, Handles, marked, nearest};
@@ -43,7 +43,7 @@ pub(crate) fn middle(ui: &mut Ui, workbench: &Workbench) {
     let frame = framed_plot(ui);
     if high < WORKSPACE + CHART || ui.available_width() < MIDDLE {
         CentralPanel::no_frame().frame(frame).show(ui, |ui| {
-            if workbench.view.chart_in_front {
+            if workbench.view.front == Front::Chart {
                 widgets::row(ui, |ui| switch(ui, workbench));
                 show(ui, workbench);
             } else {
@@ -71,9 +71,12 @@ pub(crate) fn middle(ui: &mut Ui, workbench: &Workbench) {
 
 /// Which of the two is shown where there is room for one only.
 fn switch(ui: &mut Ui, workbench: &Workbench) {
-    let names = [(false, say!("Workspace")), (true, say!("Chart"))];
-    if let Some(chart) = widgets::segmented(ui, &names, workbench.view.chart_in_front) {
-        workbench.then(move |bench| bench.view.chart_in_front = chart);
+    let names = [
+        (Front::Workspace, say!("Workspace")),
+        (Front::Chart, say!("Chart")),
+    ];
+    if let Some(front) = widgets::segmented(ui, &names, workbench.view.front) {
+        workbench.then(move |bench| bench.view.front = front);
     }
 }
 
@@ -250,7 +253,7 @@ fn others(ui: &mut Ui, workbench: &Workbench, kind: &dyn ChartKind, scene: &Scen
         let offered = (offered.map(|c| (c, c.name())), scene.component);
         let named = (say!("Component"), shown);
         list(ui, workbench, named, offered, |bench, c| {
-            bench.view.component = c
+            bench.view.component = c;
         });
     }
     if let Some(shown) = joint {
@@ -258,7 +261,7 @@ fn others(ui: &mut Ui, workbench: &Workbench, kind: &dyn ChartKind, scene: &Scen
         let offered = (offered.enumerate(), scene.joint());
         let named = (say!("Joint of the chart"), shown);
         list(ui, workbench, named, offered, |bench, joint| {
-            bench.view.joint = joint
+            bench.view.joint = joint;
         });
     }
 }

@@ -122,6 +122,14 @@ fn gap_card(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
         ui.label(RichText::new(method).color(palette.muted));
         let [before, after] = [found.gap.before.rms_mm, found.gap.after.rms_mm].map(number);
         let unit = units.length_name();
+        // Inches have more digits than a narrow panel has room.
+        let line = format!("{before} → {after} {unit}");
+        let font = strong(size::DISPLAY);
+        let font = if widgets::width_of(ui, &line, font.clone()) > ui.available_width() {
+            strong(size::HEADING)
+        } else {
+            font
+        };
         let mut text = LayoutJob::default();
         for (part, color) in [
             (&*before, palette.before),
@@ -130,7 +138,7 @@ fn gap_card(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
             (" ", palette.muted),
             (unit, palette.muted),
         ] {
-            text.append(part, 0.0, TextFormat::simple(strong(size::DISPLAY), color));
+            text.append(part, 0.0, TextFormat::simple(font.clone(), color));
         }
         ui.label(text);
         let from_to = |gap: &Gap, pick: fn(&Gap) -> [f64; 2]| {

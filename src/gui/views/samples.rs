@@ -26,7 +26,6 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench) {
     let units = workbench.units();
     let loaded_session = workbench.loaded_session();
     let answer = workbench.answer();
-    let tolerance_mm = workbench.document().tolerance_mm;
     let view = &workbench.view;
     let mut sorting = view.sorting;
     let order = workbench.order();
@@ -102,22 +101,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench) {
                 });
                 let shown = after.unwrap_or(before);
                 cell(&mut row, sample, "tolerance", |ui| {
-                    if excluded {
-                        sign(
-                            ui,
-                            "×",
-                            palette.muted,
-                            say!("excluded by hand, in no figure"),
-                        );
-                    } else if let Some(tolerance_mm) = tolerance_mm.filter(|_| shown.is_finite()) {
-                        let within = shown <= tolerance_mm;
-                        let (mark, color) = if within {
-                            ("●", palette.within)
-                        } else {
-                            ("◇", palette.outside)
-                        };
-                        sign(ui, mark, color, judged(workbench, within));
-                    }
+                    held_against(ui, workbench, (!excluded).then_some(shown));
                 });
                 let response = row.response();
                 if response.hovered() {
@@ -233,6 +217,27 @@ fn cell(row: &mut TableRow<'_, '_>, sample: usize, what: &str, contents: impl Fn
         contents(ui);
     });
     response.widget_info(|| WidgetInfo::labeled(Role::Cell, true, name.clone()));
+}
+
+/// A sample's deviation against the tolerance, mm; without one it is excluded.
+fn held_against(ui: &mut Ui, workbench: &Workbench, shown_mm: Option<f64>) {
+    let palette = Palette::of(ui);
+    match (shown_mm, workbench.document().tolerance_mm) {
+        (None, _) => {
+            let says = say!("excluded by hand, in no figure");
+            sign(ui, "×", palette.muted, says);
+        }
+        (Some(mm), Some(tolerance_mm)) if mm.is_finite() => {
+            let within = mm <= tolerance_mm;
+            let (mark, color) = if within {
+                ("●", palette.within)
+            } else {
+                ("◇", palette.outside)
+            };
+            sign(ui, mark, color, judged(workbench, within));
+        }
+        _ => {}
+    }
 }
 
 /// What is said of a sample by a sign.

@@ -6,7 +6,7 @@ use crate::gui::cache::{Made, Work};
 use crate::gui::charts::effect::{EffectCurve, Sketches};
 use crate::gui::charts::{CHARTS, ChartKind, HoverTarget, Scene, effect, find};
 use crate::gui::jobs::{Kind as JobKind, Watch};
-use crate::gui::view::Step;
+use crate::gui::view::{Front, Step};
 use crate::present::drawing::Drawing;
 use crate::present::numbers::{notation, write_numbers};
 use crate::present::table::Table;
@@ -124,7 +124,7 @@ impl Workbench {
     /// Shows this chart. Choosing what suits the step means: follow the steps.
     pub(crate) fn show_chart(&mut self, chart: &'static str) {
         self.view.chart = (chart != self.suiting().about().id).then_some(chart);
-        self.view.chart_in_front = true;
+        self.view.front = Front::Chart;
     }
 
     /// Shows the curve of an effect that was found, in the component that it has most of.

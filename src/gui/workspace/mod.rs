@@ -134,8 +134,6 @@ fn plane(ui: &mut Ui, workbench: &Workbench) {
 // The bar over the workspace plot: from where it is looked at, what is shown, and how: from before to after, how long
 // vectors are, the heat map, what colour says; the side in space.
 
-/// What stands at the beginning of the bar.
-
 /// Something else that stands in the bar.
 pub(crate) type ExtraControls = fn(&mut Ui, &Workbench);
 

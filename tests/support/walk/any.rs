@@ -560,7 +560,7 @@ pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Fi
         at @ 107..=133 => seen(random, workbench, at),
         152 | 153 => chart_of(random),
         154 => way_to_look(random),
-        134 | 135 | 156 | 157 => look(random),
+        134 | 135 | 151 | 156 | 157 => look(random),
         155 => deed("Results", Some(random.random()), |bench, it| {
             bench.view.results = it;
         }),
@@ -579,7 +579,6 @@ pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Fi
         }
         75..=77 | 148 => deed("Dismiss", (), |bench, ()| bench.view.message = None),
         149 => own_robot(random, workbench),
-        151 => look(random),
         158 if random.random_range(0..8) == 0 => {
             deed("Prepare", (), |bench, ()| bench.prepare_again())
         }

@@ -11,7 +11,7 @@ use crate::gui::charts::CHARTS;
 use crate::gui::core::loaded_session::Component;
 use crate::gui::file_state::Stated;
 
-use crate::gui::view::{Camera, Plane, Plot, Sheet, Side, Step};
+use crate::gui::view::{Camera, Front, Plane, Plot, Sheet, Side, Step};
 use crate::gui::workbench::Workbench;
 
 use super::any::{Deed, Files, deed, one_of, pick};
@@ -38,9 +38,10 @@ pub(super) fn look(random: &mut ChaCha8Rng) -> Deed {
     match random.random_range(0..4) {
         0 => deed("Fit", (), |bench, ()| bench.view.fit()),
         1 => deed("FitWorkspace", (), |bench, ()| bench.view.fit_workspace()),
-        2 => deed("ChartInFront", random.random(), |bench, it| {
-            bench.view.chart_in_front = it;
-        }),
+        2 => {
+            let front = pick(random, &[Front::Workspace, Front::Chart]);
+            deed("Front", front, |bench, it| bench.view.front = it)
+        }
         _ => deed("ShowChart", chart(random), Workbench::show_chart),
     }
 }
