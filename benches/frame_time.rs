@@ -318,27 +318,6 @@ fn in_space(group: &mut BenchmarkGroup<'_, WallTime>, window: &mut Window, sampl
     group.bench_function(name, |bencher| bencher.iter(|| window.moved()));
 }
 
-/// The same window with more charts beside the workspace.
-fn charts(group: &mut BenchmarkGroup<'_, WallTime>, window: &mut Window, samples: usize) {
-    let mut there = 1;
-    for charts in [1, 2, 4] {
-        let before = window.frame(Vec::new());
-        while there < charts {
-            window.frame(vec![key(Key::E)]);
-            there += 1;
-            for _ in 0..4 {
-                window.frame(Vec::new());
-            }
-        }
-        let now = window.frame(Vec::new());
-        assert!(charts == 1 || now != before, "no chart was added");
-        let whole = median_ms(101, || window.moved());
-        eprintln!("{samples} samples, {charts} charts beside the workspace: {whole:.2} ms");
-        let name = BenchmarkId::new(format!("charts: {charts}"), samples);
-        group.bench_function(name, |bencher| bencher.iter(|| window.moved()));
-    }
-}
-
 fn frame_time(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("frame");
     group.sample_size(10);
@@ -356,7 +335,6 @@ fn frame_time(criterion: &mut Criterion) {
         );
         let name = BenchmarkId::new("the whole window", samples);
         group.bench_function(name, |bencher| bencher.iter(|| window.moved()));
-        charts(&mut group, &mut Window::new(samples), samples);
         in_space(&mut group, &mut window, samples);
         let name = BenchmarkId::new("egui_plot's arrows alone", samples);
         group.bench_function(name, |bencher| bencher.iter(|| plain(&ctx, &tails, &tips)));

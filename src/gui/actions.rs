@@ -3,23 +3,19 @@
 
 use crate::gui::files;
 use crate::gui::view::NextAction;
-use crate::gui::view::Panes;
+
 use crate::text::{Template, filled, spoken};
 use egui::{Button, Context, Key, KeyboardShortcut, Modifiers, Response, Role, Ui, WidgetInfo};
 
 use crate::gui::core::disk::EXAMPLES;
 use crate::gui::core::simulate::Form;
-use crate::gui::preferences::{Preferences, Theme};
 use crate::gui::style::Layout;
-use crate::gui::view::{About, Edge, Plane, Sheet, Standard, What};
+use crate::gui::view::{About, Plane, Sheet, What};
+use crate::gui::view::{Preferences, Theme};
 use crate::gui::workbench::Workbench;
 
 fn looks_at(now: &Workbench, plane: Plane) -> bool {
     now.view.plane == plane && !now.view.in_space()
-}
-
-fn sees_from(now: &Workbench, from: Standard) -> bool {
-    now.view.in_space() && now.view.camera.standard() == Some(from)
 }
 
 fn dark(ctx: &Context) -> bool {
@@ -30,8 +26,7 @@ fn dark(ctx: &Context) -> bool {
 #[derive(Clone, Copy)]
 pub(crate) struct Action {
     keys: KeyboardShortcut,
-    /// What the list of keys says.
-    help: Template,
+
     /// What the menu says.
     label: fn(&Workbench) -> String,
     /// Whether it can be done now.
@@ -45,13 +40,11 @@ impl Action {
     const fn new(
         modifiers: Modifiers,
         key: Key,
-        help: Template,
         label: fn(&Workbench) -> String,
         does: fn(&mut Workbench, &Context),
     ) -> Self {
         Self {
             keys: KeyboardShortcut::new(modifiers, key),
-            help,
             label,
             enabled: |_| true,
             on: None,
@@ -99,11 +92,6 @@ impl Action {
     pub(crate) fn keys(&self, ctx: &Context) -> String {
         in_words(ctx, self.keys)
     }
-
-    /// Its keys, and what they do.
-    pub(crate) fn help(&self, ctx: &Context) -> (String, &'static str) {
-        (self.keys(ctx), spoken(self.help))
-    }
 }
 
 const PLAIN: Modifiers = Modifiers::NONE;
@@ -130,122 +118,100 @@ fn with([alone, of]: [Template; 2], what: Option<&str>) -> String {
 /// A table of actions, row by row: name, keys, help, label in the menu, command, and what else there
 /// is to say of it.
 macro_rules! actions {
-    ($($name:ident: $modifiers:expr, $key:ident, $help:expr, $label:expr, $command:expr $(, [$more:ident($of:expr)])*;)*) => {
+    ($($name:ident: $modifiers:expr, $key:ident, $label:expr, $command:expr $(, [$more:ident($of:expr)])*;)*) => {
         $(pub(crate) const $name: Action =
-            Action::new($modifiers, Key::$key, $help, $label, $command)$(.$more($of))*;)*
+            Action::new($modifiers, Key::$key, $label, $command)$(.$more($of))*;)*
         /// All of them; where the keys of one contain another's, the longer stand first.
         pub(crate) const ALL: &[Action] = &[$($name),*];
     };
 }
 
 actions! {
-    REDO: SHIFTED, Z, phrase!("redo"), |now| with([phrase!("Redo"), phrase!("Redo {edit}"; edit)], now.redoes()), |bench, _| bench.redo(),
+    REDO: SHIFTED, Z, |now| with([phrase!("Redo"), phrase!("Redo {edit}"; edit)], now.redoes()), |bench, _| bench.redo(),
         [when(|now| now.redoes().is_some())];
-    UNDO: COMMAND, Z, phrase!("undo"), |now| with([phrase!("Undo"), phrase!("Undo {edit}"; edit)], now.undoes()), |bench, _| bench.undo(),
+    UNDO: COMMAND, Z, |now| with([phrase!("Undo"), phrase!("Undo {edit}"; edit)], now.undoes()), |bench, _| bench.undo(),
         [when(|now| now.undoes().is_some())];
-    OPEN_LATEST: SHIFTED, O, phrase!("open the last file again"), |_| String::new(), open_latest;
-    OPEN: COMMAND, O, phrase!("open a file"), |_| say!("Open…").into(), |bench, _| bench.choose_file(files::choose_to_open);
-    IMPORT: SHIFTED, I, phrase!("import what an instrument wrote"), |_| say!("Import…").into(),
+    OPEN_LATEST: SHIFTED, O, |_| String::new(), open_latest;
+    OPEN: COMMAND, O, |_| say!("Open…").into(), |bench, _| bench.choose_file(files::choose_to_open);
+    IMPORT: SHIFTED, I, |_| say!("Import…").into(),
         |bench, _| bench.choose_file(files::choose_to_import);
-    EXAMPLE_1: PLAIN, F2, phrase!("first example"), |_| EXAMPLES[0].name().into(), |bench, _| bench.ask_then(NextAction::Example(0));
-    EXAMPLE_2: PLAIN, F3, phrase!("second example"), |_| EXAMPLES[1].name().into(), |bench, _| bench.ask_then(NextAction::Example(1));
-    EXAMPLE_3: PLAIN, F4, phrase!("third example"), |_| EXAMPLES[2].name().into(), |bench, _| bench.ask_then(NextAction::Example(2));
-    EXAMPLE_4: PLAIN, F5, phrase!("fourth example"), |_| EXAMPLES[3].name().into(), |bench, _| bench.ask_then(NextAction::Example(3));
-    EXAMPLE_5: PLAIN, F7, phrase!("fifth example"), |_| EXAMPLES[4].name().into(), |bench, _| bench.ask_then(NextAction::Example(4));
-    ROBOTS: SHIFTED, N, phrase!("robots of the library"), |_| say!("Robots…").into(), |bench, _| bench.show_sheet(Some(Sheet::ROBOTS));
-    NEW: COMMAND, N, phrase!("simulate session"), |_| say!("Simulate session…").into(),
+    EXAMPLE_1: PLAIN, F2, |_| EXAMPLES[0].name().into(), |bench, _| bench.ask_then(NextAction::Example(0));
+    EXAMPLE_2: PLAIN, F3, |_| EXAMPLES[1].name().into(), |bench, _| bench.ask_then(NextAction::Example(1));
+    EXAMPLE_3: PLAIN, F4, |_| EXAMPLES[2].name().into(), |bench, _| bench.ask_then(NextAction::Example(2));
+    EXAMPLE_4: PLAIN, F5, |_| EXAMPLES[3].name().into(), |bench, _| bench.ask_then(NextAction::Example(3));
+    EXAMPLE_5: PLAIN, F7, |_| EXAMPLES[4].name().into(), |bench, _| bench.ask_then(NextAction::Example(4));
+    ROBOTS: SHIFTED, N, |_| say!("Robots…").into(), |bench, _| bench.show_sheet(Some(Sheet::ROBOTS));
+    NEW: COMMAND, N, |_| say!("Simulate session…").into(),
         |bench, _| bench.show_sheet(Some(Sheet::Simulate(Form::default())));
-    SAVE_AS: SHIFTED, S, phrase!("save session as"), |_| say!("Save session as…").into(),
+    SAVE_AS: SHIFTED, S, |_| say!("Save session as…").into(),
         |bench, _| bench.choose_where_to_export(What::Session), [when(measured)];
-    SAVE: COMMAND, S, phrase!("save session"), |_| say!("Save session").into(), |bench, _| bench.save(), [when(measured)];
-    SAVE_TO_PATH: SHIFTED, P, phrase!("save session to a path"), |_| say!("Save session to path…").into(),
+    SAVE: COMMAND, S, |_| say!("Save session").into(), |bench, _| bench.save(), [when(measured)];
+    SAVE_TO_PATH: SHIFTED, P, |_| say!("Save session to path…").into(),
         |bench, _| bench.type_path(What::Session), [when(measured)];
-    SAVE_MODEL: COMMAND, M, phrase!("save model"), |_| say!("Save model…").into(),
+    SAVE_MODEL: COMMAND, M, |_| say!("Save model…").into(),
         |bench, _| bench.choose_where_to_export(What::Model), [when(answered)];
-    COMPENSATE: SHIFTED, T, phrase!("correct targets or a program"), |_| say!("Compensate targets…").into(),
+    COMPENSATE: SHIFTED, T, |_| say!("Compensate targets…").into(),
         |bench, _| bench.choose_targets(), [when(answered)];
-    SAVE_TABLE: COMMAND, T, phrase!("save table"), |_| say!("Save table…").into(),
+    SAVE_TABLE: COMMAND, T, |_| say!("Save table…").into(),
         |bench, _| bench.choose_where_to_export(What::Table), [when(answered)];
-    REPORT: SHIFTED, R, phrase!("save the report"), |_| say!("Report…").into(),
+    REPORT: SHIFTED, R, |_| say!("Report…").into(),
         |bench, _| bench.choose_where_to_export(What::Report(About::Session)), [when(measured)];
-    REPORT_DETAILS: ALT, R, phrase!("what the report states of customer and machine"),
+    REPORT_DETAILS: ALT, R,
         |_| say!("Report details…").into(), |bench, _| bench.show_sheet(Some(Sheet::DETAILS)), [when(measured)];
-    HISTORY: SHIFTED, H, phrase!("compare the sessions of this machine"), |_| say!("History of the machine…").into(),
-        |bench, _| bench.compare_here();
-    RELOAD: COMMAND, R, phrase!("read the file again"), |_| say!("Read the file again").into(),
+    RELOAD: COMMAND, R, |_| say!("Read the file again").into(),
         |bench, _| bench.reload(), [when(|now| now.file().is_some())];
-    QUIT: COMMAND, Q, phrase!("quit"), |_| say!("Quit").into(), |bench, _| bench.ask_then(NextAction::Leave);
-    IDENTIFY: COMMAND, I, phrase!("identify"), |_| say!("Identify").into(),
+    QUIT: COMMAND, Q, |_| say!("Quit").into(), |bench, _| bench.ask_then(NextAction::Leave);
+    IDENTIFY: COMMAND, I, |_| say!("Identify").into(),
         |bench, _| bench.identify(None), [when(measured)];
-    SEARCH: COMMAND, G, phrase!("search for what is missing"), |_| say!("Run diagnosis").into(),
+    SEARCH: COMMAND, G, |_| say!("Run diagnosis").into(),
         |bench, _| bench.search(), [when(measured)];
-    CANCEL: COMMAND, Period, phrase!("cancel"), |_| say!("Cancel what is running").into(), |bench, _| bench.cancel_newest(),
+    CANCEL: COMMAND, Period, |_| say!("Cancel what is running").into(), |bench, _| bench.cancel_newest(),
         [when(|now| now.jobs().newest().is_some())];
-    EXCLUDE: PLAIN, Delete, phrase!("exclude the chosen samples, or include them again"), exclude_says,
+    EXCLUDE: PLAIN, Delete, exclude_says,
         |bench, _| bench.exclude(&bench.view.chosen(), !are_excluded(bench)),
         [when(|now| !now.view.chosen().is_empty())];
-    PREFERENCES: COMMAND, Comma, phrase!("preferences"), |_| say!("Preferences…").into(),
+    PREFERENCES: COMMAND, Comma, |_| say!("Preferences…").into(),
         |bench, _| bench.show_sheet(Some(Sheet::Named("preferences")));
-    NEXT_ANGLE: SHIFTED, U, phrase!("other unit of angles"), |now| now.view.preferences.next_angle().1.into(),
+    NEXT_ANGLE: SHIFTED, U, |now| now.view.preferences.next_angle().1.into(),
         |bench, _| bench.prefer(Preferences { angle: bench.view.preferences.next_angle().0, ..bench.view.preferences });
-    NEXT_LENGTH: COMMAND, U, phrase!("next unit of lengths"), |now| now.view.preferences.next_length().1.into(),
+    NEXT_LENGTH: COMMAND, U, |now| now.view.preferences.next_length().1.into(),
         |bench, _| bench.prefer(Preferences { length: bench.view.preferences.next_length().0, ..bench.view.preferences });
-    OTHER_THEME: COMMAND, D, phrase!("light or dark"), |_| say!("Light or dark").into(),
+    OTHER_THEME: COMMAND, D, |_| say!("Light or dark").into(),
         |bench, ctx| bench.prefer(Preferences { theme: if dark(ctx) { Theme::Light } else { Theme::Dark }, ..bench.view.preferences });
-    RESULTS: COMMAND, B, phrase!("results, or more room for plots"), |_| say!("Show or hide results").into(),
+    RESULTS: COMMAND, B, |_| say!("Show or hide results").into(),
         |bench, ctx| bench.view.results = Some(!layout(ctx, bench).results());
-    CHART_BELOW: SHIFTED, E, phrase!("another chart below this plot"), |_| say!("Add chart below").into(),
-        |bench, _| bench.add_chart(bench.view.panes.active(), Edge::Bottom), [when(|now| now.view.panes.has_room())];
-    CHART_BESIDE: COMMAND, E, phrase!("another chart beside this plot"), |_| say!("Add chart beside").into(),
-        |bench, _| bench.add_chart(bench.view.panes.active(), Edge::Right), [when(|now| now.view.panes.has_room())];
-    USUAL_PLOTS: SHIFTED, W, phrase!("plots as they usually are"), |_| say!("Usual arrangement").into(),
-        |bench, _| bench.rearrange(|panes| *panes = Panes::default()),
-        [when(|now| !now.view.panes.are_usual())];
-    CLOSE_CHART: COMMAND, W, phrase!("close this chart"), |_| say!("Close chart").into(), |bench, _| bench.close_chart(),
-        [when(|now| now.view.panes.active_chart().is_some())];
-    NEXT_PLOT: PLAIN, F6, phrase!("next plot"), |_| say!("Next plot").into(), |bench, _| bench.view.panes.activate_next();
-    LOOK_XY: SHIFTED, Num1, phrase!("workspace from above"), |_| say!("Workspace from above").into(),
+    LOOK_XY: SHIFTED, Num1, |_| say!("Workspace from above").into(),
         |bench, _| bench.view.look_in(Plane::Xy), [on(|now| looks_at(now, Plane::Xy))];
-    LOOK_XZ: SHIFTED, Num2, phrase!("workspace from the side"), |_| say!("Workspace from the side").into(),
+    LOOK_XZ: SHIFTED, Num2, |_| say!("Workspace from the side").into(),
         |bench, _| bench.view.look_in(Plane::Xz), [on(|now| looks_at(now, Plane::Xz))];
-    LOOK_YZ: SHIFTED, Num3, phrase!("workspace from the front"), |_| say!("Workspace from the front").into(),
+    LOOK_YZ: SHIFTED, Num3, |_| say!("Workspace from the front").into(),
         |bench, _| bench.view.look_in(Plane::Yz), [on(|now| looks_at(now, Plane::Yz))];
-    LOOK_AROUND: SHIFTED, Num4, phrase!("deviation around the angle (polar)"),
+    LOOK_AROUND: SHIFTED, Num4,
         |_| say!("Deviation around the angle").into(), |bench, _| bench.show_chart("polar"),
         [on(|now| now.shows("polar"))];
-    LOOK_IN_SPACE: SHIFTED, Num5, phrase!("workspace in 3-D"), |_| say!("Workspace in 3-D").into(),
-        |bench, _| bench.view.look_from(None), [on(|now| now.view.in_space())];
-    FIT: COMMAND, F, phrase!("fit the plots' view"), |_| say!("Show everything in the plots").into(),
+    LOOK_IN_SPACE: SHIFTED, Num5, |_| say!("Workspace in 3-D").into(),
+        |bench, _| bench.view.look_in_space(), [on(|now| now.view.in_space())];
+    FIT: COMMAND, F, |_| say!("Show everything in the plots").into(),
         |bench, _| bench.view.fit();
-    FIT_TOO: PLAIN, Home, phrase!("the same"), |_| String::new(), |bench, _| bench.view.fit();
-    STEP_1: COMMAND, Num1, phrase!("first step"), |now| step_name(now, 0), |bench, _| bench.go_to(0),
+    FIT_TOO: PLAIN, Home, |_| String::new(), |bench, _| bench.view.fit();
+    STEP_1: COMMAND, Num1, |now| step_name(now, 0), |bench, _| bench.go_to(0),
         [on(|now| now.steps().first() == Some(&now.view.step))],
         [when(|now| !now.steps().is_empty())];
-    STEP_2: COMMAND, Num2, phrase!("second step"), |now| step_name(now, 1), |bench, _| bench.go_to(1),
+    STEP_2: COMMAND, Num2, |now| step_name(now, 1), |bench, _| bench.go_to(1),
         [on(|now| now.steps().get(1) == Some(&now.view.step))],
         [when(|now| now.steps().len() > 1)];
-    STEP_3: COMMAND, Num3, phrase!("third step"), |now| step_name(now, 2), |bench, _| bench.go_to(2),
+    STEP_3: COMMAND, Num3, |now| step_name(now, 2), |bench, _| bench.go_to(2),
         [on(|now| now.steps().get(2) == Some(&now.view.step))],
         [when(|now| now.steps().len() > 2)];
-    STEP_4: COMMAND, Num4, phrase!("fourth step"), |now| step_name(now, 3), |bench, _| bench.go_to(3),
+    STEP_4: COMMAND, Num4, |now| step_name(now, 3), |bench, _| bench.go_to(3),
         [on(|now| now.steps().get(3) == Some(&now.view.step))],
         [when(|now| now.steps().len() > 3)];
-    STEP_5: COMMAND, Num5, phrase!("fifth step, where there are regions"), |now| step_name(now, 4), |bench, _| bench.go_to(4),
+    STEP_5: COMMAND, Num5, |now| step_name(now, 4), |bench, _| bench.go_to(4),
         [on(|now| now.steps().get(4) == Some(&now.view.step))],
         [when(|now| now.steps().len() > 4)];
-    FROM_ISOMETRIC: PLAIN, Num0, phrase!("3-D view, isometric"), |_| say!("3-D view, isometric").into(),
-        |bench, _| bench.view.look_from(Some(Standard::Isometric)),
-        [on(|now| sees_from(now, Standard::Isometric))];
-    FROM_FRONT: PLAIN, Num1, phrase!("3-D view from the front"), |_| say!("3-D view from the front").into(),
-        |bench, _| bench.view.look_from(Some(Standard::Front)), [on(|now| sees_from(now, Standard::Front))];
-    FROM_SIDE: PLAIN, Num3, phrase!("3-D view from the side"), |_| say!("3-D view from the side").into(),
-        |bench, _| bench.view.look_from(Some(Standard::Side)), [on(|now| sees_from(now, Standard::Side))];
-    FROM_TOP: PLAIN, Num7, phrase!("3-D view from above"), |_| say!("3-D view from above").into(),
-        |bench, _| bench.view.look_from(Some(Standard::Top)), [on(|now| sees_from(now, Standard::Top))];
-    ABOUT: Modifiers::SHIFT, F1, phrase!("about truepose"), |_| say!("About truepose").into(),
+    ABOUT: Modifiers::SHIFT, F1, |_| say!("About truepose").into(),
         |bench, _| bench.show_sheet(Some(Sheet::Named("about")));
-    WORDS: PLAIN, F1, phrase!("glossary"), |_| say!("Glossary").into(), |bench, _| bench.show_sheet(Some(Sheet::Named("words")));
-    KEYS: SHIFTED, K, phrase!("this list"), |_| say!("Keyboard and mouse").into(), |bench, _| bench.show_sheet(Some(Sheet::Named("keys")));
+    WORDS: PLAIN, F1, |_| say!("Glossary").into(), |bench, _| bench.show_sheet(Some(Sheet::Named("words")));
 }
 
 /// The examples, in their order.
@@ -319,10 +285,7 @@ pub(crate) fn in_words(ctx: &Context, keys: KeyboardShortcut) -> String {
 
 /// How the window is divided now.
 pub(crate) fn layout(ctx: &Context, workbench: &Workbench) -> Layout {
-    let size = ctx.content_rect().size();
-    let view = &workbench.view;
-    let sizes = view.preferences.sizes;
-    Layout::of(size.x, size.y, view.results, [sizes.left, sizes.right])
+    Layout::of(ctx.content_rect().width(), workbench.view.results)
 }
 
 /// Asks for what the keyboard does. Behind a sheet, and while text is typed, the keys belong to the text; behind a

@@ -1,21 +1,20 @@
 //! The shell: takes what the tasks have brought, lays out the panels, executes their commands.
 
-use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, channel};
 use std::time::Duration;
 
 use egui::style::NumberFormatter;
-use egui::{CentralPanel, ColorImage, Context, Frame, Margin, Panel, Ui, ViewportCommand};
+use egui::{CentralPanel, ColorImage, Context, Frame, Margin, Panel, Rangef, Ui, ViewportCommand};
 
-use super::preferences::{Preferences, largest_zoom};
 use super::view::{NextAction, Sheet};
+use super::view::{Preferences, largest_zoom};
 use super::{actions, dialogs, files, layers, widgets, workspace};
 use crate::gui::core::compensated::CompensationRequest;
 use crate::gui::jobs::{Jobs, Runner};
-use crate::gui::style::{self, Palette, space};
-use crate::gui::views;
+use crate::gui::style::{self, LEFT, MIDDLE, Palette, RIGHT, WIDEST, space};
+use crate::gui::views::{blocks, chart, menu, results, status, steps};
 use crate::gui::workbench::Workbench;
 use crate::present::numbers::write_numbers;
 use crate::text::Language;
@@ -23,15 +22,9 @@ use crate::text::Language;
 /// So long after a change what is not saved is kept: a gesture is over by then.
 const RECOVERY_AFTER_S: f64 = 2.0;
 
-/// Passes that are not shown after a change that was asked for: the one in which it was made, one in which a plot finds
-/// its bounds, and one in which it measures its axes.
-const UNSEEN: u8 = 3;
-
 /// The window's contents.
 pub struct App {
     workbench: Workbench,
-    /// So many passes from now on are not to be seen.
-    unseen: u8,
     /// What is opened in the first frame: by then it is known which language the window speaks.
     first: Option<PathBuf>,
     shown: Preferences,
@@ -63,8 +56,6 @@ impl App {
     pub fn new(ctx: &Context, path: Option<PathBuf>, runner: Runner) -> Self {
         keep_memory_between_frames();
         style::apply(ctx);
-        let passes = NonZeroUsize::MIN.saturating_add(usize::from(UNSEEN));
-        ctx.options_mut(|options| options.max_passes = passes);
         write_fields(ctx, false);
         let wake = ctx.clone();
         let jobs = Jobs::new(runner, Arc::new(move || wake.request_repaint()));
@@ -79,7 +70,6 @@ impl App {
     pub(crate) fn on(workbench: Workbench) -> Self {
         Self {
             workbench,
-            unseen: 0,
             first: None,
             shown: Preferences::default(),
             zoom: 1.0,
@@ -145,29 +135,17 @@ impl App {
         self.keep_time(ui.ctx());
         widgets::read_next(ui.ctx());
         actions::read(ui.ctx(), &self.workbench);
+        // Asked for in the frame before, whose sheet is closed by now.
+        self.keep_picture(ui.ctx());
         self.lay_out(ui);
         self.workbench.drag(ui.ctx().dragged_id().is_some());
         let any = self.workbench.make_changes();
-        // What a press or a key has changed is laid out before anybody sees the frame.
-        let asked = ui.input(|input| {
-            let released = input.pointer.any_released();
-            let is_key = |event: &egui::Event| matches!(event, egui::Event::Key { .. });
-            released || input.events.iter().any(is_key)
-        });
-        if any && asked {
-            self.unseen = UNSEEN;
-        }
-        if self.unseen > 0 {
-            self.unseen -= 1;
-            ui.ctx().request_discard("another state");
-        }
         self.keep_title(ui.ctx());
         self.ask_before_leaving(ui.ctx());
         if self.workbench.receive() || any {
             ui.ctx().request_repaint();
         }
-        views::blocks::chart(ui, &mut self.workbench);
-        self.keep_picture(ui.ctx());
+        blocks::chart(ui, &mut self.workbench);
     }
 
     /// Chooses the language for this frame.
@@ -175,13 +153,6 @@ impl App {
         let preferred = self.workbench.view.preferences.language;
         crate::text::choose(preferred.unwrap_or(self.language));
         crate::text::name_by_titles(true);
-    }
-
-    /// Compares the sessions of a folder, as if it had been chosen.
-    pub fn compare_sessions(&mut self, folder: &Path) {
-        let folder = folder.to_path_buf();
-        self.workbench
-            .execute(|bench| bench.compare_sessions(folder));
     }
 
     /// Corrects the targets of a file, as if it had been chosen.
@@ -217,33 +188,50 @@ impl App {
             panel.exact_size(size).resizable(false).frame(frame)
         };
         fixed(Panel::top("menu"), 42.0, bar(palette.surface))
-            .show(ui, |ui| views::menu::show(ui, workbench));
+            .show(ui, |ui| menu::show(ui, workbench));
         fixed(Panel::bottom("status"), 32.0, bar(palette.surface))
-            .show(ui, |ui| views::status::show(ui, workbench));
+            .show(ui, |ui| status::show(ui, workbench));
         let room = actions::layout(ui.ctx(), workbench);
-        fixed(Panel::left("steps"), room.left, side(palette.surface))
-            .show(ui, |ui| views::steps::show(ui, workbench, room));
-        let results = |ui: &mut Ui| views::results::show(ui, workbench);
+        // Either can be pulled as long as the plots keep their room.
+        let window = ui.ctx().content_rect().width();
+        let pulled = |panel: Panel, [least, size]: [f32; 2], others: f32, fill| {
+            let most = (window - MIDDLE - others).clamp(size, WIDEST.max(size));
+            let range = Rangef::new(least.min(size), most);
+            panel.default_size(size).size_range(range).frame(side(fill))
+        };
+        let right = room.right.map_or(0.0, |_| RIGHT);
+        let left = pulled(
+            Panel::left(format!("steps {}", room.left)),
+            [LEFT, room.left],
+            right,
+            palette.surface,
+        );
+        let left = left.show(ui, |ui| steps::show(ui, workbench));
+        let results = |ui: &mut Ui| results::show(ui, workbench);
         if let Some(width) = room.right {
-            fixed(Panel::right("results"), width, side(palette.background))
-                .show(ui, |ui| results(ui));
+            let left = left.response.rect.width();
+            pulled(
+                Panel::right(format!("results {width}")),
+                [RIGHT, width],
+                left,
+                palette.background,
+            )
+            .show(ui, |ui| results(ui));
         }
-        let middle = ui.available_rect_before_wrap();
         CentralPanel::no_frame()
             .frame(Frame::NONE.fill(palette.background))
             .show(ui, |ui| {
                 if room.instead {
                     side(palette.background).show(ui, |ui| results(ui));
                 } else {
-                    views::panes::show(ui, workbench);
+                    chart::middle(ui, workbench);
                 }
             });
-        views::steps::grips(ui, workbench, room, middle);
-        views::status::notices(ui, workbench, room);
+        status::notices(ui, workbench, room);
         dialogs::show(ui, &mut self.workbench);
         let workbench = &self.workbench;
         dialogs::asking(ui, workbench);
-        views::status::dropped(ui, workbench);
+        status::dropped(ui, workbench);
         widgets::focus_ring(ui.ctx());
     }
 
@@ -340,7 +328,7 @@ impl App {
     }
 
     fn keep_title(&mut self, ctx: &Context) {
-        let title = views::menu::window_title(&self.workbench);
+        let title = menu::window_title(&self.workbench);
         if title != self.title {
             ctx.send_viewport_cmd(ViewportCommand::Title(title.clone()));
             self.title = title;

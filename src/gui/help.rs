@@ -73,13 +73,10 @@ words! {
         [phrase!("read as")];
     REMAINDER, phrase!("Not correctable by joint commands"), phrase!("RMS error that remains when the controller applies the whole table: directions in which moving this joint moves nothing"),
         [phrase!("not correctable by joint commands")];
-    UNCERTAINTY, phrase!("Uncertainty of the model"), phrase!("How far the point that the model predicts may be off because measurements scatter: one standard uncertainty, from the covariance of the fit, at each measured pose. It is small where many poses determine the model. What no parameter of the model describes is not in it");
     PLANAR, phrase!("Planar session"), phrase!("Only x and y were measured; nothing can be said about what happens along z"),
         [phrase!("coordinates")];
-    DIRECTION, phrase!("Direction"), phrase!("The side from which the joint came to the pose. Approaching from both sides is what makes backlash visible"),
-        [phrase!("approach")];
+    DIRECTION, phrase!("Direction"), phrase!("The side from which the joint came to the pose. Approaching from both sides is what makes backlash visible");
     POLAR, phrase!("Polar view"), phrase!("A component of the deviation around the angle of the joint, as circles of a ballbar test are shown (ISO 230-4): on the nominal circle there is none, and one ring stands for the length that is written above. An oval is a tilted or wobbling axis, a shifted circle a wrong centre, two circles play between both directions");
-    DRAWN_ROBOT, phrase!("The robot in the workspace"), phrase!("The nominal robot in outline at the sample that is chosen or under the pointer, and beside it as a line the real one, as it was measured or identified, displaced as many times as is written beside it. Without a choice it stands faintly at a sample in the middle");
     OVER_TIME, phrase!("Deviation over time"), phrase!("The deviation in the order in which it was measured. A slope is a drift of the machine or the tripod; a step is the moment when one of them was touched");
     OVER_LOAD, phrase!("Deviation over load"), phrase!("The deviation over the weight that the arm carried. A slope is an arm or a joint that gives way; it needs poses measured with different loads");
     OVER_TEMPERATURE, phrase!("Deviation over temperature"), phrase!("The deviation over the temperature that was logged. A slope is a link that grows, or a joint whose zero moves, as the machine gets warm");
@@ -99,15 +96,7 @@ words! {
     COMPENSATED, phrase!("Compensated"), phrase!("The commands were already corrected by a table while this was measured: what is seen here is what that table left"),
         [phrase!("compensated")];
     RANGE, phrase!("Measured range"), phrase!("The smallest and the largest position of the joint that was measured. Outside it nothing is known, and a table holds its end values there"),
-        [phrase!("measured range"), phrase!("measured range, joint 1"), phrase!("measured")];
-    SPEED, phrase!("Speed"), phrase!("How fast the joint moved while it was measured. Lag behind the command shows only at different speeds"),
-        [phrase!("speed")];
-    LOAD, phrase!("Load"), phrase!("The mass at the tool while it was measured. Bending of links and joints shows only at different loads"),
-        [phrase!("load")];
-    TEMPERATURE, phrase!("Temperature"), phrase!("Of the robot while it was measured. Growth with warmth shows only where it changes by some degrees"),
-        [phrase!("temperature")];
-    TOOK, phrase!("Time it took"), phrase!("From the first sample to the last. What drifts, or was knocked, shows only where samples have a time"),
-        [phrase!("duration")];
+        [phrase!("measured")];
     SHOWS, phrase!("Testable effects"), phrase!("How many of the physical causes that this program knows would leave a trace in these samples. What cannot be tested can be there all the same"),
         [phrase!("testable effects")];
     WITHOUT, phrase!("Without it"), phrase!("RMS error of the nominal robot: what remains if nothing is corrected"),

@@ -10,7 +10,7 @@
 
 use std::ops::ControlFlow;
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::sync::atomic::{AtomicBool, AtomicU32, AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::sync::{Arc, Mutex};
 
@@ -150,7 +150,6 @@ impl<B: 'static> Jobs<B> {
 #[derive(Debug, Default)]
 pub(crate) struct Watch {
     permille: AtomicU32,
-    stage: AtomicUsize,
     found: Mutex<Vec<String>>,
     doing: Mutex<Option<String>>,
     stopped: AtomicBool,
@@ -185,11 +184,6 @@ impl Watch {
         if let Ok(mut doing) = self.doing.lock() {
             *doing = Some(what);
         }
-    }
-
-    /// Which stage has begun.
-    pub(crate) fn reached(&self, stage: usize) {
-        self.stage.store(stage, Ordering::Relaxed);
     }
 
     /// What a search has found so far, if it is more than before: it starts again from nothing
@@ -238,11 +232,6 @@ impl Running {
         let doing = self.watch.doing.lock().ok();
         let doing = doing.and_then(|doing| doing.clone());
         doing.unwrap_or_else(|| self.what.clone())
-    }
-
-    /// The stage that has begun.
-    pub(crate) fn stage(&self) -> usize {
-        self.watch.stage.load(Ordering::Relaxed)
     }
 
     /// Whether it searches for what is missing.

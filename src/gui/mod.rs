@@ -26,7 +26,22 @@ mod actions;
 mod app;
 mod cache;
 mod charts;
-mod core;
+/// What the window works on, without a view and without anything that is drawn.
+mod core {
+    pub(crate) mod answer;
+    pub(crate) mod compensated;
+    pub(crate) mod disk;
+    pub(crate) mod document;
+    pub(crate) mod history;
+    pub(crate) mod loaded_session;
+    pub(crate) mod overview;
+    pub(crate) mod quantity;
+    pub(crate) mod regions;
+    pub(crate) mod robot_table;
+    pub(crate) mod setup;
+    pub(crate) mod simulate;
+    pub(crate) mod skeleton;
+}
 mod dialogs;
 mod file_state;
 mod files;
@@ -35,10 +50,23 @@ mod import_draft;
 mod jobs;
 mod layers;
 mod plots;
-mod preferences;
 mod style;
 mod view;
-mod views;
+/// What stands around the plots. Panels read the workbench and leave changes in it.
+mod views {
+    pub(crate) mod blocks;
+    pub(super) mod chart;
+    mod coverage;
+    mod export;
+    mod gap;
+    pub(super) mod menu;
+    mod regions;
+    pub(super) mod results;
+    mod samples;
+    pub(super) mod session;
+    pub(super) mod status;
+    pub(super) mod steps;
+}
 mod widgets;
 mod workbench;
 mod workspace;

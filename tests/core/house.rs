@@ -394,10 +394,9 @@ fn the_window_takes_no_joint_for_the_only_one() {
 }
 
 /// The window's folders from the bottom to the top; what stands in one row is of one floor.
-const FLOORS: [&[&str]; 15] = [
+const FLOORS: [&[&str]; 14] = [
     &["language"],
     &["jobs", "help", "style"],
-    &["preferences"],
     &["core"],
     &["import_draft"],
     &["view"],

@@ -102,7 +102,6 @@ fn every_input_of_every_menu_and_sheet_has_a_name() {
         ),
         ("Save session", shifted, Key::P),
         ("Preferences", Modifiers::COMMAND, Key::Comma),
-        ("Keyboard and mouse", shifted, Key::K),
         ("Glossary", Modifiers::NONE, Key::F1),
         (
             "Calibrates a robot at commissioning",

@@ -428,7 +428,6 @@ fn the_bar_of_the_charts_fits_from_a_small_window_to_a_large_one() {
         for name in [
             "what deviation means",
             "Copy numbers: deviation over angle",
-            "Save data of the deviation…",
             "Component",
             "Choose chart",
         ] {

@@ -85,7 +85,7 @@ fn a_hidden_effect_is_found_added_switched_off_and_undone() {
         !says(&window, "Continue to export"),
         "the effect that was found comes first"
     );
-    press(&mut window, "Add it to the model");
+    press(&mut window, "Add the effect to the model");
     let explained = gap_mm(&window);
     assert!((explained / FLOOR_MM - 1.0).abs() < 0.15, "{explained}");
     assert!(says(&window, "with backlash"), "the waterfall has its bar");
@@ -223,6 +223,8 @@ fn a_search_can_be_stopped_and_says_that_it_was() {
     press(&mut window, "4 Diagnose");
     window.get_by_label("Run diagnosis").click();
     until(&mut window, "Stop the search");
+    // It is meant once it has been in sight for half a second.
+    window.run_steps(2);
     window.get_by_label("Stop the search").click();
     // With what is proven until then, or before anything was.
     for _ in 0..50_000 {

@@ -63,7 +63,7 @@ fn an_arm_of_the_library_is_calibrated_with_keys_alone() {
         keys(&mut window, Modifiers::COMMAND, Key::G);
         assert!(says(&window, "Explained"), "it is seen: {size:?}");
         next(&mut window);
-        assert!(!there(&window, "Add it to the model"), "{size:?}");
+        assert!(!there(&window, "Add the effect to the model"), "{size:?}");
         next(&mut window);
         assert!(there(&window, "Save robot as .csv…"), "{size:?}");
         save(&mut window, "table", &at("robot.csv"));

@@ -10,7 +10,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use truepose::gui::{App, Language, Runner};
 
-use crate::record::{open_records, sessions};
+use crate::record::open_records;
 use crate::sizes::{
     Thing, interactive, look, no_text_is_cut, no_text_is_cut_but_at_the_right, things,
 };
@@ -98,7 +98,6 @@ fn open_all(window: &mut Window, see: &mut dyn FnMut(&Window, &str)) {
         ("robots", SHIFTED, Key::N),
         ("path", SHIFTED, Key::P),
         ("preferences", Modifiers::COMMAND, Key::Comma),
-        ("keys", SHIFTED, Key::K),
         ("glossary", Modifiers::NONE, Key::F1),
         ("about", Modifiers::SHIFT, Key::F1),
     ] {
@@ -323,7 +322,7 @@ fn open_the_others(
     see(window, "simulation of a robot");
     escape(window);
     escape(window);
-    for what in ["model", "poses", "report", "workspace", "data of deviation"] {
+    for what in ["model", "poses", "report", "workspace"] {
         window.state_mut().type_path(what, Path::new("file"));
         window.run_steps(4);
         see(window, &format!("path of {what}"));
@@ -334,11 +333,6 @@ fn open_the_others(
     window.state_mut().compensate(&targets);
     window.run_steps(4);
     see(window, "targets that are refused");
-    escape(window);
-    sessions(folder, &[0.2, 0.2, 0.26, 0.26]);
-    window.state_mut().compare_sessions(folder);
-    window.run_steps(8);
-    see(window, "history");
     escape(window);
     keys(window, Modifiers::NONE, Key::F3);
     see(window, "what is lost");

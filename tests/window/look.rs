@@ -121,7 +121,7 @@ fn marks_say_that_it_is_the_model_that_is_within_the_tolerance() {
     let mut window = window_of(TALL, None, Runner::AtOnce);
     assert!(!says(&window, "model within"));
     keys(&mut window, Modifiers::COMMAND, Key::G);
-    press(&mut window, "Add all 5 to the model");
+    press(&mut window, "Add all 5 effects to the model");
     assert!(!says(&window, "model within"), "nothing else is known yet");
     // The export step works out what corrected commands do.
     go_to(&mut window, "Export");
@@ -143,7 +143,7 @@ fn what_the_table_leaves_is_one_figure_wherever_it_is_said() {
     let folder = tempfile::tempdir().expect("a folder");
     let mut window = window_of(TALL, None, Runner::AtOnce);
     keys(&mut window, Modifiers::COMMAND, Key::G);
-    press(&mut window, "Add all 5 to the model");
+    press(&mut window, "Add all 5 effects to the model");
     assert!(!status(&window).contains("with the table"), "not made yet");
     go_to(&mut window, "Export");
     assert!(there(&window, "1.40 mm") && says(&window, "not correctable by joint commands"));
@@ -189,7 +189,7 @@ fn the_card_of_an_effect_has_the_size_that_the_model_has_and_the_rest_on_demand(
     window.run_steps(12);
     assert!(says(&window, "chance that noise alone looks like this"));
     // Without one of the others it is another fit, and the card says what that has.
-    press(&mut window, "Add all 5 to the model");
+    press(&mut window, "Add all 5 effects to the model");
     press(&mut window, "use encoder eccentricity");
     assert!(!says(&window, "0.4168 ± 0.0065 mm"));
 }

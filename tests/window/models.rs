@@ -26,7 +26,6 @@ fn a_model_opens_by_itself_and_gives_its_table() {
     let mut window = window(Some(model));
     assert!(says(&window, "open a session measured on this robot"));
     window.get_by_label("Model from a file");
-    window.get_by_label("How it came about");
     window.get_by_label("Identified parameters");
     window.get_by_label("workspace plot, 0 samples");
     press(&mut window, "5 Export");

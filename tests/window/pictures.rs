@@ -73,7 +73,7 @@ fn the_job(theme: Theme, name: &str) {
     looks_like(&mut window, &format!("3-identify-{name}"));
     press(&mut window, "4 Diagnose");
     press(&mut window, "Run diagnosis");
-    press(&mut window, "Add all 5 to the model");
+    press(&mut window, "Add all 5 effects to the model");
     looks_like(&mut window, &format!("4-gap-{name}"));
     press(&mut window, "5 Export");
     looks_like(&mut window, &format!("5-export-{name}"));
@@ -99,13 +99,12 @@ fn the_search_before_it_begins_in_light() {
 }
 
 #[test]
-fn the_heat_map_and_the_deviation_in_light() {
+fn the_heat_map_in_light() {
     let Some(mut window) = window(Theme::Light, None) else {
         return;
     };
     press(&mut window, "How it is drawn");
     press(&mut window, "heat map");
-    press(&mut window, "deviation");
     looks_like(&mut window, "layers-light");
 }
 
@@ -154,39 +153,34 @@ fn the_compensation_of_a_program_in_light() {
     looks_like(&mut window, "compensation-light");
 }
 
-/// A histogram and an order spectrum below the workspace.
-fn several_charts(theme: Theme, name: &str) {
+/// Another chart below the workspace.
+fn other_chart(theme: Theme, chart: &str, name: &str) {
     let Some(mut window) = window(theme, None) else {
         return;
     };
     press(&mut window, "3 Identify");
     press(&mut window, "Identify");
     press(&mut window, "Hide results");
-    press(&mut window, "Arrange Deviation over angle");
-    press(&mut window, "Add chart beside");
-    for (list, chart) in [
-        ("Choose chart, 1", "Histogram"),
-        ("Choose chart, 2", "Order spectrum"),
-    ] {
-        press(&mut window, list);
+    press(&mut window, "Choose chart");
+    for _ in 0..2 {
         let all = window.get_all_by_label(chart);
         all.last().expect("an entry of the list").scroll_to_me();
         window.run_steps(6);
-        let all = window.get_all_by_label(chart);
-        all.last().expect("an entry of the list").click();
-        window.run_steps(6);
     }
+    let all = window.get_all_by_label(chart);
+    all.last().expect("an entry of the list").click();
+    window.run_steps(6);
     looks_like(&mut window, name);
 }
 
 #[test]
-fn several_charts_in_light() {
-    several_charts(Theme::Light, "charts-light");
+fn the_histogram_in_light() {
+    other_chart(Theme::Light, "Histogram", "charts-light");
 }
 
 #[test]
-fn several_charts_in_dark() {
-    several_charts(Theme::Dark, "charts-dark");
+fn the_order_spectrum_in_dark() {
+    other_chart(Theme::Dark, "Order spectrum", "charts-dark");
 }
 
 /// An arm in three dimensions, identified.

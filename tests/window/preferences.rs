@@ -89,10 +89,6 @@ fn the_keys_do_what_the_menus_say() {
     assert!(there(&window, "Identify"));
     keys(&mut window, Modifiers::COMMAND, Key::I);
     assert!(status(&window).contains('→'));
-    keys(&mut window, Modifiers::COMMAND | Modifiers::SHIFT, Key::K);
-    assert!(says(&window, "read the file again"));
-    window.key_press(Key::Escape);
-    window.run_steps(4);
     keys(&mut window, Modifiers::NONE, Key::F1);
     assert!(says(&window, "Glossary"));
     assert!(says(&window, "The true value lies within it in 19 of 20"));
@@ -118,7 +114,6 @@ fn every_sheet_has_names_for_its_controls() {
     for (modifiers, key) in [
         (Modifiers::COMMAND, Key::Comma),
         (Modifiers::COMMAND, Key::K),
-        (Modifiers::COMMAND | Modifiers::SHIFT, Key::K),
         (Modifiers::NONE, Key::F1),
         (Modifiers::SHIFT, Key::F1),
         (Modifiers::COMMAND, Key::N),

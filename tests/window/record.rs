@@ -120,60 +120,6 @@ fn a_logo_that_is_none_is_refused_and_no_report_is_written() {
     assert!(!html.exists());
 }
 
-/// Sessions of one machine, by the offset of its joint in degrees.
-pub(crate) fn sessions(folder: &Path, offsets_deg: &[f64]) {
-    for (k, offset_deg) in offsets_deg.iter().enumerate() {
-        let q: Vec<f64> = (0..40).map(|i| -117.0 + 6.0 * f64::from(i)).collect();
-        let scatter = |i: usize, by: f64| 0.02 * (((i + 50 * k) as f64) * by).sin();
-        let point = |of: fn(f64) -> f64, by: f64| -> Vec<f64> {
-            let each = q.iter().enumerate();
-            each.map(|(i, q)| 250.3 * of((q + offset_deg).to_radians()) + scatter(i, by))
-                .collect()
-        };
-        let (x, y) = (point(f64::cos, 12.9898), point(f64::sin, 78.233));
-        let z: Vec<f64> = (0..q.len()).map(|i| 300.0 + scatter(i, 37.719)).collect();
-        let session = serde_json::json!({
-            "format": "truepose-session/1", "name": format!("day {k}"),
-            "robot": { "name": "lamp",
-                "joints": [{ "name": "pan", "kind": "revolute", "axis": [0, 0, 1], "point_mm": [0, 0, 0] }],
-                "tool": { "position_mm": [250, 0, 300], "quaternion_wxyz": [1, 0, 0, 0] } },
-            "samples": { "columns": { "q1_deg": q, "x_mm": x, "y_mm": y, "z_mm": z } }
-        });
-        std::fs::write(folder.join(format!("day {k}.json")), session.to_string()).expect("written");
-    }
-}
-
-#[test]
-fn the_sessions_of_a_machine_are_compared_and_a_repair_stands_out() {
-    let folder = tempfile::tempdir().expect("a folder");
-    sessions(folder.path(), &[0.2, 0.2, 0.26, 0.26]);
-    std::fs::write(
-        folder.path().join("broken.json"),
-        "{\"format\":\"truepose-session/1\",",
-    )
-    .expect("written");
-    let mut window = window_at(Some(folder.path().join("day 3.json")), None);
-    choose(&mut window, "File", "History of the machine…");
-    window.run_steps(8);
-    assert!(says(&window, "History of lamp"));
-    assert!(says(&window, "broken.json is excluded"));
-    assert!(says(&window, "day 2"));
-    let changed = window.query_all_by_label_contains("Joint zero offset: offset 0.06");
-    assert_eq!(changed.count(), 1, "the offset of day 2");
-    press(&mut window, "Done");
-    assert!(!says(&window, "History of lamp"));
-}
-
-#[test]
-fn a_folder_without_sessions_says_so() {
-    let mut window = window_at(None, None);
-    let folder = tempfile::tempdir().expect("a folder");
-    window.state_mut().compare_sessions(folder.path());
-    window.run_steps(4);
-    assert!(says(&window, "There are no sessions to compare"));
-    assert!(says(&window, "expected a folder with truepose-session/1"));
-}
-
 /// Opens the sheets of the record in the marked language, and looks at each as it can stand.
 pub(crate) fn open_records(window: &mut Window, see: &mut dyn FnMut(&Window, &str)) {
     keys(window, Modifiers::COMMAND.plus(Modifiers::ALT), Key::R);
@@ -183,16 +129,4 @@ pub(crate) fn open_records(window: &mut Window, see: &mut dyn FnMut(&Window, &st
         see(window, &format!("report details, {rule}"));
     }
     press(window, "⟦Done⟧");
-    let folder = tempfile::tempdir().expect("a folder");
-    sessions(folder.path(), &[0.2, 0.2, 0.26, 0.26]);
-    let broken = folder.path().join("broken.json");
-    std::fs::write(broken, "{\"format\":\"truepose-session/1\",").expect("written");
-    window.state_mut().compare_sessions(folder.path());
-    window.run_steps(8);
-    see(window, "history");
-    press(window, "⟦Done⟧");
-    std::fs::remove_dir_all(folder.path()).expect("the sessions");
-    window.state_mut().compare_sessions(folder.path());
-    window.run_steps(8);
-    see(window, "history of nothing");
 }

@@ -303,7 +303,7 @@ fn every_step_fits_at_every_size_when_all_is_found() {
     press(&mut window, "Identify");
     press(&mut window, "4 Diagnose");
     press(&mut window, "Run diagnosis");
-    press(&mut window, "Add all 5 to the model");
+    press(&mut window, "Add all 5 effects to the model");
     for size in SIZES {
         window.set_size(size.into());
         window.run_steps(5);
@@ -499,7 +499,6 @@ fn every_sheet_fits_and_is_left_by_its_button_by_enter_and_by_escape() {
     let sheets = [
         ("Edit", "Preferences…", "Preferences"),
         ("Help", "Glossary", "Glossary"),
-        ("Help", "Keyboard and mouse", "Keyboard and mouse"),
         ("Help", "About truepose", "About truepose"),
     ];
     let buttons = |window: &Window| window.query_all_by_label("Done").count();

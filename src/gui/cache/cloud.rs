@@ -1,5 +1,5 @@
 //! The samples as they are uploaded: where each was measured and how far off it was; and with
-//! an answer what it leaves, and how sure its model is.
+//! an answer what it leaves.
 //!
 //! Lengths are mm of the measuring frame, in single precision from the middle of the workspace:
 //! 0.03 µm at half a metre. Samples stand in an order whose every beginning is spread evenly over
@@ -8,10 +8,6 @@
 
 use std::sync::Arc;
 
-use crate::effects::JointValues;
-use crate::fit::expected::uncertainties_mm;
-use crate::fit::problem::Problem;
-use crate::fit::ranges::along_joint;
 use crate::gui::core::answer::Answer;
 use crate::gui::core::loaded_session::LoadedSession;
 use crate::gui::view::Plane;
@@ -22,7 +18,7 @@ use crate::numeric::{single, whole};
 pub(crate) type Place = [f32; 6];
 
 /// A row of the [`Remainder`].
-pub(crate) type RemainderRow = [f32; 5];
+pub(crate) type RemainderRow = [f32; 4];
 
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Cloud {
@@ -33,8 +29,7 @@ pub(crate) struct Cloud {
     pub(crate) centre_mm: [f64; 3],
 }
 
-/// What an answer leaves of the deviations, mm, 1 where the sample is suspected, and the uncertainty of
-/// the model there from 0 to 1, below 0 where it is not shown; in the order of the [`Cloud`].
+/// What an answer leaves of the deviations, mm, and 1 where the sample is suspected; in the order of the [`Cloud`].
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Remainder {
     /// One for each sample of the cloud.
@@ -82,7 +77,7 @@ impl Cloud {
             let sample = *sample as usize;
             let mark = if suspected[sample] { 1.0 } else { 0.0 };
             let [x, y, z] = [0, 1, 2].map(|k| single(after_mm[k][sample]));
-            [x, y, z, mark, -1.0]
+            [x, y, z, mark]
         };
         Remainder {
             rows: self.samples.iter().map(row).collect(),
@@ -106,80 +101,6 @@ fn spread(count: usize) -> impl Iterator<Item = usize> {
     }
     let next = move |k: &usize| Some((k + step) % count);
     std::iter::successors((count > 0).then_some(0), next).take(count)
-}
-
-/// How sure the model is of what it predicts at each measured pose: one standard uncertainty, mm,
-///
-/// ```text
-/// u(q) = √ tr( J(q) Σ J(q)ᵀ )
-/// ```
-///
-/// with Σ the covariance of the fit; of a single joint that turns also along the way of each reflector, of
-/// several joints at poses over their ranges, at rest and without a load. Made in the background, and only where colour shows it.
-#[derive(Debug, Clone)]
-pub(crate) struct Uncertain {
-    /// Of each sample of the session, mm; NaN for samples that cannot be used.
-    pub(crate) mm: Vec<f64>,
-    /// Of each reflector at the values of [`LoadedSession::over_travel`], mm; none of other robots.
-    pub(crate) along_mm: Vec<Vec<f64>>,
-    /// The largest, mm.
-    pub(crate) most_mm: f64,
-    /// What is left of the deviations, with the uncertainty, as it is uploaded.
-    pub(crate) remainder: Arc<Remainder>,
-}
-
-impl Uncertain {
-    /// Whether an answer says how sure it is: its fit has a covariance.
-    pub(crate) fn is_known(answer: &Answer) -> bool {
-        let found = &answer.identification;
-        let count = found.model.coefficient_count();
-        count > 0
-            && found
-                .covariance
-                .as_ref()
-                .is_some_and(|c| c.nrows() == count)
-    }
-
-    /// That of an answer; `None` where it does not say. Takes its time with many samples.
-    pub(crate) fn of(loaded_session: &LoadedSession, answer: &Answer) -> Option<Self> {
-        let found = &answer.identification;
-        let covariance = found
-            .covariance
-            .as_ref()
-            .filter(|_| Self::is_known(answer))?;
-        let problem = Problem::new(&loaded_session.session, JointValues::Commanded);
-        let mut mm = uncertainties_mm(&found.model, &problem.inputs, covariance)?;
-        for (value, usable) in mm.iter_mut().zip(&loaded_session.usable) {
-            if !usable {
-                *value = f64::NAN;
-            }
-        }
-        let values = loaded_session.over_travel();
-        let along = (!values.is_empty())
-            .then(|| uncertainties_mm(&found.model, &along_joint(&problem, &values), covariance));
-        let along = along.flatten().unwrap_or_default();
-        let along = along.chunks(values.len().max(1)).map(<[f64]>::to_vec);
-        let along_mm: Vec<Vec<f64>> = along.collect();
-        let most_mm = mm
-            .iter()
-            .chain(along_mm.iter().flatten())
-            .copied()
-            .filter(|v| v.is_finite())
-            .fold(0.0, f64::max);
-        let cloud = Cloud::of(loaded_session);
-        let mut remainder = cloud.remainder(&answer.after_mm, &answer.suspected);
-        for (row, sample) in remainder.rows.iter_mut().zip(&cloud.samples) {
-            #[allow(clippy::cast_possible_truncation, reason = "a part of a scale")]
-            let part = (mm[*sample as usize] / most_mm) as f32;
-            row[4] = if part.is_finite() { part } else { -1.0 };
-        }
-        (most_mm > 0.0).then(|| Self {
-            mm,
-            along_mm,
-            most_mm,
-            remainder: Arc::new(remainder),
-        })
-    }
 }
 
 // The error between the samples: a map of the root mean square deviation over the plane.
@@ -367,8 +288,6 @@ fn normalised([bb, ba, aa, weight, largest]: [f64; 5]) -> [f32; 4] {
 mod tests {
     use super::*;
     use crate::gui::testing::workbench;
-    use crate::gui::view::Colouring;
-    use crate::model::Model;
 
     #[test]
     fn every_beginning_of_the_order_is_spread_evenly() {
@@ -408,100 +327,6 @@ mod tests {
                 assert!((at - measured[k]).abs() < 1e-4);
                 assert!((f64::from(place[3 + k]) - before[k]).abs() < 1e-5);
             }
-        }
-    }
-
-    /// Difference of a coefficient, in its own unit.
-    const STEP: f64 = 1e-6;
-
-    /// The same by differences of predictions, for one pose.
-    fn by_differences(answer: &Answer, loaded_session: &LoadedSession, sample: usize) -> f64 {
-        let found = &answer.identification;
-        let inputs = Problem::new(&loaded_session.session, JointValues::Commanded).inputs;
-        let predicted = |shift: &dyn Fn(usize) -> f64| {
-            let mut k = 0;
-            let terms = found.model.terms().iter().cloned().map(|mut term| {
-                for coefficient in &mut term.coefficients {
-                    *coefficient += shift(k);
-                    k += 1;
-                }
-                term
-            });
-            let model = Model::new(found.model.robot.clone(), terms.collect());
-            let at = model.predict(&inputs);
-            [at.x_mm[sample], at.y_mm[sample], at.z_mm[sample]]
-        };
-        let count = found.model.coefficient_count();
-        let columns: Vec<[f64; 3]> = (0..count)
-            .map(|c| {
-                let side = |sign: f64| predicted(&|k| if k == c { sign * STEP } else { 0.0 });
-                let (above, below) = (side(1.0), side(-1.0));
-                [0, 1, 2].map(|k| (above[k] - below[k]) / (2.0 * STEP))
-            })
-            .collect();
-        let covariance = found.covariance.as_ref().expect("a covariance");
-        let mut trace: f64 = 0.0;
-        for (a, of_a) in columns.iter().enumerate() {
-            for (b, of_b) in columns.iter().enumerate() {
-                let both: f64 = (0..3).map(|k| of_a[k] * of_b[k]).sum();
-                trace += both * covariance[(a, b)];
-            }
-        }
-        trace.sqrt()
-    }
-
-    #[test]
-    fn it_is_what_the_covariance_makes_of_the_prediction() {
-        let mut workbench = workbench();
-        workbench.execute(|bench| bench.identify(None));
-        workbench.execute(|bench| bench.view.colouring = Colouring::Uncertainty);
-        workbench.receive();
-        let uncertain = workbench.uncertain().expect("it is known");
-        let answer = workbench.answer().expect("an answer");
-        let loaded_session = workbench.loaded_session();
-        for sample in [0, 7, loaded_session.len() - 1] {
-            let expected = by_differences(answer, loaded_session, sample);
-            let found = uncertain.mm[sample];
-            assert!((found / expected - 1.0).abs() < 1e-4, "{found} {expected}");
-        }
-        let cloud = Cloud::of(loaded_session);
-        for (row, sample) in uncertain.remainder.rows.iter().zip(&cloud.samples) {
-            let part = uncertain.mm[*sample as usize] / uncertain.most_mm;
-            assert!((f64::from(row[4]) - part).abs() < 1e-6);
-        }
-    }
-
-    #[test]
-    fn between_the_samples_it_is_known_along_the_way_of_each_reflector() {
-        let mut workbench = workbench();
-        workbench.execute(|bench| bench.identify(None));
-        workbench.execute(|bench| bench.view.colouring = Colouring::Uncertainty);
-        workbench.receive();
-        let uncertain = workbench.uncertain().expect("it is known");
-        let loaded_session = workbench.loaded_session();
-        let values = loaded_session.over_travel();
-        assert_eq!(
-            uncertain.along_mm.len(),
-            loaded_session.session.targets.len()
-        );
-        assert!(
-            uncertain
-                .along_mm
-                .iter()
-                .all(|way| way.len() == values.len())
-        );
-        // Zero and length turn with the joint: where a sample lies, it is that of the sample.
-        let of = |sample: usize| {
-            let q = loaded_session.q(sample);
-            let near = |k: &usize| (values[*k] - q).abs();
-            let at = (0..values.len()).min_by(|a, b| near(a).total_cmp(&near(b)));
-            let target = loaded_session.session.samples.target.as_ref();
-            let way = target.map_or(0, |t| t[sample] as usize);
-            uncertain.along_mm[way][at.expect("values")]
-        };
-        for sample in [0, 7, loaded_session.len() - 1] {
-            let (way, own) = (of(sample), uncertain.mm[sample]);
-            assert!((way / own - 1.0).abs() < 0.02, "{way} {own}");
         }
     }
 }

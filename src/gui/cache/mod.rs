@@ -8,7 +8,6 @@ use std::fmt;
 use std::sync::{Arc, OnceLock};
 
 use cloud::Heat;
-use cloud::Uncertain;
 
 use crate::compensation::decision::{FittedErrors, MeasuredDeviation};
 use crate::compensation::{self, VerifiedCalibration};
@@ -113,8 +112,6 @@ type Make = dyn Fn(&PlotInputs) -> ChartResult + Send + Sync;
 pub(crate) enum WorkKey {
     /// The error over a plane.
     Heat(Plane),
-    /// How sure the model is at each sample.
-    Uncertain,
     /// The standards' figures.
     Figures(Option<FittedErrors>),
     /// Where samples are, a component of the deviation over a quantity.
@@ -162,15 +159,6 @@ impl Work {
             heat.map(Arc::new)
         };
         Self::new(WorkKey::Heat(plane), make)
-    }
-
-    /// How sure the model is at each sample.
-    pub(crate) fn uncertain() -> Self {
-        let make = |given: &PlotInputs| {
-            let uncertain = Uncertain::of(&given.loaded_session, given.answer()?);
-            uncertain.map(Arc::new)
-        };
-        Self::new(WorkKey::Uncertain, make)
     }
 }
 

@@ -40,7 +40,6 @@ register! {
     polar: Polar;
     orders: Orders;
     histogram: Histogram;
-    quantiles: Quantiles;
     gap: Gap;
     axis_test: OfAxis;
     effect: Effect;

@@ -419,8 +419,7 @@ mod tests {
     #[test]
     fn what_is_pointed_at_is_found_among_many_samples() {
         let mut workbench = workbench_on(lamp(0.05, &[]));
-        let key = workbench.view.panes.active_chart().map(|(key, _)| key);
-        workbench.execute(|bench| bench.choose_chart(key.expect("a chart"), "polar"));
+        workbench.execute(|bench| bench.show_chart("polar"));
         workbench.receive();
         of(&workbench, |drawn| {
             let points = drawn.of.points(0);

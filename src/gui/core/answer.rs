@@ -4,7 +4,7 @@
 //!
 //! With a session of the same robot a model is held against the samples by
 //! [`verify`](crate::compensation::verify), as the terminal does it. Without one there is nothing to
-//! hold it against: its parameters, its table and its history are shown by themselves.
+//! hold it against: its parameters and its table are shown by themselves.
 
 use std::cell::Cell;
 use std::path::{Path, PathBuf};
@@ -29,7 +29,6 @@ use crate::pipeline::{
 use crate::sessions::division::RegionChoice;
 use crate::sessions::regions::Assignment;
 use crate::sessions::{Instrument, Region, Samples, Session, hash_of_samples};
-use crate::text::Template;
 
 /// An identification, and what is left of every sample's deviation.
 #[derive(Debug, Clone)]
@@ -261,17 +260,8 @@ pub(crate) struct Search {
     pub(crate) answer: Result<Diagnosis, String>,
 }
 
-/// The stages of a search, in order, as they are shown.
-pub(crate) const STAGES: [Template; 5] = [
-    phrase!("set-up errors"),
-    phrase!("noise, outliers, candidates"),
-    phrase!("search"),
-    phrase!("other explanations"),
-    phrase!("poses to measure next"),
-];
-
 /// The stage in which names are found.
-pub(crate) const SEARCHING: usize = 2;
+const SEARCHING: usize = 2;
 
 /// Part of the whole that is done when a stage begins.
 const BEGUN: [f64; 5] = [0.02, 0.1, 0.25, 0.7, 0.85];
@@ -328,7 +318,7 @@ pub(crate) fn progress_callback(watch: &Watch) -> impl Fn(&Progress) -> bool {
         // Of a stage that says how far it is, the part that is done.
         let until = BEGUN.get(stage + 1).copied().unwrap_or(1.0);
         watch.done(BEGUN[stage] + share * (until - BEGUN[stage]));
-        watch.reached(stage);
+
         !watch.stopped()
     }
 }

@@ -44,14 +44,6 @@ pub(crate) struct NotTestable {
 /// What is known of the samples before anything is identified: under which conditions they are, what can be seen in them, and the noise that the instrument's maker admits.
 #[derive(Debug, Clone)]
 pub(crate) struct Coverage {
-    /// Conditions: which vary, and how far.
-    pub(crate) survey: Survey,
-    /// Smallest and largest value that joint 1 was measured at, rad or mm; `None` without samples.
-    pub(crate) measured: Option<[f64; 2]>,
-    /// Smallest and largest load, kg.
-    pub(crate) load_kg: Option<[f64; 2]>,
-    /// Smallest and largest temperature, °C.
-    pub(crate) temperature_c: Option<[f64; 2]>,
     /// The gap that the instrument's own noise makes, mm.
     pub(crate) floor_mm: Option<f64>,
     /// Effects that the session can show.
@@ -63,24 +55,14 @@ pub(crate) struct Coverage {
 impl Coverage {
     /// Looks at every sample.
     pub(crate) fn new(session: &Session, inputs: &Inputs) -> Self {
-        let samples = &session.samples;
         let survey = Survey::new(session, inputs);
         let (testable, not_testable) = effects_of(session, &survey);
         Self {
-            survey,
             testable,
             not_testable,
-            measured: range_of(&samples.q[0]),
-            load_kg: samples.load_kg.as_deref().and_then(range_of),
-            temperature_c: samples.temperature_c.as_deref().and_then(range_of),
             floor_mm: floor_mm(session),
         }
     }
-}
-
-/// Smallest and largest of the finite values, where there are any.
-fn range_of(values: &[f64]) -> Option<[f64; 2]> {
-    Some(extent(values)).filter(|[low, high]| low <= high)
 }
 
 /// Which effects these samples can show, and which not.

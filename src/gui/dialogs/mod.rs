@@ -1,36 +1,36 @@
 //! Sheets over the window.
 
-mod import;
-mod new_session;
-mod setup;
-
 use egui::style::NumberFormatter;
 use egui::{Align2, Context, Id, LayerId, Margin, Modal, Popup, ScrollArea, Ui, vec2};
 
+use crate::gui::charts::CHARTS;
+use crate::gui::help;
 use crate::gui::style::{Palette, space};
 use crate::gui::view::Sheet;
 use crate::gui::widgets::{self, Does};
 use crate::gui::workbench::Workbench;
 
+mod compensation;
+mod import;
+mod new_session;
+mod preferences;
+mod record;
+mod robots;
+mod setup;
+mod unsaved;
+
 type Show = fn(&mut Ui, &Workbench);
 
-macro_rules! register {
-    ($($file:ident: $($name:ident),*;)*) => {
-        $(mod $file;)*
-
-        /// Every sheet that is opened by its name: the function of that name.
-        const NAMED: &[(&str, Show)] = &[$($((stringify!($name), $file::$name)),*),*];
-    };
-}
-
-register! {
-    compensation: compensation;
-    help: about, keys, words;
-    preferences: preferences;
-    record: details, history;
-    robots: robots;
-    unsaved: recovery;
-}
+/// Every sheet that is opened by its name.
+const NAMED: &[(&str, Show)] = &[
+    ("about", about),
+    ("compensation", compensation::compensation),
+    ("details", record::details),
+    ("preferences", preferences::preferences),
+    ("recovery", unsaved::recovery),
+    ("robots", robots::robots),
+    ("words", words),
+];
 
 /// Where a sheet's head is, in parts of the window's height.
 const HEAD: f32 = 0.09;
@@ -138,6 +138,53 @@ fn lists_above(ctx: &Context, sheet: LayerId) {
     for list in lists {
         ctx.set_sublayer(sheet, list);
     }
+}
+
+// What this program is, what can be done in it by keys and mouse, and what the words mean.
+
+fn about(ui: &mut Ui, workbench: &Workbench) {
+    widgets::wide(ui, 400.0);
+    widgets::heading(ui, "truepose");
+    widgets::hint(
+        ui,
+        say!("version {version}", version = env!("CARGO_PKG_VERSION")),
+    );
+    ui.label(say!("Calibrates a robot at commissioning: finds where measurement and simulation disagree, and writes what the controller needs"));
+    widgets::hint(
+        ui,
+        say!("Everything in this window can be done in the terminal too: truepose --help"),
+    );
+    widgets::hint(
+        ui,
+        say!("Type: Inter, by the Inter project authors, SIL Open Font License 1.1"),
+    );
+    widgets::done(ui, workbench);
+}
+
+/// Height of what stands around the list, points.
+const REST: f32 = 240.0;
+
+/// What the words mean, all of them.
+fn words(ui: &mut Ui, workbench: &Workbench) {
+    widgets::wide(ui, 520.0);
+    widgets::heading(ui, say!("Glossary"));
+    widgets::hint(
+        ui,
+        say!("The same is shown beside the numbers, where the pointer rests on a name"),
+    );
+    ui.add_space(space::TIGHT);
+    let high = (ui.ctx().content_rect().height() - REST).clamp(120.0, 460.0);
+    ScrollArea::vertical().max_height(high).show(ui, |ui| {
+        ui.spacing_mut().item_spacing.y = 3.0;
+        let charts = CHARTS.iter().map(|chart| chart.about().word);
+        let charts = charts.filter(|word| !help::ALL.contains(word));
+        for word in help::ALL.iter().copied().chain(charts) {
+            widgets::bold(ui, word.name());
+            ui.add(egui::Label::new(word.means()).wrap());
+            ui.add_space(space::ROW);
+        }
+    });
+    widgets::done(ui, workbench);
 }
 
 #[cfg(test)]

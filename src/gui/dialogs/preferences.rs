@@ -1,10 +1,9 @@
 //! Units, digits, colours, size of text: seen at once, kept for tomorrow.
 
-use crate::gui::view::Panes;
 use crate::text::LANGUAGES;
 use egui::{Slider, Ui};
 
-use crate::gui::preferences::{Preferences, Theme, ZOOM, largest_zoom};
+use crate::gui::view::{Preferences, Theme, ZOOM, largest_zoom};
 use crate::gui::widgets;
 use crate::gui::workbench::Workbench;
 use crate::present::units::{AngleUnit, LengthUnit};
@@ -91,11 +90,9 @@ pub(super) fn preferences(ui: &mut Ui, workbench: &Workbench) {
         ui,
         say!("Files are read and written in their own units, whatever is shown here"),
     );
-    let arranged = !workbench.view.panes.are_usual();
-    let changed = now != Preferences::default() || arranged;
+    let changed = now != Preferences::default();
     if widgets::done_beside(ui, say!("Reset all"), changed, workbench) {
         next = Preferences::default();
-        workbench.then(move |bench| bench.rearrange(|panes| *panes = Panes::default()));
     }
     if next != now {
         workbench.then(move |bench| bench.prefer(next));

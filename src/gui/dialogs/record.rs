@@ -4,40 +4,13 @@
 use egui::{Grid, RichText, TextEdit, Ui};
 
 use crate::compensation::decision::Rule;
-use crate::explain;
 use crate::gui::style::{Palette, size, space, strong};
 use crate::gui::view::{About, What};
-use crate::gui::views::{self, blocks};
+use crate::gui::views::{results, session};
 use crate::gui::widgets::{self, Does};
 use crate::gui::workbench::Workbench;
 use crate::report::Details;
 use crate::text::spoken;
-
-/// Widest, points.
-const WIDE: f32 = 900.0;
-
-pub(super) fn history(ui: &mut Ui, workbench: &Workbench) {
-    let Some(past) = workbench.past() else {
-        return workbench.then(move |bench| bench.show_sheet(None));
-    };
-    widgets::wide(ui, WIDE);
-    let open = &workbench.loaded_session().session.robot.name;
-    let mut robots: Vec<_> = past.history.robots.iter().collect();
-    // The open one comes first.
-    robots.sort_by_key(|one| one.robot != *open);
-    for robot in robots {
-        let name = &robot.robot;
-        widgets::heading(ui, &say!("History of {robot}", robot = name));
-        let section = explain::history(robot);
-        ui.push_id(name, |ui| blocks::show(ui, &section.blocks));
-    }
-    for file in &past.history.not_read {
-        widgets::wrong(ui, &crate::language::spoken(file.describe()));
-    }
-    if widgets::done_beside(ui, say!("Other folder…"), true, workbench) {
-        workbench.then(Workbench::choose_folder);
-    }
-}
 
 /// Widest, points.
 const DETAILS_WIDE: f32 = 640.0;
@@ -81,7 +54,7 @@ pub(super) fn details(ui: &mut Ui, workbench: &Workbench) {
             let decided = RichText::new(say!("Pass or fail"));
             ui.label(decided.font(strong(size::SMALL)).color(muted));
             ui.end_row();
-            views::session::tolerance(ui, workbench, widgets::number_in_a_grid);
+            session::tolerance(ui, workbench, widgets::number_in_a_grid);
             ui.end_row();
             ui.label(RichText::new(say!("Decision rule")).color(muted));
             let rules = [
@@ -106,7 +79,7 @@ pub(super) fn details(ui: &mut Ui, workbench: &Workbench) {
         });
     }
     widgets::hint(ui, about(stated.details.rule));
-    views::results::decision(ui, workbench);
+    results::decision(ui, workbench);
     if stated != before {
         workbench.then(move |bench| bench.state(stated));
     }

@@ -196,26 +196,6 @@ pub(super) fn path(
     let format = find(workbench.document().export.format);
     // It describes the robot and is no table.
     let robot = what == What::Table && format.is_some_and(|format| format.rules.is_none());
-    let ending;
-    let says = match what {
-        What::Table if robot => {
-            say!("A file that says what its numbers mean is written beside it")
-        }
-        What::Table => say!("A file that says what the table means is written beside it"),
-        What::Session => say!("The samples are written beside it, as a CSV file of the same name"),
-        What::Model => say!("The model can be exported and verified later"),
-        What::Poses => say!("A CSV table with the session's column names, to be measured next"),
-        What::Report(_) => say!(
-            "A name that ends in .html or .pdf; a session without a diagnosis is diagnosed first"
-        ),
-        What::Picture(plot) => {
-            ending = say!("A name that ends in .{ending}", ending = plot.ending());
-            &*ending
-        }
-        What::Numbers(_) => say!("A CSV table of what the chart shows, with all digits"),
-        What::Targets => say!("What was changed is written beside it, as NAME.meta.json"),
-        What::Robot(_) | What::TypedRobot => say!("A file that sessions, imports and plans take"),
-    };
     let title = if robot {
         say!("Save robot")
     } else {
@@ -237,7 +217,6 @@ pub(super) fn path(
         widgets::hint(ui, say!("{name}, in the folder {folder}", name, folder));
     }
     ui.checkbox(allowed, say!("replace the file if it exists"));
-    widgets::hint(ui, says);
     let named = !typed.trim().is_empty();
     let pressed = widgets::sheet_buttons(ui, say!("Save"), named, workbench);
     if named && (pressed || entered) {

@@ -7,13 +7,13 @@ use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 use std::{fs, io};
 
-use serde::{Deserialize, Deserializer, Serialize};
+use serde::{Deserialize, Serialize};
 
 use crate::atomic::{WriteError, write_atomically};
 use crate::diagnostic::Place;
 use crate::gui::core::robot_table::RobotTable;
-use crate::gui::preferences::Preferences;
-use crate::gui::view::Panes;
+use crate::gui::view::Preferences;
+
 use crate::report::{Details, Logo};
 use crate::text::spoken;
 
@@ -48,15 +48,6 @@ pub(crate) struct Settings {
     /// Robots that were typed, newest first.
     #[serde(default)]
     pub(crate) robots: Vec<RobotTable>,
-    /// Workspace and charts as they were arranged.
-    #[serde(default, deserialize_with = "panes")]
-    pub(crate) panes: Panes,
-}
-
-/// Panes as they were kept; the usual ones where they cannot be read, which costs nothing else.
-fn panes<'de, D: Deserializer<'de>>(reader: D) -> Result<Panes, D::Error> {
-    let kept = serde_json::Value::deserialize(reader)?;
-    Ok(serde_json::from_value(kept).unwrap_or_default())
 }
 
 /// This file was opened or saved: it is the first of the recent ones.
@@ -342,36 +333,6 @@ mod tests {
         all.sort();
         assert_eq!(kept, all, "none took the place of another");
         assert_eq!(read(folder.path()).unwrap().1, None, "said once");
-    }
-
-    #[test]
-    fn panes_that_cannot_be_read_cost_nothing_else() {
-        let folder = tempfile::tempdir().unwrap();
-        let kept = |panes: &str| {
-            let text = format!(
-                r#"{{"format":"truepose-settings/1","preferences":{{"decimals":2}},"panes":{panes}}}"#
-            );
-            fs::write(file(folder.path()), text).unwrap();
-            let (settings, says) = read(folder.path()).unwrap();
-            assert!(says.is_none(), "{panes}");
-            assert_eq!(settings.preferences.decimals, Some(2), "{panes}");
-            settings.panes.sound(|_| true)
-        };
-        let usual = serde_json::to_string(&Panes::default()).unwrap();
-        assert!(kept(&usual).are_usual());
-        for damaged in [
-            "null".to_owned(),
-            "7".to_owned(),
-            r#"{"tree":{"root":null}}"#.to_owned(),
-            usual.replace("0.68", "null"),
-            usual.replace("0.68", "-1"),
-            usual.replace("\"workspace\"", "{\"chart\":{}}"),
-        ] {
-            assert!(kept(&damaged).are_usual(), "{damaged}");
-        }
-        let histogram = usual.replace("\"chart\":null", "\"chart\":\"histogram\"");
-        assert_eq!(kept(&histogram).charts().count(), 1);
-        assert!(!kept(&histogram).are_usual(), "{histogram}");
     }
 
     #[test]

@@ -73,8 +73,7 @@ impl SavedDocument {
 /// A document that a window left behind, with the lock of its file: no other window offers it.
 #[derive(Debug)]
 pub(crate) struct LeftBehind {
-    path: PathBuf,
-    lock: (PathBuf, File),
+    pub(crate) own: RecoveryFile,
     /// When it was written.
     pub(crate) when: Option<SystemTime>,
     pub(crate) kept: SavedDocument,
@@ -180,8 +179,11 @@ pub(crate) fn left_behind(folder: &Path) -> Option<Result<LeftBehind, (PathBuf, 
     let path = lock.with_extension(ENDING);
     Some(match read(&path) {
         Ok(kept) => Ok(LeftBehind {
-            path,
-            lock: (lock, file),
+            own: RecoveryFile {
+                path,
+                _lock: file,
+                lock_path: lock,
+            },
             when,
             kept,
         }),
@@ -192,14 +194,6 @@ pub(crate) fn left_behind(folder: &Path) -> Option<Result<LeftBehind, (PathBuf, 
             Err((if moved.is_ok() { aside } else { path }, because))
         }
     })
-}
-
-impl LeftBehind {
-    /// Removes it: it was restored and is kept elsewhere, or was discarded.
-    pub(crate) fn remove(self) {
-        let _ = fs::remove_file(&self.path);
-        let _ = fs::remove_file(&self.lock.0);
-    }
 }
 
 #[cfg(test)]
@@ -230,7 +224,7 @@ mod tests {
         assert_eq!(found.about.file, Some("a b.json".into()));
         let again = left_behind(folder.path());
         assert!(again.is_none(), "offered to one window only");
-        left.remove();
+        left.own.tidy();
         assert!(left_behind(folder.path()).is_none());
         let entries = fs::read_dir(folder.path().join("recovery")).unwrap();
         assert_eq!(entries.count(), 0);
@@ -258,7 +252,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = killed(folder.path());
         let whole = fs::read(&path).unwrap();
-        left_behind(folder.path()).unwrap().unwrap().remove();
+        left_behind(folder.path()).unwrap().unwrap().own.tidy();
         let first_line = memchr::memchr(b'\n', &whole).unwrap();
         let cuts = [
             0,

@@ -6,14 +6,12 @@ pub(crate) mod writing;
 
 pub(crate) use crate::pipeline::is_model;
 pub(crate) use system::{
-    cancelled, choose_beside, choose_folder, choose_logo, choose_targets, choose_to_export,
-    choose_to_import, choose_to_open, open_outside,
+    cancelled, choose_beside, choose_logo, choose_targets, choose_to_export, choose_to_import,
+    choose_to_open, open_outside,
 };
 #[cfg(test)]
 pub(crate) use writing::not_written;
-pub(crate) use writing::{
-    NotSaved, Replace, Saved, export, png, save, write_list, write_picture, write_targets,
-};
+pub(crate) use writing::{NotSaved, Replace, Saved, png, save};
 
 use std::fmt::Display;
 use std::path::Path;

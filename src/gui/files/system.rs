@@ -40,12 +40,6 @@ pub(crate) fn choose_targets(near: Option<&Path>) -> Option<PathBuf> {
     pick(near, say!("Targets or program to correct"), &kinds)
 }
 
-/// Asks the user for a folder of sessions.
-pub(crate) fn choose_folder(near: Option<&Path>) -> Option<PathBuf> {
-    let dialog = dialog_beside(near).set_title(say!("Folder with the sessions of a machine"));
-    dialog.pick_folder()
-}
-
 /// Asks the user for a picture for the head of a report.
 pub(crate) fn choose_logo(near: Option<&Path>) -> Option<PathBuf> {
     let dialog = dialog_beside(near).set_title(say!("Logo of the report"));
@@ -107,7 +101,7 @@ pub(crate) fn choose_to_export(what: What, path: &Path) -> Option<PathBuf> {
         What::Session => dialog.add_filter(say!("Session (*.json)"), &["json"]),
         What::Model => dialog.add_filter(say!("Model (*.json)"), &["json"]),
         What::Robot(_) | What::TypedRobot => dialog.add_filter(say!("Robot (*.json)"), &["json"]),
-        What::Poses | What::Numbers(_) => dialog.add_filter(say!("CSV table (*.csv)"), &["csv"]),
+        What::Poses => dialog.add_filter(say!("CSV table (*.csv)"), &["csv"]),
         What::Table | What::Targets => match path.extension().and_then(|ending| ending.to_str()) {
             Some(ending) => {
                 let name = if what == What::Table {

@@ -105,22 +105,43 @@ fn same_file(a: &Path, b: &Path) -> bool {
     a == b || matches!((a.canonicalize(), b.canonicalize()), (Ok(a), Ok(b)) if a == b)
 }
 
-/// Writes a table with what stands beside it, or a model: all of it, or nothing.
-pub(crate) fn export(
+/// Documents, the first of them under the name that is chosen, and what there is to say about them; or why there are
+/// none.
+pub(crate) type Made = Result<(Vec<Document>, Vec<String>), String>;
+
+/// Makes what stands in a file, and writes it with what belongs beside it: all of it, or nothing.
+pub(crate) fn write(
+    make: impl FnOnce(&Path, &Watch) -> Made,
+    path: &Path,
+    replace: bool,
+    inputs: &[PathBuf],
+    watch: &Watch,
+) -> Message {
+    let write = || {
+        // Nothing is worked out for a file that cannot be written.
+        can_be_written(path, replace, inputs)?;
+        let (documents, details) = make(path, watch)?;
+        write_all(&documents, path, replace, watch)?;
+        Ok(details)
+    };
+    match write() {
+        Ok(details) => Message::saved(path, details),
+        Err(problem) => not_written(path, problem),
+    }
+}
+
+/// A document by itself.
+pub(crate) fn alone(bytes: Vec<u8>) -> Vec<Document> {
+    let name = String::new();
+    vec![Document { name, bytes }]
+}
+
+/// A table with what stands beside it, or a model.
+pub(crate) fn documents(
     wanted: &PreviewRequest,
     what: What,
     path: &Path,
-    replace: bool,
-    watch: &Watch,
-) -> Result<PathBuf, Message> {
-    let documents = documents(wanted, what, path);
-    let written = documents.and_then(|documents| write_all(&documents, path, replace, watch));
-    written
-        .map(|()| path.to_path_buf())
-        .map_err(|problem| not_written(path, problem))
-}
-
-fn documents(wanted: &PreviewRequest, what: What, path: &Path) -> Result<Vec<Document>, String> {
+) -> Result<Vec<Document>, String> {
     let name = path.file_name().and_then(|name| name.to_str());
     let name = name.ok_or(say!("expected the name of a file, in UTF-8"))?;
     let choice = wanted.choice;
@@ -184,49 +205,20 @@ fn write_all(
     committed.map_err(|error| advice(&error))
 }
 
-/// Writes one document.
-fn write_one(bytes: Vec<u8>, path: &Path, replace: bool, watch: &Watch) -> Result<(), String> {
-    let name = String::new();
-    write_all(&[Document { name, bytes }], path, replace, watch)
-}
-
-/// Writes a measuring list.
-pub(crate) fn write_list(list: String, path: &Path, replace: bool, watch: &Watch) -> Message {
-    let written = write_one(list.into_bytes(), path, replace, watch);
-    told(path, written, Vec::new())
-}
-
-/// Writes corrected targets, and what was changed beside them.
-pub(crate) fn write_targets(
-    compensated: &Compensated,
-    path: &Path,
-    replace: bool,
-    inputs: &[PathBuf],
-    watch: &Watch,
-) -> Message {
-    let sidecar_path = sidecar_of(path);
-    let name = name_of(&sidecar_path);
-    let written = match &compensated.result {
-        Err(not_corrected) => Err(not_corrected.problems.join("\n")),
-        Ok(corrected) => can_be_written(path, replace, inputs).and_then(|()| {
-            let documents = [
-                Document {
-                    name: String::new(),
-                    bytes: corrected.answer.bytes.clone(),
-                },
-                Document {
-                    name: name.into_owned(),
-                    bytes: corrected.sidecar.clone(),
-                },
-            ];
-            write_all(&documents, path, replace, watch)
-        }),
-    };
-    told(path, written, Vec::new())
+/// Corrected targets, and what was changed beside them.
+pub(crate) fn targets(compensated: &Compensated, path: &Path) -> Made {
+    let corrected = compensated.result.as_ref();
+    let corrected = corrected.map_err(|not_corrected| not_corrected.problems.join("\n"))?;
+    let mut documents = alone(corrected.answer.bytes.clone());
+    documents.push(Document {
+        name: name_of(&sidecar_of(path)).into_owned(),
+        bytes: corrected.sidecar.clone(),
+    });
+    Ok((documents, Vec::new()))
 }
 
 /// Whether a file may stand there: told before the work that it takes is begun.
-pub(crate) fn can_be_written(path: &Path, replace: bool, inputs: &[PathBuf]) -> Result<(), String> {
+fn can_be_written(path: &Path, replace: bool, inputs: &[PathBuf]) -> Result<(), String> {
     let inputs: Vec<&Path> = inputs.iter().map(PathBuf::as_path).collect();
     refuse_to_replace_inputs(path, &inputs).map_err(|error| advice(&error))?;
     if path.exists() && !path.is_file() {
@@ -244,14 +236,6 @@ pub(crate) fn can_be_written(path: &Path, replace: bool, inputs: &[PathBuf]) -> 
     }
 }
 
-/// Says how the writing of a file went.
-fn told(path: &Path, written: Result<(), String>, details: Vec<String>) -> Message {
-    match written {
-        Ok(()) => Message::saved(path, details),
-        Err(problem) => not_written(path, problem),
-    }
-}
-
 /// Says that a file was not written.
 pub(crate) fn not_written(path: &Path, problem: String) -> Message {
     Message::wrong(
@@ -263,25 +247,19 @@ pub(crate) fn not_written(path: &Path, problem: String) -> Message {
     )
 }
 
-/// Makes a picture, and writes it under a name with its ending, where none of `inputs` stands.
-pub(crate) fn write_picture(
-    picture: impl FnOnce() -> Result<Vec<u8>, String>,
-    (path, form): (&Path, &str),
-    replace: bool,
-    inputs: &[PathBuf],
-    watch: &Watch,
-) -> Message {
-    let make = || {
-        if ending(path).as_deref() != Some(form) {
-            return Err(say!(
-                "expected a file name that ends in .{ending}",
-                ending = form
-            ));
-        }
-        can_be_written(path, replace, inputs)?;
-        write_one(picture()?, path, replace, watch)
-    };
-    told(path, make(), Vec::new())
+/// A picture, under a name with its ending.
+pub(crate) fn picture(
+    made: impl FnOnce() -> Result<Vec<u8>, String>,
+    path: &Path,
+    form: &str,
+) -> Made {
+    if ending(path).as_deref() != Some(form) {
+        return Err(say!(
+            "expected a file name that ends in .{ending}",
+            ending = form
+        ));
+    }
+    Ok((alone(made()?), Vec::new()))
 }
 
 /// An image as a file.
@@ -319,35 +297,15 @@ pub(crate) struct ReportRequest {
     pub(crate) stated: Stated,
     /// Tables that were exported from this session.
     pub(crate) tables: Vec<PathBuf>,
-    /// Files that it may not replace.
-    pub(crate) inputs: Vec<PathBuf>,
 }
 
-/// Writes it, whole or not at all.
-pub(crate) fn write_report(
-    wanted: &ReportRequest,
-    path: &Path,
-    replace: bool,
-    watch: &Watch,
-) -> Message {
+/// The report.
+pub(crate) fn report(wanted: &ReportRequest, path: &Path, watch: &Watch) -> Made {
     let mut details = Vec::new();
-    let written = make(wanted, path, replace, watch, &mut details);
-    told(path, written, details)
-}
-
-fn make(
-    wanted: &ReportRequest,
-    path: &Path,
-    replace: bool,
-    watch: &Watch,
-    details: &mut Vec<String>,
-) -> Result<(), String> {
     let kind = Kind::of(path).map_err(spoken)?;
-    // A long search is not begun for a file that cannot be written.
-    can_be_written(path, replace, &wanted.inputs)?;
     let extras = Extras {
         details: wanted.stated.complete()?,
-        tables: named_tables(&wanted.tables, details),
+        tables: named_tables(&wanted.tables, &mut details),
     };
     let report = match &wanted.source {
         Source::Model(outcome) => pipeline::report_of_model(&*outcome.handed_out()?, &extras),
@@ -379,7 +337,7 @@ fn make(
             says
         ));
     }
-    write_one(written.bytes, path, replace, watch)
+    Ok((alone(written.bytes), details))
 }
 
 /// The tables with their hashes; what cannot be named any more is said.
@@ -418,7 +376,6 @@ mod tests {
             ),
             stated: Stated::default(),
             tables: Vec::new(),
-            inputs: Vec::new(),
         }
     }
 
@@ -431,7 +388,8 @@ mod tests {
         let folder = tempfile::tempdir().expect("a folder");
         let watch = Watch::default();
         watch.stop();
-        write_report(&wanted(), &folder.path().join("report.pdf"), false, &watch);
+        let make = |path: &Path, watch: &Watch| report(&wanted(), path, watch);
+        write(make, &folder.path().join("report.pdf"), false, &[], &watch);
         assert_eq!(files_in(folder.path()), 0);
     }
 
@@ -441,10 +399,13 @@ mod tests {
         let path = folder.path().join("report.html");
         let watch = Watch::default();
         watch.stop();
-        assert!(write_one(b"text".to_vec(), &path, false, &watch).is_err());
+        assert!(write_all(&alone(b"text".to_vec()), &path, false, &watch).is_err());
         assert_eq!(files_in(folder.path()), 0);
         let watch = Watch::default();
-        assert_eq!(write_one(b"text".to_vec(), &path, false, &watch), Ok(()));
+        assert_eq!(
+            write_all(&alone(b"text".to_vec()), &path, false, &watch),
+            Ok(())
+        );
         assert_eq!(files_in(folder.path()), 1);
     }
 
@@ -457,7 +418,8 @@ mod tests {
             ("not there/report.pdf", "folder not found"),
         ] {
             let watch = Watch::default();
-            let message = write_report(&wanted(), &folder.path().join(name), false, &watch);
+            let make = |path: &Path, watch: &Watch| report(&wanted(), path, watch);
+            let message = write(make, &folder.path().join(name), false, &[], &watch);
             assert!(
                 message.wrong && message.details[0].contains(says),
                 "{message:?}"

@@ -44,22 +44,12 @@ fn drawn(corner: u32, from_mm: vec3f, vector: vec3f, width_pt: f32, color: vec4f
 @vertex
 fn arrow(@builtin(vertex_index) corner: u32, sample: Sample) -> Arrow {
     let shown = shown_of(sample.before, sample.after);
-    var color = frame.flat_color;
-    var width = frame.style.z;
-    if colour_says() {
-        let said = said_of(shown, sample);
-        color = select(frame.ghost, said, said.a > 0.5);
-        let part = uncertainty_of(sample);
-        if part >= 0.0 {
-            width = mix(frame.style_2.x, frame.style_2.y, part);
-        }
-    }
     if !known(shown) || !known(sample.at) {
         var none: Arrow;
         none.position = nowhere();
         return none;
     }
-    return drawn(corner, sample.at - shown, shown, width, color);
+    return drawn(corner, sample.at - shown, shown, frame.style.z, frame.flat_color);
 }
 
 // The deviation before, where another is shown.

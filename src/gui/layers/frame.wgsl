@@ -7,11 +7,11 @@ struct Frame {
     to_px: vec4f,
     // Width and height of the plot, pixels; pixels per point; 1 where the target wants linear colours.
     size: vec4f,
-    // From before to after; magnification; upper end of the scale, mm; tolerance, mm, below 0: none.
+    // From before to after; magnification; last the tolerance, mm, below 0: none.
     shown: vec4f,
-    // What colour says; whether there is an answer; width of vectors, points; size of marks.
+    // Behind nothing: whether there is an answer; width of vectors, points; size of marks.
     style: vec4f,
-    // Narrowest and widest vector, points; how much colour what is farthest loses.
+    // How much colour what is farthest loses, last.
     style_2: vec4f,
     // The plot's left and upper edge on the screen, pixels.
     corner: vec4f,
@@ -24,7 +24,6 @@ struct Frame {
     warning: vec4f,
     // Towards the viewer; what a mm is of the whole depth, 0 where depth does not count.
     towards: vec4f,
-    stops: array<vec4f, 8>,
 }
 
 @group(0) @binding(0) var<uniform> frame: Frame;
@@ -69,12 +68,6 @@ fn known(v: vec3f) -> bool {
 // The deviation that is shown.
 fn shown_of(before: vec3f, after: vec3f) -> vec3f {
     return mix(before, after, frame.shown.x);
-}
-
-fn scale_of(part: f32) -> vec4f {
-    let place = clamp(part, 0.0, 1.0) * 7.0;
-    let first = min(u32(place), 6u);
-    return mix(frame.stops[first], frame.stops[first + 1u], place - f32(first));
 }
 
 fn linear_of(c: vec3f) -> vec3f {

@@ -399,27 +399,28 @@ mod tests {
 
     use crate::gui::cache::cloud::{Cloud, Place, Remainder};
     use crate::gui::layers::tests::{as_parts, can_draw, drawn, frame, look, transform};
-    use crate::gui::layers::{Frame, LayerOptions, scale_at};
+    use crate::gui::layers::{Frame, LayerOptions};
     use crate::gui::style::LIGHT;
-    use crate::gui::view::Colouring;
 
     use super::*;
 
-    /// Two vectors along x at one place of the screen: where each is along the line of sight, mm, and
-    /// its uncertainty, which is its colour.
-    fn middle(rows: [(f32, f32); 2], deep_mm: Option<f64>) -> [f64; 3] {
-        let place = |(z, _): (f32, f32)| -> Place { [3.0, 0.0, z, 3.0, 0.0, 0.0] };
+    /// Half of the depth of what is drawn, mm.
+    const HALF: f32 = 50.0;
+
+    /// Two vectors along x at one place of the screen, so near to the viewer, mm.
+    fn middle(nearness_mm: [f32; 2]) -> [f64; 3] {
+        let place = |z: f32| -> Place { [3.0, 0.0, z, 3.0, 0.0, 0.0] };
         let remainder = Arc::new(Remainder {
-            rows: rows.map(|(_, part)| [3.0, 0.0, 0.0, 0.0, part]).to_vec(),
+            rows: vec![[3.0, 0.0, 0.0, 0.0]; 2],
         });
         let cloud = Arc::new(Cloud {
-            places: rows.map(place).to_vec(),
+            places: nearness_mm.map(place).to_vec(),
             samples: vec![0, 1],
             ..Cloud::default()
         });
         let look = LayerOptions {
-            deep_mm,
-            ..look(Colouring::Uncertainty, 0.0)
+            deep_mm: Some(f64::from(HALF)),
+            ..look(0.0)
         };
         let picture = drawn(2.0, LIGHT.surface, move |_| {
             let layer = CloudLayer {
@@ -440,18 +441,20 @@ mod tests {
         if !can_draw() {
             return;
         }
-        let color = |part: f32| as_parts(scale_at(&LIGHT, part));
-        let like = |seen: [f64; 3], part: f32| {
-            let expected = color(part);
-            assert!(
-                (0..3).all(|k| (seen[k] - expected[k]).abs() < 0.02),
-                "{seen:?} {expected:?}"
-            );
-        };
-        let (near, far) = ((10.0, 0.9), (-10.0, 0.2));
-        like(middle([near, far], Some(50.0)), 0.9);
-        like(middle([far, near], Some(50.0)), 0.9);
-        // Without depth the last one covers the others.
-        like(middle([near, far], None), 0.2);
+        let (near, far) = (10.0, -10.0);
+        // What is farther is paler.
+        let depth = 0.5 - 0.5 * near / HALF;
+        let part = f64::from(0.6 * (2.0 * depth - 0.5));
+        let [color, surface] = [LIGHT.after, LIGHT.surface].map(as_parts);
+        for order in [[near, far], [far, near]] {
+            let seen = middle(order);
+            for k in 0..3 {
+                let expected = color[k] + part * (surface[k] - color[k]);
+                assert!(
+                    (seen[k] - expected).abs() < 0.02,
+                    "{order:?} {seen:?} {expected}"
+                );
+            }
+        }
     }
 }

@@ -1,6 +1,5 @@
 // Measured points: a disc, or an open diamond outside the tolerance, and a ring around what is
-// suspected. Where colour says something, they are filled with it and outlined; what nothing is
-// known of is left open.
+// suspected.
 
 struct Mark {
     @builtin(position) position: vec4f,
@@ -8,9 +7,7 @@ struct Mark {
     @location(0) local: vec2f,
     // 0: a point; 1: within; 2: outside. 1 where suspected.
     @location(1) @interpolate(flat) kind: vec2f,
-    // What it is filled with where colour says something; transparent where nothing is known.
-    @location(2) @interpolate(flat) said: vec4f,
-    @location(3) @interpolate(flat) depth: f32,
+    @location(2) @interpolate(flat) depth: f32,
 }
 
 const CORNERS = array<vec2f, 6>(
@@ -30,10 +27,6 @@ fn mark(@builtin(vertex_index) corner: u32, sample: Sample) -> Mark {
     if frame.shown.w >= 0.0 {
         kind = select(2.0, 1.0, length(shown) <= frame.shown.w);
     }
-    mark.said = vec4f(0.0);
-    if known(shown) {
-        mark.said = said_of(shown, sample);
-    }
     let marked = sample.suspected > 0.5 && frame.style.y > 0.5;
     let half = select(5.0 * frame.style.w, 8.75, marked) + 1.0;
     mark.local = half * CORNERS[corner];
@@ -52,24 +45,16 @@ fn covers(outside_points: f32) -> f32 {
 fn covered(mark: Mark) -> @location(0) vec4f {
     let size = frame.style.w;
     let far = length(mark.local);
-    let open = mark.said.a < 0.5;
-    let inner = select(mark.said, frame.surface, open);
     let thin = min(1.0, size + 0.25);
     var out = vec4f(0.0);
     if mark.kind.x < 1.5 {
         let within = mark.kind.x > 0.5;
         let radius = select(2.6, 2.8, within) * size;
         let color = faded(select(frame.measured, frame.within, within), mark.depth);
-        if colour_says() {
-            let fill = output_of(inner, covers(far - radius));
-            let stroke = output_of(frame.measured, covers(abs(far - radius) - 0.4 * thin));
-            out = stroke + fill * (1.0 - stroke.a);
-        } else {
-            out = output_of(color, covers(far - radius));
-        }
+        out = output_of(color, covers(far - radius));
     } else {
         let edge = (abs(mark.local.x) + abs(mark.local.y) - 4.2 * size) * 0.70710678;
-        let fill = output_of(inner, covers(edge));
+        let fill = output_of(frame.surface, covers(edge));
         let stroke = output_of(frame.outside, covers(abs(edge) - 0.7 * thin));
         out = stroke + fill * (1.0 - stroke.a);
     }

@@ -27,17 +27,13 @@ use crate::numeric::single;
 use crate::gui::cache::cloud::Heat;
 use crate::gui::cache::cloud::{Place, RemainderRow};
 use crate::gui::style::{Palette, STOPS};
-use crate::gui::view::{Colouring, Facing};
+use crate::gui::view::Facing;
 
 /// Rows of four numbers; `frame.wgsl` names them.
-const ROWS: usize = 16 + STOPS;
+const ROWS: usize = 16;
 
 /// Width of an error vector, points, at any zoom.
 pub(crate) const WIDTH: f32 = 1.6;
-/// The narrowest and the widest of a vector whose width says what its colour says.
-pub(crate) const WEDGE: [f32; 2] = [0.9, 3.2];
-/// Width of the outline of a mark that is filled with what colour says, points.
-pub(crate) const OUTLINE: f32 = 0.8;
 /// How much of what is beneath the heat map hides.
 pub(crate) const HEAT: f32 = 0.72;
 
@@ -64,8 +60,7 @@ pub(crate) struct LayerOptions {
     pub(crate) long_mm: f64,
     /// How far a sample may be off, mm.
     pub(crate) tolerance_mm: Option<f64>,
-    /// What colour says.
-    pub(crate) colouring: Colouring,
+
     /// Size of marks, where 1 is the size of few.
     pub(crate) mark: f32,
 }
@@ -74,8 +69,7 @@ impl LayerOptions {
     /// Whether the deviations before stand pale beside those that are shown: only where no colour
     /// has to be compared with theirs.
     pub(crate) fn ghosts(&self) -> bool {
-        let both = self.answered && self.blend > 0.0 && !self.framed;
-        both && self.colouring == Colouring::State
+        self.answered && self.blend > 0.0 && !self.framed
     }
 }
 
@@ -109,13 +103,10 @@ impl Frame {
         ];
         // The last depends on whether the target wants linear colours.
         rows[3] = [viewport.width(), viewport.height(), pixels, 0.0];
-        let long = single(look.long_mm.max(1e-12));
-        rows[4] = [look.blend, single(look.magnification), long, tolerance];
+        rows[4] = [look.blend, single(look.magnification), 0.0, tolerance];
         let answered = if look.answered { 1.0 } else { 0.0 };
-        rows[5] = [mode(look.colouring), answered, WIDTH, look.mark];
-        // A colour that stands for a number is the same near and far.
-        let fades = look.deep_mm.is_some() && look.colouring == Colouring::State;
-        rows[6] = [WEDGE[0], WEDGE[1], 0.0, if fades { FADE } else { 0.0 }];
+        rows[5] = [0.0, answered, WIDTH, look.mark];
+        rows[6] = [0.0, 0.0, 0.0, look.deep_mm.map_or(0.0, |_| FADE)];
         rows[7] = [viewport.left(), viewport.top(), 0.0, 0.0];
         let flat = if look.answered {
             palette.after
@@ -132,9 +123,7 @@ impl Frame {
         rows[15] = look.deep_mm.map_or([0.0; 4], |deep| {
             axis(look.facing.towards, 0.5 / deep.max(1e-9))
         });
-        for (row, stop) in rows[16..].iter_mut().zip(palette.scale) {
-            *row = straight(stop, 1.0);
-        }
+
         Self { rows }
     }
 
@@ -188,14 +177,6 @@ pub(crate) fn scale_at(palette: &Palette, part: f32) -> Color32 {
     palette.scale[first].lerp_to_gamma(palette.scale[first + 1], place - first as f32)
 }
 
-fn mode(colouring: Colouring) -> f32 {
-    match colouring {
-        Colouring::State => 0.0,
-        Colouring::Deviation => 1.0,
-        Colouring::Uncertainty => 2.0,
-    }
-}
-
 fn straight(color: Color32, opacity: f32) -> [f32; 4] {
     let [r, g, b] = [color.r(), color.g(), color.b()].map(|c| f32::from(c) / 255.0);
     [r, g, b, opacity]
@@ -227,8 +208,8 @@ fn pipeline_layout(
 fn columns() -> [Option<wgpu::VertexBufferLayout<'static>>; 2] {
     const PLACE: [wgpu::VertexAttribute; 2] =
         wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3];
-    const REMAINS: [wgpu::VertexAttribute; 3] =
-        wgpu::vertex_attr_array![2 => Float32x3, 3 => Float32, 4 => Float32];
+    const REMAINS: [wgpu::VertexAttribute; 2] =
+        wgpu::vertex_attr_array![2 => Float32x3, 3 => Float32];
     let layout = |stride: usize, attributes| wgpu::VertexBufferLayout {
         array_stride: stride as u64,
         step_mode: wgpu::VertexStepMode::Instance,
@@ -333,7 +314,6 @@ mod frames {
         magnification: 50.0,
         long_mm: 2.0,
         tolerance_mm: None,
-        colouring: Colouring::State,
         mark: 1.0,
     };
 

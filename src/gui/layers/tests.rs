@@ -12,10 +12,10 @@ use egui_plot::{PlotBounds, PlotTransform};
 use egui_wgpu::RendererOptions;
 
 use crate::gui::style::{DARK, LIGHT, Palette};
-use crate::gui::view::{Colouring, Plane};
+use crate::gui::view::Plane;
 
 use super::gpu::{CloudLayer, register};
-use super::{Frame, HEAT, LayerOptions, OUTLINE, WIDTH, heat_map, map_in_plot, scale_at};
+use super::{Frame, HEAT, LayerOptions, WIDTH, heat_map, map_in_plot, scale_at};
 use crate::gui::cache::cloud::Heat;
 use crate::gui::cache::cloud::{Cloud, Place, Remainder};
 
@@ -82,7 +82,7 @@ pub(super) fn transform() -> PlotTransform {
     PlotTransform::new(frame(), bounds, false)
 }
 
-pub(super) fn look(colouring: Colouring, blend: f32) -> LayerOptions {
+pub(super) fn look(blend: f32) -> LayerOptions {
     LayerOptions {
         facing: Plane::Xy.facing(),
         deep_mm: None,
@@ -93,7 +93,6 @@ pub(super) fn look(colouring: Colouring, blend: f32) -> LayerOptions {
         magnification: 10.0,
         long_mm: 2.0,
         tolerance_mm: None,
-        colouring,
         mark: 0.0,
     }
 }
@@ -112,7 +111,7 @@ fn cloud() -> (Arc<Cloud>, Arc<Remainder>) {
     let place = |(at, before, _): &([f32; 2], [f32; 2], [f32; 2])| -> Place {
         [at[0], at[1], 3.0, before[0], before[1], 0.2]
     };
-    let row = |(_, _, after): &([f32; 2], [f32; 2], [f32; 2])| [after[0], after[1], 0.1, 0.0, 0.75];
+    let row = |(_, _, after): &([f32; 2], [f32; 2], [f32; 2])| [after[0], after[1], 0.1, 0.0];
     let cloud = Cloud {
         places: ARROWS.iter().map(place).collect(),
         samples: (0..5).collect(),
@@ -153,9 +152,9 @@ pub(super) fn as_parts(color: Color32) -> [f64; 3] {
 }
 
 /// The arrows that a reference draws, and the largest and the mean difference from the picture.
-fn compare_arrows(pixels: f32, palette: Palette, colouring: Colouring, blend: f32) {
+fn compare_arrows(pixels: f32, palette: Palette, blend: f32) {
     let (cloud, remainder) = cloud();
-    let look = look(colouring, blend);
+    let look = look(blend);
     let picture = drawn(pixels, palette.surface, move |_| {
         let layer = CloudLayer {
             cloud: Arc::clone(&cloud),
@@ -174,25 +173,12 @@ fn compare_arrows(pixels: f32, palette: Palette, colouring: Colouring, blend: f3
         let e: [f64; 2] = std::array::from_fn(|k| {
             f64::from(before[k]) + f64::from(blend) * f64::from(after[k] - before[k])
         });
-        let z = 0.2 + f64::from(blend) * (0.1 - 0.2);
         let screen = |x: f64, y: f64| [point * (120.0 + 2.0 * x), point * (80.0 - 2.0 * y)];
         let from = [f64::from(at[0]) - e[0], f64::from(at[1]) - e[1]];
         let tail = screen(from[0], from[1]);
         let tip = screen(from[0] + 10.0 * e[0], from[1] + 10.0 * e[1]);
-        #[allow(clippy::cast_possible_truncation, reason = "a part of a scale")]
-        let color = as_parts(match colouring {
-            Colouring::Deviation => {
-                let length = (e[0] * e[0] + e[1] * e[1] + z * z).sqrt();
-                scale_at(&palette, (length / 2.0) as f32)
-            }
-            Colouring::Uncertainty => scale_at(&palette, 0.75),
-            Colouring::State => palette.after,
-        });
-        let width = point
-            * match colouring {
-                Colouring::Uncertainty => 0.9 + 0.75 * (3.2 - 0.9),
-                _ => f64::from(WIDTH),
-            };
+        let color = as_parts(palette.after);
+        let width = point * f64::from(WIDTH);
         let around = |a: f64, b: f64| {
             let low = crate::numeric::whole(a.min(b) - 6.0 * point);
             low..crate::numeric::whole(a.max(b) + 6.0 * point)
@@ -222,7 +208,7 @@ fn compare_arrows(pixels: f32, palette: Palette, colouring: Colouring, blend: f3
             }
         }
     }
-    let says = format!("{pixels} px, {colouring:?}: {drawn_area:.1} of {area:.1} px, {worst:.3}");
+    let says = format!("{pixels} px: {drawn_area:.1} of {area:.1} px, {worst:.3}");
     assert!(
         area > 100.0 && (drawn_area / area - 1.0).abs() < 0.04,
         "{says}"
@@ -239,11 +225,10 @@ fn arrows_cover_what_their_outline_covers() {
     if !can_draw() {
         return;
     }
-    compare_arrows(1.0, LIGHT, Colouring::State, 0.0);
-    compare_arrows(1.0, DARK, Colouring::Deviation, 1.0);
-    compare_arrows(2.0, LIGHT, Colouring::State, 0.5);
-    compare_arrows(1.5, DARK, Colouring::Deviation, 0.25);
-    compare_arrows(1.0, LIGHT, Colouring::Uncertainty, 1.0);
+    compare_arrows(1.0, LIGHT, 0.0);
+    compare_arrows(1.0, DARK, 1.0);
+    compare_arrows(2.0, LIGHT, 0.5);
+    compare_arrows(1.5, DARK, 0.25);
 }
 
 /// How much of a pixel is covered, by 8 × 8 points of it from the middle of a mark.
@@ -253,9 +238,8 @@ fn covered(inside: impl Fn(f64, f64) -> bool, x: f64, y: f64) -> f64 {
     points.count() as f64 / 64.0
 }
 
-/// The marks that a reference draws: a disc within the tolerance, a diamond outside, filled with
-/// what colour says, open where nothing is known.
-fn compare_marks(pixels: f32, palette: Palette, colouring: Colouring) {
+/// The marks that a reference draws: a disc within the tolerance, an open diamond outside.
+fn compare_marks(pixels: f32, palette: Palette) {
     const SIZE: f32 = 3.0;
     const TOLERANCE_MM: f64 = 1.5;
     let (cloud, remainder) = cloud();
@@ -263,7 +247,7 @@ fn compare_marks(pixels: f32, palette: Palette, colouring: Colouring) {
         magnification: 0.0,
         tolerance_mm: Some(TOLERANCE_MM),
         mark: SIZE,
-        ..look(colouring, 0.0)
+        ..look(0.0)
     };
     let picture = drawn(pixels, palette.surface, move |_| {
         let layer = CloudLayer {
@@ -285,18 +269,10 @@ fn compare_marks(pixels: f32, palette: Palette, colouring: Colouring) {
         let length = (e[0] * e[0] + e[1] * e[1] + 0.2 * 0.2).sqrt();
         let within = length <= TOLERANCE_MM;
         kinds[usize::from(within)] += 1;
-        #[allow(clippy::cast_possible_truncation, reason = "a part of a scale")]
-        let said = match colouring {
-            Colouring::Deviation => scale_at(&palette, (length / 2.0) as f32),
-            Colouring::Uncertainty => scale_at(&palette, 0.75),
-            Colouring::State if within => palette.within,
-            // No temperature is known.
-            Colouring::State => palette.surface,
-        };
-        let (edge, half) = match (within, colouring) {
-            (false, _) => (palette.outside, 0.7 * point),
-            (true, Colouring::State) => (palette.within, 0.0),
-            (true, _) => (palette.text, 0.5 * f64::from(OUTLINE) * point),
+        let (said, edge, half) = if within {
+            (palette.within, palette.within, 0.0)
+        } else {
+            (palette.surface, palette.outside, 0.7 * point)
         };
         let [fill, edge] = [said, edge].map(as_parts);
         let beyond = |x: f64, y: f64| {
@@ -322,7 +298,7 @@ fn compare_marks(pixels: f32, palette: Palette, colouring: Colouring) {
                 let beneath = surface[k] + filled * (fill[k] - surface[k]);
                 let wanted = beneath + stroked * (edge[k] - beneath);
                 let off = (found[k] - wanted).abs();
-                let says = format!("{colouring:?} {at:?} {x} {y}: {} {wanted}", found[k]);
+                let says = format!("{at:?} {x} {y}: {} {wanted}", found[k]);
                 assert!(off < 0.25, "{says}");
                 // Away from every edge the colour is exact.
                 if beyond(x + 0.5, y + 0.5).abs() > half + 1.5 {
@@ -335,13 +311,13 @@ fn compare_marks(pixels: f32, palette: Palette, colouring: Colouring) {
 }
 
 #[test]
-fn marks_carry_what_colour_says_and_their_shape_says_whether_they_are_within() {
+fn the_shape_of_marks_says_whether_they_are_within() {
     if !can_draw() {
         return;
     }
-    compare_marks(1.0, LIGHT, Colouring::State);
-    compare_marks(2.0, DARK, Colouring::Deviation);
-    compare_marks(1.5, LIGHT, Colouring::Uncertainty);
+    compare_marks(1.0, LIGHT);
+    compare_marks(2.0, DARK);
+    compare_marks(1.5, LIGHT);
 }
 
 #[test]
@@ -358,7 +334,7 @@ fn the_heat_map_has_the_colour_of_the_error_at_every_sample() {
     let look = LayerOptions {
         centre_mm: Cloud::of(&loaded_session).centre_mm,
         long_mm: 20.0,
-        ..look(Colouring::Deviation, 0.0)
+        ..look(0.0)
     };
     for palette in [LIGHT, DARK] {
         let map = Arc::clone(&heat);
@@ -423,7 +399,7 @@ fn a_cloud_that_has_changed_is_uploaded_again() {
         let layer = CloudLayer {
             cloud: Arc::clone(now.0),
             remainder: now.1,
-            frame: Frame::new(&look(Colouring::State, 0.0), &LIGHT, &transform(), 1.0),
+            frame: Frame::new(&look(0.0), &LIGHT, &transform(), 1.0),
             counts: [now.0.samples.len(); 2],
             ghosts: false,
         };

@@ -11,7 +11,7 @@ use egui_plot::{Axis, Plot, PlotPoint, PlotTransform};
 use crate::present::chart::{Chart, ColourRole, Entry, Item, LegendSymbol, Ticks};
 use crate::present::drawing::Anchor;
 
-use crate::gui::style::{Palette, size, space};
+use crate::gui::style::{Palette, size};
 use crate::gui::widgets;
 
 use crate::gui::plots::{self, many, mark, of_chart, places};
@@ -210,44 +210,15 @@ impl Canvas<'_> {
 const HEIGHT: f32 = 18.0;
 /// Width of a mark, points.
 const MARK: f32 = 16.0;
-/// A chart of this height has room for a line more, points.
+/// A chart of this height has room for lines more, points.
 const HIGH: f32 = 220.0;
 /// Between names, points.
 const BETWEEN: f32 = 12.0;
 
-/// The line between a chart's bar and the chart: what the marks are, and what has to be said. It stands beside
-/// the plot, not on it, so that it covers no sample. What was before can be left out where there is something
-/// after: `shown` says whether it is there.
+/// Between a chart's bar and the chart: what the marks are, and what has to be said. It stands beside no mark, so
+/// that nothing is covered; what may go is left out by a press. `shown`: whether it is there; `None`: it cannot go.
 pub(crate) fn legend(ui: &mut Ui, chart: &Chart, shown: Option<bool>, workbench: &Workbench) {
-    let font = FontId::proportional(size::SMALL);
-    let wide = |one: &Entry| MARK + widgets::width_of(ui, &one.name, font.clone()) + BETWEEN;
-    let names = chart.legend.iter().map(wide).sum::<f32>();
-    let said = widgets::width_of(ui, &chart.note, font.clone());
-    // In a high chart what has to be said is not cut.
-    let cut = names + said > ui.available_width() && ui.available_height() > HIGH;
-    if names > ui.available_width() || cut {
-        return in_lines(ui, chart, shown, workbench);
-    }
-    let room = vec2(ui.available_width(), HEIGHT);
-    ui.allocate_ui_with_layout(room, Layout::right_to_left(Align::Center), |ui| {
-        ui.spacing_mut().item_spacing.x = BETWEEN;
-        for one in chart.legend.iter().rev() {
-            let shown = shown.filter(|_| one.may_go);
-            if entry(ui, one, shown) {
-                workbench.then(move |bench| bench.view.only_after = shown == Some(true));
-            }
-        }
-        ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
-            if !chart.note.is_empty() {
-                ui.add(note(ui, chart).truncate());
-            }
-        });
-    });
-    ui.add_space(-space::TIGHT);
-}
-
-/// The same in a narrow chart: as many lines as it takes, and the note below them.
-fn in_lines(ui: &mut Ui, chart: &Chart, shown: Option<bool>, workbench: &Workbench) {
+    let high = ui.available_height() > HIGH;
     ui.scope(|ui| {
         ui.spacing_mut().interact_size.y = HEIGHT;
         ui.spacing_mut().item_spacing = vec2(BETWEEN, 0.0);
@@ -258,16 +229,13 @@ fn in_lines(ui: &mut Ui, chart: &Chart, shown: Option<bool>, workbench: &Workben
                     workbench.then(move |bench| bench.view.only_after = shown == Some(true));
                 }
             }
+            if !chart.note.is_empty() {
+                let note = egui::RichText::new(&chart.note).size(size::SMALL);
+                let note = egui::Label::new(note.color(Palette::of(ui).muted));
+                ui.add(if high { note.wrap() } else { note.truncate() });
+            }
         });
     });
-    if !chart.note.is_empty() {
-        ui.add(note(ui, chart).wrap());
-    }
-}
-
-fn note(ui: &Ui, chart: &Chart) -> egui::Label {
-    let text = egui::RichText::new(&chart.note);
-    egui::Label::new(text.size(size::SMALL).color(Palette::of(ui).muted))
 }
 
 /// A name with its mark; whether it was pressed.
@@ -362,7 +330,7 @@ pub(crate) fn empty(ui: &mut Ui, title: &str, why: &str) {
     let area = area.with_min_y(top);
     let layout = Layout::top_down(Align::Center);
     ui.scope_builder(egui::UiBuilder::new().max_rect(area).layout(layout), |ui| {
-        widgets::title(ui, title);
+        widgets::bold(ui, title);
         widgets::hint(ui, why);
     });
 }

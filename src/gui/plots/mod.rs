@@ -15,26 +15,18 @@ use egui::{
 use egui_plot::{Axis, AxisHints, GridMark, Plot, PlotResponse, PlotTransform, PlotUi};
 
 use crate::gui::style::{Palette, size};
-use crate::gui::view::{Key, What};
+use crate::gui::view::What;
 use crate::gui::widgets::{self, Does};
 use crate::gui::workbench::Workbench;
 use crate::present::chart::{Form, Ticks, ticks};
 use crate::present::numbers::trimmed;
 use crate::text::{Template, spoken};
 
-/// Saves a plot as a file: of charts that show the same that of this pane.
-pub(crate) fn picture(
-    ui: &mut Ui,
-    plot: crate::gui::view::Plot,
-    key: Option<Key>,
-    workbench: &Workbench,
-) {
+/// Saves a plot as a file.
+pub(crate) fn picture(ui: &mut Ui, plot: crate::gui::view::Plot, workbench: &Workbench) {
     let says = say!("Save picture of the {plot}…", plot = plot.title());
     let button = widgets::icon_button(ui, widgets::SAVE, &says);
     button.on_hover_text(&says).does(workbench, move |bench| {
-        if let Some(key) = key {
-            bench.view.panes.activate(key);
-        }
         bench.choose_where_to_export(What::Picture(plot));
     });
 }

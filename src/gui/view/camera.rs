@@ -62,35 +62,6 @@ impl Facing {
     }
 }
 
-named! {
-    /// A view that has a name.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-    pub(crate) enum Standard {
-        Isometric = say!("isometric"),
-        /// Against z, x to the right.
-        Top = say!("top"),
-        /// Against x, y to the right.
-        Front = say!("front"),
-        /// Along y, x to the right.
-        Side = say!("side"),
-    }
-    pub(crate) fn name;
-    pub(crate) const ALL;
-}
-
-impl Standard {
-    /// Azimuth and elevation, rad.
-    fn angles(self) -> [f64; 2] {
-        match self {
-            // The three axes look equally long: tan e = 1/√2.
-            Self::Isometric => [-FRAC_PI_4, 0.5_f64.sqrt().atan()],
-            Self::Top => [-FRAC_PI_2, FRAC_PI_2],
-            Self::Front => [0.0, 0.0],
-            Self::Side => [-FRAC_PI_2, 0.0],
-        }
-    }
-}
-
 /// A ball around everything that is drawn, mm of the base frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Ball {
@@ -150,17 +121,11 @@ pub(crate) struct Camera {
 }
 
 impl Default for Camera {
+    /// The three axes look equally long: tan e = 1/√2.
     fn default() -> Self {
-        Self::from(Standard::Isometric)
-    }
-}
-
-impl From<Standard> for Camera {
-    fn from(view: Standard) -> Self {
-        let [azimuth_rad, elevation_rad] = view.angles();
         Self {
-            azimuth_rad,
-            elevation_rad,
+            azimuth_rad: -FRAC_PI_4,
+            elevation_rad: 0.5_f64.sqrt().atan(),
             zoom: 1.0,
             offset_mm: [0.0; 3],
         }
@@ -175,25 +140,6 @@ impl Camera {
             right: [-sin_a, cos_a, 0.0],
             up: [-sin_e * cos_a, -sin_e * sin_a, cos_e],
             towards: [cos_e * cos_a, cos_e * sin_a, sin_e],
-        }
-    }
-
-    /// The named view that this is, if it is one.
-    pub(crate) fn standard(&self) -> Option<Standard> {
-        Standard::ALL.into_iter().find(|view| {
-            let [azimuth, elevation] = view.angles();
-            (self.azimuth_rad - azimuth).abs() < 1e-9
-                && (self.elevation_rad - elevation).abs() < 1e-9
-        })
-    }
-
-    /// The same place, looked at from a named view.
-    pub(crate) fn seen_from(self, view: Standard) -> Self {
-        let [azimuth_rad, elevation_rad] = view.angles();
-        Self {
-            azimuth_rad,
-            elevation_rad,
-            ..self
         }
     }
 
@@ -270,11 +216,8 @@ impl Camera {
         next.panned([right * part, up * part])
     }
 
-    /// In words: the view's name, or from which direction.
+    /// In words: from which direction.
     pub(crate) fn describe(&self) -> String {
-        if let Some(view) = self.standard() {
-            return say!("{view} view", view = view.name());
-        }
         let [azimuth, elevation] = [self.azimuth_rad, self.elevation_rad]
             .map(|a| crate::present::numbers::trimmed(a.to_degrees(), 0));
         say!(
@@ -343,22 +286,6 @@ pub(crate) enum Aspect {
     Space,
 }
 
-named! {
-    /// What the colour of an error vector says.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-    pub(crate) enum Colouring {
-        /// Before or after.
-        #[default]
-        State = say!("before and after"),
-        /// The deviation's length.
-        Deviation = say!("deviation"),
-        /// One standard uncertainty of what the model predicts.
-        Uncertainty = say!("uncertainty (1σ)"),
-    }
-    pub(crate) fn name;
-    pub(crate) const ALL;
-}
-
 #[cfg(test)]
 mod tests {
     //! The geometry of the camera: where points are on the screen before and after it moves.
@@ -405,35 +332,6 @@ mod tests {
             assert!((0..3).all(|k| (cross[k] - towards[k]).abs() < 1e-12));
             assert!((dot(up, up) - 1.0).abs() < 1e-12 && right[2] == 0.0 && up[2] > 0.0);
         }
-    }
-
-    #[test]
-    fn standard_views_show_the_axes_that_their_names_say() {
-        let seen = |view: Standard| {
-            let facing = Camera::from(view).facing();
-            [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(|axis| facing.flat(axis))
-        };
-        let [x, y, z] = seen(Standard::Top);
-        near(x, [1.0, 0.0]);
-        near(y, [0.0, 1.0]);
-        near(z, [0.0, 0.0]);
-        let [x, y, z] = seen(Standard::Front);
-        near(x, [0.0, 0.0]);
-        near(y, [1.0, 0.0]);
-        near(z, [0.0, 1.0]);
-        let [x, y, z] = seen(Standard::Side);
-        near(x, [1.0, 0.0]);
-        near(y, [0.0, 0.0]);
-        near(z, [0.0, 1.0]);
-        let lengths = seen(Standard::Isometric).map(|[a, b]| a.hypot(b));
-        assert!(
-            lengths.iter().all(|l| (l - lengths[0]).abs() < 1e-12),
-            "{lengths:?}"
-        );
-        for view in Standard::ALL {
-            assert_eq!(Camera::from(view).standard(), Some(view));
-        }
-        assert_eq!(Camera::default().orbited([3.0, 0.0]).standard(), None);
     }
 
     #[test]

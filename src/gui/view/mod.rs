@@ -1,13 +1,10 @@
 //! How the window looks at the document. Nothing here changes what is saved, and nothing here can
 //! be undone.
 
-mod camera;
-mod panes;
-
-pub(crate) use camera::{Aspect, Ball, Camera, Colouring, Facing, Plane, Standard};
-pub(crate) use panes::{ChartPane, Edge, Key, Pane, Panes};
-
 use std::path::{Path, PathBuf};
+
+use egui::{Context, ThemePreference, Vec2};
+use serde::{Deserialize, Serialize};
 
 use crate::gui::core::disk::{FileChange, name_of};
 use crate::gui::core::document::plain;
@@ -16,8 +13,13 @@ use crate::gui::core::overview::ROOM;
 use crate::gui::core::setup::SetupForm;
 use crate::gui::core::simulate::Form;
 use crate::gui::import_draft::ImportDraft;
-use crate::gui::preferences::Preferences;
 use crate::language::known_words;
+use crate::present::numbers::Notation;
+use crate::present::units::{AngleUnit, LengthUnit};
+use crate::text::{Language, current};
+
+mod camera;
+pub(crate) use camera::{Aspect, Ball, Camera, Facing, Plane};
 
 named! {
     /// The steps of the work, in order.
@@ -77,6 +79,14 @@ pub(crate) struct Fitted {
     pub(crate) charts: u64,
 }
 
+/// One of the two in the middle.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(crate) enum Front {
+    #[default]
+    Workspace,
+    Chart,
+}
+
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct ViewState {
     pub(crate) step: Step,
@@ -92,13 +102,11 @@ pub(crate) struct ViewState {
     pub(crate) plot_size: f64,
     /// From 0, before, to 1, after.
     pub(crate) blend: f32,
-    /// What the colour of error vectors says.
-    pub(crate) colouring: Colouring,
     /// Whether the heat map is shown.
     pub(crate) heat: bool,
     /// So many samples can be drawn at once.
     pub(crate) most_drawn: usize,
-    /// The component that is looked at, where a chart has none of its own.
+    /// The component that charts show.
     pub(crate) component: Component,
     /// Whether the chart leaves out the deviation before, so that what is left can be seen.
     pub(crate) only_after: bool,
@@ -111,9 +119,11 @@ pub(crate) struct ViewState {
     pub(crate) side: Side,
     /// How its samples are sorted.
     pub(crate) sorting: Sorting,
-    /// Workspace and charts.
-    pub(crate) panes: Panes,
-    /// The joint that charts are about that have none of their own, counted from 0.
+    /// The chart by its name; `None`: what suits the step.
+    pub(crate) chart: Option<&'static str>,
+    /// What is shown where there is no room for both.
+    pub(crate) front: Front,
+    /// The joint that charts are about, counted from 0.
     pub(crate) joint: usize,
     /// The found effect whose curve is charted, by its place in the answer.
     pub(crate) effect: usize,
@@ -140,17 +150,17 @@ impl ViewState {
         self.look(Aspect::Plane);
     }
 
-    /// The same in space, from this side if one is named.
-    pub(crate) fn look_from(&mut self, from: Option<Standard>) {
-        self.look(Aspect::Space);
-        if let Some(from) = from {
-            self.camera = self.camera.seen_from(from);
+    /// The same in space; from where it begins, where it is looked at already.
+    pub(crate) fn look_in_space(&mut self) {
+        if self.in_space() {
+            self.camera = Camera::default();
         }
+        self.look(Aspect::Space);
     }
 
     fn look(&mut self, aspect: Aspect) {
         self.aspect = aspect;
-        self.panes.activate(self.panes.workspace());
+        self.front = Front::Workspace;
     }
 
     pub(crate) fn select(&mut self, sample: Option<usize>) {
@@ -262,8 +272,6 @@ impl Sheet {
     pub(crate) const COMPENSATION: Self = Self::Named("compensation");
     /// What the report states besides its measurements.
     pub(crate) const DETAILS: Self = Self::Named("details");
-    /// What became of the machine.
-    pub(crate) const HISTORY: Self = Self::Named("history");
     /// The library of robots.
     pub(crate) const ROBOTS: Self = Self::Named("robots");
     /// What windows that are gone have left behind.
@@ -385,8 +393,6 @@ pub(crate) enum What {
     /// The calibration report.
     Report(About),
     Picture(Plot),
-    /// What the chart of this name shows, as a table.
-    Numbers(&'static str),
     /// A table of targets or a robot program, corrected.
     Targets,
     /// A robot of the library, by its name.
@@ -405,7 +411,6 @@ impl What {
             Self::Poses => say!("Save measuring list"),
             Self::Report(_) => say!("Save report"),
             Self::Picture(_) => say!("Save picture"),
-            Self::Numbers(_) => say!("Save data"),
             Self::Targets => say!("Save corrected file"),
             Self::Robot(_) | Self::TypedRobot => say!("Save robot file"),
         }
@@ -456,5 +461,119 @@ impl Plot {
     pub(crate) fn file_name(self, session: &str, ending: &str) -> String {
         let session = plain(session);
         format!("{session}-{}.{ending}", plain(self.name()))
+    }
+}
+
+// What the user wants to see: units, digits, light or dark, size of text. Kept from one day to the next by
+// `file_state`.
+
+/// Light, dark, or as the system has it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub(crate) enum Theme {
+    #[default]
+    System,
+    /// For a bright hall.
+    Light,
+    /// For a dim one.
+    Dark,
+}
+
+impl Theme {
+    /// What egui calls it.
+    pub(crate) fn preference(self) -> ThemePreference {
+        match self {
+            Self::System => ThemePreference::System,
+            Self::Light => ThemePreference::Light,
+            Self::Dark => ThemePreference::Dark,
+        }
+    }
+}
+
+/// Smallest and largest size of text, in parts of the usual one.
+pub(crate) const ZOOM: std::ops::RangeInclusive<f32> = 0.6..=3.0;
+/// The smallest window in which everything fits, points (1280 × 800 with text of 200 %, see `tests/window/sizes.rs`):
+/// larger text would overlap.
+const LEAST_ROOM: Vec2 = Vec2::new(640.0, 400.0);
+
+/// The largest size of text that this window has room for.
+pub(crate) fn largest_zoom(ctx: &Context) -> f32 {
+    let usual = ctx.zoom_factor() * ctx.content_rect().size();
+    let fits = (usual / LEAST_ROOM).min_elem();
+    fits.clamp(1.0, *ZOOM.end())
+}
+
+/// Most decimals of a length.
+const MOST_DECIMALS: u8 = 6;
+
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(default, rename_all = "kebab-case")]
+pub(crate) struct Preferences {
+    /// `None`: that of the system, where it is offered.
+    pub(crate) language: Option<Language>,
+    pub(crate) length: LengthUnit,
+    pub(crate) angle: AngleUnit,
+    /// Decimals of lengths; `None`: as many as can be read.
+    pub(crate) decimals: Option<u8>,
+    /// Whether decimals follow a comma; `None`: as the language has it.
+    pub(crate) comma: Option<bool>,
+    /// Light or dark.
+    pub(crate) theme: Theme,
+    /// Size of text, in parts of the usual one.
+    pub(crate) zoom: f32,
+}
+
+impl Default for Preferences {
+    fn default() -> Self {
+        Self {
+            language: None,
+            length: LengthUnit::default(),
+            angle: AngleUnit::default(),
+            decimals: None,
+            comma: None,
+            theme: Theme::default(),
+            zoom: 1.0,
+        }
+    }
+}
+
+impl Preferences {
+    /// How numbers are written in the language that is spoken.
+    pub(crate) fn notation(&self) -> Notation {
+        Notation {
+            decimals: self.decimals,
+            comma: self.comma.unwrap_or(current() == Language::German),
+        }
+    }
+
+    /// The unit of lengths behind this one, and how it is offered.
+    pub(crate) fn next_length(&self) -> (LengthUnit, &'static str) {
+        match self.length {
+            LengthUnit::Millimetre => (LengthUnit::Micrometre, say!("Lengths in µm")),
+            LengthUnit::Micrometre => (LengthUnit::Inch, say!("Lengths in inches")),
+            LengthUnit::Inch => (LengthUnit::Millimetre, say!("Lengths in mm")),
+        }
+    }
+
+    /// The unit of angles behind this one, and how it is offered.
+    pub(crate) fn next_angle(&self) -> (AngleUnit, &'static str) {
+        match self.angle {
+            AngleUnit::Degree => (AngleUnit::Radian, say!("Angles in radians")),
+            AngleUnit::Radian => (AngleUnit::Milliradian, say!("Angles in mrad")),
+            AngleUnit::Milliradian => (AngleUnit::ArcSecond, say!("Angles in arcsec")),
+            AngleUnit::ArcSecond => (AngleUnit::Degree, say!("Angles in degrees")),
+        }
+    }
+
+    /// The same, with every number in the range that it can have.
+    #[must_use]
+    pub(crate) fn sound(mut self) -> Self {
+        self.decimals = self.decimals.map(|d| d.min(MOST_DECIMALS));
+        self.zoom = if self.zoom.is_finite() {
+            self.zoom.clamp(*ZOOM.start(), *ZOOM.end())
+        } else {
+            1.0
+        };
+        self
     }
 }

@@ -16,7 +16,7 @@ use crate::explain::{Block, Detail, Section, problems_of_data};
 use crate::fit::{Estimate, RegionResult};
 use crate::gui::charts::{About, effect};
 use crate::gui::style::{Palette, size, space, strong};
-use crate::gui::view::Key;
+
 use crate::gui::widgets::{self, Does};
 use crate::gui::workbench::Workbench;
 use crate::language::spoken;
@@ -234,8 +234,8 @@ fn one_below_the_other(ui: &mut Ui, table: &Table) {
 /// What the button says that adds every found effect.
 pub(super) fn add_all(n: usize) -> String {
     match n {
-        1 => say!("Add it to the model").to_owned(),
-        n => say!("Add all {n} to the model", n),
+        1 => say!("Add the effect to the model").to_owned(),
+        n => say!("Add all {n} effects to the model", n),
     }
 }
 
@@ -431,14 +431,11 @@ fn is_recent(ui: &Ui, id: Id) -> bool {
 }
 
 /// The mark in a chart's bar that copies its numbers.
-pub(super) fn chart_button(ui: &mut Ui, about: &About, key: Key, workbench: &Workbench) {
+pub(super) fn chart_button(ui: &mut Ui, about: &About, workbench: &Workbench) {
     let id = about.id;
     let says = say!("Copy numbers: {of}", of = about.name().to_lowercase());
     let button = widgets::icon_button(ui, widgets::COPY, &says).on_hover_text(&says);
-    button.does(workbench, move |bench| {
-        bench.view.panes.activate(key);
-        bench.copy_numbers(id);
-    });
+    button.does(workbench, move |bench| bench.copy_numbers(id));
     if is_recent(ui, id_of(about.id)) {
         // What lies beneath it can be clicked all the same.
         Popup::from_response(&button)

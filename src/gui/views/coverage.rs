@@ -2,19 +2,14 @@
 //! and what comes next. So that the right-hand side helps from the first minute on.
 
 use crate::language::spoken;
-use crate::text::Template;
 use egui::{RichText, Ui};
 
-use crate::effects::survey::JointSurvey;
-use crate::export::EXPORTERS;
-use crate::gui::core::quantity::joint_value;
-use crate::gui::style::{Palette, size, space, strong};
+use crate::gui::style::{Palette, size, strong};
 use crate::gui::view::Step;
 use crate::gui::widgets;
 use crate::gui::workbench::Workbench;
 use crate::present::names::title;
-use crate::present::numbers::{grouped, trimmed};
-use crate::present::units::Units;
+use crate::present::numbers::grouped;
 
 /// Shows it, what belongs to the step first.
 pub(super) fn show(ui: &mut Ui, workbench: &Workbench) {
@@ -24,18 +19,16 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench) {
     match workbench.view.step {
         Step::Session | Step::Regions | Step::Identify => {
             gap(ui, workbench);
-            covers(ui, workbench);
             testable(ui, workbench);
         }
         Step::Gap => {
             if workbench.searching().is_none() && workbench.stopped().is_none() {
                 search(ui);
             }
-            covers(ui, workbench);
             testable(ui, workbench);
         }
         Step::Export => {
-            formats(ui, workbench);
+            formats(ui);
             gap(ui, workbench);
         }
     }
@@ -88,102 +81,18 @@ fn gap(ui: &mut Ui, workbench: &Workbench) {
     });
 }
 
-/// Under which conditions was measured.
-fn covers(ui: &mut Ui, workbench: &Workbench) {
-    let loaded_session = workbench.loaded_session();
-    let units = workbench.units();
-    let known = &loaded_session.coverage;
-    let survey = &known.survey;
-    let joints = &loaded_session.session.robot.joints;
-    widgets::card(ui, |ui| {
-        widgets::bold(ui, say!("Coverage"));
-        if let (Some([from, to]), Some(first)) = (known.measured, joints.first()) {
-            let at = |q: f64| joint_value(units, first.kind, q);
-            let name = if joints.len() > 1 {
-                phrase!("measured range, joint 1")
-            } else {
-                phrase!("measured range")
-            };
-            widgets::fact_of(ui, name, format!("{} … {}", at(from), at(to)));
-        }
-        let came_from: Vec<String> = survey.joints.iter().map(sides).collect();
-        of_joints(ui, phrase!("approach"), &came_from, |k| {
-            say!("approach, joint {joint}", joint = k)
-        });
-        let speeds: Vec<String> = survey
-            .joints
-            .iter()
-            .map(|joint| speeds(joint, units))
-            .collect();
-        of_joints(ui, phrase!("speed"), &speeds, |k| {
-            say!("speed, joint {joint}", joint = k)
-        });
-        widgets::fact_of(ui, phrase!("load"), range(known.load_kg, "kg", 2));
-        widgets::fact_of(
-            ui,
-            phrase!("temperature"),
-            range(known.temperature_c, "°C", 1),
-        );
-        let time = survey
-            .duration_s
-            .map_or_else(|| say!("not recorded").to_owned(), duration);
-        widgets::fact_of(ui, phrase!("duration"), time);
-    });
-}
-
-/// What is so of each joint; once where all are alike, as where nothing was recorded of any.
-fn of_joints(ui: &mut Ui, of_all: Template, values: &[String], of_joint: impl Fn(usize) -> String) {
-    if values.windows(2).all(|pair| pair[0] == pair[1]) {
-        if let Some(value) = values.first() {
-            widgets::fact_of(ui, of_all, value);
-        }
-        return;
-    }
-    for (k, value) in values.iter().enumerate() {
-        widgets::fact(ui, &of_joint(k + 1), value);
-    }
-}
-
-/// A range with its unit once.
-fn range(ends: Option<[f64; 2]>, unit: &str, decimals: usize) -> String {
-    match ends {
-        None => say!("not recorded").to_owned(),
-        Some([from, to]) if from == to => say!(
-            "{decimals} {unit} throughout",
-            decimals = trimmed(from, decimals),
-            unit
-        ),
-        Some([from, to]) => {
-            format!(
-                "{} … {} {unit}",
-                trimmed(from, decimals),
-                trimmed(to, decimals)
-            )
-        }
-    }
-}
-
-/// A time as people say it.
-fn duration(seconds: f64) -> String {
-    let minutes = seconds / 60.0;
-    if minutes < 2.0 {
-        format!("{} s", trimmed(seconds, 0))
-    } else if minutes < 120.0 {
-        format!("{} min", trimmed(minutes, 0))
-    } else {
-        format!("{} h", trimmed(minutes / 60.0, 1))
-    }
-}
-
 /// Which effects can be seen in such samples, and which cannot.
 fn testable(ui: &mut Ui, workbench: &Workbench) {
     let loaded_session = workbench.loaded_session();
     widgets::card(ui, |ui| {
-        widgets::bold(ui, say!("Testable effects"));
         let known = &loaded_session.coverage;
         let (yes, no) = (known.testable.len(), known.not_testable.len());
-        let says = say!("{yes} of {no}", yes, no = yes + no);
-        widgets::fact_of(ui, phrase!("testable effects"), says);
+        widgets::fact_of(
+            ui,
+            phrase!("testable effects"),
+            say!("{yes} of {no}", yes, no = yes + no),
+        );
+
         let can = say!("{yes} can be tested", yes);
         widgets::folded(ui, &can, size::NOTE, |ui| {
             let names = known.testable.iter();
@@ -222,7 +131,7 @@ fn search(ui: &mut Ui) {
 }
 
 /// What can be written, before there is anything to write.
-fn formats(ui: &mut Ui, workbench: &Workbench) {
+fn formats(ui: &mut Ui) {
     widgets::card(ui, |ui| {
         widgets::bold(ui, say!("Nothing to export yet"));
         widgets::hint(
@@ -231,59 +140,5 @@ fn formats(ui: &mut Ui, workbench: &Workbench) {
                 "The table comes from the identified robot. It will be shown here as text, with its sign convention in words, the RMS error that it leaves, and what joint commands cannot correct"
             ),
         );
-        ui.add_space(space::TIGHT);
-        let robot = &workbench.loaded_session().session.robot;
-        for format in EXPORTERS.iter().filter(|format| (format.suits)(robot)) {
-            ui.label(spoken(format.title));
-        }
     });
-}
-
-/// From which sides a joint was approached, and how often.
-fn sides(joint: &JointSurvey) -> String {
-    match joint.from_sides {
-        [0, 0] => say!("not recorded").to_owned(),
-        [0, up] => say!("{up} +", up = grouped(up)),
-        [down, 0] => say!("{down} −", down = grouped(down)),
-        [down, up] => say!("{up} +, {down} −", up = grouped(up), down = grouped(down)),
-    }
-}
-
-/// How fast a joint was while it was measured.
-fn speeds(joint: &JointSurvey, units: Units) -> String {
-    let speed = joint_value(units, joint.kind, joint.largest_speed) + "/s";
-    match joint.speeds {
-        0 => say!("not recorded").to_owned(),
-        1 if joint.largest_speed == 0.0 => say!("standstill").to_owned(),
-        1 => say!("{speed} throughout", speed),
-        _ => say!("up to {speed}", speed),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::present::units::AngleUnit;
-
-    #[test]
-    fn conditions_read_as_people_say_them() {
-        assert_eq!(range(None, "kg", 2), "not recorded");
-        assert_eq!(range(Some([2.0, 2.0]), "kg", 2), "2 kg throughout");
-        assert_eq!(range(Some([0.0, 2.5]), "kg", 2), "0 … 2.5 kg");
-        let session = crate::gui::files::first_example();
-        let joint = JointSurvey {
-            speeds: 2,
-            largest_speed: 0.5,
-            ..session.coverage.survey.joints[0].clone()
-        };
-        let radians = Units {
-            angle: AngleUnit::Radian,
-            ..Units::default()
-        };
-        assert_eq!(speeds(&joint, Units::default()), "up to 28.65°/s");
-        assert_eq!(speeds(&joint, radians), "up to 0.5 rad/s");
-        assert_eq!(duration(45.0), "45 s");
-        assert_eq!(duration(1800.0), "30 min");
-        assert_eq!(duration(9000.0), "2.5 h");
-    }
 }

@@ -1,6 +1,5 @@
 //! Step 5: what the controller needs, seen before it is saved.
 
-use egui::scroll_area::ScrollBarVisibility;
 use egui::{DragValue, RichText, ScrollArea, Ui};
 
 use crate::explain::{self, Block, Detail, Exported, Section, Topic};
@@ -18,17 +17,6 @@ use super::blocks::in_words;
 
 /// Where an own step begins, degrees or mm.
 const FIRST_STEP: f64 = 1.0;
-
-pub(super) fn state(workbench: &Workbench) -> (String, bool) {
-    match workbench
-        .exported()
-        .next_back()
-        .and_then(|path| path.file_name())
-    {
-        Some(name) => (name.to_string_lossy().into_owned(), true),
-        None => (say!("not yet").to_owned(), false),
-    }
-}
 
 pub(super) fn show(ui: &mut Ui, workbench: &Workbench) {
     if workbench.answer().is_none() {
@@ -277,18 +265,9 @@ fn text(ui: &mut Ui, text: &str) {
     const HIGH: f32 = 340.0;
     ui.spacing_mut().item_spacing.y = 1.0;
     let lines: Vec<&str> = text.lines().take(MOST).collect();
-    // Bars of an area whose end is out of sight would lie on what is in sight.
-    let row = ui.text_style_height(&egui::TextStyle::Monospace) + ui.spacing().item_spacing.y;
-    let high = HIGH.min(lines.len() as f32 * row);
-    let bars = if ui.cursor().top() + high > ui.clip_rect().bottom() {
-        ScrollBarVisibility::AlwaysHidden
-    } else {
-        ScrollBarVisibility::VisibleWhenNeeded
-    };
     ScrollArea::both()
         .id_salt("table as text")
         .max_height(HIGH)
-        .scroll_bar_visibility(bars)
         .auto_shrink([false, true])
         .show(ui, |ui| {
             ui.style_mut().wrap_mode = Some(egui::TextWrapMode::Extend);

@@ -11,7 +11,7 @@ use crate::effects::Term;
 use crate::explain::{Block, Detail, Section, Topic, found_effect};
 use crate::fit::Estimate;
 use crate::gui::charts::effect::{self, EffectCurve};
-use crate::gui::core::answer::{SEARCHING, STAGES, term_of};
+use crate::gui::core::answer::term_of;
 use crate::gui::core::document::Method;
 use crate::gui::core::overview::stride;
 use crate::gui::jobs::Running;
@@ -24,7 +24,7 @@ use crate::gui::workbench::Workbench;
 use crate::kinematics::JointKind;
 use crate::present::names::{parameter, title_of};
 use crate::present::numbers::{significant, with_minus_signs};
-use crate::text::{spoken, within};
+use crate::text::within;
 
 pub(super) fn show(ui: &mut Ui, workbench: &Workbench) {
     if workbench.loaded_session().is_empty() {
@@ -41,7 +41,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench) {
         ),
     );
     if workbench.searching().is_some() {
-        stages(ui, workbench);
+        under_way_here(ui, workbench);
         return;
     }
     if workbench.diagnosis().is_some() {
@@ -86,35 +86,17 @@ fn before(ui: &mut Ui, workbench: &Workbench) {
     }
 }
 
-/// Where the search is.
-fn stages(ui: &mut Ui, workbench: &Workbench) {
+/// How far the search is; the results name what was found, where they are in sight.
+fn under_way_here(ui: &mut Ui, workbench: &Workbench) {
     let Some(running) = workbench.searching() else {
         return;
     };
-    let palette = Palette::of(ui);
     widgets::section(ui, say!("Diagnosing"));
-    let (reached, found) = (running.stage(), running.found());
-    for (k, stage) in STAGES.into_iter().enumerate() {
-        let text = RichText::new(spoken(stage));
-        ui.label(match k.cmp(&reached) {
-            std::cmp::Ordering::Less => text.color(palette.within),
-            std::cmp::Ordering::Equal => text.font(strong(size::BODY)),
-            std::cmp::Ordering::Greater => text.color(palette.muted),
-        });
-        // The results name them, where they are in sight.
-        let named = crate::gui::actions::layout(ui.ctx(), workbench).results();
-        if k == SEARCHING && !named {
-            ui.indent("found so far", |ui| names(ui, &found));
-            if !found.is_empty() {
-                widgets::hint(
-                    ui,
-                    say!("Found so far; a likelier name may take the place of one"),
-                );
-            }
-        }
+    if !crate::gui::actions::layout(ui.ctx(), workbench).results() {
+        names(ui, &running.found());
     }
     let bar = ProgressBar::new(running.progress().unwrap_or(0.0));
-    ui.add(bar.desired_height(8.0).fill(palette.accent));
+    ui.add(bar.desired_height(8.0).fill(Palette::of(ui).accent));
     widgets::look_again_soon(ui);
 }
 
@@ -136,26 +118,6 @@ pub(super) fn switches(ui: &mut Ui, workbench: &Workbench) {
             workbench.then(move |bench| bench.switch(index, on));
         }
     }
-}
-
-/// What the step has to show for itself.
-pub(super) fn state(workbench: &Workbench) -> (String, bool) {
-    if workbench.searching().is_some() {
-        return (say!("searching").to_owned(), false);
-    }
-    let on = workbench.document().in_the_model().count();
-    let caption = match (workbench.diagnosis(), on) {
-        (_, 1) => say!("one effect in the model").to_owned(),
-        (_, 2..) => say!("{on} effects in the model", on),
-        (None, _) => return (say!("not yet").to_owned(), false),
-        (Some(diagnosis), _) => match (diagnosis.verdict, diagnosis.found.len()) {
-            (Verdict::Noise, _) => say!("nothing is missing").to_owned(),
-            (Verdict::Unexplained, _) => say!("something unexplained").to_owned(),
-            (_, 1) => say!("one effect found").to_owned(),
-            (_, n) => say!("{n} effects found", n),
-        },
-    };
-    (caption, true)
 }
 
 pub(super) fn next(ui: &mut Ui, workbench: &Workbench) {

@@ -1,16 +1,13 @@
 //! The bar at the top: menus, the session's name, undo and redo.
 
 use egui::containers::menu::MenuButton;
-use egui::gui_zoom::{kb_shortcuts, zoom_in, zoom_out};
 use egui::{
-    Align, Button, Context, FontId, Id, Label, Layout, MenuBar, Popup, Response, RichText,
-    ScrollArea, Ui,
+    Align, Button, FontId, Id, Label, Layout, MenuBar, Popup, Response, RichText, ScrollArea, Ui,
 };
 
 use crate::gui::actions::{self, Action, OPEN_EXAMPLE, OPEN_LATEST};
 use crate::gui::core::disk::{EXAMPLES, name_of};
 use crate::gui::core::loaded_session::Origin;
-use crate::gui::preferences::{ZOOM, largest_zoom};
 use crate::gui::style::{Palette, size, space, strong};
 use crate::gui::widgets::{self, Does};
 use crate::gui::workbench::Workbench;
@@ -223,7 +220,6 @@ fn file(ui: &mut Ui, workbench: &Workbench) {
             actions::COMPENSATE,
             actions::REPORT_DETAILS,
             actions::REPORT,
-            actions::HISTORY,
         ],
     );
     ui.separator();
@@ -274,9 +270,8 @@ fn edit(ui: &mut Ui, workbench: &Workbench) {
 
 fn view(ui: &mut Ui, workbench: &Workbench) {
     use actions::{
-        CHART_BELOW, CHART_BESIDE, CLOSE_CHART, FIT, FROM_FRONT, FROM_ISOMETRIC, FROM_SIDE,
-        FROM_TOP, LOOK_AROUND, LOOK_IN_SPACE, LOOK_XY, LOOK_XZ, LOOK_YZ, NEXT_ANGLE, NEXT_LENGTH,
-        NEXT_PLOT, OTHER_THEME, RESULTS, USUAL_PLOTS,
+        FIT, LOOK_AROUND, LOOK_IN_SPACE, LOOK_XY, LOOK_XZ, LOOK_YZ, NEXT_ANGLE, NEXT_LENGTH,
+        OTHER_THEME, RESULTS,
     };
     ui.set_min_width(260.0);
     items(ui, workbench, &actions::STEPS[..workbench.steps().len()]);
@@ -286,61 +281,14 @@ fn view(ui: &mut Ui, workbench: &Workbench) {
         workbench,
         &[LOOK_XY, LOOK_XZ, LOOK_YZ, LOOK_AROUND, LOOK_IN_SPACE],
     );
-    // In a list of their own: a longer menu would not fit below its header.
-    ui.menu_button(say!("Standard 3-D views"), |ui| {
-        ui.set_min_width(220.0);
-        items(
-            ui,
-            workbench,
-            &[FROM_ISOMETRIC, FROM_FRONT, FROM_SIDE, FROM_TOP],
-        );
-    });
-    ui.menu_button(say!("Charts"), |ui| {
-        ui.set_min_width(220.0);
-        items(ui, workbench, &[CHART_BESIDE, CHART_BELOW, CLOSE_CHART]);
-        ui.separator();
-        items(ui, workbench, &[NEXT_PLOT, USUAL_PLOTS]);
-    });
     items(ui, workbench, &[FIT]);
     ui.separator();
     items(ui, workbench, &[RESULTS]);
     ui.separator();
     items(ui, workbench, &[NEXT_LENGTH, NEXT_ANGLE, OTHER_THEME]);
-    ui.separator();
-    let now = ui.ctx().zoom_factor();
-    for (text, keys, change, enabled) in [
-        (
-            say!("Larger"),
-            kb_shortcuts::ZOOM_IN,
-            zoom_in as fn(&Context),
-            now + 1e-3 < largest_zoom(ui.ctx()),
-        ),
-        (
-            say!("Smaller"),
-            kb_shortcuts::ZOOM_OUT,
-            zoom_out,
-            now > *ZOOM.start(),
-        ),
-        (
-            say!("Reset zoom"),
-            kb_shortcuts::ZOOM_RESET,
-            |ctx: &Context| ctx.set_zoom_factor(1.0),
-            (now - 1.0).abs() > 1e-3,
-        ),
-    ] {
-        let button = Button::new(text).shortcut_text(actions::in_words(ui.ctx(), keys));
-        if actions::item(ui, button, text, enabled).clicked() {
-            change(ui.ctx());
-            ui.close();
-        }
-    }
 }
 
 fn help(ui: &mut Ui, workbench: &Workbench) {
     ui.set_min_width(240.0);
-    items(
-        ui,
-        workbench,
-        &[actions::WORDS, actions::KEYS, actions::ABOUT],
-    );
+    items(ui, workbench, &[actions::WORDS, actions::ABOUT]);
 }

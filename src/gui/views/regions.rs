@@ -22,22 +22,6 @@ const OFFERED: usize = 6;
 /// More even regions than this are a slip of the keyboard.
 const MOST_EVEN: usize = 360;
 
-pub(super) fn state(workbench: &Workbench) -> (String, bool) {
-    let document = workbench.document();
-    if document.regions.is_empty() {
-        return (say!("optional").to_owned(), false);
-    }
-    let used = document.identified && document.method == Method::Regional;
-    let regions =
-        say!(one "{count} region", "{count} regions", count = grouped(document.regions.len()));
-    let caption = if used {
-        regions
-    } else {
-        say!("optional, {regions}", regions)
-    };
-    (caption, used)
-}
-
 pub(super) fn show(ui: &mut Ui, workbench: &Workbench) {
     let loaded_session = workbench.loaded_session();
     if loaded_session.is_empty() {

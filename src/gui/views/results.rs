@@ -1,6 +1,7 @@
 //! The right-hand side: what the identification says, and how sure it is.
 
-use egui::{Checkbox, FontId, RichText, Ui};
+use egui::text::{LayoutJob, TextFormat};
+use egui::{Checkbox, ProgressBar, RichText, Ui};
 
 use crate::compensation::Verification;
 use crate::compensation::decision::Outcome as Conformity;
@@ -121,18 +122,25 @@ fn gap_card(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
         ui.label(RichText::new(method).color(palette.muted));
         let [before, after] = [found.gap.before.rms_mm, found.gap.after.rms_mm].map(number);
         let unit = units.length_name();
-        let body = egui::TextStyle::Body.resolve(ui.style());
-        let arrow = FontId::proportional(size::HEADING);
-        let others = [("→", arrow.clone()), (unit, body)];
-        let large = as_large_as_fits(ui, &[&before, &after], &others);
-        ui.horizontal(|ui| {
-            ui.spacing_mut().item_spacing.x = space::ROW;
-            let big = |text: String| RichText::new(text).font(strong(large));
-            ui.label(big(before).color(palette.before));
-            ui.label(RichText::new("→").font(arrow).color(palette.muted));
-            ui.label(big(after).color(palette.after));
-            ui.label(RichText::new(unit).color(palette.muted));
-        });
+        // Inches have more digits than a narrow panel has room.
+        let line = format!("{before} → {after} {unit}");
+        let font = strong(size::DISPLAY);
+        let font = if widgets::width_of(ui, &line, font.clone()) > ui.available_width() {
+            strong(size::HEADING)
+        } else {
+            font
+        };
+        let mut text = LayoutJob::default();
+        for (part, color) in [
+            (&*before, palette.before),
+            (" → ", palette.muted),
+            (&after, palette.after),
+            (" ", palette.muted),
+            (unit, palette.muted),
+        ] {
+            text.append(part, 0.0, TextFormat::simple(font.clone(), color));
+        }
+        ui.label(text);
         let from_to = |gap: &Gap, pick: fn(&Gap) -> [f64; 2]| {
             let [before, after] = pick(gap);
             format!(
@@ -169,32 +177,11 @@ fn gap_card(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
             }
             let after = corrected.map_or(after, |(_, n)| n);
             let share = after as f32 / all.max(1) as f32;
-            widgets::share_bar(ui, share, palette.within);
+            let bar = ProgressBar::new(share).desired_height(6.0);
+            ui.add(bar.fill(palette.within));
         }
         decision(ui, workbench);
     });
-}
-
-/// The size at which large texts and others fit in one row: inches have more digits than a narrow panel has room,
-/// and a row that is wider would widen every card with it.
-fn as_large_as_fits(ui: &Ui, large: &[&str], others: &[(&str, FontId)]) -> f32 {
-    let between = large.len() + others.len() - 1;
-    let others = others.iter().cloned();
-    let others: f32 = others
-        .map(|(text, font)| widgets::width_of(ui, text, font))
-        .sum();
-    let room = ui.available_width() - space::ROW * between as f32 - others;
-    let width = |size: f32| -> f32 {
-        let each = large.iter();
-        each.map(|text| widgets::width_of(ui, text, strong(size)))
-            .sum()
-    };
-    // Whole points from the largest down.
-    let mut size = size::DISPLAY;
-    while size > size::HEADING && width(size) > room {
-        size -= 1.0;
-    }
-    size
 }
 
 /// Whether the robot is within its tolerance, where a rule decides it.
@@ -255,23 +242,6 @@ fn remarks(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
 
 // A model: how it is identified (step 3); its parameters; of one that was read from a file also where it came from,
 // and what it does on the session.
-
-pub(super) fn state(workbench: &Workbench) -> (String, bool) {
-    let document = workbench.document();
-    let caption = match (document.identified, document.method) {
-        _ if document.loaded_model.is_some() => say!("model from a file").to_owned(),
-        (false, _) => say!("not yet").to_owned(),
-        (true, Method::Regional) => say!("by region").to_owned(),
-        (true, Method::Exact) => match workbench.answer() {
-            Some(answer) => {
-                let count = answer.identification.parameters.len();
-                say!(one "full model, {count} parameter", "full model, {count} parameters", count)
-            }
-            None => say!("full model").to_owned(),
-        },
-    };
-    (caption, workbench.answer().is_some())
-}
 
 pub(super) fn controls(ui: &mut Ui, workbench: &Workbench) {
     let document = workbench.document();
@@ -429,26 +399,6 @@ pub(super) fn about(
             );
         }
     });
-    if !calibration.history.is_empty() {
-        widgets::card(ui, |ui| history(ui, workbench.units(), answer));
-    }
-}
-
-/// How the gap shrank while the model was made.
-fn history(ui: &mut Ui, units: Units, answer: &Answer) {
-    widgets::bold(ui, say!("How it came about"));
-    for step in &answer.calibration.history {
-        let gap = units.length(step.gap_mm);
-        let gap = match step.held_out_mm {
-            Some(held_out) => say!(
-                "{gap}, held out {held_out}",
-                gap,
-                held_out = units.length(held_out)
-            ),
-            None => gap,
-        };
-        widgets::fact(ui, &step.what, gap);
-    }
 }
 
 /// What the model does on the session that is open.

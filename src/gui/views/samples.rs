@@ -1,7 +1,7 @@
 //! Sample by sample: what was measured where, and whether it is within the tolerance; as measured, or by a
 //! column. Any number of rows: they are sorted once, and only those in sight are made.
 
-use egui::{Align, CursorIcon, Layout, RichText, Role, Sense, Stroke, Ui, WidgetInfo, vec2};
+use egui::{Align, CursorIcon, Layout, RichText, Role, Sense, Ui, WidgetInfo};
 use egui_extras::{Column, TableBuilder, TableRow};
 
 use crate::gui::actions::EXCLUDE;
@@ -26,7 +26,6 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench) {
     let units = workbench.units();
     let loaded_session = workbench.loaded_session();
     let answer = workbench.answer();
-    let tolerance_mm = workbench.document().tolerance_mm;
     let view = &workbench.view;
     let mut sorting = view.sorting;
     let order = workbench.order();
@@ -102,11 +101,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench) {
                 });
                 let shown = after.unwrap_or(before);
                 cell(&mut row, sample, "tolerance", |ui| {
-                    if excluded {
-                        out(ui);
-                    } else if let Some(tolerance_mm) = tolerance_mm.filter(|_| shown.is_finite()) {
-                        mark(ui, workbench, shown <= tolerance_mm);
-                    }
+                    held_against(ui, workbench, (!excluded).then_some(shown));
                 });
                 let response = row.response();
                 if response.hovered() {
@@ -190,7 +185,8 @@ fn heading(header: &mut TableRow<'_, '_>, head: &str, by: usize, sorting: Sortin
         let head = egui::Label::new(head).selectable(false).wrap();
         ui.add(head.halign(Align::Max));
         if let Some(descending) = sorted {
-            arrow(ui, descending, palette.accent);
+            let sign = if descending { "▼" } else { "▲" };
+            ui.label(RichText::new(sign).size(size::TINY).color(palette.accent));
         }
     });
     let name = if head.is_empty() {
@@ -212,32 +208,6 @@ fn heading(header: &mut TableRow<'_, '_>, head: &str, by: usize, sorting: Sortin
     clicked
 }
 
-/// Which way a column is sorted.
-fn arrow(ui: &mut Ui, down: bool, color: egui::Color32) {
-    let (rect, _) = ui.allocate_exact_size(vec2(7.0, 8.0), Sense::hover());
-    let tip = if down { 3.0 } else { -3.0 };
-    let at = |x: f32, y: f32| rect.center() + vec2(x, y);
-    let corners = vec![at(-3.5, -tip), at(3.5, -tip), at(0.0, tip)];
-    let shape = egui::Shape::convex_polygon(corners, color, Stroke::NONE);
-    ui.painter().add(shape);
-}
-
-/// The mark of a sample that a person took out.
-fn out(ui: &mut Ui) {
-    let muted = Palette::of(ui).muted;
-    let (rect, response) = ui.allocate_exact_size(vec2(14.0, 14.0), Sense::hover());
-    let says = say!("excluded by hand, in no figure");
-    response.widget_info(|| WidgetInfo::labeled(Role::Image, true, says));
-    for side in [-3.5, 3.5] {
-        let ends = [
-            rect.center() + vec2(-3.5, side),
-            rect.center() + vec2(3.5, -side),
-        ];
-        ui.painter().line_segment(ends, Stroke::new(1.5, muted));
-    }
-    response.on_hover_text(says);
-}
-
 /// A cell of a row; it can be pressed, and so it has a name.
 fn cell(row: &mut TableRow<'_, '_>, sample: usize, what: &str, contents: impl FnOnce(&mut Ui)) {
     let name = say!("row {sample}, {what}", sample = sample + 1, what);
@@ -249,23 +219,32 @@ fn cell(row: &mut TableRow<'_, '_>, sample: usize, what: &str, contents: impl Fn
     response.widget_info(|| WidgetInfo::labeled(Role::Cell, true, name.clone()));
 }
 
-fn mark(ui: &mut Ui, workbench: &Workbench, within: bool) {
+/// A sample's deviation against the tolerance, mm; without one it is excluded.
+fn held_against(ui: &mut Ui, workbench: &Workbench, shown_mm: Option<f64>) {
     let palette = Palette::of(ui);
-    let (rect, response) = ui.allocate_exact_size(vec2(14.0, 14.0), Sense::hover());
-    let painter = ui.painter();
-    if within {
-        painter.circle_filled(rect.center(), 3.4, palette.within);
-    } else {
-        let at = |x: f32, y: f32| rect.center() + vec2(x, y) * 4.6;
-        let corners = vec![at(0.0, -1.0), at(1.0, 0.0), at(0.0, 1.0), at(-1.0, 0.0)];
-        let stroke = Stroke::new(1.5, palette.outside);
-        painter.add(egui::Shape::convex_polygon(
-            corners,
-            palette.surface,
-            stroke,
-        ));
+    match (shown_mm, workbench.document().tolerance_mm) {
+        (None, _) => {
+            let says = say!("excluded by hand, in no figure");
+            sign(ui, "×", palette.muted, says);
+        }
+        (Some(mm), Some(tolerance_mm)) if mm.is_finite() => {
+            let within = mm <= tolerance_mm;
+            let (mark, color) = if within {
+                ("●", palette.within)
+            } else {
+                ("◇", palette.outside)
+            };
+            sign(ui, mark, color, judged(workbench, within));
+        }
+        _ => {}
     }
-    response.on_hover_text(judged(workbench, within));
+}
+
+/// What is said of a sample by a sign.
+fn sign(ui: &mut Ui, sign: &str, color: egui::Color32, says: &str) {
+    let shown = ui.label(RichText::new(sign).color(color));
+    shown.widget_info(|| WidgetInfo::labeled(Role::Image, true, says));
+    shown.on_hover_text(says);
 }
 
 /// How rows are sorted after a click on the head of this column: the largest first, then the smallest, then in the

@@ -21,15 +21,6 @@ use crate::present::numbers::grouped;
 use crate::present::units::LengthUnit;
 use crate::sessions::Sigma;
 
-pub(super) fn state(workbench: &Workbench) -> (String, bool) {
-    let says = if workbench.loaded_session().is_empty() {
-        say!("a model, nothing measured").to_owned()
-    } else {
-        say!(one "{count} sample", "{count} samples", count = grouped(workbench.loaded_session().len()))
-    };
-    (says, true)
-}
-
 pub(super) fn show(ui: &mut Ui, workbench: &Workbench) {
     widgets::section(ui, say!("Measured"));
     facts(ui, workbench);

@@ -258,11 +258,9 @@ fn segment(ui: &mut Ui, palette: Palette, name: &str, meant: &str, on: bool) -> 
 pub(crate) const UNDO: &str = "\u{E08A}";
 pub(crate) const REDO: &str = "\u{E08C}";
 pub(crate) const SAVE: &str = "\u{E20C}";
-pub(crate) const DATA: &str = "\u{E476}";
 pub(crate) const COPY: &str = "\u{E1CA}";
 pub(crate) const FIT: &str = "\u{E1D0}";
 pub(crate) const SIDE: &str = "\u{EC24}";
-pub(crate) const GRIP: &str = "\u{EAE2}";
 
 /// A square button with a sign, called by its name.
 pub(crate) fn icon_button(ui: &mut Ui, sign: &str, name: &str) -> Response {
@@ -282,11 +280,11 @@ pub(crate) fn bare_button<'a>(
 ) -> Response {
     let button = Button::new(shown).frame_when_inactive(false);
     let button = button.min_size(vec2(28.0, 24.0));
-    let response = ui.scope(|ui| {
-        ui.spacing_mut().button_padding.x = space::TIGHT;
-        ui.add(button.sense(Sense::click_and_drag()))
-    });
-    let response = response.inner;
+    // No scope: in a row that wraps it goes to the next one.
+    let usual = ui.spacing().button_padding.x;
+    ui.spacing_mut().button_padding.x = space::TIGHT;
+    let response = ui.add(button);
+    ui.spacing_mut().button_padding.x = usual;
     let enabled = ui.is_enabled();
     response.widget_info(|| WidgetInfo::labeled(Role::Button, enabled, name));
     response
@@ -317,12 +315,6 @@ pub(crate) fn section(ui: &mut Ui, text: &str) {
 /// The name of something, or what stands out among other words.
 pub(crate) fn bold(ui: &mut Ui, text: impl Into<String>) -> Response {
     ui.label(RichText::new(text).font(strong(size::BODY)))
-}
-
-/// What stands in the bar of a plot.
-pub(crate) fn title(ui: &mut Ui, text: &str) {
-    bold(ui, text);
-    ui.add_space(space::ROW);
 }
 
 /// A word beside a control of such a bar.

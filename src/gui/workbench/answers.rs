@@ -9,7 +9,7 @@ use nalgebra::{Isometry3, Vector3};
 use crate::diagnosis::Diagnosis;
 use crate::effects::Term;
 use crate::explain::{Detail, Section, diagnosis};
-use crate::gui::cache::cloud::{Heat, Remainder, Uncertain};
+use crate::gui::cache::cloud::{Heat, Remainder};
 use crate::gui::cache::{
     AnswerSummary, ExportPreview, IdentifiedAnswer, Made, PlotInputs, Preview, PreviewRequest,
     Work, WorkKey,
@@ -18,7 +18,7 @@ use crate::gui::core::answer::{Answer, LoadedModel, Question, Search, term_of};
 use crate::gui::core::document::Method;
 use crate::gui::core::overview::measuring_from_base;
 use crate::gui::jobs::{Kind, Slot};
-use crate::gui::view::{Colouring, Facing, Message, Sorting, Step};
+use crate::gui::view::{Facing, Message, Sorting, Step};
 use crate::gui::workbench::{HeatLook, Workbench};
 use crate::present::numbers::{grouped, notation};
 use crate::text::current;
@@ -146,20 +146,9 @@ impl Workbench {
         self.derived.heat_picture.get(of, make)
     }
 
-    /// How sure the newest answer is at each sample, where colour says it; `None` until it is worked out.
-    pub(crate) fn uncertain(&self) -> Option<&Arc<Uncertain>> {
-        let wanted = self.view.colouring == Colouring::Uncertainty;
-        let made = self.made(&wanted.then(Work::uncertain)?)?;
-        let of_this = made.inputs.identified.as_deref() == self.identified();
-        let made: &Option<Arc<Uncertain>> = made.result.downcast_ref()?;
-        made.as_ref().filter(|_| of_this)
-    }
-
     /// What is left of the deviations, as it is uploaded.
     pub(crate) fn remainder(&self) -> Option<Arc<Remainder>> {
-        let uncertain = self.uncertain().map(|u| &u.remainder);
-        let plain = self.after().map(|after| &after.remainder);
-        uncertain.or(plain).map(Arc::clone)
+        self.after().map(|after| Arc::clone(&after.remainder))
     }
 
     /// The export as it would be written, or why there is none. While a newer one of the same table is being made it

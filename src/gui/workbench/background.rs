@@ -7,9 +7,9 @@ use crate::gui::core::answer::{Question, Search};
 use crate::gui::core::document::ExportChoice;
 use crate::gui::core::loaded_session::LoadedSession;
 use crate::gui::files::{self, Opened};
-use crate::gui::jobs::{Jobs, Kind, Running, Watch};
-use crate::gui::view::Message;
-use crate::gui::workbench::Workbench;
+use crate::gui::jobs::{Jobs, Kind, Running};
+use crate::gui::view::{Message, What};
+use crate::gui::workbench::{Chooser, Workbench};
 
 impl Workbench {
     /// Jobs that are under way.
@@ -140,38 +140,22 @@ impl Workbench {
         }
     }
 
-    /// Writes a file in the background.
-    pub(super) fn write<T: Send + 'static>(
-        &mut self,
-        path: PathBuf,
-        work: impl FnOnce(&Path, &Watch) -> T + Send + 'static,
-        then: impl FnOnce(&mut Self, T) + Send + 'static,
-    ) {
-        let says = say!("writing {path}", path = path.display());
-        let work = move |watch: &Watch| work(&path, watch);
-        self.jobs.start(Kind::Writes, says, work, then);
-    }
-
     /// A table or a model was written, of the answer to this question, or not.
     pub(super) fn take_exported(
         &mut self,
-        exported: Result<PathBuf, Message>,
+        message: Message,
         question: Option<Question>,
         choice: ExportChoice,
     ) {
-        match exported {
-            Ok(path) => {
-                self.file_state.model_on_file.clone_from(&question);
-                self.view.message = Some(Message::saved(&path, Vec::new()));
-                if question == self.question() {
-                    self.remember_name(&path, choice);
-                }
-                self.file_state.exported.retain(|(other, _)| *other != path);
-                self.file_state.exported.push((path, question));
-                self.resume();
+        if let Some(path) = message.file.clone() {
+            self.file_state.model_on_file.clone_from(&question);
+            if question == self.question() {
+                self.remember_name(&path, choice);
             }
-            Err(message) => self.take_written(message),
+            self.file_state.exported.retain(|(other, _)| *other != path);
+            self.file_state.exported.push((path, question));
         }
+        self.take_written(message);
     }
 
     /// Something was written, or not: what was to be done then is done, or is not.
@@ -217,4 +201,88 @@ impl Workbench {
             )],
         );
     }
+}
+
+// Dialogs of the system in which a file is chosen, one at a time.
+
+impl Workbench {
+    /// Asks for a file to open.
+    pub(crate) fn choose_file(&mut self, ask: fn(Option<&Path>) -> Option<PathBuf>) {
+        let says = say!("waiting for a file to be chosen");
+        self.choose_near(says, ask, |bench, path| match path {
+            Some(path) => bench.open_file(path),
+            // Cancelled, or there is no dialog on this system: the two look alike.
+            None => bench.view.message = Some(no_file_was_chosen()),
+        });
+    }
+
+    /// Asks for something beside the file in hand, or the latest.
+    pub(super) fn choose_near(
+        &mut self,
+        what: &str,
+        ask: fn(Option<&Path>) -> Option<PathBuf>,
+        then: impl FnOnce(&mut Self, Option<PathBuf>) + Send + 'static,
+    ) {
+        let near = self.file().map(Path::to_path_buf);
+        let near = near.or_else(|| Some(self.recent().next()?.clone()));
+        self.choose(what, move || ask(near.as_deref()), then);
+    }
+
+    /// Asks where to export to: what is there now is written, whatever is open by then.
+    pub(crate) fn choose_where_to_export(&mut self, what: What) {
+        if self.needs_picture(what) {
+            return self.wait_for_picture(move |bench| bench.choose_where_to_export(what));
+        }
+        let Some(write) = self.prepared(what) else {
+            return;
+        };
+        let path = self.placed(self.name_of(what).as_ref());
+        let ask = move || files::choose_to_export(what, &path);
+        self.choose(say!("waiting for a file name"), ask, move |bench, path| {
+            if let Some(path) = path {
+                // The dialog has asked.
+                return write(bench, path, true);
+            }
+            bench.type_path(what);
+        });
+    }
+
+    /// Waits for the system's dialog, of which there is one at a time.
+    pub(super) fn choose(
+        &mut self,
+        what: &str,
+        ask: impl FnOnce() -> Option<PathBuf> + Send + 'static,
+        then: impl FnOnce(&mut Self, Option<PathBuf>) + Send + 'static,
+    ) {
+        if self.asking().is_some() {
+            return;
+        }
+        let instead = self.chooser.clone();
+        let ask = move || instead.map_or_else(ask, |chosen| chosen());
+        self.jobs.start(Kind::Asks, what, move |_| ask(), then);
+    }
+
+    /// The dialog of the system that is open: until it is answered the window takes no commands.
+    pub(crate) fn asking(&self) -> Option<&Running> {
+        self.jobs.running(Kind::Asks)
+    }
+
+    /// Goes on without an answer: a dialog that the system does not show must not hold the window for ever.
+    pub(crate) fn stop_asking(&mut self) {
+        self.cancel_pending_action();
+        self.jobs.cancel(|kind| kind == Kind::Asks);
+    }
+
+    /// Takes this for the answer of every dialog of the system.
+    pub(crate) fn choose_by(&mut self, chooser: Chooser) {
+        self.chooser = Some(chooser);
+    }
+}
+
+/// Cancelled, or there is no dialog on this system.
+pub(super) fn no_file_was_chosen() -> Message {
+    Message::done(
+        say!("No file was chosen").to_owned(),
+        vec![say!("If no dialog appeared, drop the file on the window, or type its path in the Session step").to_owned()],
+    )
 }

@@ -2,12 +2,11 @@
 
 use std::sync::Arc;
 
-use crate::gui::cache::cloud::Uncertain;
-use crate::gui::cache::{ChartResult, Work};
+use crate::gui::cache::{Made, Work};
 use crate::gui::charts::effect::{EffectCurve, Sketches};
 use crate::gui::charts::{CHARTS, ChartKind, HoverTarget, Scene, effect, find};
 use crate::gui::jobs::{Kind as JobKind, Watch};
-use crate::gui::view::{ChartPane, Colouring, Edge, Key, Panes, Step};
+use crate::gui::view::{Front, Step};
 use crate::present::drawing::Drawing;
 use crate::present::numbers::{notation, write_numbers};
 use crate::present::table::Table;
@@ -15,17 +14,10 @@ use crate::present::table::Table;
 use super::Workbench;
 
 impl Workbench {
-    /// The chart that is active, or was so last.
-    #[cfg(test)]
-    pub(crate) fn chart(&self) -> &'static dyn ChartKind {
-        let pane = self.view.panes.active_chart();
-        pane.map_or_else(|| self.suiting(), |(_, pane)| self.kind(pane))
-    }
-
-    /// The chart in a pane: the chosen one, else what suits the step.
-    pub(crate) fn kind(&self, pane: &ChartPane) -> &'static dyn ChartKind {
+    /// The chart: the chosen one, else what suits the step.
+    pub(crate) fn kind(&self) -> &'static dyn ChartKind {
         let scene = self.scene();
-        let chosen = pane.chart.as_deref().and_then(find);
+        let chosen = self.view.chart.and_then(find);
         let chosen = chosen.filter(|chart| chart.is_offered(&scene));
         chosen.unwrap_or_else(|| self.suiting())
     }
@@ -37,16 +29,9 @@ impl Workbench {
         *CHARTS.iter().rfind(suits).unwrap_or(&CHARTS[0])
     }
 
-    /// The pane with this chart: the active one where it has it, else the first.
-    fn pane_of(&self, id: &str) -> Option<(Key, &ChartPane)> {
-        let here = |(_, pane): &(Key, &ChartPane)| self.kind(pane).about().id == id;
-        let active = self.view.panes.active_chart().filter(here);
-        active.or_else(|| self.view.panes.charts().find(here))
-    }
-
-    /// Whether one of the charts is this one.
+    /// Whether this is the chart that is shown.
     pub(crate) fn shows(&self, id: &str) -> bool {
-        self.pane_of(id).is_some()
+        self.kind().about().id == id
     }
 
     /// What any chart is made of, except what the background works out for it.
@@ -72,36 +57,16 @@ impl Workbench {
         }
     }
 
-    /// The same as it is looked at in a pane.
-    fn scene_at(&self, pane: &ChartPane) -> Scene {
+    /// What a chart is made of. While the answer is a newer one, what was worked out for the one before.
+    pub(crate) fn scene_of(&self, chart: &dyn ChartKind) -> Scene {
         let scene = self.scene();
+        let seen = |made: &&Made| made.inputs.identified.is_some() == self.identified().is_some();
+        let made = chart.work(&scene).and_then(|work| self.made(&work));
+        let worked_out = made.filter(seen).map(|made| made.result.clone());
         Scene {
-            component: pane.component.unwrap_or(scene.component),
-            joint: pane.joint.unwrap_or(scene.joint),
+            worked_out,
             ..scene
         }
-    }
-
-    /// What the chart in a pane is made of. While the answer is a newer one, what was worked out for
-    /// it is that of the answer before; nothing until it is there.
-    pub(crate) fn scene_in(&self, pane: &ChartPane) -> Scene {
-        let mut scene = self.scene_at(pane);
-        scene.worked_out = self.worked_out(pane, &scene).cloned();
-        scene
-    }
-
-    /// What was worked out for the chart in a pane.
-    fn worked_out(&self, pane: &ChartPane, scene: &Scene) -> Option<&ChartResult> {
-        let made = self.made(&self.kind(pane).work(scene)?)?;
-        let seen = made.inputs.identified.is_some() == self.identified().is_some();
-        seen.then_some(&made.result)
-    }
-
-    /// What a chart is made of, in the pane where it is shown.
-    pub(crate) fn scene_of(&self, chart: &dyn ChartKind) -> Scene {
-        let pane = self.pane_of(chart.about().id);
-        let unseen = ChartPane::default();
-        self.scene_in(pane.map_or(&unseen, |(_, pane)| pane))
     }
 
     /// Makes the table of what a chart shows, in the background: of a million samples it takes seconds.
@@ -156,139 +121,38 @@ impl Workbench {
         curves.get(index)?.as_ref()
     }
 
-    /// What all plots have worked out in the background.
-    pub(super) fn works(&self) -> Vec<Work> {
-        let view = &self.view;
-        let mut all = Vec::new();
-        all.extend((view.heat && !view.in_space()).then(|| Work::heat(view.plane)));
-        let known = self.answer().is_some_and(Uncertain::is_known);
-        let uncertain = view.colouring == Colouring::Uncertainty && known;
-        all.extend(uncertain.then(Work::uncertain));
-        all.extend(self.wanted_figures());
-        let searched = self
-            .search_of_this()
-            .filter(|_| self.view.step == Step::Gap);
-        all.extend(searched.map(effect::sketches));
-        for (_, pane) in self.view.panes.charts() {
-            let scene = self.scene_at(pane);
-            let work = self.kind(pane).work(&scene);
-            all.extend(work.filter(|work| !all.contains(work)));
-        }
-        all
+    /// Shows this chart. Choosing what suits the step means: follow the steps.
+    pub(crate) fn show_chart(&mut self, chart: &'static str) {
+        self.view.chart = (chart != self.suiting().about().id).then_some(chart);
+        self.view.front = Front::Chart;
     }
 
-    /// The first chart that no pane shows yet, for a pane beside this one.
-    fn next_chart(&self, key: Key) -> ChartPane {
-        let scene = self.scene();
-        let offered = |chart: &&&dyn ChartKind| chart.is_offered(&scene);
-        let mut new = CHARTS.iter().filter(offered);
-        let new = new.find(|chart| !self.shows(chart.about().id));
-        let like = self.view.panes.charts().find(|(one, _)| *one == key);
-        ChartPane {
-            chart: new.map(|chart| chart.about().id.to_owned()),
-            ..like.map(|(_, pane)| pane.clone()).unwrap_or_default()
-        }
-    }
-
-    /// Another chart at an edge of a pane.
-    pub(crate) fn add_chart(&mut self, key: Key, edge: Edge) {
-        let chart = self.next_chart(key);
-        self.rearrange(|panes| panes.split(key, edge, chart));
-    }
-
-    /// Shows this chart, in the pane that has it or that was active last.
-    pub(crate) fn show_chart(&mut self, chart: &str) {
-        let key = self.next_pane(chart);
-        self.choose_chart(key, chart);
-    }
-
-    /// Closes the chart that is active, or was so last.
-    pub(crate) fn close_chart(&mut self) {
-        if let Some(key) = self.view.panes.active_chart().map(|(key, _)| key) {
-            self.rearrange(|panes| panes.close(key));
-        }
-    }
-
-    /// Another chart in a pane.
-    pub(crate) fn choose_chart(&mut self, key: Key, chart: &str) {
-        let chosen = self.chosen(key, chart);
-        self.change_chart(key, |pane| pane.chart = chosen);
-    }
-
-    /// This chart as a choice in a pane. Choosing what suits the step means: follow the steps.
-    fn chosen(&self, key: Key, chart: &str) -> Option<String> {
-        let others = |(one, pane): (Key, &ChartPane)| one != key && pane.chart.is_none();
-        let suits = chart == self.suiting().about().id;
-        let suits = suits && !self.view.panes.charts().any(others);
-        (!suits).then(|| chart.to_owned())
-    }
-
-    /// The pane in which a chart is shown next; there is one then.
-    fn next_pane(&mut self, id: &str) -> Key {
-        let panes = &mut self.view.panes;
-        if panes.charts().next().is_none() {
-            panes.split(panes.workspace(), Edge::Bottom, ChartPane::default());
-        }
-        let active = panes.active_chart().map(|(key, _)| key);
-        let here = self.pane_of(id).map(|(key, _)| key);
-        here.or(active)
-            .unwrap_or_else(|| self.view.panes.workspace())
-    }
-
+    /// Shows the curve of an effect that was found, in the component that it has most of.
     pub(crate) fn show_effect(&mut self, index: usize) {
         let loaded_session = Arc::clone(self.loaded_session());
         let strongest = self
             .diagnosis()
             .and_then(|d| effect::strongest(&loaded_session, d, index));
-        let Some(component) = strongest else {
-            return;
-        };
-        self.view.effect = index;
-        self.view.step = Step::Gap;
-        let key = self.next_pane(effect::ID);
-        let chosen = self.chosen(key, effect::ID);
-        let alone = self.view.panes.charts().count() < 2;
-        // It is looked at once: tomorrow, and in another session, charts follow the steps again.
-        if let Some(pane) = self.view.panes.chart_mut(key) {
-            pane.chart = chosen;
-            pane.component = (!alone).then_some(component);
-        }
-        self.view.panes.activate(key);
-        if alone {
-            self.view.component = component;
+        if let Some(component) = strongest {
+            (self.view.effect, self.view.component) = (index, component);
+            self.view.step = Step::Gap;
+            self.show_chart(effect::ID);
         }
     }
 
-    /// No chart stays on an effect that a session had: of another one there is none yet.
-    pub(super) fn leave_effects(&mut self) {
-        let of_effect = |(key, pane): (Key, &ChartPane)| {
-            let is_effect = pane.chart.as_deref() == Some(effect::ID);
-            is_effect.then_some(key)
-        };
-        let keys: Vec<Key> = self.view.panes.charts().filter_map(of_effect).collect();
-        for key in keys {
-            if let Some(pane) = self.view.panes.chart_mut(key) {
-                pane.chart = None;
-                pane.component = None;
-            }
-        }
-    }
+    /// What all plots have worked out in the background.
+    pub(super) fn works(&self) -> Vec<Work> {
+        let view = &self.view;
+        let mut all = Vec::new();
+        all.extend((view.heat && !view.in_space()).then(|| Work::heat(view.plane)));
 
-    /// Arranges the panes otherwise, tomorrow as well.
-    pub(crate) fn rearrange(&mut self, change: impl FnOnce(&mut Panes)) {
-        change(&mut self.view.panes);
-        let panes = self.view.panes.clone();
-        self.keep(move |kept| kept.panes = panes);
-    }
-
-    /// Changes the chart in a pane.
-    pub(crate) fn change_chart(&mut self, key: Key, change: impl FnOnce(&mut ChartPane)) {
-        self.rearrange(|panes| {
-            if let Some(pane) = panes.chart_mut(key) {
-                change(pane);
-            }
-            panes.activate(key);
-        });
+        all.extend(self.wanted_figures());
+        let searched = self
+            .search_of_this()
+            .filter(|_| self.view.step == Step::Gap);
+        all.extend(searched.map(effect::sketches));
+        all.extend(self.kind().work(&self.scene()));
+        all
     }
 }
 
@@ -308,20 +172,19 @@ mod tests {
     const TABLE: &str = "correction table";
 
     fn is_worked_out(workbench: &Workbench) -> bool {
-        workbench.scene_of(workbench.chart()).worked_out.is_some()
+        workbench.scene_of(workbench.kind()).worked_out.is_some()
     }
 
     fn go(workbench: &mut Workbench, step: Step) -> &'static str {
         workbench.execute(|bench| bench.view.step = step);
         workbench.receive();
-        workbench.chart().about().id
+        workbench.kind().about().id
     }
 
     fn choose(workbench: &mut Workbench, chart: &'static str) {
-        let key = workbench.view.panes.active_chart().map(|(key, _)| key);
-        workbench.execute(|bench| bench.choose_chart(key.expect("a chart"), chart));
+        workbench.execute(|bench| bench.show_chart(chart));
         workbench.receive();
-        assert_eq!(workbench.chart().about().id, chart);
+        assert_eq!(workbench.kind().about().id, chart);
     }
 
     #[test]
@@ -351,7 +214,7 @@ mod tests {
         assert_eq!(go(&mut workbench, Step::Gap), GAP);
         choose(&mut workbench, TIME);
         workbench.execute(|bench| bench.identify(None));
-        assert_eq!(workbench.chart().about().id, TIME);
+        assert_eq!(workbench.kind().about().id, TIME);
     }
 
     #[test]
@@ -387,52 +250,11 @@ mod tests {
     }
 
     #[test]
-    fn several_charts_are_worked_out_together_and_none_of_them_again_for_another() {
-        let mut workbench = workbench();
-        choose(&mut workbench, HISTOGRAM);
-        let made = |workbench: &Workbench| {
-            let made = workbench.derived.plots.iter();
-            let made = made.filter_map(|(_, slot)| slot.made());
-            made.map(|made| Arc::clone(&made.result))
-                .collect::<Vec<_>>()
-        };
-        let add = |workbench: &mut Workbench, chart: &str| {
-            workbench.execute(|bench| bench.add_chart(bench.view.panes.active(), Edge::Right));
-            let key = workbench.view.panes.active();
-            workbench.execute(|bench| {
-                bench.change_chart(key, |pane| pane.chart = Some(chart.to_owned()));
-            });
-            workbench.receive();
-        };
-        let first = made(&workbench);
-        add(&mut workbench, ORDERS);
-        let both = made(&workbench);
-        assert_eq!((first.len(), both.len()), (1, 2));
-        assert!(Arc::ptr_eq(&first[0], &both[0]), "it was there already");
-        // The same in the same component is there once.
-        add(&mut workbench, ORDERS);
-        assert_eq!(made(&workbench).len(), 2);
-        let key = workbench.view.panes.active();
-        workbench.execute(|bench| {
-            bench.change_chart(key, |pane| pane.component = Some(Component::Radial));
-        });
-        workbench.receive();
-        let three = made(&workbench);
-        assert_eq!(three.len(), 3);
-        assert!(Arc::ptr_eq(&both[1], &three[1]));
-        for (_, pane) in workbench.view.panes.charts() {
-            assert!(workbench.scene_in(pane).worked_out.is_some());
-        }
-        let radial = workbench.view.panes.active_chart().expect("a chart").1;
-        assert_eq!(workbench.scene_in(radial).component, Component::Radial);
-    }
-
-    #[test]
     fn the_curve_of_a_found_effect_is_charted_in_the_component_that_it_has() {
         let mut workbench = workbench();
         workbench.execute(|bench| bench.show_effect(0));
         assert_eq!(
-            workbench.chart().about().id,
+            workbench.kind().about().id,
             POSITION,
             "nothing was found yet"
         );
@@ -441,10 +263,10 @@ mod tests {
         workbench.execute(|bench| bench.view.component = Component::Axial);
         workbench.execute(|bench| bench.show_effect(0));
         workbench.receive();
-        assert_eq!(workbench.chart().about().id, effect::ID);
+        assert_eq!(workbench.kind().about().id, effect::ID);
         assert_eq!(workbench.view.component, Component::Tangential);
-        let scene = workbench.scene_of(workbench.chart());
-        let shown = workbench.chart().show(&scene);
+        let scene = workbench.scene_of(workbench.kind());
+        let shown = workbench.kind().show(&scene);
         let name = shown.map(|shown| shown.name).unwrap_or_default();
         assert_eq!(name, "curve of backlash, tangential");
         // It belongs to the step that finds the gap.

@@ -16,9 +16,9 @@ use crate::gui::core::compensated::{Compensated, CompensationRequest, MOST_KG};
 use crate::gui::core::disk::name_of;
 use crate::gui::core::document::{ExportChoice, plain};
 use crate::gui::files;
-use crate::gui::files::writing::{self, Replace, Source};
+use crate::gui::files::writing::{self, Made, Replace, Source};
 use crate::gui::jobs::{Kind, Watch};
-use crate::gui::view::{About, Plot, Sheet, Step, What};
+use crate::gui::view::{About, Message, Plot, Sheet, Step, What};
 use crate::kinematics::Robot;
 use crate::pipeline::measuring_list;
 use crate::report::exported::sidecar_of;
@@ -27,7 +27,7 @@ use crate::robots::named;
 use crate::sessions::{robot_document, samples_path};
 
 use super::Workbench;
-use crate::gui::workbench::choosing::no_file_was_chosen;
+use crate::gui::workbench::background::no_file_was_chosen;
 
 impl Workbench {
     /// What an export's file is called unless the user says otherwise.
@@ -46,11 +46,12 @@ impl Workbench {
                 format!("{}-model-report.html", plain(session))
             }
             What::Picture(plot) => plot.file_name(session, plot.ending()),
-            What::Numbers(chart) => Plot::Chart(chart).file_name(session, "csv"),
+
             What::Robot(id) => format!("{id}.json"),
             What::TypedRobot => {
                 let name = self
                     .file_state
+                    .settings
                     .robots
                     .first()
                     .map(|table| table.name.as_str());
@@ -74,9 +75,6 @@ impl Workbench {
             "report of the model" => What::Report(About::Model),
             "targets" => What::Targets,
             _ => {
-                if let Some(chart) = name.strip_prefix("data of ") {
-                    return Some(What::Numbers(charts::find(chart)?.about().id));
-                }
                 let chart = charts::find(name).map(|chart| Plot::Chart(chart.about().id));
                 let mut all = std::iter::once(Plot::Workspace).chain(chart);
                 What::Picture(all.find(|plot| plot.name() == name)?)
@@ -141,13 +139,11 @@ impl Workbench {
             }
             What::Report(about) => Some(self.report(about)?),
             What::Picture(plot) => self.picture(plot),
-            What::Numbers(chart) => self
-                .numbers_of(chart)
-                .map(|numbers| list(move || numbers().csv())),
+
             What::Targets => Some(self.targets()?),
             What::Robot(id) => named(id).ok().map(|one| robot_file(&one.robot)),
             What::TypedRobot => {
-                let table = self.file_state.robots.first();
+                let table = self.file_state.settings.robots.first();
                 table.and_then(|table| Some(robot_file(&table.robot().ok()?)))
             }
             What::Poses => {
@@ -157,7 +153,7 @@ impl Workbench {
                 ])?;
                 let robot = &self.loaded_session().session.robot;
                 let poses = measuring_list(&diagnosis.next_poses, robot);
-                Some(list(|| poses))
+                Some(list(poses))
             }
             What::Table | What::Model => Some(self.table_or_model(what)?),
         })
@@ -170,16 +166,16 @@ impl Workbench {
             say!("Identify the robot first"),
         ])?;
         let (choice, question) = (self.document().export, self.question());
-        let work = move |path: &Path, replace: bool, watch: &Watch| {
-            let wanted = PreviewRequest {
-                identified,
-                choice,
-                name: None,
-            };
-            files::export(&wanted, what, path, replace, watch)
+        let wanted = PreviewRequest {
+            identified,
+            choice,
+            name: None,
         };
-        let then = move |bench: &mut Self, written| bench.take_exported(written, question, choice);
-        Ok(later(work, then))
+        let make = move |path: &Path, _: &Watch| {
+            Ok((writing::documents(&wanted, what, path)?, Vec::new()))
+        };
+        let then = move |bench: &mut Self, message| bench.take_exported(message, question, choice);
+        Ok(later(Vec::new(), make, then))
     }
 
     /// Everything that the open session, its model and its tables stand in: no paper replaces it.
@@ -227,12 +223,9 @@ impl Workbench {
             source,
             stated,
             tables: self.exported().cloned().collect(),
-            inputs: self.inputs(),
         };
-        let work = move |path: &Path, replace: bool, watch: &Watch| {
-            writing::write_report(&wanted, path, replace, watch)
-        };
-        Ok(later(work, Self::take_written))
+        let make = move |path: &Path, watch: &Watch| writing::report(&wanted, path, watch);
+        Ok(later(self.inputs(), make, Self::take_written))
     }
 
     /// A chart as a drawing; the workspace as it was seen.
@@ -248,10 +241,8 @@ impl Workbench {
                 Box::new(move || drawn.map(|(chart, title)| svg_file(&chart, &title).into_bytes()))
             }
         };
-        let work = move |path: &Path, replace: bool, watch: &Watch| {
-            files::write_picture(make, (path, plot.ending()), replace, &inputs, watch)
-        };
-        Some(later(work, Self::take_written))
+        let make = move |path: &Path, _: &Watch| writing::picture(make, path, plot.ending());
+        Some(later(inputs, make, Self::take_written))
     }
 
     /// Whether it shows the workspace, of which there is no picture yet.
@@ -375,34 +366,34 @@ impl Workbench {
         ])?;
         let mut inputs = self.inputs();
         inputs.push(compensated.wanted.path.clone());
-        let work = move |path: &Path, replace: bool, watch: &Watch| {
-            files::write_targets(&compensated, path, replace, &inputs, watch)
-        };
-        Ok(later(work, Self::take_written))
+        let make = move |path: &Path, _: &Watch| writing::targets(&compensated, path);
+        Ok(later(inputs, make, Self::take_written))
     }
 }
 
 /// What is written once it has a path, and whether a file that is there may be replaced.
 pub(super) type Write = Box<dyn FnOnce(&mut Workbench, PathBuf, bool) + Send>;
 
-fn later<T: Send + 'static>(
-    work: impl FnOnce(&Path, bool, &Watch) -> T + Send + 'static,
-    then: impl FnOnce(&mut Workbench, T) + Send + 'static,
+/// None of `inputs` is replaced.
+fn later(
+    inputs: Vec<PathBuf>,
+    make: impl FnOnce(&Path, &Watch) -> Made + Send + 'static,
+    then: impl FnOnce(&mut Workbench, Message) + Send + 'static,
 ) -> Write {
     Box::new(move |bench, path, replace| {
-        let work = move |path: &Path, watch: &Watch| work(path, replace, watch);
-        bench.write(path, work, then);
+        let says = say!("writing {path}", path = path.display());
+        let work = move |watch: &Watch| writing::write(make, &path, replace, &inputs, watch);
+        bench.jobs.start(Kind::Writes, says, work, then);
     })
 }
 
 fn robot_file(robot: &Robot) -> Write {
     let document = robot_document(robot);
-    list(|| document)
+    list(document)
 }
 
 /// A text of which nothing more has to be known.
-fn list(text: impl FnOnce() -> String + Send + 'static) -> Write {
-    let work =
-        |path: &Path, replace: bool, watch: &Watch| files::write_list(text(), path, replace, watch);
-    later(work, Workbench::take_written)
+fn list(text: String) -> Write {
+    let made = (writing::alone(text.into_bytes()), Vec::new());
+    later(Vec::new(), |_, _| Ok(made), Workbench::take_written)
 }

@@ -1,22 +1,17 @@
 //! The record of the machine: what its report states, whether it is within its tolerance and what became
 //! of it, and robots that were typed. Remembered from one day to the next.
 
-use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::path::Path;
 
 use crate::compensation::decision::{Outcome, Rule};
 use crate::gui::core::robot_table::{RobotTable, remember};
 use crate::gui::file_state::{self, Machine, Of, Stated};
 use crate::gui::files;
-use crate::gui::jobs::{Kind, Watch};
-use crate::gui::view::{Message, Sheet, What};
-use crate::language::{finding, spoken};
-use crate::pipeline;
+use crate::gui::view::What;
+use crate::language::spoken;
 use crate::present::decision::rests_on;
-use crate::progress::ReadError;
 
 use super::Workbench;
-use crate::gui::workbench::Past;
 
 impl Workbench {
     /// Report details: as they were typed, or as they are proposed.
@@ -28,7 +23,8 @@ impl Workbench {
             .cloned();
         typed.unwrap_or_else(|| {
             let folder = self.folder().unwrap_or_default();
-            let mut stated = file_state::proposed(&self.file_state.machines, self.machine(&folder));
+            let mut stated =
+                file_state::proposed(&self.file_state.settings.machines, self.machine(&folder));
             if let (true, Some(today)) = (stated.details.date.is_empty(), &self.file_state.today) {
                 stated.details.date.clone_from(today);
             }
@@ -71,8 +67,7 @@ impl Workbench {
         stated.details.tolerance_mm = self.document().tolerance_mm;
         let folder = self.folder().unwrap_or_default();
         let machine = Machine::new(self.machine(&folder), &stated);
-        file_state::remember(&mut self.file_state.machines, machine.clone());
-        self.keep(move |kept| file_state::remember(&mut kept.machines, machine));
+        self.keep(move |kept| file_state::remember(&mut kept.machines, machine.clone()));
     }
 
     /// Asks for a picture.
@@ -121,68 +116,14 @@ impl Workbench {
         Some((self.stated().details.rule?, self.document().tolerance_mm?))
     }
 
-    /// The sessions that were compared last.
-    pub(crate) fn past(&self) -> Option<&Past> {
-        self.file_state.past.as_deref()
-    }
-
-    /// Compares the sessions that lie beside the open one; asks for a folder where it is in no file.
-    pub(crate) fn compare_here(&mut self) {
-        match self.folder() {
-            Some(folder) => self.compare_sessions(folder),
-            None => self.choose_folder(),
-        }
-    }
-
-    /// Asks for a folder of sessions.
-    pub(crate) fn choose_folder(&mut self) {
-        let says = say!("waiting for a folder to be chosen");
-        self.choose_near(says, files::choose_folder, |bench, folder| {
-            if let Some(folder) = folder {
-                bench.compare_sessions(folder);
-            }
-        });
-    }
-
-    /// Compares the sessions of a folder, and shows what changed.
-    pub(crate) fn compare_sessions(&mut self, folder: PathBuf) {
-        let says = say!(
-            "comparing the sessions of {folder}",
-            folder = folder.display()
-        );
-        let work = move |watch: &Watch| {
-            let told = pipeline::history_watched(&folder, &watch.progress_callback());
-            (folder, told)
-        };
-        self.jobs.start(
-            Kind::Once,
-            says,
-            work,
-            |bench: &mut Self, (folder, told)| match told {
-                Ok(history) => {
-                    bench.file_state.past = Some(Arc::new(Past { folder, history }));
-                    bench.view.sheet = Some(Sheet::HISTORY);
-                }
-                Err(ReadError::Cancelled(_)) => {}
-                Err(ReadError::Rejected(rejected)) => {
-                    let lines = rejected.diagnostics.iter().take(5);
-                    let title = say!("There are no sessions to compare").to_owned();
-                    let details = lines.map(finding).collect();
-                    bench.view.message = Some(Message::wrong(title, details));
-                }
-            },
-        );
-    }
-
     /// Robots that were typed, newest first.
     pub(crate) fn typed_robots(&self) -> &[RobotTable] {
-        &self.file_state.robots
+        &self.file_state.settings.robots
     }
 
     /// Remembers one, and asks for a file to save it to where that is wanted.
     pub(crate) fn keep_robot(&mut self, table: RobotTable, save: bool) {
-        remember(&mut self.file_state.robots, table.clone());
-        self.keep(move |kept| remember(&mut kept.robots, table));
+        self.keep(move |kept| remember(&mut kept.robots, table.clone()));
         if save {
             self.choose_where_to_export(What::TypedRobot);
         }
@@ -190,7 +131,6 @@ impl Workbench {
 
     /// Forgets the one of this name.
     pub(crate) fn forget_robot(&mut self, name: &str) {
-        self.file_state.robots.retain(|own| own.name != name);
         let name = name.to_owned();
         self.keep(move |kept| kept.robots.retain(|own| own.name != name));
     }

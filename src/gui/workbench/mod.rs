@@ -7,7 +7,6 @@
 mod answers;
 mod background;
 mod charts;
-mod choosing;
 mod drafts;
 mod exports;
 mod machine;
@@ -39,18 +38,16 @@ use crate::gui::core::document::{Document, ExportChoice, Method};
 use crate::gui::core::history::History;
 use crate::gui::core::loaded_session::LoadedSession;
 use crate::gui::core::regions::Counts;
-use crate::gui::core::robot_table::RobotTable;
 use crate::gui::core::simulate::Form;
 use crate::gui::file_state::recovery::{LeftBehind, RecoveryFile};
-use crate::gui::file_state::{Machine, Stated};
+use crate::gui::file_state::{Settings, Stated};
 use crate::gui::files;
 use crate::gui::import_draft::ImportDraft;
 use crate::gui::jobs::{Jobs, Slot};
-use crate::gui::preferences::Preferences;
+use crate::gui::view::Preferences;
 use crate::gui::view::{
     Aspect, Camera, Message, NextAction, OnDisk, Plane, Sheet, Sorting, Step, ViewState,
 };
-use crate::history;
 use crate::present::numbers::Notation;
 use crate::present::units::Units;
 use crate::sessions::Region;
@@ -125,7 +122,7 @@ impl Workbench {
             chooser: None,
             jobs,
         };
-        workbench.remember_on_file(Arc::clone(workbench.history.present()));
+        workbench.stands_at(None, Vec::new(), None);
         workbench.look_along_the_axis();
         workbench
     }
@@ -134,7 +131,10 @@ impl Workbench {
 /// Where an opening stands on the disk.
 #[derive(Debug, Clone)]
 pub(super) struct Place {
-    pub(super) path: PathBuf,
+    /// `None`: it needs no file, being an example or a model.
+    pub(super) path: Option<PathBuf>,
+    /// What stands there.
+    pub(super) document: Arc<Document>,
     /// As they looked when they were last read or written.
     pub(super) files: Vec<Fingerprint>,
     pub(super) samples: Option<PathBuf>,
@@ -144,20 +144,14 @@ pub(super) struct Place {
 #[derive(Default)]
 pub(super) struct FileState {
     pub(super) home: Option<PathBuf>,
+    /// What outlives the window; its preferences are those of the view.
+    pub(super) settings: Settings,
     pub(super) recovery_file: Option<RecoveryFile>,
     /// What a window that is gone has left behind.
     pub(super) left_behind: Option<LeftBehind>,
-    /// Restored, and to be removed as soon as this window keeps it itself.
-    pub(super) restored: Vec<LeftBehind>,
-    pub(super) recent: Vec<PathBuf>,
+
     /// The date that is proposed for reports.
     pub(super) today: Option<String>,
-    /// What the reports of machines state, newest first.
-    pub(super) machines: Vec<Machine>,
-    /// Robots that were typed, newest first.
-    pub(super) robots: Vec<RobotTable>,
-    /// Sessions that were compared.
-    pub(super) past: Option<Arc<Past>>,
     /// What was typed for the report of an opening.
     pub(super) stated: BTreeMap<u64, Stated>,
     pub(super) missing: Vec<PathBuf>,
@@ -166,8 +160,7 @@ pub(super) struct FileState {
     pub(super) look: u64,
     /// What became of a file, as it was read and put aside.
     pub(super) dismissed: Option<OnDisk>,
-    /// Documents that stand in a file, or need none.
-    pub(super) on_file: Vec<Arc<Document>>,
+
     /// The import that was left without being done, with what was said.
     pub(super) left_draft: Option<ImportDraft>,
     /// Files that were exported from this session, the newest last, each with what its model answers.
@@ -187,13 +180,6 @@ pub(super) struct FileState {
 pub(super) type HeatLook = (Arc<Heat>, f32, f64, Color32);
 /// How it is said.
 pub(super) type Voice = (Units, Language, Notation);
-
-/// What became of the machines of a folder.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Past {
-    pub(crate) folder: PathBuf,
-    pub(crate) history: history::History,
-}
 
 impl Workbench {
     pub(crate) fn document(&self) -> &Document {
@@ -323,7 +309,10 @@ impl Workbench {
         }
         if before.lineage != self.loaded_session().lineage {
             self.file_state.exported.clear();
-            self.leave_effects();
+            // No chart stays on an effect that a session had: of another one there is none yet.
+            self.view
+                .chart
+                .take_if(|chart| *chart == crate::gui::charts::effect::ID);
             self.look_along_the_axis();
             self.view.step = Step::Session;
             self.view.fit();

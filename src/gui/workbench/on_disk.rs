@@ -3,7 +3,6 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use crate::gui::charts::find;
 use crate::gui::core::disk::{FileChange, Fingerprint};
 use crate::gui::core::document::Document;
 use crate::gui::core::loaded_session::{LoadedSession, Origin};
@@ -23,10 +22,7 @@ impl Workbench {
             (Settings::default(), Some(says))
         });
         self.view.preferences = settings.preferences;
-        self.view.panes = settings.panes.sound(|chart| find(chart).is_some());
-        self.file_state.recent = settings.recent;
-        self.file_state.machines = settings.machines;
-        self.file_state.robots = settings.robots;
+        self.file_state.settings = settings;
         let keeper = RecoveryFile::new(&home);
         let mut details = Vec::new();
         details.extend(damaged.map(|says| say!("Preferences could not be read: {says}", says)));
@@ -56,7 +52,7 @@ impl Workbench {
     /// Recent files that are there, newest first.
     pub(crate) fn recent(&self) -> impl Iterator<Item = &PathBuf> {
         let there = |path: &&PathBuf| !self.file_state.missing.contains(path);
-        self.file_state.recent.iter().filter(there)
+        self.file_state.settings.recent.iter().filter(there)
     }
 
     /// What a window that is gone has left behind.
@@ -71,7 +67,7 @@ impl Workbench {
 
     /// The file that the session stands in.
     pub(crate) fn file(&self) -> Option<&Path> {
-        self.place().map(|place| place.path.as_path())
+        self.place()?.path.as_deref()
     }
 
     /// The folder where new files of what is open belong: beside its own file, or beside the one
@@ -122,24 +118,34 @@ impl Workbench {
         self.place().and_then(|place| place.samples.as_deref())
     }
 
+    /// What is open stands in these files, or needs none.
+    pub(super) fn stands_at(
+        &mut self,
+        path: Option<PathBuf>,
+        files: Vec<Fingerprint>,
+        samples: Option<PathBuf>,
+    ) {
+        let document = Arc::clone(self.history.present());
+        let lineage = document.loaded_session.lineage;
+        let place = Place {
+            path,
+            document,
+            files,
+            samples,
+        };
+        self.file_state.places.insert(lineage, place);
+    }
+
     /// A session or a model was opened.
     pub(super) fn opened(&mut self) {
         let loaded_session = Arc::clone(self.loaded_session());
         match &loaded_session.origin {
             Origin::File(path) => {
-                let place = Place {
-                    path: path.clone(),
-                    files: loaded_session.files.clone(),
-                    samples: loaded_session.samples_file.clone(),
-                };
-                self.file_state.places.insert(loaded_session.lineage, place);
-                let path = path.clone();
-                self.use_recent(path);
-                self.remember_on_file(Arc::clone(self.history.present()));
+                let (files, samples) = (&loaded_session.files, &loaded_session.samples_file);
+                self.stands_at(Some(path.clone()), files.clone(), samples.clone());
+                self.use_recent(path.clone());
             }
-            Origin::Bundled | Origin::Model(_) => {
-                self.remember_on_file(Arc::clone(self.history.present()));
-            }
+            Origin::Bundled | Origin::Model(_) => self.stands_at(None, Vec::new(), None),
             Origin::Simulated | Origin::Recovered(_) | Origin::Imported(_) => {}
         }
         self.arrived();
@@ -169,18 +175,19 @@ impl Workbench {
     pub(crate) fn use_recent(&mut self, path: PathBuf) {
         // Seen from another folder tomorrow, it has to be the same file.
         let path = std::path::absolute(&path).unwrap_or(path);
-        file_state::use_recent(&mut self.file_state.recent, path.clone());
+        self.keep(move |kept| file_state::use_recent(&mut kept.recent, path.clone()));
         self.look_at_disk();
-        self.keep(move |kept| file_state::use_recent(&mut kept.recent, path));
     }
 
     /// Reads the session's file again. Undo brings back what was here.
     pub(crate) fn reload(&mut self) {
         self.view.on_disk = None;
-        let Some(place) = self.place() else {
+        let Some((path, files)) = self
+            .place()
+            .and_then(|place| Some((place.path.clone()?, place.files.clone())))
+        else {
             return;
         };
-        let (path, files) = (place.path.clone(), place.files.clone());
         self.file_state.then = None;
         self.view.sheet = None;
         let what = say!("reading {path}", path = path.display());
@@ -210,7 +217,10 @@ impl Workbench {
     pub(crate) fn look_at_disk(&mut self) {
         let own = self.place().filter(|_| self.writing().is_none());
         let files = own.map_or_else(Vec::new, |place| place.files.clone());
-        let (number, recent) = (self.file_state.look, self.file_state.recent.clone());
+        let (number, recent) = (
+            self.file_state.look,
+            self.file_state.settings.recent.clone(),
+        );
         let work = move || Looked {
             number,
             change: changed(&files),
@@ -231,8 +241,9 @@ impl Workbench {
         }
     }
 
-    /// Keeps something in this user's folder, where there is one.
-    pub(super) fn keep(&mut self, change: impl FnOnce(&mut Settings) + Send + 'static) {
+    /// Changes what outlives the window, here and in this user's folder, where there is one.
+    pub(super) fn keep(&mut self, change: impl Fn(&mut Settings) + Send + 'static) {
+        change(&mut self.file_state.settings);
         if let Some(home) = self.file_state.home.clone() {
             let work = move || file_state::change(&home, change).map_err(|e| e.to_string());
             self.jobs.quietly(work, Self::take_kept);
@@ -272,9 +283,6 @@ fn changed(files: &[Fingerprint]) -> Option<OnDisk> {
 // What is not saved: what would be lost, what is asked before it is, and how it is saved; how it is kept
 // against a crash, and comes back.
 
-/// Documents that are remembered as standing in a file.
-const MOST_ON_FILE: usize = 64;
-
 /// What would be lost.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(crate) struct Losses {
@@ -297,12 +305,14 @@ impl Workbench {
         if now.loaded_session.is_empty() {
             return false;
         }
-        let same = |saved: &Arc<Document>| {
+        let same = |Place {
+                        document: saved, ..
+                    }: &Place| {
             now.regions == saved.regions
                 && now.tolerance_mm == saved.tolerance_mm
                 && Arc::ptr_eq(&now.loaded_session, &saved.loaded_session)
         };
-        !self.file_state.on_file.iter().any(same)
+        !self.place().is_some_and(same)
     }
 
     /// What would be lost if the session were closed now. The session that the window began with
@@ -367,7 +377,7 @@ impl Workbench {
         }
     }
 
-    /// Opens what was dropped: one file, or a session with its samples; of a folder its sessions are compared.
+    /// Opens what was dropped: one file, or a session with its samples.
     pub(crate) fn drop_files(&mut self, mut paths: Vec<PathBuf>) {
         if self.asking().is_some() {
             return;
@@ -391,9 +401,7 @@ impl Workbench {
         }
         match &paths[..] {
             [] => {}
-            [folder] if folder.is_dir() => {
-                self.compare_sessions(folder.clone());
-            }
+
             [file] => self.open_file(file.clone()),
             several => self.complain(
                 &say!("{count} files were dropped: none was opened", count = several.len()),
@@ -492,17 +500,14 @@ impl Workbench {
             }
             Ok(prints) => {
                 let samples = prints.get(1).map(|print| print.path.clone());
+
+                let lineage = document.loaded_session.lineage;
                 let place = Place {
-                    path: path.clone(),
+                    path: Some(path.clone()),
+                    document,
                     files: prints,
                     samples,
                 };
-                // What stood in its file before does not stand there any more.
-                let lineage = document.loaded_session.lineage;
-                self.file_state
-                    .on_file
-                    .retain(|d| d.loaded_session.lineage != lineage);
-                self.remember_on_file(document);
                 self.file_state.places.insert(lineage, place);
                 self.forget_looks();
                 let mut details = Vec::new();
@@ -518,13 +523,6 @@ impl Workbench {
             }
         }
     }
-
-    pub(super) fn remember_on_file(&mut self, document: Arc<Document>) {
-        self.file_state.on_file.push(document);
-        if self.file_state.on_file.len() > MOST_ON_FILE {
-            self.file_state.on_file.remove(0);
-        }
-    }
 }
 
 impl Workbench {
@@ -535,8 +533,7 @@ impl Workbench {
         self.file_state.recovery_file.is_some()
             && match (kept, self.at_risk().any()) {
                 (Some(kept), true) => !Arc::ptr_eq(kept, now),
-                (Some(_), false) | (None, true) => true,
-                (None, false) => !self.file_state.restored.is_empty(),
+                (kept, at_risk) => kept.is_some() != at_risk,
             }
     }
 
@@ -555,24 +552,15 @@ impl Workbench {
         }
         if !self.at_risk().any() {
             self.file_state.kept = None;
-            let restored = std::mem::take(&mut self.file_state.restored);
-            let work = move || {
-                // What was restored is saved: both can go.
-                let _ = std::fs::remove_file(&path);
-                restored.into_iter().for_each(LeftBehind::remove);
-            };
+            let work = move || drop(std::fs::remove_file(&path));
             self.jobs.quietly(work, |_, ()| ());
             return;
         }
         let document = Arc::clone(self.history.present());
         self.file_state.kept = Some(Arc::clone(&document));
         let file = self.file().map(Path::to_path_buf);
-        let restored = std::mem::take(&mut self.file_state.restored);
         let work = move || {
             let written = recovery::write(&path, &SavedDocument::of(&document, file));
-            if written.is_ok() {
-                restored.into_iter().for_each(LeftBehind::remove);
-            }
             written.map_err(|e| e.to_string())
         };
         self.jobs.quietly(work, Self::take_kept);
@@ -609,19 +597,23 @@ impl Workbench {
     /// Brings back what was left behind.
     pub(crate) fn restore(&mut self) {
         self.view.sheet = None;
-        let Some(left) = self.file_state.left_behind.take() else {
+        let Some(LeftBehind { own, kept, .. }) = self.file_state.left_behind.take() else {
             return;
         };
-        let mut session = left.kept.session.clone();
-        let file = left.kept.about.file.clone();
+        let mut session = kept.session;
+        let file = kept.about.file;
         session.path.clone_from(&file);
         let origin = Origin::Recovered(file);
         let loaded_session = Arc::new(LoadedSession::new(session, Vec::new(), origin));
         self.edit(phrase!("restore"), |document| {
-            document.recover(loaded_session, &left.kept.about.choices);
+            document.recover(loaded_session, &kept.about.choices);
             Ok(())
         });
-        self.file_state.restored.push(left);
+        // It is this window's from now on.
+        if let Some(other) = self.file_state.recovery_file.replace(own) {
+            other.tidy();
+        }
+        self.file_state.kept = None;
         self.keep_recovery();
         self.view.message = Some(Message::done(
             say!("Restored; it is not saved yet").to_owned(),
@@ -633,7 +625,7 @@ impl Workbench {
     pub(crate) fn discard_left_behind(&mut self) {
         self.view.sheet = None;
         if let Some(left) = self.file_state.left_behind.take() {
-            left.remove();
+            left.own.tidy();
         }
         self.look_for_left_behind();
     }

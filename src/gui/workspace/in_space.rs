@@ -69,8 +69,7 @@ fn describe(response: &Response, workbench: &Workbench) {
         None => say!("3-D view, {samples} samples, {camera}", samples, camera),
     };
     response.widget_info(|| WidgetInfo::labeled(Role::Figure, true, name.clone()));
-    let how =
-        say!("arrow keys orbit, plus and minus zoom, Home fits; 0, 1, 3 and 7 are standard views");
+    let how = say!("arrow keys orbit, plus and minus zoom, Home fits");
     let ctx = &response.ctx;
     ctx.accesskit_node_builder(response.id, |node| node.set_description(how));
 }

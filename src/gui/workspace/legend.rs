@@ -2,24 +2,22 @@
 //! plot, so that nothing of it ever covers what was measured, however small the plot is. What colour says is said a
 //! second time: a deviation by the vector's length, a direction by its direction, a condition by its width.
 
-use egui::epaint::Mesh;
 use egui::{
     Align2, Color32, FontId, Link, Popup, PopupCloseBehavior, Pos2, Rect, RichText, Role, Sense,
     Shape, Stroke, Ui, WidgetInfo, pos2, vec2,
 };
 use egui_plot::PlotTransform;
 
-use crate::gui::layers::{OUTLINE, WEDGE, scale_at};
+use crate::gui::layers::scale_at;
 use crate::gui::style::{Palette, size};
-use crate::gui::view::Colouring;
+
 use crate::gui::widgets;
 use crate::gui::workbench::Workbench;
 use crate::numeric::single;
 use crate::present::chart::Form;
 use crate::present::numbers::{significant, trimmed};
 
-use super::fitting;
-use super::model::{Shown, judged};
+use super::model::{self, Shown, judged};
 use super::pen::{Camera, Label, Pen};
 use super::robot::Drawn;
 
@@ -57,20 +55,21 @@ pub(super) fn show(
     notes: &[String],
 ) -> Option<Rect> {
     let palette = &Palette::of(ui);
-    let mut scale = None;
+    let mut of_vectors = None;
     let measured = !workbench.loaded_session().is_empty();
     let low = ui.available_height() < LOW;
     let entries = entries(workbench, shown, robot, palette);
-    let scales = colour_bars(ui, workbench, shown, low);
+    let long = if low { SHORT } else { LONG };
+    let scale_of_colours = scale(workbench, shown).map(|of| colour_bar(ui, of, long));
     let marks = |ui: &mut Ui| entries.iter().for_each(|one| symbol(ui, one, palette));
     rows(ui, |ui| {
         if measured {
-            scale = Some(entry(ui, SCALE, "", palette));
+            of_vectors = Some(entry(ui, SCALE, "", palette));
         }
         if !low {
             marks(ui);
         }
-        for one in &scales {
+        if let Some(one) = &scale_of_colours {
             symbol(ui, one, palette);
         }
         if low {
@@ -80,7 +79,7 @@ pub(super) fn show(
             note(ui, says, palette);
         }
     });
-    scale
+    of_vectors
 }
 
 /// A plot that would be lower than this has its marks explained behind a button, points.
@@ -105,15 +104,13 @@ pub(super) fn scale_in(ui: &Ui, room: Rect, workbench: &Workbench, shown: &Shown
     let points_per_mm = camera.points_per_mm();
     // Round in the unit in which it is written.
     let per_mm = units.length_value(1.0);
-    let round = fitting::scale_mm(shown.magnification, points_per_mm / per_mm, LONGEST_SCALE);
+    let round = model::scale_mm(shown.magnification, points_per_mm / per_mm, LONGEST_SCALE);
     let mm = round / per_mm;
     let long = single(mm * shown.magnification * points_per_mm);
     let length = trimmed(units.length_value(mm), 6);
     let says = format!("{length} {}", units.length_name());
     Pen::draw(ui, |pen| {
-        let color = if shown.look.colouring != Colouring::State {
-            pen.palette.muted
-        } else if shown.look.answered && shown.look.blend > 0.0 {
+        let color = if shown.look.answered && shown.look.blend > 0.0 {
             pen.palette.after
         } else {
             pen.palette.before
@@ -173,19 +170,9 @@ fn entries(
     if !workbench.loaded_session().is_empty() {
         meanings(&mut all, workbench, shown, palette);
     }
-    // Whether the pointer is at a sample or not: nothing moves under the pointer.
-    let Some(robot) = robot else {
-        return all;
-    };
-    let tube = [(7.0, palette.nominal), (4.5, palette.surface)];
-    all.push(Entry::line(say!("robot"), tube));
-    if let Some(real) = &robot.real {
-        let (name, color) = if real.identified {
-            (say!("identified"), palette.after)
-        } else {
-            (say!("as measured"), palette.before)
-        };
-        all.push(Entry::line(name, [(2.5, color)]));
+    if robot.is_some() {
+        let tube = [(7.0, palette.nominal), (4.5, palette.surface)];
+        all.push(Entry::line(say!("robot"), tube));
     }
     all
 }
@@ -199,24 +186,17 @@ fn meanings(all: &mut Vec<Entry>, workbench: &Workbench, shown: &Shown, palette:
         all.push(Entry::line(say!("before"), [(1.5, before)]));
         all.push(Entry::line(say!("after"), [(1.8, palette.after)]));
     }
-    // Where colour says something else, shape alone says what is within the tolerance.
-    let colouring = shown.look.colouring;
-    let plain = colouring == Colouring::State;
-    let middle = scale_at(palette, 0.5);
-    let disc = |name: &str, color: Color32| {
-        if plain {
-            Entry::mark(name, (Form::Disc, 2.8), color, Stroke::NONE)
-        } else {
-            let edge = Stroke::new(OUTLINE, palette.text);
-            Entry::mark(name, (Form::Disc, 4.0), middle, edge)
-        }
-    };
+    let disc = |name: &str, color| Entry::mark(name, (Form::Disc, 2.8), color, Stroke::NONE);
     if workbench.document().tolerance_mm.is_some() {
-        let inner = if plain { palette.surface } else { middle };
         let edge = Stroke::new(1.4, palette.outside);
         let [within, outside] = [true, false].map(|within| judged(workbench, within));
         all.push(disc(within, palette.within));
-        all.push(Entry::mark(outside, (Form::Diamond, 3.2), inner, edge));
+        all.push(Entry::mark(
+            outside,
+            (Form::Diamond, 3.2),
+            palette.surface,
+            edge,
+        ));
     } else {
         all.push(disc(say!("measured"), palette.text));
     }
@@ -240,7 +220,7 @@ impl Notes {
     }
 
     pub(super) fn keep(&self, ui: &Ui, shown: &Shown, transform: &PlotTransform) {
-        let now = fitting::drawn(shown, fitting::counts(shown, transform));
+        let now = model::drawn(shown, model::counts(shown, transform));
         if now != self.before {
             ui.data_mut(|data| data.insert_temp(self.id, now));
             ui.ctx().request_repaint();
@@ -248,103 +228,47 @@ impl Notes {
     }
 }
 
-/// Length of a scale, points; and in a low plot.
+/// Length of the scale, points; and in a low plot.
 const LONG: f32 = 96.0;
 const SHORT: f32 = 64.0;
-/// Thickness of a scale that says nothing by it, points.
+/// Thickness of the scale, points.
 const THICK: f32 = 7.0;
-/// How much thicker than the vectors a wedge is drawn.
-const WEDGE_BY: f32 = 3.0;
-/// Pieces of a scale.
+/// Pieces of the scale.
 const PIECES: u16 = 48;
 
-/// A scale: what it is of, its ends in words, and what colour it has.
-#[derive(Debug, Clone, PartialEq)]
-struct Scale {
-    name: String,
-    /// Its ends; none for directions.
-    ends: [String; 2],
-    /// What its colour says.
-    colouring: Colouring,
-}
-
-/// The scales that are in use.
-fn scales(workbench: &Workbench, shown: &Shown) -> Vec<Scale> {
+/// What the scale of lengths is of, and its upper end; none without the heat map.
+fn scale(workbench: &Workbench, shown: &Shown) -> Option<[String; 2]> {
     let units = workbench.units();
-    let colouring = shown.look.colouring;
-    let heat = workbench.heat().is_some();
+    workbench.heat()?;
     let long = significant(units.length_value(shown.look.long_mm), 2);
-    let lengths = |name: &str| Scale {
-        name: format!("{name}, {}", units.length_name()),
-        ends: ["0".to_owned(), format!("≥ {long}")],
-        colouring: Colouring::Deviation,
-    };
-    let mut scales = Vec::new();
-    match colouring {
-        Colouring::State => {}
-        Colouring::Deviation => scales.push(lengths(say!("deviation"))),
-        Colouring::Uncertainty => {
-            let most = workbench.uncertain().map_or(0.0, |u| u.most_mm);
-            let most = significant(units.length_value(most), 2);
-            scales.push(Scale {
-                name: format!("{}, {}", colouring.name(), units.length_name()),
-                ends: ["0".to_owned(), most],
-                colouring,
-            });
-        }
-    }
-    if heat && colouring != Colouring::Deviation {
-        scales.push(lengths(say!("heat map")));
-    }
-    scales
+    let name = format!("{}, {}", say!("heat map"), units.length_name());
+    Some([name, format!("≥ {long}")])
 }
 
-/// The scales as entries of a legend: from little to much, a wedge where the width of vectors says the
-/// same; every direction in its colour.
-fn colour_bars(ui: &Ui, workbench: &Workbench, shown: &Shown, low: bool) -> Vec<Entry> {
-    let long = if low { SHORT } else { LONG };
-    let all = scales(workbench, shown).into_iter();
-    all.map(|scale| colour_bar(ui, scale, long)).collect()
-}
-
-fn colour_bar(ui: &Ui, scale: Scale, long: f32) -> Entry {
+/// The scale as an entry of the legend: from little to much.
+fn colour_bar(ui: &Ui, [name, high]: [String; 2], long: f32) -> Entry {
     let width = |text: &str| widgets::width_of(ui, text, FontId::proportional(size::SMALL));
-    let [low, high] = scale.ends;
-    let before = width(&low) + 4.0;
+    let before = width("0") + 4.0;
     let wide = before + long + 4.0 + width(&high);
     let left = before - 0.5 * wide;
-    let colouring = scale.colouring;
-    let half = move |part: f32| {
-        let wide = WEDGE_BY * (WEDGE[0] + part * (WEDGE[1] - WEDGE[0]));
-        0.5 * if colouring == Colouring::Uncertainty {
-            wide
-        } else {
-            THICK
-        }
-    };
     let sign = move |pen: &mut Pen<'_>, at: Pos2| {
-        for (x, says) in [(-0.5 * wide, &low), (left + long + 4.0, &high)] {
+        for (x, says) in [(-0.5 * wide, "0"), (left + long + 4.0, &high)] {
             let label = Label::new(says, pen.palette.muted).anchored(Align2::LEFT_CENTER);
             pen.label(at + vec2(x, 0.0), &label);
         }
-        let mut mesh = Mesh::default();
-        for k in 0..=PIECES {
-            let part = f32::from(k) / f32::from(PIECES);
-            let color = scale_at(pen.palette, part);
-            for up in [-1.0, 1.0] {
-                mesh.colored_vertex(at + vec2(left + part * long, up * half(part)), color);
-            }
-            if k > 0 {
-                let here = 2 * u32::from(k) + 1;
-                mesh.add_triangle(here, here - 1, here - 2);
-                mesh.add_triangle(here - 1, here - 2, here - 3);
-            }
+        for k in 0..PIECES {
+            let [from, to] = [k, k + 1].map(|k| left + long * f32::from(k) / f32::from(PIECES));
+            let color = scale_at(pen.palette, f32::from(k) / f32::from(PIECES - 1));
+            let piece = Rect::from_x_y_ranges(
+                at.x + from..=at.x + to,
+                at.y - 0.5 * THICK..=at.y + 0.5 * THICK,
+            );
+            pen.shapes.push(Shape::rect_filled(piece, 0.0, color));
         }
-        pen.shapes.push(Shape::mesh(mesh));
     };
     Entry {
         wide,
-        ..Entry::new(scale.name, sign)
+        ..Entry::new(name, sign)
     }
 }
 
@@ -377,25 +301,6 @@ mod tests {
     use crate::gui::testing::workbench;
 
     #[test]
-    fn every_colour_that_says_something_has_a_scale() {
-        let mut workbench = workbench();
-        let named = |workbench: &Workbench| {
-            let shown = Shown::of(workbench);
-            let names = scales(workbench, &shown).into_iter().map(|s| s.name);
-            names.collect::<Vec<_>>()
-        };
-        assert!(named(&workbench).is_empty());
-        workbench.execute(|bench| bench.view.colouring = Colouring::Deviation);
-        assert_eq!(named(&workbench), ["deviation, mm"]);
-        workbench.execute(|bench| bench.view.heat = true);
-        workbench.receive();
-        // The same scale for both.
-        assert_eq!(named(&workbench), ["deviation, mm"]);
-        workbench.execute(|bench| bench.view.colouring = Colouring::State);
-        assert_eq!(named(&workbench), ["heat map, mm"]);
-    }
-
-    #[test]
     fn the_scale_of_the_heat_map_follows_from_before_to_after() {
         let mut workbench = workbench();
         workbench.execute(|bench| bench.identify(None));
@@ -403,8 +308,8 @@ mod tests {
         workbench.receive();
         let mut end_mm = |blend: f32| {
             workbench.execute(|bench| bench.view.blend = blend);
-            let scale = scales(&workbench, &Shown::of(&workbench)).pop();
-            let [_, end] = scale.expect("the heat map's").ends;
+            let scale = scale(&workbench, &Shown::of(&workbench));
+            let [_, end] = scale.expect("the heat map's");
             end.trim_start_matches("≥ ")
                 .parse::<f64>()
                 .expect("a number")
@@ -415,26 +320,6 @@ mod tests {
             before > between && between > after,
             "{before} {between} {after}"
         );
-    }
-
-    #[test]
-    fn the_uncertainty_of_a_model_is_offered_once_there_is_one() {
-        let mut workbench = workbench();
-        workbench.execute(|bench| bench.view.colouring = Colouring::Uncertainty);
-        workbench.receive();
-        assert!(scales(&workbench, &Shown::of(&workbench)).is_empty());
-        workbench.execute(|bench| bench.identify(None));
-        workbench.receive();
-        let shown = Shown::of(&workbench);
-        let scale = scales(&workbench, &shown).pop().expect("a scale");
-        assert_eq!(scale.name, "uncertainty (1σ), mm");
-        let most = workbench.uncertain().expect("it is known").most_mm;
-        let [low, high] = scale.ends;
-        assert_eq!([low, high], ["0".to_owned(), significant(most, 2)]);
-        let drawn = workbench.remainder().expect("it is known");
-        let parts: Vec<f32> = drawn.rows.iter().map(|row| row[4]).collect();
-        assert_eq!(parts.len(), workbench.loaded_session().len());
-        assert!(parts.iter().all(|p| (0.0..=1.0).contains(p)) && parts.contains(&1.0));
     }
 
     const THEMES: [(&str, Palette); 2] = [("light", LIGHT), ("dark", DARK)];

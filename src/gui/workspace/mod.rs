@@ -2,8 +2,8 @@
 //! measured points, error vectors.
 
 use egui::{
-    Align, ColorImage, ComboBox, Context, Id, Layout, Popup, PopupCloseBehavior, Pos2, Rect,
-    RichText, Role, Slider, Ui, WidgetInfo, vec2,
+    ColorImage, Context, Id, Popup, PopupCloseBehavior, Pos2, Rect, RichText, Role, Slider, Ui,
+    WidgetInfo, vec2,
 };
 use egui_plot::Axis;
 use pen::{Camera, Pen};
@@ -12,14 +12,12 @@ use pointer::{Seen, tell_plot_size};
 use crate::gui::core::overview::Readable;
 use crate::gui::plots::{self, axis, picture, steps_in};
 use crate::gui::style::{Palette, size, space};
-use crate::gui::view::{Aspect, Colouring, Plane, Plot, Step};
-use crate::gui::widgets::{self, caption, fine, title};
+use crate::gui::view::{Aspect, Plane, Plot, Step};
+use crate::gui::widgets::{self, caption, fine};
 use crate::gui::workbench::Workbench;
-use crate::gui::workspace::model::{magnification as magnification_of, offers, readable, room};
+use crate::gui::workspace::model::{magnification as magnification_of, readable, room};
 use crate::present::numbers::{significant, trimmed};
-use crate::text::stretch;
 
-mod fitting;
 mod in_space;
 mod legend;
 mod model;
@@ -28,9 +26,9 @@ mod pointer;
 mod robot;
 mod scene;
 
-pub(crate) use fitting::nearest;
 pub(crate) use in_space::robot_alone;
 pub(crate) use model::judged;
+pub(crate) use model::nearest;
 pub(crate) use pointer::{Handles, boundary_handles, grab, hover, marked};
 
 /// Shows the plot in the space that is left, and sends what the pointer does.
@@ -83,7 +81,7 @@ fn plane(ui: &mut Ui, workbench: &Workbench) {
     let editing = view.step == Step::Regions && !workbench.loaded_session().is_empty();
     let seen = Seen::of(ui, workbench);
     let (shown, robot) = (&seen.shown, seen.robot.as_ref());
-    let bounds = fitting::bounds(shown);
+    let bounds = model::bounds(shown);
     let plot = plots::plot(("workspace", view.plane.name(), view.fitted.workspace))
         .data_aspect(1.0)
         .set_margin_fraction(egui::Vec2::splat(0.02))
@@ -107,7 +105,7 @@ fn plane(ui: &mut Ui, workbench: &Workbench) {
     let frame = camera.frame();
     tell_plot_size(
         workbench,
-        fitting::fitted(bounds, [frame.width(), frame.height()].map(f64::from)),
+        model::fitted(bounds, [frame.width(), frame.height()].map(f64::from)),
     );
     let samples = workbench.loaded_session().overview.usable.len();
     response.widget_info(|| {
@@ -121,7 +119,7 @@ fn plane(ui: &mut Ui, workbench: &Workbench) {
     seen.finish(ui, workbench, &camera, (&response, pointer));
     if editing && let Some(dial) = &shown.dial {
         let handles = Handles {
-            at: &|angle| camera.at_flat(dial.at(angle, fitting::HANDLE * dial.radius_mm)),
+            at: &|angle| camera.at_flat(dial.at(angle, model::HANDLE * dial.radius_mm)),
             angle: &|at, near| {
                 let point = transform.value_from_position(at);
                 dial.angle_of([point.x, point.y], near)
@@ -136,71 +134,35 @@ fn plane(ui: &mut Ui, workbench: &Workbench) {
 // The bar over the workspace plot: from where it is looked at, what is shown, and how: from before to after, how long
 // vectors are, the heat map, what colour says; the side in space.
 
-/// What stands at the beginning of the bar.
-pub(crate) type First<'a> = &'a mut dyn FnMut(&mut Ui);
-
-/// Room for it, points.
-const FIRST: f32 = 32.0;
-
 /// Something else that stands in the bar.
 pub(crate) type ExtraControls = fn(&mut Ui, &Workbench);
 
-/// Shows the bar; `extra` stands above it, `first` at its beginning.
-pub(crate) fn bar(
-    ui: &mut Ui,
-    workbench: &Workbench,
-    extra: Option<ExtraControls>,
-    first: First<'_>,
-) {
+/// Shows the bar, in as many rows as it takes; `extra` stands at its beginning.
+pub(crate) fn bar(ui: &mut Ui, workbench: &Workbench, extra: Option<ExtraControls>) {
     let drawn = !workbench.loaded_session().is_empty();
-    let blends = drawn && workbench.answer().is_some();
-    let roomy = ui.available_width() / stretch() - FIRST > ROOMY;
-    // Beside what stands above the bar, in the bar, or below it.
-    let below = blends && extra.is_none() && !roomy;
-    if let Some(extra) = extra {
-        widgets::row(ui, |ui| {
-            extra(ui, workbench);
-            if blends {
-                ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-                    blend(ui, workbench);
-                });
+    let usual = ui.spacing().interact_size.y;
+    ui.scope(|ui| {
+        ui.spacing_mut().interact_size.y = space::ROW_HEIGHT;
+        ui.horizontal_wrapped(|ui| {
+            ui.spacing_mut().interact_size.y = usual;
+            if let Some(extra) = extra {
+                extra(ui, workbench);
             }
-        });
-    }
-    let titled = match blends {
-        _ if extra.is_some() => f32::INFINITY,
-        true => WITH_BLEND,
-        false => TITLED,
-    };
-    widgets::row(ui, |ui| {
-        first(ui);
-        if ui.available_width() > titled * stretch() {
-            title(ui, say!("Workspace"));
-        }
-        ways(ui, workbench);
-        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            ways(ui, workbench);
+            if drawn && workbench.answer().is_some() {
+                blend(ui, workbench);
+            }
             if drawn {
-                picture(ui, Plot::Workspace, None, workbench);
+                display(ui, workbench);
             }
             if plots::fit(ui, say!("Fit to view")) {
                 workbench.then(|bench| bench.view.fit_workspace());
             }
             if drawn {
-                display(ui, workbench);
-            }
-            if blends && roomy && extra.is_none() {
-                ui.add_space(space::TIGHT);
-                blend(ui, workbench);
+                picture(ui, Plot::Workspace, workbench);
             }
         });
     });
-    if below {
-        ui.horizontal(|ui| {
-            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-                blend(ui, workbench);
-            });
-        });
-    }
 }
 
 /// The ways to look at the workspace.
@@ -209,33 +171,15 @@ fn ways(ui: &mut Ui, workbench: &Workbench) {
     let planes = Plane::ALL.map(|plane| ((Aspect::Plane, plane), plane.name()));
     let space = ((Aspect::Space, view.plane), say!("3-D"));
     let views = [planes[0], planes[1], planes[2], space];
-    let now = (view.aspect, view.plane);
-    let room = ui.available_width() - BESIDE * stretch();
-    let chosen = if widgets::width_of_segments(ui, &views) <= room {
-        widgets::segmented(ui, &views, now)
-    } else {
-        let named = views.iter().find(|(one, _)| *one == now);
-        let view = named.map_or("", |(_, name)| *name);
-        let list = ComboBox::from_id_salt("ways to look").width(NARROW_LIST);
-        let list = list.selected_text(view);
-        widgets::list(ui, say!("{view} view", view), list, views, now)
-    };
-    match chosen {
+    if widgets::width_of_segments(ui, &views) > ui.available_size_before_wrap().x {
+        ui.end_row();
+    }
+    match widgets::segmented(ui, &views, (view.aspect, view.plane)) {
         Some((Aspect::Plane, plane)) => workbench.then(move |bench| bench.view.look_in(plane)),
-        Some((Aspect::Space, _)) => workbench.then(move |bench| bench.view.look_from(None)),
+        Some((Aspect::Space, _)) => workbench.then(|bench| bench.view.look_in_space()),
         None => {}
     }
 }
-
-/// Width of what stands in the same row as the choice of view, points: two icons, and the *display* button. The choice
-/// becomes a list where the row is too narrow for all of them.
-const BESIDE: f32 = 154.0;
-const NARROW_LIST: f32 = 64.0;
-/// From these widths on the plot is titled: without before and after in the row, and with them, points.
-const TITLED: f32 = 440.0;
-const WITH_BLEND: f32 = 590.0;
-/// From this width on before and after is in the row, points.
-const ROOMY: f32 = 570.0;
 
 /// How vectors, map and colours are drawn.
 fn display(ui: &mut Ui, workbench: &Workbench) {
@@ -252,26 +196,22 @@ fn display(ui: &mut Ui, workbench: &Workbench) {
         if !workbench.view.in_space() {
             heat(ui, workbench);
         }
-        caption(ui, say!("colour"));
-        let shown = coloured(workbench);
-        for colouring in Colouring::ALL {
-            if offers(workbench, colouring) {
-                let text = RichText::new(colouring.name()).size(size::SMALL);
-                if ui.radio(colouring == shown, text).clicked() && colouring != shown {
-                    workbench.then(move |bench| bench.view.colouring = colouring);
-                }
-            }
-        }
     });
 }
 
 /// From before to after. What stands at the end that is shown is written stronger.
 fn blend(ui: &mut Ui, workbench: &Workbench) {
+    /// Of the slider; and of what stands between it and its ends.
+    const SLIDER: f32 = 64.0;
+    const BETWEEN: f32 = 4.0 * space::ROW;
     let mut blend = workbench.view.blend;
-    // Beside the switch of views in a narrow bar.
-    let narrow = ui.available_width() < 320.0;
-    let bare = ui.available_width() < 160.0 * stretch();
     let palette = Palette::of(ui);
+    let ends = [say!("before"), say!("after")];
+    let font = egui::FontId::proportional(size::SMALL);
+    let ends = ends.map(|end| widgets::width_of(ui, end, font.clone()));
+    if ends.iter().sum::<f32>() + SLIDER + BETWEEN > ui.available_size_before_wrap().x {
+        ui.end_row();
+    }
     let end = |ui: &mut Ui, text: &str, shown: bool| {
         let text = RichText::new(text).size(size::SMALL);
         let text = if shown {
@@ -281,19 +221,17 @@ fn blend(ui: &mut Ui, workbench: &Workbench) {
         };
         ui.label(text);
     };
-    if !bare {
-        end(ui, say!("after"), blend >= 1.0);
-    }
-    fine(ui, if narrow { 44.0 } else { 64.0 });
+    end(ui, say!("before"), blend <= 0.0);
+    let usual = ui.spacing().clone();
+    fine(ui, SLIDER);
     let slider = ui.add(Slider::new(&mut blend, 0.0..=1.0).show_value(false));
+    *ui.spacing_mut() = usual;
     widgets::label(&slider, say!("From before to after"));
     if slider.changed() {
         workbench.then(move |bench| bench.view.blend = blend);
     }
     slider.on_hover_text(blend_says(blend));
-    if !bare {
-        end(ui, say!("before"), blend <= 0.0);
-    }
+    end(ui, say!("after"), blend >= 1.0);
 }
 
 /// What the vectors, the marks and the heat map show.
@@ -357,15 +295,5 @@ fn heat(ui: &mut Ui, workbench: &Workbench) {
     widgets::label(&checkbox, say!("heat map"));
     if checkbox.changed() {
         workbench.then(move |bench| bench.view.heat = shown);
-    }
-}
-
-/// What colour says, where the session has it.
-fn coloured(workbench: &Workbench) -> Colouring {
-    let now = workbench.view.colouring;
-    if offers(workbench, now) {
-        now
-    } else {
-        Colouring::State
     }
 }

@@ -164,22 +164,6 @@ impl<'a> Pen<'a> {
     pub(super) fn label(&mut self, at: Pos2, label: &Label) {
         let galley = self.galley(label);
         let place = label.anchor.anchor_size(at, galley.size());
-        let pointer = self.painter.ctx().input(|i| i.pointer.hover_pos());
-        let pointer = pointer.filter(|at| self.painter.clip_rect().contains(*at));
-        if galley.elided && pointer.is_some_and(|at| place.contains(at)) {
-            // Whole, over whatever is there.
-            let whole = Label {
-                most: None,
-                color: self.palette.text,
-                anchor: Align2::CENTER_CENTER,
-                ..label.clone()
-            };
-            let size = self.galley(&whole).size();
-            let ground = Rect::from_center_size(place.center(), size).expand(3.0);
-            let ground = Shape::rect_filled(ground, 3.0, self.palette.surface);
-            self.shapes.push(ground);
-            return self.label(place.center(), &whole);
-        }
         self.shapes
             .push(Shape::galley(place.min, galley, label.color));
     }

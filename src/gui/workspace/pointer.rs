@@ -14,11 +14,11 @@ use crate::gui::core::loaded_session::Component;
 use crate::gui::core::quantity::joint_value;
 use crate::gui::core::regions::{self, SNAP_DEG};
 use crate::gui::style::Palette;
-use crate::gui::view::{Colouring, ViewState};
+use crate::gui::view::ViewState;
 use crate::gui::widgets;
 use crate::gui::workbench::Workbench;
-use crate::gui::workspace::fitting;
 use crate::gui::workspace::legend::{self, Notes};
+use crate::gui::workspace::model;
 use crate::gui::workspace::model::{Shown, judged};
 use crate::gui::workspace::pen::Camera;
 use crate::gui::workspace::robot::Drawn;
@@ -37,7 +37,7 @@ pub(super) fn under(
 ) -> Option<usize> {
     let transform = &camera.transform;
     let at = transform.value_from_position(at);
-    let [points, _] = fitting::counts(shown, transform);
+    let [points, _] = model::counts(shown, transform);
     let scale = camera.points_per_mm();
     drawn_at(
         workbench,
@@ -219,9 +219,7 @@ fn about(workbench: &Workbench, sample: usize, all: bool) -> (String, Vec<Line>)
             lines.push((say!("after").to_owned(), length(shown)));
         }
     }
-    if let Some(u) = workbench.uncertain().map(|u| u.mm[sample]) {
-        lines.push((Colouring::Uncertainty.name().to_owned(), units.length(u)));
-    }
+
     for component in [Component::Tangential, Component::Radial, Component::Axial] {
         let measured = !component.out_of_plane() || loaded_session.session.samples.z_mm.is_some();
         if !measured || !all && component != workbench.view.component {
@@ -479,7 +477,7 @@ fn paint(ui: &Ui, response: &Response) {
 #[cfg(test)]
 mod tests {
     use crate::gui::testing::workbench;
-    use crate::gui::view::{Camera as View, Standard};
+    use crate::gui::view::Camera as View;
 
     use super::*;
 
@@ -514,8 +512,8 @@ mod tests {
     fn every_sample_that_is_drawn_is_found_where_it_is_from_every_side() {
         let mut workbench = workbench();
         let tilted = View::default().orbited([40.0, 25.0]);
-        for camera in [View::from(Standard::Front), tilted] {
-            workbench.execute(|bench| bench.view.look_from(None));
+        for camera in [View::default(), tilted] {
+            workbench.execute(|bench| bench.view.look_in_space());
             workbench.execute(|bench| bench.view.camera = camera);
             let shown = Shown::of(&workbench);
             let facing = workbench.facing();

@@ -9,7 +9,6 @@ use std::f64::consts::TAU;
 use egui::{Color32, Pos2, Stroke};
 use nalgebra::{Isometry3, Point3, Vector3};
 
-use crate::gui::core::overview::round_down;
 use crate::gui::core::quantity::joint_value;
 use crate::gui::core::skeleton::Skeleton;
 use crate::gui::style::Palette;
@@ -17,31 +16,7 @@ use crate::gui::workbench::Workbench;
 use crate::kinematics::{JointKind, Robot};
 use crate::present::chart::Form;
 
-use super::model::magnification;
 use super::pen::{Camera, Pen};
-
-/// The real robot is displaced by no more than this part of the workspace.
-const MOST_DISPLACED: f64 = 0.3;
-
-/// The corners with the last displaced by `tip_mm`, the others as far along as they are.
-fn displaced(corners: &[Point3<f64>], tip_mm: Vector3<f64>) -> Vec<Point3<f64>> {
-    // Base and the first axis stand where they stand.
-    const FIXED: usize = 3;
-    let step = |k: usize| (corners[k] - corners[k - 1]).norm();
-    let length: f64 = (FIXED..corners.len()).map(step).sum();
-    let mut gone = 0.0;
-    let mut moved = corners.to_vec();
-    for k in FIXED..corners.len() {
-        gone += step(k);
-        let part = if k + 1 == corners.len() || length <= 0.0 {
-            1.0
-        } else {
-            gone / length
-        };
-        moved[k] += tip_mm * part;
-    }
-    moved
-}
 
 /// How a joint is drawn.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -51,17 +26,6 @@ pub(crate) struct JointSymbol {
     pub(crate) axis: [f64; 3],
     /// Whether it turns (else it slides).
     pub(crate) turns: bool,
-}
-
-/// The robot beside the nominal one.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Real {
-    /// From base to tool, mm.
-    pub(crate) corners_mm: Vec<Point3<f64>>,
-    /// How many times its deviation is drawn.
-    pub(crate) times: f64,
-    /// Whether that is the identified robot (else it is as it was measured).
-    pub(crate) identified: bool,
 }
 
 /// The robot as it is drawn.
@@ -75,7 +39,6 @@ pub(crate) struct Drawn {
     pub(crate) q: Vec<f64>,
     /// The nominal robot from base to tool, mm of the measuring frame.
     pub(crate) corners_mm: Vec<Point3<f64>>,
-    pub(crate) real: Option<Real>,
     /// Its joints.
     pub(crate) signs: Vec<JointSymbol>,
     /// The joints' names and values.
@@ -116,7 +79,6 @@ impl Drawn {
             sample,
             asked_for: asked.is_some(),
             q: q.clone(),
-            real: sample.and_then(|sample| real(workbench, sample, &corners)),
             signs: signs(robot, &q, &base, &corners),
             values: values.collect(),
             corners_mm: corners,
@@ -130,7 +92,6 @@ impl Drawn {
         Some(Self {
             sample: None,
             asked_for: true,
-            real: None,
             signs: signs(robot, &q, &Isometry3::identity(), &corners),
             values: Vec::new(),
             corners_mm: corners,
@@ -187,35 +148,6 @@ fn home(robot: &Robot) -> Vec<f64> {
     robot.joints.iter().map(value).collect()
 }
 
-fn real(workbench: &Workbench, sample: usize, corners: &[Point3<f64>]) -> Option<Real> {
-    let loaded_session = &**workbench.loaded_session();
-    if !loaded_session.usable[sample] {
-        return None;
-    }
-    let answer = workbench.answer();
-    // What the model says is what was measured without what is left.
-    let left = answer.map_or([0.0; 3], |answer| answer.deviation_after(sample));
-    let real = Vector3::from(loaded_session.measured(sample)) - Vector3::from(left);
-    let deviation = real - corners.last()?.coords;
-    let length = deviation.norm();
-    if !length.is_finite() {
-        return None;
-    }
-    let wanted = magnification(workbench);
-    let most = MOST_DISPLACED * loaded_session.overview.reach_mm / length.max(1e-9);
-    let times = if wanted <= most {
-        wanted
-    } else {
-        round_down(most).max(1.0)
-    };
-    let moved = displaced(corners, deviation * times);
-    Some(Real {
-        corners_mm: moved,
-        times,
-        identified: answer.is_some(),
-    })
-}
-
 /// Width of a rod, and of its wall, points.
 const ROD: [f32; 2] = [10.0, 1.25];
 /// Radius and half the length of a drum, points; of a joint that slides half a side.
@@ -225,8 +157,6 @@ const BLOCK: f64 = 8.0;
 const END_ON: f32 = 0.35;
 /// Half a side of the plate that the robot stands on, points.
 const PLATE: f64 = 17.0;
-/// Width of the real robot's line, points.
-const LINE: f32 = 2.5;
 /// How thick rods and drums become at most, and the part of the robot's length at which they begin to.
 const THICKER: f64 = 2.2;
 const SLENDER: f64 = 0.04;
@@ -265,20 +195,6 @@ pub(super) fn body(pen: &mut Pen<'_>, drawn: &Drawn, base: &Isometry3<f64>, came
     if let Some(tool) = drawn.corners_mm.last() {
         let ring = (Form::Disc, 5.5);
         pen.mark(body.at(tool), ring, surface, Stroke::new(1.5, edge));
-    }
-    // The real robot, where this pose was asked for.
-    if let Some(real) = drawn.real.as_ref().filter(|_| drawn.asked_for) {
-        let color = if real.identified {
-            pen.palette.after
-        } else {
-            pen.palette.before
-        };
-        let corners = real.corners_mm.iter().map(|p| body.at(p));
-        pen.line(corners, Stroke::new(LINE, color));
-        if let Some(tool) = real.corners_mm.last() {
-            pen.disc(body.at(tool), 5.0, surface);
-            pen.disc(body.at(tool), 4.0, color);
-        }
     }
 }
 
@@ -440,40 +356,12 @@ mod tests {
     }
 
     #[test]
-    fn the_real_robot_is_displaced_by_the_magnified_deviation_and_never_off_the_plot() {
-        let mut workbench = workbench();
-        workbench.execute(|bench| bench.view.select(Some(30)));
-        let displacement = |workbench: &Workbench| {
-            let drawn = Drawn::of(workbench).expect("there are samples");
-            let real = drawn.real.expect("it was measured");
-            let (a, b) = (drawn.corners_mm[3], real.corners_mm[3]);
-            assert_eq!(drawn.corners_mm[2], real.corners_mm[2], "the mast stays");
-            (
-                (b[0] - a[0]).hypot(b[1] - a[1]),
-                real.times,
-                real.identified,
-            )
-        };
-        let e = workbench.loaded_session().deviation_before(30);
-        workbench.execute(|bench| bench.view.magnification = Some(2.0));
-        let (moved, times, identified) = displacement(&workbench);
-        assert!((moved - 2.0 * e[0].hypot(e[1])).abs() < 1e-9);
-        assert!(times == 2.0 && !identified);
-        workbench.execute(|bench| bench.identify(None));
-        workbench.receive();
-        workbench.execute(|bench| bench.view.magnification = Some(5000.0));
-        let (moved, times, identified) = displacement(&workbench);
-        assert!(identified && times < 5000.0);
-        assert!(moved <= MOST_DISPLACED * workbench.loaded_session().overview.reach_mm + 1e-9);
-    }
-
-    #[test]
     fn everything_of_the_robot_is_within_the_plots_bounds() {
         let mut workbench = workbench();
         for plane in Plane::ALL {
             workbench.execute(|bench| bench.view.look_in(plane));
             let shown = crate::gui::workspace::model::Shown::of(&workbench);
-            let [low, high] = crate::gui::workspace::fitting::bounds(&shown);
+            let [low, high] = crate::gui::workspace::model::bounds(&shown);
             let drawn = Drawn::of(&workbench).expect("there are samples");
             for p in &drawn.corners_mm {
                 let p = workbench.facing().flat(p.coords.into());

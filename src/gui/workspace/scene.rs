@@ -11,11 +11,11 @@ use nalgebra::{Isometry3, Point3, UnitQuaternion, Vector3};
 use crate::gui::cache::cloud::Cloud;
 use crate::gui::core::overview::round_down;
 use crate::gui::layers::gpu::CloudLayer;
-use crate::gui::layers::{Frame, WEDGE, WIDTH, heat_map, map_in_plot, scale_at};
+use crate::gui::layers::{Frame, WIDTH, heat_map, map_in_plot};
 use crate::gui::style::{size, strong};
-use crate::gui::view::{Ball, Colouring};
+use crate::gui::view::Ball;
 use crate::gui::workbench::Workbench;
-use crate::gui::workspace::fitting::{self, HANDLE, SECTOR};
+use crate::gui::workspace::model::{self, HANDLE, SECTOR};
 use crate::gui::workspace::model::{Dial, Shown, VisibleSample, ball, shown};
 use crate::gui::workspace::pen::{Camera, Label, Pen};
 use crate::gui::workspace::pointer::marked;
@@ -25,8 +25,6 @@ use crate::present::chart::Form;
 use crate::present::numbers::trimmed;
 use crate::sessions::Region;
 
-/// Width of a path where its colour says how sure the model is, points.
-const BAND: f32 = 7.0;
 /// Names of regions stand so far from the axis, in parts of the farthest reflector's distance.
 const NAMES: f64 = 0.42;
 /// Squares of the grid from its middle to its edge, at least.
@@ -65,7 +63,7 @@ fn sectors(pen: &mut Pen<'_>, dial: &Dial, regions: &[Region], editing: bool, ca
     // All of them together, without soft edges: neighbouring pieces leave no seams.
     let mut mesh = Mesh::default();
     for (place, region) in order.into_iter().map(|k| &regions[k]).enumerate() {
-        for corners in fitting::sector(dial, region.from_rad, region.to_rad) {
+        for corners in model::sector(dial, region.from_rad, region.to_rad) {
             let first = u32::try_from(mesh.vertices.len()).unwrap_or(u32::MAX);
             for corner in corners {
                 mesh.colored_vertex(camera.at_flat(corner), pen.palette.sectors[place % 2]);
@@ -104,13 +102,7 @@ fn heat(pen: &mut Pen<'_>, workbench: &Workbench, shown: &Shown, camera: &Camera
 /// The way of each reflector on the nominal robot, with how sure the model is of it.
 fn path(pen: &mut Pen<'_>, shown: &Shown, camera: &Camera) {
     let palette = pen.palette;
-    let sure = |part: f32| scale_at(palette, part);
-    for (k, path) in shown.paths_mm.iter().enumerate() {
-        let parts = shown.sure.get(k).map_or(&[][..], Vec::as_slice);
-        for (pair, part) in path.windows(2).zip(parts) {
-            let ends = [pair[0], pair[1]].map(|p| camera.at(p));
-            pen.line(ends, Stroke::new(BAND, sure(*part)));
-        }
+    for path in &shown.paths_mm {
         let points = path.iter().map(|p| camera.at(*p));
         pen.line(points, Stroke::new(1.25, palette.nominal));
     }
@@ -131,7 +123,7 @@ fn samples(pen: &mut Pen<'_>, workbench: &Workbench, shown: &Shown, camera: &Cam
         cloud: Cloud::of(workbench.loaded_session()),
         remainder: workbench.remainder(),
         frame: Frame::new(&shown.look, pen.palette, &camera.transform, pixels),
-        counts: fitting::counts(shown, &camera.transform),
+        counts: model::counts(shown, &camera.transform),
         ghosts: shown.look.ghosts(),
     };
     pen.shapes.push(layer.shape(camera.frame()));
@@ -153,27 +145,13 @@ fn vectors(pen: &mut Pen<'_>, shown: &Shown, all: &[VisibleSample], camera: &Cam
     } else {
         palette.before
     };
-    let colouring = shown.look.colouring;
     for one in all {
         if let Some(before) = one.before_mm {
             pen.arrow(ends(one, before), Stroke::new(1.0, ghost));
         }
     }
     for one in all {
-        let stroke = match one.shade {
-            Some(part) => {
-                let wedge = WEDGE[0] + part * (WEDGE[1] - WEDGE[0]);
-                let width = if colouring == Colouring::Uncertainty {
-                    wedge
-                } else {
-                    WIDTH
-                };
-                Stroke::new(width, scale_at(palette, part))
-            }
-            None if colouring == Colouring::Uncertainty => Stroke::new(WIDTH, ghost),
-            None => Stroke::new(WIDTH, flat),
-        };
-        pen.arrow(ends(one, one.vector_mm), stroke);
+        pen.arrow(ends(one, one.vector_mm), Stroke::new(WIDTH, flat));
     }
 }
 

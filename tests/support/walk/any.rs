@@ -17,8 +17,8 @@ use crate::gui::core::robot_table::RobotTable;
 use crate::gui::core::setup::SetupForm;
 use crate::gui::core::simulate::Form;
 use crate::gui::import_draft::{ImportAnswers, ImportDraft, RobotFrom};
-use crate::gui::preferences::{Preferences, Sizes, Theme};
 use crate::gui::view::{About, NextAction, Sheet, What};
+use crate::gui::view::{Preferences, Theme};
 use crate::gui::workbench::{Change, Workbench};
 use crate::present::units::{AngleUnit, LengthUnit};
 use crate::programs::{ExternalAxes, Precedence};
@@ -28,7 +28,7 @@ use crate::sessions::Sigma;
 use crate::text::Language;
 use crate::units::rad_from_deg;
 
-use super::looks::{arrangement, chart, chart_of, look, plot, record, seen, sizes, way_to_look};
+use super::looks::{chart, chart_of, look, plot, record, seen, way_to_look};
 
 /// Files that the walk opens and writes.
 pub(super) struct Files {
@@ -335,7 +335,7 @@ fn what(random: &mut ChaCha8Rng) -> (What, &'static str) {
         5 => (What::Poses, "csv"),
         6 => (What::Report(About::Model), "html"),
         7 => (What::Report(About::Model), "pdf"),
-        8 if random.random() => (What::Numbers(chart(random)), "csv"),
+
         _ => {
             let plot = plot(random);
             (What::Picture(plot), plot.ending())
@@ -409,7 +409,6 @@ fn preferences(random: &mut ChaCha8Rng) -> Preferences {
     ];
     Preferences {
         language: pick(random, &languages),
-        sizes: Sizes::default(),
         length: pick(
             random,
             &[
@@ -561,7 +560,7 @@ pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Fi
         at @ 107..=133 => seen(random, workbench, at),
         152 | 153 => chart_of(random),
         154 => way_to_look(random),
-        134 | 135 | 156 | 157 => arrangement(random, workbench),
+        134 | 135 | 151 | 156 | 157 => look(random),
         155 => deed("Results", Some(random.random()), |bench, it| {
             bench.view.results = it;
         }),
@@ -571,14 +570,7 @@ pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Fi
             super::super::Workbench::prefer,
         ),
         139 if random.random() => record(random, workbench, files),
-        139 => deed("Resize", sizes(random), |bench, sizes| {
-            let preferences = bench.view.preferences;
-            bench.prefer(Preferences {
-                sizes,
-                ..preferences
-            });
-        }),
-        140..=142 => draft(random, workbench),
+        139..=142 => draft(random, workbench),
         143..=147 => deed("Sheet", sheet(random, files, workbench), |bench, it| {
             bench.show_sheet(it);
         }),
@@ -587,7 +579,6 @@ pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Fi
         }
         75..=77 | 148 => deed("Dismiss", (), |bench, ()| bench.view.message = None),
         149 => own_robot(random, workbench),
-        151 => look(random),
         158 if random.random_range(0..8) == 0 => {
             deed("Prepare", (), |bench, ()| bench.prepare_again())
         }

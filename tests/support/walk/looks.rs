@@ -1,7 +1,6 @@
 //! Commands at random about how the document is looked at (planes and 3-D, charts and how they are arranged), and
 //! about the record of a machine, sensible or not.
 
-use egui_tiles::{Container, Tile, TileId, Tree};
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 
@@ -11,10 +10,8 @@ use crate::report::Details;
 use crate::gui::charts::CHARTS;
 use crate::gui::core::loaded_session::Component;
 use crate::gui::file_state::Stated;
-use crate::gui::preferences::Sizes;
-use crate::gui::view::{
-    Camera, ChartPane, Colouring, Edge, Key, Pane, Panes, Plane, Plot, Sheet, Side, Standard, Step,
-};
+
+use crate::gui::view::{Camera, Front, Plane, Plot, Sheet, Side, Step};
 use crate::gui::workbench::Workbench;
 
 use super::any::{Deed, Files, deed, one_of, pick};
@@ -41,23 +38,18 @@ pub(super) fn look(random: &mut ChaCha8Rng) -> Deed {
     match random.random_range(0..4) {
         0 => deed("Fit", (), |bench, ()| bench.view.fit()),
         1 => deed("FitWorkspace", (), |bench, ()| bench.view.fit_workspace()),
-        2 => deed("FitChart", random.random_range(0..9), |bench, it| {
-            bench.view.panes.fit(TileId::from_u64(it));
-        }),
-        _ => deed("ActivateNext", (), |bench, ()| {
-            bench.view.panes.activate_next();
-        }),
+        2 => {
+            let front = pick(random, &[Front::Workspace, Front::Chart]);
+            deed("Front", front, |bench, it| bench.view.front = it)
+        }
+        _ => deed("ShowChart", chart(random), Workbench::show_chart),
     }
 }
 
 /// Another way to look at the workspace, or another pose of its robot.
 pub(super) fn way_to_look(random: &mut ChaCha8Rng) -> Deed {
     match random.random_range(0..3) {
-        0 => deed(
-            "LookFrom",
-            one_of(random, &Standard::ALL).copied(),
-            |bench, it| bench.view.look_from(it),
-        ),
+        0 => deed("LookInSpace", (), |bench, ()| bench.view.look_in_space()),
         _ => deed(
             "Turn",
             Camera {
@@ -69,56 +61,6 @@ pub(super) fn way_to_look(random: &mut ChaCha8Rng) -> Deed {
             |bench, it| bench.view.camera = it,
         ),
     }
-}
-
-/// Another arrangement of the plots: split, moved, closed, pulled, looked at in another way.
-pub(super) fn arrangement(random: &mut ChaCha8Rng, workbench: &Workbench) -> Deed {
-    let panes = &workbench.view.panes;
-    let keys = panes.panes().into_iter().map(|(key, _)| key);
-    let keys: Vec<Key> = keys.chain([TileId::from_u64(99)]).collect();
-    let key = pick(random, &keys);
-    let edge = pick(random, &Edge::ALL);
-    match random.random_range(0..8) {
-        0 => deed("Activate", key, |bench, it| bench.view.panes.activate(it)),
-        1 | 2 => deed("AddChart", (key, edge), |bench, (key, edge)| {
-            bench.add_chart(key, edge);
-        }),
-        3 => deed("Close", key, |bench, key| {
-            bench.rearrange(|panes| panes.close(key));
-        }),
-        4 => deed("Move", (key, edge), |bench, (key, edge)| {
-            bench.rearrange(|panes| panes.move_to(key, edge));
-        }),
-        5 => deed("Pull", pulled(random, panes.tree.clone()), |bench, it| {
-            bench.view.panes.take(it);
-        }),
-        _ if random.random_range(0..8) == 0 => deed("Usual", (), |bench, ()| {
-            bench.rearrange(|panes| *panes = Panes::default());
-        }),
-        _ => {
-            let changed = ChartPane {
-                chart: Some(chart(random).to_owned()),
-                component: one_of(random, &Component::ALL).copied(),
-                joint: Some(random.random_range(0..9)),
-                fitted: 0,
-            };
-            deed("ChangeChart", (key, changed), |bench, (key, changed)| {
-                bench.change_chart(key, |pane| *pane = changed);
-            })
-        }
-    }
-}
-
-/// The same tiles with other shares, which may be no numbers.
-fn pulled(random: &mut ChaCha8Rng, mut tree: Tree<Pane>) -> Tree<Pane> {
-    let root = tree.root.and_then(|root| tree.tiles.get_mut(root));
-    if let Some(Tile::Container(Container::Linear(linear))) = root {
-        for child in &linear.children {
-            let share = pick(random, &[0.0, -1.0, f32::NAN, 1e30, 0.2, 3.0]);
-            linear.shares.set_share(*child, share);
-        }
-    }
-    tree
 }
 
 /// What the chart is about.
@@ -157,10 +99,7 @@ pub(super) fn seen(random: &mut ChaCha8Rng, workbench: &Workbench, at: i32) -> D
         116 => deed("Blend", pick(random, &[0.0, 0.4, 1.0]), |bench, it| {
             bench.view.blend = it;
         }),
-        117 => deed("Colour", pick(random, &Colouring::ALL), |bench, it| {
-            bench.view.colouring = it;
-        }),
-        118 => deed("Heat", random.random(), |bench, it| bench.view.heat = it),
+        117 | 118 => deed("Heat", random.random(), |bench, it| bench.view.heat = it),
         119 | 120 => deed("Component", pick(random, &Component::ALL), |bench, it| {
             bench.view.component = it;
         }),
@@ -182,24 +121,12 @@ pub(super) fn seen(random: &mut ChaCha8Rng, workbench: &Workbench, at: i32) -> D
     }
 }
 
-pub(super) fn sizes(random: &mut ChaCha8Rng) -> Sizes {
-    Sizes {
-        left: one_of(random, &[0.0, 300.0, f32::NAN, 1e9]).copied(),
-        ..Sizes::default()
-    }
-}
-
 pub(super) fn record(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Files) -> Deed {
-    match random.random_range(0..5) {
-        0 => deed("CompareSessions", files.any(random), |bench, it| {
-            bench.compare_sessions(it);
-        }),
-        1 => deed("Sheet", (), |bench, ()| {
+    match random.random_range(0..4) {
+        0 | 1 => deed("Sheet", (), |bench, ()| {
             bench.show_sheet(Some(Sheet::DETAILS));
         }),
-        2 => deed("Sheet", (), |bench, ()| {
-            bench.show_sheet(Some(Sheet::HISTORY));
-        }),
+
         _ => deed("State", stated(random, workbench, files), |bench, it| {
             bench.state(it);
         }),

@@ -1,6 +1,9 @@
-//! A chart in its pane: a bar in which it is chosen, and the chart.
+//! The middle: the workspace, and below it a chart with the bar in which it is chosen.
 
-use egui::{Align, ComboBox, CursorIcon, Layout, Rect, Shape, Stroke, StrokeKind, Ui, pos2, vec2};
+use egui::{
+    Align, CentralPanel, ComboBox, CursorIcon, Frame, Layout, Margin, Panel, Rect, Shape, Stroke,
+    StrokeKind, Ui, pos2, vec2,
+};
 
 use crate::gui::charts::{
     Bars, CHARTS, ChartChoice, ChartKind, HoverTarget, Samples, Scene, Shown, deviation,
@@ -8,66 +11,91 @@ use crate::gui::charts::{
 use crate::gui::core::loaded_session::Component;
 use crate::gui::plots::chart::Canvas;
 use crate::gui::plots::{self, figure, picture, ring};
-use crate::gui::style::{size, space};
-use crate::gui::view::{ChartPane, Key, Plot, Step, What};
+use crate::gui::style::{MIDDLE, Palette, size, space};
+use crate::gui::view::{Front, Plot, Step};
 use crate::gui::widgets::{self, Does};
 use crate::gui::workbench::Workbench;
 use crate::gui::workspace::{self, Handles, marked, nearest};
 
-use super::super::blocks;
+use super::blocks;
 
-/// Room for the handle, and for the marks at the right end of the bar, points.
-const HANDLE: f32 = 32.0;
-const MARKS: f32 = 148.0;
+/// Room for the marks at the right end of the bar, points.
+const MARKS: f32 = 112.0;
 /// What a list has beside the name that is chosen, points.
 const ARROW: f32 = 42.0;
 /// A sample is under the pointer within this many points.
 const REACH: f32 = 14.0;
 
-/// Where a chart stands.
-#[derive(Clone, Copy)]
-pub(super) struct Place<'a> {
-    pub(super) key: Key,
-    pub(super) pane: &'a ChartPane,
-    /// Which of the charts it is, where there are several.
-    pub(super) number: Option<usize>,
+/// Around a plot, points.
+fn framed_plot(ui: &Ui) -> Frame {
+    let margin = Margin::same(space::PLOT);
+    Frame::NONE
+        .fill(Palette::of(ui).surface)
+        .inner_margin(margin)
 }
 
-impl Place<'_> {
-    /// What something of this chart is called, where others have the same.
-    fn own(self, name: &str) -> String {
-        match self.number {
-            None => name.to_owned(),
-            Some(number) => format!("{name}, {number}"),
-        }
+/// The middle: the workspace, and the chart below it; where there is no room for both one of them, and a switch.
+pub(crate) fn middle(ui: &mut Ui, workbench: &Workbench) {
+    /// The least height of the workspace and of a chart with their bars, points: so much can be read.
+    const WORKSPACE: f32 = 336.0;
+    const CHART: f32 = 258.0;
+    let high = ui.available_height();
+    let frame = framed_plot(ui);
+    if high < WORKSPACE + CHART || ui.available_width() < MIDDLE {
+        CentralPanel::no_frame().frame(frame).show(ui, |ui| {
+            if workbench.view.front == Front::Chart {
+                widgets::row(ui, |ui| switch(ui, workbench));
+                show(ui, workbench);
+            } else {
+                workspace::bar(ui, workbench, Some(switch));
+                workspace::show(ui, workbench);
+            }
+        });
+        return;
+    }
+    // Of a window of another height the chart has its share again.
+    Panel::bottom(format!("chart {high}"))
+        .resizable(true)
+        .default_size((0.34 * high).max(CHART))
+        .size_range(CHART..=high - WORKSPACE)
+        .frame(frame)
+        .show(ui, |ui| {
+            show(ui, workbench);
+            ui.take_available_height();
+        });
+    CentralPanel::no_frame().frame(frame).show(ui, |ui| {
+        workspace::bar(ui, workbench, None);
+        workspace::show(ui, workbench);
+    });
+}
+
+/// Which of the two is shown where there is room for one only.
+fn switch(ui: &mut Ui, workbench: &Workbench) {
+    let names = [
+        (Front::Workspace, say!("Workspace")),
+        (Front::Chart, say!("Chart")),
+    ];
+    if let Some(front) = widgets::segmented(ui, &names, workbench.view.front) {
+        workbench.then(move |bench| bench.view.front = front);
     }
 }
 
-/// What stands at the beginning of a bar.
-pub(super) type First<'a> = &'a mut dyn FnMut(&mut Ui);
-
-/// Shows it; `first` stands at the beginning of its bar.
-pub(super) fn show(ui: &mut Ui, workbench: &Workbench, place: Place<'_>, first: First<'_>) {
-    let kind = workbench.kind(place.pane);
-    let scene = workbench.scene_in(place.pane);
-    bar(ui, workbench, (place, kind, &scene), first);
+fn show(ui: &mut Ui, workbench: &Workbench) {
+    let kind = workbench.kind();
+    let scene = workbench.scene_of(kind);
+    bar(ui, workbench, kind, &scene);
     match kind.show(&scene) {
-        Ok(shown) => plotted(ui, workbench, (place, kind), &shown),
+        Ok(shown) => plotted(ui, workbench, kind, &shown),
         Err(missing) => plots::chart::empty(ui, &missing.title, missing.why),
     }
 }
 
-fn plotted(
-    ui: &mut Ui,
-    workbench: &Workbench,
-    (place, kind): (Place<'_>, &dyn ChartKind),
-    shown: &Shown<'_>,
-) {
+fn plotted(ui: &mut Ui, workbench: &Workbench, kind: &dyn ChartKind, shown: &Shown<'_>) {
     let view = &workbench.view;
     let before = workbench.answer().map(|_| !view.only_after);
     plots::chart::legend(ui, &shown.chart, before, workbench);
     let title = format!("{} {}", kind.about().id, shown.chart.title);
-    let fitted = view.fitted.charts + place.pane.fitted;
+    let fitted = view.fitted.charts;
     let id = (&*title, workbench.only_after(), fitted);
     let emphasised = view.hovered.or(view.selected);
     let usable = |sample: &usize| workbench.loaded_session().usable[*sample];
@@ -188,11 +216,11 @@ fn width(ui: &Ui, shown: &str) -> f32 {
 fn list<T: Copy + PartialEq + Send + 'static, N: AsRef<str>>(
     ui: &mut Ui,
     workbench: &Workbench,
-    (of, shown): (String, &str),
+    (of, shown): (&str, &str),
     (offered, current): (impl IntoIterator<Item = (T, N)>, T),
     does: impl FnOnce(&mut Workbench, T) + Send + 'static,
 ) {
-    let list = ComboBox::from_id_salt(&of)
+    let list = ComboBox::from_id_salt(of)
         .selected_text(egui::RichText::new(shown).size(size::SMALL))
         .width(0.0)
         .height(360.0);
@@ -214,112 +242,68 @@ fn chosen<'a>(scene: &'a Scene, kind: &dyn ChartKind) -> [Option<&'a str>; 2] {
     ]
 }
 
-/// What is chosen for a chart beside itself. Of one that is alone the view keeps component and joint, so that the
-/// workspace shows the same; of one of several its pane.
-fn others(
-    ui: &mut Ui,
-    workbench: &Workbench,
-    (place, kind, scene): (Place<'_>, &dyn ChartKind, &Scene),
-) {
-    let (key, alone) = (place.key, place.number.is_none());
+/// What is chosen for a chart beside itself.
+fn others(ui: &mut Ui, workbench: &Workbench, kind: &dyn ChartKind, scene: &Scene) {
     let session = &scene.loaded_session.session;
     let [component, joint] = chosen(scene, kind);
     if let Some(shown) = component {
-        let of_view = alone && place.pane.component.is_none();
         let planar = session.samples.z_mm.is_none();
         let offered = Component::ALL.into_iter();
         let offered = offered.filter(|c| !(planar && c.out_of_plane()));
         let offered = (offered.map(|c| (c, c.name())), scene.component);
-        let named = (place.own(say!("Component")), shown);
-        list(ui, workbench, named, offered, move |bench, c| {
-            if of_view {
-                bench.view.component = c;
-            } else {
-                bench.change_chart(key, |pane| pane.component = Some(c));
-            }
+        let named = (say!("Component"), shown);
+        list(ui, workbench, named, offered, |bench, c| {
+            bench.view.component = c;
         });
     }
     if let Some(shown) = joint {
-        let of_view = alone && place.pane.joint.is_none();
         let offered = session.robot.joints.iter().map(|joint| &joint.name);
-        let named = (place.own(say!("Joint of the chart")), shown);
         let offered = (offered.enumerate(), scene.joint());
-        list(ui, workbench, named, offered, move |bench, joint| {
-            if of_view {
-                bench.view.joint = joint;
-            } else {
-                bench.change_chart(key, |pane| pane.joint = Some(joint));
-            }
+        let named = (say!("Joint of the chart"), shown);
+        list(ui, workbench, named, offered, |bench, joint| {
+            bench.view.joint = joint;
         });
     }
 }
 
-fn bar(
-    ui: &mut Ui,
-    workbench: &Workbench,
-    of: (Place<'_>, &dyn ChartKind, &Scene),
-    first: First<'_>,
-) {
-    let (place, kind, scene) = of;
+fn bar(ui: &mut Ui, workbench: &Workbench, kind: &dyn ChartKind, scene: &Scene) {
     let about = kind.about();
-    // What there is no room for stands below, and the marks are in the menu of the handle as well.
+    // What there is no room for stands below.
     let chosen = chosen(scene, kind).into_iter().flatten();
     let beside: f32 = chosen.map(|name| width(ui, name) + space::ROW).sum();
-    let beside_all = ui.available_width() - HANDLE - beside;
-    let name = if beside_all - width(ui, about.name()) < MARKS {
+    let beside_all = ui.available_width() - beside - MARKS;
+    let name = if beside_all < width(ui, about.name()) {
         about.short()
     } else {
         about.name()
     };
-    let room = beside_all - width(ui, name);
+    let below = beside > 0.0 && beside_all < width(ui, name);
     widgets::row(ui, |ui| {
         ui.spacing_mut().item_spacing.x = space::ROW;
-        first(ui);
-        let scene = workbench.scene();
-        let offered = CHARTS.iter().filter(|chart| chart.is_offered(&scene));
+        let offered = CHARTS.iter().filter(|chart| chart.is_offered(scene));
         let offered = offered.map(|chart| (chart.about().id, chart.about().name()));
-        let (key, named) = (place.key, (place.own(say!("Choose chart")), name));
+        let named = (say!("Choose chart"), name);
         list(
             ui,
             workbench,
             named,
             (offered, about.id),
-            move |bench, chart| {
-                bench.choose_chart(key, chart);
-            },
+            Workbench::show_chart,
         );
-        if room >= 0.0 {
-            others(ui, workbench, of);
+        if !below {
+            others(ui, workbench, kind, scene);
         }
-        if room >= MARKS {
-            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-                ui.spacing_mut().item_spacing.x = space::TIGHT;
-                signs(ui, (place, kind), workbench);
-            });
-        }
-    });
-    if room < 0.0 && beside > 0.0 {
-        ui.horizontal_wrapped(|ui| others(ui, workbench, of));
-    }
-}
-
-/// What is done with a chart: what it means, its numbers, its picture.
-fn signs(ui: &mut Ui, (place, kind): (Place<'_>, &dyn ChartKind), workbench: &Workbench) {
-    let (key, about) = (place.key, kind.about());
-    picture(ui, Plot::Chart(about.id), Some(key), workbench);
-    let plot = Plot::Chart(about.id).title();
-    let says = say!("Save data of the {plot}…", plot);
-    let button = widgets::icon_button(ui, widgets::DATA, &says);
-    if button.on_hover_text(&says).clicked() {
-        // Of two that show the same it is this one.
-        workbench.then(move |bench| {
-            bench.view.panes.activate(key);
-            bench.choose_where_to_export(What::Numbers(about.id));
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            ui.spacing_mut().item_spacing.x = space::TIGHT;
+            picture(ui, Plot::Chart(about.id), workbench);
+            if plots::fit(ui, say!("Fit chart to view")) {
+                workbench.then(|bench| bench.view.fitted.charts += 1);
+            }
+            blocks::chart_button(ui, &about, workbench);
+            widgets::question(ui, about.word);
         });
+    });
+    if below {
+        ui.horizontal_wrapped(|ui| others(ui, workbench, kind, scene));
     }
-    if plots::fit(ui, &place.own(say!("Fit chart to view"))) {
-        workbench.then(move |bench| bench.view.panes.fit(key));
-    }
-    blocks::chart_button(ui, &about, key, workbench);
-    widgets::question(ui, about.word);
 }
