@@ -56,7 +56,10 @@ impl Contest {
         let (columns, own) = Columns::together(problem, noise, model, (joint, names));
         let values = columns.values.len();
         let knots = columns.knots(values.clamp(4, MOST_KNOTS));
-        let kernels = (values >= FEWEST_VALUES).then(|| Kernels::new(knots.count, false, true));
+        // What pulls at the ends of one of several joints is the geometry's as much.
+        let is_single = model.robot.joints.len() == 1;
+        let kernels =
+            (values >= FEWEST_VALUES).then(|| Kernels::new(knots.count, false, is_single));
         let block = &columns.blocks[0];
         let first = own.ncols();
         let both = match kernels {
